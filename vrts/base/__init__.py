@@ -1,0 +1,1 @@
+"""Values that every package uses: source text, diagnostics, units, numbers and poses."""

@@ -1,0 +1,77 @@
+"""VAL's orientation angles O, A, T, and locations as VAL prints them.
+
+`R(O, A, T) = Rz(O) M0 Ry(A) Rz(T)`, where M0 is the hand level along -Y with its fingers along X
+[UNI2V1977]_. Equal to Z-Y'-Z'' Euler angles (O - 90, A + 90, T) in degrees.
+"""
+
+import math
+from typing import TypeAlias
+
+from vrts.base.pose import Pose, Rotation
+from vrts.base.units import DEG, MM
+
+VERTICAL_TOLERANCE = 1e-7  # below this hypot(a_x, a_y) the tool counts as vertical [puma.md 3.2]
+
+Components: TypeAlias = tuple[float, float, float, float, float, float]
+
+
+def rotation_from_oat(o: float, a: float, t: float) -> Rotation:
+    """Return the rotation of the angles O, A, T in degrees. Exact at multiples of 90 degrees."""
+    so, co = _sine_cosine(o)
+    sa, ca = _sine_cosine(a)
+    st, ct = _sine_cosine(t)
+    return (
+        co * st - so * sa * ct,
+        co * ct + so * sa * st,
+        so * ca,
+        so * st + co * sa * ct,
+        so * ct - co * sa * st,
+        -co * ca,
+        -ca * ct,
+        ca * st,
+        -sa,
+    )
+
+
+def oat_from_rotation(rotation: Rotation) -> tuple[float, float, float]:
+    """Return O, A, T in degrees with A in [-90, 90].
+
+    With the tool vertical only O - T or O + T is defined; T is then 0 [assumed, puma.md 3.2].
+    """
+    _, r12, r13, _, r22, r23, r31, r32, r33 = rotation
+    level = math.hypot(r13, r23)
+    a = math.atan2(-r33, level)
+    if level < VERTICAL_TOLERANCE:
+        return (_tidy(math.atan2(r22, r12)), _tidy(a), 0.0)
+    return (_tidy(math.atan2(r13, -r23)), _tidy(a), _tidy(math.atan2(r32, -r31)))
+
+
+def pose_from_components(x: float, y: float, z: float, o: float, a: float, t: float) -> Pose:
+    """Return the pose that VAL writes as X Y Z (mm) and O A T (degrees)."""
+    return Pose(rotation_from_oat(o, a, t), (x * MM, y * MM, z * MM))
+
+
+def components(pose: Pose) -> Components:
+    """Return X Y Z in mm and O A T in degrees."""
+    x, y, z = pose.translation
+    return (x / MM, y / MM, z / MM, *oat_from_rotation(pose.rotation))
+
+
+def _sine_cosine(degrees: float) -> tuple[float, float]:
+    quarter = round(degrees / 90.0)
+    rest = (degrees - 90.0 * quarter) * DEG
+    s, c = math.sin(rest), math.cos(rest)
+    match quarter % 4:
+        case 0:
+            return (s, c)
+        case 1:
+            return (c, -s)
+        case 2:
+            return (-s, -c)
+        case _:
+            return (-c, s)
+
+
+def _tidy(radians: float) -> float:
+    degrees = radians / DEG
+    return 180.0 if degrees == -180.0 else degrees + 0.0

@@ -1,0 +1,1 @@
+"""A Run to verdicts, and verdicts to a mark. Opens no file and starts no process."""

@@ -1,0 +1,67 @@
+"""Answers of checks, and the evidence behind them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from types import MappingProxyType
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Datum, Diagnostic
+from vrts.base.pose import Vector
+from vrts.engine.events import Cause
+
+
+class Answer(Enum):
+    """Three-valued: a check that cannot tell says so."""
+
+    HOLDS = "holds"
+    VIOLATED = "violated"
+    UNDETERMINED = "undetermined"
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """The answer of one check."""
+
+    check: str  # "collision", "limits", "target can1", "via 2", "duration", "program"
+    answer: Answer
+    summary: str  # one sentence, lower case
+    findings: tuple[Diagnostic, ...] = ()
+    evidence: Mapping[str, Datum] = field(default_factory=lambda: MappingProxyType({}))
+
+
+class ContactEvent(NamedTuple):
+    """One unordered pair deeper than the tolerance; intervals less than 0.5 s apart are one event."""
+
+    first: str  # "robot", or the name of a free object
+    second: str  # name of a body ("robot" again for the arm against itself)
+    parts: tuple[str, str]  # which parts touch at the deepest moment: "left finger", "can1"
+    start_s: float
+    end_s: float
+    deepest_s: float
+    depth_m: float
+    point: Vector  # at the deepest moment, in W [m]
+    held: str | None  # what the hand held
+    cause: Cause | None  # instruction under way at the first moment
+
+
+class Clearance(NamedTuple):
+    """The smallest distance over all time and tested pairs."""
+
+    distance_m: float  # certified to `tolerance_m`
+    tolerance_m: float
+    time_s: float
+    bodies: tuple[str, str]
+    witnesses: tuple[Vector, Vector]  # nearest points, in W [m]
+
+
+@dataclass(frozen=True, slots=True)
+class CollisionReport:
+    """What the certified check found."""
+
+    contacts: tuple[ContactEvent, ...]
+    grazes: tuple[ContactEvent, ...]  # touches no deeper than the tolerance
+    undetermined: tuple[ContactEvent, ...]  # still open at the finest interval
+    clearance: Clearance | None  # None when there is contact
+    certified: bool  # every instant is covered: nothing undetermined
+    statistics: Mapping[str, int]  # nodes, narrow-phase calls, ...: the method as evidence

@@ -1,0 +1,182 @@
+"""Expressions of the IR. Lengths in mm, angles in degrees, as the language has them.
+
+Evaluated left to right; both operands of a logical operator are always evaluated.
+"""
+
+from enum import Enum
+from typing import NamedTuple, TypeAlias
+
+from vrts.base.source import Span
+from vrts.ir.values import Type, Value
+
+
+class Global(NamedTuple):
+    """A variable of the controller's memory, alive between programs."""
+
+    name: str  # lower case, at most 15 characters, with its sigil: "pick", "$msg", "#safe"
+    type: Type
+
+
+class Slot(NamedTuple):
+    """A formal argument: a slot of the frame that holds a value or a reference to a cell."""
+
+    number: int
+    name: str  # as Global.name
+    type: Type
+
+
+Variable: TypeAlias = Global | Slot
+
+
+class Place(NamedTuple):
+    """Something that can be read and assigned: a scalar, or an element of an array."""
+
+    variable: Variable
+    subscripts: "tuple[Expression, ...]" = ()  # rounded to integers when used
+    span: Span | None = None
+
+
+class Constant(NamedTuple):
+    """A value known at compile time."""
+
+    value: Value
+    span: Span | None = None
+
+
+class Load(NamedTuple):
+    """The value of a variable. Reading one without a value is VAL's *Undefined value*."""
+
+    place: Place
+
+
+class Unary(NamedTuple):
+    """An operator with one operand."""
+
+    operator: "UnaryOperator"
+    operand: "Expression"
+    span: Span | None = None
+
+
+class Binary(NamedTuple):
+    """An operator with two operands."""
+
+    operator: "BinaryOperator"
+    left: "Expression"
+    right: "Expression"
+    span: Span | None = None
+
+
+class Apply(NamedTuple):
+    """A function of the language. An omitted operand is None; DEFINED and its like take a Place."""
+
+    function: "Function"
+    arguments: "tuple[Expression | Place | WholeArray | None, ...]" = ()
+    span: Span | None = None
+
+
+class Compose(NamedTuple):
+    """A compound location `a:b:c`, composed left to right."""
+
+    parts: "tuple[Expression, ...]"
+    span: Span | None = None
+
+
+class WholeArray(NamedTuple):
+    """An array passed whole, `a[]`."""
+
+    variable: Variable
+    span: Span | None = None
+
+
+Expression: TypeAlias = Constant | Load | Unary | Binary | Apply | Compose
+
+
+class UnaryOperator(Enum):
+    """Operators with one operand."""
+
+    MINUS = "-"
+    NOT = "not"
+    COM = "com"
+
+
+class BinaryOperator(Enum):
+    """Operators with two operands. `+` and the comparisons also take two strings."""
+
+    ADD = "+"
+    SUBTRACT = "-"
+    MULTIPLY = "*"
+    DIVIDE = "/"
+    MOD = "mod"
+    EQUAL = "=="
+    NOT_EQUAL = "<>"
+    LESS = "<"
+    LESS_EQUAL = "<="
+    GREATER = ">"
+    GREATER_EQUAL = ">="
+    AND = "and"
+    OR = "or"
+    XOR = "xor"
+    BAND = "band"
+    BOR = "bor"
+    BXOR = "bxor"
+
+
+class Function(Enum):
+    """Functions of the language; the value is the name in a text dump."""
+
+    # reals
+    ABS = "abs"
+    ATAN2 = "atan2"
+    COS = "cos"
+    SIN = "sin"
+    TAN = "tan"
+    FRACT = "fract"
+    INT = "int"
+    MAX = "max"
+    MIN = "min"
+    OUTSIDE = "outside"
+    RANDOM = "random"
+    SIGN = "sign"
+    SQR = "sqr"
+    SQRT = "sqrt"
+    BCD = "bcd"
+    DCB = "dcb"
+    # locations
+    DISTANCE = "distance"
+    DX = "dx"
+    DY = "dy"
+    DZ = "dz"
+    TRANS = "trans"  # x, y, z [mm], o, a, t [deg]
+    NULL = "null"
+    INVERSE = "inverse"
+    FRAME = "frame"
+    SHIFT = "shift"  # pose, dx, dy, dz [mm] in world axes
+    SCALE = "scale"
+    RX = "rx"
+    RY = "ry"
+    RZ = "rz"
+    IDENTICAL = "identical"
+    PPOINT = "#ppoint"  # six joints [deg]
+    # state of the robot and the controller
+    HERE = "here"
+    DEST = "dest"
+    HERE_JOINTS = "#here"
+    DEST_JOINTS = "#dest"
+    BASE = "base"
+    TOOL = "tool"
+    INRANGE = "inrange"
+    HAND = "hand"
+    SIG = "sig"
+    BITS = "bits"
+    TIMER = "timer"
+    SPEED = "speed"
+    DEFINED = "defined"
+    # strings
+    ASC = "asc"
+    CHR = "$chr"
+    LEN = "len"
+    MID = "$mid"
+    POS = "pos"
+    VAL = "val"
+    ENCODE = "$encode"
+    DECODE = "$decode"

@@ -1,0 +1,54 @@
+"""Programs and data of one compilation."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from vrts.base.source import Span
+from vrts.ir.expressions import Slot
+from vrts.ir.instructions import Instruction
+from vrts.ir.values import Value
+
+
+class Origin(NamedTuple):
+    """Where an instruction comes from."""
+
+    step: int  # as the controller numbers lines: from 1, blank and comment lines included
+    span: Span  # the statement, without label and comment
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """One program: a flat list of instructions that ends with Return."""
+
+    name: str  # lower case
+    formals: tuple[Slot, ...]
+    array_formals: frozenset[int]  # slots written `a[]`
+    instructions: tuple[Instruction, ...]
+    origins: tuple[Origin, ...]  # beside instructions
+    steps: tuple[int, ...]  # steps[k] is the first instruction at or after step k + 1
+    loops: int  # number of FOR loops; frames keep a limit and an increment for each
+    cases: int  # number of CASE structures; frames keep a selector for each
+    span: Span  # the .PROGRAM line
+
+
+class Datum(NamedTuple):
+    """An initial value from a data section."""
+
+    name: str  # as Global.name
+    subscripts: tuple[int, ...]
+    value: Value
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Module:
+    """All that one compilation yields."""
+
+    programs: Mapping[str, Program]  # by name, in source order
+    data: tuple[Datum, ...]
+
+    @property
+    def main(self) -> str | None:
+        """The program EXECUTE runs when none is named: the first in the source."""
+        return next(iter(self.programs), None)

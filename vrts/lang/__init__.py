@@ -1,0 +1,1 @@
+"""VAL-II text to IR: splitter, tokeniser, grammar, vocabulary, resolution and lowering."""

@@ -1,0 +1,38 @@
+"""All that is known about one program: what every report is written from."""
+
+from dataclasses import dataclass
+
+from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import SourceFile
+from vrts.check.grade import Grade
+from vrts.check.judgement import Judgement
+from vrts.check.task import Task
+from vrts.engine.run import Run
+from vrts.ir.module import Module
+from vrts.scene.model import Scene
+
+
+@dataclass(frozen=True, slots=True)
+class Assessment:
+    """One program and what the stages said. Later fields are None where a stage was not reached."""
+
+    identifier: str  # file stem or submission id, safe for file names
+    title: str  # as shown: "solution.v2"
+    source: SourceFile | None  # None when the file could not be read as text
+    diagnostics: tuple[Diagnostic, ...]  # of reading and compiling
+    module: Module | None = None
+    scene: Scene | None = None
+    task: Task | None = None
+    run: Run | None = None
+    judgement: Judgement | None = None
+    grade: Grade | None = None
+
+    @property
+    def findings(self) -> tuple[Diagnostic, ...]:
+        """Every diagnostic: of compiling, of the run in time order, of the checks."""
+        found = list(self.diagnostics)
+        if self.run is not None:
+            found += self.run.findings
+        if self.judgement is not None:
+            found += [d for verdict in self.judgement.verdicts for d in verdict.findings]
+        return tuple(found)

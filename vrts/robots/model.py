@@ -1,0 +1,108 @@
+"""What a robot is, as data. The numbers, with their sources, stand in one file per robot."""
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import NamedTuple, TypeAlias
+
+from vrts.base.pose import Pose
+from vrts.geometry.shapes import Piece
+
+Configuration: TypeAlias = tuple[float, float, float, float, float, float]
+"""Six joint positions [rad] in VAL's convention (READY of a PUMA is 0, -90, 90, 0, 0, 0 degrees)."""
+
+
+class Shoulder(Enum):
+    """Which side the arm hangs on: the sign of the reach in the arm plane."""
+
+    LEFTY = "lefty"
+    RIGHTY = "righty"
+
+
+class Elbow(Enum):
+    """Elbow above or below the line from shoulder to wrist."""
+
+    ABOVE = "above"
+    BELOW = "below"
+
+
+class Wrist(Enum):
+    """Sign of joint 5."""
+
+    NOFLIP = "noflip"  # joint 5 >= 0
+    FLIP = "flip"  # joint 5 < 0
+
+
+class ArmBranch(NamedTuple):
+    """Which solution of the inverse kinematics: VAL's manuals call it configuration."""
+
+    shoulder: Shoulder
+    elbow: Elbow
+    wrist: Wrist
+
+
+class Link(NamedTuple):
+    """A rigid part of the arm that turns with a joint (0 is the base)."""
+
+    name: str  # "base", "turret", "upper arm", "forearm", "wrist", "wrist bend", "flange"
+    joint: int  # number of joints before it; its frame L_k is right after the rotation of joint k
+    pieces: tuple[Piece, ...]  # in frame L_k
+
+
+class Finger(NamedTuple):
+    """A finger that moves along the flange's y axis with the hand."""
+
+    name: str  # "left finger", "right finger"
+    side: int  # +1 or -1: its pad stands at y = side * opening / 2
+    pieces: tuple[Piece, ...]  # in the flange frame F at opening 0
+
+
+@dataclass(frozen=True, slots=True)
+class Gripper:
+    """A two-finger parallel hand on the flange frame F (z out of the flange, y from finger to finger)."""
+
+    name: str
+    opening_min: float  # [m]
+    opening_max: float  # [m]
+    stroke_time: float  # full stroke [s]
+    body: tuple[Piece, ...]  # in F
+    fingers: tuple[Finger, Finger]
+    X_FP: Pose  # centre P between the pads; z along the approach, y from finger to finger
+    pad_width: float  # extent of a pad along x of P [m]
+    pad_length: float  # extent of a pad along z of P [m]
+    overlap_min: float  # a grasp needs this much overlap of object and pad [m]
+
+
+@dataclass(frozen=True, slots=True)
+class SphericalWristArm:
+    """A six-axis arm of the PUMA family: standard DH rows (alpha, a, d) with VAL's joint angles.
+
+    Rows: (-90, 0, 0), (0, a2, d2), (+90, a3, 0), (-90, 0, d4), (+90, 0, 0), (0, 0, d6). Base frame B:
+    origin where the axes of joints 1 and 2 meet level, z up.
+    """
+
+    name: str  # "puma761"
+    title: str  # "Unimation PUMA 761"
+    a2: float  # [m]
+    a3: float  # [m]
+    d2: float  # [m]
+    d4: float  # [m]
+    d6: float  # [m]
+    shoulder_height: float  # of B above the floor [m]
+    lower: Configuration  # joint limits [rad]
+    upper: Configuration  # [rad]
+    speed: Configuration  # largest joint speeds [rad/s]
+    ready: Configuration  # [rad]
+    linear_speed: float  # straight lines at SPEED 100 [m/s]
+    angular_speed: float  # straight lines at SPEED 100 [rad/s]
+    acceleration_time: float  # of every motion [s]
+    tick: float  # trajectory generator [s]
+    links: tuple[Link, ...]  # joint 0 to 6
+    skipped_pairs: frozenset[frozenset[str]]  # link names never tested against each other
+
+
+@dataclass(frozen=True, slots=True)
+class Robot:
+    """An arm with its gripper. `gripper.X_FP` is not VAL's TOOL: programs set that."""
+
+    arm: SphericalWristArm
+    gripper: Gripper

@@ -1,0 +1,83 @@
+"""What stands in the workspace, as data.
+
+Frame W is the robot's base frame: z up, origin in the shoulder.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from types import MappingProxyType
+
+from vrts.base.pose import Pose, Vector
+from vrts.base.source import Span
+from vrts.geometry.shapes import Piece
+from vrts.robots.model import Configuration, Robot
+
+
+class Mobility(Enum):
+    """Whether a body can be carried."""
+
+    FIXED = "fixed"
+    MOVABLE = "movable"
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """A named thing in the scene."""
+
+    name: str  # as in the file: "can1"
+    title: str  # in words: "the red can"
+    kind: str  # "can", "base", "table", "floor", ...: what it looks like
+    mobility: Mobility
+    pieces: tuple[Piece, ...]  # in the body's frame O
+    X_WO: Pose  # at the start of a run
+    color: tuple[float, float, float]  # linear RGB 0..1
+    centre_of_mass: Vector  # in O [m]
+    symmetry_axis: Vector | None = None  # in O: turning about it changes nothing (a can's z)
+    rests_on: str | None = None  # name of the support at the start; None for fixed bodies
+    span: Span | None = None  # of its name in the file
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """The frozen description of a workspace."""
+
+    name: str
+    title: str
+    robot: Robot
+    X_FT: Pose  # VAL's TOOL when a run starts: the pad centre, unless the file says otherwise
+    bodies: tuple[Body, ...]
+    locations: Mapping[
+        str, Pose
+    ]  # named tool poses X_WT for students: "can1_grip", "base2_put", "safe"
+    digest: str  # sha256 of the file: marks are valid for this scene only
+
+    def body(self, name: str) -> Body:
+        """Return the body of a name. Raises KeyError when there is none."""
+        for body in self.bodies:
+            if body.name == name:
+                return body
+        raise KeyError(name)
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """Deterministic bounds of a run, so that an endless program is a result like any other."""
+
+    statements: int = 2_000_000
+    time_s: float = 600.0  # simulated [s]
+    motions: int = 20_000
+    call_depth: int = 200  # [assumed, val2.md 1.12]
+    output_characters: int = 1_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Scenario:
+    """Initial state, inputs, seed and limits of one run."""
+
+    configuration: Configuration | None = None  # None: the arm's ready configuration
+    hand_opening: float = 0.0  # closed [m]
+    seed: int = 0
+    inputs: tuple[tuple[float, int, bool], ...] = ()  # (time [s], signal number, state), by time
+    limits: Limits = field(default_factory=Limits)
+    parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
