@@ -1,0 +1,79 @@
+"""Apply each patch to a copy of the tree and demand that the named tests fail.
+
+A patch that no test notices, or that no longer applies, fails this stage. Before anything is patched
+the named tests must pass, so that a failure is the patch's doing.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from tests.sabotage.patches import PATCHES, Patch
+
+ROOT = Path(__file__).parent.parent.parent
+COPIED = ("vrts", "tests", "examples", "scenes", "pyproject.toml", "README.md")
+SECONDS = 300
+
+
+def main(words: list[str]) -> int:
+    """Try every patch whose name holds one of the words (all without words)."""
+    chosen = [patch for patch in PATCHES if not words or any(w in patch.name for w in words)]
+    with tempfile.TemporaryDirectory() as folder:
+        untouched = copy_tree(Path(folder) / "untouched")
+        targets = sorted({test for patch in chosen for test in patch.tests})
+        if run_tests(untouched, targets):
+            print("the named tests fail without any patch")
+            return 1
+        with ThreadPoolExecutor(max_workers=2) as pool:
+            verdicts = list(pool.map(lambda patch: verdict(patch, Path(folder)), chosen))
+    for patch, problem in zip(chosen, verdicts, strict=True):
+        print(f"{'noticed ' if problem is None else 'MISSED  '} {patch.name}" + (problem or ""))
+    missed = [problem for problem in verdicts if problem is not None]
+    print(f"sabotage: {len(chosen) - len(missed)} of {len(chosen)} patches noticed")
+    return 1 if missed else 0
+
+
+def verdict(patch: Patch, folder: Path) -> str | None:
+    """Return None when the tests notice the patch, else what is wrong."""
+    tree = copy_tree(folder / patch.name.replace(" ", "-"))
+    target = tree / patch.file
+    text = target.read_text(encoding="utf-8")
+    if text.count(patch.before) != 1:
+        return f": its text stands {text.count(patch.before)} times in {patch.file}"
+    target.write_text(text.replace(patch.before, patch.after), encoding="utf-8")
+    noticed = run_tests(tree, patch.tests)
+    shutil.rmtree(tree)
+    return None if noticed else ": no test failed"
+
+
+def copy_tree(to: Path) -> Path:
+    """Copy what the tests need."""
+    ignore = shutil.ignore_patterns("__pycache__", "*.rrd", "bench")
+    to.mkdir(parents=True)
+    for name in COPIED:
+        source = ROOT / name
+        if source.is_dir():
+            shutil.copytree(source, to / name, ignore=ignore)
+        else:
+            shutil.copy2(source, to / name)
+    return to
+
+
+def run_tests(tree: Path, tests: "tuple[str, ...] | list[str]") -> bool:
+    """Run tests in a tree; return whether any failed. A run that collects nothing raises."""
+    environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", PYTHONPATH=str(tree))
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:randomly", *tests]
+    result = subprocess.run(
+        command, cwd=tree, env=environment, capture_output=True, text=True, timeout=SECONDS, check=False
+    )
+    if result.returncode not in (0, 1, 2):
+        raise RuntimeError(result.stdout + result.stderr)
+    return result.returncode != 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
