@@ -1,8 +1,8 @@
 """What is wrong, where, why, and what to do about it.
 
-A diagnostic is a value: rules make it, renderers in `report` and `cli` show it. Wording lives beside
-the rule. Headlines are lower case without a full stop, say what is, and stand alone; the remedy
-stands only in `help`.
+A diagnostic is a value: rules make it, renderers in `report` and `cli` show it. Wording lives
+beside the rule. Headlines are lower case without a full stop, say what is, and stand alone; the
+remedy stands only in `help`.
 """
 
 from collections.abc import Mapping
@@ -13,7 +13,7 @@ from typing import NamedTuple, TypeAlias
 
 from vrts.base.source import Span
 
-Datum: TypeAlias = "str | int | float | bool | None | tuple[Datum, ...]"
+Datum: TypeAlias = "str | int | float | bool | tuple[Datum, ...] | None"
 
 NO_DATA: Mapping[str, Datum] = MappingProxyType({})
 

@@ -23,7 +23,7 @@ class Answer(Enum):
 class Verdict:
     """The answer of one check."""
 
-    check: str  # "collision", "limits", "target can1", "via 2", "duration", "program"
+    check: str  # "collision", "limits", "target can1", "via 2", "duration"
     answer: Answer
     summary: str  # one sentence, lower case
     findings: tuple[Diagnostic, ...] = ()
@@ -31,7 +31,7 @@ class Verdict:
 
 
 class ContactEvent(NamedTuple):
-    """One unordered pair deeper than the tolerance; intervals less than 0.5 s apart are one event."""
+    """A pair deeper than the tolerance; intervals less than 0.5 s apart are one event."""
 
     first: str  # "robot", or the name of a free object
     second: str  # name of a body ("robot" again for the arm against itself)

@@ -1,1 +1,1 @@
-"""The contract between language and engine: a program with no language and no robot question open."""
+"""The contract between language and engine: programs with no language question left open."""

@@ -1,8 +1,8 @@
 """Instructions of the IR: a flat list per program, jumps by index.
 
-Operands are expressions in the language's units (mm, degrees, seconds, percent). Motion settings carry
-their scope. Where an instruction waits for the arm to stand still first, it says so in its docstring
-as "breaks continuous path".
+Operands are expressions in the language's units (mm, degrees, seconds, percent). Motion settings
+carry their scope. Where an instruction waits for the arm to stand still first, it says so in its
+docstring as "breaks continuous path".
 """
 
 from enum import Enum
@@ -74,7 +74,7 @@ class AssignHere(NamedTuple):
 
 
 class Move(NamedTuple):
-    """MOVE, MOVES, APPRO, APPROS. Target is a pose or joints; `retreat` backs off along tool -Z [mm]."""
+    """MOVE, MOVES, APPRO, APPROS: to a location, or `retreat` [mm] short of it along tool -Z."""
 
     interpolation: Interpolation
     target: Expression
@@ -119,13 +119,13 @@ class SetSpeed(NamedTuple):
 
 
 class RequestBranch(NamedTuple):
-    """RIGHTY .. NOFLIP: kept until a joint-interpolated motion carries it out. Breaks continuous path."""
+    """RIGHTY .. NOFLIP: kept until a joint-interpolated motion does it. Breaks continuous path."""
 
     branch: BranchRequest
 
 
 class MoveHand(NamedTuple):
-    """OPEN, CLOSE, RELAX (with the next motion) and their I forms (break, act now, wait HAND.TIME)."""
+    """OPEN, CLOSE, RELAX with the next motion; the I forms break, act now and wait HAND.TIME."""
 
     action: HandAction
     immediate: bool
@@ -139,7 +139,7 @@ class SetTool(NamedTuple):
 
 
 class SetBase(NamedTuple):
-    """BASE dx, dy, dz [mm], rotation [deg]; the robot has been displaced. Breaks continuous path."""
+    """BASE dx, dy, dz [mm], rotation [deg]: the robot was displaced. Breaks continuous path."""
 
     dx: Expression | None
     dy: Expression | None
@@ -165,7 +165,7 @@ class JumpIf(NamedTuple):
 
 
 class BeginFor(NamedTuple):
-    """Assign the first value, then evaluate and keep limit and increment of a loop of this frame."""
+    """Assign the first value, then evaluate and keep limit and increment of the loop."""
 
     place: Place
     first: Expression
@@ -175,7 +175,10 @@ class BeginFor(NamedTuple):
 
 
 class TestFor(NamedTuple):
-    """Leave the loop when the variable is past its limit. Loop never begun: *Control structure error*."""
+    """Leave the loop when the variable is past its limit.
+
+    A loop never begun is VAL's *Control structure error*.
+    """
 
     place: Place
     loop: int
@@ -248,7 +251,7 @@ class Signal(NamedTuple):
 
 
 class Wait(NamedTuple):
-    """WAIT: until the condition is true, looked at each tick; None gives up the rest of this tick."""
+    """WAIT: until the condition is true at a tick; None gives up the rest of this tick."""
 
     condition: Expression | None
 

@@ -20,7 +20,7 @@ Joints: TypeAlias = tuple[float, float, float, float, float, float]
 """A precision point: six joint positions in rad."""
 
 Value: TypeAlias = float | str | Pose | Joints
-"""A value in the controller's memory. Reals are rounded to single precision; poses and joints are double."""
+"""A value in memory. Reals are rounded to single precision; poses and joints are double."""
 
 
 def type_of_value(value: Value) -> Type:

@@ -8,7 +8,7 @@ from vrts.base.pose import Pose
 from vrts.geometry.shapes import Piece
 
 Configuration: TypeAlias = tuple[float, float, float, float, float, float]
-"""Six joint positions [rad] in VAL's convention (READY of a PUMA is 0, -90, 90, 0, 0, 0 degrees)."""
+"""Six joint positions [rad] in VAL's convention: READY of a PUMA is 0, -90, 90, 0, 0, 0 degrees."""
 
 
 class Shoulder(Enum):
@@ -58,7 +58,7 @@ class Finger(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Gripper:
-    """A two-finger parallel hand on the flange frame F (z out of the flange, y from finger to finger)."""
+    """A two-finger parallel hand on the flange frame F: z out of it, y from finger to finger."""
 
     name: str
     opening_min: float  # [m]
@@ -76,8 +76,8 @@ class Gripper:
 class SphericalWristArm:
     """A six-axis arm of the PUMA family: standard DH rows (alpha, a, d) with VAL's joint angles.
 
-    Rows: (-90, 0, 0), (0, a2, d2), (+90, a3, 0), (-90, 0, d4), (+90, 0, 0), (0, 0, d6). Base frame B:
-    origin where the axes of joints 1 and 2 meet level, z up.
+    Rows: (-90, 0, 0), (0, a2, d2), (+90, a3, 0), (-90, 0, d4), (+90, 0, 0), (0, 0, d6). Base frame
+    B: origin where the axes of joints 1 and 2 meet level, z up.
     """
 
     name: str  # "puma761"
