@@ -1,7 +1,7 @@
 """Run every check of the project, one stage after another: `python -m tests`.
 
-Stages: format, lint, types, import contracts, tests (spec, unit, property, oracle, golden, browser),
-sabotage. Prints the time of each; exit status 0 when all pass. `python -m tests lint types` runs
+Stages: format, lint, types, import contracts, sabotage, tests (spec, unit, property, oracle,
+golden, browser). Prints the time of each; exit status 0 when all pass. `python -m tests lint types` runs
 those stages only.
 """
 

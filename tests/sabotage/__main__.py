@@ -1,7 +1,7 @@
 """Apply each patch to a copy of the tree and demand that the named tests fail.
 
-A patch that no test notices, or that no longer applies, fails this stage. Before anything is patched
-the named tests must pass, so that a failure is the patch's doing.
+A patch that no test notices, or that no longer applies, fails this stage. Before anything is
+patched the named tests must pass, so that a failure is the patch's doing.
 """
 
 import os
@@ -68,7 +68,13 @@ def run_tests(tree: Path, tests: "tuple[str, ...] | list[str]") -> bool:
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", PYTHONPATH=str(tree))
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:randomly", *tests]
     result = subprocess.run(
-        command, cwd=tree, env=environment, capture_output=True, text=True, timeout=SECONDS, check=False
+        command,
+        cwd=tree,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=SECONDS,
+        check=False,
     )
     if result.returncode not in (0, 1, 2):
         raise RuntimeError(result.stdout + result.stderr)

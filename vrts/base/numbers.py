@@ -3,7 +3,7 @@
 import math
 import struct
 
-_SINGLE = struct.Struct("f")
+_SINGLE = struct.Struct("<f")  # standard layout: packing what is too large raises
 
 LARGEST_SINGLE = 3.4028234663852886e38
 LARGEST_EXACT_INTEGER = 16_777_215  # 24-bit mantissa
@@ -13,9 +13,9 @@ def single(value: float) -> float:
     """Return the nearest single-precision number, as a Python float.
 
     Raises:
-        OverflowError: The value is beyond single precision, or is not a number.
+        OverflowError: The value is beyond single precision, infinite, or not a number.
     """
-    if value != value:  # NaN
+    if value - value != 0.0:  # infinity or NaN
         raise OverflowError
     return _SINGLE.unpack(_SINGLE.pack(value))[0]
 
