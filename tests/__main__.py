@@ -1,8 +1,8 @@
 """Run every check of the project, one stage after another: `python -m tests`.
 
 Stages: format, lint, types, import contracts, sabotage, tests (spec, unit, property, oracle,
-golden, browser). Prints the time of each; exit status 0 when all pass. `python -m tests lint types` runs
-those stages only.
+golden, browser). Prints the time of each; exit status 0 when all pass. `python -m tests lint types`
+runs those stages only.
 """
 
 import os
