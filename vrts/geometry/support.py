@@ -1,0 +1,133 @@
+"""How far convex shapes reach in a direction, in plain Python.
+
+The controller asks these questions at single instants (grasp, falling), so they need no numpy. The
+signed distance of two convex shapes is the largest gap over all directions; each of these
+functions gives one such gap exactly.
+"""
+
+import math
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from vrts.base.pose import Pose, Rotation, Vector, dot, rotate, transpose
+from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
+
+
+class Interval(NamedTuple):
+    """A range of lengths along a direction."""
+
+    lower: float  # [m]
+    upper: float  # [m]
+
+    @property
+    def length(self) -> float:
+        """Upper minus lower end [m]."""
+        return self.upper - self.lower
+
+    def overlap(self, other: "Interval") -> float:
+        """Return the common length with another interval; negative is the gap between them [m]."""
+        return min(self.upper, other.upper) - max(self.lower, other.lower)
+
+
+class Bounds(NamedTuple):
+    """A box along the axes of a frame that holds shapes."""
+
+    lower: Vector  # [m]
+    upper: Vector  # [m]
+
+
+def farthest(shape: Shape, direction: Vector) -> Vector:
+    """Return a point of a shape that lies farthest in a direction, both in the shape's frame [m].
+
+    The direction need not have unit length. Where a whole edge or face lies farthest, one of its
+    points is returned: a corner of a box or hull, the middle of a cylinder's side or cap.
+    """
+    x, y, z = direction
+    match shape:
+        case Box(half_extents=(a, b, c)):
+            return (math.copysign(a, x), math.copysign(b, y), math.copysign(c, z))
+        case Cylinder(radius=radius, half_length=half_length):
+            radial = math.hypot(x, y)
+            along = 0.0 if z == 0.0 else math.copysign(half_length, z)
+            if radial <= 1e-12 * abs(z):
+                return (0.0, 0.0, along)
+            return (radius * x / radial, radius * y / radial, along)
+        case Hull(points=points):
+            return max(points, key=lambda point: dot(point, direction))
+
+
+def support(piece: Piece, X_WO: Pose, direction: Vector) -> Vector:
+    """Return a point of a piece that lies farthest in a direction, both in W [m]."""
+    X_WP = X_WO @ piece.X_OP
+    return X_WP.apply(farthest(piece.shape, rotate(transpose(X_WP.rotation), direction)))
+
+
+def reach(shape: Shape, direction: Vector) -> float:
+    """Return the largest scalar product of a point of a shape with a direction.
+
+    The direction is in the shape's frame; for a unit vector the result is a length in m.
+    """
+    x, y, z = direction
+    match shape:
+        case Box(half_extents=(a, b, c)):
+            return a * abs(x) + b * abs(y) + c * abs(z)
+        case Cylinder(radius=radius, half_length=half_length):
+            return radius * math.hypot(x, y) + half_length * abs(z)
+        case Hull(points=points):
+            return max(x * px + y * py + z * pz for px, py, pz in points)
+
+
+def extent(piece: Piece, X_WO: Pose, direction: Vector) -> Interval:
+    """Return the range that a piece covers along a unit vector of W, measured from W's origin."""
+    X_WP = X_WO @ piece.X_OP
+    local = rotate(transpose(X_WP.rotation), direction)
+    offset = dot(X_WP.translation, direction)
+    backward = (-local[0], -local[1], -local[2])
+    return Interval(offset - reach(piece.shape, backward), offset + reach(piece.shape, local))
+
+
+def extent_of(pieces: Iterable[Piece], X_WO: Pose, direction: Vector) -> Interval:
+    """Return the range that a union of pieces covers along a unit vector of W.
+
+    Raises:
+        ValueError: There are no pieces.
+    """
+    extents = [extent(piece, X_WO, direction) for piece in pieces]
+    return Interval(min(e.lower for e in extents), max(e.upper for e in extents))
+
+
+def half_box(shape: Shape, rotation: Rotation) -> tuple[Vector, Vector]:
+    """Return the lower and upper corner of the box along W's axes round a turned shape [m].
+
+    Args:
+        shape: In its frame P.
+        rotation: Orientation of P in W; the corners are relative to P's origin.
+    """
+    lower: list[float] = []
+    upper: list[float] = []
+    for row in (rotation[0:3], rotation[3:6], rotation[6:9]):
+        upper.append(reach(shape, row))
+        lower.append(-reach(shape, (-row[0], -row[1], -row[2])))
+    return (lower[0], lower[1], lower[2]), (upper[0], upper[1], upper[2])
+
+
+def bounds(pieces: Iterable[Piece], X_WO: Pose) -> Bounds:
+    """Return the smallest box along the axes of W that holds a union of pieces.
+
+    Raises:
+        ValueError: There are no pieces.
+    """
+    lowers: list[Vector] = []
+    uppers: list[Vector] = []
+    for piece in pieces:
+        X_WP = X_WO @ piece.X_OP
+        lower, upper = half_box(piece.shape, X_WP.rotation)
+        x, y, z = X_WP.translation
+        lowers.append((lower[0] + x, lower[1] + y, lower[2] + z))
+        uppers.append((upper[0] + x, upper[1] + y, upper[2] + z))
+    if not lowers:
+        raise ValueError("no pieces")
+    return Bounds(
+        (min(v[0] for v in lowers), min(v[1] for v in lowers), min(v[2] for v in lowers)),
+        (max(v[0] for v in uppers), max(v[1] for v in uppers), max(v[2] for v in uppers)),
+    )
