@@ -1,0 +1,120 @@
+"""What everybody sees first, on every medium, in this order.
+
+The mark; ready for the real robot, yes or no; the costliest cause in one sentence; a hint; the table
+of losses; the moment whose picture to show.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from vrts.base.diagnostic import Diagnostic, Moment
+from vrts.base.source import Span
+from vrts.check.grade import Loss, Status
+from vrts.check.verdict import Answer, Verdict
+from vrts.engine.records import Ending
+from vrts.report.assessment import Assessment
+from vrts.report.plain import one_line
+from vrts.report.quantities import at_time, lost
+
+NOTHING_LOST = "Nothing was lost: every goal is reached and nothing was touched"
+NOTHING_WRONG = "Nothing was found to be wrong"
+
+
+@dataclass(frozen=True, slots=True)
+class FirstScreen:
+    """The answer in one look. All texts are one line and free of control characters."""
+
+    mark: Fraction | None  # None without a task
+    status: str  # "graded", "does not compile", "holds", ...
+    ready: bool  # for the real robot
+    obstacles: tuple[str, ...]  # why not, most serious first
+    cause: str  # a sentence, without full stop: "At 12.4 s, line 17 `…`, … (−1.5)"
+    hint: str | None  # where to look; not the solution
+    losses: tuple[Loss, ...]  # empty without a task
+    verdicts: tuple[Verdict, ...]  # shown in place of the losses without a task
+    moment: Moment | None  # of the cause: what the picture shows
+    span: Span | None  # of the cause
+
+
+def first_screen(a: Assessment) -> FirstScreen:
+    """Return what is shown first of an assessment."""
+    errors = [d for d in a.findings if d.is_error]
+    verdicts = a.judgement.verdicts if a.judgement else ()
+    cause, hint, moment, span = _cause(a, errors, verdicts)
+    grade = a.grade
+    ready = grade.ready if grade else _ready(a, errors)
+    obstacles = grade.obstacles if grade else tuple(d.headline for d in errors)
+    return FirstScreen(
+        mark=grade.mark if grade else None,
+        status=status(a),
+        ready=ready,
+        obstacles=tuple(one_line(o) for o in obstacles),
+        cause=one_line(cause),
+        hint=one_line(hint) if hint else None,
+        losses=grade.losses if grade else (),
+        verdicts=() if grade else verdicts,
+        moment=moment,
+        span=span,
+    )
+
+
+def status(a: Assessment) -> str:
+    """Return what became of a program in a word or two."""
+    if a.grade:
+        return a.grade.status.value
+    if a.source is None:
+        return Status.UNREADABLE.value
+    if a.module is None:
+        return Status.DOES_NOT_COMPILE.value
+    if a.run is None:
+        return "compiles"
+    ending = {Ending.ERROR: Status.STOPPED.value, Ending.LIMIT: Status.LIMIT.value}
+    if a.run.ending in ending:
+        return ending[a.run.ending]
+    return a.judgement.answer.value if a.judgement else a.run.ending.value
+
+
+def _cause(
+    a: Assessment, errors: list[Diagnostic], verdicts: tuple[Verdict, ...]
+) -> tuple[str, str | None, Moment | None, Span | None]:
+    compiled = a.module is not None
+    if a.grade and compiled:
+        losses = [loss for loss in a.grade.losses if loss.kind != "rounding" and loss.points > 0]
+        if not losses:
+            return (NOTHING_LOST, None, None, None)
+        worst = losses[0]
+        sentence = f"{_capital(worst.sentence)} ({lost(worst.points)})"
+        return (sentence, worst.hint or None, worst.moment, worst.span)
+    if errors:
+        return _of_diagnostic(errors[0])
+    for verdict in verdicts:
+        if verdict.answer is not Answer.HOLDS:
+            return (_capital(verdict.summary), None, None, None)
+    if a.grade and a.grade.losses:  # does not compile, yet nothing to quote
+        return (_capital(a.grade.losses[0].sentence), a.grade.losses[0].hint or None, None, None)
+    return (NOTHING_WRONG, None, None, None)
+
+
+def _of_diagnostic(d: Diagnostic) -> tuple[str, str | None, Moment | None, Span | None]:
+    span = d.primary.span if d.primary else None
+    where = f"line {span.line}" if span else ""
+    when = at_time(d.moment.time_s) if d.moment else ""
+    place = ", ".join(part for part in (when, where) if part)
+    sentence = f"{place}: {d.headline}" if place else d.headline
+    return (_capital(sentence), d.help[0] if d.help else None, d.moment, span)
+
+
+def _ready(a: Assessment, errors: list[Diagnostic]) -> bool:
+    """Return whether nothing speaks against the real robot, when no task says more."""
+    return (
+        not errors
+        and a.run is not None
+        and a.run.ending in (Ending.COMPLETED, Ending.HALTED)
+        and a.judgement is not None
+        and a.judgement.answer is Answer.HOLDS
+        and a.judgement.collisions is not None
+    )
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]

@@ -1,0 +1,204 @@
+"""Assessments as JSON, for programs. Every document names its schema.
+
+Times in s, lengths in mm, angles in degrees, rounded by the shared rule; marks and points as numbers
+and, exactly, as fractions.
+"""
+
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import TypeAlias
+
+from vrts.base.diagnostic import Diagnostic, Label, Moment
+from vrts.base.source import Span
+from vrts.base.units import mm
+from vrts.check.grade import Grade
+from vrts.check.verdict import Clearance, CollisionReport, ContactEvent, Verdict
+from vrts.engine.events import Cause
+from vrts.report.assessment import Assessment
+from vrts.report.first_screen import first_screen, status
+from vrts.report.quantities import joint_degrees, millimetres, rounded_data, seconds
+
+Json: TypeAlias = "dict[str, object]"
+
+ASSESSMENT_SCHEMA = "vrts.assessment/1"
+RESULTS_SCHEMA = "vrts.results/1"
+
+
+def results_json(assessments: Iterable[Assessment]) -> Json:
+    """Return one document with a short row for each assessment, in the order given."""
+    return {"schema": RESULTS_SCHEMA, "results": [result_json(a) for a in assessments]}
+
+
+def result_json(a: Assessment) -> Json:
+    """Return the row of an assessment: what a list of marks needs."""
+    screen = first_screen(a)
+    grade = a.grade
+    return {
+        "id": a.identifier,
+        "title": a.title,
+        "status": status(a),
+        "mark": float(grade.mark) if grade else None,
+        "ready": screen.ready,
+        "cause": screen.cause,
+        "hint": screen.hint,
+        "line": screen.span.line if screen.span else None,
+        "time_s": seconds(screen.moment.time_s) if screen.moment else None,
+        "duration_s": _time(grade.duration_s if grade else None),
+        "losses": _losses(grade) if grade else [],
+    }
+
+
+def assessment_json(a: Assessment) -> Json:
+    """Return all that is known about one program, but for the motion itself."""
+    screen = first_screen(a)
+    return {
+        "schema": ASSESSMENT_SCHEMA,
+        **result_json(a),
+        "obstacles": list(screen.obstacles),
+        "task": a.task and {"name": a.task.name, "title": a.task.title, "sha256": a.task.digest},
+        "scene": a.scene and {"name": a.scene.name, "sha256": a.scene.digest},
+        "parts": _parts(a.grade) if a.grade else None,
+        "run": _run(a),
+        "verdicts": [_verdict(v) for v in a.judgement.verdicts] if a.judgement else [],
+        "collisions": _collisions(a),
+        "findings": [diagnostic_json(d) for d in a.findings],
+    }
+
+
+def diagnostic_json(d: Diagnostic) -> Json:
+    """Return a diagnostic with its exact values."""
+    return {
+        "code": d.rule.code,
+        "slug": d.rule.slug,
+        "severity": d.severity.value,
+        "headline": d.headline,
+        "primary": _label(d.primary) if d.primary else None,
+        "secondary": [_label(label) for label in d.secondary],
+        "notes": list(d.notes),
+        "help": list(d.help),
+        "fix": {**_span(d.fix.span), "replacement": d.fix.replacement} if d.fix else None,
+        "moment": _moment(d.moment) if d.moment else None,
+        "data": rounded_data(d.data),
+    }
+
+
+def _span(span: Span) -> Json:
+    source = span.source
+    last = max(span.start, span.end)
+    return {
+        "file": source.name,
+        "line": span.line,
+        "column": span.column,
+        "end_line": source.line_of(last),
+        "end_column": source.column_of(last),
+    }
+
+
+def _label(label: Label) -> Json:
+    return {**_span(label.span), "text": label.text}
+
+
+def _moment(moment: Moment) -> Json:
+    hand = moment.configuration[6:7]
+    return {
+        "time_s": seconds(moment.time_s),
+        "joints_deg": joint_degrees(moment.configuration),
+        "hand_mm": millimetres(hand[0]) if hand else None,
+        "bodies": list(moment.bodies),
+    }
+
+
+def _losses(grade: Grade) -> list[Json]:
+    return [
+        {
+            **_exact("points", loss.points),
+            "kind": loss.kind,
+            "sentence": loss.sentence,
+            "hint": loss.hint or None,
+            "line": loss.span.line if loss.span else None,
+            "time_s": seconds(loss.moment.time_s) if loss.moment else None,
+        }
+        for loss in grade.losses
+    ]
+
+
+def _parts(grade: Grade) -> Json:
+    return {
+        **_exact("targets", grade.targets),
+        **_exact("vias", grade.vias),
+        **_exact("contacts", grade.contacts),
+        **_exact("time", grade.time),
+    }
+
+
+def _exact(name: str, value: Fraction) -> Json:
+    return {name: round(float(value), 6), f"{name}_exact": str(value)}
+
+
+def _run(a: Assessment) -> Json | None:
+    run = a.run
+    if run is None:
+        return None
+    return {
+        "ending": run.ending.value,
+        "ended_s": _time(run.ended_s),
+        "horizon_s": _time(run.horizon_s),
+        "motions": len(run.motions),
+        "segments": len(run.timeline.segments),
+    }
+
+
+def _verdict(v: Verdict) -> Json:
+    return {
+        "check": v.check,
+        "answer": v.answer.value,
+        "summary": v.summary,
+        "findings": [d.rule.code for d in v.findings],
+        "evidence": rounded_data(v.evidence),
+    }
+
+
+def _collisions(a: Assessment) -> Json | None:
+    report: CollisionReport | None = a.judgement.collisions if a.judgement else None
+    if report is None:
+        return None
+    return {
+        "certified": report.certified,
+        "contacts": [_contact(c) for c in report.contacts],
+        "grazes": [_contact(c) for c in report.grazes],
+        "undetermined": [_contact(c) for c in report.undetermined],
+        "clearance": _clearance(report.clearance) if report.clearance else None,
+        "statistics": dict(report.statistics),
+    }
+
+
+def _contact(c: ContactEvent) -> Json:
+    return {
+        "bodies": [c.first, c.second],
+        "parts": list(c.parts),
+        "start_s": seconds(c.start_s),
+        "end_s": seconds(c.end_s),
+        "deepest_s": seconds(c.deepest_s),
+        "depth_mm": millimetres(c.depth_m),
+        "point_mm": [millimetres(x) for x in c.point],
+        "held": c.held,
+        "line": _line(c.cause),
+    }
+
+
+def _clearance(c: Clearance) -> Json:
+    return {
+        "distance_mm": millimetres(c.distance_m),
+        "tolerance_mm": round(mm(c.tolerance_m), 4),
+        "time_s": seconds(c.time_s),
+        "bodies": list(c.bodies),
+        "witnesses_mm": [[millimetres(x) for x in point] for point in c.witnesses],
+    }
+
+
+def _line(cause: Cause | None) -> int | None:
+    return cause.span.line if cause else None
+
+
+def _time(time_s: float | None) -> float | None:
+    return None if time_s is None or time_s == float("inf") else seconds(time_s)

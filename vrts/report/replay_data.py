@@ -1,0 +1,200 @@
+"""A run as the browser's replay takes it: segments to evaluate, not samples.
+
+Coefficients travel as float32: a joint at 3 rad is then right to 0.2 µrad, the tool to 0.5 µm.
+"""
+
+import base64
+import sys
+from array import array
+from collections.abc import Iterable
+from itertools import chain
+
+from vrts.base.pose import IDENTITY
+from vrts.base.source import SourceFile, Span
+from vrts.check.verdict import ContactEvent
+from vrts.engine.events import (
+    Cause,
+    Event,
+    Found,
+    Grasped,
+    HandCommanded,
+    Landed,
+    MissedOffCentre,
+    MotionEnded,
+    MotionStarted,
+    Printed,
+    ProgramEnded,
+    ProgramStarted,
+    Released,
+    SignalChanged,
+    Toppled,
+)
+from vrts.engine.records import COORDINATES, GRAVITY, Motion, Placement, Segment
+from vrts.engine.run import Run
+from vrts.report.plain import one_line
+from vrts.report.quantities import millimetres, seconds
+from vrts.report.viewer_data import Json, pose_numbers
+
+POWERS = 4  # coefficients sent of each polynomial
+
+
+def run_data(run: Run, source: SourceFile | None) -> Json:
+    """Return everything a replay needs to answer any time, and the events to jump to."""
+    return {
+        "horizon": _end(run),
+        "ended": run.ended_s,
+        "gravity": GRAVITY,
+        "segments": _segments(run.timeline.segments),
+        "tools": _tools(run),
+        "placements": {
+            body: [_placement(p) for p in placements] for body, placements in run.placements.items()
+        },
+        "lines": _lines(run, source),
+        "events": [row for event in run.events for row in _event_rows(event, source)],
+    }
+
+
+def contact_rows(contacts: Iterable[ContactEvent], source: SourceFile | None) -> list[Json]:
+    """Return contact events for the time bar and the marks in the scene."""
+    return [
+        {
+            "first": c.first,
+            "second": c.second,
+            "text": contact_sentence(c),
+            "start": seconds(c.start_s),
+            "end": seconds(c.end_s),
+            "deepest": seconds(c.deepest_s),
+            "depthMm": millimetres(c.depth_m),
+            "point": [round(x, 5) for x in c.point],
+            "held": c.held,
+            "line": _line(c.cause, source),
+        }
+        for c in contacts
+    ]
+
+
+def contact_sentence(c: ContactEvent) -> str:
+    """Return `left finger touches base1, 3.1 mm deep`."""
+    first, second = (one_line(part) for part in c.parts)
+    return f"{first} touches {second}, {millimetres(c.depth_m):g} mm deep"
+
+
+def line_of(span: Span | None, source: SourceFile | None) -> int:
+    """Return the line, from 1, of a span in the program shown; 0 when it lies elsewhere."""
+    return span.line if span is not None and span.source is source else 0
+
+
+def _end(run: Run) -> float:
+    segments = run.timeline.segments
+    last = segments[-1].end_s if segments else 0.0
+    return run.horizon_s if run.horizon_s < float("inf") else max(last, run.ended_s or 0.0)
+
+
+def _segments(segments: Iterable[Segment]) -> Json:
+    kept = list(segments)
+    coefficients = array("f")
+    for segment in kept:
+        assert len(segment.coefficients) == COORDINATES
+        for row in segment.coefficients:
+            coefficients.extend(row[:POWERS])
+            coefficients.extend([0.0] * (POWERS - len(row)))
+    return {
+        "starts": _base64(array("d", (s.start_s for s in kept))),
+        "ends": _base64(array("d", (s.end_s for s in kept))),
+        "coefficients": _base64(coefficients),
+    }
+
+
+def _base64(numbers: "array[float]") -> str:
+    if sys.byteorder == "big":
+        numbers = array(numbers.typecode, numbers)
+        numbers.byteswap()
+    return base64.b64encode(numbers.tobytes()).decode("ascii")
+
+
+def _tools(run: Run) -> list[Json]:
+    """Return the tool in force by time; a change shows from the motion that first uses it."""
+    X_FT = run.scene.X_FT if run.scene else IDENTITY
+    rows: list[Json] = [{"start": 0.0, "X": pose_numbers(X_FT)}]
+    for motion in run.motions:
+        if motion.X_FT != X_FT:
+            X_FT = motion.X_FT
+            rows.append({"start": motion.start_s, "X": pose_numbers(X_FT)})
+    return rows
+
+
+def _placement(p: Placement) -> Json:
+    return {
+        "start": p.start_s,
+        "end": p.end_s if p.end_s < float("inf") else None,
+        "lie": p.lie.value,
+        "X": pose_numbers(p.X),
+        "support": p.support,
+    }
+
+
+def _lines(run: Run, source: SourceFile | None) -> list[tuple[float, int]]:
+    """Return which line is at work from when on: the motion under way, else the last event."""
+    marks = [(m.start_s, 1, _line(m.cause, source)) for m in run.motions]
+    busy = [(m.start_s, m.end_s) for m in run.motions]
+    marks += [
+        (event.time_s, 0, _line(event.cause, source))
+        for event in run.events
+        if not isinstance(event, (MotionStarted, MotionEnded, Landed, Toppled))
+        and not _under_way(busy, event.time_s)
+    ]
+    rows: list[tuple[float, int]] = []
+    for time_s, _, line in sorted(marks):
+        if line and (not rows or rows[-1][1] != line):
+            rows.append((seconds(time_s), line))
+    return rows
+
+
+def _under_way(busy: list[tuple[float, float]], time_s: float) -> bool:
+    return any(start < time_s < end for start, end in busy)
+
+
+def _line(cause: Cause | None, source: SourceFile | None) -> int:
+    return line_of(cause.span if cause else None, source)
+
+
+def _event_rows(event: Event, source: SourceFile | None) -> list[Json]:
+    text = event_text(event)
+    if text is None:
+        return []
+    kind, words = text
+    row: Json = {"t": seconds(event.time_s), "kind": kind, "text": words}
+    return [{**row, "line": _line(event.cause, source)}]
+
+
+def event_text(event: Event) -> tuple[str, str] | None:
+    """Return the kind and the words of an event worth a row; None for the ends of motions."""
+    match event:
+        case ProgramStarted(program=program):
+            return ("program", f"program {program} starts")
+        case ProgramEnded(ending=ending):
+            return ("program", f"program over: {ending}")
+        case MotionStarted(cause=cause):
+            return ("motion", one_line(cause.span.text))
+        case MotionEnded():
+            return None
+        case HandCommanded(action=action):
+            return ("hand", f"hand: {action}")
+        case Grasped(body=body):
+            return ("grasp", f"{body} grasped")
+        case MissedOffCentre(body=body):
+            return ("fault", f"{body} missed: only one finger meets it")
+        case Released(body=body, height_m=height):
+            fall = f", to fall {millimetres(height):g} mm" if height > 0 else ""
+            return ("grasp", f"{body} released{fall}")
+        case Landed(body=body, support=support):
+            return ("grasp", f"{body} stands on {support}")
+        case Toppled(body=body, support=support):
+            return ("fault", f"{body} cannot stand on {support}")
+        case SignalChanged(signal=signal, on=on):
+            return ("signal", f"signal {signal} {'on' if on else 'off'}")
+        case Printed(text=text):
+            return ("output", one_line(text)) if text.strip() else None
+        case Found(diagnostic=diagnostic):
+            kind = "fault" if diagnostic.is_error else "note"
+            return (kind, one_line(diagnostic.headline))

@@ -1,0 +1,80 @@
+"""The browser's files, and modules inlined so that a page needs no server and no network.
+
+A page opened from `file://` may not load other files, so every module becomes a `data:` URL in an
+import map. Relative imports cannot be resolved against a `data:` URL; they are rewritten to the
+bare names under which the map holds the modules.
+"""
+
+import base64
+import posixpath
+import re
+from functools import cache
+from importlib.resources import files
+
+THREE = "vendor/three/three.module.min.js"
+BARE = {"three": THREE}
+
+_IMPORT = re.compile(r"""(\bfrom\s*|\bimport\s*)(["'])([^"'\n]+)\2""")
+
+
+@cache
+def asset(path: str) -> str:
+    """Return the text of a file below `vrts/web`, by its path with forward slashes."""
+    return files("vrts.web").joinpath(path).read_text(encoding="utf-8")
+
+
+def module_name(path: str) -> str:
+    """Return the bare name of a module in the import map."""
+    return f"vrts/{path}"
+
+
+@cache
+def imports(path: str) -> tuple[str, ...]:
+    """Return the paths of the modules that a module imports directly."""
+    found = (_target(path, match[3]) for match in _IMPORT.finditer(_code(path)))
+    return tuple(dict.fromkeys(found))
+
+
+@cache
+def closure(path: str) -> tuple[str, ...]:
+    """Return a module and all that it needs, each once, in a fixed order."""
+    found: list[str] = []
+    pending = [path]
+    while pending:
+        current = pending.pop()
+        if current not in found:
+            found.append(current)
+            pending += reversed(imports(current))
+    return tuple(found)
+
+
+@cache
+def import_map(entry: str) -> str:
+    """Return the JSON text of an import map with a module and all that it needs."""
+    rows = (f'"{module_name(path)}":"{_data_url(path)}"' for path in closure(entry))
+    return '{"imports":{' + ",\n".join(rows) + "}}"
+
+
+def _data_url(path: str) -> str:
+    code = _IMPORT.sub(
+        lambda match: f"{match[1]}{match[2]}{module_name(_target(path, match[3]))}{match[2]}",
+        _code(path),
+    )
+    return "data:text/javascript;base64," + base64.b64encode(code.encode()).decode("ascii")
+
+
+def _code(path: str) -> str:
+    """Return a module's text without JSDoc blocks that name imports for types only."""
+    return re.sub(r"/\*\*.*?\*/", "", asset(path), flags=re.DOTALL) if _ours(path) else asset(path)
+
+
+def _ours(path: str) -> bool:
+    return not path.startswith("vendor/")
+
+
+def _target(path: str, specifier: str) -> str:
+    if specifier in BARE:
+        return BARE[specifier]
+    if not specifier.startswith("."):
+        raise ValueError(f"{path} imports {specifier}, which is not vendored")
+    return posixpath.normpath(posixpath.join(posixpath.dirname(path), specifier))

@@ -1,0 +1,159 @@
+// The report page: one replay, shown by the viewer, the program, the events and the charts alike.
+
+import { components } from "../viewer/poses.js";
+import { Player } from "../viewer/player.js";
+import { Replay } from "../viewer/replay.js";
+import { Viewer } from "../viewer/viewer.js";
+import { Charts } from "./charts.js";
+import { charts, sampleTimes, speed, toolPath } from "./curves.js";
+import { EventList } from "./events.js";
+import { bindKeys, bindControls, showPlaying } from "./controls.js";
+
+const byId = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
+const LEAD = 0.6; // "watch" starts this much before the moment [s]
+
+const data = JSON.parse(byId("data").textContent ?? "{}");
+const replay = new Replay(data.scene.robot.arm, data.run);
+const dark = matchMedia("(prefers-color-scheme: dark)");
+const theme = () => (dark.matches ? "dark" : "light");
+const viewer = openViewer();
+const slider = /** @type {HTMLInputElement} */ (byId("time"));
+const player = new Player(replay.end, show);
+const events = new EventList(byId("events"), data, (t) => jump(t));
+const times = sampleTimes(replay);
+const path = toolPath(replay, times);
+const plots = new Charts(byId("chart-list"), times, charts(replay, times, path), data.contacts, (t) => jump(t));
+/** @type {Element | null} */
+let lit = null;
+
+slider.max = String(replay.end);
+viewer?.setTrace(path, (i) => data.contacts.some((/** @type {Contact} */ c) => c.start <= times[i] && times[i] <= c.end));
+byId("goals-check").hidden = !data.scene.goals.length && !data.scene.vias.length;
+dark.addEventListener("change", () => viewer?.setTheme(theme()));
+drawTracks();
+bindControls(player, viewer, events, jump);
+bindKeys(player, events, jump);
+for (const button of document.querySelectorAll("button.seek")) {
+  button.addEventListener("click", () => watch(Number(/** @type {HTMLElement} */ (button).dataset.t)));
+}
+jump(data.moment ?? 0);
+
+/** @typedef {{start: number, end: number, first: string, second: string, text: string, point: number[], deepest: number, line: number}} Contact */
+
+/** @returns {Viewer | null} null where the browser has no WebGL */
+function openViewer() {
+  const canvas = /** @type {HTMLCanvasElement} */ (byId("canvas"));
+  const probe = document.createElement("canvas").getContext("webgl2");
+  if (!probe) {
+    byId("no-view").hidden = false;
+    canvas.hidden = true;
+    return null;
+  }
+  probe.getExtension("WEBGL_lose_context")?.loseContext();
+  return new Viewer(canvas, data.scene, theme());
+}
+
+/** Stand still at a time. */
+function jump(/** @type {number} */ t) {
+  player.playing = false;
+  player.seek(t);
+}
+
+/** Show a moment from shortly before, playing, with the replay on screen. */
+function watch(/** @type {number} */ t) {
+  byId("replay").scrollIntoView();
+  byId("stage").focus({ preventScroll: true });
+  jump(Math.max(0, t - LEAD));
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) jump(t);
+  else player.play(1);
+}
+
+/** Show everything at a time. */
+function show(/** @type {number} */ t) {
+  const state = replay.at(t);
+  viewer?.show(state);
+  const touching = data.contacts.filter((/** @type {Contact} */ c) => c.start <= t && t <= c.end);
+  const grazing = data.grazes.filter((/** @type {Contact} */ c) => c.start <= t && t <= c.end);
+  viewer?.highlight(mark(touching));
+  slider.value = String(t);
+  slider.setAttribute("aria-valuetext", `${t.toFixed(1)} seconds`);
+  byId("clock").textContent = `${t.toFixed(3).padStart(7)} / ${replay.end.toFixed(1)} s`;
+  showOverlay(state, touching, grazing);
+  showStatus(state);
+  lightLine(replay.line(t));
+  events.show(t);
+  plots.show(t);
+  showPlaying(player);
+}
+
+/** @param {Contact[]} touching */
+function mark(touching) {
+  if (!touching.length) return null;
+  const bodies = touching.flatMap((c) => [c.first, c.second]);
+  return { bodies, robot: bodies.includes("robot"), point: touching[0].point };
+}
+
+/** @param {import("../viewer/replay.js").State} state @param {Contact[]} touching @param {Contact[]} grazing */
+function showOverlay(state, touching, grazing) {
+  const rows = [
+    ...touching.map((c) => ["bad", c.text]),
+    ...grazing.map((c) => ["warn", c.text]),
+    ...state.held.map((name) => ["", `holds ${name}`]),
+  ];
+  byId("overlay").replaceChildren(...rows.map(([kind, text]) => {
+    const row = document.createElement("span");
+    row.className = kind;
+    row.textContent = text;
+    return row;
+  }));
+}
+
+/** @param {import("../viewer/replay.js").State} state */
+function showStatus(state) {
+  const number = (/** @type {number} */ value, /** @type {number} */ width, /** @type {number} */ decimals) =>
+    (value + 0).toFixed(decimals).replace(/^-(0\.?0*)$/, "$1").replace("-", "−").padStart(width);
+  const joints = Array.from(state.q.subarray(0, 6), (q) => number((q * 180) / Math.PI, 8, 2));
+  byId("joints").textContent = `${joints.join(" ")} deg`;
+  const [x, y, z, o, a, t] = components(state.X_WT);
+  const tool = [number(x, 8, 1), number(y, 8, 1), number(z, 8, 1), number(o, 8, 2), number(a, 8, 2), number(t, 8, 2)];
+  byId("tool").textContent = `${tool.join(" ")}  X Y Z mm, O A T deg`;
+  byId("hand").textContent = `${number(state.q[6] * 1000, 8, 1)} mm open${state.held.length ? `, holds ${state.held.join(", ")}` : ""};` +
+    ` tool at ${number(speed(replay, state.t), 1, 0)} mm/s`;
+}
+
+/** @param {number} line */
+function lightLine(line) {
+  const next = line ? document.getElementById(`L${line}`) : null;
+  if (next === lit) return;
+  lit?.classList.remove("lit");
+  lit?.removeAttribute("aria-current");
+  lit = next;
+  if (!next) return;
+  next.classList.add("lit");
+  next.setAttribute("aria-current", "step");
+  const box = /** @type {HTMLElement} */ (next.parentElement);
+  const above = next.offsetTop - box.scrollTop;
+  if (above < 40 || above > box.clientHeight - 60) box.scrollTop = next.offsetTop - box.clientHeight / 2;
+}
+
+/** Draw motions, contacts and the cause above the slider. */
+function drawTracks() {
+  const share = (/** @type {number} */ t) => `${(100 * t) / (replay.end || 1)}%`;
+  const bars = [
+    ...data.run.motions.map((/** @type {{start: number, end: number}} */ m) => ["motion", m.start, m.end, ""]),
+    ...data.grazes.map((/** @type {Contact} */ c) => ["graze", c.start, c.end, c.text]),
+    ...data.contacts.map((/** @type {Contact} */ c) => ["contact", c.start, c.end, c.text]),
+  ];
+  byId("tracks").replaceChildren(...bars.map(([kind, start, end, text]) => {
+    const bar = document.createElement("i");
+    bar.className = kind;
+    bar.title = text;
+    bar.style.left = share(start);
+    bar.style.width = share(end - start);
+    bar.addEventListener("click", () => jump(start));
+    return bar;
+  }));
+}
+
+// For tests and for the curious: the replay and what shows it.
+Object.assign(window, { vrts: { replay, player, viewer } });

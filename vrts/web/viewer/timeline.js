@@ -1,0 +1,82 @@
+// Seven coordinates at any time, from polynomial segments: six joints [rad], hand opening [m].
+
+export const COORDINATES = 7;
+const POWERS = 4; // cubics: c0 + c1 u + c2 u^2 + c3 u^3, u = t - start
+
+/**
+ * @typedef {object} SegmentData
+ * @property {string} starts base64 of little-endian float64 [s]
+ * @property {string} ends base64 of little-endian float64 [s]
+ * @property {string} coefficients base64 of little-endian float32: segment, coordinate, power
+ */
+
+/** @typedef {{position: Float64Array, velocity: Float64Array}} Motion */
+
+/** A piecewise polynomial; time is an argument. */
+export class Timeline {
+  /** @param {SegmentData} data */
+  constructor(data) {
+    this.starts = new Float64Array(bytes(data.starts));
+    this.ends = new Float64Array(bytes(data.ends));
+    this.coefficients = new Float32Array(bytes(data.coefficients));
+  }
+
+  /** End of the last segment [s]. */
+  get end() {
+    return this.ends.length ? this.ends[this.ends.length - 1] : 0;
+  }
+
+  /**
+   * Return the index of the segment valid at a time; the nearest one outside the timeline.
+   * @param {number} t [s]
+   */
+  index(t) {
+    let low = 0;
+    let high = this.starts.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (this.starts[middle] <= t) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  }
+
+  /**
+   * Return positions and velocities at a time. The arm stands still outside the timeline.
+   * @param {number} t [s]
+   * @returns {Motion}
+   */
+  at(t) {
+    const segment = this.index(t);
+    const start = this.starts[segment];
+    const inside = Math.min(Math.max(t, start), this.ends[segment]);
+    return this.evaluate(segment, inside - start, inside === t);
+  }
+
+  /**
+   * Evaluate one segment.
+   * @param {number} segment
+   * @param {number} u time since its start [s]
+   * @param {boolean} moving false: report zero velocity
+   * @returns {Motion}
+   */
+  evaluate(segment, u, moving = true) {
+    const position = new Float64Array(COORDINATES);
+    const velocity = new Float64Array(COORDINATES);
+    for (let i = 0; i < COORDINATES; i++) {
+      const at = (segment * COORDINATES + i) * POWERS;
+      const [c0, c1, c2, c3] = this.coefficients.subarray(at, at + POWERS);
+      position[i] = c0 + u * (c1 + u * (c2 + u * c3));
+      velocity[i] = moving ? c1 + u * (2 * c2 + u * 3 * c3) : 0;
+    }
+    return { position, velocity };
+  }
+}
+
+/**
+ * @param {string} base64
+ * @returns {ArrayBuffer}
+ */
+function bytes(base64) {
+  return Uint8Array.from(atob(base64), (character) => character.charCodeAt(0)).buffer;
+}
