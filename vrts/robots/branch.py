@@ -1,0 +1,60 @@
+"""Arm branches: which of the eight solutions of the inverse kinematics a configuration lies on.
+
+Indicators are those of [Lee1984]_: the signed reach in the arm plane, the signed bend of the elbow
+and the sign of joint 5. On a boundary their sign is noise, so the branch remembered from before
+counts.
+"""
+
+import math
+
+from vrts.robots.model import (
+    ArmBranch,
+    Configuration,
+    Elbow,
+    Shoulder,
+    SphericalWristArm,
+    Wrist,
+)
+
+SHOULDER_BOUNDARY = 25e-3  # [m] of signed reach [assumed, val2.md 6.7]
+ELBOW_BOUNDARY = 25e-3  # [m] of signed bend [assumed, val2.md 6.7]
+WRIST_BOUNDARY = math.radians(0.01)  # [rad] of joint 5 [assumed]
+
+INITIAL_BRANCH = ArmBranch(Shoulder.LEFTY, Elbow.ABOVE, Wrist.NOFLIP)  # [assumed]
+
+ALL_BRANCHES: tuple[ArmBranch, ...] = tuple(
+    ArmBranch(shoulder, elbow, wrist) for shoulder in Shoulder for elbow in Elbow for wrist in Wrist
+)
+
+
+def shoulder_reach(arm: SphericalWristArm, q: Configuration) -> float:
+    """Return the signed reach of the wrist centre in the arm plane [m]; negative is RIGHTY."""
+    q23 = q[1] + q[2]
+    return arm.a2 * math.cos(q[1]) + arm.a3 * math.cos(q23) + arm.d4 * math.sin(q23)
+
+
+def elbow_reach(arm: SphericalWristArm, q: Configuration) -> float:
+    """Return the signed bend of the elbow [m]; zero when the arm is straight."""
+    return arm.d4 * math.cos(q[2]) - arm.a3 * math.sin(q[2])
+
+
+def branch_of(
+    arm: SphericalWristArm, q: Configuration, previous: ArmBranch | None = None
+) -> ArmBranch:
+    """Return the arm branch of a configuration.
+
+    On a boundary the branch remembered from before counts; without one the bare sign does. READY
+    lies on all three boundaries.
+    """
+    reach, bend = shoulder_reach(arm, q), elbow_reach(arm, q)
+    shoulder = Shoulder.RIGHTY if reach < 0.0 else Shoulder.LEFTY
+    if previous is not None and abs(reach) < SHOULDER_BOUNDARY:
+        shoulder = previous.shoulder
+    above = bend > 0.0 if shoulder is Shoulder.RIGHTY else bend < 0.0
+    elbow = Elbow.ABOVE if above else Elbow.BELOW
+    if previous is not None and abs(bend) < ELBOW_BOUNDARY:
+        elbow = previous.elbow
+    wrist = Wrist.FLIP if q[4] < 0.0 else Wrist.NOFLIP
+    if previous is not None and abs(q[4]) < WRIST_BOUNDARY:
+        wrist = previous.wrist
+    return ArmBranch(shoulder, elbow, wrist)
