@@ -1,0 +1,120 @@
+"""When touching is allowed: pads and the object they hold, an object and what it stands on.
+
+*Pads and grasped object*: from the close command until first separated after opening. *Object and
+support*: tested against the support lowered by 1 mm, which is no matter of time; but both kinds of
+pairs are near each other on purpose when grasping, lifting and setting down. They enter minimum
+clearance only once they have been farther apart than `NEAR_MISS` and come nearer again, and an
+object that is set down leaves it with the final approach.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.engine.events import Event, Grasped, HandCommanded, Released
+from vrts.ir.instructions import HandAction
+
+Array: TypeAlias = npt.NDArray[np.float64]
+
+NEAR_MISS = 5e-3  # [m] nearer than this is a near miss [assumed]
+SEPARATED = 2e-4  # [m] pads farther than this from the object have let go of it [assumed]
+STEP = 7e-3  # [s] between instants at which separation is looked for: a quarter tick [assumed]
+BATCH = 64  # instants looked at together
+
+
+class Window(NamedTuple):
+    """An interval of time with one rule."""
+
+    start_s: float
+    end_s: float
+    allowed: bool  # touching is allowed
+    counts: bool  # enters minimum clearance
+
+
+class Grip(NamedTuple):
+    """The hand closes on an object, holds it and lets go."""
+
+    body: str
+    close_s: float  # close command
+    open_s: float  # the object leaves the hand; inf if it never does
+
+
+def grips(events: Sequence[Event]) -> tuple[Grip, ...]:
+    """Return every grip of a run."""
+    found: list[Grip] = []
+    close_s = 0.0
+    under_way: dict[str, float] = {}
+    for event in events:
+        match event:
+            case HandCommanded(time_s=time_s, action=action) if action == HandAction.CLOSE.value:
+                close_s = time_s
+            case Grasped(time_s=time_s, body=body):
+                under_way[body] = min(close_s, time_s)
+            case Released(time_s=time_s, body=body) if body in under_way:
+                found.append(Grip(body, under_way.pop(body), time_s))
+            case _:
+                pass
+    found += [Grip(body, close_s, np.inf) for body, close_s in under_way.items()]
+    return tuple(found)
+
+
+def finger_windows(
+    held: Sequence[Grip], gap: Callable[[Array], Array], start_s: float, end_s: float
+) -> tuple[Window, ...]:
+    """Return the rules between one finger and one object over a run.
+
+    Args:
+        held: The grips of that object, in time order.
+        gap: Returns distances [m] of the finger from the object at times after an opening.
+        start_s: Start of the run.
+        end_s: End of the run.
+    """
+    windows: list[Window] = []
+    at = start_s
+    for number, grip in enumerate(held):
+        close_s = max(grip.close_s, at)
+        until = held[number + 1].close_s if number + 1 < len(held) else end_s
+        windows.append(Window(at, close_s, allowed=False, counts=True))
+        apart, away = until, until
+        if grip.open_s < until:
+            apart, away = _parting(gap, grip.open_s, until, SEPARATED)
+        windows.append(Window(close_s, apart, allowed=True, counts=False))
+        windows.append(Window(apart, away, allowed=False, counts=False))
+        at = away
+    windows.append(Window(at, end_s, allowed=False, counts=True))
+    return tuple(window for window in windows if window.end_s > window.start_s)
+
+
+def counted_from(gap: Callable[[Array], Array], start_s: float, end_s: float) -> float:
+    """Return when a pair that starts together comes nearer after it was apart; `end_s` if never."""
+    return _parting(gap, start_s, end_s, NEAR_MISS)[1]
+
+
+def counted_until(gap: Callable[[Array], Array], start_s: float, end_s: float) -> float:
+    """Return when a pair that ends together begins its final approach; `start_s` if at once."""
+
+    def backward(times: Array) -> Array:
+        return gap(start_s + end_s - times)
+
+    return start_s + end_s - _parting(backward, start_s, end_s, NEAR_MISS)[1]
+
+
+def _parting(
+    gap: Callable[[Array], Array], start_s: float, end_s: float, apart: float
+) -> tuple[float, float]:
+    """Return when a gap first exceeds `apart`, and when, beyond `NEAR_MISS`, it first shrinks."""
+    separated: float | None = None
+    before = -np.inf
+    first = start_s
+    while first < end_s:
+        times = np.minimum(first + STEP * np.arange(BATCH), end_s)
+        for t, distance in zip(times.tolist(), gap(times).tolist(), strict=True):
+            if separated is None and distance > apart:
+                separated = t
+            if before > NEAR_MISS and distance < before - 1e-6:
+                return (t if separated is None else separated), t
+            before = distance
+        first = first + STEP * BATCH
+    return (end_s if separated is None else separated), end_s

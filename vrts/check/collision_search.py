@@ -1,0 +1,486 @@
+"""The certified search: intervals of time halved until every one is decided.
+
+A row is a pair of solids in an interval (a node). With the signed distance d at the middle and a
+bound b on how far the solids can approach each other before the ends, the distance is at least
+d - b throughout. Two bounds are used, the smaller counts:
+
+- of length: the turn of each joint between the two times the largest distance from its axis;
+- of speed and acceleration, along the normal n at the middle: |v.n| h + |n x w| r h + a h^2 / 2,
+  since the gap along one direction is never more than the distance of convex shapes. So sliding
+  past each other at a small distance costs few nodes.
+
+Boxes along the axes settle most rows without an exact distance, and none is asked for while the
+bound is above `CAP`. All rows of all intervals are handled together, level by level.
+[Schwarzer2005]_ proves the halving with one distance and one bound to miss nothing.
+"""
+
+from dataclasses import dataclass, field
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.check.collision_pairs import Pairs
+from vrts.check.collision_state import instants_of
+from vrts.check.curves import Curves, Spread
+from vrts.engine.records import GRAVITY
+from vrts.geometry.narrow import ERROR, Transform, pair, transform
+from vrts.geometry.solids import Instants, Motion, Places, Solids
+from vrts.robots.model import SphericalWristArm
+
+Array: TypeAlias = npt.NDArray[np.float64]
+Flags: TypeAlias = npt.NDArray[np.bool_]
+Indices: TypeAlias = npt.NDArray[np.int64]
+
+PAD = 5e-6  # [m] added to every bound: rounding and the error of the exact distance
+GRAZE = 1e-5  # [m] shapes that overlap less than this do not even graze
+BAND = 1e-5  # [m] this near to the tolerance a depth is undetermined
+CAP = 0.03  # [m] no exact distance while the bound is larger
+REPORTED = 1e-3  # [s] times of contact
+FINEST = 1e-5  # [s] to which intervals still open are halved
+COVERED = 0.016  # [s] inside a contact event shorter intervals are not looked into
+EVENT_GAP = 0.5  # [s] contacts of one pair of names less than this apart are one event
+CLEARANCE_TOLERANCE = 1e-4  # [m]
+PROBES = 32  # rows of a level measured early, to find a small distance soon
+FIRST_NODE = 0.3  # [s] length of the first intervals
+BUDGET = 600_000  # exact distances; what is open then is undetermined
+
+assert ERROR < PAD
+
+
+class Touch(NamedTuple):
+    """A pair of solids found nearer than it should be."""
+
+    pair: int  # row of the pairs
+    start_s: float
+    end_s: float
+    time_s: float  # between the two
+    distance: float  # signed, then [m]
+
+
+class Closest(NamedTuple):
+    """The smallest distance found."""
+
+    distance: float  # [m]
+    pair: int
+    time_s: float
+
+
+@dataclass(slots=True)
+class Findings:
+    """What a search finds."""
+
+    contacts: list[Touch] = field(default_factory=list[Touch])
+    grazes: list[Touch] = field(default_factory=list[Touch])
+    open: list[Touch] = field(default_factory=list[Touch])
+    closest: Closest = Closest(np.inf, -1, 0.0)
+    nodes: int = 0
+    rows: int = 0
+    exact: int = 0
+    levels: int = 0
+
+
+class _Level(NamedTuple):
+    """Everything known at one level, for its nodes."""
+
+    middle: Array  # (n,) [s]
+    half: Array  # (n,) [s]
+    spread: Spread
+    state: Instants
+    motion: Motion
+
+
+def search(
+    arm: SphericalWristArm,
+    curves: Curves,
+    solids: Solids,
+    pairs: Pairs,
+    interval: tuple[float, float],
+    *,
+    clearance: bool = True,
+) -> Findings:
+    """Return every contact and graze, and the smallest distance.
+
+    Args:
+        arm: The arm that moves.
+        curves: How it moves.
+        solids: The convex pieces.
+        pairs: Which are tested when, by which rule.
+        interval: Start and end of the time to look at, in s.
+        clearance: Whether to look for the smallest distance.
+    """
+    return _Search(arm, curves, solids, pairs, interval, clearance=clearance).run()
+
+
+class _Search:
+    """One search under way."""
+
+    def __init__(
+        self,
+        arm: SphericalWristArm,
+        curves: Curves,
+        solids: Solids,
+        pairs: Pairs,
+        interval: tuple[float, float],
+        *,
+        clearance: bool,
+    ) -> None:
+        self.arm = arm
+        self.curves = curves
+        self.solids = solids
+        self.pairs = pairs
+        self.found = Findings()
+        self.counts = (pairs.counts & clearance).tolist()
+        if not clearance:
+            self.found.closest = Closest(-np.inf, -1, 0.0)
+        # of each pair, the solid that hangs further out, which is the one that moves
+        frame_a, frame_b = solids.frame[pairs.first], solids.frame[pairs.second]
+        swap = (frame_b > frame_a) | ((frame_a == frame_b) & solids.falls[pairs.second])
+        self.outer = np.where(swap, pairs.second, pairs.first)
+        self.inner = np.where(swap, pairs.first, pairs.second)
+        self.inner_frame = np.minimum(frame_a, frame_b)
+        self.static = (solids.frame == 0) & ~solids.falls
+        self.falls = bool(solids.falls.any())
+        # below this a row is not decided: a touch, or for pads what may be too deep
+        self.floor = np.where(pairs.grazes, -GRAZE, BAND - pairs.tolerance)
+        self.functions = [
+            pair(solids.shapes[i], solids.shapes[j])
+            for i, j in zip(self.outer.tolist(), self.inner.tolist(), strict=True)
+        ]
+        self.spans: dict[int, tuple[Array, Array]] = {}
+        self.start, self.end, self.node, self.row = self._first_nodes(interval)
+
+    def _first_nodes(self, interval: tuple[float, float]) -> tuple[Array, Array, Indices, Indices]:
+        """Return nodes that lie within one rule and one motion each, and all their rows."""
+        curves, pairs = self.curves, self.pairs
+        new_motion = curves.starts[1:][np.diff(curves.motions) != 0]
+        cuts = np.unique(
+            np.concatenate([pairs.start_s, pairs.end_s, curves.jumps(), new_motion, interval])
+        )
+        cuts = cuts[(cuts >= interval[0]) & (cuts <= interval[1])]
+        start, end = cuts[:-1], cuts[1:]
+        still = (curves.spread(start, end).speed == 0.0).all(axis=1)
+        if self.falls:
+            still[:] = False
+        parts = np.where(still, 1, np.maximum(1, np.ceil((end - start) / FIRST_NODE)))
+        start, end = _divided(start, end, parts.astype(np.int64))[:2]
+        active = (pairs.start_s[None, :] <= start[:, None]) & (end[:, None] <= pairs.end_s[None, :])
+        node, row = np.nonzero(active)
+        return start, end, node, row
+
+    def run(self) -> Findings:
+        """Halve until nothing is open."""
+        found = self.found
+        while len(self.row):
+            found.levels += 1
+            found.nodes += len(self.start)
+            found.rows += len(self.row)
+            if found.exact > BUDGET:
+                self._give_up()
+                break
+            self._step()
+        return found
+
+    def _step(self) -> None:
+        level = self._level()
+        node, row = self.node, self.row
+        # where the two solids of every row are; what never moves is placed once
+        count = len(self.start)
+        outer, inner = self.outer[row], self.inner[row]
+        key_outer = outer * count + node
+        key_inner = inner * count + np.where(self.static[inner], 0, node)
+        place_of, known = _distinct(key_outer, key_inner, len(self.static) * count)
+        solid, instant = np.divmod(known, count)
+        at_outer, at_inner = place_of[key_outer], place_of[key_inner]
+        places = self.solids.places(level.state, solid, instant, GRAVITY)
+        bound, arms = self._travel(level, solid, instant, places)
+        reach = bound[self.inner_frame[row], at_outer] + PAD
+        if self.falls:
+            reach += self._drop(level, inner, node) + self._drop(level, outer, node)
+        gap = np.abs(places.centres[at_outer] - places.centres[at_inner])
+        gap -= places.halves[at_outer]
+        gap -= places.halves[at_inner]
+        np.maximum(gap, 0.0, out=gap)
+        gap = np.sqrt(np.einsum("ri,ri->r", gap, gap))
+        exact = _Exact(self, level.middle, places)
+        if self.found.closest.distance > -np.inf:
+            exact.probe(row, node, at_outer, at_inner, gap)
+        keep = np.nonzero(gap - reach < self._bar(row))[0]
+        row, node, gap, reach = row[keep], node[keep], gap[keep], reach[keep]
+        at_outer, at_inner = at_outer[keep], at_inner[keep]
+        distance, normal = exact.measure(row, node, at_outer, at_inner, gap, reach)
+        measured = ~np.isnan(distance)
+        least = np.where(measured, distance, gap) - reach
+        tight = np.nonzero(measured & (least < self._bar(row)))[0]
+        if len(tight):
+            along = self._along_normal(
+                level, row[tight], node[tight], at_outer[tight], places, arms, normal[tight]
+            )
+            least[tight] = np.maximum(least[tight], distance[tight] - along)
+        self._decide(level, row, node, distance, least, reach)
+
+    def _level(self) -> _Level:
+        middle, half = 0.5 * (self.start + self.end), 0.5 * (self.end - self.start)
+        spread = self.curves.spread(self.start, self.end)
+        values = self.curves.values(middle)
+        turn = np.maximum(spread.upper - values, values - spread.lower)
+        state = instants_of(self.arm, values, middle)
+        return _Level(middle, half, spread, state, Motion(half, turn[:, :6], turn[:, 6]))
+
+    def _travel(
+        self, level: _Level, solid: Indices, instant: Indices, places: Places
+    ) -> tuple[Array, Array]:
+        return self.solids.travel(level.state, level.motion, solid, instant, places.centres)
+
+    def _drop(self, level: _Level, solid: Indices, node: Indices) -> Array:
+        motion = Motion(level.half[node], np.empty(0), np.empty(0))
+        since = level.middle[node] - self.solids.falls_from[solid]
+        return self.solids.drop(motion, since, solid, GRAVITY)
+
+    def _bar(self, row: Indices) -> Array:
+        """Return what the least distance of rows must reach for them to be settled."""
+        sought = self.found.closest.distance - CLEARANCE_TOLERANCE
+        return np.where(
+            self.pairs.counts[row], np.maximum(self.floor[row], sought), self.floor[row]
+        )
+
+    def _along_normal(
+        self,
+        level: _Level,
+        row: Indices,
+        node: Indices,
+        at: Indices,
+        places: Places,
+        arms: Array,
+        normal: Array,
+    ) -> Array:
+        """Return the bound from speed and acceleration along the normal, shape (r,), in m."""
+        frames = level.state.frames
+        velocity = self.curves.velocities(level.middle)[node]
+        speed, acceleration = level.spread.speed[node], level.spread.acceleration[node]
+        centre = places.centres[at]
+        outer, inner = self.outer[row], self.inner[row]
+        h = level.half[node]
+        v = np.zeros((len(row), 3))
+        w = np.zeros((len(row), 3))
+        curve = np.zeros(len(row))  # bound on the acceleration of any point
+        faster = np.zeros(len(row))  # sum of joint speeds further in
+        base = self.inner_frame[row]
+        for joint in range(1, 7):
+            rate = np.where(base < joint, velocity[:, joint - 1], 0.0)
+            axis = frames.rotations[joint, :, :, 2][node]
+            offset = centre - frames.origins[joint][node]
+            turned = axis * rate[:, None]
+            w += turned * (arms[joint - 1, at] > 0.0)[:, None]
+            v += np.cross(turned, offset) * (arms[joint - 1, at] > 0.0)[:, None]
+            arm = np.where(base < joint, arms[joint - 1, at], 0.0)
+            top = np.where(base < joint, speed[:, joint - 1], 0.0)
+            # |d2x/dq_i dq_j| is at most the distance from the outer of the two axes
+            curve += arm * (acceleration[:, joint - 1] + top * (2.0 * faster + top))
+            faster += np.where(arm > 0.0, top, 0.0)
+        slides = self.solids.slides[outer]
+        turned = (frames.rotations[6][node] @ self.solids.slide[outer][:, :, None])[:, :, 0]
+        v += turned * velocity[:, 6, None]
+        curve += slides * (acceleration[:, 6] + 2.0 * faster * speed[:, 6])
+        if self.falls:
+            for solid, sign in ((outer, 1.0), (inner, -1.0)):
+                falling = self.solids.falls[solid]
+                since = np.maximum(level.middle[node] - self.solids.falls_from[solid], 0.0)
+                v[:, 2] -= sign * np.where(falling, GRAVITY * since, 0.0)
+                curve += np.where(falling, GRAVITY, 0.0)
+        along = np.abs(np.einsum("ri,ri->r", v, normal))
+        turning = np.linalg.norm(np.cross(normal, w), axis=1) * self.solids.ball[outer]
+        return (along + turning) * h + 0.5 * curve * h * h + PAD
+
+    def _decide(
+        self,
+        level: _Level,
+        row: Indices,
+        node: Indices,
+        distance: Array,
+        least: Array,
+        reach: Array,
+    ) -> None:
+        """Settle rows, note what is found, halve the nodes of the rest."""
+        found, pairs = self.found, self.pairs
+        alive = least < self._bar(row)
+        row, node, distance = row[alive], node[alive], distance[alive]
+        least, reach = least[alive], reach[alive]
+        length = 2.0 * level.half[node]
+        tolerance = pairs.tolerance[row]
+        measured = ~np.isnan(distance)
+        deep = measured & (distance < -tolerance - BAND)
+        whole = deep & (distance + reach < -tolerance - BAND) & (length <= COVERED)
+        middle = level.middle[node]
+        for k in np.nonzero(deep)[0].tolist():
+            t, d = float(middle[k]), float(distance[k])
+            if whole[k]:
+                start, end = float(self.start[node[k]]), float(self.end[node[k]])
+                found.contacts.append(Touch(int(row[k]), start, end, t, d))
+            else:
+                found.contacts.append(Touch(int(row[k]), t, t, t, d))
+        if deep.any():
+            found.closest = Closest(-np.inf, -1, 0.0)
+            self.spans = _spans(found.contacts, pairs.group)
+        done = whole
+        if self.spans:
+            done |= (length <= COVERED) & self._covered(row, node)
+        harmless = least > BAND - tolerance  # cannot be a contact any more
+        short = harmless & (length <= REPORTED) & (least >= self._sought(row))
+        grazing = measured & harmless & (distance + reach < -GRAZE) & pairs.grazes[row]
+        touching = (short | grazing) & measured & pairs.grazes[row] & (distance < -GRAZE) & ~done
+        found.grazes += self._touches(np.nonzero(touching)[0], row, node, middle, distance)
+        done |= short | grazing
+        finest = measured & ~harmless & (length <= FINEST) & (distance - least <= 2.0 * PAD) & ~done
+        found.open += self._touches(np.nonzero(finest)[0], row, node, middle, distance)
+        done |= finest
+        self._halve(row[~done], node[~done])
+
+    def _touches(
+        self, which: Indices, row: Indices, node: Indices, middle: Array, distance: Array
+    ) -> list[Touch]:
+        return [
+            Touch(int(row[k]), self.start[node[k]], self.end[node[k]], middle[k], distance[k])
+            for k in which.tolist()
+        ]
+
+    def _sought(self, row: Indices) -> Array:
+        sought = self.found.closest.distance - CLEARANCE_TOLERANCE
+        return np.where(self.pairs.counts[row], sought, -np.inf)
+
+    def _covered(self, row: Indices, node: Indices) -> Flags:
+        """Return which rows lie between two contacts of one event."""
+        covered = np.zeros(len(row), dtype=np.bool_)
+        group = self.pairs.group[row]
+        for number, (starts, ends) in self.spans.items():
+            mine = np.nonzero(group == number)[0]
+            at = np.searchsorted(starts, self.start[node[mine]] + REPORTED, side="right") - 1
+            inside = (at >= 0) & (self.end[node[mine]] - REPORTED <= ends[np.maximum(at, 0)])
+            covered[mine] = inside
+        return covered
+
+    def _halve(self, row: Indices, node: Indices) -> None:
+        used, again = np.unique(node, return_inverse=True)
+        start, end = self.start[used], self.end[used]
+        middle = 0.5 * (start + end)
+        self.start = np.concatenate([start, middle])
+        self.end = np.concatenate([middle, end])
+        self.row = np.concatenate([row, row])
+        self.node = np.concatenate([again, again + len(used)])
+
+    def _give_up(self) -> None:
+        for row, node in zip(self.row.tolist(), self.node.tolist(), strict=True):
+            if np.isinf(self.pairs.tolerance[row]):
+                continue
+            start, end = float(self.start[node]), float(self.end[node])
+            self.found.open.append(Touch(row, start, end, 0.5 * (start + end), np.nan))
+
+
+class _Exact:
+    """Asks for exact distances at the middles of a level."""
+
+    def __init__(self, of: _Search, middle: Array, places: Places) -> None:
+        self.of = of
+        self.middle = middle
+        self.places = places
+        self.transforms: list[Transform | None] = [None] * len(places.origins)
+
+    def probe(
+        self, row: Indices, node: Indices, outer: Indices, inner: Indices, gap: Array
+    ) -> None:
+        """Look at the rows that promise the smallest distances."""
+        counts = self.of.pairs.counts[row] & (gap < self.of.found.closest.distance)
+        rows = np.nonzero(counts)[0]
+        if len(rows) > PROBES:
+            rows = rows[np.argpartition(gap[rows], PROBES)[:PROBES]]
+        for k in rows[np.argsort(gap[rows])].tolist():
+            if gap[k] < self.of.found.closest.distance:
+                self._distance(int(row[k]), int(node[k]), int(outer[k]), int(inner[k]))
+
+    def measure(
+        self, row: Indices, node: Indices, outer: Indices, inner: Indices, gap: Array, reach: Array
+    ) -> tuple[Array, Array]:
+        """Return distances, shape (r,), NaN where none was needed, and normals, shape (r, 3)."""
+        count = len(row)
+        distance = np.full(count, np.nan)
+        normal = np.zeros((count, 3))
+        within = np.nonzero(reach <= CAP)[0]
+        within = within[np.argsort(gap[within], kind="stable")]
+        least = (gap - reach)[within].tolist()
+        floor = self.of.floor[row[within]].tolist()
+        columns = zip(
+            within.tolist(),
+            least,
+            floor,
+            row[within].tolist(),
+            node[within].tolist(),
+            outer[within].tolist(),
+            inner[within].tolist(),
+            strict=True,
+        )
+        functions = self.of.functions
+        for k, low, bottom, r, n, a, b in columns:
+            if low >= bottom and low >= self.of.found.closest.distance - CLEARANCE_TOLERANCE:
+                continue
+            distance[k] = self._distance(r, n, a, b)
+            normal[k] = functions[r].normal
+        return distance, normal
+
+    def _distance(self, row: int, node: int, outer: int, inner: int) -> float:
+        of = self.of
+        of.found.exact += 1
+        distance = of.functions[row].distance(self._transform(outer), self._transform(inner))
+        if distance < of.found.closest.distance and of.counts[row]:
+            of.found.closest = Closest(distance, row, float(self.middle[node]))
+        return distance
+
+    def _transform(self, at: int) -> Transform:
+        known = self.transforms[at]
+        if known is None:
+            known = transform(self.places.rotations[at], self.places.origins[at])
+            self.transforms[at] = known
+        return known
+
+
+def _divided(start: Array, end: Array, parts: Indices) -> tuple[Array, Array, Indices]:
+    """Return intervals cut into equal parts, and which one each part comes from."""
+    of = np.repeat(np.arange(len(start)), parts)
+    number = np.arange(len(of)) - np.repeat(np.cumsum(parts) - parts, parts)
+    step = (end - start) / parts
+    low = start[of] + number * step[of]
+    high = np.where(number + 1 == parts[of], end[of], start[of] + (number + 1) * step[of])
+    return low, high, of
+
+
+def _distinct(a: Indices, b: Indices, size: int) -> tuple[Indices, Indices]:
+    """Return where each key has its place among the distinct keys, and those keys."""
+    seen = np.zeros(size, dtype=np.bool_)
+    seen[a] = True
+    seen[b] = True
+    known = np.nonzero(seen)[0]
+    place = np.empty(size, dtype=np.int64)
+    place[known] = np.arange(len(known))
+    return place, known
+
+
+def _spans(contacts: list[Touch], group: Indices) -> dict[int, tuple[Array, Array]]:
+    """Return, for each group, the intervals that one event covers."""
+    by_group: dict[int, list[tuple[float, float]]] = {}
+    for touch in contacts:
+        by_group.setdefault(int(group[touch.pair]), []).append((touch.start_s, touch.end_s))
+    spans: dict[int, tuple[Array, Array]] = {}
+    for number, intervals in by_group.items():
+        merged = merge(intervals)
+        spans[number] = (np.array([a for a, _ in merged]), np.array([b for _, b in merged]))
+    return spans
+
+
+def merge(intervals: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return intervals in order, those less than `EVENT_GAP` apart joined."""
+    merged: list[tuple[float, float]] = []
+    for start, end in sorted(intervals):
+        if merged and start - merged[-1][1] < EVENT_GAP:
+            merged[-1] = (merged[-1][0], max(merged[-1][1], end))
+        else:
+            merged.append((start, end))
+    return merged

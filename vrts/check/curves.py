@@ -1,0 +1,210 @@
+"""A timeline as arrays: values, and what they cannot exceed, over any interval of time.
+
+A straight line consists of many short cubics, a joint motion of a few long ones. Bounds over an
+interval are exact whatever it spans: its first and last piece by their ends and turning points, the
+pieces between by a table of maxima over runs of 1, 2, 4, ... pieces.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.engine.records import COORDINATES, Segment
+
+Array: TypeAlias = npt.NDArray[np.float64]
+Indices: TypeAlias = npt.NDArray[np.int64]
+
+VELOCITY_JUMP = 1e-6  # [rad/s, m/s] a larger step between pieces is a jump
+
+
+class Spread(NamedTuple):
+    """What seven coordinates do over intervals; arrays of shape (m, 7)."""
+
+    lower: Array  # smallest value [rad, m]
+    upper: Array  # largest value
+    speed: Array  # largest size of the velocity [rad/s, m/s]
+    acceleration: Array  # largest size of the acceleration [rad/s^2, m/s^2]
+
+
+@dataclass(frozen=True, slots=True)
+class Curves:
+    """Piecewise cubic motion of seven coordinates."""
+
+    starts: Array  # (n,) [s], increasing
+    ends: Array  # (n,) [s]
+    powers: Array  # (n, 7, 4), ascending powers of t - start
+    motions: Indices  # (n,) index of the motion, -1 while the arm stands still
+    turns: Array  # (n, 7, 2) local times of extremes inside the piece; inf where there is none
+    turn_values: Array  # (n, 7, 2) values there; 0 where there is none
+    bends: Array  # (n, 7) local times of extreme velocity; inf where there is none
+    bend_speeds: Array  # (n, 7) size of the velocity there; 0 where there is none
+    table: (
+        Array  # (levels, n, 28) maxima of [upper, -lower, speed, acceleration] over 2^level pieces
+    )
+
+    @property
+    def start_s(self) -> float:
+        """Start of the first piece."""
+        return float(self.starts[0])
+
+    @property
+    def end_s(self) -> float:
+        """End of the last piece."""
+        return float(self.ends[-1])
+
+    def piece_at(self, t: Array) -> Indices:
+        """Return the piece that holds each time: the later one at a joint, the nearest outside."""
+        return np.maximum(np.searchsorted(self.starts, t, side="right") - 1, 0)
+
+    def values(self, t: Array) -> Array:
+        """Return the coordinates, shape (m, 7), at times of shape (m,). Constant outside."""
+        at = self.piece_at(t)
+        return _values(self.powers[at], self._local(at, t)[:, None])
+
+    def velocities(self, t: Array) -> Array:
+        """Return the velocities, shape (m, 7), at times of shape (m,)."""
+        at = self.piece_at(t)
+        return _velocities(self.powers[at], self._local(at, t)[:, None])
+
+    def jumps(self) -> Array:
+        """Return the times between pieces at which a velocity is not continuous."""
+        if len(self.starts) < 2:
+            return np.empty(0)
+        before = _velocities(self.powers[:-1], (self.ends - self.starts)[:-1, None])
+        after = self.powers[1:, :, 1]
+        return self.starts[1:][np.abs(before - after).max(axis=1) > VELOCITY_JUMP]
+
+    def spread(self, t0: Array, t1: Array) -> Spread:
+        """Return exact bounds over intervals.
+
+        Args:
+            t0: Starts, shape (m,), in s.
+            t1: Ends, shape (m,), not before the starts.
+        """
+        first = self.piece_at(t0)
+        last = np.maximum(np.searchsorted(self.starts, t1, side="left") - 1, first)
+        several = last > first
+        u0 = self._local(first, t0)
+        u1 = self._local(last, t1)
+        length = self.ends - self.starts
+        a = self._within(first, u0, np.where(several, length[first], u1))
+        split = np.nonzero(several)[0]
+        if len(split) == 0:
+            return _as_spread(a)
+        later = last[split]
+        b = self._within(later, np.zeros(len(split)), u1[split])
+        a[split] = np.maximum(a[split], b)
+        between = split[last[split] > first[split] + 1]
+        if len(between):
+            low, high = first[between] + 1, last[between]
+            level = np.frexp((high - low).astype(np.float64))[1] - 1
+            inner = np.maximum(self.table[level, low], self.table[level, high - (1 << level)])
+            a[between] = np.maximum(a[between], inner)
+        return _as_spread(a)
+
+    def _local(self, at: Indices, t: Array) -> Array:
+        """Return times since the start of pieces, kept inside them."""
+        start = self.starts[at]
+        return np.clip(t - start, 0.0, self.ends[at] - start)
+
+    def _within(self, at: Indices, u0: Array, u1: Array) -> Array:
+        """Return [upper, -lower, speed, acceleration], (m, 28), over parts of single pieces."""
+        powers = self.powers[at]
+        a, b = u0[:, None], u1[:, None]
+        at_a, at_b = _values(powers, a), _values(powers, b)
+        upper, lower = np.maximum(at_a, at_b), np.minimum(at_a, at_b)
+        turns, values = self.turns[at], self.turn_values[at]
+        inside = (turns > a[:, :, None]) & (turns < b[:, :, None])
+        if inside.any():
+            upper = np.maximum(upper, np.where(inside, values, -np.inf).max(axis=2))
+            lower = np.minimum(lower, np.where(inside, values, np.inf).min(axis=2))
+        speed = np.maximum(np.abs(_velocities(powers, a)), np.abs(_velocities(powers, b)))
+        bends = self.bends[at]
+        inside = (bends > a) & (bends < b)
+        if inside.any():
+            speed = np.maximum(speed, np.where(inside, self.bend_speeds[at], 0.0))
+        acceleration = np.maximum(
+            np.abs(2.0 * powers[:, :, 2] + 6.0 * powers[:, :, 3] * a),
+            np.abs(2.0 * powers[:, :, 2] + 6.0 * powers[:, :, 3] * b),
+        )
+        return np.concatenate([upper, -lower, speed, acceleration], axis=1)
+
+
+def curves(segments: Sequence[Segment]) -> Curves:
+    """Return the arrays of a timeline.
+
+    Raises:
+        ValueError: There is no segment that lasts.
+    """
+    lasting = [segment for segment in segments if segment.end_s > segment.start_s]
+    if not lasting:
+        raise ValueError("a timeline without a segment")
+    starts = np.array([segment.start_s for segment in lasting])
+    ends = np.array([segment.end_s for segment in lasting])
+    powers = _powers(lasting)
+    motions = np.array([-1 if s.motion is None else s.motion for s in lasting], dtype=np.int64)
+    length = (ends - starts)[:, None]
+    turns = _roots(powers[:, :, 1], 2.0 * powers[:, :, 2], 3.0 * powers[:, :, 3])
+    turns[(turns <= 0.0) | (turns >= length[:, :, None])] = np.inf
+    finite = np.isfinite(turns)
+    safe = np.where(finite, turns, 0.0)
+    turn_values = np.where(finite, _values(powers[:, :, None, :], safe), 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        bends = -powers[:, :, 2] / (3.0 * powers[:, :, 3])
+    finite = np.isfinite(bends) & (bends > 0.0) & (bends < length)
+    bends = np.where(finite, bends, np.inf)
+    bend_speeds = np.abs(_velocities(powers, np.where(finite, bends, 0.0))) * finite
+    whole = Curves(
+        starts, ends, powers, motions, turns, turn_values, bends, bend_speeds, np.empty((0, 0, 0))
+    )
+    each = whole._within(np.arange(len(starts)), np.zeros(len(starts)), ends - starts)  # pyright: ignore[reportPrivateUsage]
+    return Curves(
+        starts, ends, powers, motions, turns, turn_values, bends, bend_speeds, _table(each)
+    )
+
+
+def _powers(segments: Sequence[Segment]) -> Array:
+    rows = [segment.coefficients for segment in segments]
+    if all(len(row) == 4 for coefficients in rows for row in coefficients):
+        return np.array(rows, dtype=np.float64)
+    powers = np.zeros((len(rows), COORDINATES, 4))
+    for k, coefficients in enumerate(rows):
+        for i, row in enumerate(coefficients):
+            powers[k, i, : len(row)] = row
+    return powers
+
+
+def _values(powers: Array, u: Array) -> Array:
+    return powers[..., 0] + u * (powers[..., 1] + u * (powers[..., 2] + u * powers[..., 3]))
+
+
+def _velocities(powers: Array, u: Array) -> Array:
+    return powers[..., 1] + u * (2.0 * powers[..., 2] + u * 3.0 * powers[..., 3])
+
+
+def _roots(c: Array, b: Array, a: Array) -> Array:
+    """Return both real roots of a u^2 + b u + c, last axis 2; not finite where there is none."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        half = -0.5 * (b + np.copysign(np.sqrt(b * b - 4.0 * a * c), b))
+        roots = np.stack([half / a, c / half], axis=-1)
+    return np.where(np.isfinite(roots), roots, np.inf)
+
+
+def _table(each: Array) -> Array:
+    levels = [each]
+    width = 1
+    while 2 * width <= len(each):
+        known = levels[-1]
+        wider = known.copy()
+        wider[:-width] = np.maximum(known[:-width], known[width:])
+        levels.append(wider)
+        width *= 2
+    return np.stack(levels)
+
+
+def _as_spread(a: Array) -> Spread:
+    n = COORDINATES
+    return Spread(-a[:, n : 2 * n], a[:, :n], a[:, 2 * n : 3 * n], a[:, 3 * n :])
