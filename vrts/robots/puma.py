@@ -1,7 +1,8 @@
 """The Unimation PUMA family as data. Every number has its source beside it, or the word assumed.
 
 Sources: *maker's drawing*, the workspace and range drawings of the 700 series; *762 model*, a
-public CAD-derived model of a real PUMA 762 (dimensions only); [Lee1984]_ and [FGL1987]_ for the 560.
+public CAD-derived model of a real PUMA 762 (dimensions only); [Lee1984]_ and [FGL1987]_ for
+the 560.
 """
 
 import math
