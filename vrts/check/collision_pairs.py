@@ -47,6 +47,8 @@ class Rule(NamedTuple):
     counts: bool  # enters minimum clearance
 
 
+_Row: TypeAlias = tuple[int, int, float, float, float, bool, bool, int]
+
 STRICT = Rule(TOLERANCE, grazes=True, counts=True)
 ITSELF = Rule(TOLERANCE, grazes=True, counts=False)  # the arm's own shape is no near miss
 NEAR = Rule(TOLERANCE, grazes=True, counts=False)
@@ -136,7 +138,7 @@ class _Cast:
     start_s: float
     end_s: float
     flange_m: float  # of L_6's origin from the flange
-    members: list[Solid] = field(default_factory=lambda: [])
+    members: list[Solid] = field(default_factory=list[Solid])
 
     def add(
         self,
@@ -160,13 +162,9 @@ class _Cast:
 class _Table:
     """Collects pairs."""
 
-    groups: dict[tuple[str, str], int] = field(default_factory=lambda: {})
-    rows: list[tuple[int, int, float, float, float, bool, bool, int]] = field(
-        default_factory=lambda: []
-    )
-    rigid_rows: list[tuple[int, int, float, float, float, bool, bool, int]] = field(
-        default_factory=lambda: []
-    )
+    groups: dict[tuple[str, str], int] = field(default_factory=dict[tuple[str, str], int])
+    rows: list[_Row] = field(default_factory=list[_Row])
+    rigid_rows: list[_Row] = field(default_factory=list[_Row])
 
     def add(
         self,

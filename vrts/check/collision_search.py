@@ -73,7 +73,7 @@ class Findings:
     contacts: list[Touch] = field(default_factory=list[Touch])
     grazes: list[Touch] = field(default_factory=list[Touch])
     open: list[Touch] = field(default_factory=list[Touch])
-    closest: Closest = Closest(np.inf, -1, 0.0)
+    closest: Closest = field(default_factory=lambda: Closest(np.inf, -1, 0.0))
     nodes: int = 0
     rows: int = 0
     exact: int = 0
@@ -339,9 +339,9 @@ class _Search:
     def _touches(
         self, which: Indices, row: Indices, node: Indices, middle: Array, distance: Array
     ) -> list[Touch]:
+        columns = (row, self.start[node], self.end[node], middle, distance)
         return [
-            Touch(int(row[k]), self.start[node[k]], self.end[node[k]], middle[k], distance[k])
-            for k in which.tolist()
+            Touch(*values) for values in zip(*(c[which].tolist() for c in columns), strict=True)
         ]
 
     def _sought(self, row: Indices) -> Array:

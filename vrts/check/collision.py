@@ -1,0 +1,113 @@
+"""Does the robot, or what it carries or drops, hit anything? Certified for every instant of a run.
+
+The answer covers the polynomials of the timeline, not samples of them. It holds up to the rounding
+of double precision and the error of the exact distance, for which every bound is padded. It says
+nothing about what is not modelled: contacts push nothing and stop nothing.
+"""
+
+from types import MappingProxyType
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.check.collision_events import Teller, apart_from, episodes
+from vrts.check.collision_pairs import Pairs, Plan, plan
+from vrts.check.collision_search import (
+    BAND,
+    CLEARANCE_TOLERANCE,
+    GRAZE,
+    Closest,
+    Findings,
+    Touch,
+    search,
+)
+from vrts.check.collision_state import Prober, RunRecord
+from vrts.check.curves import curves
+from vrts.check.verdict import Clearance, CollisionReport
+from vrts.scene.model import Scene
+
+Array: TypeAlias = npt.NDArray[np.float64]
+
+
+def check_collisions(scene: Scene, run: RunRecord, *, clearance: bool = True) -> CollisionReport:
+    """Return every contact event and graze of a run, and its smallest clearance.
+
+    Args:
+        scene: What stands where; its robot moves.
+        run: The record of an execution in that scene.
+        clearance: Whether to find the smallest distance too, at some cost.
+    """
+    motion = curves(run.timeline.segments)
+    todo = plan(scene, run, motion)
+    interval = (motion.start_s, max(motion.end_s, float(todo.pairs.end_s.max(initial=0.0))))
+    prober = Prober(scene.robot.arm, motion, todo.solids)
+    pairs = _joined(todo.pairs, todo.rigid)
+    found = search(scene.robot.arm, motion, todo.solids, todo.pairs, interval, clearance=clearance)
+    _look_once(todo, prober, found)
+    teller = Teller(run, motion, prober, pairs, todo.groups)
+    contacts = episodes(found.contacts, pairs)
+    doubtful = apart_from(episodes(found.open, pairs), contacts)
+    grazes = apart_from(episodes(found.grazes, pairs), [*contacts, *doubtful])
+    return CollisionReport(
+        contacts=tuple(teller.contact(episode) for episode in contacts),
+        grazes=tuple(teller.touch(episode) for episode in grazes),
+        undetermined=tuple(teller.touch(episode) for episode in doubtful),
+        clearance=None if contacts else _clearance(found.closest, pairs, prober),
+        certified=not doubtful,
+        statistics=MappingProxyType(
+            {
+                "levels": found.levels,
+                "intervals": found.nodes,
+                "pairs of intervals": found.rows,
+                "exact distances": found.exact,
+            }
+        ),
+    )
+
+
+def _look_once(todo: Plan, prober: Prober, found: Findings) -> None:
+    """Add what pairs that do not move one against the other have to say."""
+    rigid = todo.rigid
+    offset = len(todo.pairs.first)
+    distances = prober.distances(rigid.first, rigid.second, rigid.start_s)
+    for k, distance in enumerate(distances.tolist()):
+        start_s, end_s = float(rigid.start_s[k]), float(rigid.end_s[k])
+        touch = Touch(offset + k, start_s, end_s, start_s, distance)
+        beyond = distance + float(rigid.tolerance[k])
+        if beyond < -BAND:
+            found.contacts.append(touch)
+        elif beyond < BAND:
+            found.open.append(touch)
+        elif rigid.grazes[k] and distance < -GRAZE:
+            found.grazes.append(touch)
+        if rigid.counts[k] and distance < found.closest.distance:
+            found.closest = Closest(distance, offset + k, start_s)
+
+
+def _clearance(closest: Closest, pairs: Pairs, prober: Prober) -> Clearance | None:
+    if not np.isfinite(closest.distance):
+        return None
+    i, j = pairs.first[[closest.pair]], pairs.second[[closest.pair]]
+    nearest = prober.nearest(i, j, np.array([closest.time_s]))[0]
+    parts = prober.solids.parts
+    return Clearance(
+        distance_m=nearest.distance,
+        tolerance_m=CLEARANCE_TOLERANCE,
+        time_s=closest.time_s,
+        bodies=(parts[int(i[0])], parts[int(j[0])]),
+        witnesses=(nearest.first, nearest.second),
+    )
+
+
+def _joined(a: Pairs, b: Pairs) -> Pairs:
+    return Pairs(
+        np.concatenate([a.first, b.first]),
+        np.concatenate([a.second, b.second]),
+        np.concatenate([a.start_s, b.start_s]),
+        np.concatenate([a.end_s, b.end_s]),
+        np.concatenate([a.tolerance, b.tolerance]),
+        np.concatenate([a.grazes, b.grazes]),
+        np.concatenate([a.counts, b.counts]),
+        np.concatenate([a.group, b.group]),
+    )

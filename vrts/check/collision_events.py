@@ -1,0 +1,174 @@
+"""From touches of pairs of pieces to events: one pair of names, times, depth, cause.
+
+The search leaves instants and short intervals at which pieces touch. Touches of one pair of names
+less than 0.5 s apart are one event; its ends are found to 0.1 ms, its deepest moment by looking
+more finely round the deepest touch.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.base.pose import Vector
+from vrts.check.collision_pairs import Pairs
+from vrts.check.collision_search import COVERED, EVENT_GAP, REPORTED, Touch, merge
+from vrts.check.collision_state import Prober, RunRecord
+from vrts.check.curves import Curves
+from vrts.check.verdict import ContactEvent
+from vrts.engine.events import Cause
+from vrts.engine.records import Lie
+
+Array: TypeAlias = npt.NDArray[np.float64]
+
+EDGE_SAMPLES = 12  # within the last millisecond before an end
+DEEPEST_SAMPLES = 33  # round the deepest touch, twice
+
+
+class Episode(NamedTuple):
+    """Touches of one pair of names that make one event."""
+
+    group: int
+    start_s: float
+    end_s: float
+    touches: tuple[Touch, ...]
+
+
+def episodes(touches: Sequence[Touch], pairs: Pairs) -> list[Episode]:
+    """Return the touches of each pair of names, cut where nothing touches for 0.5 s."""
+    by_group: dict[int, list[Touch]] = {}
+    for touch in touches:
+        by_group.setdefault(int(pairs.group[touch.pair]), []).append(touch)
+    found: list[Episode] = []
+    for group, own in by_group.items():
+        for start_s, end_s in merge([(touch.start_s, touch.end_s) for touch in own]):
+            members = tuple(t for t in own if start_s <= t.start_s and t.end_s <= end_s)
+            found.append(Episode(group, start_s, end_s, members))
+    return sorted(found, key=lambda episode: (episode.start_s, episode.group))
+
+
+def apart_from(found: Sequence[Episode], others: Sequence[Episode]) -> list[Episode]:
+    """Return the episodes that are not part of the same event as one of the others."""
+
+    def near(a: Episode, b: Episode) -> bool:
+        gap = max(a.start_s - b.end_s, b.start_s - a.end_s)
+        return a.group == b.group and gap < EVENT_GAP
+
+    return [episode for episode in found if not any(near(episode, other) for other in others)]
+
+
+class Teller:
+    """Makes events of episodes."""
+
+    def __init__(
+        self,
+        run: RunRecord,
+        curves: Curves,
+        prober: Prober,
+        pairs: Pairs,
+        groups: Sequence[tuple[str, str]],
+    ) -> None:
+        self.run = run
+        self.curves = curves
+        self.prober = prober
+        self.pairs = pairs
+        self.groups = groups
+
+    def contact(self, episode: Episode) -> ContactEvent:
+        """Return the event of an episode of contact."""
+        first = min(episode.touches, key=lambda touch: touch.start_s)
+        last = max(episode.touches, key=lambda touch: touch.end_s)
+        start_s = self._edge(first, first.start_s, -REPORTED)
+        end_s = self._edge(last, last.end_s, REPORTED)
+        deepest = min(episode.touches, key=lambda touch: touch.distance)
+        time_s = deepest.time_s
+        for width in (COVERED, 2.0 * COVERED / (DEEPEST_SAMPLES - 1)):
+            time_s = self._deepest(deepest.pair, time_s, width, start_s, end_s)
+        return self._event(episode, deepest.pair, (start_s, end_s), time_s)
+
+    def touch(self, episode: Episode) -> ContactEvent:
+        """Return the event of an episode of touches that are no certain contact."""
+        known = [touch for touch in episode.touches if not np.isnan(touch.distance)]
+        deepest = min(known or episode.touches, key=lambda touch: touch.distance)
+        interval = (episode.start_s, episode.end_s)
+        return self._event(episode, deepest.pair, interval, deepest.time_s)
+
+    def _event(
+        self, episode: Episode, pair: int, interval: tuple[float, float], deepest_s: float
+    ) -> ContactEvent:
+        i, j = self.pairs.first[[pair]], self.pairs.second[[pair]]
+        nearest = self.prober.nearest(i, j, np.array([deepest_s]))[0]
+        parts = self.prober.solids.parts
+        names = self.groups[episode.group]
+        sides = (parts[int(i[0])], parts[int(j[0])])
+        if sides[0] == names[1] != sides[1]:
+            sides = (sides[1], sides[0])
+        start_s, end_s = interval
+        return ContactEvent(
+            first=names[0],
+            second=names[1],
+            parts=sides,
+            start_s=start_s,
+            end_s=end_s,
+            deepest_s=deepest_s,
+            depth_m=-nearest.distance,
+            point=_between(nearest.first, nearest.second),
+            held=self._held(start_s),
+            cause=self._cause(start_s),
+        )
+
+    def _edge(self, touch: Touch, inner_s: float, step: float) -> float:
+        """Return where a contact begins (step < 0) or ends, near a time at which it is there."""
+        pair = touch.pair
+        low, high = float(self.pairs.start_s[pair]), float(self.pairs.end_s[pair])
+        steps = np.linspace(0.0, 1.5 * step, EDGE_SAMPLES + 1)
+        times = np.clip(inner_s + steps, low, high)
+        deep = self._distances(pair, times) < -self.pairs.tolerance[pair]
+        free = np.nonzero(~deep)[0]
+        count = int(free[0]) if len(free) else len(times)
+        return float(times[max(count - 1, 0)])
+
+    def _deepest(
+        self, pair: int, time_s: float, width: float, start_s: float, end_s: float
+    ) -> float:
+        low = max(start_s, float(self.pairs.start_s[pair]), time_s - width)
+        high = min(end_s, float(self.pairs.end_s[pair]), time_s + width)
+        if high <= low:
+            return time_s
+        times = np.append(np.linspace(low, high, DEEPEST_SAMPLES), time_s)
+        distances = self._distances(pair, times)
+        return float(times[int(np.argmin(distances))])
+
+    def _distances(self, pair: int, times: Array) -> Array:
+        count = len(times)
+        return self.prober.distances(
+            np.repeat(self.pairs.first[pair], count),
+            np.repeat(self.pairs.second[pair], count),
+            times,
+        )
+
+    def _held(self, time_s: float) -> str | None:
+        """Return the object between the pads at a time."""
+        for body, placements in self.run.placements.items():
+            for placement in placements:
+                gripped = placement.lie is Lie.HELD and placement.support is None
+                if gripped and placement.start_s <= time_s <= placement.end_s:
+                    return body
+        return None
+
+    def _cause(self, time_s: float) -> Cause | None:
+        """Return the instruction under way; without a motion, the last one that did a thing."""
+        motion = int(self.curves.motions[self.curves.piece_at(np.array([time_s]))[0]])
+        if motion >= 0:
+            return self.run.motions[motion].cause
+        cause = None
+        for event in self.run.events:
+            if event.time_s > time_s:
+                break
+            cause = event.cause or cause
+        return cause
+
+
+def _between(a: Vector, b: Vector) -> Vector:
+    return (0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]))
