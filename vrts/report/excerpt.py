@@ -11,9 +11,9 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Label
+from vrts.base.diagnostic import Diagnostic, Label
 from vrts.base.source import SourceFile, Span
-from vrts.report.palette import Palette, Style
+from vrts.report.palette import BY_SEVERITY, Palette, Style
 from vrts.report.plain import one_line, shown, width
 
 MOST_COLUMNS = 140  # longer lines are cut around what is marked
@@ -60,14 +60,15 @@ def blocks(primary: Label | None, secondary: Sequence[Label]) -> list[Block]:
     return found
 
 
-def excerpt(primary: Label | None, secondary: Sequence[Label], palette: Palette) -> list[str]:
+def excerpt(d: Diagnostic, palette: Palette) -> list[str]:
     """Return the excerpt's lines, from ` --> place` on; empty without any label."""
-    parts = blocks(primary, secondary)
+    primary = d.primary
+    parts = blocks(primary, d.secondary)
     if not parts:
         return []
     digits = gutter_width(parts)
     blank = palette.paint(Style.GUTTER, " " * digits + " |")
-    style = Style.ERROR if primary else Style.SECONDARY
+    style = BY_SEVERITY[d.severity]
     source: SourceFile | None = None
     rows: list[str] = []
     for block in parts:

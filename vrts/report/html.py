@@ -22,11 +22,11 @@ class Markup(str):
     __slots__ = ()
 
 
-Child: TypeAlias = "str | Markup | None"
-Attribute: TypeAlias = "str | int | float | bool | None"
+Child: TypeAlias = str | Markup | None
+Attribute: TypeAlias = str | int | float | bool | None
 
 
-def element(name: str, *children: Child, **attributes: Attribute) -> Markup:
+def element(name: str, /, *children: Child, **attributes: Attribute) -> Markup:
     """Return an element. `class_` and `data_t` are written `class` and `data-t`.
 
     Attributes that are None or False are left out; True gives an attribute without value.
@@ -41,7 +41,15 @@ def joined(children: Iterable[Child]) -> Markup:
     return Markup("".join(_child(child) for child in children))
 
 
-def raw(name: str, content: str, **attributes: Attribute) -> Markup:
+def prose(text: str) -> Markup:
+    """Return a sentence of ours: what stands between backticks becomes code."""
+    parts = visible(text).split("`")
+    if len(parts) % 2 == 0:  # a backtick without its partner
+        return joined([text])
+    return joined(element("code", p) if k % 2 else p for k, p in enumerate(parts))
+
+
+def raw(name: str, content: str, /, **attributes: Attribute) -> Markup:
     """Return a `style` or `script` element with content of our own.
 
     Raises:

@@ -18,7 +18,7 @@ from vrts.report.assessment import Assessment
 from vrts.report.first_screen import first_screen, status
 from vrts.report.quantities import joint_degrees, millimetres, rounded_data, seconds
 
-Json: TypeAlias = "dict[str, object]"
+Json: TypeAlias = dict[str, object]
 
 ASSESSMENT_SCHEMA = "vrts.assessment/1"
 RESULTS_SCHEMA = "vrts.results/1"

@@ -11,7 +11,7 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.report.assessment import Assessment
 from vrts.report.excerpt import excerpt
 from vrts.report.first_screen import FirstScreen, first_screen
-from vrts.report.html import Child, Markup, MarkupPalette, element, joined, json_script, painted, raw
+from vrts.report.html import Child, Markup, MarkupPalette, element, joined, json_script, painted, prose, raw
 from vrts.report.listing import listing
 from vrts.report.plain import one_line
 from vrts.report.quantities import at_time, lost, mark, millimetres, seconds
@@ -98,13 +98,13 @@ def _first_screen(a: Assessment, screen: FirstScreen, picture: bytes | None) -> 
         ),
         class_="answer",
     )
-    hint = element("p", element("b", "Hint: "), screen.hint, class_="hint") if screen.hint else None
+    hint = element("p", element("b", "Hint: "), prose(screen.hint), class_="hint") if screen.hint else None
     parts = element(
         "div",
         element("h1", one_line(a.title)),
         where,
         answer,
-        element("p", screen.cause, class_="cause"),
+        element("p", prose(screen.cause), class_="cause"),
         hint,
         _loss_table(screen) if screen.losses else _verdict_table(screen),
         class_="words",
@@ -129,7 +129,7 @@ def _loss_table(screen: FirstScreen) -> Markup:
         element(
             "tr",
             element("td", lost(loss.points), class_="number"),
-            element("td", _capital(one_line(loss.sentence))),
+            element("td", prose(_capital(one_line(loss.sentence)))),
             element(
                 "td", watch_button(loss.moment.time_s) if loss.moment else None, class_="act"
             ),
@@ -160,7 +160,7 @@ def _verdict_table(screen: FirstScreen) -> Markup | None:
             "tr",
             element("td", v.answer.value, class_=f"answer-{v.answer.value}"),
             element("td", one_line(v.check)),
-            element("td", one_line(v.summary)),
+            element("td", prose(one_line(v.summary))),
         )
         for v in screen.verdicts
     ]
@@ -267,7 +267,7 @@ def _findings(findings: Sequence[Diagnostic]) -> Markup | None:
 
 
 def _finding(number: int, d: Diagnostic) -> Markup:
-    rows = excerpt(d.primary, d.secondary, MarkupPalette())
+    rows = excerpt(d, MarkupPalette())
     text = element("pre", painted("\n".join(rows)), class_="excerpt", tabindex="0") if rows else None
     moment = (
         element(
@@ -282,10 +282,10 @@ def _finding(number: int, d: Diagnostic) -> Markup:
         " ",
         element("code", f"{d.rule.code} {d.rule.slug}"),
         " ",
-        one_line(d.headline),
+        prose(one_line(d.headline)),
     )
-    notes = [element("p", element("b", "Note: "), note, class_="lines") for note in d.notes]
-    helps = [element("p", element("b", "Help: "), text, class_="lines") for text in d.help]
+    notes = [element("p", element("b", "Note: "), prose(note), class_="lines") for note in d.notes]
+    helps = [element("p", element("b", "Help: "), prose(text), class_="lines") for text in d.help]
     return element(
         "article",
         *(head, text, moment, *notes, *helps),
@@ -302,12 +302,12 @@ def _checks(a: Assessment) -> Markup | None:
             "tr",
             element("td", one_line(v.check)),
             element("td", v.answer.value, class_=f"answer-{v.answer.value}"),
-            element("td", one_line(v.summary)),
+            element("td", prose(one_line(v.summary))),
         )
         for v in a.judgement.verdicts
     ]
     head = element("tr", *(element("th", t, scope="col") for t in ("Check", "Answer", "")))
-    obstacles = [element("li", one_line(o)) for o in a.grade.obstacles]
+    obstacles = [element("li", prose(one_line(o))) for o in a.grade.obstacles]
     why = (
         joined([element("h3", "Why it is not ready for the real robot"), element("ul", *obstacles)])
         if obstacles

@@ -29,7 +29,7 @@ from vrts.engine.events import (
     SignalChanged,
     Toppled,
 )
-from vrts.engine.records import COORDINATES, GRAVITY, Motion, Placement, Segment
+from vrts.engine.records import COORDINATES, GRAVITY, Placement, Segment
 from vrts.engine.run import Run
 from vrts.report.plain import one_line
 from vrts.report.quantities import millimetres, seconds
@@ -45,6 +45,7 @@ def run_data(run: Run, source: SourceFile | None) -> Json:
         "ended": run.ended_s,
         "gravity": GRAVITY,
         "segments": _segments(run.timeline.segments),
+        "motions": [{"start": seconds(m.start_s), "end": seconds(m.end_s)} for m in run.motions],
         "tools": _tools(run),
         "placements": {
             body: [_placement(p) for p in placements] for body, placements in run.placements.items()

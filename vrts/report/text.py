@@ -12,7 +12,7 @@ from vrts.report.palette import BY_SEVERITY, Palette, Style
 from vrts.report.plain import one_line, visible, width
 from vrts.report.quantities import at_time, joint_degrees, lost, mark
 
-Row: TypeAlias = "tuple[str, str]"
+Row: TypeAlias = tuple[str, str]
 
 
 def diagnostic_text(d: Diagnostic, *, color: bool) -> str:
@@ -23,7 +23,7 @@ def diagnostic_text(d: Diagnostic, *, color: bool) -> str:
         palette.paint(BY_SEVERITY[d.severity], rule)
         + palette.paint(Style.STRONG, f": {one_line(d.headline)}")
     ]
-    rows += excerpt(d.primary, d.secondary, palette)
+    rows += excerpt(d, palette)
     if d.moment:
         parts = blocks(d.primary, d.secondary)
         indent = " " * ((gutter_width(parts) if parts else 0) + 1)

@@ -15,7 +15,7 @@ from vrts.geometry.support import bounds
 from vrts.robots.model import Robot
 from vrts.scene.model import Body, Mobility, Scene
 
-Json: TypeAlias = "dict[str, object]"
+Json: TypeAlias = dict[str, object]
 
 DECIMALS = 6  # 1 µm
 

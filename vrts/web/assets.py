@@ -14,7 +14,7 @@ from importlib.resources import files
 THREE = "vendor/three/three.module.min.js"
 BARE = {"three": THREE}
 
-_IMPORT = re.compile(r"""(\bfrom\s*|\bimport\s*)(["'])([^"'\n]+)\2""")
+_IMPORT = re.compile(r"""(\bfrom\s*|\bimport\s*)(["'])(three|\.{1,2}/[^"'\n]+)\2""")
 
 
 @cache
@@ -31,7 +31,7 @@ def module_name(path: str) -> str:
 @cache
 def imports(path: str) -> tuple[str, ...]:
     """Return the paths of the modules that a module imports directly."""
-    found = (_target(path, match[3]) for match in _IMPORT.finditer(_code(path)))
+    found = (_target(path, match[3]) for match in _IMPORT.finditer(asset(path)))
     return tuple(dict.fromkeys(found))
 
 
@@ -58,23 +58,12 @@ def import_map(entry: str) -> str:
 def _data_url(path: str) -> str:
     code = _IMPORT.sub(
         lambda match: f"{match[1]}{match[2]}{module_name(_target(path, match[3]))}{match[2]}",
-        _code(path),
+        asset(path),
     )
     return "data:text/javascript;base64," + base64.b64encode(code.encode()).decode("ascii")
-
-
-def _code(path: str) -> str:
-    """Return a module's text without JSDoc blocks that name imports for types only."""
-    return re.sub(r"/\*\*.*?\*/", "", asset(path), flags=re.DOTALL) if _ours(path) else asset(path)
-
-
-def _ours(path: str) -> bool:
-    return not path.startswith("vendor/")
 
 
 def _target(path: str, specifier: str) -> str:
     if specifier in BARE:
         return BARE[specifier]
-    if not specifier.startswith("."):
-        raise ValueError(f"{path} imports {specifier}, which is not vendored")
     return posixpath.normpath(posixpath.join(posixpath.dirname(path), specifier))

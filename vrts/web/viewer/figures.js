@@ -1,6 +1,7 @@
 // The robot and the bodies as three.js objects, moved by poses.
 
-import { DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, Object3D } from "three";
+import { DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial,
+  MeshStandardMaterial, Object3D } from "three";
 import { bodyMaterial, gripperMaterial, linkMaterial, metal } from "./look.js";
 import { poseFrom } from "./poses.js";
 import { pieceGeometry, ring } from "./shapes.js";
@@ -99,16 +100,18 @@ export function ghost(data, X, color) {
 }
 
 /**
- * Tint an object, or take the tint away.
+ * Paint an object in one glowing colour, or give it its own back.
  * @param {Object3D} object @param {number | null} color
  */
 export function tint(object, color) {
   object.traverse((part) => {
     const material = part instanceof Mesh ? part.material : null;
-    if (material && "emissive" in material) {
-      material.emissive.setHex(color ?? 0);
-      material.emissiveIntensity = color === null ? 0 : 0.55;
-    }
+    if (!(material instanceof MeshStandardMaterial)) return;
+    part.userData.own ??= material.color.clone();
+    if (color === null) material.color.copy(part.userData.own);
+    else material.color.setHex(color);
+    material.emissive.setHex(color ?? 0);
+    material.emissiveIntensity = color === null ? 0 : 0.35;
   });
 }
 

@@ -22,11 +22,11 @@ export function ground(z, theme) {
   const floor = new Mesh(new CircleGeometry(9, 64), new MeshStandardMaterial({ color: colors.floor, roughness: 1 }));
   floor.receiveShadow = true;
   floor.position.z = z - 0.002;
-  group.add(floor, grid(extent(-REACH, REACH, -REACH, REACH), z, MINOR, colors.minor, 0.8),
-    grid(extent(-REACH, REACH, -REACH, REACH), z, MAJOR, colors.major, 1));
+  group.add(floor, grid(extent(-REACH, REACH, -REACH, REACH), z, MINOR, colors.minor, 0.45),
+    grid(extent(-REACH, REACH, -REACH, REACH), z, MAJOR, colors.major, 0.9));
   for (let mm = 500; mm <= 2000; mm += 500) {
-    group.add(number(`${mm} mm`, mm / 1000, -0.07, z + 0.01, theme, 0.06));
-    group.add(number(`${mm} mm`, 0.09, mm / 1000, z + 0.01, theme, 0.06));
+    group.add(number(`${mm} mm`, mm / 1000, -0.07, z + 0.01, theme, 0.085));
+    group.add(number(`${mm} mm`, 0.09, mm / 1000, z + 0.01, theme, 0.085));
   }
   for (const [axis, color, name] of /** @type {const} */ ([
     [new Vector3(1, 0, 0), 0xd0453e, "x"], [new Vector3(0, 1, 0), 0x3f9142, "y"], [new Vector3(0, 0, 1), 0x3b6fd4, "z"],
@@ -51,10 +51,10 @@ export function ruler(top, theme) {
   group.add(grid(extent(x0, x1, y0, y1), z + 0.0008, MINOR, 0x000000, 0.13));
   group.add(grid(extent(x0, x1, y0, y1), z + 0.0009, MAJOR, 0x000000, 0.25));
   for (let x = Math.ceil(x0 / MINOR + 0.3); x * MINOR <= x1 - 0.02; x++) {
-    if (x % 2 === 0) group.add(number(`${x * 100}`, x * MINOR, y0 + 0.03, z + 0.012, theme, 0.036));
+    if (x % 2 === 0) group.add(number(`${x * 100}`, x * MINOR, y0 + 0.05, z + 0.02, theme, 0.055));
   }
   for (let y = Math.ceil(y0 / MINOR + 0.3); y * MINOR <= y1 - 0.02; y++) {
-    if (y % 2 === 0) group.add(number(`${y * 100}`.replace("-", "−"), x0 + 0.03, y * MINOR, z + 0.012, theme, 0.036));
+    if (y % 2 === 0) group.add(number(`${y * 100}`.replace("-", "−"), x0 + 0.05, y * MINOR, z + 0.02, theme, 0.055));
   }
   return group;
 }

@@ -5,10 +5,10 @@ import { Color, MeshStandardMaterial } from "three";
 /** @typedef {"light"|"dark"} Theme */
 
 export const THEMES = {
-  light: { sky: 0xe9edf1, floor: 0xdfe3e6, minor: 0xc3c9ce, major: 0x9aa3ab, text: "#4a545e", halo: "#ffffff",
-    ambient: 0.55, sun: 2.2 },
-  dark: { sky: 0x171a1f, floor: 0x23272d, minor: 0x30363d, major: 0x49515b, text: "#b9c2cc", halo: "#12151a",
-    ambient: 0.38, sun: 1.9 },
+  light: { sky: 0xe4e9ee, floor: 0xb9c0c7, minor: 0xa5adb5, major: 0x8d97a1, text: "#38424c", halo: "#ffffff",
+    ambient: 0.5, sun: 2.6 },
+  dark: { sky: 0x16191e, floor: 0x262b32, minor: 0x343b44, major: 0x4d5762, text: "#d5dce3", halo: "#12151a",
+    ambient: 0.3, sun: 2.2 },
 };
 
 const WARM_WHITE = 0xe6dfd0; // the arm castings of the series: a warm light grey

@@ -30,6 +30,7 @@ import { Timeline } from "./timeline.js";
  * @typedef {object} RunData
  * @property {number} horizon [s]
  * @property {number} gravity [m/s^2]
+ * @property {{start: number, end: number}[]} motions
  * @property {import("./timeline.js").SegmentData} segments
  * @property {Record<string, PlacementData[]>} placements by body
  * @property {{start: number, X: number[]}[]} tools the tool in force, by time

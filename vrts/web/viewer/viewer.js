@@ -1,7 +1,7 @@
 // The 3D view: takes a description of the scene and states to show. Feeds no data, keeps no time.
 
 import {
-  AmbientLight, BackSide, BoxGeometry, BufferAttribute, BufferGeometry, Color, DirectionalLight, Fog, Group,
+  BackSide, BoxGeometry, BufferAttribute, BufferGeometry, Color, DirectionalLight, Fog, Group,
   HemisphereLight, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, NeutralToneMapping, PCFShadowMap,
   PerspectiveCamera, PMREMGenerator, Scene, SphereGeometry, Vector3, WebGLRenderer,
 } from "three";
@@ -29,10 +29,11 @@ import { poseFrom } from "./poses.js";
 
 /** Preset view points: where the eye stands and what it looks at [m]. */
 export const VIEWS = {
-  overview: { eye: [2.35, -1.95, 1.05], target: [0.45, 0.05, -0.2] },
-  front: { eye: [3.3, 0.1, 0.25], target: [0.4, 0.1, -0.15] },
-  side: { eye: [0.6, -3.2, 0.2], target: [0.6, 0, -0.15] },
-  top: { eye: [0.75, -0.01, 3.2], target: [0.75, 0, 0] },
+  overview: { eye: [3.0, -2.5, 1.15], target: [0.5, 0, -0.06] },
+  front: { eye: [4.2, 0, 0.35], target: [0.4, 0, -0.02] },
+  side: { eye: [0.5, -4.1, 0.3], target: [0.5, 0, -0.02] },
+  table: { eye: [2.25, -1.35, 0.75], target: [0.95, 0, -0.22] },
+  top: { eye: [0.7, -0.01, 3.8], target: [0.7, 0, 0] },
 };
 
 const RED = 0xe5322d;
@@ -92,14 +93,14 @@ export class Viewer {
   /** Lights that do not depend on the theme: a soft room to reflect, and a sun with shadow. */
   light() {
     const room = new Scene();
-    room.add(new Mesh(new BoxGeometry(10, 10, 6), new MeshBasicMaterial({ color: 0x8c9299, side: BackSide })));
-    for (const [x, y, z, w, d, h, glow] of [[0, 0, 2.9, 5, 5, 0.1, 9], [4.8, 2, 1, 0.1, 3, 2.5, 5], [-3, -4.8, 1.5, 4, 0.1, 2, 4]]) {
+    room.add(new Mesh(new BoxGeometry(10, 10, 6), new MeshBasicMaterial({ color: 0x70757c, side: BackSide })));
+    for (const [x, y, z, w, d, h, glow] of [[0, 0, 2.9, 4, 4, 0.1, 6], [4.8, 2, 1, 0.1, 3, 2.5, 5], [-3, -4.8, 1.5, 4, 0.1, 2, 4]]) {
       const panel = new Mesh(new BoxGeometry(w, d, h), new MeshBasicMaterial({ color: new Color(glow, glow, glow) }));
       panel.position.set(x, y, z);
       room.add(panel);
     }
     const maker = new PMREMGenerator(this.renderer);
-    this.scene.environment = maker.fromScene(room, 0.05).texture;
+    this.scene.environment = maker.fromScene(room, 0, 0.1, 100, { size: 64 }).texture;
     maker.dispose();
     this.sun = new DirectionalLight(0xfff4e6, 2);
     this.sun.position.set(1.6, -2.2, 4.2);
@@ -108,9 +109,9 @@ export class Viewer {
     this.sun.shadow.mapSize.set(2048, 2048);
     Object.assign(this.sun.shadow.camera, { left: -2.4, right: 2.4, top: 2.4, bottom: -2.4, near: 0.5, far: 9 });
     this.sun.shadow.normalBias = 0.012;
-    this.sun.shadow.radius = 3;
-    this.ambient = new AmbientLight(0xffffff, 0.3);
-    this.scene.add(this.sun, this.sun.target, this.ambient, new HemisphereLight(0xffffff, 0xb9a98f, 0.25));
+    this.sun.shadow.radius = 2.5;
+    
+    this.scene.add(this.sun, this.sun.target, new HemisphereLight(0xffffff, 0xb9a98f, 0.3));
   }
 
   /** @param {keyof typeof THEMES} theme */
@@ -118,7 +119,7 @@ export class Viewer {
     const colors = THEMES[theme];
     this.theme = theme;
     this.scene.background = new Color(colors.sky);
-    this.scene.fog = new Fog(colors.sky, 5.5, 10);
+    this.scene.fog = new Fog(colors.sky, 5, 9.5);
     this.scene.environmentIntensity = colors.ambient;
     if (this.sun) this.sun.intensity = colors.sun;
     this.surroundings.clear();
