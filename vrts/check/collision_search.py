@@ -143,9 +143,10 @@ class _Search:
         self.falls = bool(solids.falls.any())
         # below this a row is not decided: a touch, or for pads what may be too deep
         self.floor = np.where(pairs.grazes, -GRAZE, BAND - pairs.tolerance)
+        outer: list[int] = self.outer.tolist()
+        inner: list[int] = self.inner.tolist()
         self.functions = [
-            pair(solids.shapes[i], solids.shapes[j])
-            for i, j in zip(self.outer.tolist(), self.inner.tolist(), strict=True)
+            pair(solids.shapes[i], solids.shapes[j]) for i, j in zip(outer, inner, strict=True)
         ]
         self.spans: dict[int, tuple[Array, Array]] = {}
         self.start, self.end, self.node, self.row = self._first_nodes(interval)
@@ -423,7 +424,7 @@ class _Exact:
             if low >= bottom and low >= self.of.found.closest.distance - CLEARANCE_TOLERANCE:
                 continue
             distance[k] = self._distance(r, n, a, b)
-            normal[k] = functions[r].normal
+            normal[k] = functions[int(r)].normal
         return distance, normal
 
     def _distance(self, row: int, node: int, outer: int, inner: int) -> float:

@@ -1,6 +1,6 @@
 """Where the arm is in a run, for many instants at once, and distances asked at chosen instants."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
@@ -10,7 +10,7 @@ import numpy.typing as npt
 from vrts.check.curves import Curves
 from vrts.engine.events import Event
 from vrts.engine.records import GRAVITY, Motion, Placement, Segment
-from vrts.geometry.narrow import Nearest, pair, transform
+from vrts.geometry.narrow import Nearest, Pair, Transform, pair, transform
 from vrts.geometry.solids import Frames, Instants, Solids
 from vrts.robots.batch import link_frames
 from vrts.robots.model import SphericalWristArm
@@ -73,23 +73,33 @@ class Prober:
 
     def distances(self, first: Indices, second: Indices, time_s: Array) -> Array:
         """Return signed distances [m]; all arguments have shape (m,)."""
-        return np.array([n.distance for n in self.nearest(first, second, time_s)])
+        queries = self._queries(first, second, time_s)
+        return np.array([function.distance(a, b) for function, a, b in queries])
 
     def nearest(self, first: Indices, second: Indices, time_s: Array) -> list[Nearest]:
         """Return signed distances with their points; all arguments have shape (m,)."""
+        return [function.nearest(a, b) for function, a, b in self._queries(first, second, time_s)]
+
+    def _queries(
+        self, first: Indices, second: Indices, time_s: Array
+    ) -> Iterator[tuple[Pair, Transform, Transform]]:
         if len(time_s) == 0:
-            return []
-        state = instants(self.arm, self.curves, time_s)
-        rows = np.arange(len(time_s))
-        a = self.solids.places(state, first, rows, GRAVITY)
-        b = self.solids.places(state, second, rows, GRAVITY)
+            return
+        times, at = np.unique(time_s, return_inverse=True)
+        state = instants(self.arm, self.curves, times)
+        still = (self.solids.frame == 0) & ~self.solids.falls
+        keys = [s * len(times) + np.where(still[s], 0, at) for s in (first, second)]
+        known, place = np.unique(np.concatenate(keys), return_inverse=True)
+        places = self.solids.places(state, *np.divmod(known, len(times)), GRAVITY)
+        transforms = list(map(transform, places.rotations, places.origins))
         shapes = self.solids.shapes
-        return [
-            pair(shapes[i], shapes[j]).nearest(
-                transform(a.rotations[k], a.origins[k]), transform(b.rotations[k], b.origins[k])
-            )
-            for k, (i, j) in enumerate(zip(first.tolist(), second.tolist(), strict=True))
-        ]
+        count = len(first)
+        i: list[int] = first.tolist()
+        j: list[int] = second.tolist()
+        a: list[int] = place[:count].tolist()
+        b: list[int] = place[count:].tolist()
+        for k in range(count):
+            yield pair(shapes[i[k]], shapes[j[k]]), transforms[a[k]], transforms[b[k]]
 
     def gap(self, first: Sequence[int], second: Sequence[int], time_s: Array) -> Array:
         """Return the distance [m] between two unions of solids at times of shape (m,)."""
