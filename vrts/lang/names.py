@@ -1,0 +1,18 @@
+"""Names as the controller keeps them."""
+
+from vrts.base.diagnostic import Rule
+
+NAME_TRUNCATED = Rule("V212", "name-truncated")
+
+SIGNIFICANT = 15  # characters, the sigil not counted [val2.md 1.4]
+
+
+def key(name: str) -> str:
+    """Return a name in lower case, cut to its significant characters, with its sigil."""
+    name = name.lower()
+    return name[: SIGNIFICANT + 1] if name[0] in "$#" else name[:SIGNIFICANT]
+
+
+def is_truncated(name: str) -> bool:
+    """Return whether a name is longer than what counts."""
+    return len(name) > SIGNIFICANT + (name[0] in "$#")

@@ -1,0 +1,119 @@
+"""Collects the diagnostics of one compilation."""
+
+from collections.abc import Mapping
+
+from vrts.base.diagnostic import NO_DATA, Datum, Diagnostic, Fix, Label, Rule, Severity
+from vrts.base.source import SourceFile, Span
+
+TOO_MANY = Rule("V151", "too-many-problems")
+LIMIT = 200
+
+
+class Problems:
+    """Diagnostics of one source file, in the order they are found."""
+
+    def __init__(self, source: SourceFile) -> None:
+        self.source = source
+        self.found: list[Diagnostic] = []
+        self.look_alikes: list[tuple[str, int]] = []  # pasted characters and their offsets
+
+    @classmethod
+    def none(cls) -> "Problems":
+        """Return a collection for text that stands in no file."""
+        return cls(SourceFile("", ""))
+
+    def span(self, start: int, end: int) -> Span:
+        """Return a span of the source."""
+        return Span(self.source, start, end)
+
+    def label(self, start: int, end: int, text: str = "") -> Label:
+        """Return a label in the source."""
+        return Label(Span(self.source, start, end), text)
+
+    def error(
+        self,
+        rule: Rule,
+        headline: str,
+        start: int,
+        end: int,
+        text: str = "",
+        *,
+        secondary: tuple[Label, ...] = (),
+        notes: tuple[str, ...] = (),
+        help: tuple[str, ...] = (),  # noqa: A002 - the field of Diagnostic
+        fix: Fix | None = None,
+        data: Mapping[str, Datum] = NO_DATA,
+        severity: Severity = Severity.ERROR,
+    ) -> None:
+        """Add an error at a range of offsets."""
+        primary = self.label(start, end, text)
+        self.found.append(
+            Diagnostic(
+                rule, severity, headline, primary, secondary, notes, help, fix, None, data
+            )
+        )
+
+    def warning(
+        self,
+        rule: Rule,
+        headline: str,
+        start: int,
+        end: int,
+        text: str = "",
+        *,
+        secondary: tuple[Label, ...] = (),
+        notes: tuple[str, ...] = (),
+        help: tuple[str, ...] = (),  # noqa: A002
+        fix: Fix | None = None,
+        data: Mapping[str, Datum] = NO_DATA,
+    ) -> None:
+        """Add a warning at a range of offsets."""
+        self.error(
+            rule,
+            headline,
+            start,
+            end,
+            text,
+            secondary=secondary,
+            notes=notes,
+            help=help,
+            fix=fix,
+            data=data,
+            severity=Severity.WARNING,
+        )
+
+    def replace(self, start: int, end: int, replacement: str) -> Fix:
+        """Return a fix that replaces a range of the source."""
+        return Fix(Span(self.source, start, end), replacement)
+
+    @property
+    def any_error(self) -> bool:
+        """Whether an error was found."""
+        return any(d.is_error for d in self.found)
+
+    def in_order(self) -> tuple[Diagnostic, ...]:
+        """Return the diagnostics by place, errors first on one place, at most `LIMIT` of them."""
+        ordered = sorted(
+            self.found,
+            key=lambda d: (d.primary.span.start if d.primary else 0, not d.is_error),
+        )
+        if len(ordered) <= LIMIT:
+            return tuple(ordered)
+        kept = _errors_first(ordered)
+        more = len(ordered) - LIMIT
+        worst = Severity.ERROR if any(d.is_error for d in ordered) else Severity.WARNING
+        rest = Diagnostic(
+            TOO_MANY,
+            worst,
+            f"and {more:,} more problems",
+            notes=(f"the first {LIMIT} are shown",),
+            data={"more": more},
+        )
+        return (*kept, rest)
+
+
+def _errors_first(ordered: list[Diagnostic]) -> list[Diagnostic]:
+    """Keep at most LIMIT, errors rather than warnings, in their order."""
+    errors = [i for i, d in enumerate(ordered) if d.is_error][:LIMIT]
+    others = [i for i, d in enumerate(ordered) if not d.is_error][: LIMIT - len(errors)]
+    return [ordered[i] for i in sorted(errors + others)]

@@ -1,0 +1,311 @@
+"""Syntax tree of one step. Nodes keep offsets into the source; spans are made when needed.
+
+Every node ends with `start` and `end`, a half-open range of offsets in the source text.
+"""
+
+from typing import NamedTuple, TypeAlias
+
+
+class Token(NamedTuple):
+    """A word, number, string or sign of a step."""
+
+    kind: str  # terminal of the grammar
+    text: str  # as written
+    start: int
+    end: int
+    value: float | str | None = None  # of numbers and strings
+
+
+# --- expressions --------------------------------------------------------------------------------
+
+
+class Number(NamedTuple):
+    """A real constant."""
+
+    value: float
+    start: int
+    end: int
+
+
+class Text(NamedTuple):
+    """A string constant."""
+
+    value: str
+    start: int
+    end: int
+
+
+class Name(NamedTuple):
+    """A variable, constant or function without arguments, with its `$` or `#`, as written."""
+
+    text: str
+    start: int
+    end: int
+
+
+class Element(NamedTuple):
+    """`a[i]`; `a[]` has no subscripts and is the whole array."""
+
+    name: Name
+    subscripts: "tuple[Item | None, ...]"
+    start: int
+    end: int
+
+
+class Application(NamedTuple):
+    """`f(a, b)`; `by` is how many arguments stand before BY, if it is written."""
+
+    name: Name
+    arguments: "tuple[Item | None, ...]"
+    by: int | None
+    start: int
+    end: int
+
+
+class Prefix(NamedTuple):
+    """An operator before its operand."""
+
+    operator: str  # upper case: "-", "+", "NOT", "COM"
+    operand: "Expression"
+    start: int
+    end: int
+
+
+class Infix(NamedTuple):
+    """An operator between two operands; `:` is one of them."""
+
+    operator: str  # upper case and in its usual spelling: "<=" for "=<"
+    left: "Expression"
+    right: "Expression"
+    start: int
+    end: int
+    operator_start: int
+
+
+class Parenthesised(NamedTuple):
+    """`(e)`, kept because it passes an argument by value and settles precedence."""
+
+    inner: "Expression"
+    start: int
+    end: int
+
+
+class FormatItem(NamedTuple):
+    """`/F8.2` in TYPE or $ENCODE."""
+
+    text: str
+    start: int
+    end: int
+
+
+Expression: TypeAlias = Number | Text | Name | Element | Application | Prefix | Infix | Parenthesised
+Item: TypeAlias = Expression | FormatItem
+Variable: TypeAlias = Name | Element
+
+# --- statements ---------------------------------------------------------------------------------
+
+
+class Assignment(NamedTuple):
+    """`v = e`."""
+
+    target: Variable
+    value: Expression
+    start: int
+    end: int
+
+
+class SetLocation(NamedTuple):
+    """`SET l = e`."""
+
+    target: Variable
+    value: Expression
+    start: int
+    end: int
+
+
+class HereStatement(NamedTuple):
+    """`HERE frame:part`."""
+
+    target: Expression
+    start: int
+    end: int
+
+
+class ShiftStatement(NamedTuple):
+    """`SHIFT l BY dx, dy, dz`, VAL's form of the function."""
+
+    target: Variable
+    offsets: "tuple[Item | None, ...]"
+    start: int
+    end: int
+
+
+class Simple(NamedTuple):
+    """An instruction whose operands are a plain list: READY, APPRO, SIGNAL, TYPE, BASE ..."""
+
+    word: str  # the whole keyword, upper case
+    operands: "tuple[Item | None, ...]"
+    start: int
+    end: int
+
+
+class SpeedStatement(NamedTuple):
+    """`SPEED value [MMPS|IPS] [ALWAYS]`."""
+
+    value: Expression
+    unit: str | None
+    always: bool
+    start: int
+    end: int
+
+
+class Goto(NamedTuple):
+    """`GOTO label`, and with a condition `IF e GOTO label`."""
+
+    label: Number
+    condition: Expression | None
+    start: int
+    end: int
+
+
+class If(NamedTuple):
+    """`IF e THEN`."""
+
+    condition: Expression
+    start: int
+    end: int
+
+
+class While(NamedTuple):
+    """`WHILE e DO`."""
+
+    condition: Expression
+    start: int
+    end: int
+
+
+class Until(NamedTuple):
+    """`UNTIL e`."""
+
+    condition: Expression
+    start: int
+    end: int
+
+
+class For(NamedTuple):
+    """`FOR v = first TO last [STEP increment]`."""
+
+    target: Variable
+    first: Expression
+    last: Expression
+    increment: Expression | None
+    start: int
+    end: int
+
+
+class Case(NamedTuple):
+    """`CASE e OF`."""
+
+    selector: Expression
+    start: int
+    end: int
+
+
+class ValueGroup(NamedTuple):
+    """`VALUE e, e:`."""
+
+    values: "tuple[Item | None, ...]"
+    start: int
+    end: int
+
+
+class Structure(NamedTuple):
+    """A word that stands alone: ELSE, END, DO, ANY."""
+
+    word: str
+    start: int
+    end: int
+
+
+class CallStatement(NamedTuple):
+    """`CALL program(a, b)`."""
+
+    program: Name
+    arguments: "tuple[Item | None, ...]"
+    start: int
+    end: int
+
+
+class Bad(NamedTuple):
+    """A step that was reported. `word` keeps the structure of the program known."""
+
+    word: str | None  # the whole keyword, if one was recognised
+    names: tuple[str, ...]  # names in it: nothing is reported about them
+    start: int
+    end: int
+
+
+Statement: TypeAlias = (
+    Assignment
+    | SetLocation
+    | HereStatement
+    | ShiftStatement
+    | Simple
+    | SpeedStatement
+    | Goto
+    | If
+    | While
+    | Until
+    | For
+    | Case
+    | ValueGroup
+    | Structure
+    | CallStatement
+    | Bad
+)
+
+# --- data and programs --------------------------------------------------------------------------
+
+
+class DataLine(NamedTuple):
+    """A line of a data section."""
+
+    target: Variable
+    values: tuple[Number | Text, ...]
+    start: int
+    end: int
+
+
+class Label(NamedTuple):
+    """A number before a statement."""
+
+    number: int
+    start: int
+    end: int
+
+
+class Step(NamedTuple):
+    """A numbered step that holds a label, a statement or both."""
+
+    number: int  # from 1; blank and comment lines count too
+    label: Label | None
+    statement: Statement | None
+
+
+class Formal(NamedTuple):
+    """A formal argument; `array` when written `a[]`. None stands for one left out."""
+
+    name: Name
+    array: bool
+
+
+class ProgramText(NamedTuple):
+    """One program after parsing."""
+
+    name: str  # lower case, at most 15 characters
+    formals: tuple[Formal, ...]
+    steps: tuple[Step, ...]
+    step_count: int  # blank and comment lines included
+    start: int  # of the header line
+    end: int
+    finish: tuple[int, int]  # range of the line that ends the program

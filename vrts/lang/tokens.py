@@ -1,0 +1,434 @@
+"""Text of one step to tokens. What a regular expression cannot decide is decided here.
+
+Longest name first, then its place: the first word of a step is an instruction unless `=` or
+`[...]=` follows; elsewhere a word is a keyword only if the instruction of the step wants it. `/X`
+is a format, and `^` and `'c` begin a number, only where an operand may stand.
+"""
+
+import re
+
+from vrts.base.diagnostic import Rule
+from vrts.base.numbers import single
+from vrts.lang.characters import BLANKS, INVISIBLE, LOOK_ALIKES, OPENING_QUOTES, STRANGERS
+from vrts.lang.problems import Problems
+from vrts.lang.syntax import Token
+from vrts.lang.vocabulary import OPERATORS, QUALIFIERS, Word, look_up
+
+STRAY_CHARACTER = Rule("V107", "stray-character")
+MISSING_QUOTE = Rule("V109", "missing-quote")
+INVALID_CONSTANT = Rule("V110", "invalid-constant")
+INVALID_NAME = Rule("V111", "invalid-name")
+CHARACTER_IN_STRING = Rule("V112", "character-in-string")
+NESTED_TOO_DEEPLY = Rule("V113", "nested-too-deeply")
+STRING_TOO_LONG = Rule("V114", "string-too-long")
+MISSING_PARENTHESIS = Rule("V128", "missing-parenthesis")
+MISSING_BRACKET = Rule("V129", "missing-bracket")
+KEYWORD_AS_NAME = Rule("V160", "keyword-as-name")
+
+MAX_NESTING = 200
+MAX_STRING = 128  # [val2.md 1.6]
+
+_QUOTES = re.escape(OPENING_QUOTES)
+_TOKEN = re.compile(
+    rf"""(?P<WORD>[^\W\d_][\w.]*)
+    |(?P<NUMBER>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)
+    |(?P<STRING>"[^"]*")
+    |(?P<OPEN>"[^"]*$)
+    |(?P<CURLY>[{_QUOTES}][^{_QUOTES}"]*(?:[{_QUOTES}"]|$))
+    |(?P<SIGIL>[$\#][^\W\d_][\w.]*)
+    |(?P<TWO>==|<>|><|<=|=<|>=|=>|\*\*|!=|:=|\+=|-=|\+\+|--|&&|\|\|)
+    |(?P<ONE>[-+*/=<>()\[\],:])
+    |(?P<BLANK>[ \t]+)
+    |(?P<OTHER>.)""",
+    re.VERBOSE,
+)
+_FORMAT = re.compile(r"/[A-Za-z][A-Za-z0-9]*(?:\.\d+)?")
+_CARET = re.compile(r"\^[A-Za-z0-9]*")
+
+_SIGNS = {
+    "=": "EQUAL",
+    ",": "COMMA",
+    "(": "LPAREN",
+    ")": "RPAREN",
+    "[": "LBRACKET",
+    "]": "RBRACKET",
+    "-": "MINUS",
+    "+": "PLUS",
+}
+_INFIX = frozenset({"*", "/", "<", ">", ":", "==", "<>", "<=", "=<", ">=", "=>"})
+_USUAL = {"=<": "<=", "=>": ">=", "><": "<>"}
+_MISTAKEN = {  # signs of other languages: what to write
+    "!=": "<>",
+    "><": "<>",
+    ":=": "=",
+    "**": "SQR(x) or x*x",
+    "&&": "AND",
+    "||": "OR",
+    "+=": "x = x+1",
+    "-=": "x = x-1",
+    "++": "x = x+1",
+    "--": "x = x-1",
+}
+_AFTER_OPERAND = frozenset(
+    {"NAME", "STRINGNAME", "JOINTNAME", "NUMBER", "STRING", "FORMAT", "RPAREN", "RBRACKET"}
+)
+_CLOSES = {"RPAREN": "LPAREN", "RBRACKET": "LBRACKET"}
+
+
+class Head:
+    """The instruction of a step as far as its first word tells."""
+
+    __slots__ = ("abbreviates", "word")
+
+    def __init__(self, word: Word | None, abbreviates: tuple[Word, ...]) -> None:
+        self.word = word  # None: an assignment, or no instruction
+        self.abbreviates = abbreviates
+
+
+def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
+    """Return the tokens of a piece of a line, words not yet classified, or None if one is bad.
+
+    Args:
+        text: The text of a statement, without label and comment.
+        at: Offset of the text in the source.
+        problems: Where each bad character is reported, once per cause.
+    """
+    tokens: list[Token] = []
+    good = True
+    position = 0
+    size = len(text)
+    while position < size:
+        match = _TOKEN.match(text, position)
+        assert match is not None  # OTHER takes any character
+        kind = match.lastgroup
+        start, end = position, match.end()
+        written = match.group()
+        position = end
+        if kind == "BLANK":
+            continue
+        token: Token | None = None
+        if kind == "WORD":
+            if written.isascii():
+                token = Token("WORD", written, at + start, at + end)
+            else:
+                _foreign_name(written, at + start, problems)
+        elif kind == "NUMBER":
+            if end < size and (text[end].isalpha() or text[end] == "_"):
+                word = re.match(r"[\w.]+", text[start:])
+                end = position = start + (word.end() if word else 1)
+                _name_after_digit(text[start:end], at + start, problems)
+            else:
+                token = _number(written, at + start, problems)
+        elif kind == "ONE":
+            token = Token(_SIGNS.get(written, "INFIX"), written, at + start, at + end)
+            if written == "/" and _operand_expected(tokens):
+                form = _FORMAT.match(text, start)
+                if form is not None:
+                    end = position = form.end()
+                    token = Token("FORMAT", form.group(), at + start, at + end)
+        elif kind == "STRING":
+            token = _string(written[1:-1], at + start, at + end, problems)
+        elif kind == "SIGIL":
+            if written.isascii():
+                name = "STRINGNAME" if written[0] == "$" else "JOINTNAME"
+                token = Token(name, written, at + start, at + end)
+            else:
+                _foreign_name(written, at + start, problems)
+        elif kind == "TWO":
+            if written in _INFIX:
+                token = Token("INFIX", _USUAL.get(written, written), at + start, at + end)
+            elif written in {"++", "--"} and end < size and text[end:].strip():
+                position = start + 1  # a - -b, a + +b
+                token = Token(_SIGNS[written[0]], written[0], at + start, at + start + 1)
+            else:
+                token = _mistaken(written, at + start, problems)
+        elif kind in ("OPEN", "CURLY"):
+            token = _odd_string(written, at + start, problems)
+        elif written == "^" and _operand_expected(tokens):
+            caret = _CARET.match(text, start)
+            assert caret is not None
+            position = caret.end()
+            token = _based(caret.group(), at + start, problems)
+        elif written == "'" and _operand_expected(tokens) and end < size:
+            position = end + 1
+            token = Token("NUMBER", text[start:position], at + start, at + position, float(ord(text[end])))
+        else:
+            token = _other(written, at + start, problems)
+            good = good and written in LOOK_ALIKES
+            if token is None and written in LOOK_ALIKES:
+                continue
+        if token is None:
+            good = False
+        else:
+            tokens.append(token)
+    return tokens if good and _balanced(tokens, problems) else None
+
+
+def classify(tokens: list[Token], problems: Problems) -> tuple[list[Token], Head]:
+    """Decide which words are keywords, and return the tokens and the instruction of the step."""
+    first = tokens[0]
+    head = Head(None, ())
+    if first.kind == "WORD" and not _assigned(tokens):
+        match = look_up(first.text)
+        head = Head(match.word, match.candidates)
+    word = head.word
+    wanted = word.qualifiers if word else frozenset[str]()
+    result: list[Token] = []
+    depth = 0
+    for i, token in enumerate(tokens):
+        kind = token.kind
+        if kind == "WORD":
+            upper = token.text.upper()
+            if i == 0 and word is not None:
+                kind = word.terminal or "NAME"
+                token = Token(kind, word.text, token.start, token.end)
+            elif upper in OPERATORS:
+                kind = OPERATORS[upper].terminal or ""
+                token = Token(kind, upper, token.start, token.end)
+            elif upper in wanted or (upper == "BY" and depth):
+                kind = QUALIFIERS[upper].terminal or "" if upper in QUALIFIERS else upper
+                token = Token(kind, upper, token.start, token.end)
+            else:
+                token = Token("NAME", token.text, token.start, token.end)
+        elif kind in ("LPAREN", "LBRACKET"):
+            depth += 1
+        elif kind in ("RPAREN", "RBRACKET"):
+            depth -= 1
+        result.append(token)
+    if word is not None and word.text in ("VALUE", "ANY") and result[-1].text == ":":
+        last = result[-1]
+        result[-1] = Token("ENDCOLON", ":", last.start, last.end)
+    return result, head
+
+
+def _assigned(tokens: list[Token]) -> bool:
+    """Whether a step begins with `name =` or `name[...] =`."""
+    if len(tokens) < 2:
+        return False
+    if tokens[1].kind != "LBRACKET":
+        return tokens[1].kind == "EQUAL"
+    depth = 0
+    for i in range(1, len(tokens)):
+        if tokens[i].kind == "LBRACKET":
+            depth += 1
+        elif tokens[i].kind == "RBRACKET":
+            depth -= 1
+            if depth == 0:
+                return i + 1 < len(tokens) and tokens[i + 1].kind == "EQUAL"
+    return False
+
+
+def _operand_expected(tokens: list[Token]) -> bool:
+    if not tokens:
+        return True
+    last = tokens[-1]
+    if last.kind == "WORD":
+        upper = last.text.upper()
+        return len(tokens) == 1 or upper in OPERATORS or upper in QUALIFIERS
+    return last.kind not in _AFTER_OPERAND
+
+
+def _number(text: str, start: int, problems: Problems) -> Token | None:
+    try:
+        value = single(float(text))
+    except OverflowError:
+        problems.error(
+            INVALID_CONSTANT,
+            f"the number `{_short(text)}` is too large",
+            start,
+            start + len(text),
+            notes=("numbers reach up to about 3.4E38", "VAL-II says *Invalid constant*"),
+        )
+        return None
+    return Token("NUMBER", text, start, start + len(text), value)
+
+
+_BASES = {"H": (16, "hexadecimal"), "B": (2, "binary")}
+
+
+def _based(text: str, start: int, problems: Problems) -> Token | None:
+    letter = text[1:2].upper()
+    base, name = _BASES.get(letter, (8, "octal"))
+    digits = text[2:] if letter in _BASES else text[1:]
+    try:
+        value = float(int(digits, base)) if digits.isascii() else None
+        valid = value is not None and not (base == 2 and len(digits) > 8)
+        if valid and value is not None:
+            return Token("NUMBER", text, start, start + len(text), single(value))
+    except (ValueError, OverflowError):
+        pass  # reported below
+    problems.error(
+        INVALID_CONSTANT,
+        f"`{_short(text)}` is not {'an' if name == 'octal' else 'a'} {name} number",
+        start,
+        start + len(text),
+        notes=(
+            "`^17` is octal, `^HFF` hexadecimal, `^B1001` binary with at most 8 digits",
+            "VAL-II says *Invalid constant*",
+        ),
+    )
+    return None
+
+
+def _string(value: str, start: int, end: int, problems: Problems) -> Token | None:
+    if len(value) > MAX_STRING:
+        problems.error(
+            STRING_TOO_LONG,
+            f"this string has {len(value)} characters; a string has at most {MAX_STRING}",
+            start,
+            end,
+            help=("write it in two pieces: `TYPE \"first\", \"second\"`",),
+        )
+        return None
+    if not value.isascii() or not value.isprintable():
+        odd = next(i for i, c in enumerate(value) if not (c.isascii() and c.isprintable()))
+        problems.warning(
+            CHARACTER_IN_STRING,
+            f"the controller cannot show `{_visible(value[odd])}`",
+            start + 1 + odd,
+            start + 2 + odd,
+            notes=("strings hold the characters from blank to `~`",),
+        )
+    return Token("STRING", value, start, end, value)
+
+
+def _odd_string(written: str, start: int, problems: Problems) -> Token | None:
+    """A string with a curly quote at either end, or without its end."""
+    closing = next((i for i, c in enumerate(written[1:], 1) if c in OPENING_QUOTES + '"'), None)
+    if written[0] == '"' and closing is None:
+        problems.error(
+            MISSING_QUOTE,
+            "this string is not closed",
+            start,
+            start + 1,
+            "opened here",
+            notes=("VAL-II says *Missing quote mark*",),
+            help=("end the text with a double quote on the same line",),
+            fix=problems.replace(start + len(written), start + len(written), '"'),
+        )
+        return None
+    _look_alike(written[0] if written[0] != '"' else written[closing or 0], start, problems)
+    end = start + (closing + 1 if closing else len(written))
+    return Token("STRING", written[1:closing], start, end, written[1:closing])
+
+
+def _other(written: str, start: int, problems: Problems) -> Token | None:
+    """A character with no meaning here. A look-alike is read as what it stands for."""
+    if written in LOOK_ALIKES:
+        _look_alike(written, start, problems)
+        replacement = LOOK_ALIKES[written].replacement
+        if written in BLANKS + INVISIBLE or not replacement:
+            return None
+        kind = _SIGNS.get(replacement, "INFIX" if replacement in _INFIX else "")
+        return Token(kind, replacement, start, start + 1) if kind else None
+    hint = STRANGERS.get(written, "")
+    problems.error(
+        STRAY_CHARACTER,
+        f"`{_visible(written)}` has no meaning here",
+        start,
+        start + 1,
+        notes=("VAL-II says *Illegal expression syntax*",),
+        help=(hint,) if hint else (),
+    )
+    return None
+
+
+def _look_alike(character: str, start: int, problems: Problems) -> None:
+    """Note the place; all look-alikes of a file become one diagnostic (see steps.py)."""
+    problems.look_alikes.append((character, start))
+
+
+def _mistaken(written: str, start: int, problems: Problems) -> Token | None:
+    instead = _MISTAKEN[written]
+    plain = instead if instead in ("<>", "=", "AND", "OR") else None
+    problems.error(
+        STRAY_CHARACTER,
+        f"`{written}` is not an operator of VAL-II",
+        start,
+        start + len(written),
+        help=(f"write `{instead}`",),
+        fix=problems.replace(start, start + len(written), plain) if plain else None,
+        notes=("VAL-II says *Illegal operator*",),
+    )
+    return None
+
+
+def _foreign_name(written: str, start: int, problems: Problems) -> None:
+    at = next(i for i, c in enumerate(written) if not c.isascii())
+    problems.error(
+        INVALID_NAME,
+        f"the name `{_short(written)}` contains `{_visible(written[at])}`",
+        start,
+        start + len(written),
+        notes=("VAL-II says *Invalid program or variable name*",),
+        help=("names consist of the letters A to Z, digits, `.` and `_`",),
+    )
+
+
+def _name_after_digit(written: str, start: int, problems: Problems) -> None:
+    problems.error(
+        INVALID_NAME,
+        f"`{_short(written)}` is neither a number nor a name",
+        start,
+        start + len(written),
+        notes=("VAL-II says *Invalid program or variable name*",),
+        help=("begin names with a letter; put an operator or a blank after a number",),
+    )
+
+
+def _balanced(tokens: list[Token], problems: Problems) -> bool:
+    """Report the first parenthesis or bracket without its partner, or nesting too deep."""
+    open_: list[Token] = []
+    prefixes = 0
+    for token in tokens:
+        kind = token.kind
+        prefixes = prefixes + 1 if kind in ("MINUS", "PLUS") or token.text.upper() == "NOT" else 0
+        if kind in ("LPAREN", "LBRACKET"):
+            open_.append(token)
+        elif kind in _CLOSES:
+            if open_ and open_[-1].kind == _CLOSES[kind]:
+                open_.pop()
+                continue
+            _unmatched(token, open_[-1] if open_ else None, problems)
+            return False
+        if len(open_) + prefixes > MAX_NESTING:
+            problems.error(
+                NESTED_TOO_DEEPLY,
+                f"this expression is nested more than {MAX_NESTING} levels deep",
+                token.start,
+                token.end,
+                help=("compute parts of it in steps of their own",),
+            )
+            return False
+    if open_:
+        _unmatched(open_[-1], None, problems)
+    return not open_
+
+
+def _unmatched(token: Token, inside: Token | None, problems: Problems) -> None:
+    bracket = token.kind in ("LBRACKET", "RBRACKET")
+    rule = MISSING_BRACKET if bracket else MISSING_PARENTHESIS
+    opens = token.kind in ("LPAREN", "LBRACKET")
+    partner = {"(": ")", "[": "]", ")": "(", "]": "["}[token.text]
+    words = "Missing bracket" if bracket else "Missing parenthesis"
+    secondary = ()
+    if inside is not None:
+        secondary = (problems.label(inside.start, inside.end, "this one is still open"),)
+    problems.error(
+        rule,
+        f"`{token.text}` is never closed" if opens else f"`{token.text}` closes nothing",
+        token.start,
+        token.end,
+        f"no `{partner}` follows" if opens else f"no `{partner}` is open here",
+        secondary=secondary,
+        notes=(f"VAL-II says *{words}*",),
+        help=(f"add `{partner}`" + ("" if opens else f", or take `{token.text}` out"),),
+    )
+
+
+def _visible(character: str) -> str:
+    return character if character.isprintable() else f"U+{ord(character):04X}"
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 40 else text[:37] + "..."

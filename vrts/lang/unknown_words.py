@@ -1,0 +1,179 @@
+"""First words that are no instruction of VAL-II, or one that vrts does not carry out yet."""
+
+from vrts.base.diagnostic import Rule
+from vrts.lang.names import key
+from vrts.lang.problems import Problems
+from vrts.lang.spelling import nearest
+from vrts.lang.syntax import Token
+from vrts.lang.tokens import Head
+from vrts.lang.vocabulary import COMMANDS, FOREIGN, INSTRUCTIONS, NAMES_OF_DIALECTS, Word
+
+UNKNOWN_INSTRUCTION = Rule("V120", "unknown-instruction")
+AMBIGUOUS_KEYWORD = Rule("V121", "ambiguous-keyword")
+OTHER_DIALECT = Rule("V122", "not-val2")
+NOT_SUPPORTED_YET = Rule("V123", "not-supported-yet")
+MONITOR_COMMAND = Rule("V149", "monitor-command")
+
+_SPELLED = tuple(word.text for word in INSTRUCTIONS.values() if word.in_val2)
+
+
+def refuse(
+    problems: Problems, tokens: list[Token], head: Head, program_names: frozenset[str]
+) -> bool:
+    """Report a step whose first word says that it cannot be parsed; return whether it was."""
+    first = tokens[0]
+    if head.word is not None:
+        if not head.word.in_val2:
+            _other_dialect(problems, first, head.word.text)
+            return True
+        if head.word.terminal is None:
+            _not_yet(problems, first, head.word)
+            return True
+        return False
+    if first.kind != "NAME" or (len(tokens) > 1 and _is_assignment(tokens)):
+        return False
+    upper = first.text.upper()
+    following = tokens[1] if len(tokens) > 1 else None
+    if len(head.abbreviates) > 1:
+        _ambiguous(problems, first, head.abbreviates)
+    elif upper in FOREIGN:
+        _other_dialect(problems, first, upper)
+    elif key(first.text) in program_names:
+        problems.error(
+            UNKNOWN_INSTRUCTION,
+            f"`{first.text}` is a program, not an instruction",
+            first.start,
+            first.end,
+            notes=("VAL-II says *Unknown instruction*",),
+            help=(f"write `CALL {first.text}`",),
+            fix=problems.replace(first.start, first.start, "CALL "),
+        )
+    elif upper in COMMANDS:
+        problems.error(
+            MONITOR_COMMAND,
+            f"{upper} is a command for the monitor, not a step of a program",
+            first.start,
+            first.end,
+            notes=("VAL-II says *Unknown instruction*",),
+            help=(_instead_of_command(upper),),
+        )
+    elif following is not None and following.text == "==":
+        problems.error(
+            UNKNOWN_INSTRUCTION,
+            f"a comparison of `{first.text}` is not a step",
+            following.start,
+            following.end,
+            notes=("`==` compares, `=` assigns", "VAL-II says *Unknown instruction*"),
+            help=(f"to give `{first.text}` a value write `=`",),
+            fix=problems.replace(following.start, following.end, "="),
+        )
+    else:
+        _unknown(problems, first, following)
+    return True
+
+
+def _is_assignment(tokens: list[Token]) -> bool:
+    """Whether `=` comes next, or after the brackets that come next."""
+    depth = 0
+    for token in tokens[1:]:
+        if token.kind == "LBRACKET":
+            depth += 1
+        elif token.kind == "RBRACKET":
+            depth -= 1
+        elif depth == 0:
+            return token.kind == "EQUAL"
+    return False
+
+
+def _unknown(problems: Problems, first: Token, following: Token | None) -> None:
+    name = first.text
+    meant = nearest(name.upper(), _SPELLED)
+    glued = _glued(name)
+    if meant is not None:
+        help_ = (f"did you mean `{meant}`?",)
+        fix = problems.replace(first.start, first.end, meant)
+    elif glued is not None:
+        help_ = (f"write a blank: `{glued} {name[len(glued) :]}`",)
+        fix = problems.replace(first.start, first.end, f"{glued} {name[len(glued) :]}")
+    elif following is None or following.kind == "LPAREN":
+        help_ = (f"if `{name}` is a program, write `CALL {name}`",)
+        fix = None
+    else:
+        help_ = ("a step begins with an instruction, as in `MOVE part`, or assigns, as in `n = 1`",)
+        fix = None
+    problems.error(
+        UNKNOWN_INSTRUCTION,
+        f"`{name if len(name) <= 40 else name[:37] + '...'}` is not an instruction",
+        first.start,
+        first.end,
+        notes=("VAL-II says *Unknown instruction*",),
+        help=help_,
+        fix=fix,
+        data={"word": name},
+    )
+
+
+def _glued(name: str) -> str | None:
+    """Return the longest instruction a word begins with: `MOVESpart`, `TYPE.x`, `END.`."""
+    upper = name.upper()
+    found = [
+        text for text in _SPELLED if len(text) > 2 and upper.startswith(text) and upper != text
+    ]
+    longest = max(found, key=len, default=None)
+    return longest if longest and len(name) > len(longest) and name[len(longest)].isalpha() else None
+
+
+def _ambiguous(problems: Problems, first: Token, candidates: tuple[Word, ...]) -> None:
+    texts = [word.text for word in candidates]
+    problems.error(
+        AMBIGUOUS_KEYWORD,
+        f"`{first.text}` can be short for {_either(texts)}",
+        first.start,
+        first.end,
+        notes=("VAL-II says *Ambiguous keyword*",),
+        help=("write the word in full",),
+    )
+
+
+def _other_dialect(problems: Problems, first: Token, upper: str) -> None:
+    origin, hint = FOREIGN.get(upper, ("", ""))
+    word = INSTRUCTIONS.get(upper)
+    if not origin and word is not None:
+        origin = " and ".join(NAMES_OF_DIALECTS[d] for d in word.dialects)
+    problems.error(
+        OTHER_DIALECT,
+        f"{upper} is not a VAL-II instruction",
+        first.start,
+        first.end,
+        f"a word of {origin}" if origin else "",
+        notes=("VAL-II says *Unknown instruction*",),
+        help=(hint,) if hint else (),
+    )
+
+
+def _not_yet(problems: Problems, first: Token, word: Word) -> None:
+    problems.error(
+        NOT_SUPPORTED_YET,
+        f"{word.text} is not supported yet",
+        first.start,
+        first.end,
+        notes=("it is an instruction of VAL-II that this version of vrts does not carry out",),
+        data={"word": word.text},
+    )
+
+
+def _instead_of_command(upper: str) -> str:
+    match upper:
+        case "EXECUTE":
+            return "use CALL to run another program"
+        case "POINT" | "TEACH":
+            return "use SET to give a location a value"
+        case "ABORT":
+            return "use HALT to end the execution"
+        case _:
+            return "give it to the monitor when no program is running"
+
+
+def _either(texts: list[str]) -> str:
+    shown = texts[:6] + (["..."] if len(texts) > 6 else [])
+    return ", ".join(shown[:-1]) + (f" or {shown[-1]}" if shown[-1] != "..." else ", ...")
