@@ -57,7 +57,7 @@ RULES: Mapping[RuntimeErrorKind, Rule] = MappingProxyType(
 )
 
 
-class RuntimeFault(Exception):
+class RuntimeFault(Exception):  # noqa: N818 -- VAL's run-time errors are faults of the program
     """A VAL run-time error, with what a reader needs to know about it."""
 
     def __init__(

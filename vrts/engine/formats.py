@@ -70,7 +70,7 @@ def free(value: float) -> str:
         return "0"
     magnitude = abs(value)
     if FREE_LOWEST <= round(magnitude, 9) <= FREE_HIGHEST:
-        whole = int(math.floor(math.log10(magnitude))) + 1
+        whole = math.floor(math.log10(magnitude)) + 1
         decimals = min(8, max(0, FREE_DIGITS - whole))
         text = f"{value:.{decimals}f}"
         return text.rstrip("0").rstrip(".") if "." in text else text

@@ -4,7 +4,7 @@ from vrts.engine.profile import Profile, profile
 from vrts.robots.model import Configuration, SphericalWristArm
 
 Piece = tuple[float, float, tuple[tuple[float, ...], ...]]
-"""Start and end [s] from the motion's start, and six rows of coefficients from the piece's start."""
+"""Start and end [s] from the motion's start; six rows of coefficients from the piece's start."""
 
 
 def joint_profile(

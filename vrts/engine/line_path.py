@@ -211,7 +211,7 @@ def _jump(
 def _hermite(
     points: list[Configuration], rates: list[Configuration | None], tick: float
 ) -> list[Piece]:
-    """Return cubic pieces through set points; a velocity undefined at a singularity is estimated."""
+    """Return cubic pieces through set points; velocities are estimated where undefined."""
     known: list[tuple[float, ...]] = []
     for k, rate in enumerate(rates):
         if rate is None:

@@ -1,0 +1,241 @@
+"""Where a released object comes to rest: straight down to first contact, then standing or toppled.
+
+Contacts never push or stop anything else, and nothing bounces, slips or rolls.
+"""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from vrts.base.pose import (
+    Z_AXIS,
+    Pose,
+    Vector,
+    add,
+    cross,
+    dot,
+    multiply,
+    rotate,
+    rotation_about,
+    scale,
+    subtract,
+    translation,
+)
+from vrts.geometry.shapes import Box, Cylinder, Piece
+from vrts.geometry.support import Bounds, bounds
+
+TOUCHING = 1e-5  # [m] nearer than this is contact
+SIDE_STEP = 1e-4  # [m] step past a body that is touched at its side
+SIDE_NORMAL = math.sin(math.radians(10.0))  # a flatter contact does not carry
+ALIGNS_WITHIN = math.radians(10.0)  # between contact face and support plane
+FRICTION = 0.5  # coefficient µ of an inclined support [assumed]
+CORNERS = 48  # of a round face
+STEPS = 20_000  # of the descent; each is at least SIDE_STEP
+
+
+class Standing(NamedTuple):
+    """A body that something can stand on, and where it is."""
+
+    name: str
+    pieces: tuple[Piece, ...]
+    X_WO: Pose
+
+
+class Face(NamedTuple):
+    """A flat face of a convex piece."""
+
+    normal: Vector  # outward unit vector
+    corners: tuple[Vector, ...]  # in order round the face
+
+
+class Rest(NamedTuple):
+    """Where a body ends."""
+
+    height_m: float  # it fell this far
+    support: str
+    X_WO: Pose
+    stands: bool
+
+
+def settle(
+    pieces: Sequence[Piece], X_WO: Pose, centre_of_mass: Vector, others: Sequence[Standing]
+) -> Rest | None:
+    """Return where a released body comes to rest; None when nothing is below it."""
+    contact = _descend(pieces, X_WO, others)
+    if contact is None:
+        return None
+    height, standing, mine, theirs = contact
+    X_touch = translation(0.0, 0.0, -height) @ X_WO
+    bottom = _face_along(mine, X_touch, scale(Z_AXIS, -1.0))
+    top = _face_along(theirs, standing.X_WO, Z_AXIS)
+    if bottom is None or top is None or not _carries(bottom, top):
+        return Rest(height, standing.name, X_touch, stands=False)
+    X_rest = _aligned(X_touch, bottom, top)
+    bottom = _face_along(mine, X_rest, scale(Z_AXIS, -1.0))
+    assert bottom is not None
+    polygon = _clipped(_flat(bottom), _flat(top))
+    mass = X_rest.apply(centre_of_mass)
+    stands = _inside(polygon, (mass[0], mass[1]))
+    return Rest(height, standing.name, X_rest if stands else X_touch, stands)
+
+
+def _descend(
+    pieces: Sequence[Piece], X_WO: Pose, others: Sequence[Standing]
+) -> tuple[float, Standing, Piece, Piece] | None:
+    """Return height, support and the two pieces of first contact straight down."""
+    from vrts.geometry.narrow import nearest  # coal is loaded when something is let go
+
+    mine = bounds(pieces, X_WO)
+    below = [
+        (standing, piece)
+        for standing in others
+        for piece in standing.pieces
+        if _under(mine, bounds((piece,), standing.X_WO))
+    ]
+    if not below:
+        return None
+    deepest = min(bounds((piece,), standing.X_WO).lower[2] for standing, piece in below)
+    height = 0.0
+    for _ in range(STEPS):
+        X_low = translation(0.0, 0.0, -height) @ X_WO
+        step = math.inf
+        for standing, theirs in below:
+            for piece in pieces:
+                found = nearest(piece, X_low, theirs, standing.X_WO)
+                upright = -found.normal[2]  # the second body lies below the first
+                if found.distance <= TOUCHING and upright > SIDE_NORMAL:
+                    return height, standing, piece, theirs
+                step = min(step, max(found.distance, SIDE_STEP))
+        height += step
+        if mine.upper[2] - height < deepest:
+            return None
+    return None
+
+
+def _under(mine: Bounds, theirs: Bounds) -> bool:
+    """Return whether a box can be met by another one on its way straight down."""
+    (ax, ay, _), (bx, by, bz) = mine
+    (cx, cy, cz), (dx, dy, _) = theirs
+    return ax < dx and cx < bx and ay < dy and cy < by and cz < bz
+
+
+def _carries(bottom: Face, top: Face) -> bool:
+    incline = math.acos(max(-1.0, min(1.0, top.normal[2])))
+    if math.tan(incline) > FRICTION:
+        return False
+    return -dot(bottom.normal, top.normal) >= math.cos(ALIGNS_WITHIN)
+
+
+def _aligned(X_WO: Pose, bottom: Face, top: Face) -> Pose:
+    """Return the pose turned least so that the faces are parallel, and shifted so that they meet."""
+    target = scale(top.normal, -1.0)
+    axis = cross(bottom.normal, target)
+    size = math.sqrt(dot(axis, axis))
+    pivot = min(bottom.corners, key=lambda corner: corner[2])
+    turned = X_WO
+    if size > 1e-12:
+        turn = rotation_about(scale(axis, 1.0 / size), math.atan2(size, dot(bottom.normal, target)))
+        moved = add(rotate(turn, subtract(X_WO.translation, pivot)), pivot)
+        turned = Pose(multiply(turn, X_WO.rotation), moved)
+    gap = dot(subtract(pivot, top.corners[0]), top.normal) / top.normal[2]
+    return translation(0.0, 0.0, -gap) @ turned
+
+
+def _face_along(piece: Piece, X_WO: Pose, direction: Vector) -> Face | None:
+    """Return the face of a piece that looks most along a direction, in W."""
+    X_WP = X_WO @ piece.X_OP
+    best = max(_faces(piece), key=lambda face: dot(rotate(X_WP.rotation, face.normal), direction))
+    normal = rotate(X_WP.rotation, best.normal)
+    if dot(normal, direction) <= 0.0:
+        return None
+    return Face(normal, tuple(X_WP.apply(corner) for corner in best.corners))
+
+
+def _faces(piece: Piece) -> list[Face]:
+    """Return the flat faces of a piece in its own frame."""
+    match piece.shape:
+        case Box(half_extents=(a, b, c)):
+            found: list[Face] = []
+            for axis in range(3):
+                for side in (-1.0, 1.0):
+                    normal = [0.0, 0.0, 0.0]
+                    normal[axis] = side
+                    i, k = (axis + 1) % 3, (axis + 2) % 3
+                    half = (a, b, c)
+                    corners: list[Vector] = []
+                    for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+                        point = [0.0, 0.0, 0.0]
+                        point[axis] = side * half[axis]
+                        point[i], point[k] = u * half[i], v * half[k]
+                        corners.append((point[0], point[1], point[2]))
+                    found.append(Face((normal[0], normal[1], normal[2]), tuple(corners)))
+            return found
+        case Cylinder(radius=radius, half_length=half_length):
+            ring = [math.tau * k / CORNERS for k in range(CORNERS)]
+            return [
+                Face(
+                    (0.0, 0.0, side),
+                    tuple(
+                        (radius * math.cos(a), radius * math.sin(a), side * half_length)
+                        for a in ring
+                    ),
+                )
+                for side in (-1.0, 1.0)
+            ]
+        case _:
+            return _hull_faces(piece)
+
+
+def _hull_faces(piece: Piece) -> list[Face]:
+    import numpy as np
+
+    from vrts.geometry.hull import faces
+
+    hull = faces(np.array(piece.shape.points))  # type: ignore[union-attr]
+    corners: list[Vector] = [(x, y, z) for x, y, z in hull.vertices.tolist()]
+    found: list[Face] = []
+    for polygon in hull.polygons:
+        points = tuple(corners[index] for index in polygon)
+        normal = cross(subtract(points[1], points[0]), subtract(points[2], points[1]))
+        found.append(Face(scale(normal, 1.0 / math.sqrt(dot(normal, normal))), points))
+    return found
+
+
+Point = tuple[float, float]
+
+
+def _flat(face: Face) -> list[Point]:
+    """Return a face seen from above, counter-clockwise."""
+    points = [(x, y) for x, y, _ in face.corners]
+    area = sum(
+        a[0] * b[1] - b[0] * a[1] for a, b in zip(points, points[1:] + points[:1], strict=True)
+    )
+    return points if area >= 0.0 else points[::-1]
+
+
+def _clipped(subject: list[Point], window: list[Point]) -> list[Point]:
+    """Return the common part of two convex polygons (Sutherland and Hodgman)."""
+    for a, b in zip(window, window[1:] + window[:1], strict=True):
+        kept: list[Point] = []
+        for p, q in zip(subject, subject[1:] + subject[:1], strict=True):
+            p_in, q_in = _left(a, b, p), _left(a, b, q)
+            if p_in >= 0.0:
+                kept.append(p)
+            if p_in * q_in < 0.0:
+                share = p_in / (p_in - q_in)
+                kept.append((p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])))
+        subject = kept
+        if not subject:
+            return []
+    return subject
+
+
+def _inside(polygon: list[Point], point: Point) -> bool:
+    if len(polygon) < 3:
+        return False
+    edges = zip(polygon, polygon[1:] + polygon[:1], strict=True)
+    return all(_left(a, b, point) >= 0.0 for a, b in edges)
+
+
+def _left(a: Point, b: Point, p: Point) -> float:
+    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])

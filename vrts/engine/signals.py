@@ -1,0 +1,86 @@
+"""Binary signals: outputs, inputs that change as the scenario says, and internal signals."""
+
+from collections.abc import Sequence
+
+from vrts.base.source import Span
+from vrts.engine.faults import RuntimeFault
+from vrts.ir.runtime_errors import RuntimeErrorKind
+
+OUTPUTS = range(1, 33)  # [assumed, val2.md 3.5]
+INPUTS = range(1001, 1033)
+INTERNAL = range(2001, 2257)
+
+
+class Signals:
+    """Which signals are on, and the inputs still to change."""
+
+    __slots__ = ("_inputs", "_next", "on")
+
+    def __init__(self, inputs: Sequence[tuple[float, int, bool]]) -> None:
+        """Take the inputs in time order."""
+        self.on: set[int] = set()
+        self._inputs = tuple(inputs)
+        self._next = 0
+
+    def sample(self, time_s: float) -> list[tuple[int, bool]]:
+        """Take over the inputs up to a time; return those that changed."""
+        changed: list[tuple[int, bool]] = []
+        while self._next < len(self._inputs) and self._inputs[self._next][0] <= time_s:
+            _, number, state = self._inputs[self._next]
+            self._next += 1
+            if state is not (number in self.on):
+                self.turn(number, on=state)
+                changed.append((number, state))
+        return changed
+
+    @property
+    def next_input_s(self) -> float | None:
+        """When an input changes next [s]; None when none will."""
+        if self._next == len(self._inputs):
+            return None
+        return self._inputs[self._next][0]
+
+    def turn(self, number: int, *, on: bool) -> None:
+        """Turn a signal on or off."""
+        if on:
+            self.on.add(number)
+        else:
+            self.on.discard(number)
+
+    def holds(self, number: int, span: Span | None) -> bool:
+        """Return whether a signal is in the state its sign asks for; 0 always is.
+
+        Raises:
+            RuntimeFault: There is no such signal.
+        """
+        if number == 0:
+            return True
+        known(number, span)
+        return (abs(number) in self.on) is (number > 0)
+
+    def copy(self) -> "Signals":
+        """Return an independent copy."""
+        other = Signals(self._inputs)
+        other.on = set(self.on)
+        other._next = self._next
+        return other
+
+
+def known(number: int, span: Span | None, *, writable: bool = False) -> None:
+    """Check a signal number.
+
+    Raises:
+        RuntimeFault: There is no such signal, or it is an input that a program wants to set.
+    """
+    signal = abs(number)
+    if signal in OUTPUTS or signal in INTERNAL:
+        return
+    if signal in INPUTS and not writable:
+        return
+    reason = "is an input; a program cannot set it" if signal in INPUTS else "does not exist"
+    raise RuntimeFault(
+        RuntimeErrorKind.ILLEGAL_SIGNAL,
+        f"signal {signal} {reason}",
+        span,
+        notes=("outputs are 1 to 32, inputs 1001 to 1032, internal signals 2001 to 2256",),
+    )
