@@ -160,9 +160,7 @@ def _line_rows(
     return rows + [f"{blank} {row}" for row in _underlines(at, palette, style)]
 
 
-def _cut(
-    text: str, at: list[tuple[int, int, Mark]]
-) -> tuple[str, list[tuple[int, int, Mark]]]:
+def _cut(text: str, at: list[tuple[int, int, Mark]]) -> tuple[str, list[tuple[int, int, Mark]]]:
     """Return a window of a long line. Wide characters make it a little narrower, never wrong."""
     begin = max(0, min(first for first, _, _ in at) - BEFORE)
     kept: list[str] = []
@@ -181,9 +179,7 @@ def _cut(
     return window, moved
 
 
-def _underlines(
-    at: list[tuple[int, int, Mark]], palette: Palette, style: Style
-) -> list[str]:
+def _underlines(at: list[tuple[int, int, Mark]], palette: Palette, style: Style) -> list[str]:
     """Return the underline row and the rows of words hanging below it."""
     length = max(last for _, last, _ in at)
     signs = [" "] * length

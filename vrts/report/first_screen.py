@@ -1,7 +1,7 @@
 """What everybody sees first, on every medium, in this order.
 
-The mark; ready for the real robot, yes or no; the costliest cause in one sentence; a hint; the table
-of losses; the moment whose picture to show.
+The mark; ready for the real robot, yes or no; the costliest cause in one sentence; a hint; the
+table of losses; the moment whose picture to show.
 """
 
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from vrts.check.grade import Loss, Status
 from vrts.check.verdict import Answer, Verdict
 from vrts.engine.records import Ending
 from vrts.report.assessment import Assessment
-from vrts.report.plain import one_line
+from vrts.report.plain import capital, one_line
 from vrts.report.quantities import at_time, lost
 
 NOTHING_LOST = "Nothing was lost: every goal is reached and nothing was touched"
@@ -83,15 +83,15 @@ def _cause(
         if not losses:
             return (NOTHING_LOST, None, None, None)
         worst = losses[0]
-        sentence = f"{_capital(worst.sentence)} ({lost(worst.points)})"
+        sentence = f"{capital(worst.sentence)} ({lost(worst.points)})"
         return (sentence, worst.hint or None, worst.moment, worst.span)
     if errors:
         return _of_diagnostic(errors[0])
     for verdict in verdicts:
         if verdict.answer is not Answer.HOLDS:
-            return (_capital(verdict.summary), None, None, None)
+            return (capital(verdict.summary), None, None, None)
     if a.grade and a.grade.losses:  # does not compile, yet nothing to quote
-        return (_capital(a.grade.losses[0].sentence), a.grade.losses[0].hint or None, None, None)
+        return (capital(a.grade.losses[0].sentence), a.grade.losses[0].hint or None, None, None)
     return (NOTHING_WRONG, None, None, None)
 
 
@@ -101,7 +101,7 @@ def _of_diagnostic(d: Diagnostic) -> tuple[str, str | None, Moment | None, Span 
     when = at_time(d.moment.time_s) if d.moment else ""
     place = ", ".join(part for part in (when, where) if part)
     sentence = f"{place}: {d.headline}" if place else d.headline
-    return (_capital(sentence), d.help[0] if d.help else None, d.moment, span)
+    return (capital(sentence), d.help[0] if d.help else None, d.moment, span)
 
 
 def _ready(a: Assessment, errors: list[Diagnostic]) -> bool:
@@ -114,7 +114,3 @@ def _ready(a: Assessment, errors: list[Diagnostic]) -> bool:
         and a.judgement.answer is Answer.HOLDS
         and a.judgement.collisions is not None
     )
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]

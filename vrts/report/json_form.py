@@ -1,7 +1,7 @@
 """Assessments as JSON, for programs. Every document names its schema.
 
-Times in s, lengths in mm, angles in degrees, rounded by the shared rule; marks and points as numbers
-and, exactly, as fractions.
+Times in s, lengths in mm, angles in degrees, rounded by the shared rule; marks and points as
+numbers and, exactly, as fractions.
 """
 
 from collections.abc import Iterable

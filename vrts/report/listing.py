@@ -21,9 +21,7 @@ def listing(source: SourceFile, findings: Sequence[Diagnostic]) -> Markup:
     for number, d in enumerate(findings, start=1):
         if d.primary and d.primary.span.source is source:
             first.setdefault(d.primary.span.line, (number, d))
-    rows = [
-        _line(number, text, first.get(number)) for number, text in enumerate(source.lines(), 1)
-    ]
+    rows = [_line(number, text, first.get(number)) for number, text in enumerate(source.lines(), 1)]
     if rows and not source.line_text(len(rows)):
         rows.pop()  # after the last line end
     return element("ol", *rows, class_="source", id="source", tabindex="0", aria_label="Program")

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from vrts.check.verdict import Answer
 from vrts.report.assessment import Assessment
+from vrts.report.document import document
 from vrts.report.first_screen import FirstScreen, first_screen
 from vrts.report.html import Markup, element, joined, prose, raw
-from vrts.report.page import document
 from vrts.report.plain import one_line
 from vrts.report.quantities import lost, mark, points
 from vrts.report.text import yes_no
@@ -135,9 +135,7 @@ def _row(row: Row, address: str | None) -> Markup:
 
 def _worst(rows: Sequence[Row]) -> Markup | None:
     """Return the kinds of loss by points lost, and the checks most often violated."""
-    losses = [
-        (row, loss) for row in rows for loss in row.screen.losses if loss.kind != "rounding"
-    ]
+    losses = [(row, loss) for row in rows for loss in row.screen.losses if loss.kind != "rounding"]
     found: list[tuple[Fraction, int, str]] = []
     for kind in dict.fromkeys(loss.kind for _, loss in losses):
         total = sum((loss.points for _, loss in losses if loss.kind == kind), Fraction(0))
@@ -159,7 +157,11 @@ def _violated(rows: Sequence[Row]) -> list[tuple[str, str]]:
     counts: dict[str, int] = {}
     for row in rows:
         judgement = row.assessment.judgement
-        checks = {v.check for v in judgement.verdicts if v.answer is Answer.VIOLATED} if judgement else set[str]()
+        checks = (
+            {v.check for v in judgement.verdicts if v.answer is Answer.VIOLATED}
+            if judgement
+            else set[str]()
+        )
         for check in sorted(checks):
             counts[check] = counts.get(check, 0) + 1
     ordered = sorted(counts.items(), key=lambda entry: (-entry[1], entry[0]))
@@ -171,9 +173,7 @@ def _counts(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> Markup | Non
         return None
     head = element("tr", *(element("th", text, scope="col") for text in heads))
     body = [
-        element(
-            "tr", element("td", row[0]), *(element("td", n, class_="number") for n in row[1:])
-        )
+        element("tr", element("td", row[0]), *(element("td", n, class_="number") for n in row[1:]))
         for row in rows
     ]
     return element("table", element("thead", head), element("tbody", *body), class_="counts")

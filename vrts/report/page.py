@@ -1,43 +1,42 @@
-"""One self-contained HTML page about one program.
+"""One self-contained HTML page about one program."""
 
-It opens from `file://` without any network: styles, modules and data stand in the page, and a
-content policy forbids everything else.
-"""
-
-import base64
 from collections.abc import Mapping, Sequence
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.report.assessment import Assessment
+from vrts.report.document import document
 from vrts.report.excerpt import excerpt
-from vrts.report.first_screen import FirstScreen, first_screen
-from vrts.report.html import Child, Markup, MarkupPalette, element, joined, json_script, painted, prose, raw
+from vrts.report.first_screen import first_screen
+from vrts.report.html import (
+    Markup,
+    MarkupPalette,
+    element,
+    joined,
+    json_script,
+    painted,
+    prose,
+    raw,
+)
 from vrts.report.listing import listing
-from vrts.report.plain import one_line
-from vrts.report.quantities import at_time, lost, mark, millimetres, seconds
+from vrts.report.page_top import first_screen_section, watch_button
+from vrts.report.plain import capital, one_line
+from vrts.report.quantities import millimetres, seconds
 from vrts.report.replay_data import contact_rows, run_data
-from vrts.report.text import in_order, moment_text, yes_no
+from vrts.report.text import in_order, moment_text
 from vrts.report.viewer_data import scene_data
 from vrts.web.assets import asset, import_map, module_name
 
 ENTRY = "report/page.js"
 MOMENT = "moment"
 
-POLICY = (
-    "default-src 'none'; script-src 'unsafe-inline' data:; style-src 'unsafe-inline'; "
-    "img-src data: blob:; base-uri 'none'; form-action 'none'"
-)
-
-NOT_MODELLED = (
-    "Motion is computed from geometry alone: no masses, forces, friction or motor limits other "
-    "than joint positions and speeds.",
-    "The arm follows its planned motion exactly; the servo's small errors on the real robot are "
-    "not there.",
-    "Contacts never push, bend or stop anything: after a contact the run goes on as planned, the "
-    "real robot would not.",
-    "A released object sinks straight down and stands or topples; it does not bounce, slip or "
-    "roll.",
-)
+NOT_MODELLED = """
+Motion is computed from geometry alone: no masses, forces, friction or motor limits other than \
+joint positions and speeds.
+The arm follows its planned motion exactly; the small errors of the real servos are not there.
+Contacts never push, bend or stop anything: after a contact the run goes on as planned, the real \
+robot would not.
+A released object sinks straight down and stands or topples; it does not bounce, slip or roll.
+"""
 
 
 def page(a: Assessment, stills: Mapping[str, bytes]) -> str:
@@ -52,7 +51,7 @@ def page(a: Assessment, stills: Mapping[str, bytes]) -> str:
     findings = in_order(a.findings)
     replayable = a.run is not None and a.scene is not None
     body = [
-        _first_screen(a, screen, stills.get(MOMENT)),
+        first_screen_section(a, screen, stills.get(MOMENT)),
         _navigation(a, findings, replayable=replayable),
         _replay(a, findings) if replayable else _program(a, findings),
         _findings(findings),
@@ -63,132 +62,6 @@ def page(a: Assessment, stills: Mapping[str, bytes]) -> str:
     ]
     scripts = _scripts(a) if replayable else []
     return document(one_line(a.title), "report/page.css", body, scripts)
-
-
-def document(title: str, style: str, body: Sequence[Child], scripts: Sequence[Child]) -> str:
-    """Return a whole HTML document with a style sheet of ours and the content policy."""
-    head = element(
-        "head",
-        element("meta", charset="utf-8"),
-        element("meta", http_equiv="Content-Security-Policy", content=POLICY),
-        element("meta", name="viewport", content="width=device-width, initial-scale=1"),
-        element("meta", name="color-scheme", content="light dark"),
-        element("title", title),
-        raw("style", asset("report/base.css") + asset(style)),
-    )
-    content = element("body", element("main", *body), *scripts)
-    return "<!doctype html>\n" + element("html", head, content, lang="en") + "\n"
-
-
-# --- first screen -------------------------------------------------------------------------------
-
-
-def _first_screen(a: Assessment, screen: FirstScreen, picture: bytes | None) -> Markup:
-    task = f"{a.task.title} · " if a.task else ""
-    scene = f"scene {a.scene.name}" if a.scene else ""
-    where = element("p", f"{task}{scene}", class_="where") if task or scene else None
-    answer = element(
-        "div",
-        mark_badge(screen),
-        element(
-            "p",
-            "Ready for the real robot: ",
-            element("b", yes_no(screen.ready)),
-            class_="ready " + yes_no(screen.ready),
-        ),
-        class_="answer",
-    )
-    hint = element("p", element("b", "Hint: "), prose(screen.hint), class_="hint") if screen.hint else None
-    parts = element(
-        "div",
-        element("h1", one_line(a.title)),
-        where,
-        answer,
-        element("p", prose(screen.cause), class_="cause"),
-        hint,
-        _loss_table(screen) if screen.losses else _verdict_table(screen),
-        class_="words",
-    )
-    return element("header", parts, _picture(screen, picture), class_="first-screen")
-
-
-def mark_badge(screen: FirstScreen) -> Markup:
-    """Return the mark, or the status where there is none."""
-    if screen.mark is None:
-        return element("p", element("b", screen.status), class_="mark word")
-    level = "high" if screen.mark >= 8 else "middle" if screen.mark >= 5 else "low"
-    status = element("span", screen.status, class_="status") if screen.status != "graded" else None
-    return element(
-        "p", element("b", mark(screen.mark)), element("span", "/ 10"), status, class_=f"mark {level}"
-    )
-
-
-def _loss_table(screen: FirstScreen) -> Markup:
-    assert screen.mark is not None
-    rows = [
-        element(
-            "tr",
-            element("td", lost(loss.points), class_="number"),
-            element("td", prose(_capital(one_line(loss.sentence)))),
-            element(
-                "td", watch_button(loss.moment.time_s) if loss.moment else None, class_="act"
-            ),
-        )
-        for loss in screen.losses
-    ]
-    total = element(
-        "tr",
-        element("td", mark(screen.mark), class_="number"),
-        element("td", "Mark, of 10", colspan=2),
-        class_="total",
-    )
-    head = element("tr", *(element("th", t, scope="col") for t in ("Points", "Lost by", "")))
-    return element(
-        "table",
-        element("thead", head),
-        element("tbody", *rows, total),
-        class_="losses",
-        aria_label="Points lost, costliest first",
-    )
-
-
-def _verdict_table(screen: FirstScreen) -> Markup | None:
-    if not screen.verdicts:
-        return None
-    rows = [
-        element(
-            "tr",
-            element("td", v.answer.value, class_=f"answer-{v.answer.value}"),
-            element("td", one_line(v.check)),
-            element("td", prose(one_line(v.summary))),
-        )
-        for v in screen.verdicts
-    ]
-    head = element("tr", *(element("th", t, scope="col") for t in ("Answer", "Check", "")))
-    return element("table", element("thead", head), element("tbody", *rows), class_="losses")
-
-
-def _picture(screen: FirstScreen, picture: bytes | None) -> Markup | None:
-    if picture is None:
-        return None
-    caption = _capital(at_time(screen.moment.time_s)) if screen.moment else "The scene"
-    source = "data:image/png;base64," + base64.b64encode(picture).decode("ascii")
-    image = element("img", src=source, alt=f"{caption}. {screen.cause}", class_="still")
-    button = watch_button(screen.moment.time_s, "Watch this moment") if screen.moment else None
-    return element("figure", image, element("figcaption", caption + " ", button), class_="moment")
-
-
-def watch_button(time_s: float, text: str | None = None) -> Markup:
-    """Return a button that shows a moment in the replay, a second before it happens."""
-    label = text or f"{time_s:.1f} s"
-    return element(
-        "button",
-        label,
-        type="button",
-        class_="seek",
-        data_t=seconds(time_s),
-        title=f"Show the replay {at_time(time_s)}",
-    )
 
 
 # --- replay and program -------------------------------------------------------------------------
@@ -218,9 +91,7 @@ def _replay(a: Assessment, findings: Sequence[Diagnostic]) -> Markup:
 def _program(a: Assessment, findings: Sequence[Diagnostic]) -> Markup | None:
     if a.source is None:
         return None
-    return element(
-        "section", element("h2", "Program"), listing(a.source, findings), id="program"
-    )
+    return element("section", element("h2", "Program"), listing(a.source, findings), id="program")
 
 
 def _scripts(a: Assessment) -> list[Markup]:
@@ -268,10 +139,12 @@ def _findings(findings: Sequence[Diagnostic]) -> Markup | None:
 
 def _finding(number: int, d: Diagnostic) -> Markup:
     rows = excerpt(d, MarkupPalette())
-    text = element("pre", painted("\n".join(rows)), class_="excerpt", tabindex="0") if rows else None
+    text = (
+        element("pre", painted("\n".join(rows)), class_="excerpt", tabindex="0") if rows else None
+    )
     moment = (
         element(
-            "p", watch_button(d.moment.time_s), " ", _capital(moment_text(d.moment)), class_="when"
+            "p", watch_button(d.moment.time_s), " ", capital(moment_text(d.moment)), class_="when"
         )
         if d.moment
         else None
@@ -280,7 +153,7 @@ def _finding(number: int, d: Diagnostic) -> Markup:
         "h3",
         element("span", d.severity.value, class_="severity"),
         " ",
-        element("code", f"{d.rule.code} {d.rule.slug}"),
+        element("code", f"{d.rule.code} {d.rule.slug}", class_="rule"),
         " ",
         prose(one_line(d.headline)),
     )
@@ -288,7 +161,7 @@ def _finding(number: int, d: Diagnostic) -> Markup:
     helps = [element("p", element("b", "Help: "), prose(text), class_="lines") for text in d.help]
     return element(
         "article",
-        *(head, text, moment, *notes, *helps),
+        *(head, text if rows else None, moment, *notes, *helps),
         class_=f"finding {d.severity.value}",
         id=f"finding-{number}",
     )
@@ -328,7 +201,7 @@ def _charts() -> Markup:
 
 
 def _not_modelled(a: Assessment) -> Markup:
-    items = [element("li", text) for text in NOT_MODELLED]
+    items = [element("li", text) for text in NOT_MODELLED.strip().split("\n")]
     return element(
         "section",
         element("h2", "What was not modelled"),
@@ -355,7 +228,3 @@ def _footer(a: Assessment) -> Markup:
     digests += [("task", a.task.digest if a.task else None)]
     parts = [f"{name} {digest[:12]}" for name, digest in digests if digest]
     return element("footer", element("p", " · ".join(["Written by vrts", *parts])))
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]

@@ -28,6 +28,11 @@ def one_line(text: str) -> str:
     return visible(" ".join(text.split()))
 
 
+def capital(text: str) -> str:
+    """Return a sentence with its first letter in upper case, the rest as it is."""
+    return text[:1].upper() + text[1:]
+
+
 def width(text: str) -> int:
     """Return how many columns a visible text takes on a terminal."""
     return sum(_width(character) for character in text)

@@ -7,9 +7,7 @@ import base64
 import sys
 from array import array
 from collections.abc import Iterable
-from itertools import chain
 
-from vrts.base.pose import IDENTITY
 from vrts.base.source import SourceFile, Span
 from vrts.check.verdict import ContactEvent
 from vrts.engine.events import (
@@ -115,12 +113,12 @@ def _base64(numbers: "array[float]") -> str:
 
 def _tools(run: Run) -> list[Json]:
     """Return the tool in force by time; a change shows from the motion that first uses it."""
-    X_FT = run.scene.X_FT if run.scene else IDENTITY
-    rows: list[Json] = [{"start": 0.0, "X": pose_numbers(X_FT)}]
-    for motion in run.motions:
-        if motion.X_FT != X_FT:
-            X_FT = motion.X_FT
-            rows.append({"start": motion.start_s, "X": pose_numbers(X_FT)})
+    rows: list[Json] = []
+    in_force = run.scene.X_FT
+    for start_s, tool in ((0.0, in_force), *((m.start_s, m.X_FT) for m in run.motions)):
+        if not rows or tool != in_force:
+            rows.append({"start": start_s, "X": pose_numbers(tool)})
+        in_force = tool
     return rows
 
 

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from typing import TypeAlias
 
 from vrts.base.diagnostic import Diagnostic, Moment, Severity
-from vrts.check.verdict import Answer
 from vrts.report.assessment import Assessment
 from vrts.report.excerpt import blocks, excerpt, gutter_width
 from vrts.report.first_screen import FirstScreen, first_screen
@@ -72,7 +71,7 @@ def first_screen_text(a: Assessment, screen: FirstScreen, palette: Palette) -> s
     return "\n".join([*rows, "", *_table(table, palette)] if table else rows)
 
 
-def yes_no(affirmative: bool) -> str:  # noqa: FBT001
+def yes_no(affirmative: bool) -> str:
     """Return the word."""
     return "yes" if affirmative else "no"
 
@@ -92,8 +91,9 @@ def _loss_rows(screen: FirstScreen) -> list[Row]:
 
 
 def _verdict_rows(screen: FirstScreen) -> list[Row]:
-    words = {Answer.HOLDS: "holds", Answer.VIOLATED: "violated", Answer.UNDETERMINED: "undetermined"}
-    rows = [(words[v.answer], f"{one_line(v.check)}: {one_line(v.summary)}") for v in screen.verdicts]
+    rows = [
+        (v.answer.value, f"{one_line(v.check)}: {one_line(v.summary)}") for v in screen.verdicts
+    ]
     return [("answer", "check"), *rows] if rows else []
 
 

@@ -32,9 +32,7 @@ def scene_data(scene: Scene, task: Task | None) -> Json:
         "floor": -scene.robot.arm.shoulder_height,
         "table": _table_top(scene),
         "goals": [{"body": g.body, "X": pose_numbers(g.X_WG), "title": g.title} for g in goals],
-        "vias": [
-            {"name": v.name, "point": _rounded(v.point), "radius": v.radius} for v in vias
-        ],
+        "vias": [{"name": v.name, "point": _rounded(v.point), "radius": v.radius} for v in vias],
     }
 
 
