@@ -9,9 +9,8 @@ from vrts.report.assessment import Assessment
 from vrts.report.document import document
 from vrts.report.first_screen import FirstScreen, first_screen
 from vrts.report.html import Markup, element, joined, prose, raw
-from vrts.report.plain import one_line
+from vrts.report.plain import one_line, yes_no
 from vrts.report.quantities import lost, mark, points
-from vrts.report.text import yes_no
 from vrts.web.assets import asset
 
 KINDS = {
@@ -63,7 +62,10 @@ def overview(
 def _summary(rows: Sequence[Row], title: str) -> Markup:
     marks = sorted(row.screen.mark for row in rows if row.screen.mark is not None)
     ready = sum(row.screen.ready for row in rows)
-    facts = [f"{len(rows)} submissions", f"{ready} ready for the real robot"]
+    facts = [
+        f"{len(rows)} submission{'' if len(rows) == 1 else 's'}",
+        f"{ready} ready for the real robot",
+    ]
     if marks:
         mean = sum(marks, Fraction(0)) / len(marks)
         facts += [f"mean mark {points(mean)}", f"median {points(_median(marks))}"]

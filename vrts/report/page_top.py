@@ -5,9 +5,8 @@ import base64
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import FirstScreen
 from vrts.report.html import Markup, element, prose
-from vrts.report.plain import capital, one_line
+from vrts.report.plain import capital, one_line, yes_no
 from vrts.report.quantities import at_time, lost, mark, seconds
-from vrts.report.text import yes_no
 
 
 def first_screen_section(a: Assessment, screen: FirstScreen, picture: bytes | None) -> Markup:

@@ -33,6 +33,11 @@ def capital(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
+def yes_no(affirmative: bool) -> str:
+    """Return the word for an answer."""
+    return "yes" if affirmative else "no"
+
+
 def width(text: str) -> int:
     """Return how many columns a visible text takes on a terminal."""
     return sum(_width(character) for character in text)

@@ -1,17 +1,16 @@
 """Diagnostics and assessments for a terminal, in rustc's manner."""
 
 from collections.abc import Sequence
-from typing import TypeAlias
+from typing import TYPE_CHECKING
 
 from vrts.base.diagnostic import Diagnostic, Moment, Severity
-from vrts.report.assessment import Assessment
 from vrts.report.excerpt import blocks, excerpt, gutter_width
-from vrts.report.first_screen import FirstScreen, first_screen
 from vrts.report.palette import BY_SEVERITY, Palette, Style
-from vrts.report.plain import one_line, visible, width
-from vrts.report.quantities import at_time, joint_degrees, lost, mark
+from vrts.report.plain import one_line, visible
+from vrts.report.quantities import at_time, joint_degrees
 
-Row: TypeAlias = tuple[str, str]
+if TYPE_CHECKING:  # `vrts compile` shows diagnostics and needs no engine
+    from vrts.report.assessment import Assessment
 
 
 def diagnostic_text(d: Diagnostic, *, color: bool) -> str:
@@ -27,8 +26,8 @@ def diagnostic_text(d: Diagnostic, *, color: bool) -> str:
         parts = blocks(d.primary, d.secondary)
         indent = " " * ((gutter_width(parts) if parts else 0) + 1)
         rows.append(palette.paint(Style.GUTTER, f"{indent}=") + f" {moment_text(d.moment)}")
-    rows += [_worded("note", text, Style.STRONG, palette) for text in d.notes]
-    rows += [_worded("help", text, Style.NOTE, palette) for text in d.help]
+    rows += [worded("note", text, Style.STRONG, palette) for text in d.notes]
+    rows += [worded("help", text, Style.NOTE, palette) for text in d.help]
     return "\n".join(rows)
 
 
@@ -40,10 +39,11 @@ def moment_text(moment: Moment) -> str:
     return f"{at_time(moment.time_s)}: {'; '.join(parts)}" if parts else at_time(moment.time_s)
 
 
-def assessment_text(a: Assessment, *, color: bool) -> str:
+def assessment_text(a: "Assessment", *, color: bool) -> str:
     """Return the first screen of an assessment, then every finding; no line end at the end."""
-    palette = Palette(color=color)
-    parts = [first_screen_text(a, first_screen(a), palette)]
+    from vrts.report.first_screen_text import first_screen_text  # not for `vrts compile`
+
+    parts = [first_screen_text(a, Palette(color=color))]
     parts += [diagnostic_text(d, color=color) for d in in_order(a.findings)]
     return "\n\n".join(parts)
 
@@ -51,53 +51,16 @@ def assessment_text(a: Assessment, *, color: bool) -> str:
 def in_order(findings: Sequence[Diagnostic]) -> list[Diagnostic]:
     """Return findings, each once, errors before warnings before notes."""
     weight = {Severity.ERROR: 0, Severity.WARNING: 1, Severity.NOTE: 2}
-    once = list({id(d): d for d in findings}.values())
-    return sorted(once, key=lambda d: weight[d.severity])
+    once: dict[object, Diagnostic] = {}
+    for d in findings:
+        once.setdefault((d.rule, d.headline, d.primary, d.moment), d)
+    return sorted(once.values(), key=lambda d: weight[d.severity])
 
 
-def first_screen_text(a: Assessment, screen: FirstScreen, palette: Palette) -> str:
-    """Return the first screen: mark, ready, cause, hint, losses."""
-    title = one_line(a.title) + (f" · {one_line(a.task.title)}" if a.task else "")
-    good = Style.GOOD if screen.ready else Style.ERROR
-    if screen.mark is None:
-        rows = [palette.paint(Style.STRONG, title) + f": {screen.status}"]
-    else:
-        number = palette.paint(good, f"{mark(screen.mark)} / 10")
-        rows = [f"{number}  {palette.paint(Style.STRONG, title)} ({screen.status})"]
-    rows.append("ready for the real robot: " + palette.paint(good, yes_no(screen.ready)))
-    rows += [screen.cause]
-    rows += [_worded("hint", screen.hint, Style.NOTE, palette)] if screen.hint else []
-    table = _loss_rows(screen) if screen.losses else _verdict_rows(screen)
-    return "\n".join([*rows, "", *_table(table, palette)] if table else rows)
-
-
-def yes_no(affirmative: bool) -> str:
-    """Return the word."""
-    return "yes" if affirmative else "no"
-
-
-def _worded(word: str, text: str, style: Style, palette: Palette) -> str:
+def worded(word: str, text: str, style: Style, palette: Palette) -> str:
+    """Return `word: text`, further lines of the text indented below the first."""
     first, *rest = visible(text).split("\n")
     indent = " " * (len(word) + 2)
     return "\n".join(
         [palette.paint(style, word) + f": {first}", *(f"{indent}{line}" for line in rest)]
     )
-
-
-def _loss_rows(screen: FirstScreen) -> list[Row]:
-    assert screen.mark is not None
-    rows = [(lost(loss.points), one_line(loss.sentence)) for loss in screen.losses]
-    return [("points", "lost by"), *rows, (mark(screen.mark), "mark, of 10")]
-
-
-def _verdict_rows(screen: FirstScreen) -> list[Row]:
-    rows = [
-        (v.answer.value, f"{one_line(v.check)}: {one_line(v.summary)}") for v in screen.verdicts
-    ]
-    return [("answer", "check"), *rows] if rows else []
-
-
-def _table(rows: Sequence[Row], palette: Palette) -> list[str]:
-    columns = max(width(left) for left, _ in rows)
-    lines = [f"  {' ' * (columns - width(left))}{left}  {right}" for left, right in rows]
-    return [palette.paint(Style.FAINT, lines[0]), *lines[1:]]

@@ -1,0 +1,49 @@
+"""The browser's files: vendored ones unmodified, all of them inlined without leftovers."""
+
+import base64
+import hashlib
+import json
+import re
+import tomllib
+from importlib.resources import files
+
+import pytest
+
+from vrts.web.assets import THREE, asset, closure, import_map, module_name
+
+VENDOR = files("vrts.web").joinpath("vendor")
+VENDORED = tomllib.loads(VENDOR.joinpath("vendored.toml").read_text())
+
+
+@pytest.mark.parametrize("name", sorted(VENDORED["three"]["files"]))
+def test_vendored_files_are_unmodified_and_small(name: str) -> None:
+    content = VENDOR.joinpath(name).read_bytes()
+    assert hashlib.sha256(content).hexdigest() == VENDORED["three"]["files"][name]["sha256"]
+    assert len(content) < 1_000_000
+
+
+def test_every_vendored_file_is_recorded() -> None:
+    folder = VENDOR.joinpath("three")
+    found = {f"three/{entry.name}" for entry in folder.iterdir()}
+    assert found <= set(VENDORED["three"]["files"])
+
+
+def test_the_import_map_is_closed() -> None:
+    modules: dict[str, str] = json.loads(import_map("report/page.js"))["imports"]
+    assert module_name(THREE) in modules
+    assert module_name("viewer/viewer.js") in modules
+    for name, url in modules.items():
+        kind, code = url.split(",", 1)
+        assert kind == "data:text/javascript;base64"
+        text = base64.b64decode(code).decode()
+        imported = re.findall(r"""\bfrom\s*["']([^"']+)["']""", text)
+        needed = [i for i in imported if not i.startswith("three/addons")]  # named in a comment
+        assert set(needed) <= set(modules), name
+
+
+def test_our_modules_use_no_path_of_the_page() -> None:
+    ours = [path for path in closure("report/page.js") if not path.startswith("vendor/")]
+    assert len(ours) > 8
+    for path in ours:
+        assert not re.search(r"https?://(?!www\.w3\.org/2000/svg)", asset(path)), path
+        assert "innerHTML" not in asset(path), path

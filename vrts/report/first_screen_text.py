@@ -1,0 +1,49 @@
+"""The first screen on a terminal."""
+
+from collections.abc import Sequence
+from typing import TypeAlias
+
+from vrts.report.assessment import Assessment
+from vrts.report.first_screen import FirstScreen, first_screen
+from vrts.report.palette import Palette, Style
+from vrts.report.plain import one_line, width, yes_no
+from vrts.report.quantities import lost, mark
+from vrts.report.text import worded
+
+Row: TypeAlias = tuple[str, str]
+
+
+def first_screen_text(a: Assessment, palette: Palette) -> str:
+    """Return the first screen: mark, ready, cause, hint, losses; no line end at the end."""
+    screen = first_screen(a)
+    title = one_line(a.title) + (f" · {one_line(a.task.title)}" if a.task else "")
+    good = Style.GOOD if screen.ready else Style.ERROR
+    if screen.mark is None:
+        rows = [palette.paint(Style.STRONG, title) + f": {screen.status}"]
+    else:
+        number = palette.paint(good, f"{mark(screen.mark)} / 10")
+        rows = [f"{number}  {palette.paint(Style.STRONG, title)} ({screen.status})"]
+    rows.append("ready for the real robot: " + palette.paint(good, yes_no(screen.ready)))
+    rows += [screen.cause]
+    rows += [worded("hint", screen.hint, Style.NOTE, palette)] if screen.hint else []
+    table = _loss_rows(screen) if screen.losses else _verdict_rows(screen)
+    return "\n".join([*rows, "", *_table(table, palette)] if table else rows)
+
+
+def _loss_rows(screen: FirstScreen) -> list[Row]:
+    assert screen.mark is not None
+    rows = [(lost(loss.points), one_line(loss.sentence)) for loss in screen.losses]
+    return [("points", "lost by"), *rows, (mark(screen.mark), "mark, of 10")]
+
+
+def _verdict_rows(screen: FirstScreen) -> list[Row]:
+    rows = [
+        (v.answer.value, f"{one_line(v.check)}: {one_line(v.summary)}") for v in screen.verdicts
+    ]
+    return [("answer", "check"), *rows] if rows else []
+
+
+def _table(rows: Sequence[Row], palette: Palette) -> list[str]:
+    columns = max(width(left) for left, _ in rows)
+    lines = [f"  {' ' * (columns - width(left))}{left}  {right}" for left, right in rows]
+    return [palette.paint(Style.FAINT, lines[0]), *lines[1:]]
