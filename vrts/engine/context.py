@@ -3,6 +3,9 @@
 from typing import TYPE_CHECKING
 
 from vrts.engine.cells import Bound, Memory, copy_bound
+from vrts.engine.events import Cause, Event
+from vrts.engine.faults import RuntimeFault
+from vrts.ir.instructions import HandAction
 
 if TYPE_CHECKING:
     from vrts.engine.hand import Hand
@@ -39,10 +42,13 @@ class Context:
     """State that expressions read and instructions change. Everything in it is plain data."""
 
     __slots__ = (
+        "events",
+        "fault",
         "frames",
         "hand",
         "hand_time",
         "memory",
+        "next_hand",
         "now",
         "phase",
         "planner",
@@ -51,6 +57,7 @@ class Context:
         "slots",
         "terminal",
         "timers",
+        "until",
         "wake",
     )
 
@@ -75,6 +82,31 @@ class Context:
         self.frames: list[Frame] = []
         self.slots: list[Bound] = []  # of the innermost frame
         self.phase = 0  # of an instruction that takes several ticks
+        self.until = 0.0  # [s] end of a wait of that instruction
+        self.fault: RuntimeFault | None = None  # ends the program when the motion has ended
+        self.next_hand: list[tuple[HandAction, Cause]] = []  # to begin with the next motion
+        self.events: list[Event] = []
         self.wake = 0.0  # [s] a blocked instruction need not be looked at before
         self.timers: dict[int, float] = {}  # time at which a timer stood at zero [s]
         self.random_state = seed & 0xFFFFFFFF
+
+    def copy(self) -> "Context":
+        """Return an independent context that shares the past."""
+        copies: dict[int, Bound] = {}
+        other = Context(
+            self.memory.copy(copies),
+            self.planner.copy(),
+            self.hand.copy(),
+            self.signals.copy(),
+            self.terminal.copy(),
+            self.hand_time,
+            self.random_state,
+        )
+        other.now, other.wake, other.until = self.now, self.wake, self.until
+        other.phase, other.fault = self.phase, self.fault
+        other.next_hand = self.next_hand.copy()
+        other.events = self.events.copy()
+        other.timers = self.timers.copy()
+        other.frames = [frame.copy(copies) for frame in self.frames]
+        other.slots = other.frames[-1].slots if other.frames else []
+        return other

@@ -4,6 +4,7 @@ Frames: VAL's world is the robot's base frame displaced by BASE, so a location X
 reached by the tool at X_BT = X_VB^-1 X, with X_VB the displacement of the robot.
 """
 
+import math
 from typing import NamedTuple
 
 from vrts.base.pose import IDENTITY, Pose, translation
@@ -22,8 +23,9 @@ from vrts.engine.line_path import (
     tool_at,
     turning,
 )
+from vrts.engine.profile import TICK_TOLERANCE
 from vrts.engine.records import Motion
-from vrts.engine.timeline import ArmPiece
+from vrts.engine.timeline import ArmPiece, value
 from vrts.ir.instructions import BranchRequest, Interpolation, SpeedUnit
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Joints
@@ -140,6 +142,14 @@ class Planner:
         """DEST: where the last motion goes, as a program sees it."""
         return self.X_VB @ self.X_BT_dest
 
+    def configuration_at(self, time_s: float) -> Configuration:
+        """Return the joints on the motions planned, at a time not before the last one's start."""
+        for piece in reversed(self.pieces):
+            if piece.start_s <= time_s:
+                t = min(time_s, piece.end_s) - piece.start_s
+                return tuple(value(row, t) for row in piece.rows)  # type: ignore[return-value]
+        return self.motions[0].start if self.motions else self.configuration
+
     # --- motions ------------------------------------------------------------------------------
 
     def plan_joints(self, goal: Joints, fraction: float, span: Span | None) -> Planned:
@@ -231,6 +241,11 @@ class Planner:
         self.settled_at = end + SETTLING_TICKS * tick
         return number
 
+    def hold(self, start_s: float, seconds: float) -> None:
+        """Stand still for a time, as DELAY does: a motion to nowhere."""
+        ticks = math.ceil(max(seconds, 0.0) / self.arm.tick - TICK_TOLERANCE)
+        self.motion_end = self.settled_at = start_s + ticks * self.arm.tick
+
     def _joint_motion(self, goal: Configuration, branch: ArmBranch, fraction: float) -> Planned:
         pieces: list[Piece] = []
         if max(abs(b - a) for a, b in zip(self.configuration, goal, strict=True)) > 0.0:
@@ -283,10 +298,7 @@ class Planner:
                 RuntimeErrorKind.ILLEGAL_MOTION_FROM_HERE,
                 f"no straight line can start from here: the arm is stretched {stretched}",
                 span,
-                notes=(
-                    f"at the {where} singularity some directions would need endless joint speeds;"
-                    " READY is such a place",
-                ),
+                notes=(f"the {where} is singular here, as it is at READY",),
                 help=("begin with MOVE",),
             )
 

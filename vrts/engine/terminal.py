@@ -13,3 +13,7 @@ class Terminal:
     def wrote(self, text: str) -> None:
         """Count a text."""
         self.characters += len(text)
+
+    def copy(self) -> "Terminal":
+        """Return an independent copy."""
+        return Terminal(self.characters)

@@ -59,7 +59,7 @@ class Timeline:
             return self._configuration
         piece = self._pieces[found - 1]
         t = min(time_s, piece.end_s) - piece.start_s
-        return tuple(_value(row, t) for row in piece.rows)  # type: ignore[return-value]
+        return tuple(value(row, t) for row in piece.rows)  # type: ignore[return-value]
 
     def velocity(self, time_s: float) -> Configuration:
         """Return the joint velocities at a time [rad/s]."""
@@ -68,7 +68,7 @@ class Timeline:
             return (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         piece = self._pieces[found - 1]
         t = time_s - piece.start_s
-        return tuple(_rate(row, t) for row in piece.rows)  # type: ignore[return-value]
+        return tuple(rate(row, t) for row in piece.rows)  # type: ignore[return-value]
 
     def opening(self, time_s: float) -> float:
         """Return the hand opening at a time [m]."""
@@ -100,7 +100,7 @@ class Timeline:
             motion = piece.motion
             rows = tuple(shifted(row, start - piece.start_s) for row in piece.rows)
         else:
-            rows = tuple((value,) for value in self.configuration(start))
+            rows = tuple((position,) for position in self.configuration(start))
         opening, after = self.opening(start), self.opening(end)
         found = bisect_right(self._stroke_starts, start)
         if found and self._strokes[found - 1].end_s > start:
@@ -132,14 +132,16 @@ def shifted(row: tuple[float, ...], by: float) -> tuple[float, ...]:
     return moved[: len(row)]
 
 
-def _value(row: tuple[float, ...], t: float) -> float:
+def value(row: tuple[float, ...], t: float) -> float:
+    """Return a polynomial at a time from its start."""
     total = 0.0
     for coefficient in reversed(row):
         total = total * t + coefficient
     return total
 
 
-def _rate(row: tuple[float, ...], t: float) -> float:
+def rate(row: tuple[float, ...], t: float) -> float:
+    """Return the derivative of a polynomial at a time from its start."""
     total = 0.0
     for power in range(len(row) - 1, 0, -1):
         total = total * t + power * row[power]

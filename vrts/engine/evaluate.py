@@ -1,0 +1,391 @@
+"""Expressions of the IR as closures over the plain state of the machine.
+
+Every closure takes the context and returns a value; a value that is missing or of the wrong type is
+a run-time fault at its place in the text.
+"""
+
+from collections.abc import Callable
+
+from vrts.base.numbers import round_half_away
+from vrts.base.pose import Pose
+from vrts.base.source import Span
+from vrts.engine.arithmetic import (
+    COMPARISONS,
+    binary,
+    integer,
+    joined,
+    logical,
+    rounded,
+    unary,
+)
+from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Undefined
+from vrts.engine.context import Context
+from vrts.engine.faults import RuntimeFault
+from vrts.engine.functions import PURE, bad
+from vrts.ir.expressions import (
+    Apply,
+    Binary,
+    BinaryOperator,
+    Compose,
+    Constant,
+    Expression,
+    Function,
+    Global,
+    Load,
+    Place,
+    Slot,
+    Unary,
+    Variable,
+    WholeArray,
+)
+from vrts.ir.runtime_errors import RuntimeErrorKind
+from vrts.ir.values import Type, Value, type_of_value
+from vrts.robots.choice import OutOfLimits, OutOfReach, choose
+from vrts.robots.kinematics import forward
+
+Evaluate = Callable[[Context], Value]
+Find = Callable[[Context], Cell]
+
+HIGHEST_SUBSCRIPT = 32767  # [assumed, val2.md 1.10]
+TOO_CLOSE, TOO_FAR = 8192.0, 16384.0  # bits of INRANGE
+RANDOM_MULTIPLIER, RANDOM_INCREMENT = 1664525, 1013904223  # linear congruential, 32 bits
+
+
+class Numbering:
+    """Gives every global variable its number in memory."""
+
+    def __init__(self) -> None:
+        """Start with no variable."""
+        self.numbers: dict[str, int] = {}
+        self.arrays: set[str] = set()
+
+    def number(self, name: str) -> int:
+        """Return the number of a global variable, a new one at first."""
+        return self.numbers.setdefault(name, len(self.numbers))
+
+    def bound(self) -> list[Bound]:
+        """Return fresh memory for all of them."""
+        return [Array(name) if name in self.arrays else Cell(name) for name in self.numbers]
+
+
+class Compiler:
+    """Compiles expressions of one module."""
+
+    def __init__(self, numbering: Numbering) -> None:
+        """Share the numbering of global variables."""
+        self.numbering = numbering
+
+    # --- variables ----------------------------------------------------------------------------
+
+    def bound(self, variable: Variable, *, array: bool) -> Callable[[Context], Bound]:
+        """Return a closure that gives the cell or array behind a name."""
+        number = variable.number if isinstance(variable, Slot) else 0
+        if isinstance(variable, Global):
+            if array:
+                self.numbering.arrays.add(variable.name)
+            number = self.numbering.number(variable.name)
+            return lambda c: c.memory.bound[number]
+        return lambda c: c.slots[number]
+
+    def cell(self, place: Place) -> Find:
+        """Return a closure that finds the cell of a place, making array elements as needed."""
+        find = self.bound(place.variable, array=bool(place.subscripts))
+        name, span = place.variable.name, place.span
+        if not place.subscripts:
+
+            def scalar(c: Context) -> Cell:
+                found = find(c)
+                if isinstance(found, Array):
+                    raise _mismatch(f"`{name}` is an array", span)
+                return found
+
+            return scalar
+        subscripts = tuple(self.real(subscript) for subscript in place.subscripts)
+
+        def element(c: Context) -> Cell:
+            found = find(c)
+            if isinstance(found, Cell):
+                if found.value is not UNDEFINED:
+                    raise _mismatch(f"`{name}` is not an array", span)
+                raise _undefined(name, span)
+            return found.element(tuple(_subscript(s(c), name, span) for s in subscripts))
+
+        return element
+
+    def load(self, place: Place) -> Evaluate:
+        """Return a closure that reads a place."""
+        span, name = place.span, place.variable.name
+        wanted = place.variable.type
+        if isinstance(place.variable, Global) and not place.subscripts:
+            number = self.numbering.number(place.variable.name)
+
+            def fast(c: Context) -> Value:
+                value = c.memory.bound[number].value  # type: ignore[union-attr]
+                if value is UNDEFINED:
+                    raise _undefined(name, span)
+                return value  # type: ignore[return-value]
+
+            return fast
+        find = self.cell(place)
+
+        def read(c: Context) -> Value:
+            cell = find(c)
+            value = cell.value
+            if isinstance(value, Undefined):
+                raise _undefined(cell.name if place.subscripts else name, span)
+            if wanted is not Type.DYNAMIC and type_of_value(value) is not wanted:
+                raise _mismatch(f"`{name}` holds a {type_of_value(value).value} here", span)
+            return value
+
+        return read
+
+    # --- typed expressions --------------------------------------------------------------------
+
+    def real(self, expression: Expression) -> Callable[[Context], float]:
+        """Return a closure that gives a real."""
+        return self._of_type(expression, float, "a number")  # type: ignore[return-value]
+
+    def string(self, expression: Expression) -> Callable[[Context], str]:
+        """Return a closure that gives a string."""
+        return self._of_type(expression, str, "a string")  # type: ignore[return-value]
+
+    def pose(self, expression: Expression) -> Callable[[Context], Pose]:
+        """Return a closure that gives a pose."""
+        return self._of_type(expression, Pose, "a location")  # type: ignore[return-value]
+
+    def location(self, expression: Expression) -> Evaluate:
+        """Return a closure that gives a pose or joints."""
+        return self._of_type(expression, tuple, "a location")
+
+    def _of_type(self, expression: Expression, wanted: type, words: str) -> Evaluate:
+        evaluate = self.value(expression)
+        span = span_of(expression)
+
+        def checked(c: Context) -> Value:
+            value = evaluate(c)
+            if not isinstance(value, wanted):
+                raise _mismatch(f"{type_of_value(value).value} where {words} is needed", span)
+            return value
+
+        return checked
+
+    def value(self, expression: Expression) -> Evaluate:
+        """Return a closure that gives the value of any expression."""
+        match expression:
+            case Constant(value=value, span=span):
+                constant = rounded(value, span) if isinstance(value, float) else value
+                return lambda c: constant
+            case Load(place=place):
+                return self.load(place)
+            case Unary(operator=operator, operand=operand, span=span):
+                apply_one, inner = unary(operator, span), self.real(operand)
+                return lambda c: apply_one(inner(c))
+            case Binary():
+                return self._binary(expression)
+            case Compose(parts=parts):
+                poses = tuple(self.pose(part) for part in parts)
+
+                def compound(c: Context) -> Value:
+                    result = poses[0](c)
+                    for pose in poses[1:]:
+                        result = result @ pose(c)
+                    return result
+
+                return compound
+            case Apply():
+                return self._function(expression)
+
+    def _binary(self, expression: Binary) -> Evaluate:
+        operator, span = expression.operator, expression.span
+        left, right = self.value(expression.left), self.value(expression.right)
+        numeric = binary(operator, span)
+        compare = COMPARISONS.get(operator)
+
+        def apply_two(c: Context) -> Value:
+            a, b = left(c), right(c)
+            if isinstance(a, float) and isinstance(b, float):
+                return numeric(a, b)
+            if isinstance(a, str) and isinstance(b, str):
+                if compare is not None:
+                    return logical(compare(a, b))
+                if operator is BinaryOperator.ADD:
+                    return joined(a, b, span)
+            words = f"{type_of_value(a).value} and {type_of_value(b).value}"
+            raise _mismatch(f"`{operator.value}` cannot join {words}", span)
+
+        return apply_two
+
+    # --- functions ----------------------------------------------------------------------------
+
+    def _function(self, expression: Apply) -> Evaluate:
+        function, span = expression.function, expression.span
+        pure = PURE.get(function)
+        if pure is not None:
+            arguments = tuple(self._argument(a) for a in expression.arguments)
+            apply = pure
+
+            def call(c: Context) -> Value:
+                values = [None if a is None else a(c) for a in arguments]
+                try:
+                    return apply(values, span)
+                except (AssertionError, TypeError, AttributeError) as error:
+                    raise bad(f"argument of the wrong kind for {function.value}", span) from error
+
+            return call
+        return self._stateful(expression)
+
+    def _argument(self, argument: Expression | Place | WholeArray | None) -> Evaluate | None:
+        if argument is None or isinstance(argument, WholeArray):
+            return None
+        return self.load(argument) if isinstance(argument, Place) else self.value(argument)
+
+    def _stateful(self, expression: Apply) -> Evaluate:
+        span = expression.span
+        match expression.function:
+            case Function.HERE:
+                return lambda c: c.planner.X_VB @ _tool_now(c)
+            case Function.DEST:
+                return lambda c: c.planner.destination
+            case Function.HERE_JOINTS:
+                return lambda c: c.planner.configuration_at(c.now)
+            case Function.DEST_JOINTS:
+                return lambda c: c.planner.dest
+            case Function.BASE:
+                return lambda c: c.planner.X_VB
+            case Function.TOOL:
+                return lambda c: c.planner.X_FT
+            case Function.HAND:
+                return lambda c: _hand(c)
+            case Function.RANDOM:
+                return _random
+            case Function.SIG:
+                signals = tuple(self._real_argument(a) for a in expression.arguments)
+                return lambda c: logical(
+                    all([c.signals.holds(round_half_away(s(c)), span) for s in signals])
+                )
+            case Function.BITS:
+                first, count = (self._real_argument(a) for a in expression.arguments[:2])
+                return lambda c: _bits(c, round_half_away(first(c)), count(c), span)
+            case Function.TIMER:
+                timer = self._real_argument(expression.arguments[0])
+                return lambda c: rounded(c.now - c.timers.get(round_half_away(timer(c)), 0.0), span)
+            case Function.SPEED:
+                which = self._real_argument(expression.arguments[0])
+                return lambda c: _speed(c, integer(which(c), span, 1, 3, "selector"))
+            case Function.DEFINED:
+                return self._defined(expression.arguments[0])
+            case Function.INRANGE:
+                location = self.location(_expression(expression.arguments[0]))
+                return lambda c: _in_range(c, location(c))
+            case Function.ENCODE | Function.DECODE:
+                words = expression.function.value.upper()
+
+                def refuse(c: Context) -> Value:
+                    raise RuntimeFault(
+                        RuntimeErrorKind.NOT_INSTALLED, f"{words} is not simulated yet", span
+                    )
+
+                return refuse
+            case _:
+                raise ValueError(f"function without a meaning: {expression.function}")
+
+    def _real_argument(
+        self, argument: Expression | Place | WholeArray | None
+    ) -> Callable[[Context], float]:
+        return self.real(_expression(argument))
+
+    def _defined(self, argument: Expression | Place | WholeArray | None) -> Evaluate:
+        if isinstance(argument, Load):
+            argument = argument.place
+        if isinstance(argument, WholeArray):
+            find = self.bound(argument.variable, array=True)
+            return lambda c: logical(_has_value(find(c)))
+        if isinstance(argument, Place):
+            cell = self.cell(argument)
+            return lambda c: logical(cell(c).value is not UNDEFINED)
+        raise ValueError("DEFINED of something that is no variable")
+
+
+def span_of(expression: Expression) -> Span | None:
+    """Return where an expression stands."""
+    return expression.place.span if isinstance(expression, Load) else expression.span
+
+
+def _expression(argument: Expression | Place | WholeArray | None) -> Expression:
+    if isinstance(argument, Place):
+        return Load(argument)
+    if argument is None or isinstance(argument, WholeArray):
+        raise ValueError("an operand that must be there is missing")
+    return argument
+
+
+def _has_value(found: Bound) -> bool:
+    if isinstance(found, Cell):
+        return found.value is not UNDEFINED
+    return any(cell.value is not UNDEFINED for cell in found.elements.values())
+
+
+def _subscript(value: float, name: str, span: Span | None) -> int:
+    try:
+        return integer(value, span, 0, HIGHEST_SUBSCRIPT, "subscript")
+    except RuntimeFault as fault:
+        raise RuntimeFault(
+            RuntimeErrorKind.ILLEGAL_ARRAY_INDEX, f"{fault.headline} of `{name}`", span
+        ) from None
+
+
+def _undefined(name: str, span: Span | None) -> RuntimeFault:
+    return RuntimeFault(
+        RuntimeErrorKind.UNDEFINED_VALUE,
+        f"`{name}` has no value",
+        span,
+        label="never given a value",
+        help=(f"define `{name}` in `.LOCATIONS` or give it a value before this step",),
+        data={"name": name},
+    )
+
+
+def _mismatch(headline: str, span: Span | None) -> RuntimeFault:
+    return RuntimeFault(RuntimeErrorKind.ARGUMENT_MISMATCH, headline, span)
+
+
+def _tool_now(c: Context) -> Pose:
+    planner = c.planner
+    return forward(planner.arm, planner.configuration_at(c.now)) @ planner.X_FT
+
+
+def _hand(c: Context) -> float:
+    """HAND: 1 when a pneumatic hand is open, else 0."""
+    return 1.0 if c.hand.opening(c.now) >= 0.5 * c.hand.gripper.opening_max else 0.0
+
+
+def _random(c: Context) -> float:
+    c.random_state = (RANDOM_MULTIPLIER * c.random_state + RANDOM_INCREMENT) & 0xFFFFFFFF
+    return (c.random_state >> 8) / float(1 << 24)
+
+
+def _bits(c: Context, first: int, count: float, span: Span | None) -> float:
+    number = integer(count, span, 1, 16, "number of signals")
+    return float(sum(1 << k for k in range(number) if c.signals.holds(first + k, span)))
+
+
+def _speed(c: Context, which: int) -> float:
+    planner = c.planner
+    if which == 1:
+        return 100.0
+    speed = planner.speed if which == 2 else planner.next_speed or planner.speed
+    return speed.value
+
+
+def _in_range(c: Context, location: Value) -> float:
+    planner = c.planner
+    if not isinstance(location, Pose):
+        limits = zip(location, planner.arm.lower, planner.arm.upper, strict=True)  # type: ignore[arg-type]
+        return float(sum(1 << k for k, (q, a, b) in enumerate(limits) if not a <= q <= b))
+    X_BF = planner.X_VB.inverse() @ location @ planner.X_FT.inverse()
+    found = choose(planner.arm, X_BF, planner.branch, planner.configuration, planner.request)
+    if isinstance(found, OutOfReach):
+        return TOO_FAR if found.kind == "too far" else TOO_CLOSE
+    if isinstance(found, OutOfLimits):
+        return float(sum(1 << (joint - 1) for joint, *_ in found.violations))
+    return 0.0

@@ -1,0 +1,562 @@
+"""Instructions of the IR as closures: each takes the context and returns what comes next.
+
+The result is the index of the next instruction, or a negative outcome of `outcomes`. An instruction
+that has to wait returns BLOCKED and is entered again; `Context.phase` remembers how far it came.
+"""
+
+from collections.abc import Callable
+
+from vrts.base.numbers import round_half_away
+from vrts.base.oat import pose_from_components
+from vrts.base.pose import IDENTITY, Pose
+from vrts.base.source import Span
+from vrts.base.units import DEG
+from vrts.engine.arithmetic import checked_string, rounded
+from vrts.engine.context import Context
+from vrts.engine.evaluate import Compiler, Evaluate
+from vrts.engine.events import Cause, MotionEnded, MotionStarted, Printed, SignalChanged
+from vrts.engine.faults import RuntimeFault
+from vrts.engine.formats import FREE, NUMBER_KINDS, control, number
+from vrts.engine.outcomes import (
+    BLOCKED,
+    CYCLE_ENDED,
+    HALTED,
+    INSTANT,
+    PAUSED,
+    WAIT_NEVER_ENDS,
+    LimitReached,
+)
+from vrts.engine.planner import Planned, Speed, backed_off, speed_fraction
+from vrts.engine.signals import known
+from vrts.ir import instructions as ir
+from vrts.ir.expressions import Apply, Binary, Compose, Expression, Function, Load, Place, Unary
+from vrts.ir.runtime_errors import RuntimeErrorKind
+from vrts.ir.values import Type, Value
+from vrts.robots.kinematics import forward, solve
+
+Step = Callable[[Context], int]
+
+CHANGING = frozenset(
+    {Function.TIMER, Function.RANDOM, Function.HERE, Function.HERE_JOINTS, Function.HAND}
+)  # functions whose value may change although no signal and no variable does
+
+
+def reached(c: Context, time_s: float) -> bool:
+    """Return whether a time has come, or else set when to look again."""
+    if c.now >= time_s - INSTANT:
+        return True
+    c.wake = time_s
+    return False
+
+
+class StepCompiler:
+    """Compiles the instructions of one program, except calls and returns."""
+
+    def __init__(self, expressions: Compiler) -> None:
+        """Share the compiler of expressions."""
+        self.expressions = expressions
+
+    def step(self, instruction: ir.Instruction, index: int, cause: Cause) -> Step:
+        """Return the closure of an instruction that stands at an index."""
+        following = index + 1
+        e = self.expressions
+        match instruction:
+            case ir.Assign(place=place, value=value):
+                return self._assign(place, e.value(value), following)
+            case ir.AssignHere(place=place, frame=frame):
+                return self._assign_here(place, frame, following)
+            case ir.Move() | ir.Depart() | ir.Drive() | ir.Ready():
+                return self._motion(instruction, following, cause)
+            case ir.Delay(time=time):
+                return self._delay(e.real(time), following)
+            case ir.Break():
+                return lambda c: following if reached(c, c.planner.settled_at) else BLOCKED
+            case ir.SetSpeed():
+                return self._speed(instruction, following)
+            case ir.RequestBranch(branch=branch):
+
+                def request(c: Context) -> int:
+                    if not reached(c, c.planner.settled_at):
+                        return BLOCKED
+                    c.planner.ask(branch)
+                    return following
+
+                return request
+            case ir.MoveHand(action=action, immediate=immediate):
+                if immediate:
+                    return self._hand_now(action, following, cause)
+
+                def hand_later(c: Context) -> int:
+                    c.next_hand.append((action, cause))
+                    return following
+
+                return hand_later
+            case ir.SetTool(pose=pose):
+                return self._tool(pose, following)
+            case ir.SetBase():
+                return self._base(instruction, following)
+            case ir.Jump(target=target):
+                return lambda c: target
+            case ir.JumpIf(condition=condition, when=when, target=target):
+                test = e.real(condition)
+                return lambda c: target if (test(c) != 0.0) is when else following
+            case ir.BeginFor() | ir.TestFor() | ir.NextFor():
+                return self._for(instruction, following, cause)
+            case ir.BeginCase(selector=selector, case=case):
+                select = e.value(selector)
+
+                def begin_case(c: Context) -> int:
+                    c.frames[-1].cases[case] = select(c)  # type: ignore[call-overload]
+                    return following
+
+                return begin_case
+            case ir.TestCase(case=case, values=values, otherwise=otherwise):
+                items = tuple(e.value(item) for item in values)
+
+                def test_case(c: Context) -> int:
+                    selected = c.frames[-1].cases[case]
+                    matches = any(item(c) == selected for item in items)
+                    return following if matches else otherwise
+
+                return test_case
+            case ir.Stop(message=message):
+                return self._ending(message, CYCLE_ENDED, cause, waits=False)
+            case ir.Halt(message=message):
+                return self._ending(message, HALTED, cause, waits=True)
+            case ir.Pause(message=message):
+                return self._ending(message, PAUSED, cause, waits=True)
+            case ir.Signal(signals=signals):
+                return self._signal(signals, following, cause)
+            case ir.Wait(condition=condition):
+                return self._wait(condition, following, cause)
+            case ir.Type(items=items):
+                return self._type(items, following, cause)
+            case ir.Unsupported(words=words):
+
+                def refuse(c: Context) -> int:
+                    raise RuntimeFault(
+                        RuntimeErrorKind.NOT_INSTALLED, f"{words} is not simulated", cause.span
+                    )
+
+                return refuse
+            case ir.Call() | ir.Return():
+                raise ValueError("calls and returns are compiled by `executable`")
+
+    # --- assignment ---------------------------------------------------------------------------
+
+    def _assign(self, place: Place, value: Evaluate, following: int) -> Step:
+        cell, wanted, span = self.expressions.cell(place), place.variable.type, place.span
+
+        def assign(c: Context) -> int:
+            found = value(c)
+            if isinstance(found, str):
+                checked_string(found, span)
+            elif isinstance(found, Pose) and wanted is Type.JOINTS:
+                found = _joints_of(c, found, span)
+            elif isinstance(found, tuple) and not isinstance(found, Pose) and wanted is Type.POSE:
+                found = c.planner.pose_of(found)  # type: ignore[arg-type]
+            cell(c).assign(found, c.now)
+            return following
+
+        return assign
+
+    def _assign_here(self, place: Place, frame: Expression | None, following: int) -> Step:
+        e = self.expressions
+        cell, wanted = e.cell(place), place.variable.type
+        base = e.pose(frame) if frame is not None else None
+
+        def here(c: Context) -> int:
+            planner = c.planner
+            q = planner.configuration_at(c.now)
+            if wanted is Type.JOINTS:
+                cell(c).assign(q, c.now)
+                return following
+            X = planner.X_VB @ forward(planner.arm, q) @ planner.X_FT
+            cell(c).assign(base(c).inverse() @ X if base is not None else X, c.now)
+            return following
+
+        return here
+
+    # --- motion -------------------------------------------------------------------------------
+
+    def _motion(
+        self, instruction: ir.Move | ir.Depart | ir.Drive | ir.Ready, following: int, cause: Cause
+    ) -> Step:
+        plan = self._plan(instruction, cause)
+
+        def move(c: Context) -> int:
+            planner = c.planner
+            if c.phase == 2:  # the motion ended early; its fault comes when the arm stands
+                if not reached(c, planner.settled_at):
+                    return BLOCKED
+                fault, c.fault, c.phase = c.fault, None, 0
+                assert fault is not None
+                raise fault
+            if not reached(c, planner.motion_end):
+                c.phase = 1
+                return BLOCKED
+            start = c.now if c.phase == 1 else c.now + planner.arm.tick
+            c.phase = 0
+            planned, target = plan(c)
+            motion = planner.append(planned, start, target, cause)
+            c.events.append(MotionStarted(start, motion, cause))
+            c.events.append(MotionEnded(planner.motion_end, motion, cause))
+            for action, by in c.next_hand:
+                _command_hand(c, action, start, by)
+            c.next_hand = []
+            if planned.fault is None:
+                return following
+            c.fault, c.phase = planned.fault, 2
+            c.wake = planner.settled_at
+            return BLOCKED
+
+        return move
+
+    def _plan(
+        self, instruction: ir.Move | ir.Depart | ir.Drive | ir.Ready, cause: Cause
+    ) -> Callable[[Context], tuple[Planned, Pose | None]]:
+        e = self.expressions
+        match instruction:
+            case ir.Move(interpolation=interpolation, target=target, retreat=retreat):
+                location = e.location(target)
+                back = e.real(retreat) if retreat is not None else None
+                place = _place_of(target) or cause.span
+
+                def plan_move(c: Context) -> tuple[Planned, Pose | None]:
+                    goal = location(c)
+                    if back is None and not isinstance(goal, Pose):
+                        return self._to_joints(c, goal, interpolation, place)
+                    pose = goal if isinstance(goal, Pose) else c.planner.pose_of(goal)  # type: ignore[arg-type]
+                    if back is not None:
+                        pose = backed_off(pose, back(c))
+                    return self._to_pose(c, pose, interpolation, place)
+
+                return plan_move
+            case ir.Depart(interpolation=interpolation, distance=distance):
+                away = e.real(distance)
+                return lambda c: self._to_pose(
+                    c, backed_off(c.planner.destination, away(c)), interpolation, cause.span
+                )
+            case ir.Drive(joint=joint, change=change, speed=speed):
+                which, by = e.real(joint), e.real(change)
+                own = e.real(speed) if speed is not None else None
+
+                def plan_drive(c: Context) -> tuple[Planned, Pose | None]:
+                    k = round_half_away(which(c))
+                    if not 1 <= k <= 6:
+                        raise RuntimeFault(
+                            RuntimeErrorKind.ILLEGAL_JOINT,
+                            f"there is no joint {k}; joints are 1 to 6",
+                            cause.span,
+                        )
+                    q = list(c.planner.dest)
+                    q[k - 1] += by(c) * DEG
+                    percent = own(c) if own is not None else 100.0
+                    fraction = _fraction(c, Speed(percent, ir.SpeedUnit.PERCENT), cause)
+                    goal = (q[0], q[1], q[2], q[3], q[4], q[5])
+                    return c.planner.plan_joints(goal, fraction, cause.span), None
+
+                return plan_drive
+            case ir.Ready():
+
+                def plan_ready(c: Context) -> tuple[Planned, Pose | None]:
+                    planner = c.planner
+                    fraction = speed_fraction(planner.arm, planner.take_speed())
+                    return planner.plan_joints(planner.arm.ready, fraction, cause.span), None
+
+                return plan_ready
+
+    def _to_pose(
+        self, c: Context, pose: Pose, interpolation: ir.Interpolation, span: Span
+    ) -> tuple[Planned, Pose | None]:
+        planner = c.planner
+        speed = planner.take_speed()
+        if interpolation is ir.Interpolation.LINEAR:
+            planned = planner.plan_line(pose, speed, span)
+            return planned, None if planned.fault else pose
+        return planner.plan_pose(pose, speed_fraction(planner.arm, speed), span), pose
+
+    def _to_joints(
+        self, c: Context, goal: Value, interpolation: ir.Interpolation, span: Span
+    ) -> tuple[Planned, Pose | None]:
+        planner = c.planner
+        if interpolation is ir.Interpolation.LINEAR:
+            return self._to_pose(c, planner.pose_of(goal), interpolation, span)  # type: ignore[arg-type]
+        fraction = speed_fraction(planner.arm, planner.take_speed())
+        return planner.plan_joints(goal, fraction, span), None  # type: ignore[arg-type]
+
+    def _delay(self, time: Callable[[Context], float], following: int) -> Step:
+        def delay(c: Context) -> int:
+            if not reached(c, c.planner.motion_end):
+                return BLOCKED
+            c.planner.hold(c.now, time(c))
+            return following
+
+        return delay
+
+    def _speed(self, instruction: ir.SetSpeed, following: int) -> Step:
+        value = self.expressions.real(instruction.value)
+        unit, scope, span = instruction.unit, instruction.scope, _place_of(instruction.value)
+
+        def set_speed(c: Context) -> int:
+            speed = Speed(value(c), unit)
+            if speed.value <= 0.0:
+                raise RuntimeFault(
+                    RuntimeErrorKind.ILLEGAL_VALUE, "a speed must be above zero", span
+                )
+            if scope is ir.Scope.ALWAYS:
+                c.planner.speed = speed
+            else:
+                c.planner.next_speed = speed
+            return following
+
+        return set_speed
+
+    def _tool(self, pose: Expression | None, following: int) -> Step:
+        tool = self.expressions.pose(pose) if pose is not None else None
+
+        def set_tool(c: Context) -> int:
+            if not reached(c, c.planner.settled_at):
+                return BLOCKED
+            c.planner.set_tool(tool(c) if tool is not None else IDENTITY)
+            return following
+
+        return set_tool
+
+    def _base(self, instruction: ir.SetBase, following: int) -> Step:
+        operands = tuple(
+            self.expressions.real(operand) if operand is not None else None
+            for operand in (instruction.dx, instruction.dy, instruction.dz, instruction.rotation)
+        )
+
+        def set_base(c: Context) -> int:
+            if not reached(c, c.planner.settled_at):
+                return BLOCKED
+            dx, dy, dz, turn = (0.0 if o is None else o(c) for o in operands)
+            c.planner.X_VB = pose_from_components(dx, dy, dz, 90.0 + turn, -90.0, 0.0)
+            return following
+
+        return set_base
+
+    # --- hand ---------------------------------------------------------------------------------
+
+    def _hand_now(self, action: ir.HandAction, following: int, cause: Cause) -> Step:
+        def hand_now(c: Context) -> int:
+            if c.phase == 0:
+                if not reached(c, c.planner.settled_at):
+                    return BLOCKED
+                _command_hand(c, action, c.now, cause)
+                c.until = c.now + c.hand_time
+                c.phase = 1
+            if not reached(c, c.until):
+                return BLOCKED
+            c.phase = 0
+            return following
+
+        return hand_now
+
+    # --- control ------------------------------------------------------------------------------
+
+    def _for(
+        self, instruction: ir.BeginFor | ir.TestFor | ir.NextFor, following: int, cause: Cause
+    ) -> Step:
+        e = self.expressions
+        cell, load, loop = e.cell(instruction.place), e.load(instruction.place), instruction.loop
+        match instruction:
+            case ir.BeginFor(first=first, last=last, increment=increment):
+                begin, limit = e.real(first), e.real(last)
+                by = e.real(increment) if increment is not None else None
+
+                def begin_for(c: Context) -> int:
+                    cell(c).assign(begin(c), c.now)
+                    frame = c.frames[-1]
+                    frame.limits[loop] = limit(c)
+                    frame.increments[loop] = 1.0 if by is None else by(c)
+                    return following
+
+                return begin_for
+            case ir.TestFor(leave=leave):
+
+                def test_for(c: Context) -> int:
+                    frame = c.frames[-1]
+                    limit = frame.limits[loop]
+                    if limit is None:
+                        raise _never_begun(cause)
+                    value: float = load(c)  # type: ignore[assignment]
+                    past = value > limit if frame.increments[loop] >= 0.0 else value < limit
+                    return leave if past else following
+
+                return test_for
+            case ir.NextFor(test=test):
+
+                def next_for(c: Context) -> int:
+                    frame = c.frames[-1]
+                    if frame.limits[loop] is None:
+                        raise _never_begun(cause)
+                    value: float = load(c)  # type: ignore[assignment]
+                    total = rounded(value + frame.increments[loop], cause.span)
+                    cell(c).assign(total, c.now)
+                    return test
+
+                return next_for
+
+    def _ending(
+        self, message: Expression | None, outcome: int, cause: Cause, *, waits: bool
+    ) -> Step:
+        text = self.expressions.string(message) if message is not None else None
+
+        def end(c: Context) -> int:
+            if waits and not reached(c, c.planner.settled_at):
+                return BLOCKED
+            if text is not None:
+                _print(c, text(c) + "\r\n", cause)
+            return outcome
+
+        return end
+
+    # --- signals and terminal -----------------------------------------------------------------
+
+    def _signal(self, signals: tuple[Expression, ...], following: int, cause: Cause) -> Step:
+        numbers = tuple((self.expressions.real(s), _place_of(s)) for s in signals)
+
+        def signal(c: Context) -> int:
+            for value, span in numbers:
+                wanted = round_half_away(value(c))
+                if wanted == 0:
+                    continue
+                known(wanted, span, writable=True)
+                on = wanted > 0
+                if on is not (abs(wanted) in c.signals.on):
+                    c.signals.turn(abs(wanted), on=on)
+                    c.events.append(SignalChanged(c.now, abs(wanted), on, cause))
+            return following
+
+        return signal
+
+    def _wait(self, condition: Expression | None, following: int, cause: Cause) -> Step:
+        if condition is None:
+
+            def give_up(c: Context) -> int:
+                if c.phase == 1:
+                    c.phase = 0
+                    return following
+                c.phase = 1
+                c.wake = c.now + c.planner.arm.tick
+                return BLOCKED
+
+            return give_up
+        test = self.expressions.real(condition)
+        changes = _uses(condition, CHANGING)
+
+        def wait(c: Context) -> int:
+            if test(c) != 0.0:
+                return following
+            if changes:
+                c.wake = c.now + c.planner.arm.tick
+                return BLOCKED
+            coming = c.signals.next_input_s
+            if coming is None:
+                raise LimitReached(
+                    WAIT_NEVER_ENDS,
+                    "this WAIT never ends: nothing that is still to happen makes it true",
+                    cause.span,
+                    f"looked at when it was reached, at {c.now:.3f} s",
+                    "wait for a signal that the scenario turns on, or set it in the program",
+                )
+            c.wake = max(coming, c.now + c.planner.arm.tick)
+            return BLOCKED
+
+        return wait
+
+    def _type(
+        self, items: "tuple[Expression | ir.Format, ...]", following: int, cause: Cause
+    ) -> Step:
+        parts = [
+            item if isinstance(item, ir.Format) else (self.expressions.value(item), item)
+            for item in items
+        ]
+        last = items[-1] if items else None
+        stays = isinstance(last, ir.Format) and last.kind is ir.FormatKind.STAY
+
+        def write(c: Context) -> int:
+            form, text = FREE, ""
+            for part in parts:
+                if isinstance(part, ir.Format):
+                    if part.kind in NUMBER_KINDS:
+                        form = part
+                    else:
+                        text += control(part)
+                    continue
+                evaluate, item = part
+                found = evaluate(c)
+                if isinstance(found, str):
+                    text += found
+                elif isinstance(found, float):
+                    text += number(found, form)
+                else:
+                    raise RuntimeFault(
+                        RuntimeErrorKind.ARGUMENT_MISMATCH,
+                        "TYPE cannot write a location",
+                        _place_of(item),
+                        help=("write its parts with DX, DY and DZ",),
+                    )
+            _print(c, text if stays else text + "\r\n", cause)
+            return following
+
+        return write
+
+
+def _command_hand(c: Context, action: ir.HandAction, time_s: float, cause: Cause) -> None:
+    planner = c.planner
+
+    def flange_at(t: float) -> Pose:
+        return forward(planner.arm, planner.configuration_at(t))
+
+    c.hand.command(action, time_s, flange_at, planner.motion_end, cause, c.events)
+
+
+def _print(c: Context, text: str, cause: Cause) -> None:
+    c.terminal.wrote(text)
+    c.events.append(Printed(c.now, text, cause))
+
+
+def _fraction(c: Context, speed: Speed, cause: Cause) -> float:
+    if speed.value <= 0.0:
+        raise RuntimeFault(RuntimeErrorKind.ILLEGAL_VALUE, "a speed must be above zero", cause.span)
+    return speed_fraction(c.planner.arm, speed)
+
+
+def _joints_of(c: Context, pose: Pose, span: Span | None) -> Value:
+    planner = c.planner
+    X_BF = planner.X_VB.inverse() @ pose @ planner.X_FT.inverse()
+    found = solve(planner.arm, X_BF, planner.branch, planner.configuration)
+    if found is None:
+        raise RuntimeFault(RuntimeErrorKind.OUT_OF_RANGE, "the location is out of reach", span)
+    return found
+
+
+def _never_begun(cause: Cause) -> RuntimeFault:
+    return RuntimeFault(
+        RuntimeErrorKind.CONTROL_STRUCTURE,
+        "the end of this FOR loop is reached although the loop was never begun",
+        cause.span,
+        help=("jump to the FOR step, not into its body",),
+    )
+
+
+def _place_of(expression: Expression) -> Span | None:
+    return expression.place.span if isinstance(expression, Load) else expression.span
+
+
+def _uses(expression: object, functions: frozenset[Function]) -> bool:
+    match expression:
+        case Apply(function=function, arguments=arguments):
+            return function in functions or any(_uses(a, functions) for a in arguments)
+        case Unary(operand=operand):
+            return _uses(operand, functions)
+        case Binary(left=left, right=right):
+            return _uses(left, functions) or _uses(right, functions)
+        case Compose(parts=parts):
+            return any(_uses(part, functions) for part in parts)
+        case _:
+            return False
