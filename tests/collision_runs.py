@@ -18,8 +18,8 @@ from vrts.scene.model import Body, Mobility, Scene
 
 TICK = 0.028
 STROKE = 0.3
-DOWN: Rotation = (0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0)  # hand straight down, pads along x
-BRANCH = ArmBranch(Shoulder.RIGHTY, Elbow.ABOVE, Wrist.NOFLIP)
+DOWN: Rotation = (-1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0)  # fingers open along y
+BRANCH = ArmBranch(Shoulder.LEFTY, Elbow.ABOVE, Wrist.NOFLIP)
 TEXT = SourceFile("story.v2", "step\n" * 200)
 
 

@@ -33,6 +33,7 @@ Indices: TypeAlias = npt.NDArray[np.int64]
 
 ROBOT = "robot"  # with gripper and held object, as one
 TOLERANCE = 2e-4  # [m] deeper than this is a contact, less is a graze
+PALM = "palm"  # the gripper without its fingers
 PAD_DEPTH = 1e-3  # [m] a pad may press this far into a grasped object
 SUPPORT_LOWERED = 1e-3  # [m] a support is tested this much lower against what stands on it
 HAND = 6  # frame of flange and gripper
@@ -206,7 +207,7 @@ def _arm(cast: _Cast, robot: Robot) -> _Arm:
         for link in robot.arm.links
     )
     X_LF = translation(0.0, 0.0, cast.flange_m)
-    palm = cast.add(robot.gripper.body, HAND, X_LF, robot.gripper.name)
+    palm = cast.add(robot.gripper.body, HAND, X_LF, PALM)
     fingers = tuple(
         cast.add(finger.pieces, HAND, X_LF, finger.name, (0.0, 0.5 * finger.side, 0.0))
         for finger in robot.gripper.fingers

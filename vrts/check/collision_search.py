@@ -201,8 +201,7 @@ class _Search:
         gap = np.abs(places.centres[at_outer] - places.centres[at_inner])
         gap -= places.halves[at_outer]
         gap -= places.halves[at_inner]
-        np.maximum(gap, 0.0, out=gap)
-        gap = np.sqrt(np.einsum("ri,ri->r", gap, gap))
+        gap = _outside(gap)
         exact = _Exact(self, level.middle, places)
         if self.found.closest.distance > -np.inf:
             exact.probe(row, node, at_outer, at_inner, gap)
@@ -441,6 +440,17 @@ class _Exact:
             known = transform(self.places.rotations[at], self.places.origins[at])
             self.transforms[at] = known
         return known
+
+
+def _outside(gap: Array) -> Array:
+    """Return a lower bound on signed distances from the gaps (r, 3) between boxes along the axes.
+
+    Boxes that overlap say little: the shapes in them cannot overlap deeper than the boxes do.
+    """
+    overlap = gap.max(axis=1)
+    np.maximum(gap, 0.0, out=gap)
+    apart = np.sqrt(np.einsum("ri,ri->r", gap, gap))
+    return np.where(overlap > 0.0, apart, overlap)
 
 
 def _divided(start: Array, end: Array, parts: Indices) -> tuple[Array, Array, Indices]:
