@@ -101,9 +101,9 @@ _ALL = (
     _f(_F.MID, "s r? r?", _S),
     _f(_F.POS, "s s r?", _R),
     _f(_F.VAL, "s", _R),
-    _f(_F.ENCODE, "f f*", _S),
-    _f(_F.DECODE, "$ s r?", _S),
     # known, not supported yet
+    _f(None, "f f*", _S, "$encode"),
+    _f(None, "$ s r?", _S, "$decode"),
     _f(None, "r r?", _R, "adc"),
     _f(None, "r r?", _R, "error"),
     _f(None, "r", _R, "free"),

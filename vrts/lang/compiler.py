@@ -1,0 +1,192 @@
+"""Source text to a module: the stages of the language in their order."""
+
+import re
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from vrts.base.diagnostic import Diagnostic, Rule
+from vrts.base.source import SourceFile
+from vrts.ir.module import Datum, Module, Program
+from vrts.lang.data_sections import read_data, report_replaced
+from vrts.lang.habits import check_habits
+from vrts.lang.lower import Lowering
+from vrts.lang.names import key
+from vrts.lang.problems import Problems
+from vrts.lang.resolve import Resolver
+from vrts.lang.scope import Scope
+from vrts.lang.splitter import INVALID_HEADER, Section, split
+from vrts.lang.steps import StepParser, report_pasted_characters
+from vrts.lang.structure import blocks, labels
+from vrts.lang.syntax import Bad, Formal, Name, ProgramText
+from vrts.lang.usage import check_usage
+
+NOT_A_PROGRAM = Rule("V104", "not-a-program")
+DUPLICATE_PROGRAM = Rule("V143", "duplicate-program")
+NO_PROGRAM = Rule("V148", "no-program")
+DUPLICATE_FORMAL = Rule("V217", "duplicate-formal")
+
+_HEADER = re.compile(
+    r"\.?PROGRAM(?:[ \t]+(?P<name>[A-Za-z][\w.]*))?[ \t]*(?:\((?P<formals>[^()]*)\))?(?P<rest>.*)$",
+    re.IGNORECASE | re.ASCII,
+)
+_FORMAL = re.compile(r"(?P<name>[$#]?[A-Za-z][\w.]*)[ \t]*(?P<array>\[[ ,]*\])?$", re.ASCII)
+_FEW = 3  # steps: fewer say nothing about what a file is
+
+
+@dataclass(frozen=True, slots=True)
+class Compilation:
+    """What compiling a source yields."""
+
+    module: Module | None  # None when there is any error
+    diagnostics: tuple[Diagnostic, ...]  # in the order of the text
+
+
+def compile_source(source: SourceFile) -> Compilation:
+    """Compile a file: all problems in one go, one diagnostic a cause. Never raises."""
+    problems = Problems(source)
+    sections = split(problems)
+    headers = [_header(s, problems) for s in sections if s.kind == "program"]
+    parser = StepParser(problems)
+    parser.program_names = frozenset(name for name, _ in headers)
+    programs: list[ProgramText] = []
+    for section, (name, formals) in zip(
+        (s for s in sections if s.kind == "program"), headers, strict=True
+    ):
+        steps = tuple(parser.step(line) for line in section.lines)
+        header = section.header
+        programs.append(
+            ProgramText(
+                name, formals, steps, section.line_count, header.start, header.end, section.finish
+            )
+        )
+    stranger = _stranger(problems, programs)
+    if stranger is not None:
+        return Compilation(None, (stranger,))
+    programs = _distinct(programs, problems)
+    scope = Scope(programs)
+    data: list[Datum] = []
+    for section in sections:
+        if section.kind != "program":
+            data += read_data(section, parser, scope)
+    report_pasted_characters(problems)
+    report_replaced(problems, data)
+    resolver = Resolver(problems, scope)
+    structures = {}
+    for program in programs:
+        resolver.program = program.name
+        for step in program.steps:
+            if step.statement is not None:
+                resolver.statement(step.statement)
+        structures[program.name] = (blocks(program, problems), labels(program, problems))
+    check_usage(resolver, programs)
+    check_habits(problems, scope, programs, {n: found for n, (found, _) in structures.items()})
+    if not programs and not problems.any_error:
+        size = len(source.text)
+        problems.error(
+            NO_PROGRAM,
+            "this file holds no program",
+            size,
+            size,
+            help=("begin one with `.PROGRAM name` and end it with `.END`",),
+        )
+    if problems.any_error:
+        return Compilation(None, problems.in_order())
+    lowered: dict[str, Program] = {}
+    for program in programs:
+        lowered[program.name] = Lowering(source, scope, program, *structures[program.name]).run()
+    return Compilation(Module(MappingProxyType(lowered), tuple(data)), problems.in_order())
+
+
+def _header(section: Section, problems: Problems) -> tuple[str, tuple[Formal, ...]]:
+    """Return name and formals of a program."""
+    line = section.header
+    if not line.text:
+        return "main", ()
+    match = _HEADER.match(line.text)
+    if match is None or not match["name"]:
+        problems.error(
+            INVALID_HEADER,
+            "a program needs a name",
+            line.start,
+            line.end,
+            notes=("VAL-II says *Invalid program or variable name*",),
+            help=("write `.PROGRAM name` or `.PROGRAM name(a, b)`",),
+        )
+        return "", ()
+    rest = match["rest"].strip()
+    if rest.startswith(("(", "[", ",")) or (rest and match["formals"] is None and rest[0] != "@"):
+        problems.error(
+            INVALID_HEADER,
+            f"`{rest[:40]}` does not belong to the name of a program",
+            line.start + match.start("rest"),
+            line.end,
+            help=("write `.PROGRAM name` or `.PROGRAM name(a, b)`",),
+        )
+    formals: list[Formal] = []
+    at = line.start + max(match.start("formals"), 0)
+    for written in (match["formals"] or "").split(","):
+        start = at + len(written) - len(written.lstrip())
+        at += len(written) + 1
+        text = written.strip()
+        formal = _FORMAL.match(text)
+        if formal is None and (text or "," not in (match["formals"] or "")):
+            if text:
+                problems.error(
+                    INVALID_HEADER,
+                    f"`{text[:40]}` is not a formal argument",
+                    start,
+                    start + len(text),
+                    help=("formals are names such as `n`, `$text`, `#point` or `row[]`",),
+                )
+            continue
+        name = formal["name"] if formal else ""
+        node = Name(name, start, start + len(name))
+        if name and any(key(name) == key(f.name.text) for f in formals if f.name.text):
+            problems.error(
+                DUPLICATE_FORMAL,
+                f"`{name}` stands twice among the formals",
+                node.start,
+                node.end,
+                help=("give each formal its own name",),
+            )
+            continue
+        formals.append(Formal(node, bool(formal and formal["array"])))
+    return key(match["name"]), tuple(formals)
+
+
+def _distinct(programs: list[ProgramText], problems: Problems) -> list[ProgramText]:
+    kept: dict[str, ProgramText] = {}
+    for program in programs:
+        first = kept.setdefault(program.name, program)
+        if first is not program and program.name:
+            problems.error(
+                DUPLICATE_PROGRAM,
+                f"there are two programs `{program.name}`",
+                program.start,
+                program.end,
+                secondary=(problems.label(first.start, first.end, "first here"),),
+                notes=("VAL-II says *Program already exists*",),
+                help=("give one of them another name",),
+            )
+    return list(kept.values())
+
+
+def _stranger(problems: Problems, programs: list[ProgramText]) -> Diagnostic | None:
+    """Return one diagnostic for a file that is something else altogether."""
+    steps = [s.statement for p in programs for s in p.steps if s.statement is not None]
+    headed = any(p.start != p.end for p in programs)
+    bad = sum(isinstance(s, Bad) and s.word is None for s in steps)
+    if headed or len(steps) < _FEW or bad < 0.8 * len(steps):
+        return None
+    stranger = Problems(problems.source)
+    first = next(s for s in steps if isinstance(s, Bad))
+    stranger.error(
+        NOT_A_PROGRAM,
+        f"`{problems.source.name}` is not a VAL-II program",
+        first.start,
+        first.end,
+        "this is not a step of a program",
+        notes=(f"{bad} of {len(steps)} lines are not understood, and there is no .PROGRAM line",),
+        help=("check that this is the right file",),
+    )
+    return stranger.found[0]

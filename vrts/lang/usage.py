@@ -1,0 +1,229 @@
+"""Questions about names that only the whole compilation answers."""
+
+from vrts.base.diagnostic import Rule
+from vrts.ir.values import Type
+from vrts.lang.names import NAME_TRUNCATED, SIGNIFICANT, is_truncated, key
+from vrts.lang.resolve import Resolver
+from vrts.lang.scope import Entry
+from vrts.lang.spelling import nearest
+from vrts.lang.syntax import CallStatement, Element, Infix, Name, ProgramText
+from vrts.lang.vocabulary import INSTRUCTIONS
+
+REAL_AND_LOCATION = Rule("V201", "real-and-location")
+UNDEFINED_LOCATION = Rule("V204", "undefined-location")
+UNDEFINED_VARIABLE = Rule("V205", "undefined-variable")
+UNDEFINED_PROGRAM = Rule("V206", "undefined-program")
+ARGUMENT_COUNT = Rule("V207", "argument-count")
+ARGUMENT_TYPE = Rule("V208", "argument-type")
+ARRAY_AND_SCALAR = Rule("V213", "array-and-scalar")
+
+_MISMATCH = "VAL-II says *Program argument mismatch*"
+
+
+def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
+    """Report what the uses of each name do not agree on, and what is never given a value."""
+    _settle_moves(resolver)
+    resolver.scope.spread_types()
+    clashes: set[int] = set()
+    for entry in resolver.scope.all_entries():
+        if _clash(resolver, entry):
+            clashes.add(id(entry))
+        _truncated(resolver, entry)
+    for entry in resolver.scope.all_entries():
+        if id(entry) not in clashes and entry.name not in resolver.bad_names:
+            _without_value(resolver, entry)
+    for program in programs:
+        for step in program.steps:
+            if isinstance(step.statement, CallStatement):
+                _call(resolver, program, step.statement)
+
+
+def _settle_moves(resolver: Resolver) -> None:
+    """Decide about `a = b`: numbers, unless one of them is a location elsewhere."""
+    scope, program = resolver.scope, resolver.program
+    for node in resolver.moves:
+        value = node.value
+        assert isinstance(value, Name | Element)
+        names = [n if isinstance(n, Name) else n.name for n in (node.target, value)]
+        where = resolver.program_of.get(node.start, program)
+        entries = [scope.entry(where, key(name.text)) for name in names]
+        if any(Type.POSE in e.types and Type.REAL not in e.types for e in entries):
+            resolver.assigned_location(node)
+            for entry, name in zip(entries, names, strict=True):
+                if Type.REAL not in entry.types:
+                    entry.types.setdefault(Type.POSE, (name.start, name.end))
+        else:
+            for entry, name in zip(entries, names, strict=True):
+                entry.types.setdefault(Type.REAL, (name.start, name.end))
+
+
+def _clash(resolver: Resolver, entry: Entry) -> bool:
+    problems = resolver.problems
+    if Type.REAL in entry.types and Type.POSE in entry.types:
+        (first_type, first), (_, second) = sorted(entry.types.items(), key=lambda item: item[1])[:2]
+        words = {Type.REAL: "a number", Type.POSE: "a location"}
+        other = words[Type.POSE if first_type is Type.REAL else Type.REAL]
+        problems.error(
+            REAL_AND_LOCATION,
+            f"`{entry.name}` is used both as a number and as a location",
+            *second,
+            f"{other} here",
+            secondary=(problems.label(*first, f"{words[first_type]} here"),),
+            notes=("numbers and locations share their names", "VAL-II says *Mixing of types*"),
+            help=("give one of them another name",),
+            data={"name": entry.name},
+        )
+        return True
+    if entry.array is not None and entry.scalar is not None:
+        first, second = sorted((entry.array, entry.scalar))
+        problems.error(
+            ARRAY_AND_SCALAR,
+            f"`{entry.name}` is used both with and without an index",
+            *second,
+            secondary=(problems.label(*first, "first used here"),),
+            help=("give the array or the single variable another name",),
+            data={"name": entry.name},
+        )
+        return True
+    return False
+
+
+def _truncated(resolver: Resolver, entry: Entry) -> None:
+    long = [(at, name) for name, at in entry.spellings.items() if is_truncated(name)]
+    if not long:
+        return
+    long.sort()
+    at, name = long[-1]
+    problems = resolver.problems
+    if len(long) > 1:
+        problems.warning(
+            NAME_TRUNCATED,
+            f"`{name}` and `{long[0][1]}` are the same variable",
+            *at,
+            secondary=(problems.label(*long[0][0], "first here"),),
+            notes=(f"only the first {SIGNIFICANT} characters of a name count",),
+            help=("make them differ in their first characters",),
+        )
+    else:
+        problems.warning(
+            NAME_TRUNCATED,
+            f"only `{entry.name}` counts of `{name}`",
+            *at,
+            notes=(f"only the first {SIGNIFICANT} characters of a name count",),
+            help=("choose a shorter name",),
+        )
+
+
+def _without_value(resolver: Resolver, entry: Entry) -> None:
+    if not entry.reads or resolver.scope.may_have_value(entry):
+        return
+    problems = resolver.problems
+    location = entry.type in (Type.POSE, Type.JOINTS)
+    kind = "location" if location else "string" if entry.type is Type.STRING else "variable"
+    names = [e.name for e in resolver.scope.all_entries() if _could_be(e, entry)]
+    meant = nearest(entry.name, names)
+    upper = entry.name.upper()
+    if meant is not None:
+        help_ = f"did you mean `{meant}`?"
+    elif upper in INSTRUCTIONS and location:
+        help_ = f"{upper} is an instruction: write it alone"
+    elif location:
+        help_ = "give it a value in a .LOCATIONS section, or by SET or HERE"
+    else:
+        help_ = "give it a value before it is used"
+    at = min(entry.reads)
+    more = len(entry.reads) - 1
+    problems.warning(
+        UNDEFINED_LOCATION if location else UNDEFINED_VARIABLE,
+        f"the {kind} `{entry.name}` is never given a value in this file",
+        *at,
+        notes=(
+            *((f"used {more} more {'time' if more == 1 else 'times'}",) if more else ()),
+            "the controller stops here with *Undefined value* unless it has one from before",
+        ),
+        help=(help_,),
+        fix=problems.replace(*at, meant) if meant else None,
+        data={"name": entry.name},
+    )
+
+
+def _could_be(other: Entry, entry: Entry) -> bool:
+    if other is entry or not (other.writes or other.formal is not None):
+        return False
+    return other.type is entry.type or Type.DYNAMIC in (other.type, entry.type)
+
+
+def _call(resolver: Resolver, caller: ProgramText, node: CallStatement) -> None:
+    problems, scope = resolver.problems, resolver.scope
+    name = node.program
+    program = scope.programs.get(key(name.text))
+    if program is None:
+        meant = nearest(key(name.text), scope.programs)
+        problems.warning(
+            UNDEFINED_PROGRAM,
+            f"there is no program `{name.text}` in this file",
+            name.start,
+            name.end,
+            notes=("the controller says *Undefined program or variable name* when it gets here",),
+            help=(f"did you mean `{meant}`?" if meant else f"write `.PROGRAM {name.text}`",),
+            fix=problems.replace(name.start, name.end, meant) if meant else None,
+            data={"name": name.text.lower()},
+        )
+        return
+    header = problems.label(program.start, program.end, "the program begins here")
+    if len(node.arguments) > len(program.formals):
+        given, taken = len(node.arguments), len(program.formals)
+        problems.error(
+            ARGUMENT_COUNT,
+            f"`{program.name}` takes {taken or 'no'} argument{'' if taken == 1 else 's'}, "
+            f"{given} given",
+            node.start,
+            node.end,
+            secondary=(header,),
+            notes=(_MISMATCH,),
+        )
+        return
+    for i, argument in enumerate(node.arguments):
+        formal = program.formals[i]
+        if argument is None or not formal.name.text:
+            continue
+        whole = isinstance(argument, Element) and not argument.subscripts
+        if formal.array and not isinstance(argument, Element):
+            problem = f"argument {i + 1} of `{program.name}` is a whole array"
+            help_ = "write the name of an array with empty brackets: `a[]`"
+        elif whole and not formal.array:
+            problem = f"argument {i + 1} of `{program.name}` is not an array"
+            help_ = "name one element: `a[1]`"
+        else:
+            wanted = scope.formals[program.name][key(formal.name.text)].type
+            found = _type_of(resolver, caller.name, argument)
+            if Type.DYNAMIC in (wanted, found) or wanted is found:
+                continue
+            problem = f"argument {i + 1} of `{program.name}` is {_WORDS[wanted]}"
+            help_ = f"this is {_WORDS[found]}"
+        problems.error(
+            ARGUMENT_TYPE,
+            problem,
+            argument.start,
+            argument.end,
+            secondary=(header,),
+            notes=(_MISMATCH,),
+            help=(help_,),
+        )
+
+
+_WORDS = {
+    Type.REAL: "a number",
+    Type.STRING: "a string",
+    Type.POSE: "a location",
+    Type.JOINTS: "a precision point",
+}
+
+
+def _type_of(resolver: Resolver, program: str, argument: object) -> Type:
+    if isinstance(argument, Name | Element):
+        name = argument if isinstance(argument, Name) else argument.name
+        return resolver.type_of_name(program, name)
+    if isinstance(argument, Infix) and argument.operator == ":":
+        return Type.POSE
+    return resolver.argument_types.get(id(argument), Type.DYNAMIC)
