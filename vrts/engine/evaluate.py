@@ -261,7 +261,7 @@ class Compiler:
             case Function.SIG:
                 signals = tuple(self._real_argument(a) for a in expression.arguments)
                 return lambda c: logical(
-                    all([c.signals.holds(round_half_away(s(c)), span) for s in signals])
+                    all(c.signals.holds(round_half_away(s(c)), span) for s in signals)
                 )
             case Function.BITS:
                 first, count = (self._real_argument(a) for a in expression.arguments[:2])

@@ -127,7 +127,7 @@ def _carries(bottom: Face, top: Face) -> bool:
 
 
 def _aligned(X_WO: Pose, bottom: Face, top: Face) -> Pose:
-    """Return the pose turned least so that the faces are parallel, and shifted so that they meet."""
+    """Return the pose turned least to make the faces parallel, and shifted to let them meet."""
     target = scale(top.normal, -1.0)
     axis = cross(bottom.normal, target)
     size = math.sqrt(dot(axis, axis))

@@ -7,21 +7,11 @@ class Execute(NamedTuple):
     """Run a program as the robot program."""
 
     program: str
-    cycles: int = 1  # negative is endless
+    cycles: int = 1  # negative is endless; 0 counts as 1
     step: int = 1
 
 
-class SetMonitorSpeed(NamedTuple):
-    """Set the monitor speed: time is stretched, the path stays."""
-
-    percent: float
-
-
-class Panic(NamedTuple):
-    """Stop the program and decelerate the arm along its path."""
-
-
-Command: TypeAlias = Execute | SetMonitorSpeed | Panic
+Command: TypeAlias = Execute
 
 
 class TimedCommand(NamedTuple):

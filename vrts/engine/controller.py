@@ -1,0 +1,111 @@
+"""Runs begin, grow and are cut: `start`, `advance`, `truncate` are pure functions of runs."""
+
+import math
+from collections.abc import Sequence
+
+from vrts.engine.executable import Executable
+from vrts.engine.machine import Machine
+from vrts.engine.run import OutOfHorizon, Run
+from vrts.ir.commands import Command, Execute, TimedCommand
+from vrts.ir.module import Module
+from vrts.scene.model import Scenario, Scene
+
+CHECKPOINT = 5.0  # [s] of simulated time between states kept for `truncate`
+AFTERWARDS = 10.0  # [s] longest time anything may move after the program has ended
+
+
+def start(module: Module, scene: Scene, scenario: Scenario | None = None) -> Run:
+    """Return a run at time 0 in which nothing executes."""
+    scenario = scenario or Scenario()
+    executable = Executable(module, scenario.limits.call_depth)
+    return Run(Machine(executable, scene, scenario), 0.0, ())
+
+
+def advance(run: Run, until_s: float, commands: Sequence[TimedCommand] = ()) -> Run:
+    """Return a run that goes on to a time [s], with commands issued from its horizon on.
+
+    Raises:
+        ValueError: The time or a command lies in the past of the run, or a program is unknown.
+    """
+    if until_s < run.until_s:
+        raise ValueError(f"{until_s} s is before the horizon at {run.until_s} s")
+    for timed in commands:
+        if timed.time_s < run.until_s:
+            raise ValueError(f"a command at {timed.time_s} s is in the past of the run")
+        if timed.command.program not in run.module.programs:
+            raise ValueError(f"no program {timed.command.program!r}")
+    machine = run.machine.copy()
+    machine.issue(tuple(commands))
+    return _grown(machine, run.until_s, until_s, run.checkpoints or (run.machine,))
+
+
+def truncate(run: Run, time_s: float) -> Run:
+    """Return the run as it was known at an earlier time, with commands issued later forgotten.
+
+    Raises:
+        OutOfHorizon: The time is not within the run.
+    """
+    if not 0.0 <= time_s <= run.until_s:
+        raise OutOfHorizon(time_s, run.until_s)
+    kept = [machine for machine in run.checkpoints if machine.next_tick * machine.tick <= time_s]
+    if not kept:
+        kept = [run.machine]  # nothing has happened yet
+    machine = kept[-1].copy()
+    known = [command for command in machine.commands if command.time_s <= time_s]
+    machine.commands = tuple(known)
+    machine.advance(time_s)
+    return Run(machine, time_s, tuple(kept))
+
+
+def execute(
+    module: Module, scene: Scene, scenario: Scenario | None = None, program: str | None = None
+) -> Run:
+    """Run a program from time 0 to its end; None runs the first of the module.
+
+    Raises:
+        ValueError: There is no such program.
+    """
+    name = program or module.main
+    if name is None or name not in module.programs:
+        raise ValueError(f"no program {name!r}")
+    run = start(module, scene, scenario)
+    horizon = run.scenario.limits.time_s + AFTERWARDS
+    return advance(run, horizon, [TimedCommand(0.0, Execute(name))])
+
+
+class Controller:
+    """A run that grows: what a monitor, a live server and a debugger drive."""
+
+    def __init__(self, module: Module, scene: Scene, scenario: Scenario | None = None) -> None:
+        """Begin at time 0."""
+        self.run = start(module, scene, scenario)
+        self._waiting: list[TimedCommand] = []
+
+    def issue(self, command: Command, time_s: float) -> None:
+        """Give a command at a simulated time from the horizon on."""
+        self._waiting.append(TimedCommand(time_s, command))
+
+    def advance(self, until_s: float) -> Run:
+        """Go on to a time [s]."""
+        self.run = advance(self.run, until_s, self._waiting)
+        self._waiting = []
+        return self.run
+
+    def truncate(self, time_s: float) -> Run:
+        """Forget everything after a time [s]."""
+        self.run = truncate(self.run, time_s)
+        self._waiting = []
+        return self.run
+
+
+def _grown(
+    machine: Machine, from_s: float, until_s: float, checkpoints: tuple[Machine, ...]
+) -> Run:
+    kept = list(checkpoints)
+    boundary = (math.floor(from_s / CHECKPOINT) + 1) * CHECKPOINT
+    while boundary < until_s and (machine.running or machine.commands):
+        machine.advance(boundary)
+        kept.append(machine.copy())
+        boundary += CHECKPOINT
+    machine.advance(until_s)
+    return Run(machine, until_s, tuple(kept))
