@@ -1,0 +1,240 @@
+"""The report page in a real browser, opened from a file: it plays, both ways, without a network."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from tests.support_runs import CONTACT_S, END_S, GRASP_S, RUN_S, assessment
+from vrts.base.pose import Pose, distance
+from vrts.engine.records import Segment
+from vrts.report.overview import overview
+from vrts.report.page import page
+from vrts.robots.kinematics import forward, link_poses
+from vrts.robots.model import Configuration
+
+pytestmark = pytest.mark.browser
+
+CHROMIUM = "/usr/bin/chromium"
+FLAGS = [
+    "--headless=new",
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--no-first-run",
+]
+PIXEL = bytes.fromhex(
+    "89504e470d0a1a0a0000000d4948445200000001000000010806000000"
+    "1f15c4890000000d49444154789c63606060f80f0001040100"
+    "5fe5c34b0000000049454e44ae426082"
+)
+
+
+@dataclass
+class Opened:
+    """A page and what it said and asked for."""
+
+    page: Page
+    messages: list[str] = field(default_factory=list[str])
+    requests: list[str] = field(default_factory=list[str])
+    first_clock: float = -1.0  # what it showed when it opened [s]
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    if not Path(CHROMIUM).exists():
+        pytest.skip("needs Chromium")
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+def opened(browser: Browser, path: Path, width: int = 1280) -> Opened:
+    view = Opened(browser.new_page(viewport={"width": width, "height": 900}))
+    view.page.on("console", lambda m: view.messages.append(f"{m.type}: {m.text}"))
+    view.page.on("pageerror", lambda e: view.messages.append(f"exception: {e}"))
+    view.page.on("request", lambda r: view.requests.append(r.url[:200]))
+    view.page.goto(path.as_uri())
+    return view
+
+
+@pytest.fixture(scope="module")
+def report(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Opened:
+    path = tmp_path_factory.mktemp("report") / "submission-07.html"
+    path.write_text(page(assessment(), {"moment": PIXEL}), encoding="utf-8")
+    view = opened(browser, path)
+    until(view, "window.vrts !== undefined")
+    view.first_clock = clock(view)
+    return view
+
+
+def until(view: Opened, condition: str) -> None:
+    """Wait for a condition; Playwright's own waiting needs `eval`, which the page forbids."""
+    for _ in range(200):
+        if view.page.evaluate(condition):
+            return
+        view.page.wait_for_timeout(50)
+    pytest.fail(f"never true: {condition}")
+
+
+def seek(view: Opened, t: float) -> None:
+    view.page.evaluate("t => { vrts.player.playing = false; vrts.player.seek(t); }", t)
+
+
+def pixels(view: Opened) -> bytes:
+    """Return the canvas as drawn at this instant."""
+    url: str = view.page.evaluate("() => { vrts.viewer.draw(); return canvas.toDataURL(); }")
+    return url.encode()
+
+
+def clock(view: Opened) -> float:
+    return float(view.page.inner_text("#clock").split("/")[0])
+
+
+def test_the_first_screen_stands_in_order(report: Opened) -> None:
+    text = report.page.inner_text("header")
+    parts = ("8.5", "Ready for the real robot: no", "the held can1 hits base1 (−1.5)", "Hint:")
+    parts += ("Lost by", "Mark, of 10", "Watch this moment")
+    places = [text.index(part) for part in parts]
+    assert places == sorted(places)
+    alt = report.page.get_attribute("img.still", "alt")
+    assert alt is not None
+    assert "base1" in alt
+
+
+def test_it_opens_at_the_moment_of_the_cause(report: Opened) -> None:
+    assert report.first_clock == pytest.approx(CONTACT_S[0], abs=1e-3)
+
+
+def test_it_can_be_scrubbed_both_ways(report: Opened) -> None:
+    seen: dict[float, bytes] = {}
+    for t in (0.2, 1.3, 2.4, 1.3, 0.2):
+        seek(report, t)
+        assert clock(report) == pytest.approx(t, abs=1e-3)
+        picture = pixels(report)
+        assert seen.setdefault(t, picture) == picture, "the same time looks different"
+    assert len(set(seen.values())) == 3
+
+
+def test_it_plays_forward_and_backward(report: Opened) -> None:
+    seek(report, 1.0)
+    report.page.focus("#stage")
+    report.page.keyboard.press("Space")
+    until(report, "vrts.player.t > 1.2")
+    report.page.keyboard.press("b")
+    until(report, "vrts.player.direction < 0 && vrts.player.t < 0.9")
+    report.page.keyboard.press("b")
+    stopped = clock(report)
+    assert not report.page.evaluate("vrts.player.playing")
+    report.page.keyboard.press("ArrowRight")
+    assert clock(report) == pytest.approx(stopped + 0.1, abs=2e-3)
+    report.page.keyboard.press("End")
+    assert clock(report) == pytest.approx(RUN_S, abs=1e-3)
+
+
+def test_line_events_and_contact_follow_the_time(report: Opened) -> None:
+    seek(report, 1.4)
+    assert report.page.get_attribute("li.lit", "id") == "L2"
+    assert "can1 touches base1" in report.page.inner_text("#overlay")
+    assert "holds can1" in report.page.inner_text("#overlay")
+    assert "can1 touches base1" in report.page.inner_text("#events .now")
+    seek(report, 3.0)
+    assert report.page.get_attribute("li.lit", "id") == "L3"
+    assert report.page.inner_text("#overlay") == ""
+
+
+def test_an_event_row_and_a_loss_jump_to_their_time(report: Opened) -> None:
+    report.page.click("#events >> text=can1 grasped")
+    assert clock(report) == pytest.approx(GRASP_S, abs=1e-3)
+    report.page.click("table.losses button.seek")
+    until(report, f"vrts.player.t >= {CONTACT_S[0]}")
+    report.page.evaluate("vrts.player.pause()")
+
+
+def test_poses_in_the_browser_are_those_in_python(report: Opened) -> None:
+    a = assessment()
+    assert a.run is not None
+    segments = a.run.timeline.segments
+    arm = a.run.scene.robot.arm
+    for t in (0.0, 0.17, 0.9, 1.4, 2.31, 2.5, 2.55, 3.1):
+        q = configuration(segments, t)
+        state = report.page.evaluate(
+            """t => { const s = vrts.replay.at(t); return {
+                flange: [...s.X_WF], tool: [...s.X_WT], links: s.X_WL.map(X => [...X]),
+                can: [...s.bodies.get("can1")], held: s.held }; }""",
+            t,
+        )
+        X_WF = forward(arm, q)
+        near(state["flange"], X_WF)
+        near(state["tool"], X_WF @ a.run.scene.X_FT)
+        for link, X_WL in zip(state["links"], link_poses(arm, q), strict=True):
+            near(link, X_WL)
+        placement = [p for p in a.run.placements["can1"] if p.start_s <= t][-1]
+        held = GRASP_S <= t < END_S
+        assert state["held"] == (["can1"] if held else [])
+        X_WO = X_WF @ placement.X if held else placement.X
+        drop = 9.81 / 2 * (t - END_S) ** 2 if placement.lie.value == "falling" else 0.0
+        near(state["can"], X_WO, lower=drop)
+
+
+def configuration(segments: "list[Segment] | tuple[Segment, ...]", t: float) -> Configuration:
+    segment = next(s for s in reversed(segments) if s.start_s <= t)
+    u = t - segment.start_s
+    a, b, c, d, e, f = (
+        sum(c * u**k for k, c in enumerate(row)) for row in segment.coefficients[:6]
+    )
+    return (a, b, c, d, e, f)
+
+
+def near(matrix: list[float], X: Pose, *, lower: float = 0.0) -> None:
+    """Assert that a column-major matrix is a pose within 0.1 mm, at 0.5 m from its origin too."""
+    for point in ((0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (0.0, 0.5, 0.0)):
+        x, y, z = (
+            sum(matrix[row + 4 * k] * point[k] for k in range(3)) + matrix[12 + row]
+            for row in range(3)
+        )
+        assert math.isfinite(x)
+        assert distance((x, y, z + lower), X.apply(point)) < 1e-4
+
+
+def test_charts_show_times_and_limits_and_can_be_clicked(report: Opened) -> None:
+    assert report.page.locator(".chart").count() >= 4
+    charts = report.page.inner_text("#chart-list")
+    assert "mm/s" in charts
+    assert "limit" in charts
+    report.page.locator(".chart svg").first.click(position={"x": 500, "y": 60})
+    assert 0.5 < clock(report) < 2.5
+
+
+def test_nothing_was_complained_about_or_asked_for(report: Opened) -> None:
+    complaints = [m for m in report.messages if "GPU stall due to ReadPixels" not in m]
+    assert complaints == []
+    foreign = [url for url in report.requests if not url.startswith(("data:", "file:"))]
+    assert foreign == []
+    assert len([url for url in report.requests if url.startswith("file:")]) == 1
+
+
+def test_it_fits_a_phone(browser: Browser, tmp_path: Path) -> None:
+    width = 360
+    path = tmp_path / "phone.html"
+    path.write_text(page(assessment(), {"moment": PIXEL}), encoding="utf-8")
+    view = opened(browser, path, width)
+    until(view, "window.vrts !== undefined")
+    assert view.page.evaluate("document.documentElement.scrollWidth") <= width
+    view.page.close()
+
+
+def test_the_overview_sorts(browser: Browser, tmp_path: Path) -> None:
+    path = tmp_path / "index.html"
+    path.write_text(overview([assessment()], "Group 3"), encoding="utf-8")
+    view = opened(browser, path)
+    view.page.click("th >> text=Mark")
+    assert view.page.get_attribute("th:nth-child(2)", "aria-sort") == "ascending"
+    assert view.messages == []
+    view.page.close()
