@@ -77,7 +77,9 @@ def _read(kind: str, line: Line, parser: StepParser, scope: Scope) -> Datum | No
     else:
         pose = _pose(numbers)
         if pose is None:
-            _count(problems, line, name.text, len(numbers), "6 values: X Y Z in mm, O A T in degrees")
+            _count(
+                problems, line, name.text, len(numbers), "6 values: X Y Z in mm, O A T in degrees"
+            )
             return None
         value, type_ = pose, Type.POSE
     where = (name.start, name.end)

@@ -21,6 +21,7 @@ from vrts.lang.syntax import (
     Prefix,
     ProgramText,
     Simple,
+    SpeedStatement,
     Statement,
     Text,
     Until,
@@ -94,8 +95,10 @@ def _waiting(problems: Problems, node: Simple) -> None:
         value.end,
         "a constant condition",
         notes=("WAIT takes a condition, not a time; any number but 0 is true",),
-        help=(f"to wait {value.value:g} s write `DELAY {value.value:g}`; "
-              f"for a signal write `WAIT SIG({value.value:g})`",),
+        help=(
+            f"to wait {value.value:g} s write `DELAY {value.value:g}`",
+            f"to wait for a signal write `WAIT SIG({value.value:g})`",
+        ),
     )
 
 
@@ -156,11 +159,9 @@ def _hand(problems: Problems, steps: list[Statement | None], at: int, node: Simp
 
 def _counts(node: Statement | None) -> bool:
     """Whether a step matters for when the hand acts."""
-    if node is None:
+    if node is None or isinstance(node, SpeedStatement):
         return False
-    return not (isinstance(node, Simple) and node.word in ("BREAK", "TYPE", "SIGNAL")) and not (
-        type(node).__name__ == "SpeedStatement"
-    )
+    return not (isinstance(node, Simple) and node.word in ("BREAK", "TYPE", "SIGNAL"))
 
 
 def _loop(problems: Problems, scope: Scope, program: ProgramText, block: Block) -> None:

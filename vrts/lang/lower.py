@@ -92,10 +92,8 @@ class Lowering:
             assert isinstance(jump, i.Jump | i.JumpIf)
             self.code[at] = jump._replace(target=target)
         formals = self.program.formals
-        slots = tuple(
-            x.Slot(n, name := key(f.name.text) if f.name.text else "", self._formal_type(name))
-            for n, f in enumerate(formals)
-        )
+        names = [key(formal.name.text) if formal.name.text else "" for formal in formals]
+        slots = tuple(x.Slot(n, name, self._formal_type(name)) for n, name in enumerate(names))
         return Program(
             self.program.name,
             slots,
@@ -184,7 +182,9 @@ class Lowering:
         increment = self.value(node.increment) if node.increment is not None else None
         loop = self.numbers[at] = self.loops
         self.loops += 1
-        self._emit(i.BeginFor(place, self.value(node.first), self.value(node.last), increment, loop))
+        self._emit(
+            i.BeginFor(place, self.value(node.first), self.value(node.last), increment, loop)
+        )
         self.tests[at] = self._emit(i.TestFor(place, loop, 0))
         self.leaving[at] = [self.tests[at]]
 
@@ -338,7 +338,7 @@ class Lowering:
             case Infix(operator, left, right):
                 if operator == ":":
                     a, b = self.value(left), self.value(right)
-                    parts = (a.parts if isinstance(a, x.Compose) else (a,))
+                    parts = a.parts if isinstance(a, x.Compose) else (a,)
                     return x.Compose((*parts, b), span)
                 return x.Binary(
                     x.BinaryOperator(operator.lower()), self.value(left), self.value(right), span
@@ -421,5 +421,3 @@ def _format(text: str) -> i.Format:
         int(width) if width else None,
         int(decimals) if decimals else None,
     )
-
-

@@ -46,9 +46,7 @@ class _Case(NamedTuple):
         return self.tokens[self.failure.index - 1] if self.failure.index else None
 
 
-def explain(
-    problems: Problems, tokens: list[Token], failure: Failure, word: Word | None
-) -> None:
+def explain(problems: Problems, tokens: list[Token], failure: Failure, word: Word | None) -> None:
     """Report one diagnostic for a step that does not parse."""
     case = _Case(problems, tokens, failure, expected(failure.states), word)
     for explanation in (
@@ -76,7 +74,10 @@ def _equals_for_compare(case: _Case) -> bool:
         "`=` does not compare",
         here.start,
         here.end,
-        notes=("`=` gives a value, `==` asks whether two are equal", "VAL-II says *Illegal operator*"),
+        notes=(
+            "`=` gives a value, `==` asks whether two are equal",
+            "VAL-II says *Illegal operator*",
+        ),
         help=("write `==`",),
         fix=case.problems.replace(here.start, here.end, "=="),
     )
@@ -153,7 +154,9 @@ def _text_after_structure(case: _Case) -> bool:
         help_ = "write END alone: it ends the structure that is open"
     elif here.kind == "LPAREN":
         help_ = f"write {last} alone"
-    _report_extra(case, here, f"{last} ends its line" if last != ":" else "`:` ends its line", help_)
+    _report_extra(
+        case, here, f"{last} ends its line" if last != ":" else "`:` ends its line", help_
+    )
     return True
 
 
@@ -277,7 +280,9 @@ def _format_misplaced(case: _Case) -> bool:
         here.start,
         here.end,
         notes=("VAL-II says *Invalid format specifier*",),
-        help=("formats stand between the commas of TYPE and $ENCODE; a division needs a left side",),
+        help=(
+            "formats stand between the commas of TYPE and $ENCODE; a division needs a left side",
+        ),
     )
     return True
 

@@ -7,17 +7,16 @@ grammar (0.15 s); a test compiles the grammar anew and compares. After a change 
     mv new vrts/lang/tables.py
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from importlib.resources import files
-from typing import Any
+from typing import Any, TypeAlias, cast
 
 from lark import Lark
 from lark.grammar import Rule
 from lark.lexer import Lexer, TerminalDef
 
 STARTS = ("command", "data", "expression", "step")
-END = "$END"
-
+Serialise: TypeAlias = Callable[[list[type]], tuple[dict[str, Any], dict[int, Any]]]
 _SHIFT = 0  # how Lark serialises a shift; a reduction is 1
 
 
@@ -43,17 +42,21 @@ def tables_source() -> str:
         lark.exceptions.GrammarError: The grammar has a conflict.
     """
     lark = Lark(grammar_text(), parser="lalr", start=list(STARTS), lexer=_NoLexer, strict=True)
-    data, memo = lark.memo_serialize([TerminalDef, Rule])
+    serialise = cast("Serialise", lark.memo_serialize)  # pyright: ignore[reportUnknownMemberType]
+    data, memo = serialise([TerminalDef, Rule])
     table: dict[str, Any] = data["parser"]["parser"]
     names: dict[int, str] = table["tokens"]
+    starts: dict[str, int] = table["start_states"]
+    ends: dict[str, int] = table["end_states"]
+    states: dict[int, dict[int, tuple[int, Any]]] = table["states"]
     rules: dict[tuple[str, int, str], int] = {}
-    number = {table["start_states"][start]: i for i, start in enumerate(STARTS)}
-    accepting = {table["end_states"][start] for start in STARTS}
+    number = {starts[start]: i for i, start in enumerate(STARTS)}
+    accepting = {ends[start] for start in STARTS}
     queue = list(number)
     rows: list[str] = []
     for state in queue:  # breadth first, so that numbers do not depend on hash order
         row: dict[str, int] = {}
-        by_name = {names[key]: entry for key, entry in table["states"][state].items()}
+        by_name = {names[key]: entry for key, entry in states[state].items()}
         for name in sorted(by_name):
             kind, target = by_name[name]
             if kind == _SHIFT:
@@ -66,15 +69,15 @@ def tables_source() -> str:
                 key = (str(rule["origin"]["name"]), len(rule["expansion"]), str(rule["alias"]))
                 row[name] = -1 - rules.setdefault(key, len(rules))
         rows.append(_row(row))
-    ends = sorted(number[state] for state in accepting)
+    accepted = sorted(number[state] for state in accepting)
     return "\n".join(
         [
             '"""Tables of the grammar: made by `parser.tables_source`, not by hand."""',
             "",
             "# fmt: off",
             "# ruff: noqa: E501",
-            f"STARTS: dict[str, int] = {({start: i for i, start in enumerate(STARTS)})!r}",
-            f"ENDS: frozenset[int] = frozenset({ends!r})",
+            f"STARTS: dict[str, int] = { ({start: i for i, start in enumerate(STARTS)})!r}",
+            f"ENDS: frozenset[int] = frozenset({accepted!r})",
             "RULES: tuple[tuple[str, int, str], ...] = (",
             *(f"    {rule!r}," for rule in rules),
             ")",

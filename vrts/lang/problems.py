@@ -48,9 +48,7 @@ class Problems:
         """Add an error at a range of offsets."""
         primary = self.label(start, end, text)
         self.found.append(
-            Diagnostic(
-                rule, severity, headline, primary, secondary, notes, help, fix, None, data
-            )
+            Diagnostic(rule, severity, headline, primary, secondary, notes, help, fix, None, data)
         )
 
     def warning(

@@ -1,4 +1,4 @@
-"""One line of a program to a step. A bad line costs one diagnostic and becomes a `Bad` statement."""
+"""One line of a program to a step. A bad line costs one diagnostic and becomes a `Bad` one."""
 
 import re
 from typing import Any
@@ -13,7 +13,7 @@ from vrts.lang.problems import Problems
 from vrts.lang.splitter import Line
 from vrts.lang.syntax import Bad, DataLine, Label, Statement, Step, Token
 from vrts.lang.tokens import classify, tokenise
-from vrts.lang.unknown_words import refuse
+from vrts.lang.unknown_words import refuse, structural_word
 
 PASTED_CHARACTER = Rule("V108", "pasted-character")
 INVALID_LABEL = Rule("V133", "invalid-label")
@@ -98,7 +98,7 @@ class StepParser:
             return Bad(word, _names_in(text), at, at + len(text))
         tokens, head = classify(raw, self.problems)
         word = head.word
-        bad = Bad(word.text if word else None, _names_in(text), at, at + len(text))
+        bad = Bad(structural_word(tokens, head), _names_in(text), at, at + len(text))
         if refuse(self.problems, tokens, head, self.program_names):
             return bad
         node = self.parser.parse("step", tokens)
@@ -106,6 +106,7 @@ class StepParser:
             explain(self.problems, tokens, node, word)
             return bad
         return node
+
 
 def operands_only(tokens: list[Token]) -> list[Token]:
     """Return tokens with every word that is not an operator as a name."""

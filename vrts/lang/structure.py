@@ -25,7 +25,7 @@ UNMATCHED = Rule("V138", "unmatched-structure-word")
 CASE_LAYOUT = Rule("V139", "case-layout")
 
 _SAYS = "VAL-II says *Control structure error*"
-_OPENERS = {If: "IF", While: "WHILE", For: "FOR", Case: "CASE"}
+_OPENERS: dict[type, str] = {If: "IF", While: "WHILE", For: "FOR", Case: "CASE"}
 
 
 class Block(NamedTuple):
@@ -92,6 +92,8 @@ def blocks(program: ProgramText, problems: Problems) -> list[Block]:
     for block in open_:
         step = program.steps[block.opener].statement
         assert step is not None
+        if any(isinstance(program.steps[b.opener].statement, Bad) for b in (*found, *open_)):
+            break  # a bad opener was reported, and may have taken the END of another
         closer = "UNTIL" if block.word == "DO" else "END"
         problems.error(
             MISSING_END,
@@ -138,8 +140,11 @@ def labels(program: ProgramText, problems: Problems) -> dict[int, int]:
                 node.label.start,
                 node.label.end,
                 notes=("VAL-II says *Branch to undefined label*",),
-                help=(f"labels of `{program.name}`: {shown}" if known else
-                      "write the number at the start of the line to jump to",),
+                help=(
+                    f"labels of `{program.name}`: {shown}"
+                    if known
+                    else "write the number at the start of the line to jump to",
+                ),
             )
     return known
 

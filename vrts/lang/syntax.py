@@ -98,7 +98,9 @@ class FormatItem(NamedTuple):
     end: int
 
 
-Expression: TypeAlias = Number | Text | Name | Element | Application | Prefix | Infix | Parenthesised
+Expression: TypeAlias = (
+    Number | Text | Name | Element | Application | Prefix | Infix | Parenthesised
+)
 Item: TypeAlias = Expression | FormatItem
 Variable: TypeAlias = Name | Element
 

@@ -151,7 +151,9 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
             token = _based(caret.group(), at + start, problems)
         elif written == "'" and _operand_expected(tokens) and end < size:
             position = end + 1
-            token = Token("NUMBER", text[start:position], at + start, at + position, float(ord(text[end])))
+            token = Token(
+                "NUMBER", text[start:position], at + start, at + position, float(ord(text[end]))
+            )
         else:
             token = _other(written, at + start, problems)
             good = good and written in LOOK_ALIKES
@@ -277,7 +279,7 @@ def _string(value: str, start: int, end: int, problems: Problems) -> Token | Non
             f"this string has {len(value)} characters; a string has at most {MAX_STRING}",
             start,
             end,
-            help=("write it in two pieces: `TYPE \"first\", \"second\"`",),
+            help=('write it in two pieces: `TYPE "first", "second"`',),
         )
         return None
     if not value.isascii() or not value.isprintable():

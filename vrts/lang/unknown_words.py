@@ -17,6 +17,16 @@ MONITOR_COMMAND = Rule("V149", "monitor-command")
 _SPELLED = tuple(word.text for word in INSTRUCTIONS.values() if word.in_val2)
 
 
+_ENDS = frozenset({"ENDIF", "ENDFOR", "ENDWHILE", "ENDCASE", "WEND", "LOOP"})
+
+
+def structural_word(tokens: list[Token], head: Head) -> str | None:
+    """Return the structure word a step that cannot be parsed stands for."""
+    if head.word is not None:
+        return head.word.text
+    return "END" if tokens[0].text.upper() in _ENDS else None
+
+
 def refuse(
     problems: Problems, tokens: list[Token], head: Head, program_names: frozenset[str]
 ) -> bool:
@@ -120,7 +130,9 @@ def _glued(name: str) -> str | None:
         text for text in _SPELLED if len(text) > 2 and upper.startswith(text) and upper != text
     ]
     longest = max(found, key=len, default=None)
-    return longest if longest and len(name) > len(longest) and name[len(longest)].isalpha() else None
+    return (
+        longest if longest and len(name) > len(longest) and name[len(longest)].isalpha() else None
+    )
 
 
 def _ambiguous(problems: Problems, first: Token, candidates: tuple[Word, ...]) -> None:

@@ -233,17 +233,17 @@ _OPERATORS = (
 _COMMANDS = tuple(
     Word(text, Place.COMMAND, "12+")
     for text in (
-        "ABORT CALIBRATE COPY DELETE DIRECTORY EDIT ERASE EXECUTE FREE LISTL LISTP LISTR LISTS LOAD "
-        "POINT PROCEED RENAME RETRY STATUS STORE STOREL STOREP STORER STORES SWITCH TEACH WHERE ZERO"
-    ).split()
+        *("ABORT", "CALIBRATE", "COPY", "DELETE", "DIRECTORY", "EDIT", "ERASE", "EXECUTE", "FREE"),
+        *("LISTL", "LISTP", "LISTR", "LISTS", "LOAD", "POINT", "PROCEED", "RENAME", "RETRY"),
+        *("STATUS", "STORE", "STOREL", "STOREP", "STORER", "STORES", "SWITCH", "TEACH", "WHERE"),
+        "ZERO",
+    )
 )
 
 INSTRUCTIONS = {word.text: word for word in _INSTRUCTIONS}
 QUALIFIERS = {word.text: word for word in _QUALIFIERS}
 OPERATORS = {word.text: word for word in _OPERATORS}
 COMMANDS = {word.text: word for word in _COMMANDS}
-
-STRUCTURE_WORDS = frozenset({"IF", "ELSE", "END", "WHILE", "DO", "UNTIL", "FOR", "CASE", "VALUE", "ANY"})
 
 NAMES_OF_DIALECTS = {"1": "VAL", "2": "VAL-II", "+": "V+", "a": "AS"}
 
