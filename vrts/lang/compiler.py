@@ -16,7 +16,7 @@ from vrts.lang.resolve import Resolver
 from vrts.lang.scope import Scope
 from vrts.lang.splitter import INVALID_HEADER, Section, split
 from vrts.lang.steps import StepParser, report_pasted_characters
-from vrts.lang.structure import blocks, labels
+from vrts.lang.structure import Block, blocks, labels
 from vrts.lang.syntax import Bad, Formal, Name, ProgramText
 from vrts.lang.usage import check_usage
 
@@ -71,7 +71,7 @@ def compile_source(source: SourceFile) -> Compilation:
     report_pasted_characters(problems)
     report_replaced(problems, data)
     resolver = Resolver(problems, scope)
-    structures = {}
+    structures: dict[str, tuple[list[Block], dict[int, int]]] = {}
     for program in programs:
         resolver.program = program.name
         for step in program.steps:

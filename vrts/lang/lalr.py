@@ -19,7 +19,7 @@ _SHIFT = -1  # in a tape; other numbers are rules
 class Failure(NamedTuple):
     """Where a step stopped making sense."""
 
-    index: int  # of the token in the way; the number of tokens at the end of the step
+    at: int  # index of the token in the way; the number of tokens at the end of the step
     states: tuple[int, ...]  # the parser's stack then
     values: tuple[Any, ...]  # what had been understood
 
@@ -41,7 +41,7 @@ class TableParser:
             recorded = _record(start, shape[1])
             if isinstance(recorded, _Stuck):
                 values = self._replay(recorded.tape, tokens)
-                return Failure(recorded.index, recorded.states, tuple(values))
+                return Failure(recorded.at, recorded.states, tuple(values))
             tape = self._tapes[shape] = recorded
         return self._replay(tape, tokens)[0]
 
@@ -65,7 +65,7 @@ class TableParser:
 
 
 class _Stuck(NamedTuple):
-    index: int
+    at: int
     states: tuple[int, ...]
     tape: tuple[int, ...]
 
@@ -101,7 +101,7 @@ def expected(states: Sequence[int]) -> frozenset[str]:
     """Return the terminals that could have come next."""
     return frozenset(
         kind for kind in ACTIONS[states[-1]] if kind.isupper() and _accepts(states, kind)
-    ) | (frozenset({END}) if _accepts(states, END) else frozenset())
+    ) | frozenset([END] if _accepts(states, END) else [])
 
 
 def _accepts(states: Sequence[int], kind: str) -> bool:

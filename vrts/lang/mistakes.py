@@ -37,13 +37,13 @@ class _Case(NamedTuple):
     @property
     def here(self) -> Token | None:
         """The token in the way, or None at the end of the step."""
-        at = self.failure.index
+        at = self.failure.at
         return self.tokens[at] if at < len(self.tokens) else None
 
     @property
     def before(self) -> Token | None:
         """The last token that made sense."""
-        return self.tokens[self.failure.index - 1] if self.failure.index else None
+        return self.tokens[self.failure.at - 1] if self.failure.at else None
 
 
 def explain(problems: Problems, tokens: list[Token], failure: Failure, word: Word | None) -> None:
@@ -86,7 +86,7 @@ def _equals_for_compare(case: _Case) -> bool:
 
 def _label_wanted(case: _Case) -> bool:
     before = case.before
-    if before is None or before.text != "GOTO" or case.wanted != {"NUMBER"}:
+    if before is None or before.text != "GOTO" or case.wanted != frozenset({"NUMBER"}):
         return False
     here = case.here
     at = here or before
@@ -167,7 +167,7 @@ def _list_in_parentheses(case: _Case) -> bool:
         return False
     start = None
     if "RPAREN" in case.wanted and "COMMA" not in case.wanted:
-        start = next(t for t in reversed(case.tokens[: case.failure.index]) if t.kind == "LPAREN")
+        start = next(t for t in reversed(case.tokens[: case.failure.at]) if t.kind == "LPAREN")
     elif case.tokens[0].kind == "SET" and END in case.wanted:
         start = case.before
     if start is None:
@@ -218,7 +218,7 @@ def _operand_missing(case: _Case) -> bool:
     first = case.tokens[0]
     at = here or before or first
     where = (at.start, at.end) if here is not None else (at.end, at.end)
-    if case.word is not None and case.failure.index == 1:
+    if case.word is not None and case.failure.at == 1:
         what = case.word.operands[0] if case.word.operands else "an operand"
         case.problems.error(
             MISSING_OPERAND,
@@ -231,7 +231,7 @@ def _operand_missing(case: _Case) -> bool:
         return True
     what = "a value"
     if case.word is not None and before is not None and before.kind == "COMMA":
-        place = sum(1 for t in _level(case.tokens[: case.failure.index]) if t.kind == "COMMA")
+        place = sum(1 for t in _level(case.tokens[: case.failure.at]) if t.kind == "COMMA")
         if place < len(case.word.operands) and not _inside(case):
             what = case.word.operands[place]
     after = f"after `{before.text}`" if before is not None else "here"
@@ -353,7 +353,7 @@ def _level(tokens: list[Token]) -> list[Token]:
 
 
 def _inside(case: _Case) -> bool:
-    tokens = case.tokens[: case.failure.index]
+    tokens = case.tokens[: case.failure.at]
     opened = sum(t.kind in ("LPAREN", "LBRACKET") for t in tokens)
     return opened > sum(t.kind in ("RPAREN", "RBRACKET") for t in tokens)
 
