@@ -188,9 +188,7 @@ class Story:
         own[-1] = own[-1]._replace(end_s=placement.start_s)
         own.append(placement)
 
-    def _append(
-        self, rows: list[tuple[float, ...]], duration: float, motion: int | None
-    ) -> None:
+    def _append(self, rows: list[tuple[float, ...]], duration: float, motion: int | None) -> None:
         end = self.t + duration
         self.segments.append(Segment(self.t, end, (*rows, (self.opening,)), motion))
         self.t = end

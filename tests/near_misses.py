@@ -48,16 +48,18 @@ def near_miss(seed: int) -> NearMiss:
     start = random.uniform(lower, upper)
     step = random.uniform(-1.0, 1.0, 6) * np.array(arm.speed) * duration / 1.5
     goal = np.clip(start + step, lower, upper)
-    rows = [hermite(float(a), float(b), 0.0, 0.0, duration) for a, b in zip(start, goal, strict=True)]
+    rows = [
+        hermite(float(a), float(b), 0.0, 0.0, duration) for a, b in zip(start, goal, strict=True)
+    ]
     opening = float(random.uniform(0.0, 0.08))
     segment = Segment(0.0, duration, (*rows, (opening,)), None)
     at = float(random.uniform(0.2, 0.8)) * duration
     X_WF = forward(arm, _at(rows, at))
     finger = machine.gripper.fingers[seed % 2]
-    X_WF = X_WF @ translation(0.0, 0.5 * finger.side * opening, 0.0)
+    slid = 0.5 * finger.side * opening
     later = forward(arm, _at(rows, at + 1e-5)).apply((0.0, 0.0, 0.165))
     way = np.subtract(later, forward(arm, _at(rows, at)).apply((0.0, 0.0, 0.165)))
-    tip = _beyond(finger.pieces[0], X_WF, way)
+    tip = _beyond(finger.pieces[0], X_WF @ translation(0.0, slid, 0.0), way)
     kind = KINDS[seed % len(KINDS)]
     carries = seed % 3 == 0
     past = float(random.uniform(-2e-3, 3e-3))
@@ -86,14 +88,11 @@ def _beyond(finger: Piece, X_WF: Pose, way: Array) -> Pose:
     out = out - (out @ way) * way
     out /= np.linalg.norm(out)
     n = np.cross(out, way)
-    rotation = tuple(np.column_stack([way, n, out]).ravel().tolist())
-    x, y, z = out.tolist()
-    return Pose(rotation, support(finger, X_WF, (x, y, z)))
+    a, b, c, d, e, f, g, h, i = np.column_stack([way, n, out]).ravel().tolist()
+    return Pose((a, b, c, d, e, f, g, h, i), support(finger, X_WF, (c, f, i)))
 
 
-def _obstacle(
-    kind: str, tip: Pose, past: float, random: np.random.Generator
-) -> tuple[Piece, ...]:
+def _obstacle(kind: str, tip: Pose, past: float, random: np.random.Generator) -> tuple[Piece, ...]:
     """Return a thing whose end is `past` metres inside the fingertip (negative: short of it)."""
     turn = Pose(rotation_about((0.0, 0.0, 1.0), float(random.uniform(0.0, math.tau))), (0, 0, 0))
     match kind:
@@ -121,9 +120,7 @@ def sampled(case: NearMiss, step_s: float = 1e-4) -> Array:
     machine = case.scene.robot
     obstacle = case.scene.bodies[0].pieces[0]
     X_LF = translation(0.0, 0.0, machine.arm.d6)
-    parts = [
-        _Part(Piece(p.shape, X_LF @ p.X_OP), 6, 0.0) for p in machine.gripper.body
-    ] + [
+    parts = [_Part(Piece(p.shape, X_LF @ p.X_OP), 6, 0.0) for p in machine.gripper.body] + [
         _Part(Piece(p.shape, X_LF @ p.X_OP), 6, 0.5 * f.side)
         for f in machine.gripper.fingers
         for p in f.pieces

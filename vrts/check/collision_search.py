@@ -6,8 +6,8 @@ d - b throughout. Two bounds are used, the smaller counts:
 
 - of length: the turn of each joint between the two times the largest distance from its axis;
 - of speed and acceleration, along the normal n at the middle: |v.n| h + |n x w| r h + a h^2 / 2,
-  since the gap along one direction is never more than the distance of convex shapes. So sliding
-  past each other at a small distance costs few nodes.
+  taken from the gap along n at the middle, since the gap along one direction is never more than
+  the distance of convex shapes. So sliding past each other closely costs few nodes.
 
 Boxes along the axes settle most rows without an exact distance, and none is asked for while the
 bound is above `CAP`. All rows of all intervals are handled together, level by level.
@@ -213,10 +213,10 @@ class _Search:
         least = np.where(measured, distance, gap) - reach
         tight = np.nonzero(measured & (least < self._bar(row)))[0]
         if len(tight):
-            along = self._along_normal(
-                level, row[tight], node[tight], at_outer[tight], places, arms, normal[tight]
-            )
-            least[tight] = np.maximum(least[tight], distance[tight] - along)
+            a, b, n = at_outer[tight], at_inner[tight], normal[tight]
+            apart = self._apart(places, row[tight], a, b, n)
+            apart -= self._along_normal(level, row[tight], node[tight], a, places, arms, n)
+            least[tight] = np.maximum(least[tight], apart)
         self._decide(level, row, node, distance, least, reach)
 
     def _level(self) -> _Level:
@@ -243,6 +243,21 @@ class _Search:
         return np.where(
             self.pairs.counts[row], np.maximum(self.floor[row], sought), self.floor[row]
         )
+
+    def _apart(
+        self, places: Places, row: Indices, outer: Indices, inner: Indices, normal: Array
+    ) -> Array:
+        """Return the gaps along normals at the middle, shape (r,), in m.
+
+        Near touching the normal of an exact distance may be any direction; the gap along it is a
+        lower bound all the same, and it is measured, not taken for the distance.
+        """
+        solids = self.solids
+        between = np.einsum("ri,ri->r", places.origins[inner] - places.origins[outer], normal)
+        between -= solids.reach(self.outer[row], places.rotations[outer], normal)
+        between -= solids.reach(self.inner[row], places.rotations[inner], -normal)
+        unit = np.abs(np.linalg.norm(normal, axis=1) - 1.0) < 1e-7
+        return np.where(unit, between, -np.inf)
 
     def _along_normal(
         self,
@@ -331,7 +346,8 @@ class _Search:
         touching = (short | grazing) & measured & pairs.grazes[row] & (distance < -GRAZE) & ~done
         found.grazes += self._touches(np.nonzero(touching)[0], row, node, middle, distance)
         done |= short | grazing
-        finest = measured & ~harmless & (length <= FINEST) & (distance - least <= 2.0 * PAD) & ~done
+        sharp = np.where(measured, distance - least <= 2.0 * PAD, length <= 0.1 * FINEST)
+        finest = ~harmless & (length <= FINEST) & sharp & ~done
         found.open += self._touches(np.nonzero(finest)[0], row, node, middle, distance)
         done |= finest
         self._halve(row[~done], node[~done])
@@ -447,7 +463,7 @@ def _outside(gap: Array) -> Array:
 
     Boxes that overlap say little: the shapes in them cannot overlap deeper than the boxes do.
     """
-    overlap = gap.max(axis=1)
+    overlap: Array = gap.max(axis=1)
     np.maximum(gap, 0.0, out=gap)
     apart = np.sqrt(np.einsum("ri,ri->r", gap, gap))
     return np.where(overlap > 0.0, apart, overlap)

@@ -89,6 +89,8 @@ class Solids:
     half: Array  # (g, 3) of that box; of a cylinder's axis only [m]
     radius: Array  # (g,) of a cylinder; 0 for others [m]
     ball: Array  # (g,) radius of the ball round `middle` that holds the shape [m]
+    corners: Array  # (hulls, n, 3) points of the hulls, the last repeated to fill up [m]
+    hull: Indices  # (g,) index into `corners`; -1 for others
 
     def places(
         self, instants: Instants, solid: Indices, instant: Indices, gravity: float
@@ -149,6 +151,24 @@ class Solids:
             bound[joint - 1] = moved
         return bound, arms
 
+    def reach(self, solid: Indices, rotations: Array, direction: Array) -> Array:
+        """Return how far solids reach from their origins along unit vectors of W, (m,), in m.
+
+        Args:
+            solid: Indices of solids, shape (m,).
+            rotations: Of the pieces in W, shape (m, 3, 3).
+            direction: Shape (m, 3).
+        """
+        local = (direction[:, None, :] @ rotations)[:, 0, :]
+        reach = np.einsum("mi,mi->m", np.abs(local), self.half[solid])
+        reach += self.radius[solid] * np.hypot(local[:, 0], local[:, 1])
+        hull = self.hull[solid]
+        which = np.nonzero(hull >= 0)[0]
+        if len(which):
+            corners = self.corners[hull[which]]
+            reach[which] = (corners @ local[which][:, :, None])[:, :, 0].max(axis=1)
+        return reach
+
     def drop(self, motion: Motion, since: Array, solid: Indices, gravity: float) -> Array:
         """Return how far falling solids get from where they are at the middle, (m,), in m.
 
@@ -174,6 +194,10 @@ def solids(members: Sequence[Solid]) -> Solids:
         halves.append(half)
         radii.append(radius)
         balls.append(ball)
+    hulls = [member.shape.points for member in members if isinstance(member.shape, Hull)]
+    most = max(map(len, hulls), default=1)
+    corners = [points + points[-1:] * (most - len(points)) for points in hulls]
+    is_hull = np.array([isinstance(member.shape, Hull) for member in members], dtype=np.bool_)
     slide = np.array([member.slide for member in members]).reshape(-1, 3)
     return Solids(
         shapes=tuple(member.shape for member in members),
@@ -189,6 +213,8 @@ def solids(members: Sequence[Solid]) -> Solids:
         half=np.array(halves).reshape(-1, 3),
         radius=np.array(radii),
         ball=np.array(balls),
+        corners=np.array(corners).reshape(-1, most, 3),
+        hull=np.where(is_hull, np.cumsum(is_hull) - 1, -1),
     )
 
 

@@ -244,6 +244,7 @@ def test_an_obstacle_moved_by_the_clearance_flips_the_verdict(seed: int) -> None
         return check_collisions(story.scene, story.record())
 
     def moved(distance: float) -> tuple[float, float, float]:
+        assert clearance is not None
         share = distance / clearance.distance_m
         (x, y, z), (a, b, c) = clearance.witnesses
         return (here[0] + share * (x - a), here[1] + share * (y - b), here[2] + share * (z - c))
