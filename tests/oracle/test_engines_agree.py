@@ -47,7 +47,7 @@ def test_distances_and_verdicts_agree() -> None:
         else:
             touching += 1
     assert apart > 500
-    assert touching > 500
+    assert touching > 100
 
 
 def test_both_measure_a_known_gap_and_a_known_depth() -> None:

@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+import numpy.typing as npt
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -68,7 +69,7 @@ def test_no_gap_along_a_direction_is_more_than_the_distance(
 def test_the_spread_of_curves_is_exact(seed: int) -> None:
     random = np.random.default_rng(seed)
     count = int(random.integers(1, 30))
-    ends = np.cumsum(random.uniform(0.01, 0.5, count))
+    ends: npt.NDArray[np.float64] = np.cumsum(random.uniform(0.01, 0.5, count))
     starts = np.concatenate([[0.0], ends[:-1]])
     powers = random.normal(size=(count, 7, 4)) * (1.0, 3.0, 5.0, 9.0)
     powers[random.random(powers.shape) < 0.2] = 0.0

@@ -89,14 +89,16 @@ def _contact(event: ContactEvent, run: RunRecord | None) -> Diagnostic:
     elif event.first != ROBOT:
         rule, hint = LOOSE_CONTACT, "look at where the object is when the hand lets go of it"
     else:
-        rule, hint = CONTACT, _hint(event)
+        rule, hint = CONTACT, _hint(event, run)
     where = f"at {event.start_s:.2f} s, up to {mm(event.depth_m):.1f} mm deep"
     headline = f"{subject(event)} hits {target(event)}"
     return _diagnostic(rule, Severity.ERROR, headline, where, event, (hint,), run)
 
 
-def _hint(event: ContactEvent) -> str:
+def _hint(event: ContactEvent, run: RunRecord | None) -> str:
     """Return what to look at; never the solution."""
+    if run is not None and event.held is None and event.second in run.placements:
+        return "look at how wide the hand is open when it gets there"
     if event.parts[0] == event.held:
         return "what the hand holds reaches below the fingers: look at the heights on the way"
     if event.held == event.second:
