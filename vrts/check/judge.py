@@ -1,0 +1,32 @@
+"""Every check that applies to a run."""
+
+from vrts.check import duration, limits, targets, vias
+from vrts.check.collision import check_collisions
+from vrts.check.collision_verdict import verdict as collision_verdict
+from vrts.check.judgement import Judgement
+from vrts.check.task import Task
+from vrts.check.verdict import Answer, CollisionReport, Verdict
+from vrts.engine.records import Ending
+from vrts.engine.run import Run
+from vrts.scene.model import Scene
+
+
+def judge(scene: Scene, run: Run, task: Task | None, *, collisions: bool = True) -> Judgement:
+    """Return all verdicts: the program's ending, collisions, limits, and what the task asks for."""
+    found: list[Verdict] = [_program(run)]
+    report: CollisionReport | None = None
+    if collisions:
+        report = check_collisions(scene, run)
+        found.append(collision_verdict(report, run))
+    found.append(limits.check_limits(run))
+    if task is not None:
+        found += targets.verdicts(targets.reached(run, task))
+        found += vias.verdicts(vias.passed(run, task))
+        found.append(duration.verdict(run, task))
+    return Judgement(tuple(found), report)
+
+
+def _program(run: Run) -> Verdict:
+    if run.ending in (Ending.COMPLETED, Ending.HALTED):
+        return Verdict("program", Answer.HOLDS, "the program comes to its end")
+    return Verdict("program", Answer.VIOLATED, f"the program ends with: {run.ending.value}")
