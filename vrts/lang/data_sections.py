@@ -1,5 +1,7 @@
 """.LOCATIONS, .REALS and .STRINGS to initial values."""
 
+import re
+
 from vrts.base.diagnostic import Rule
 from vrts.base.oat import pose_from_components
 from vrts.base.pose import IDENTITY_ROTATION, Pose
@@ -18,6 +20,7 @@ INVALID_DATA = Rule("V145", "invalid-data-line")
 VALUE_COUNT = Rule("V146", "value-count")
 VALUE_REPLACED = Rule("V216", "value-replaced")
 
+_NAME = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
 _FORMS = {
     "locations": "name X Y Z O A T",
     "reals": "name value",
@@ -36,6 +39,17 @@ def read_data(section: Section, parser: StepParser, scope: Scope) -> list[Datum]
 
 
 def _read(kind: str, line: Line, parser: StepParser, scope: Scope) -> Datum | None:
+    problems = parser.problems
+    before = len(problems.found)
+    datum = _value_of(kind, line, parser, scope)
+    if datum is None and len(problems.found) > before:
+        name = _NAME.match(line.text)
+        if name is not None:  # a bad line still means to give its name a value
+            scope.entry(None, key(name.group())).writes.append((line.start, line.end))
+    return datum
+
+
+def _value_of(kind: str, line: Line, parser: StepParser, scope: Scope) -> Datum | None:
     problems = parser.problems
     node = parser.data(line)
     if node is None:

@@ -5,11 +5,13 @@ type; conflicts between uses are reported afterwards, once a name, with both pla
 conflict is accepted everywhere else.
 """
 
+import re
 from typing import TypeAlias
 
 from vrts.base.diagnostic import Label, Rule
 from vrts.ir.values import Type
 from vrts.lang.functions import CONSTANTS, FOREIGN_FUNCTIONS, FUNCTIONS, Signature
+from vrts.lang.mistakes import INVALID_FORMAT
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.scope import Entry, Passed, Scope
@@ -55,10 +57,9 @@ FUNCTION_ARGUMENTS = Rule("V210", "function-arguments")
 RESERVED_NAME = Rule("V211", "reserved-name")
 SUBSCRIPTS = Rule("V214", "subscripts")
 DEFAULT_ANGLES = Rule("V215", "default-angles")
-INVALID_FORMAT = Rule("V132", "invalid-format")
 
 MAX_SUBSCRIPTS = 3  # [val2.md 1.10]
-FORMATS = "DFIGEHOCXUBS"
+FORMAT = re.compile(r"/[DFIGEHOCXUBS](\d{0,3}(\.\d{1,2})?)?", re.IGNORECASE)
 _TYPES_SAY = "VAL-II says *Illegal operator*"
 _ANGLES = 3
 
@@ -339,7 +340,7 @@ class Resolver:
         """Check the items of TYPE."""
         for item in items:
             if isinstance(item, FormatItem):
-                if item.text[1].upper() not in FORMATS:
+                if FORMAT.fullmatch(item.text) is None:
                     self.problems.error(
                         INVALID_FORMAT,
                         f"`{item.text}` is not a format",

@@ -93,7 +93,7 @@ class _Splitter:
         text = body.strip()
         start = at + (len(body) - len(body.lstrip()) if text else 0)
         line = Line(0, text, start, start + len(text))
-        if len(raw) > LONG:
+        if len(raw) > LONG and len(text) <= MAX_LINE:
             self.long_lines.append((start, at + len(raw)))
         if text.startswith(".") and _DOTTED.match(text):
             self._dotted(line)

@@ -1,0 +1,79 @@
+"""Every rule has its page, every page its rule; the examples of the language trigger their code."""
+
+import ast
+import re
+from importlib.resources import files
+from pathlib import Path
+
+import pytest
+
+import vrts
+from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import SourceFile
+from vrts.lang.compiler import compile_source
+from vrts.lang.reading import decode
+
+PACKAGE = Path(vrts.__file__).parent
+PAGES = files("vrts").joinpath("pages")
+TITLE = re.compile(r"# (V\d{3}) ([a-z0-9-]+)\n")
+FENCE = re.compile(r"```(\w+)\n(.*?)\n```", re.DOTALL)
+
+# What no page can show as text: bytes that trigger the code.
+BYTES = {"V101": b" \n", "V102": b"%PDF-1.7\n", "V103": b"x" * 4_000_001}
+# What cannot but come along: such examples are long lines, or many faults.
+ALONG = {"V113": {"V106"}, "V114": {"V106"}, "V151": {"V120"}}
+
+
+def rules() -> dict[str, list[str]]:
+    """Return the slugs of every `Rule("Vnnn", "slug")` in the package, by code."""
+    found: dict[str, list[str]] = {}
+    for path in sorted(PACKAGE.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+                values = [a.value for a in node.args if isinstance(a, ast.Constant)]
+                if node.func.id == "Rule" and len(values) == 2:
+                    found.setdefault(str(values[0]), []).append(str(values[1]))
+    return found
+
+
+def pages() -> dict[str, str]:
+    return {
+        page.name.removesuffix(".md"): page.read_text("utf-8")
+        for page in PAGES.iterdir()
+        if page.name.endswith(".md")
+    }
+
+
+def test_rules_and_pages_belong_together() -> None:
+    assert sorted(rules()) == sorted(pages())
+
+
+def test_a_code_stands_for_one_rule() -> None:
+    assert {code: slugs for code, slugs in rules().items() if len(slugs) > 1} == {}
+
+
+@pytest.mark.parametrize("code", sorted(pages()))
+def test_page_has_title_and_example(code: str) -> None:
+    text = pages()[code]
+    title = TITLE.match(text)
+    assert title is not None
+    assert title[1] == code
+    assert rules()[code] == [title[2]]
+    assert FENCE.search(text)
+
+
+def in_language(code: str) -> bool:
+    return (code.startswith("V1") and not code.startswith("V19")) or "V200" <= code < "V250"
+
+
+@pytest.mark.parametrize("code", [c for c in sorted(pages()) if in_language(c)])
+def test_example_triggers_the_code(code: str) -> None:
+    example = FENCE.search(pages()[code])
+    assert example is not None
+    source = decode(BYTES.get(code, example[2].encode()), "example.v2")
+    if isinstance(source, Diagnostic):
+        assert source.rule.code == code
+        return
+    found = [d.rule.code for d in compile_source(SourceFile("example.v2", source.text)).diagnostics]
+    assert code in found
+    assert set(found) - ALONG.get(code, set()) == {code}
