@@ -1,0 +1,1 @@
+"""Whole outputs kept as files: a person reads the difference before it is committed."""

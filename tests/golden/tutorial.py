@@ -1,0 +1,115 @@
+"""Follow the tutorial of the first example as a reader does, and compare what it shows.
+
+A comment `<!-- file: NAME -->` before a fenced block means that the reader writes it. A block
+`console` shows commands (`$ vrts …`) with their output, standard output and error together. A line
+`…` in a shown output stands for any number of lines, also for none.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import NamedTuple
+
+from tests.golden.example_01 import EXAMPLE
+
+README = EXAMPLE / "README.md"
+ELLIPSIS = "…"
+
+_BLOCK = re.compile(
+    r"^(?:<!-- file: (?P<file>\S+) -->\n)?```(?P<language>\w+)\n(?P<body>.*?)^```$", re.M | re.S
+)
+
+
+class Shown(NamedTuple):
+    """A command of the tutorial and what came of it."""
+
+    command: str
+    line: int  # of the command in the tutorial, from 1
+    shown: str  # output in the tutorial
+    real: str  # output now
+    start: int  # of `shown` in the tutorial
+    end: int
+
+    @property
+    def fits(self) -> bool:
+        """Whether the tutorial shows the truth."""
+        return matches(self.shown, self.real)
+
+
+def matches(shown: str, real: str) -> bool:
+    """Return whether a shown output, perhaps with lines left out, is the real one."""
+    lines = shown.splitlines()
+    pattern = "".join(
+        r"(?:.*\n)*" if line.strip() == ELLIPSIS else re.escape(line.rstrip()) + r"\n"
+        for line in lines
+    )
+    text = "".join(line.rstrip() + "\n" for line in real.splitlines())
+    return re.fullmatch(pattern, text) is not None
+
+
+def follow(tutorial: str) -> Iterator[Shown]:
+    """Follow the tutorial in a copy of the example's folder.
+
+    Args:
+        tutorial: Text of the tutorial.
+    """
+    with TemporaryDirectory() as temporary:
+        folder = Path(temporary) / EXAMPLE.name
+        shutil.copytree(EXAMPLE, folder)
+        for block in _BLOCK.finditer(tutorial):
+            if block["file"]:
+                (folder / block["file"]).write_text(block["body"], encoding="utf-8")
+            elif block["language"] == "console":
+                yield from _commands(tutorial, block, folder)
+
+
+def rewritten(tutorial: str) -> str:
+    """Return the tutorial with every output that is not true any more replaced by the real one."""
+    for shown in reversed(list(follow(tutorial))):
+        if not shown.fits:
+            tutorial = tutorial[: shown.start] + shown.real + tutorial[shown.end :]
+    return tutorial
+
+
+def _commands(tutorial: str, block: re.Match[str], folder: Path) -> Iterator[Shown]:
+    marks = list(re.finditer(r"^\$ (.*)\n", block["body"], re.M))
+    offset = block.start("body")
+    for i, found in enumerate(marks):
+        start = offset + found.end()
+        last = i + 1 == len(marks)
+        end = offset + (len(block["body"]) if last else marks[i + 1].start())
+        yield Shown(
+            command=found[1],
+            line=tutorial.count("\n", 0, offset + found.start()) + 1,
+            shown=tutorial[start:end],
+            real=_run(found[1], folder),
+            start=start,
+            end=end,
+        )
+
+
+def _run(command: str, folder: Path) -> str:
+    program, *arguments = command.split()
+    assert program == "vrts", command
+    environment = {
+        **os.environ,
+        "NO_COLOR": "1",
+        "PYTHONPATH": str(Path(__file__).parent.parent.parent),
+        "PYTHONIOENCODING": "utf-8",
+        "COLUMNS": "100",
+    }
+    result = subprocess.run(
+        [sys.executable, "-m", "vrts", *arguments],
+        cwd=folder,
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
+    )
+    return result.stdout.decode("utf-8")
