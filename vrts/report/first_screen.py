@@ -113,4 +113,5 @@ def _ready(a: Assessment, errors: list[Diagnostic]) -> bool:
         and a.judgement is not None
         and a.judgement.answer is Answer.HOLDS
         and a.judgement.collisions is not None
+        and not a.judgement.collisions.contacts
     )

@@ -7,14 +7,15 @@ from vrts.report.assessment import Assessment
 from vrts.report.first_screen import FirstScreen, first_screen
 from vrts.report.palette import Palette, Style
 from vrts.report.plain import one_line, width, yes_no
-from vrts.report.quantities import lost, mark
+from vrts.report.quantities import at_time, lost, mark
+from vrts.report.sketch import sketch
 from vrts.report.text import worded
 
 Row: TypeAlias = tuple[str, str]
 
 
 def first_screen_text(a: Assessment, palette: Palette) -> str:
-    """Return the first screen: mark, ready, cause, hint, losses; no line end at the end."""
+    """Return mark, ready, cause, hint, losses and a picture; no line end at the end."""
     screen = first_screen(a)
     title = one_line(a.title) + (f" · {one_line(a.task.title)}" if a.task else "")
     good = Style.GOOD if screen.ready else Style.ERROR
@@ -27,7 +28,26 @@ def first_screen_text(a: Assessment, palette: Palette) -> str:
     rows += [screen.cause]
     rows += [worded("hint", screen.hint, Style.NOTE, palette)] if screen.hint else []
     table = _loss_rows(screen) if screen.losses else _verdict_rows(screen)
-    return "\n".join([*rows, "", *_table(table, palette)] if table else rows)
+    parts = [rows, _table(table, palette) if table else [], _picture(a, screen, palette)]
+    return "\n\n".join("\n".join(part) for part in parts if part)
+
+
+def _picture(a: Assessment, screen: FirstScreen, palette: Palette) -> list[str]:
+    if a.run is None or screen.moment is None:
+        return []
+    time_s = screen.moment.time_s
+    state = a.run.at(time_s)
+    touching = a.judgement.collisions.contacts if a.judgement and a.judgement.collisions else ()
+    point = next((c.point for c in touching if c.start_s <= time_s <= c.end_s), None)
+    lines = sketch(
+        a.run.scene,
+        state.configuration,
+        state.hand_opening,
+        state.poses,
+        point,
+        palette,
+    )
+    return [*lines, palette.paint(Style.FAINT, f"  {at_time(time_s)}")]
 
 
 def _loss_rows(screen: FirstScreen) -> list[Row]:

@@ -20,7 +20,7 @@ from vrts.report.html import (
 from vrts.report.listing import listing
 from vrts.report.page_top import first_screen_section, watch_button
 from vrts.report.plain import capital, one_line
-from vrts.report.quantities import millimetres, seconds
+from vrts.report.quantities import millimetres
 from vrts.report.replay_data import contact_rows, run_data
 from vrts.report.text import in_order, moment_text
 from vrts.report.viewer_data import scene_data
@@ -56,7 +56,7 @@ def page(a: Assessment, stills: Mapping[str, bytes]) -> str:
         _replay(a, findings) if replayable else _program(a, findings),
         _findings(findings),
         _checks(a),
-        _charts() if replayable else None,
+        _charts(a) if replayable else None,
         _not_modelled(a) if replayable else None,
         _footer(a),
     ]
@@ -80,7 +80,7 @@ def _replay(a: Assessment, findings: Sequence[Diagnostic]) -> Markup:
     program = listing(a.source, findings) if a.source else None
     return element(
         "section",
-        element("h2", "Replay"),
+        element("h2", "Replay and program"),
         Markup(asset("report/replay.html")),
         element("div", program, class_="program"),
         id="replay",
@@ -104,7 +104,6 @@ def _scripts(a: Assessment) -> list[Markup]:
         "run": run_data(a.run, a.source),
         "contacts": contact_rows(report.contacts, a.source) if report else [],
         "grazes": contact_rows(report.grazes, a.source) if report else [],
-        "clearance": _clearance(a),
         "moment": screen.moment.time_s if screen.moment else None,
     }
     entry = f'import "{module_name(ENTRY)}";'
@@ -113,18 +112,6 @@ def _scripts(a: Assessment) -> list[Markup]:
         raw("script", import_map(ENTRY), type="importmap"),
         raw("script", entry, type="module"),
     ]
-
-
-def _clearance(a: Assessment) -> dict[str, object] | None:
-    report = a.judgement.collisions if a.judgement else None
-    if report is None or report.clearance is None:
-        return None
-    nearest = report.clearance
-    return {
-        "t": seconds(nearest.time_s),
-        "mm": millimetres(nearest.distance_m),
-        "bodies": list(nearest.bodies),
-    }
 
 
 # --- below --------------------------------------------------------------------------------------
@@ -190,13 +177,29 @@ def _checks(a: Assessment) -> Markup | None:
     return element("section", element("h2", "Checks"), table, why, id="checks")
 
 
-def _charts() -> Markup:
+def _charts(a: Assessment) -> Markup:
     return element(
         "section",
         element("h2", "Charts"),
+        _clearance(a),
         element("div", id="chart-list"),
         element("noscript", element("p", "The charts need JavaScript.")),
         id="charts",
+    )
+
+
+def _clearance(a: Assessment) -> Markup | None:
+    report = a.judgement.collisions if a.judgement else None
+    if report is None or report.clearance is None:
+        return None
+    nearest = report.clearance
+    first, second = (one_line(body) for body in nearest.bodies)
+    return element(
+        "p",
+        "Smallest clearance: ",
+        element("b", f"{millimetres(nearest.distance_m):.1f} mm"),
+        f" between {first} and {second} ",
+        watch_button(nearest.time_s),
     )
 
 

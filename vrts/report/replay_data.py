@@ -42,7 +42,7 @@ def run_data(run: Run, source: SourceFile | None) -> Json:
         "horizon": _end(run),
         "ended": run.ended_s,
         "gravity": GRAVITY,
-        "segments": _segments(run.timeline.segments),
+        "segments": _segments(run.timeline.segments or (_still(run),)),
         "motions": [{"start": seconds(m.start_s), "end": seconds(m.end_s)} for m in run.motions],
         "tools": _tools(run),
         "placements": {
@@ -59,6 +59,7 @@ def contact_rows(contacts: Iterable[ContactEvent], source: SourceFile | None) ->
         {
             "first": c.first,
             "second": c.second,
+            "parts": list(c.parts),
             "text": contact_sentence(c),
             "start": seconds(c.start_s),
             "end": seconds(c.end_s),
@@ -102,6 +103,13 @@ def _segments(segments: Iterable[Segment]) -> Json:
         "ends": _base64(array("d", (s.end_s for s in kept))),
         "coefficients": _base64(coefficients),
     }
+
+
+def _still(run: Run) -> Segment:
+    """Return the segment of a run that ended before any time passed."""
+    state = run.at(0.0)
+    rows = tuple((position,) for position in (*state.configuration, state.hand_opening))
+    return Segment(0.0, 0.0, rows, None)
 
 
 def _base64(numbers: "array[float]") -> str:
@@ -150,7 +158,7 @@ def _lines(run: Run, source: SourceFile | None) -> list[tuple[float, int]]:
 
 
 def _under_way(busy: list[tuple[float, float]], time_s: float) -> bool:
-    return any(start < time_s < end for start, end in busy)
+    return any(start <= time_s < end for start, end in busy)
 
 
 def _line(cause: Cause | None, source: SourceFile | None) -> int:

@@ -38,7 +38,7 @@ for (const button of document.querySelectorAll("button.seek")) {
 }
 jump(data.moment ?? 0);
 
-/** @typedef {{start: number, end: number, first: string, second: string, text: string, point: number[], deepest: number, line: number}} Contact */
+/** @typedef {{start: number, end: number, first: string, second: string, parts: string[], text: string, point: number[], deepest: number, line: number}} Contact */
 
 /** @returns {Viewer | null} null where the browser has no WebGL */
 function openViewer() {
@@ -86,11 +86,19 @@ function show(/** @type {number} */ t) {
   showPlaying(player);
 }
 
-/** @param {Contact[]} touching */
+/**
+ * Name what touches: the parts that are bodies; the hand where a part is one of the robot.
+ * @param {Contact[]} touching
+ */
 function mark(touching) {
   if (!touching.length) return null;
-  const bodies = touching.flatMap((c) => [c.first, c.second]);
-  return { bodies, robot: bodies.includes("robot"), point: touching[0].point };
+  const known = new Set(data.scene.bodies.map((/** @type {{name: string}} */ body) => body.name));
+  const parts = touching.flatMap((c) => c.parts);
+  return {
+    bodies: [...parts, ...touching.map((c) => c.second)].filter((name) => known.has(name)),
+    robot: parts.some((name) => !known.has(name)),
+    point: touching[0].point,
+  };
 }
 
 /** @param {import("../viewer/replay.js").State} state @param {Contact[]} touching @param {Contact[]} grazing */

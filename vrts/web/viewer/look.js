@@ -12,7 +12,7 @@ export const THEMES = {
 };
 
 const WARM_WHITE = 0xe6dfd0; // the arm castings of the series: a warm light grey
-const CHARCOAL = 0x2c2e31;
+const CHARCOAL = 0x36393d;
 const STEEL = 0x9aa0a6;
 const ALUMINIUM = 0xc9cdd1;
 const RUBBER = 0x1d1e20;

@@ -37,6 +37,7 @@ export const VIEWS = {
 };
 
 const RED = 0xe5322d;
+const YELLOW = 0xffd43b;
 const GREEN = 0x2f9e44;
 const VIA = 0x7048e8;
 
@@ -77,7 +78,7 @@ export class Viewer {
       this.scene.add(figure.group);
     }
     this.goals = this.drawGoals();
-    this.contact = new Mesh(new SphereGeometry(0.014, 24, 16), new MeshBasicMaterial({ color: RED, depthTest: false }));
+    this.contact = new Mesh(new SphereGeometry(0.013, 24, 16), new MeshBasicMaterial({ color: YELLOW, depthTest: false, toneMapped: false }));
     this.contact.renderOrder = 20;
     this.contact.visible = false;
     this.scene.add(this.goals, this.contact);
