@@ -22,7 +22,8 @@ NEAR_MISS = 5e-3  # [m] nearer than this is a near miss [assumed]
 SEPARATED = 2e-4  # [m] pads farther than this from the object have let go of it [assumed]
 FINE = 14e-3  # [s] between instants at which separation is looked for: half a tick [assumed]
 COARSE = 56e-3  # [s] between instants at which the way apart and back is followed [assumed]
-BATCH = 24  # instants looked at together
+BATCH = 16  # instants looked at together
+AWAY = 50e-3  # [m] a pair this far apart has parted [assumed]
 
 
 class Window(NamedTuple):
@@ -80,7 +81,7 @@ def finger_windows(
         windows.append(Window(at, close_s, allowed=False, counts=True))
         apart, away = until, until
         if grip.open_s < until:
-            apart, away = _parting(gap, grip.open_s, until, SEPARATED, FINE)
+            apart, away = _parting(gap, grip.open_s, until, SEPARATED)
         windows.append(Window(close_s, apart, allowed=True, counts=False))
         windows.append(Window(apart, away, allowed=False, counts=False))
         at = away
@@ -90,7 +91,7 @@ def finger_windows(
 
 def counted_from(gap: Callable[[Array], Array], start_s: float, end_s: float) -> float:
     """Return when a pair that starts together comes nearer after it was apart; `end_s` if never."""
-    return _parting(gap, start_s, end_s, NEAR_MISS, COARSE)[1]
+    return _parting(gap, start_s, end_s, NEAR_MISS)[1]
 
 
 def counted_until(gap: Callable[[Array], Array], start_s: float, end_s: float) -> float:
@@ -99,23 +100,28 @@ def counted_until(gap: Callable[[Array], Array], start_s: float, end_s: float) -
     def backward(times: Array) -> Array:
         return gap(start_s + end_s - times)
 
-    return start_s + end_s - _parting(backward, start_s, end_s, NEAR_MISS, COARSE)[1]
+    return start_s + end_s - _parting(backward, start_s, end_s, NEAR_MISS)[1]
 
 
 def _parting(
-    gap: Callable[[Array], Array], start_s: float, end_s: float, apart: float, step_s: float
+    gap: Callable[[Array], Array], start_s: float, end_s: float, apart: float
 ) -> tuple[float, float]:
-    """Return when a gap first exceeds `apart`, and when, beyond `NEAR_MISS`, it first shrinks."""
+    """Return when a gap first exceeds `apart`, and when it is no longer that of parting.
+
+    Parting is over when, beyond `NEAR_MISS`, the gap first shrinks, or when it exceeds `AWAY`.
+    """
     separated: float | None = None
     before = -np.inf
     first = start_s
     while first < end_s:
+        step_s = FINE if separated is None else COARSE
         times = np.minimum(first + step_s * np.arange(BATCH), end_s)
         for t, distance in zip(times.tolist(), gap(times).tolist(), strict=True):
             if separated is None and distance > apart:
                 separated = t
-            if before > NEAR_MISS and distance < before - 1e-6:
+            shrinks = before > NEAR_MISS and distance < before - 1e-6
+            if shrinks or distance > AWAY:
                 return (t if separated is None else separated), t
             before = distance
-        first = first + step_s * BATCH
+        first = float(times[-1]) + step_s
     return (end_s if separated is None else separated), end_s

@@ -198,10 +198,7 @@ class _Search:
         reach = bound[self.inner_frame[row], at_outer] + PAD
         if self.falls:
             reach += self._drop(level, inner, node) + self._drop(level, outer, node)
-        gap = np.abs(places.centres[at_outer] - places.centres[at_inner])
-        gap -= places.halves[at_outer]
-        gap -= places.halves[at_inner]
-        gap = _outside(gap)
+        gap = _outside(places, at_outer, at_inner)
         exact = _Exact(self, level.middle, places)
         if self.found.closest.distance > -np.inf:
             exact.probe(row, node, at_outer, at_inner, gap)
@@ -458,15 +455,24 @@ class _Exact:
         return known
 
 
-def _outside(gap: Array) -> Array:
-    """Return a lower bound on signed distances from the gaps (r, 3) between boxes along the axes.
+def _outside(places: Places, a: Indices, b: Indices) -> Array:
+    """Return a lower bound on signed distances, (r,), from the boxes along the axes.
 
     Boxes that overlap say little: the shapes in them cannot overlap deeper than the boxes do.
     """
-    overlap: Array = gap.max(axis=1)
-    np.maximum(gap, 0.0, out=gap)
-    apart = np.sqrt(np.einsum("ri,ri->r", gap, gap))
-    return np.where(overlap > 0.0, apart, overlap)
+    square = np.zeros(len(a))
+    widest = np.full(len(a), -np.inf)
+    for axis in range(3):
+        centre = np.ascontiguousarray(places.centres[:, axis])
+        half = np.ascontiguousarray(places.halves[:, axis])
+        gap = np.abs(centre[a] - centre[b])
+        gap -= half[a]
+        gap -= half[b]
+        np.maximum(widest, gap, out=widest)
+        np.maximum(gap, 0.0, out=gap)
+        gap *= gap
+        square += gap
+    return np.where(widest > 0.0, np.sqrt(square), widest)
 
 
 def _divided(start: Array, end: Array, parts: Indices) -> tuple[Array, Array, Indices]:

@@ -7,6 +7,7 @@ pieces between by a table of maxima over runs of 1, 2, 4, ... pieces.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -167,14 +168,11 @@ def curves(segments: Sequence[Segment]) -> Curves:
 
 
 def _powers(segments: Sequence[Segment]) -> Array:
-    rows = [segment.coefficients for segment in segments]
-    if all(len(row) == 4 for coefficients in rows for row in coefficients):
-        return np.array(rows, dtype=np.float64)
-    powers = np.zeros((len(rows), COORDINATES, 4))
-    for k, coefficients in enumerate(rows):
-        for i, row in enumerate(coefficients):
-            powers[k, i, : len(row)] = row
-    return powers
+    rows = [row for segment in segments for row in segment.coefficients]
+    if any(len(row) != 4 for row in rows):
+        rows = [(*row, 0.0, 0.0, 0.0)[:4] for row in rows]
+    flat = np.fromiter(chain.from_iterable(rows), np.float64, 4 * len(rows))
+    return flat.reshape(len(segments), COORDINATES, 4)
 
 
 def _values(powers: Array, u: Array) -> Array:
