@@ -18,7 +18,7 @@ from vrts.report.still import still
 
 PICTURES = EXAMPLE / "pictures"
 SIZE = (1200, 760)
-ROOM = Camera(eye=(4.1, -0.7, 1.35), look_at=(0.52, 0.05, 0.02))
+ROOM = Camera(eye=(3.35, -2.75, 1.2), look_at=(0.5, -0.02, 0.1))
 TABLE = Camera(eye=(2.6, -1.75, 0.75), look_at=(0.88, -0.16, -0.13))
 BEFORE_S = 0.05  # an instant before the fingers open
 
