@@ -134,10 +134,10 @@ def _losses(
     total = sum((goal.weight for goal in task.goals), NOTHING) or Fraction(1)
     causes: list[Loss] = []
     stopped = _stopped_by(run)
-    merged = NOTHING  # goals that were never begun because the program was stopped
+    merged = NOTHING  # goals not reached because the program was stopped
     for result in results:
         lost = full_targets * result.goal.weight * (1 - result.share) / total
-        if stopped is not None and not _was_grasped(run, result.goal.body):
+        if stopped is not None and _why(run, result.goal.body) is None:
             merged += lost
         elif lost:
             causes.append(_target_loss(run, task, result, lost))
@@ -152,6 +152,7 @@ def _losses(
     if stopped is not None:
         causes.append(stopped._replace(points=merged + time))
         time = NOTHING
+    causes = [loss for loss in causes if loss.points]  # contacts beyond the cap cost nothing
     causes.sort(key=lambda loss: -loss.points)
     if time:
         causes.append(_time_loss(task, achieved, time))
@@ -248,7 +249,7 @@ def _why(run: Run, body: str) -> Found | None:
         for event in found:
             if event.diagnostic.rule == rule and event.diagnostic.data.get("body") == body:
                 return event
-    if not _was_grasped(run, body):
+    if run.ending in PROGRAM_ENDS and not _was_grasped(run, body):
         for event in found:
             if event.diagnostic.rule == CLOSED_ON_NOTHING:
                 return event
@@ -261,9 +262,10 @@ def _was_grasped(run: Run, body: str) -> bool:
 
 def _warning(run: Run, time_s: float, body: str) -> Found | None:
     for event in run.events:
-        if isinstance(event, Found) and event.time_s == time_s:
-            if event.diagnostic.data.get("body") == body:
-                return event
+        if not isinstance(event, Found) or event.time_s != time_s:
+            continue
+        if event.diagnostic.data.get("body") == body:
+            return event
     return None
 
 

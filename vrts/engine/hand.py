@@ -217,9 +217,9 @@ class Hand:
         while before < stop:
             after = min(before + LOOK, stop)
             now = look(after)
-            if met is not None and now is not None and excess(before, met) >= 0.0:
-                if excess(after, now) <= 0.0:
-                    return self._instant(name, before, after, look, excess)
+            both = met is not None and now is not None
+            if both and excess(before, met) >= 0.0 >= excess(after, now):
+                return self._instant(name, before, after, look, excess)
             before, met = after, now
         return None
 
