@@ -18,7 +18,7 @@ PYTHON = sys.executable
 STAGES: dict[str, list[str]] = {
     "format": [str(BIN / "ruff"), "format", "--check", "--quiet", "."],
     "lint": [str(BIN / "ruff"), "check", "--quiet", "."],
-    "types": [str(BIN / "basedpyright"), "--level", "error"],
+    "types": [str(BIN / "basedpyright"), "--level", "error", "--pythonpath", PYTHON],
     "imports": [str(BIN / "lint-imports"), "--no-cache"],
     "sabotage": [PYTHON, "-m", "tests.sabotage"],
     "tests": [PYTHON, "-m", "pytest", "-n", "2", "--durations", "5"],

@@ -43,7 +43,7 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
     achieved = Achieved(
         goals=tuple((result.goal.weight, result.share) for result in results),
         vias=len(task.vias),
-        vias_met=points.count,
+        vias_met=points.number,
         contacts=len(mishaps),
         completed=run.ending in PROGRAM_ENDS,
         duration_s=took,
@@ -287,7 +287,7 @@ def _obstacles(
         if verdict.answer is Answer.UNDETERMINED:
             found.append(f"{verdict.check}: {verdict.summary}")
     found += [f"`{r.goal.body}` {describe(r)}" for r in results if r.share < 1]
-    missed = len(points.met) - points.count
+    missed = len(points.met) - points.number
     if missed:
         found.append(f"{missed} via points are not passed")
     if judgement.collisions is None:

@@ -118,10 +118,7 @@ def _verdict(result: Reached) -> Verdict:
         Severity.ERROR,
         summary,
         None,
-        notes=(
-            f"the goal, {goal.title}, allows {mm(goal.position_tolerance):.0f} mm"
-            f" and {deg(goal.orientation_tolerance):.0f} degrees",
-        ),
+        notes=(_tolerances(goal),),
         data={
             "object": goal.body,
             "position_mm": float(result.position_mm),
@@ -129,3 +126,8 @@ def _verdict(result: Reached) -> Verdict:
         },
     )
     return Verdict(f"target {goal.body}", Answer.VIOLATED, summary, (finding,))
+
+
+def _tolerances(goal: Goal) -> str:
+    position, orientation = mm(goal.position_tolerance), deg(goal.orientation_tolerance)
+    return f"the goal, {goal.title}, allows {position:.0f} mm and {orientation:.0f} degrees"

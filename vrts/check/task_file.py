@@ -184,18 +184,13 @@ def _mark(top: Table) -> MarkScheme:
     if section is None:
         return usual
     found = MarkScheme(
-        **{
-            key: section.fraction(key, getattr(usual, key), minimum=0, maximum=10)
-            for key in (
-                "targets",
-                "vias",
-                "first_contact",
-                "further_contact",
-                "contact_cap",
-                "time_bonus",
-                "zero_at",
-            )
-        }
+        section.fraction("targets", usual.targets, minimum=0, maximum=10),
+        section.fraction("vias", usual.vias, minimum=0, maximum=10),
+        section.fraction("first_contact", usual.first_contact, minimum=0, maximum=10),
+        section.fraction("further_contact", usual.further_contact, minimum=0, maximum=10),
+        section.fraction("contact_cap", usual.contact_cap, minimum=0, maximum=10),
+        section.fraction("time_bonus", usual.time_bonus, minimum=0, maximum=10),
+        section.fraction("zero_at", usual.zero_at, minimum=1.01, maximum=100),
     )
     section.finish()
     return found

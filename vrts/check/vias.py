@@ -40,7 +40,7 @@ class Passed(NamedTuple):
     met: tuple[bool, ...]  # beside visits
 
     @property
-    def count(self) -> int:
+    def number(self) -> int:
         """How many are met."""
         return sum(self.met)
 

@@ -5,6 +5,7 @@ a run-time fault at its place in the text.
 """
 
 from collections.abc import Callable
+from typing import cast
 
 from vrts.base.numbers import round_half_away
 from vrts.base.pose import Pose
@@ -41,7 +42,8 @@ from vrts.ir.expressions import (
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Type, Value, type_of_value
 from vrts.robots.choice import OutOfLimits, OutOfReach, choose
-from vrts.robots.kinematics import forward
+from vrts.robots.kinematics import forward, limit_violations
+from vrts.robots.model import Configuration
 
 Evaluate = Callable[[Context], Value]
 Find = Callable[[Context], Cell]
@@ -243,7 +245,7 @@ class Compiler:
         span = expression.span
         match expression.function:
             case Function.HERE:
-                return lambda c: c.planner.X_VB @ _tool_now(c)
+                return lambda c: c.planner.base @ _tool_now(c)
             case Function.DEST:
                 return lambda c: c.planner.destination
             case Function.HERE_JOINTS:
@@ -251,9 +253,9 @@ class Compiler:
             case Function.DEST_JOINTS:
                 return lambda c: c.planner.dest
             case Function.BASE:
-                return lambda c: c.planner.X_VB
+                return lambda c: c.planner.base
             case Function.TOOL:
-                return lambda c: c.planner.X_FT
+                return lambda c: c.planner.tool
             case Function.HAND:
                 return lambda c: _hand(c)
             case Function.RANDOM:
@@ -351,7 +353,7 @@ def _mismatch(headline: str, span: Span | None) -> RuntimeFault:
 
 def _tool_now(c: Context) -> Pose:
     planner = c.planner
-    return forward(planner.arm, planner.configuration_at(c.now)) @ planner.X_FT
+    return forward(planner.arm, planner.configuration_at(c.now)) @ planner.tool
 
 
 def _hand(c: Context) -> float:
@@ -380,9 +382,9 @@ def _speed(c: Context, which: int) -> float:
 def _in_range(c: Context, location: Value) -> float:
     planner = c.planner
     if not isinstance(location, Pose):
-        limits = zip(location, planner.arm.lower, planner.arm.upper, strict=True)  # type: ignore[arg-type]
-        return float(sum(1 << k for k, (q, a, b) in enumerate(limits) if not a <= q <= b))
-    X_BF = planner.X_VB.inverse() @ location @ planner.X_FT.inverse()
+        joints = cast("Configuration", location)
+        return float(sum(1 << (k - 1) for k, *_ in limit_violations(planner.arm, joints)))
+    X_BF = planner.base.inverse() @ location @ planner.tool.inverse()
     found = choose(planner.arm, X_BF, planner.branch, planner.configuration, planner.request)
     if isinstance(found, OutOfReach):
         return TOO_FAR if found.kind == "too far" else TOO_CLOSE

@@ -217,9 +217,10 @@ class Hand:
         while before < stop:
             after = min(before + LOOK, stop)
             now = look(after)
-            both = met is not None and now is not None
-            if both and excess(before, met) >= 0.0 >= excess(after, now):
-                return self._instant(name, before, after, look, excess)
+            excesses = (met and excess(before, met), now and excess(after, now))
+            if excesses[0] is not None and excesses[1] is not None:  # noqa: SIM102
+                if excesses[0] >= 0.0 >= excesses[1]:
+                    return self._instant(name, before, after, look, excess)
             before, met = after, now
         return None
 
@@ -302,9 +303,8 @@ class Hand:
         for body in self.scene.bodies:
             if body.name in without:
                 continue
-            X_WO = body.X_WO
-            if body.mobility is Mobility.MOVABLE:
-                X_WO = self.placements[body.name][-1].X
+            movable = body.mobility is Mobility.MOVABLE
+            X_WO = self.placements[body.name][-1].X if movable else body.X_WO
             found.append(Standing(body.name, body.pieces, X_WO))
         return found
 

@@ -78,11 +78,11 @@ class Planner:
         self.configuration = configuration  # at the end of the last motion
         self.branch = branch_of(arm, configuration, INITIAL_BRANCH)
         self.request = NOTHING_REQUESTED
-        self.X_FT = X_FT
-        self.X_VB: Pose = IDENTITY
+        self.tool = X_FT  # X_FT
+        self.base: Pose = IDENTITY  # X_VB
         self.speed = FULL_SPEED  # permanent
         self.next_speed: Speed | None = None
-        self.X_BT_dest = forward(arm, configuration) @ X_FT
+        self.tool_at_dest = forward(arm, configuration) @ X_FT  # X_BT at the destination
         self.dest: Configuration = configuration
         self.motion_end = 0.0  # end of the path of the last motion [s]
         self.settled_at = 0.0  # the arm has come to rest there [s]
@@ -122,8 +122,8 @@ class Planner:
 
     def set_tool(self, X_FT: Pose) -> None:
         """Change the tool; the destination becomes where the new tool is."""
-        self.X_FT = X_FT
-        self.X_BT_dest = forward(self.arm, self.dest) @ X_FT
+        self.tool = X_FT
+        self.tool_at_dest = forward(self.arm, self.dest) @ X_FT
 
     def take_speed(self) -> Speed:
         """Return the speed of the motion now planned; a one-motion speed is used up."""
@@ -135,12 +135,12 @@ class Planner:
 
     def pose_of(self, q: Configuration) -> Pose:
         """Return the tool's location as a program sees it."""
-        return self.X_VB @ forward(self.arm, q) @ self.X_FT
+        return self.base @ forward(self.arm, q) @ self.tool
 
     @property
     def destination(self) -> Pose:
         """DEST: where the last motion goes, as a program sees it."""
-        return self.X_VB @ self.X_BT_dest
+        return self.base @ self.tool_at_dest
 
     def configuration_at(self, time_s: float) -> Configuration:
         """Return the joints on the motions planned, at a time not before the last one's start."""
@@ -170,7 +170,7 @@ class Planner:
         Raises:
             RuntimeFault: It is out of reach, or outside the joint limits on the arm branch.
         """
-        X_BF = self.X_VB.inverse() @ target @ self.X_FT.inverse()
+        X_BF = self.base.inverse() @ target @ self.tool.inverse()
         found = choose(self.arm, X_BF, self.branch, self.configuration, self.request)
         if isinstance(found, OutOfReach):
             raise reach_fault(found.kind, found.excess_m, span, "the location")
@@ -188,8 +188,8 @@ class Planner:
         """
         arm = self.arm
         self._refuse_line(span)
-        start = forward(arm, self.configuration) @ self.X_FT
-        line = Line(start, self.X_VB.inverse() @ target, self.X_FT)
+        start = forward(arm, self.configuration) @ self.tool
+        line = Line(start, self.base.inverse() @ target, self.tool)
         fraction = speed_fraction(arm, speed)
         linear, angular = arm.linear_speed * fraction, arm.angular_speed * fraction
         scaling = line_profile(arm, line, linear, angular)
@@ -219,7 +219,7 @@ class Planner:
         for a, b, rows in planned.pieces:
             stop = end if b == planned.pieces[-1][1] else start_s + b
             self.pieces.append(ArmPiece(start_s + a, stop, rows, number))
-        X_BT = forward(self.arm, planned.goal) @ self.X_FT
+        X_BT = forward(self.arm, planned.goal) @ self.tool
         self.motions.append(
             Motion(
                 planned.interpolation,
@@ -228,7 +228,7 @@ class Planner:
                 self.configuration,
                 planned.goal,
                 X_BT,
-                self.X_FT,
+                self.tool,
                 planned.speed_fraction,
                 planned.deviation_m,
                 cause,
@@ -236,7 +236,7 @@ class Planner:
         )
         self.configuration = self.dest = planned.goal
         self.branch = planned.branch
-        self.X_BT_dest = X_BT if target is None else self.X_VB.inverse() @ target
+        self.tool_at_dest = X_BT if target is None else self.base.inverse() @ target
         self.motion_end = end
         self.settled_at = end + SETTLING_TICKS * tick
         return number

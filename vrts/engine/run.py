@@ -2,7 +2,6 @@
 
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
-from functools import cached_property
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.pose import Pose
@@ -39,6 +38,8 @@ class Run:
         self.until_s = until_s
         ended = machine.ended_s
         self.horizon_s = until_s if ended is None else max(ended, min(until_s, self._last_s))
+        self._timeline: Timeline | None = None  # worked out when first asked for
+        self._events: tuple[Event, ...] | None = None
 
     @property
     def machine(self) -> Machine:
@@ -89,30 +90,34 @@ class Run:
         """Every motion issued."""
         return self._machine.context.planner.motions
 
-    @cached_property
+    @property
     def timeline(self) -> Timeline:
         """The trajectory of arm and hand."""
-        machine = self._machine
-        return Timeline(
-            machine.context.planner.pieces,
-            machine.context.hand.strokes,
-            machine.initial_configuration,
-            machine.initial_opening,
-            self.horizon_s,
-        )
+        if self._timeline is None:
+            machine = self._machine
+            self._timeline = Timeline(
+                machine.context.planner.pieces,
+                machine.context.hand.strokes,
+                machine.initial_configuration,
+                machine.initial_opening,
+                self.horizon_s,
+            )
+        return self._timeline
 
-    @cached_property
+    @property
     def events(self) -> tuple[Event, ...]:
         """What happened up to the horizon, in time order."""
-        known = (e for e in self._machine.context.events if e.time_s <= self.horizon_s)
-        return tuple(sorted(known, key=lambda event: event.time_s))
+        if self._events is None:
+            known = (e for e in self._machine.context.events if e.time_s <= self.horizon_s)
+            self._events = tuple(sorted(known, key=lambda event: event.time_s))
+        return self._events
 
-    @cached_property
+    @property
     def findings(self) -> tuple[Diagnostic, ...]:
         """Diagnostics of the engine, in time order."""
         return tuple(event.diagnostic for event in self.events if isinstance(event, Found))
 
-    @cached_property
+    @property
     def placements(self) -> Mapping[str, Sequence[Placement]]:
         """Where every movable body is, over time."""
         return {

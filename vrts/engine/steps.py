@@ -171,7 +171,7 @@ class StepCompiler:
             if wanted is Type.JOINTS:
                 cell(c).assign(q, c.now)
                 return following
-            X = planner.X_VB @ forward(planner.arm, q) @ planner.X_FT
+            X = planner.base @ forward(planner.arm, q) @ planner.tool
             cell(c).assign(base(c).inverse() @ X if base is not None else X, c.now)
             return following
 
@@ -333,7 +333,7 @@ class StepCompiler:
             if not reached(c, c.planner.settled_at):
                 return BLOCKED
             dx, dy, dz, turn = (0.0 if o is None else o(c) for o in operands)
-            c.planner.X_VB = pose_from_components(dx, dy, dz, 90.0 + turn, -90.0, 0.0)
+            c.planner.base = pose_from_components(dx, dy, dz, 90.0 + turn, -90.0, 0.0)
             return following
 
         return set_base
@@ -528,7 +528,7 @@ def _fraction(c: Context, speed: Speed, cause: Cause) -> float:
 
 def _joints_of(c: Context, pose: Pose, span: Span | None) -> Value:
     planner = c.planner
-    X_BF = planner.X_VB.inverse() @ pose @ planner.X_FT.inverse()
+    X_BF = planner.base.inverse() @ pose @ planner.tool.inverse()
     found = solve(planner.arm, X_BF, planner.branch, planner.configuration)
     if found is None:
         raise RuntimeFault(RuntimeErrorKind.OUT_OF_RANGE, "the location is out of reach", span)

@@ -6,7 +6,6 @@ polynomials of seven coordinates without gaps, cut wherever either track is.
 
 from bisect import bisect_right
 from collections.abc import Sequence
-from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -49,6 +48,7 @@ class Timeline:
         self._configuration = configuration
         self._opening_m = opening_m
         self.horizon_s = horizon_s
+        self._segments: tuple[Segment, ...] | None = None
         self._piece_starts = [piece.start_s for piece in self._pieces]
         self._stroke_starts = [stroke.start_s for stroke in self._strokes]
 
@@ -77,17 +77,21 @@ class Timeline:
             return self._opening_m
         return stroke_at(self._strokes[found - 1], time_s)
 
-    @cached_property
+    @property
     def segments(self) -> tuple[Segment, ...]:
         """Polynomials in seven coordinates from 0 to the horizon, without gaps."""
-        cuts = {0.0, self.horizon_s}
-        for item in (*self._pieces, *self._strokes):
-            cuts.add(item.start_s)
-            cuts.add(item.end_s)
-        times = sorted(cut for cut in cuts if cut <= self.horizon_s)
-        return tuple(self._segment(start, end) for start, end in pairwise(times) if end > start)
+        if self._segments is None:
+            cuts = {0.0, self.horizon_s}
+            for item in (*self._pieces, *self._strokes):
+                cuts.add(item.start_s)
+                cuts.add(item.end_s)
+            times = sorted(cut for cut in cuts if cut <= self.horizon_s)
+            self._segments = tuple(
+                self._segment(start, end) for start, end in pairwise(times) if end > start
+            )
+        return self._segments
 
-    @cached_property
+    @property
     def starts(self) -> tuple[float, ...]:
         """Start of every segment [s]."""
         return tuple(segment.start_s for segment in self.segments)
