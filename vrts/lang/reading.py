@@ -82,9 +82,10 @@ def _text_of(data: bytes) -> str | None:
         if data.startswith(mark):
             return _if_printable(data[2:].decode(encoding, errors="replace"))
     half = len(data) // 2
-    if half > 4 and data[1::2].count(0) > 0.6 * half:
+    odd, even = data[1::2].count(0), data[0::2].count(0)
+    if odd > 0.6 * half > 2 and even < 0.1 * half:
         return _if_printable(data.decode("utf-16-le", errors="replace"))
-    if half > 4 and data[0::2].count(0) > 0.6 * half:
+    if even > 0.6 * half > 2 and odd < 0.1 * half:
         return _if_printable(data.decode("utf-16-be", errors="replace"))
     if data.count(0) > 0.3 * len(data):
         return None

@@ -309,7 +309,8 @@ def _odd_string(written: str, start: int, problems: Problems) -> Token | None:
             fix=problems.replace(start + len(written), start + len(written), '"'),
         )
         return None
-    _look_alike(written[0] if written[0] != '"' else written[closing or 0], start, problems)
+    curly = 0 if written[0] != '"' else closing or 0
+    _look_alike(written[curly], start + curly, problems)
     end = start + (closing + 1 if closing else len(written))
     return Token("STRING", written[1:closing], start, end, written[1:closing])
 

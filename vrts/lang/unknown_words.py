@@ -187,5 +187,5 @@ def _instead_of_command(upper: str) -> str:
 
 
 def _either(texts: list[str]) -> str:
-    shown = texts[:6] + (["..."] if len(texts) > 6 else [])
-    return ", ".join(shown[:-1]) + (f" or {shown[-1]}" if shown[-1] != "..." else ", ...")
+    shown = texts[:6] + ([f"{len(texts) - 6} others"] if len(texts) > 6 else [])
+    return ", ".join(shown[:-1]) + f" or {shown[-1]}"

@@ -125,7 +125,7 @@ def _without_value(resolver: Resolver, entry: Entry) -> None:
     upper = entry.name.upper()
     if meant is not None:
         help_ = f"did you mean `{meant}`?"
-    elif upper in INSTRUCTIONS and location:
+    elif location and upper in INSTRUCTIONS and INSTRUCTIONS[upper].terminal == "WORD0":
         help_ = f"{upper} is an instruction: write it alone"
     elif location:
         help_ = "give it a value in a .LOCATIONS section, or by SET or HERE"
