@@ -26,6 +26,8 @@ from vrts.report.text import in_order, moment_text
 from vrts.report.viewer_data import scene_data
 from vrts.web.assets import asset, import_map, module_name
 
+MOST_FINDINGS = 100
+
 ENTRY = "report/page.js"
 MOMENT = "moment"
 
@@ -77,7 +79,7 @@ def _navigation(a: Assessment, findings: Sequence[Diagnostic], *, replayable: bo
 
 
 def _replay(a: Assessment, findings: Sequence[Diagnostic]) -> Markup:
-    program = listing(a.source, findings) if a.source else None
+    program = listing(a.source, findings[:MOST_FINDINGS]) if a.source else None
     return element(
         "section",
         element("h2", "Replay and program"),
@@ -91,7 +93,12 @@ def _replay(a: Assessment, findings: Sequence[Diagnostic]) -> Markup:
 def _program(a: Assessment, findings: Sequence[Diagnostic]) -> Markup | None:
     if a.source is None:
         return None
-    return element("section", element("h2", "Program"), listing(a.source, findings), id="program")
+    return element(
+        "section",
+        element("h2", "Program"),
+        listing(a.source, findings[:MOST_FINDINGS]),
+        id="program",
+    )
 
 
 def _scripts(a: Assessment) -> list[Markup]:
@@ -120,8 +127,10 @@ def _scripts(a: Assessment) -> list[Markup]:
 def _findings(findings: Sequence[Diagnostic]) -> Markup | None:
     if not findings:
         return None
-    cards = [_finding(number, d) for number, d in enumerate(findings, start=1)]
-    return element("section", element("h2", "Findings"), *cards, id="findings")
+    cards = [_finding(number, d) for number, d in enumerate(findings[:MOST_FINDINGS], start=1)]
+    more = len(findings) - len(cards)
+    rest = element("p", f"{more} more findings are not listed.") if more else None
+    return element("section", element("h2", "Findings"), *cards, rest, id="findings")
 
 
 def _finding(number: int, d: Diagnostic) -> Markup:

@@ -5,8 +5,10 @@ Coefficients travel as float32: a joint at 3 rad is then right to 0.2 µrad, the
 
 import base64
 import sys
+import zlib
 from array import array
-from collections.abc import Iterable
+from bisect import bisect_right
+from collections.abc import Iterable, Sequence
 
 from vrts.base.source import SourceFile, Span
 from vrts.check.verdict import ContactEvent
@@ -34,6 +36,7 @@ from vrts.report.quantities import millimetres, seconds
 from vrts.report.viewer_data import Json, pose_numbers
 
 POWERS = 4  # coefficients sent of each polynomial
+MOST_EVENTS = 2000  # rows of the list
 
 
 def run_data(run: Run, source: SourceFile | None) -> Json:
@@ -49,7 +52,7 @@ def run_data(run: Run, source: SourceFile | None) -> Json:
             body: [_placement(p) for p in placements] for body, placements in run.placements.items()
         },
         "lines": _lines(run, source),
-        "events": [row for event in run.events for row in _event_rows(event, source)],
+        "events": _event_rows(run.events, source),
     }
 
 
@@ -98,11 +101,8 @@ def _segments(segments: Iterable[Segment]) -> Json:
         for row in segment.coefficients:
             coefficients.extend(row[:POWERS])
             coefficients.extend([0.0] * (POWERS - len(row)))
-    return {
-        "starts": _base64(array("d", (s.start_s for s in kept))),
-        "ends": _base64(array("d", (s.end_s for s in kept))),
-        "coefficients": _base64(coefficients),
-    }
+    knots = array("d", [kept[0].start_s, *(segment.end_s for segment in kept)])
+    return {"knots": _packed(knots), "coefficients": _packed(coefficients)}
 
 
 def _still(run: Run) -> Segment:
@@ -112,11 +112,12 @@ def _still(run: Run) -> Segment:
     return Segment(0.0, 0.0, rows, None)
 
 
-def _base64(numbers: "array[float]") -> str:
+def _packed(numbers: "array[float]") -> str:
+    """Return little-endian numbers, deflated (loops repeat themselves), in base64."""
     if sys.byteorder == "big":
         numbers = array(numbers.typecode, numbers)
         numbers.byteswap()
-    return base64.b64encode(numbers.tobytes()).decode("ascii")
+    return base64.b64encode(zlib.compress(numbers.tobytes())).decode("ascii")
 
 
 def _tools(run: Run) -> list[Json]:
@@ -151,27 +152,37 @@ def _lines(run: Run, source: SourceFile | None) -> list[tuple[float, int]]:
         and not _under_way(busy, event.time_s)
     ]
     rows: list[tuple[float, int]] = []
-    for time_s, _, line in sorted(marks):
+    for exact, _, line in sorted(marks):
+        time_s = seconds(exact)
+        if rows and rows[-1][0] == time_s:
+            rows.pop()  # of steps without duration only the last shows
         if line and (not rows or rows[-1][1] != line):
-            rows.append((seconds(time_s), line))
+            rows.append((time_s, line))
     return rows
 
 
 def _under_way(busy: list[tuple[float, float]], time_s: float) -> bool:
-    return any(start <= time_s < end for start, end in busy)
+    at = bisect_right(busy, time_s, key=lambda motion: motion[0]) - 1
+    return at >= 0 and time_s < busy[at][1]
 
 
 def _line(cause: Cause | None, source: SourceFile | None) -> int:
     return line_of(cause.span if cause else None, source)
 
 
-def _event_rows(event: Event, source: SourceFile | None) -> list[Json]:
-    text = event_text(event)
-    if text is None:
-        return []
-    kind, words = text
-    row: Json = {"t": seconds(event.time_s), "kind": kind, "text": words}
-    return [{**row, "line": _line(event.cause, source)}]
+def _event_rows(events: Sequence[Event], source: SourceFile | None) -> list[Json]:
+    """Return rows for the first events, and one that counts the rest (programs print at will)."""
+    rows: list[Json] = []
+    for number, event in enumerate(events):
+        if len(rows) == MOST_EVENTS:
+            rest = f"{len(events) - number} more events are not listed"
+            rows.append({"t": seconds(event.time_s), "kind": "note", "text": rest, "line": 0})
+            break
+        if (row := event_text(event)) is not None:
+            kind, text = row
+            line = _line(event.cause, source)
+            rows.append({"t": seconds(event.time_s), "kind": kind, "text": text, "line": line})
+    return rows
 
 
 def event_text(event: Event) -> tuple[str, str] | None:

@@ -13,6 +13,9 @@ if TYPE_CHECKING:  # `vrts compile` shows diagnostics and needs no engine
     from vrts.report.assessment import Assessment
 
 
+MOST_FINDINGS = 20  # of an assessment on a terminal
+
+
 def diagnostic_text(d: Diagnostic, *, color: bool) -> str:
     """Return a diagnostic with its excerpt, notes and help; no line end at the end."""
     palette = Palette(color=color)
@@ -44,7 +47,10 @@ def assessment_text(a: "Assessment", *, color: bool) -> str:
     from vrts.report.first_screen_text import first_screen_text  # not for `vrts compile`
 
     parts = [first_screen_text(a, Palette(color=color))]
-    parts += [diagnostic_text(d, color=color) for d in in_order(a.findings)]
+    findings = in_order(a.findings)
+    parts += [diagnostic_text(d, color=color) for d in findings[:MOST_FINDINGS]]
+    if len(findings) > MOST_FINDINGS:
+        parts.append(f"{len(findings) - MOST_FINDINGS} more findings are not shown here")
     return "\n\n".join(parts)
 
 

@@ -2,6 +2,7 @@
 
 import base64
 import json
+import zlib
 from array import array
 from bisect import bisect_right
 
@@ -14,8 +15,9 @@ from vrts.engine.run import Run
 from vrts.lang.compiler import compile_source
 from vrts.report.assessment import Assessment
 from vrts.report.page import page
-from vrts.report.replay_data import run_data
+from vrts.report.replay_data import MOST_EVENTS, run_data
 from vrts.report.text import assessment_text
+from vrts.scene.model import Limits, Scenario
 
 PROGRAM = SourceFile(
     "a.v2",
@@ -41,21 +43,19 @@ def run() -> Run:
 
 def numbers(text: object, kind: str) -> "array[float]":
     assert isinstance(text, str)
-    return array(kind, base64.b64decode(text))
+    return array(kind, zlib.decompress(base64.b64decode(text)))
 
 
 def test_the_segments_give_back_every_configuration(run: Run) -> None:
     segments = json.loads(json.dumps(run_data(run, PROGRAM)))["segments"]
-    starts = numbers(segments["starts"], "d")
-    ends = numbers(segments["ends"], "d")
+    knots = numbers(segments["knots"], "d")
     coefficients = numbers(segments["coefficients"], "f")
-    assert len(coefficients) == 28 * len(starts)
-    assert list(starts[1:]) == list(ends[:-1]), "gaps"
-    assert ends[-1] == run.horizon_s
+    assert len(coefficients) == 28 * (len(knots) - 1)
+    assert (knots[0], knots[-1]) == (0.0, run.horizon_s)
     for k in range(101):
         t = run.horizon_s * k / 100
-        at = bisect_right(starts, t) - 1
-        u = min(t, ends[at]) - starts[at]
+        at = bisect_right(knots, t, hi=len(knots) - 1) - 1
+        u = t - knots[at]
         state = run.at(t)
         expected = (*state.configuration, state.hand_opening)
         for row, value in enumerate(expected):
@@ -81,3 +81,14 @@ def test_a_whole_page_is_small(run: Run) -> None:
     assert len(html.encode()) < 2_000_000
     assert html.count("</script>") == 3
     assert assessment_text(a, color=False).startswith("a.v2: completed")
+
+
+def test_a_program_that_prints_without_end_still_gives_a_short_list() -> None:
+    source = SourceFile("a.v2", '.PROGRAM a()\n10 TYPE "x"\n WAIT\n GOTO 10\n.END\n')
+    compilation = compile_source(source)
+    assert compilation.module is not None, compilation.diagnostics
+    scenario = Scenario(limits=Limits(time_s=120.0))
+    events = run_data(execute(compilation.module, scene(), scenario), source)["events"]
+    assert isinstance(events, list)
+    assert len(events) == MOST_EVENTS + 1  # pyright: ignore[reportUnknownArgumentType]
+    assert "more events are not listed" in str(events[-1])  # pyright: ignore[reportUnknownArgumentType]

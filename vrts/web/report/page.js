@@ -13,7 +13,7 @@ const byId = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.
 const LEAD = 0.6; // "watch" starts this much before the moment [s]
 
 const data = JSON.parse(byId("data").textContent ?? "{}");
-const replay = new Replay(data.scene.robot.arm, data.run);
+const replay = await Replay.unpack(data.scene.robot.arm, data.run);
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const theme = () => (dark.matches ? "dark" : "light");
 const viewer = openViewer();

@@ -62,10 +62,19 @@ export class Replay {
    * @param {import("./kinematics.js").Arm} arm
    * @param {RunData} run
    */
-  constructor(arm, run) {
+  static async unpack(arm, run) {
+    return new Replay(arm, run, await Timeline.unpack(run.segments));
+  }
+
+  /**
+   * @param {import("./kinematics.js").Arm} arm
+   * @param {RunData} run
+   * @param {Timeline} timeline
+   */
+  constructor(arm, run, timeline) {
     this.arm = arm;
     this.run = run;
-    this.timeline = new Timeline(run.segments);
+    this.timeline = timeline;
     this.end = run.horizon;
     this.tools = run.tools.map(({ start, X }) => ({ start, X: poseFrom(X) }));
     this.placements = Object.entries(run.placements).map(([body, list]) => ({

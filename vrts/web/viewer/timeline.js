@@ -4,21 +4,29 @@ export const COORDINATES = 7;
 const POWERS = 4; // cubics: c0 + c1 u + c2 u^2 + c3 u^3, u = t - start
 
 /**
- * @typedef {object} SegmentData
- * @property {string} starts base64 of little-endian float64 [s]
- * @property {string} ends base64 of little-endian float64 [s]
- * @property {string} coefficients base64 of little-endian float32: segment, coordinate, power
+ * @typedef {object} SegmentData numbers are little-endian, deflated, in base64
+ * @property {string} knots float64: where the segments meet, both ends included [s]
+ * @property {string} coefficients float32: segment, coordinate, power
  */
 
 /** @typedef {{position: Float64Array, velocity: Float64Array}} Motion */
 
 /** A piecewise polynomial; time is an argument. */
 export class Timeline {
+  /**
+   * @param {Float64Array} knots one more than segments [s]
+   * @param {Float32Array} coefficients
+   */
+  constructor(knots, coefficients) {
+    this.starts = knots.subarray(0, -1);
+    this.ends = knots.subarray(1);
+    this.coefficients = coefficients;
+  }
+
   /** @param {SegmentData} data */
-  constructor(data) {
-    this.starts = new Float64Array(bytes(data.starts));
-    this.ends = new Float64Array(bytes(data.ends));
-    this.coefficients = new Float32Array(bytes(data.coefficients));
+  static async unpack(data) {
+    const [knots, coefficients] = await Promise.all([inflate(data.knots), inflate(data.coefficients)]);
+    return new Timeline(new Float64Array(knots), new Float32Array(coefficients));
   }
 
   /** End of the last segment [s]. */
@@ -75,8 +83,10 @@ export class Timeline {
 
 /**
  * @param {string} base64
- * @returns {ArrayBuffer}
+ * @returns {Promise<ArrayBuffer>}
  */
-function bytes(base64) {
-  return Uint8Array.from(atob(base64), (character) => character.charCodeAt(0)).buffer;
+function inflate(base64) {
+  const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).arrayBuffer();
 }
