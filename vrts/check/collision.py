@@ -12,16 +12,16 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.check.collision_events import Teller, apart_from, episodes
-from vrts.check.collision_pairs import Pairs, Plan, plan
-from vrts.check.collision_search import (
+from vrts.check.collision_findings import (
     BAND,
     CLEARANCE_TOLERANCE,
     GRAZE,
     Closest,
     Findings,
     Touch,
-    search,
 )
+from vrts.check.collision_pairs import Pairs, Plan, plan
+from vrts.check.collision_search import search
 from vrts.check.collision_state import Prober, RunRecord
 from vrts.check.curves import curves
 from vrts.check.verdict import Clearance, CollisionReport

@@ -5,6 +5,7 @@ less than 0.5 s apart are one event; its ends are found to 0.1 ms, its deepest m
 more finely round the deepest touch.
 """
 
+from bisect import bisect_right
 from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 
@@ -12,8 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.base.pose import Vector
+from vrts.check.collision_findings import COVERED, EVENT_GAP, REPORTED, Touch, merge
 from vrts.check.collision_pairs import Pairs
-from vrts.check.collision_search import COVERED, EVENT_GAP, REPORTED, Touch, merge
 from vrts.check.collision_state import Prober, RunRecord
 from vrts.check.curves import Curves
 from vrts.check.verdict import ContactEvent
@@ -42,9 +43,12 @@ def episodes(touches: Sequence[Touch], pairs: Pairs) -> list[Episode]:
         by_group.setdefault(int(pairs.group[touch.pair]), []).append(touch)
     found: list[Episode] = []
     for group, own in by_group.items():
+        own.sort(key=lambda touch: touch.start_s)
+        first = 0
         for start_s, end_s in merge([(touch.start_s, touch.end_s) for touch in own]):
-            members = tuple(t for t in own if start_s <= t.start_s and t.end_s <= end_s)
-            found.append(Episode(group, start_s, end_s, members))
+            last = bisect_right(own, end_s, key=lambda touch: touch.start_s)
+            found.append(Episode(group, start_s, end_s, tuple(own[first:last])))
+            first = last
     return sorted(found, key=lambda episode: (episode.start_s, episode.group))
 
 

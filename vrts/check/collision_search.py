@@ -14,17 +14,28 @@ bound is above `CAP`. All rows of all intervals are handled together, level by l
 [Schwarzer2005]_ proves the halving with one distance and one bound to miss nothing.
 """
 
-from dataclasses import dataclass, field
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
+from vrts.check.collision_exact import Exact, outside
+from vrts.check.collision_findings import (
+    BAND,
+    CLEARANCE_TOLERANCE,
+    COVERED,
+    GRAZE,
+    REPORTED,
+    Closest,
+    Findings,
+    Touch,
+    spans,
+)
 from vrts.check.collision_pairs import Pairs
 from vrts.check.collision_state import instants_of
 from vrts.check.curves import Curves, Spread
 from vrts.engine.records import GRAVITY
-from vrts.geometry.narrow import ERROR, Transform, pair, transform
+from vrts.geometry.narrow import ERROR, pair
 from vrts.geometry.solids import Instants, Motion, Places, Solids
 from vrts.robots.model import SphericalWristArm
 
@@ -33,51 +44,11 @@ Flags: TypeAlias = npt.NDArray[np.bool_]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
 PAD = 5e-6  # [m] added to every bound: rounding and the error of the exact distance
-GRAZE = 1e-5  # [m] shapes that overlap less than this do not even graze
-BAND = 1e-5  # [m] this near to the tolerance a depth is undetermined
-CAP = 0.03  # [m] no exact distance while the bound is larger
-REPORTED = 1e-3  # [s] times of contact
 FINEST = 1e-5  # [s] to which intervals still open are halved
-COVERED = 0.016  # [s] inside a contact event shorter intervals are not looked into
-EVENT_GAP = 0.5  # [s] contacts of one pair of names less than this apart are one event
-CLEARANCE_TOLERANCE = 1e-4  # [m]
-PROBES = 32  # rows of a level measured early, to find a small distance soon
 FIRST_NODE = 0.3  # [s] length of the first intervals
 BUDGET = 600_000  # exact distances; what is open then is undetermined
 
 assert ERROR < PAD
-
-
-class Touch(NamedTuple):
-    """A pair of solids found nearer than it should be."""
-
-    pair: int  # row of the pairs
-    start_s: float
-    end_s: float
-    time_s: float  # between the two
-    distance: float  # signed, then [m]
-
-
-class Closest(NamedTuple):
-    """The smallest distance found."""
-
-    distance: float  # [m]
-    pair: int
-    time_s: float
-
-
-@dataclass(slots=True)
-class Findings:
-    """What a search finds."""
-
-    contacts: list[Touch] = field(default_factory=list[Touch])
-    grazes: list[Touch] = field(default_factory=list[Touch])
-    open: list[Touch] = field(default_factory=list[Touch])
-    closest: Closest = field(default_factory=lambda: Closest(np.inf, -1, 0.0))
-    nodes: int = 0
-    rows: int = 0
-    exact: int = 0
-    levels: int = 0
 
 
 class _Level(NamedTuple):
@@ -130,7 +101,7 @@ class _Search:
         self.solids = solids
         self.pairs = pairs
         self.found = Findings()
-        self.counts = (pairs.counts & clearance).tolist()
+        self.counts = pairs.counts & clearance
         if not clearance:
             self.found.closest = Closest(-np.inf, -1, 0.0)
         # of each pair, the solid that hangs further out, which is the one that moves
@@ -198,8 +169,8 @@ class _Search:
         reach = bound[self.inner_frame[row], at_outer] + PAD
         if self.falls:
             reach += self._drop(level, inner, node) + self._drop(level, outer, node)
-        gap = _outside(places, at_outer, at_inner)
-        exact = _Exact(self, level.middle, places)
+        gap = outside(places, at_outer, at_inner)
+        exact = Exact(self.functions, self.counts, self.floor, self.found, level.middle, places)
         if self.found.closest.distance > -np.inf:
             exact.probe(row, node, at_outer, at_inner, gap)
         keep = np.nonzero(gap - reach < self._bar(row))[0]
@@ -333,7 +304,7 @@ class _Search:
                 found.contacts.append(Touch(int(row[k]), t, t, t, d))
         if deep.any():
             found.closest = Closest(-np.inf, -1, 0.0)
-            self.spans = _spans(found.contacts, pairs.group)
+            self.spans = spans(found.contacts, pairs.group)
         done = whole
         if self.spans:
             done |= (length <= COVERED) & self._covered(row, node)
@@ -389,92 +360,6 @@ class _Search:
             self.found.open.append(Touch(row, start, end, 0.5 * (start + end), np.nan))
 
 
-class _Exact:
-    """Asks for exact distances at the middles of a level."""
-
-    def __init__(self, of: _Search, middle: Array, places: Places) -> None:
-        self.of = of
-        self.middle = middle
-        self.places = places
-        self.transforms: list[Transform | None] = [None] * len(places.origins)
-
-    def probe(
-        self, row: Indices, node: Indices, outer: Indices, inner: Indices, gap: Array
-    ) -> None:
-        """Look at the rows that promise the smallest distances."""
-        counts = self.of.pairs.counts[row] & (gap < self.of.found.closest.distance)
-        rows = np.nonzero(counts)[0]
-        if len(rows) > PROBES:
-            rows = rows[np.argpartition(gap[rows], PROBES)[:PROBES]]
-        for k in rows[np.argsort(gap[rows])].tolist():
-            if gap[k] < self.of.found.closest.distance:
-                self._distance(int(row[k]), int(node[k]), int(outer[k]), int(inner[k]))
-
-    def measure(
-        self, row: Indices, node: Indices, outer: Indices, inner: Indices, gap: Array, reach: Array
-    ) -> tuple[Array, Array]:
-        """Return distances, shape (r,), NaN where none was needed, and normals, shape (r, 3)."""
-        count = len(row)
-        distance = np.full(count, np.nan)
-        normal = np.zeros((count, 3))
-        within = np.nonzero(reach <= CAP)[0]
-        within = within[np.argsort(gap[within], kind="stable")]
-        least = (gap - reach)[within].tolist()
-        floor = self.of.floor[row[within]].tolist()
-        columns = zip(
-            within.tolist(),
-            least,
-            floor,
-            row[within].tolist(),
-            node[within].tolist(),
-            outer[within].tolist(),
-            inner[within].tolist(),
-            strict=True,
-        )
-        functions = self.of.functions
-        for k, low, bottom, r, n, a, b in columns:
-            if low >= bottom and low >= self.of.found.closest.distance - CLEARANCE_TOLERANCE:
-                continue
-            distance[k] = self._distance(r, n, a, b)
-            normal[k] = functions[int(r)].normal
-        return distance, normal
-
-    def _distance(self, row: int, node: int, outer: int, inner: int) -> float:
-        of = self.of
-        of.found.exact += 1
-        distance = of.functions[row].distance(self._transform(outer), self._transform(inner))
-        if distance < of.found.closest.distance and of.counts[row]:
-            of.found.closest = Closest(distance, row, float(self.middle[node]))
-        return distance
-
-    def _transform(self, at: int) -> Transform:
-        known = self.transforms[at]
-        if known is None:
-            known = transform(self.places.rotations[at], self.places.origins[at])
-            self.transforms[at] = known
-        return known
-
-
-def _outside(places: Places, a: Indices, b: Indices) -> Array:
-    """Return a lower bound on signed distances, (r,), from the boxes along the axes.
-
-    Boxes that overlap say little: the shapes in them cannot overlap deeper than the boxes do.
-    """
-    square = np.zeros(len(a))
-    widest = np.full(len(a), -np.inf)
-    for axis in range(3):
-        centre = np.ascontiguousarray(places.centres[:, axis])
-        half = np.ascontiguousarray(places.halves[:, axis])
-        gap = np.abs(centre[a] - centre[b])
-        gap -= half[a]
-        gap -= half[b]
-        np.maximum(widest, gap, out=widest)
-        np.maximum(gap, 0.0, out=gap)
-        gap *= gap
-        square += gap
-    return np.where(widest > 0.0, np.sqrt(square), widest)
-
-
 def _divided(start: Array, end: Array, parts: Indices) -> tuple[Array, Array, Indices]:
     """Return intervals cut into equal parts, and which one each part comes from."""
     of = np.repeat(np.arange(len(start)), parts)
@@ -494,26 +379,3 @@ def _distinct(a: Indices, b: Indices, size: int) -> tuple[Indices, Indices]:
     place = np.empty(size, dtype=np.int64)
     place[known] = np.arange(len(known))
     return place, known
-
-
-def _spans(contacts: list[Touch], group: Indices) -> dict[int, tuple[Array, Array]]:
-    """Return, for each group, the intervals that one event covers."""
-    by_group: dict[int, list[tuple[float, float]]] = {}
-    for touch in contacts:
-        by_group.setdefault(int(group[touch.pair]), []).append((touch.start_s, touch.end_s))
-    spans: dict[int, tuple[Array, Array]] = {}
-    for number, intervals in by_group.items():
-        merged = merge(intervals)
-        spans[number] = (np.array([a for a, _ in merged]), np.array([b for _, b in merged]))
-    return spans
-
-
-def merge(intervals: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return intervals in order, those less than `EVENT_GAP` apart joined."""
-    merged: list[tuple[float, float]] = []
-    for start, end in sorted(intervals):
-        if merged and start - merged[-1][1] < EVENT_GAP:
-            merged[-1] = (merged[-1][0], max(merged[-1][1], end))
-        else:
-            merged.append((start, end))
-    return merged
