@@ -14,6 +14,7 @@ from vrts.ir.expressions import (
     Binary,
     Compose,
     Constant,
+    Expression,
     Global,
     Load,
     Place,
@@ -21,7 +22,7 @@ from vrts.ir.expressions import (
     Unary,
     WholeArray,
 )
-from vrts.ir.instructions import Format, Instruction
+from vrts.ir.instructions import Call, Format, Instruction
 from vrts.ir.module import Module, Program
 from vrts.ir.values import Type, Value
 
@@ -59,8 +60,19 @@ def _instruction(instruction: Instruction) -> str:
     for field, operand in zip(instruction._fields, instruction, strict=True):
         if operand is None or isinstance(operand, Span):
             continue
-        parts.append(f"{field}={text_of(operand)}")
+        if isinstance(instruction, Call) and field == "arguments":
+            parts.append(f"arguments=({', '.join(map(_passed, instruction.arguments))})")
+        else:
+            parts.append(f"{field}={text_of(operand)}")
     return " ".join(parts)
+
+
+def _passed(argument: Expression | Place | WholeArray | None) -> str:
+    """Return an argument; `&` marks what is passed by reference."""
+    if argument is None:
+        return "_"
+    mark = "&" if isinstance(argument, Place | WholeArray) else ""
+    return mark + text_of(argument)
 
 
 def text_of(operand: object) -> str:

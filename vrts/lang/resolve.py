@@ -88,6 +88,7 @@ class Resolver:
         self.program_of: dict[int, str | None] = {}  # of each of `moves`, by offset
         self.argument_types: dict[int, Type] = {}  # of expressions passed by value, by identity
         self.bad_names: set[str] = set()
+        self.reserved: set[str] = set()  # keywords used as names, each said once
 
     def type_of_name(self, program: str | None, name: Name) -> Type:
         """Return the type of a name as all its uses tell."""
@@ -381,6 +382,9 @@ class Resolver:
                 return
         elif upper in INSTRUCTIONS and not INSTRUCTIONS[upper].in_val2:
             return
+        if upper in self.reserved:
+            return
+        self.reserved.add(upper)
         self.problems.warning(
             KEYWORD_AS_NAME,
             f"{upper} is a word of the language, here it names a variable",
