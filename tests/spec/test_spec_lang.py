@@ -18,7 +18,7 @@ from vrts.ir.verify import verify
 from vrts.lang.compiler import compile_source
 
 CHAPTERS = sorted(Path(__file__).parent.glob("lang-*.md"))
-_FENCE = re.compile(r"^(#+ .*)$|^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+_FENCE = re.compile(r"^(#+ [^\n]*)$|^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 class Case(NamedTuple):
