@@ -26,7 +26,12 @@ export class Charts {
    * @param {(t: number) => void} seek
    */
   constructor(list, times, charts, contacts, seek) {
-    Object.assign(this, { list, times, charts, contacts, seek });
+    this.list = list;
+    this.times = times;
+    this.charts = charts;
+    this.contacts = contacts;
+    this.seek = seek;
+    this.width = 0;
     this.end = times[times.length - 1] || 1;
     /** @type {SVGLineElement[]} */
     this.cursors = [];
