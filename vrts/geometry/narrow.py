@@ -64,11 +64,12 @@ _REQUEST.enable_signed_distance = True
 class Pair:
     """Two shapes whose distance is asked for again and again."""
 
-    __slots__ = ("_compute", "_result")
+    __slots__ = ("_compute", "_result", "_solids")
 
     def __init__(self, first: Shape, second: Shape) -> None:
         """Choose the algorithm for two shapes once."""
-        self._compute = coal.ComputeDistance(solid(first), solid(second))
+        self._solids = (solid(first), solid(second))  # coal keeps bare pointers to them
+        self._compute = coal.ComputeDistance(*self._solids)
         self._result = coal.DistanceResult()
 
     def distance(self, first: Transform, second: Transform) -> float:
