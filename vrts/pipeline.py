@@ -1,0 +1,367 @@
+"""The stages for one request, composed, each at most once; and the files they need.
+
+Reads programs, scenes and tasks; writes nothing. What is wrong in a file is a diagnostic; a file
+that is not there is a wrong call and raises `CannotRead`.
+"""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
+
+from vrts.base.diagnostic import Diagnostic, Rule, error
+from vrts.base.source import SourceFile
+
+if TYPE_CHECKING:
+    from vrts.check.task import Task
+    from vrts.lang.compiler import Compilation
+    from vrts.report.assessment import Assessment
+    from vrts.scene.model import Scenario, Scene
+
+NO_SUCH_PROGRAM = Rule("V190", "no-such-program")
+
+PACKAGE = Path(__file__).parent
+LIBRARY = PACKAGE / "library"  # scenes and examples in an installed package
+CHECKOUT = PACKAGE.parent  # the same in a checkout
+
+SCENE_FILE = "scene.toml"
+TASK_FILE = "task.toml"
+MAX_TOML = 1_000_000  # bytes
+
+Value = TypeVar("Value")
+
+
+class CannotRead(Exception):  # noqa: N818 -- names the situation
+    """A file that a request names cannot be read."""
+
+    def __init__(self, message: str, hints: tuple[str, ...] = ()) -> None:
+        """Say which and why; `hints` tell what there is instead."""
+        super().__init__(message)
+        self.message = message
+        self.hints = hints
+
+
+class Refused(Exception):  # noqa: N818 -- names the situation
+    """A scene or task file has errors; the diagnostics say which."""
+
+    def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
+        """Keep everything that was found."""
+        super().__init__("errors in a scene or task file")
+        self.diagnostics = diagnostics
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A scene, and the task set in it if there is one, read and found right."""
+
+    scene: "Scene"
+    task: "Task | None"
+    diagnostics: tuple[Diagnostic, ...]  # warnings
+
+
+# --- files ----------------------------------------------------------------------------------------
+
+
+def library_folders() -> tuple[Path, ...]:
+    """Return the folders that hold `scenes` and `examples`, the checkout's first."""
+    return tuple(folder for folder in (CHECKOUT, LIBRARY) if (folder / "scenes").is_dir())
+
+
+def scene_names() -> tuple[str, ...]:
+    """Return the names of the scenes that come with vrts."""
+    return tuple(
+        sorted(
+            {
+                path.parent.name
+                for folder in library_folders()
+                for path in (folder / "scenes").glob(f"*/{SCENE_FILE}")
+            }
+        )
+    )
+
+
+def find_scene(name: str, beside: Path | None = None) -> Path:
+    """Return the file of a scene: a path, beside a given file, or a name of the library.
+
+    Raises:
+        CannotRead: There is no such scene.
+    """
+    folders = [folder for folder in (beside, Path.cwd()) if folder is not None]
+    for folder in folders:
+        for candidate in (folder / name, folder / name / SCENE_FILE):
+            if candidate.is_file():
+                return candidate
+    for folder in library_folders():
+        candidate = folder / "scenes" / name / SCENE_FILE
+        if re.fullmatch(r"[\w.-]+", name) and candidate.is_file():
+            return candidate
+    raise CannotRead(f"there is no scene `{name}`", (f"scenes: {', '.join(scene_names())}",))
+
+
+def find_example(name: str) -> Path | None:
+    """Return the folder of an example: a path, or a name of the library."""
+    if Path(name).is_dir():
+        return Path(name)
+    for folder in library_folders():
+        candidate = folder / "examples" / name
+        if re.fullmatch(r"[\w.-]+", name) and candidate.is_dir():
+            return candidate
+    return None
+
+
+def read_bytes(path: Path) -> bytes:
+    """Return the bytes of a file.
+
+    Raises:
+        CannotRead: It is not there, is a folder, or may not be read.
+    """
+    try:
+        return path.read_bytes()
+    except OSError as problem:
+        reason = (problem.strerror or "unreadable").lower()
+        raise CannotRead(f"cannot read `{path}`: {reason}") from problem
+
+
+def read_toml_source(path: Path) -> SourceFile:
+    """Return the text of a TOML file.
+
+    Raises:
+        CannotRead: It is not there, is too large, or is not UTF-8.
+    """
+    data = read_bytes(path)
+    if len(data) > MAX_TOML:
+        raise CannotRead(f"`{path}` is too large: {len(data):,} bytes")
+    try:
+        return SourceFile(shown(path), data.decode("utf-8-sig").replace("\r\n", "\n"))
+    except UnicodeDecodeError as problem:
+        raise CannotRead(f"`{path}` is not UTF-8 text") from problem
+
+
+def shown(path: Path) -> str:
+    """Return a path as diagnostics show it: relative to the working folder where it is inside."""
+    try:
+        return str(path.resolve().relative_to(Path.cwd()))
+    except ValueError:
+        return str(path)
+
+
+# --- settings -------------------------------------------------------------------------------------
+
+
+def robot_alone() -> Setting:
+    """Return the scene of a robot by itself."""
+    from vrts.scene.default import robot_alone as alone
+
+    return Setting(alone(), None, ())
+
+
+def load_scene(name: str, beside: Path | None = None) -> Setting:
+    """Return a scene without a task.
+
+    Raises:
+        CannotRead: There is no such scene.
+        Refused: Its file has errors.
+    """
+    from vrts.scene.scene_file import read_scene
+
+    scene, found = read_scene(read_toml_source(find_scene(name, beside)))
+    return Setting(_accepted(scene, found), None, found)
+
+
+def load_task(path: Path, scene: str | None = None) -> Setting:
+    """Return a task in its scene, or in another one.
+
+    Raises:
+        CannotRead: The task or its scene is not there.
+        Refused: One of the files has errors.
+    """
+    from vrts.check.task_file import read_task, scene_name
+
+    source = read_toml_source(path / TASK_FILE if path.is_dir() else path)
+    named, found = scene_name(source)
+    wanted = scene or _accepted(named, found)
+    setting = load_scene(wanted, path if path.is_dir() else path.parent)
+    task, found = read_task(source, setting.scene)
+    return Setting(setting.scene, _accepted(task, found), (*setting.diagnostics, *found))
+
+
+def setting_for(
+    program: Path | None, *, scene: str | None = None, task: Path | None = None
+) -> Setting | None:
+    """Return the setting that a program is verified in; None when nothing tells which.
+
+    The task is the one given, else `task.toml` beside the program, unless a scene is asked for.
+    """
+    if task is not None:
+        return load_task(task, scene)
+    beside = program.parent if program is not None else None
+    if scene is not None:
+        return load_scene(scene, beside)
+    if beside is None:
+        return None
+    for folder in (beside, beside.parent if beside.name == "submissions" else beside):
+        if (folder / TASK_FILE).is_file():
+            return load_task(folder / TASK_FILE)
+    return None
+
+
+def _accepted(value: Value | None, found: tuple[Diagnostic, ...]) -> Value:
+    if value is None:
+        raise Refused(found)
+    return value
+
+
+class Compiled(NamedTuple):
+    """A program as far as it could be read and compiled."""
+
+    source: SourceFile | None  # None for what is no text
+    compilation: "Compilation | None"
+    diagnostics: tuple[Diagnostic, ...]
+
+
+# --- programs -------------------------------------------------------------------------------------
+
+
+def compile_bytes(data: bytes, name: str) -> "Compiled":
+    """Return source, compilation and diagnostics; the first two are None for what is no text."""
+    from vrts.lang.compiler import compile_source
+    from vrts.lang.reading import decode
+
+    source = decode(data, name)
+    if isinstance(source, Diagnostic):
+        return Compiled(None, None, (source,))
+    compilation = compile_source(source)
+    return Compiled(source, compilation, compilation.diagnostics)
+
+
+def assess(
+    program: Path | bytes,
+    *,
+    scene: str | None = None,
+    task: Path | None = None,
+    setting: Setting | None = None,
+    identifier: str | None = None,
+    title: str | None = None,
+    collisions: bool = True,
+    judged: bool = True,
+    entry: str | None = None,
+    step_done: Callable[[str], None] = lambda _: None,
+) -> "Assessment":
+    """Compile, run, check and mark one program.
+
+    Args:
+        program: Its file, or its bytes.
+        scene: Name or path of the scene; None: the task's.
+        task: The task file; None: the one beside the program, or none.
+        setting: Scene and task already read, in place of the two above.
+        identifier: Safe for file names; None: the stem of the file.
+        title: As shown; None: the name of the file.
+        collisions: Whether to check them.
+        judged: Whether to check and mark at all.
+        entry: Program to execute; None: the task's, else the first.
+        step_done: Told the name of every stage that is done.
+
+    Raises:
+        CannotRead: A file is not there, or nothing says which scene to take.
+        Refused: Scene or task have errors.
+    """
+    from vrts.report.assessment import Assessment
+
+    path = program if isinstance(program, Path) else None
+    data = read_bytes(program) if isinstance(program, Path) else program
+    if setting is None:
+        setting = setting_for(path, scene=scene, task=task)
+    if setting is None:
+        raise CannotRead(
+            "nothing says in which scene to verify the program",
+            (
+                "give `--scene NAME`, or put a `task.toml` beside it",
+                f"scenes: {', '.join(scene_names())}",
+            ),
+        )
+    name = title or (shown(path) if path is not None else "program")
+    source, compilation, found = compile_bytes(data, name)
+    step_done("compile")
+    start = Assessment(
+        identifier or (path.stem if path is not None else "program"),
+        name if title or path is None else path.name,
+        source,
+        found,
+        scene=setting.scene,
+        task=setting.task,
+    )
+    if compilation is None or compilation.module is None or compilation.module.main is None:
+        return _ungraded(start)
+    start = replace(start, module=compilation.module)
+    return _run(start, judged=judged, collisions=collisions, entry=entry, step_done=step_done)
+
+
+def _run(
+    a: "Assessment",
+    *,
+    judged: bool,
+    collisions: bool,
+    entry: str | None,
+    step_done: Callable[[str], None],
+) -> "Assessment":
+    from vrts.engine.controller import execute
+
+    assert a.module is not None
+    assert a.scene is not None
+    name = entry or (a.task.program if a.task else None)
+    if name is not None and name.lower() not in a.module.programs:
+        return _ungraded(replace(a, diagnostics=(*a.diagnostics, _no_program(a, name))))
+    run = execute(a.module, a.scene, scenario_for(a.task), name.lower() if name else None)
+    step_done("simulate")
+    scene, task = a.scene, a.task
+    a = replace(a, run=run, diagnostics=_without_repeats(a.diagnostics, run.findings))
+    if not judged:
+        return a
+    from vrts.check.judge import judge
+
+    judgement = judge(scene, run, task, collisions=collisions)
+    step_done("check")
+    a = replace(a, judgement=judgement)
+    if task is None:
+        return a
+    from vrts.check.mark import grade
+
+    return replace(a, grade=grade(task, run, judgement))
+
+
+def scenario_for(task: "Task | None") -> "Scenario":
+    """Return the scenario of a task: a run longer than its longest time is stopped."""
+    from vrts.scene.model import Limits, Scenario
+
+    if task is None:
+        return Scenario()
+    usual = Limits()
+    return Scenario(limits=replace(usual, time_s=min(usual.time_s, task.t_max)))
+
+
+def _ungraded(a: "Assessment") -> "Assessment":
+    from vrts.check.grade import Status
+    from vrts.check.mark import ungraded
+
+    if a.task is None:
+        return a
+    status = Status.UNREADABLE if a.source is None else Status.DOES_NOT_COMPILE
+    return replace(a, grade=ungraded(status, a.diagnostics))
+
+
+def _no_program(a: "Assessment", name: str) -> Diagnostic:
+    assert a.module is not None
+    return error(
+        NO_SUCH_PROGRAM,
+        f"there is no program `{name}` to execute",
+        help=(f"programs in the file: {', '.join(a.module.programs)}",),
+    )
+
+
+def _without_repeats(
+    compiled: tuple[Diagnostic, ...], run: tuple[Diagnostic, ...]
+) -> tuple[Diagnostic, ...]:
+    """Drop warnings of the compiler about a name whose run-time error says the same."""
+    named = {d.data["name"] for d in run if d.is_error and "name" in d.data}
+    return tuple(d for d in compiled if d.is_error or d.data.get("name") not in named)

@@ -1,0 +1,269 @@
+"""Recordings for the Rerun viewer: the only door to rerun.
+
+Everything is sent in columns, never frame by frame. Time is in seconds on the timeline "t". Static
+things are logged once; links, hand and bodies get poses only while they move.
+"""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.base.pose import Pose
+from vrts.engine.events import Found, MotionStarted, Printed, SignalChanged
+from vrts.geometry.mesh import tessellate
+from vrts.geometry.shapes import Piece
+from vrts.report.assessment import Assessment
+from vrts.robots.batch import link_frames
+
+if TYPE_CHECKING:
+    import rerun as rr
+
+Array = npt.NDArray[np.float64]
+
+RATE = 50.0  # poses a second, as the original system broadcast them
+TIMELINE = "t"
+ARM_COLOR = (214, 205, 190)
+HAND_COLOR = (70, 74, 80)
+
+MISSING = (
+    "recordings need the package rerun-sdk, which has no wheel for this machine;"
+    " everything else works without it"
+)
+
+
+class RecordingUnavailable(Exception):  # noqa: N818 -- names the situation
+    """Rerun is not installed here."""
+
+
+def write_recording(a: Assessment, path: Path) -> None:
+    """Write a recording of a run.
+
+    Raises:
+        RecordingUnavailable: The library is missing.
+        ValueError: There is no run to record.
+    """
+    try:
+        import rerun as rr
+    except ImportError as missing:
+        raise RecordingUnavailable(MISSING) from missing
+    if a.run is None or a.scene is None:
+        raise ValueError("nothing was run")
+    stream = rr.RecordingStream("vrts", recording_id=a.identifier, send_properties=False)
+    with stream:
+        stream.save(path, default_blueprint=_blueprint(a))
+        _static(rr, a)
+        _moving(rr, a)
+        _plots(rr, a)
+        _texts(rr, a)
+    stream.flush()
+    stream.disconnect()
+
+
+def times_of(a: Assessment) -> Array:
+    """Return the instants that are recorded: a steady rate, and every change of a segment."""
+    assert a.run is not None
+    end = a.run.horizon_s
+    steady = np.arange(0.0, end, 1.0 / RATE)
+    return np.unique(np.concatenate([steady, [end]]))
+
+
+def _blueprint(a: Assessment) -> object:
+    import rerun.blueprint as rrb
+
+    return rrb.Blueprint(
+        rrb.Horizontal(
+            rrb.Vertical(
+                rrb.Spatial3DView(origin="/world", name="Scene"),
+                rrb.TextLogView(origin="/log", name="Program"),
+                row_shares=[3, 1],
+            ),
+            rrb.Vertical(
+                rrb.TimeSeriesView(origin="/joints", name="Joints [deg]"),
+                rrb.TimeSeriesView(origin="/speed", name="Joint speed [% of limit]"),
+                rrb.TimeSeriesView(origin="/hand", name="Hand opening [mm]"),
+                rrb.TextDocumentView(origin="/summary", name="Summary"),
+            ),
+            column_shares=[3, 2],
+        ),
+        rrb.TimePanel(timeline=TIMELINE, state="expanded"),
+        collapse_panels=True,
+    )
+
+
+def _mesh(rr: "rr", pieces: Sequence[Piece], color: tuple[int, int, int]) -> object:
+    vertices, triangles, offset = [], [], 0
+    for piece in pieces:
+        mesh = tessellate(piece)
+        corners = np.asarray(mesh.vertices)
+        vertices.append(corners)
+        triangles.append(np.asarray(mesh.triangles) + offset)
+        offset += len(corners)
+    # every triangle has corners of its own, so that faces look flat
+    faces = np.concatenate(vertices)[np.concatenate(triangles)]
+    normals = np.cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+    return rr.Mesh3D(
+        vertex_positions=faces.reshape(-1, 3).astype(np.float32),
+        triangle_indices=np.arange(3 * len(faces), dtype=np.uint32).reshape(-1, 3),
+        vertex_normals=np.repeat(normals, 3, axis=0).astype(np.float32),
+        albedo_factor=[*color, 255],
+    )
+
+
+def _static(rr: "rr", a: Assessment) -> None:
+    assert a.scene is not None
+    robot = a.scene.robot
+    rr.log("world", rr.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
+    for link in robot.arm.links:
+        if link.pieces:
+            rr.log(
+                f"world/robot/{_path(link.name)}", _mesh(rr, link.pieces, ARM_COLOR), static=True
+            )
+    rr.log("world/robot/hand", _mesh(rr, robot.gripper.body, HAND_COLOR), static=True)
+    for finger in robot.gripper.fingers:
+        path = f"world/robot/{_path(finger.name)}"
+        rr.log(path, _mesh(rr, finger.pieces, HAND_COLOR), static=True)
+    for body in a.scene.bodies:
+        color = tuple(round(255 * _srgb(part)) for part in body.color)
+        path = f"world/{_path(body.name)}"
+        rr.log(path, _mesh(rr, body.pieces, (color[0], color[1], color[2])), static=True)
+        rr.log(
+            path,
+            _transform(rr, body.X_WO),
+            static=a.run is None or body.name not in a.run.placements,
+        )
+    rr.log("summary", rr.TextDocument(_summary(a), media_type="text/markdown"), static=True)
+
+
+def _moving(rr: "rr", a: Assessment) -> None:
+    assert a.run is not None
+    assert a.scene is not None
+    robot, times = a.scene.robot, times_of(a)
+    states = _coordinates(a, times)
+    rotations, origins = link_frames(robot.arm, states[:, :6])
+    moving = np.concatenate([[True], np.any(np.abs(np.diff(states, axis=0)) > 1e-9, axis=1)])
+    moving[:-1] |= moving[1:]
+    for link in robot.arm.links:
+        if link.pieces:
+            k = link.joint
+            _send(rr, link.name, "robot/", times[moving], rotations[k][moving], origins[k][moving])
+    flange_r = rotations[6]
+    flange_p = origins[6] + robot.arm.d6 * flange_r[:, :, 2]
+    _send(rr, "hand", "robot/", times[moving], flange_r[moving], flange_p[moving])
+    for finger in robot.gripper.fingers:
+        shift = 0.5 * finger.side * states[:, 6:7] * flange_r[:, :, 1]
+        at = (flange_p + shift)[moving]
+        _send(rr, finger.name, "robot/", times[moving], flange_r[moving], at)
+    poses = [a.run.at(float(t)).poses for t in times]
+    for name in a.run.placements:
+        track = [p[name] for p in poses]
+        changes = [True, *(x != y for x, y in zip(track[1:], track[:-1], strict=True))]
+        keep = np.array(changes)
+        keep[:-1] |= keep[1:]
+        chosen = [track[k] for k in np.flatnonzero(keep)]
+        turn = np.array([x.rotation for x in chosen]).reshape(-1, 3, 3)
+        _send(rr, name, "", times[keep], turn, np.array([x.translation for x in chosen]))
+
+
+def _coordinates(a: Assessment, times: Array) -> Array:
+    assert a.run is not None
+    timeline = a.run.timeline
+    return np.array([(*timeline.configuration(t), timeline.opening(t)) for t in times.tolist()])
+
+
+def _send(rr: "rr", name: str, folder: str, times: Array, rotations: Array, origins: Array) -> None:
+    rr.send_columns(
+        f"world/{folder}{_path(name)}",
+        [rr.TimeColumn(TIMELINE, duration=times)],
+        rr.Transform3D.columns(
+            translation=origins.astype(np.float32), mat3x3=rotations.astype(np.float32)
+        ),
+    )
+
+
+def _plots(rr: "rr", a: Assessment) -> None:
+    assert a.run is not None
+    assert a.scene is not None
+    arm, times = a.scene.robot.arm, times_of(a)
+    states = _coordinates(a, times)
+    rates = np.array([a.run.timeline.velocity(t) for t in times.tolist()])
+    names = [f"JT{k}" for k in range(1, 7)]
+    column = [rr.TimeColumn(TIMELINE, duration=times)]
+    count = np.full(len(times), 6)
+    for path, values in (
+        ("joints", np.degrees(states[:, :6])),
+        ("speed", 100.0 * rates / np.array(arm.speed)),
+    ):
+        rr.log(path, rr.SeriesLines(names=names), static=True)
+        rr.send_columns(path, column, rr.Scalars.columns(scalars=values.ravel()).partition(count))
+    rr.log("hand", rr.SeriesLines(names=["opening"]), static=True)
+    rr.send_columns("hand", column, rr.Scalars.columns(scalars=1000.0 * states[:, 6]))
+    limits = np.array([100.0, -100.0])
+    rr.log("speed/limit", rr.SeriesLines(names=["limit", "limit"]), static=True)
+    rr.send_columns(
+        "speed/limit",
+        [rr.TimeColumn(TIMELINE, duration=times[[0, -1]])],
+        rr.Scalars.columns(scalars=np.tile(limits, 2)).partition(np.array([2, 2])),
+    )
+
+
+def _texts(rr: "rr", a: Assessment) -> None:
+    assert a.run is not None
+    rows: list[tuple[float, str, str]] = []
+    for event in a.run.events:
+        cause = event.cause
+        where = f"line {cause.span.line}  " if cause else ""
+        match event:
+            case MotionStarted(cause=by):
+                rows.append((event.time_s, f"{where}{' '.join(by.span.text.split())}", "INFO"))
+            case Printed(text=text):
+                rows.append((event.time_s, f"{where}TYPE: {text.rstrip()}", "INFO"))
+            case SignalChanged(signal=signal, on=on):
+                rows.append(
+                    (event.time_s, f"{where}signal {signal} {'on' if on else 'off'}", "INFO")
+                )
+            case Found(diagnostic=found):
+                level = "ERROR" if found.is_error else "WARN"
+                rows.append((event.time_s, f"{where}{found.headline}", level))
+            case _:
+                name = type(event).__name__
+                body = f" {event.body}" if hasattr(event, "body") else ""
+                rows.append((event.time_s, f"{where}{name}{body}", "DEBUG"))
+    if a.judgement is not None and a.judgement.collisions is not None:
+        for contact in a.judgement.collisions.contacts:
+            words = f"contact: {contact.parts[0]} and {contact.parts[1]}"
+            rows.append((contact.start_s, words, "ERROR"))
+    rows.sort(key=lambda row: row[0])
+    if not rows:
+        return
+    rr.send_columns(
+        "log",
+        [rr.TimeColumn(TIMELINE, duration=np.array([row[0] for row in rows]))],
+        rr.TextLog.columns(text=[row[1] for row in rows], level=[row[2] for row in rows]),
+    )
+
+
+def _summary(a: Assessment) -> str:
+    from vrts.report.first_screen import first_screen
+
+    screen = first_screen(a)
+    mark = "" if screen.mark is None else f"**{float(screen.mark):.1f} of 10**, "
+    ready = "yes" if screen.ready else "no"
+    return f"# {a.title}\n\n{mark}ready for the real robot: {ready}\n\n{screen.cause}\n"
+
+
+def _transform(rr: "rr", X: Pose) -> object:
+    return rr.Transform3D(
+        translation=X.translation, mat3x3=np.array(X.rotation, dtype=np.float32).reshape(3, 3)
+    )
+
+
+def _path(name: str) -> str:
+    return name.replace(" ", "_")
+
+
+def _srgb(linear: float) -> float:
+    return 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
