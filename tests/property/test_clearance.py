@@ -82,8 +82,8 @@ def test_the_spread_of_curves_is_exact(seed: int) -> None:
         for k in range(count)
     ]
     known = curves(segments)
-    t0 = float(random.uniform(0.0, ends[-1]))
-    t1 = float(random.uniform(t0, ends[-1]))
+    t0 = float(random.uniform(0.0, finish[-1]))
+    t1 = float(random.uniform(t0, finish[-1]))
     spread = known.spread(np.array([t0]), np.array([t1]))
     inside = [t for t in ends.tolist() if t0 < t < t1]
     just_before = [math.nextafter(t, 0.0) for t in inside]
@@ -115,6 +115,30 @@ def test_no_contact_that_sampling_finds_is_missed(first: int) -> None:
         assert min(event.start_s for event in found) <= times[0] + 1e-3
         assert max(event.end_s for event in found) >= times[-1] - 1e-3
     assert hits >= 10
+
+
+@pytest.mark.parametrize(
+    ("seed", "kind", "shortest_s"),
+    [
+        (428, "rod", 3e-4),
+        (865, "plate", 5e-4),
+        (1338, "post", 5e-4),
+        (1754, "post", 5e-4),
+        (1868, "rod", 7e-4),
+        (1954, "post", 0.0),
+    ],
+)
+def test_contacts_shorter_than_a_millisecond_are_found(
+    seed: int, kind: str, shortest_s: float
+) -> None:
+    case = near_miss(seed)
+    times = sampled(case)
+    assert times[-1] - times[0] == pytest.approx(shortest_s, abs=1e-9)
+    report = check_collisions(case.scene, case.record, clearance=False)
+    (event,) = (event for event in report.contacts if event.second == kind)
+    assert event.start_s <= times[0] + 2e-4
+    assert event.end_s >= times[-1] - 2e-4
+    assert event.end_s - event.start_s < shortest_s + 1e-3
 
 
 def story(seed: int) -> Story:
