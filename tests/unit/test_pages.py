@@ -10,6 +10,7 @@ import pytest
 import vrts
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
+from vrts.lang.command import parse_command
 from vrts.lang.compiler import compile_source
 from vrts.lang.reading import decode
 
@@ -73,6 +74,10 @@ def test_example_triggers_the_code(code: str) -> None:
     source = decode(BYTES.get(code, example[2].encode()), "example.v2")
     if isinstance(source, Diagnostic):
         assert source.rule.code == code
+        return
+    if example[1] == "text":
+        _, diagnostics = parse_command(source)
+        assert [d.rule.code for d in diagnostics] == [code]
         return
     found = [d.rule.code for d in compile_source(SourceFile("example.v2", source.text)).diagnostics]
     assert code in found

@@ -152,7 +152,6 @@ _BUILDERS: dict[str, Build] = {
     "structure": lambda v: Structure(v[0].text, v[0].start, v[-1].end),
     "call": _call,
     "execute": tuple,
-    "monitor_speed": tuple,
     "data_line": lambda v: DataLine(v[0], tuple(v[-1]), v[0].start, v[-1][-1].end),
     "number": lambda v: _value(v[0]),
     "positive": lambda v: _value(v[1])._replace(start=v[0].start),

@@ -60,15 +60,7 @@ def check_habits(
 
 def constant(scope: Scope, program: str, node: Item | None) -> float | None:
     """Return the value of an operand that is a number, or a variable only ever given one."""
-    sign = 1.0
-    while isinstance(node, Prefix | Parenthesised):
-        if isinstance(node, Parenthesised):
-            node = node.inner
-        elif node.operator in "+-":
-            sign = -sign if node.operator == "-" else sign
-            node = node.operand
-        else:
-            return None
+    sign, node = _unsigned(node)
     if isinstance(node, Number):
         return sign * node.value
     if isinstance(node, Name) and node.text.lower() not in CONSTANTS:
@@ -80,6 +72,25 @@ def constant(scope: Scope, program: str, node: Item | None) -> float | None:
                 found = constant(scope, program, value)
                 return None if found is None else sign * found
     return None
+
+
+def number_of(node: Item | None) -> float | None:
+    """Return the value of an operand that is a number, with or without sign."""
+    sign, node = _unsigned(node)
+    return sign * node.value if isinstance(node, Number) else None
+
+
+def _unsigned(node: Item | None) -> tuple[float, Item | None]:
+    sign = 1.0
+    while isinstance(node, Prefix | Parenthesised):
+        if isinstance(node, Parenthesised):
+            node = node.inner
+        elif node.operator in "+-":
+            sign = -sign if node.operator == "-" else sign
+            node = node.operand
+        else:
+            break
+    return sign, node
 
 
 def _waiting(problems: Problems, node: Simple) -> None:
@@ -173,28 +184,57 @@ def _loop(problems: Problems, scope: Scope, program: ProgramText, block: Block) 
     names: list[Name] = []
     if not _fixed(node.condition, names) or not names:
         return
-    changed: set[str] = set()
-    for step in program.steps[block.opener : block.end + 1]:
-        inside = step.statement
-        if isinstance(inside, CallStatement | Goto):
-            return
-        if isinstance(inside, Simple) and inside.word in _ENDINGS:
-            return
-        target = getattr(inside, "target", None)
-        if isinstance(target, Name | Element):
-            changed.add(key((target if isinstance(target, Name) else target.name).text))
+    inside = [step.statement for step in program.steps[block.opener : block.end + 1]]
+    changed = _changed(scope, inside, set())
+    if changed is None:
+        return
     keys = {key(name.text) for name in names}
     if changed & keys or any(scope.entry(program.name, k).type is not Type.REAL for k in keys):
         return
-    shown = " or ".join(f"`{name}`" for name in sorted(keys))
+    ordered = list(dict.fromkeys(key(name.text) for name in names))
+    shown = " or ".join(f"`{name}`" for name in ordered)
+    first = ordered[0]
     problems.warning(
         ENDLESS_LOOP,
-        "this loop never ends once it has begun",
+        "this loop never ends once it has begun"
+        if block.word == "WHILE"
+        else "this loop ends after one pass or never",
         node.condition.start,
         node.condition.end,
         f"nothing in the loop changes {shown}",
-        help=(f"change {shown} in the loop, as in `{min(keys)} = {min(keys)}+1`",),
+        help=(f"change {shown} in the loop, as in `{first} = {first}+1`",),
     )
+
+
+def _changed(scope: Scope, steps: list[Statement | None], seen: set[str]) -> set[str] | None:
+    """Return the names that steps and the programs they call may give a value.
+
+    None when they may also leave the loop, or call a program that is not in the file.
+    """
+    changed: set[str] = set()
+    for node in steps:
+        if isinstance(node, Goto) and not seen:
+            return None
+        if isinstance(node, Simple) and node.word in _ENDINGS - ({"RETURN"} if seen else set()):
+            return None
+        target = getattr(node, "target", None)
+        if isinstance(target, Name | Element):
+            changed.add(key((target if isinstance(target, Name) else target.name).text))
+        if not isinstance(node, CallStatement):
+            continue
+        for argument in node.arguments:
+            if isinstance(argument, Name | Element):
+                changed.add(key((argument if isinstance(argument, Name) else argument.name).text))
+        name = key(node.program.text)
+        called = scope.programs.get(name)
+        if called is None:
+            return None
+        if name not in seen:
+            inner = _changed(scope, [s.statement for s in called.steps], seen | {name})
+            if inner is None:
+                return None
+            changed |= inner
+    return changed
 
 
 def _fixed(node: Expression, names: list[Name]) -> bool:
