@@ -104,7 +104,7 @@ def _run(command: str, folder: Path) -> str:
         "COLUMNS": "100",
     }
     result = subprocess.run(
-        [sys.executable, "-m", "vrts", *arguments],
+        [sys.executable, "-c", "from vrts.cli.main import main; main()", *arguments],
         cwd=folder,
         env=environment,
         stdin=subprocess.DEVNULL,
