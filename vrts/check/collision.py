@@ -38,6 +38,8 @@ def check_collisions(scene: Scene, run: RunRecord, *, clearance: bool = True) ->
         run: The record of an execution in that scene.
         clearance: Whether to find the smallest distance too, at some cost.
     """
+    if all(segment.end_s <= segment.start_s for segment in run.timeline.segments):
+        return CollisionReport((), (), (), None, certified=True, statistics=MappingProxyType({}))
     motion = curves(run.timeline.segments)
     todo = plan(scene, run, motion)
     interval = (motion.start_s, max(motion.end_s, float(todo.pairs.end_s.max(initial=0.0))))
