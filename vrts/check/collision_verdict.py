@@ -8,6 +8,7 @@ from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, Severity
 from vrts.base.units import mm
 from vrts.check.collision_pairs import ROBOT, TOLERANCE
 from vrts.check.collision_state import RunRecord
+from vrts.check.rounding import exact_mm, exact_s
 from vrts.check.verdict import Answer, CollisionReport, ContactEvent, Verdict
 from vrts.engine.records import Segment
 
@@ -39,9 +40,17 @@ def verdict(report: CollisionReport, run: RunRecord | None = None) -> Verdict:
         **report.statistics,
     }
     if report.clearance is not None:
-        evidence["clearance_mm"] = mm(report.clearance.distance_m)
-        evidence["clearance_at_s"] = report.clearance.time_s
+        evidence["clearance_mm"] = _mm(report.clearance.distance_m)
+        evidence["clearance_at_s"] = _s(report.clearance.time_s)
     return Verdict("collision", _answer(report), _summary(report), findings, _frozen(evidence))
+
+
+def _mm(length_m: float) -> float:
+    return float(exact_mm(length_m))
+
+
+def _s(time_s: float) -> float:
+    return float(exact_s(time_s))
 
 
 def _frozen(evidence: dict[str, str | int | float]) -> MappingProxyType[str, str | int | float]:
@@ -134,11 +143,11 @@ def _diagnostic(
         "second": event.second,
         "part": event.parts[0],
         "other_part": event.parts[1],
-        "start_s": event.start_s,
-        "end_s": event.end_s,
-        "deepest_s": event.deepest_s,
-        "depth_mm": mm(event.depth_m),
-        "point_mm": tuple(mm(value) for value in event.point),
+        "start_s": _s(event.start_s),
+        "end_s": _s(event.end_s),
+        "deepest_s": _s(event.deepest_s),
+        "depth_mm": _mm(event.depth_m),
+        "point_mm": tuple(_mm(value) for value in event.point),
         "held": event.held,
     }
     return Diagnostic(
