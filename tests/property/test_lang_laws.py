@@ -13,26 +13,6 @@ NUMBERS = st.sampled_from(["0", "1", "2.5", "1000", "^17", ".25"])
 ARITHMETIC = ["+", "-", "*", "/", "MOD"]
 LOGICAL = ["AND", "OR", "XOR", "BAND", "BOR", "BXOR"]
 INFIX = st.sampled_from([*ARITHMETIC, *LOGICAL, "==", "<>", "<", "<=", ">", ">="])
-    [
-        "+",
-        "-",
-        "*",
-        "/",
-        "MOD",
-        "AND",
-        "OR",
-        "XOR",
-        "BAND",
-        "BOR",
-        "BXOR",
-        "==",
-        "<>",
-        "<",
-        "<=",
-        ">",
-        ">=",
-    ]
-)
 PREFIX = st.sampled_from(["-", "+", "NOT ", "COM "])
 FUNCTIONS = st.sampled_from(["ABS", "SIN", "INT", "SIG"])
 EXPRESSIONS = st.recursive(
@@ -78,7 +58,7 @@ def test_parentheses_round_the_whole_change_nothing(expression: str) -> None:
 
 @given(st.data())
 def test_blanks_and_comments_change_nothing(data: st.DataObject) -> None:
-    lines = PROGRAM.split("\n")
+    lines: list[str] = [*PROGRAM.split("\n")]
     for i, line in enumerate(lines):
         if line and not line.startswith("."):
             blanks = data.draw(st.sampled_from(["", "  ", "\t"]))
