@@ -142,8 +142,10 @@ def test_contacts_shorter_than_a_millisecond_are_found(
 
 
 def story(seed: int) -> Story:
-    """Pick, carry along joint and straight motions, drop from a little height, leave."""
+    """Pick, carry along joint and straight motions past a post, drop, leave."""
     random = np.random.default_rng(seed)
+    x, y, z = random.uniform((0.8, 0.05, -0.3), (1.1, 0.4, -0.1)).tolist()
+    post = (x, y, z)
     can = movable(
         "can1", Piece(Cylinder(0.03, 0.0575), IDENTITY), at=(0.9, 0.0, -0.2425), on="table"
     )
@@ -152,7 +154,7 @@ def story(seed: int) -> Story:
     )
     scene = scene_of(
         fixed("table", Piece(Box((0.4, 0.7, 0.02)), IDENTITY), at=(1.0, 0.0, -0.32)),
-        fixed("post", Piece(Cylinder(0.005, 0.1), IDENTITY), at=(1.0, 0.2, -0.2)),
+        fixed("post", Piece(Cylinder(0.005, 0.1), IDENTITY), at=post),
         can,
         other,
     )
