@@ -9,7 +9,6 @@ from vrts.report.json_form import Json, assessment_json, results_json
 from vrts.report.overview import overview
 from vrts.report.page import page
 from vrts.report.picture import moment_picture
-from vrts.report.recording import write_recording
 
 MOMENT = "moment"
 
@@ -25,6 +24,8 @@ def write_student(row: Marked, out: Path, *, recordings: bool) -> None:
     if row.fault is not None:
         write_atomically(folder / "fault.txt", row.fault.encode())
     if recordings and a.run is not None:
+        from vrts.report.recording import write_recording  # rerun is heavy
+
         write_recording(a, folder / "run.rrd")
 
 

@@ -1,4 +1,4 @@
-"""Recordings for the Rerun viewer: the only door to rerun.
+"""Recordings for the Rerun viewer: the only door to rerun, imported only when one is written.
 
 Everything is sent in columns, never frame by frame. Time is in seconds on the timeline "t". Static
 things are logged once; links, hand and bodies get poses only while they move.
@@ -6,58 +6,53 @@ things are logged once; links, hand and bodies get poses only while they move.
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
+import rerun as rr
+import rerun.blueprint as rrb
 
 from vrts.base.pose import Pose
-from vrts.engine.events import Found, MotionStarted, Printed, SignalChanged
+from vrts.engine.events import (
+    Found,
+    Grasped,
+    Landed,
+    MissedOffCentre,
+    MotionStarted,
+    Printed,
+    Released,
+    SignalChanged,
+    Toppled,
+)
 from vrts.geometry.mesh import tessellate
 from vrts.geometry.shapes import Piece
 from vrts.report.assessment import Assessment
 from vrts.robots.batch import link_frames
 
-if TYPE_CHECKING:
-    import rerun as rr
-
 Array = npt.NDArray[np.float64]
 
 RATE = 50.0  # poses a second, as the original system broadcast them
 TIMELINE = "t"
+_OF_A_BODY = (Grasped, MissedOffCentre, Released, Landed, Toppled)
 ARM_COLOR = (214, 205, 190)
 HAND_COLOR = (70, 74, 80)
-
-MISSING = (
-    "recordings need the package rerun-sdk, which has no wheel for this machine;"
-    " everything else works without it"
-)
-
-
-class RecordingUnavailable(Exception):  # noqa: N818 -- names the situation
-    """Rerun is not installed here."""
 
 
 def write_recording(a: Assessment, path: Path) -> None:
     """Write a recording of a run.
 
     Raises:
-        RecordingUnavailable: The library is missing.
         ValueError: There is no run to record.
     """
-    try:
-        import rerun as rr
-    except ImportError as missing:
-        raise RecordingUnavailable(MISSING) from missing
     if a.run is None or a.scene is None:
         raise ValueError("nothing was run")
     stream = rr.RecordingStream("vrts", recording_id=a.identifier, send_properties=False)
     with stream:
-        stream.save(path, default_blueprint=_blueprint(a))
-        _static(rr, a)
-        _moving(rr, a)
-        _plots(rr, a)
-        _texts(rr, a)
+        stream.save(path, default_blueprint=_blueprint())
+        _static(a)
+        _moving(a)
+        _plots(a)
+        _texts(a)
     stream.flush()
     stream.disconnect()
 
@@ -70,9 +65,7 @@ def times_of(a: Assessment) -> Array:
     return np.unique(np.concatenate([steady, [end]]))
 
 
-def _blueprint(a: Assessment) -> object:
-    import rerun.blueprint as rrb
-
+def _blueprint() -> rrb.Blueprint:
     return rrb.Blueprint(
         rrb.Horizontal(
             rrb.Vertical(
@@ -93,8 +86,10 @@ def _blueprint(a: Assessment) -> object:
     )
 
 
-def _mesh(rr: "rr", pieces: Sequence[Piece], color: tuple[int, int, int]) -> object:
-    vertices, triangles, offset = [], [], 0
+def _mesh(pieces: Sequence[Piece], color: tuple[int, int, int]) -> rr.Mesh3D:
+    vertices: list[Array] = []
+    triangles: list[npt.NDArray[np.int32]] = []
+    offset = 0
     for piece in pieces:
         mesh = tessellate(piece)
         corners = np.asarray(mesh.vertices)
@@ -113,32 +108,30 @@ def _mesh(rr: "rr", pieces: Sequence[Piece], color: tuple[int, int, int]) -> obj
     )
 
 
-def _static(rr: "rr", a: Assessment) -> None:
+def _static(a: Assessment) -> None:
     assert a.scene is not None
     robot = a.scene.robot
     rr.log("world", rr.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
     for link in robot.arm.links:
         if link.pieces:
-            rr.log(
-                f"world/robot/{_path(link.name)}", _mesh(rr, link.pieces, ARM_COLOR), static=True
-            )
-    rr.log("world/robot/hand", _mesh(rr, robot.gripper.body, HAND_COLOR), static=True)
+            rr.log(f"world/robot/{_path(link.name)}", _mesh(link.pieces, ARM_COLOR), static=True)
+    rr.log("world/robot/hand", _mesh(robot.gripper.body, HAND_COLOR), static=True)
     for finger in robot.gripper.fingers:
         path = f"world/robot/{_path(finger.name)}"
-        rr.log(path, _mesh(rr, finger.pieces, HAND_COLOR), static=True)
+        rr.log(path, _mesh(finger.pieces, HAND_COLOR), static=True)
     for body in a.scene.bodies:
         color = tuple(round(255 * _srgb(part)) for part in body.color)
         path = f"world/{_path(body.name)}"
-        rr.log(path, _mesh(rr, body.pieces, (color[0], color[1], color[2])), static=True)
+        rr.log(path, _mesh(body.pieces, (color[0], color[1], color[2])), static=True)
         rr.log(
             path,
-            _transform(rr, body.X_WO),
+            _transform(body.X_WO),
             static=a.run is None or body.name not in a.run.placements,
         )
     rr.log("summary", rr.TextDocument(_summary(a), media_type="text/markdown"), static=True)
 
 
-def _moving(rr: "rr", a: Assessment) -> None:
+def _moving(a: Assessment) -> None:
     assert a.run is not None
     assert a.scene is not None
     robot, times = a.scene.robot, times_of(a)
@@ -149,14 +142,14 @@ def _moving(rr: "rr", a: Assessment) -> None:
     for link in robot.arm.links:
         if link.pieces:
             k = link.joint
-            _send(rr, link.name, "robot/", times[moving], rotations[k][moving], origins[k][moving])
+            _send(link.name, "robot/", times[moving], rotations[k][moving], origins[k][moving])
     flange_r = rotations[6]
     flange_p = origins[6] + robot.arm.d6 * flange_r[:, :, 2]
-    _send(rr, "hand", "robot/", times[moving], flange_r[moving], flange_p[moving])
+    _send("hand", "robot/", times[moving], flange_r[moving], flange_p[moving])
     for finger in robot.gripper.fingers:
         shift = 0.5 * finger.side * states[:, 6:7] * flange_r[:, :, 1]
         at = (flange_p + shift)[moving]
-        _send(rr, finger.name, "robot/", times[moving], flange_r[moving], at)
+        _send(finger.name, "robot/", times[moving], flange_r[moving], at)
     poses = [a.run.at(float(t)).poses for t in times]
     for name in a.run.placements:
         track = [p[name] for p in poses]
@@ -165,7 +158,7 @@ def _moving(rr: "rr", a: Assessment) -> None:
         keep[:-1] |= keep[1:]
         chosen = [track[k] for k in np.flatnonzero(keep)]
         turn = np.array([x.rotation for x in chosen]).reshape(-1, 3, 3)
-        _send(rr, name, "", times[keep], turn, np.array([x.translation for x in chosen]))
+        _send(name, "", times[keep], turn, np.array([x.translation for x in chosen]))
 
 
 def _coordinates(a: Assessment, times: Array) -> Array:
@@ -174,7 +167,7 @@ def _coordinates(a: Assessment, times: Array) -> Array:
     return np.array([(*timeline.configuration(t), timeline.opening(t)) for t in times.tolist()])
 
 
-def _send(rr: "rr", name: str, folder: str, times: Array, rotations: Array, origins: Array) -> None:
+def _send(name: str, folder: str, times: Array, rotations: Array, origins: Array) -> None:
     rr.send_columns(
         f"world/{folder}{_path(name)}",
         [rr.TimeColumn(TIMELINE, duration=times)],
@@ -184,7 +177,7 @@ def _send(rr: "rr", name: str, folder: str, times: Array, rotations: Array, orig
     )
 
 
-def _plots(rr: "rr", a: Assessment) -> None:
+def _plots(a: Assessment) -> None:
     assert a.run is not None
     assert a.scene is not None
     arm, times = a.scene.robot.arm, times_of(a)
@@ -210,7 +203,7 @@ def _plots(rr: "rr", a: Assessment) -> None:
     )
 
 
-def _texts(rr: "rr", a: Assessment) -> None:
+def _texts(a: Assessment) -> None:
     assert a.run is not None
     rows: list[tuple[float, str, str]] = []
     for event in a.run.events:
@@ -230,7 +223,7 @@ def _texts(rr: "rr", a: Assessment) -> None:
                 rows.append((event.time_s, f"{where}{found.headline}", level))
             case _:
                 name = type(event).__name__
-                body = f" {event.body}" if hasattr(event, "body") else ""
+                body = f" {event.body}" if isinstance(event, _OF_A_BODY) else ""
                 rows.append((event.time_s, f"{where}{name}{body}", "DEBUG"))
     if a.judgement is not None and a.judgement.collisions is not None:
         for contact in a.judgement.collisions.contacts:
@@ -255,7 +248,7 @@ def _summary(a: Assessment) -> str:
     return f"# {a.title}\n\n{mark}ready for the real robot: {ready}\n\n{screen.cause}\n"
 
 
-def _transform(rr: "rr", X: Pose) -> object:
+def _transform(X: Pose) -> rr.Transform3D:
     return rr.Transform3D(
         translation=X.translation, mat3x3=np.array(X.rotation, dtype=np.float32).reshape(3, 3)
     )

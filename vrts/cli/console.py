@@ -1,0 +1,109 @@
+"""What commands share: colour, diagnostics on stderr, files, exit statuses."""
+
+import os
+import sys
+from collections.abc import Callable, Sequence
+from functools import wraps
+from pathlib import Path
+from typing import Any, NoReturn, TypeVar
+
+import click
+
+from vrts.base.diagnostic import Diagnostic
+from vrts.pipeline import CannotRead, Refused
+
+HOLDS, WRONG, WRONG_CALL, UNDETERMINED, FAULT = 0, 1, 2, 3, 70
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+color_option = click.option(
+    "--color",
+    type=click.Choice(["auto", "always", "never"]),
+    default="auto",
+    show_default=True,
+    help="When to use colour; NO_COLOR and FORCE_COLOR are obeyed.",
+)
+
+
+def use_color(choice: str, *, err: bool = False) -> bool:
+    """Return whether to write colour to a stream."""
+    if choice != "auto":
+        return choice == "always"
+    if os.environ.get("NO_COLOR"):
+        return False
+    if os.environ.get("FORCE_COLOR"):
+        return True
+    stream = sys.stderr if err else sys.stdout
+    return stream.isatty() and os.environ.get("TERM") != "dumb"
+
+
+def say(text: str) -> None:
+    """Write words to stderr."""
+    click.echo(text, err=True, color=True)
+
+
+def out(text: str, *, end: bool = True) -> None:
+    """Write results to stdout, colours as given."""
+    click.echo(text, nl=end, color=True)
+
+
+def show_diagnostics(found: Sequence[Diagnostic], color: str) -> None:
+    """Write diagnostics to stderr, and count them."""
+    from vrts.report.text import diagnostic_text
+
+    for diagnostic in found:
+        say(diagnostic_text(diagnostic, color=use_color(color, err=True)) + "\n")
+    errors = sum(diagnostic.is_error for diagnostic in found)
+    warnings = len(found) - errors
+    words = [
+        f"{n} {word}{'' if n == 1 else 's'}"
+        for n, word in ((errors, "error"), (warnings, "warning"))
+        if n
+    ]
+    if words:
+        say(", ".join(words))
+
+
+def fail(message: str, hints: Sequence[str] = (), status: int = WRONG_CALL) -> NoReturn:
+    """Say in one sentence what is wrong with the call, and end."""
+    say(f"error: {message}")
+    for hint in hints:
+        say(f"help: {hint}")
+    sys.exit(status)
+
+
+def guarded(function: Command) -> Command:
+    """Turn what the pipeline raises into words and an exit status."""
+
+    @wraps(function)
+    def wrapped(*args: Any, **kwargs: Any) -> Any:
+        try:
+            return function(*args, **kwargs)
+        except CannotRead as problem:
+            fail(problem.message, problem.hints)
+        except Refused as problem:
+            show_diagnostics(problem.diagnostics, str(kwargs.get("color", "auto")))
+            sys.exit(WRONG)
+        except BrokenPipeError:
+            raise
+        except OSError as problem:
+            fail(f"{(problem.strerror or 'failed').lower()}: `{problem.filename}`")
+
+    return wrapped  # type: ignore[return-value]
+
+
+def program_bytes(name: str) -> tuple[bytes, str, Path | None]:
+    """Return the bytes of a program, its name as shown, and its file; `-` is stdin."""
+    from vrts.pipeline import read_bytes, shown
+
+    if name == "-":
+        return sys.stdin.buffer.read(), "stdin", None
+    path = Path(name)
+    return read_bytes(path), shown(path), path
+
+
+def write_file(path: Path, data: bytes) -> None:
+    """Write a file whole or not at all."""
+    draft = path.with_name(path.name + ".part")
+    draft.write_bytes(data)
+    draft.replace(path)

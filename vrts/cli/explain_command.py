@@ -1,0 +1,46 @@
+"""`vrts explain`."""
+
+from difflib import get_close_matches
+from importlib.resources import files
+
+import click
+
+from vrts.cli.console import fail, guarded, out
+
+EPILOG = """\b
+Examples:
+  vrts explain
+  vrts explain V301
+  vrts explain joint-speed
+"""
+
+
+@click.command(name="explain", epilog=EPILOG)
+@click.argument("code", required=False)
+@guarded
+def command(code: str | None) -> None:
+    """Explain a diagnostic by its CODE or name; without one, list them all."""
+    pages = _pages()
+    if code is None:
+        for key, slug in pages.items():
+            out(f"{key}  {slug}")
+        return
+    by_slug = {slug: key for key, slug in pages.items()}
+    key = code.upper() if code.upper() in pages else by_slug.get(code.lower())
+    if key is None:
+        near = get_close_matches(code.upper(), pages, 1, 0.5) or get_close_matches(code, by_slug, 1)
+        fail(
+            f"there is no diagnostic `{code}`",
+            (f"did you mean `{near[0]}`?",) if near else ("`vrts explain` lists all",),
+        )
+    out((files("vrts") / "pages" / f"{key}.md").read_text(encoding="utf-8"), end=False)
+
+
+def _pages() -> dict[str, str]:
+    """Return the slug of every code, from the first line of its page."""
+    found: dict[str, str] = {}
+    for page in sorted((files("vrts") / "pages").iterdir(), key=lambda p: p.name):
+        if page.name.endswith(".md"):
+            title = page.read_text(encoding="utf-8").split("\n", 1)[0]
+            found[page.name.removesuffix(".md")] = title.lstrip("# ").partition(" ")[2]
+    return found

@@ -1,0 +1,57 @@
+"""`vrts run`."""
+
+import sys
+
+import click
+
+from vrts.cli.console import (
+    HOLDS,
+    WRONG,
+    color_option,
+    fail,
+    guarded,
+    out,
+    program_bytes,
+    say,
+    show_diagnostics,
+)
+
+EPILOG = """\b
+Examples:
+  vrts run prog.v2
+  vrts run prog.v2 --scene cans-on-bases
+  vrts run prog.v2 --scene cans-on-bases --at 4.5
+"""
+
+
+@click.command(name="run", epilog=EPILOG)
+@click.argument("program")
+@click.option("--scene", help="Name or path of a scene; without it the robot stands alone.")
+@click.option("--program", "entry", help="Program of the file to execute; the first, if not given.")
+@click.option("--at", "time_s", type=float, help="Print the state at a time in s, not the output.")
+@color_option
+@guarded
+def command(
+    program: str, scene: str | None, entry: str | None, time_s: float | None, color: str
+) -> None:
+    """Run PROGRAM; what it TYPEs goes to stdout, everything else to stderr."""
+    from vrts.pipeline import assess, load_scene, robot_alone
+
+    data, name, path = program_bytes(program)
+    setting = load_scene(scene, path.parent if path else None) if scene else robot_alone()
+    found = assess(data, setting=setting, title=name, entry=entry, judged=False)
+    show_diagnostics(found.findings, color)
+    run = found.run
+    if run is None:
+        sys.exit(WRONG)
+    if time_s is not None:
+        if not 0 <= time_s <= run.horizon_s:
+            fail(f"the run ends at {run.horizon_s:.3f} s")
+        from vrts.report.state_text import state_text
+
+        out(state_text(run, time_s))
+    else:
+        out(run.output.replace("\r\n", "\n"), end=False)
+        ended = run.ended_s if run.ended_s is not None else run.horizon_s
+        say(f"{run.ending.value} after {ended:.3f} s of simulated time")
+    sys.exit(WRONG if any(d.is_error for d in run.findings) else HOLDS)

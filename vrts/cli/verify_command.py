@@ -1,0 +1,131 @@
+"""`vrts verify`."""
+
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.console import (
+    HOLDS,
+    UNDETERMINED,
+    WRONG,
+    color_option,
+    fail,
+    guarded,
+    out,
+    program_bytes,
+    say,
+    use_color,
+    write_file,
+)
+
+if TYPE_CHECKING:
+    from vrts.report.assessment import Assessment
+
+NO_RERUN = (
+    "recordings need the package rerun-sdk, which has no wheel for this machine;"
+    " everything else works without it"
+)
+
+EPILOG = """\b
+Examples:
+  vrts verify examples/01-cans-on-bases/solution.v2
+  vrts verify prog.v2 --scene cans-on-bases
+  vrts verify prog.v2 --task task.toml --html page.html --record run.rrd
+  vrts verify prog.v2 --format json
+"""
+
+
+@click.command(name="verify", epilog=EPILOG)
+@click.argument("program")
+@click.option("--scene", help="Name or path of a scene: verify in it, without a mark.")
+@click.option("--task", type=click.Path(path_type=Path), help="Task file, or its folder.")
+@click.option("--html", type=click.Path(path_type=Path), help="Write a page with a replay.")
+@click.option("--record", type=click.Path(path_type=Path), help="Write a Rerun recording (.rrd).")
+@click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
+@click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
+@color_option
+@guarded
+def command(
+    program: str,
+    scene: str | None,
+    task: Path | None,
+    html: Path | None,
+    record: Path | None,
+    form: str,
+    no_collisions: bool,
+    color: str,
+) -> None:
+    """Run PROGRAM and check everything: collisions, limits, goals.
+
+    Takes the task.toml beside the program unless a scene or task is given. Exit status 1 when
+    something is wrong, 3 when a check cannot tell.
+    """
+    from vrts.pipeline import assess, setting_for
+
+    data, name, path = program_bytes(program)
+    setting = setting_for(path, scene=scene, task=task)
+    if setting is None:
+        _no_setting()
+    identifier = path.stem if path else "stdin"
+    found = assess(
+        data, setting=setting, identifier=identifier, title=name, collisions=not no_collisions
+    )
+    if form == "json":
+        from vrts.report.json_form import assessment_json
+
+        out(json.dumps(assessment_json(found), indent=2, ensure_ascii=False))
+    else:
+        from vrts.report.text import assessment_text
+
+        out(assessment_text(found, color=use_color(color)))
+    if html is not None:
+        write_page(found, html)
+    if record is not None:
+        write_record(found, record)
+    sys.exit(status_of(found))
+
+
+def write_page(found: "Assessment", path: Path) -> None:
+    """Write the HTML page and say so."""
+    from vrts.report.page import page
+    from vrts.report.picture import moment_picture
+
+    picture = moment_picture(found)
+    write_file(path, page(found, {} if picture is None else {"moment": picture}).encode())
+    say(f"wrote {path}")
+
+
+def write_record(found: "Assessment", path: Path) -> None:
+    """Write the recording and say so."""
+    if found.run is None:
+        say("nothing ran, so there is nothing to record")
+        return
+    try:
+        from vrts.report.recording import write_recording
+    except ImportError:
+        fail(NO_RERUN, status=WRONG)
+    write_recording(found, path)
+    say(f"wrote {path}")
+
+
+def status_of(found: "Assessment") -> int:
+    """Return the exit status of an assessment."""
+    from vrts.check.verdict import Answer
+
+    if found.judgement is None or any(d.is_error for d in found.findings):
+        return WRONG
+    return {Answer.HOLDS: HOLDS, Answer.VIOLATED: WRONG, Answer.UNDETERMINED: UNDETERMINED}[
+        found.judgement.answer
+    ]
+
+
+def _no_setting() -> None:
+    from vrts.pipeline import scene_names
+
+    fail(
+        "nothing says in which scene to verify the program: there is no task.toml beside it",
+        ("give `--scene NAME` or `--task FILE`", f"scenes: {', '.join(scene_names())}"),
+    )

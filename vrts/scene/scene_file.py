@@ -1,0 +1,353 @@
+"""Reads `scene.toml`: what stands in the workspace, in millimetres and degrees.
+
+Every fault is one diagnostic that points into the file; the reader goes on after each, so that one
+pass reports them all.
+"""
+
+import hashlib
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Diagnostic, Label, Rule
+from vrts.base.oat import pose_from_components
+from vrts.base.pose import Z_AXIS, Pose, rotation_about
+from vrts.base.source import SourceFile
+from vrts.base.toml import Problems, Table, read_toml
+from vrts.base.units import DEG, MM
+from vrts.geometry.support import bounds
+from vrts.robots.catalog import names, robot
+from vrts.robots.model import Robot
+from vrts.scene.colors import NAMED, Color, color
+from vrts.scene.default import floor_body
+from vrts.scene.model import Body, Mobility, Scene
+from vrts.scene.places import find_places
+from vrts.scene.standing import (
+    check_overlaps,
+    check_robot,
+    check_support,
+    find_support,
+    must_stand,
+)
+from vrts.scene.things import Form, table, upright_box, upright_cylinder
+
+NAME_CLASH = Rule("V611", "name-clash")
+INVALID_NAME = Rule("V612", "invalid-name")
+UNKNOWN_SUPPORT = Rule("V616", "unknown-support")
+CIRCULAR_SUPPORT = Rule("V617", "circular-support")
+HEIGHT = Rule("V610", "height-of-object")
+UNKNOWN_COLOR = Rule("V607", "unknown-color")
+
+KINDS = {"can": "red", "base": "steel", "box": "orange", "table": "wood"}  # usual colours
+LONGEST_NAME = 10  # letters; with "_grip" it fills VAL's 15 [val2.md 1.4]
+FARTHEST = 10_000.0  # [mm] any position or size
+
+_NAME = re.compile(r"[a-z][a-z0-9_]*", re.IGNORECASE)
+
+
+class _Draft(NamedTuple):
+    """An object as far as it can be read without the others."""
+
+    name: str
+    section: Table
+    kind: str
+    title: str
+    form: Form
+    at: tuple[float, ...]  # x, y and perhaps z of the underside [mm]
+    turn: float  # [rad]
+    on: str | None
+    fixed: bool
+    color: Color
+
+
+def read_scene(source: SourceFile) -> tuple[Scene | None, tuple[Diagnostic, ...]]:
+    """Return the scene a file describes, or None, with everything there is to say about it."""
+    top, problems = read_toml(source)
+    scene = None if top is None else _scene(top, problems)
+    if problems.any_error:
+        scene = None
+    return scene, problems.in_order()
+
+
+def scene_name(file_name: str) -> str:
+    """Return the name of a scene: its folder's for `scene.toml`, else the file's."""
+    parts = [part for part in re.split(r"[/\\]", file_name) if part]
+    last = parts[-1].removesuffix(".toml") if parts else "scene"
+    return parts[-2] if last == "scene" and len(parts) > 1 else last
+
+
+def _scene(top: Table, problems: Problems) -> Scene | None:
+    source = problems.source
+    name = scene_name(source.name)
+    title = top.string("title", name)
+    arm_and_hand, X_FT = _robot(top.table("robot"))
+    sections = top.named_tables("objects")
+    locations_section = top.table("locations")
+    top.finish()
+    drafts: dict[str, _Draft] = {}
+    for object_name, section in sections:
+        draft = _draft(object_name, section, arm_and_hand)
+        if draft is not None and _acceptable(draft, drafts, arm_and_hand, problems):
+            drafts[object_name] = draft
+    floor = floor_body(arm_and_hand)
+    declared = frozenset(object_name for object_name, _ in sections)
+    bodies = _Placer(drafts, declared, floor, problems).place_all()
+    given: Mapping[str, Pose] = {}
+    if locations_section is not None:
+        given = _locations(locations_section)
+    digest = hashlib.sha256(source.text.encode()).hexdigest()
+    scene = Scene(name, title, arm_and_hand, X_FT, bodies, MappingProxyType({}), digest)
+    if problems.any_error:  # geometry is looked at only when all of it is known
+        return None
+    check_overlaps(bodies, problems)
+    check_robot(arm_and_hand, bodies, problems)
+    if problems.any_error:
+        return None
+    scene = replace(scene, bodies=_supported(bodies, problems))
+    if problems.any_error:
+        return None
+    return replace(scene, locations=find_places(scene, given, locations_section, problems))
+
+
+def _robot(section: Table | None) -> tuple[Robot, Pose]:
+    if section is None:
+        chosen = robot("puma761")
+        return chosen, chosen.gripper.X_FP
+    chosen = robot(section.string("name", "puma761", choices=names()))
+    tool = section.numbers("tool_xyzoat", count=6, minimum=-FARTHEST, maximum=FARTHEST)
+    section.finish()
+    return chosen, chosen.gripper.X_FP if tool is None else _pose(tool)
+
+
+def _pose(xyzoat: tuple[float, ...]) -> Pose:
+    x, y, z, o, a, t = xyzoat
+    return pose_from_components(x, y, z, o, a, t)
+
+
+def _locations(section: Table) -> Mapping[str, Pose]:
+    found: dict[str, Pose] = {}
+    for name in section.keys:
+        values = section.numbers(name, count=6, minimum=-FARTHEST, maximum=FARTHEST)
+        if not _NAME.fullmatch(name) or len(name) > 15:
+            section.problems.error(
+                INVALID_NAME,
+                f"invalid location name `{name}`",
+                section.span_of(name),
+                help=("a name has letters, digits and _, begins with a letter, at most 15 long",),
+            )
+        elif values is not None:
+            found[name.lower()] = _pose(values)
+    return found
+
+
+def _draft(name: str, section: Table, chosen: Robot) -> _Draft | None:
+    kind = section.string("kind", choices=KINDS, required=True)
+    if kind is None:
+        return None
+    title = section.string("title", name)
+    form = _form(kind, section, chosen)
+    heights = (2,) if kind == "table" else (2, 3)
+    at = section.numbers("at_mm", count=heights, minimum=-FARTHEST, maximum=FARTHEST, required=True)
+    turn = section.number("turn_deg", 0.0, minimum=-360.0, maximum=360.0) * DEG
+    on = "floor" if kind == "table" else section.string("on")
+    fixed = section.boolean("fixed", kind != "can") if kind in ("can", "box") else True
+    paint = _color(section, KINDS[kind])
+    section.finish()
+    if form is None or at is None:
+        return None
+    if len(at) == 2 and on is None:
+        section.problems.error(
+            HEIGHT,
+            f"the height of `{name}` is not given",
+            section.span,
+            help=('write on = "table", or x, y and z of its underside in `at_mm`',),
+        )
+        return None
+    if len(at) == 3 and on is not None:
+        section.problems.error(
+            HEIGHT,
+            f"the height of `{name}` is given twice",
+            section.value_span("at_mm"),
+            "by its third number",
+            secondary=(Label(section.span_of("on"), "and by what it stands on"),),
+            help=("leave out one of the two",),
+        )
+        return None
+    return _Draft(name, section, kind, title, form, at, turn, on, fixed, paint)
+
+
+def _form(kind: str, section: Table, chosen: Robot) -> Form | None:
+    problems_before = len(section.problems.found)
+    match kind:
+        case "can":
+            return _cylinder(section)
+        case "base" if "radius_mm" in section:
+            return _cylinder(section)
+        case "base" | "box":
+            size = section.numbers("size_mm", count=3, above=0.0, maximum=FARTHEST, required=True)
+            return None if size is None else upright_box(*(length * MM for length in size))
+        case _:
+            size = section.numbers("size_mm", count=2, above=0.0, maximum=FARTHEST, required=True)
+            floor_mm = -chosen.arm.shoulder_height / MM
+            top_mm = section.number("top_z_mm", required=True, above=floor_mm, maximum=FARTHEST)
+            legs = section.boolean("legs", default=True)
+            height = ((top_mm or 0.0) - floor_mm) * MM
+            thickness = section.number(
+                "thickness_mm", min(40.0, height / MM), above=0.0, maximum=height / MM
+            )
+            if size is None or top_mm is None or len(section.problems.found) > problems_before:
+                return None
+            return table(size[0] * MM, size[1] * MM, height, thickness * MM, legs=legs)
+
+
+def _cylinder(section: Table) -> Form | None:
+    radius = section.number("radius_mm", required=True, above=0.0, maximum=FARTHEST)
+    height = section.number("height_mm", required=True, above=0.0, maximum=FARTHEST)
+    if radius is None or height is None:
+        return None
+    return upright_cylinder(radius * MM, height * MM)
+
+
+def _color(section: Table, usual: str) -> Color:
+    text = section.string("color", usual)
+    found = color(text)
+    if found is None:
+        section.problems.error(
+            UNKNOWN_COLOR,
+            f"unknown color `{text}`",
+            section.value_span("color"),
+            notes=(f"known: {', '.join(NAMED)}",),
+            help=('or write red, green and blue as "#rrggbb"',),
+        )
+        return (0.5, 0.5, 0.5)
+    return found
+
+
+def _acceptable(
+    draft: _Draft, drafts: Mapping[str, _Draft], chosen: Robot, problems: Problems
+) -> bool:
+    name, span = draft.name, draft.section.name_span
+    if not _NAME.fullmatch(name) or len(name) > LONGEST_NAME:
+        problems.error(
+            INVALID_NAME,
+            f"invalid object name `{name}`",
+            span,
+            notes=(f"VAL-II counts 15 characters, and `{name}_grip` must be told from others",),
+            help=(
+                f"a name begins with a letter and has at most {LONGEST_NAME} letters, digits, _",
+            ),
+        )
+        return False
+    taken = {other.lower(): other for other in drafts}
+    if name.lower() in taken:
+        other = drafts[taken[name.lower()]]
+        problems.error(
+            NAME_CLASH,
+            f"`{name}` and `{other.name}` are one name in VAL-II",
+            span,
+            secondary=(Label(other.section.name_span, "the other one"),),
+            help=("VAL-II does not tell capitals from small letters: rename one",),
+        )
+        return False
+    reserved = {"floor", "robot", *(link.name for link in chosen.arm.links)}
+    if name.lower() in reserved:
+        problems.error(
+            NAME_CLASH,
+            f"`{name}` is the name of something else",
+            span,
+            notes=("the floor and the parts of the robot are always there",),
+            help=("choose another name",),
+        )
+        return False
+    return True
+
+
+class _Placer:
+    """Puts objects on what they stand on, supports first."""
+
+    def __init__(
+        self,
+        drafts: Mapping[str, _Draft],
+        declared: frozenset[str],
+        floor: Body,
+        problems: Problems,
+    ) -> None:
+        self.drafts = drafts
+        self.declared = declared
+        self.problems = problems
+        self.bodies: dict[str, Body] = {floor.name: floor}
+        self.failed: set[str] = set()
+
+    def place_all(self) -> tuple[Body, ...]:
+        for draft in self.drafts.values():
+            self.place(draft, ())
+        order = [name for name in self.drafts if name in self.bodies]
+        return (self.bodies["floor"], *(self.bodies[name] for name in order))
+
+    def place(self, draft: _Draft, above: tuple[str, ...]) -> Body | None:
+        if draft.name in self.bodies or draft.name in self.failed:
+            return self.bodies.get(draft.name)
+        if draft.name in above:
+            self.problems.error(
+                CIRCULAR_SUPPORT,
+                f"`{draft.name}` stands on itself: {' on '.join((*above, draft.name))}",
+                draft.section.value_span("on"),
+                help=("the lowest object stands on the table or on the floor",),
+            )
+            self.failed.update(above)
+            return None
+        z = draft.at[2] * MM if len(draft.at) == 3 else self.top_of_support(draft, above)
+        if z is None:
+            self.failed.add(draft.name)
+            return None
+        x, y = draft.at[0] * MM, draft.at[1] * MM
+        form = draft.form
+        body = Body(
+            draft.name,
+            draft.title,
+            draft.kind,
+            Mobility.FIXED if draft.fixed else Mobility.MOVABLE,
+            form.pieces,
+            Pose(rotation_about(Z_AXIS, draft.turn), (x, y, z)),
+            draft.color,
+            form.centre_of_mass,
+            form.symmetry_axis,
+            None,
+            draft.section.name_span,
+        )
+        self.bodies[draft.name] = body
+        return body
+
+    def top_of_support(self, draft: _Draft, above: tuple[str, ...]) -> float | None:
+        on = draft.on or "floor"
+        support = self.bodies.get(on)
+        if support is None and on in self.drafts:
+            support = self.place(self.drafts[on], (*above, draft.name))
+        if support is not None:
+            return bounds(support.pieces, support.X_WO).upper[2]
+        if on not in self.declared:
+            span = draft.section.value_span("on")
+            known = ", ".join(f"`{name}`" for name in ("floor", *self.drafts))
+            self.problems.error(
+                UNKNOWN_SUPPORT,
+                f"`{draft.name}` stands on `{on}`, which is not in the scene",
+                span,
+                notes=(f"there is {known}",),
+                data={"name": on},
+            )
+        return None
+
+
+def _supported(bodies: tuple[Body, ...], problems: Problems) -> tuple[Body, ...]:
+    found: list[Body] = []
+    for body in bodies:
+        if not must_stand(body):
+            found.append(body)
+            continue
+        support = find_support(body, bodies)
+        check_support(body, support, problems)
+        movable = body.mobility is Mobility.MOVABLE
+        found.append(replace(body, rests_on=support.body) if movable else body)
+    return tuple(found)
