@@ -1,8 +1,9 @@
 """Follow the tutorial of the first example as a reader does, and compare what it shows.
 
-A comment `<!-- file: NAME -->` before a fenced block means that the reader writes it. A block
-`console` shows commands (`$ vrts …`) with their output, standard output and error together. A line
-`…` in a shown output stands for any number of lines, also for none.
+A comment `<!-- file: NAME -->` before a fenced block means that the reader writes this file, and
+`<!-- file: NAME above LINE -->` that what begins with this line is kept below it. A block `console`
+shows commands (`$ vrts …`) with their output, standard output and error together. A line `…` in a
+shown output stands for any number of lines, also for none.
 """
 
 import os
@@ -21,7 +22,9 @@ README = EXAMPLE / "README.md"
 ELLIPSIS = "…"
 
 _BLOCK = re.compile(
-    r"^(?:<!-- file: (?P<file>\S+) -->\n)?```(?P<language>\w+)\n(?P<body>.*?)^```$", re.M | re.S
+    r"^(?:<!-- file: (?P<file>\S+)(?: above (?P<kept>\S+))? -->\n)?"
+    r"```(?P<language>\w+)\n(?P<body>.*?)^```$",
+    re.M | re.S,
 )
 
 
@@ -63,7 +66,7 @@ def follow(tutorial: str) -> Iterator[Shown]:
         shutil.copytree(EXAMPLE, folder)
         for block in _BLOCK.finditer(tutorial):
             if block["file"]:
-                (folder / block["file"]).write_text(block["body"], encoding="utf-8")
+                _write(folder / block["file"], block["body"], block["kept"])
             elif block["language"] == "console":
                 yield from _commands(tutorial, block, folder)
 
@@ -72,8 +75,27 @@ def rewritten(tutorial: str) -> str:
     """Return the tutorial with every output that is not true any more replaced by the real one."""
     for shown in reversed(list(follow(tutorial))):
         if not shown.fits:
-            tutorial = tutorial[: shown.start] + shown.real + tutorial[shown.end :]
+            tutorial = tutorial[: shown.start] + shortened(shown.real) + tutorial[shown.end :]
     return tutorial
+
+
+def shortened(output: str) -> str:
+    """Return an output up to a sketch in dots or a fence, which a tutorial cannot show well."""
+    lines: list[str] = []
+    for line in output.splitlines():
+        if line.startswith("```") or any("\u2800" <= character <= "\u28ff" for character in line):
+            lines.append(ELLIPSIS)
+            break
+        lines.append(line.rstrip())
+    return "".join(line + "\n" for line in lines)
+
+
+def _write(path: Path, text: str, kept: str | None) -> None:
+    """Write a file; keep what begins with a line of the present one below the text."""
+    if kept is not None:
+        present = path.read_text(encoding="utf-8").splitlines(keepends=True)
+        text += "".join(present[[line.strip() for line in present].index(kept) :])
+    path.write_text(text, encoding="utf-8")
 
 
 def _commands(tutorial: str, block: re.Match[str], folder: Path) -> Iterator[Shown]:
