@@ -7,6 +7,7 @@ instruction. The first explanation that fits wins.
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule
+from vrts.lang.functions import FUNCTIONS
 from vrts.lang.lalr import END, Failure, expected
 from vrts.lang.problems import Problems
 from vrts.lang.syntax import Token
@@ -50,6 +51,9 @@ def explain(problems: Problems, tokens: list[Token], failure: Failure, word: Wor
     """Report one diagnostic for a step that does not parse."""
     case = _Case(problems, tokens, failure, expected(failure.states), word)
     for explanation in (
+        _no_beginning,
+        _empty_parentheses,
+        _function_without_parentheses,
         _equals_for_compare,
         _label_wanted,
         _keyword_missing,
@@ -63,6 +67,64 @@ def explain(problems: Problems, tokens: list[Token], failure: Failure, word: Wor
         if explanation(case):
             return
     _anything_else(case)
+
+
+def _no_beginning(case: _Case) -> bool:
+    """`// comment`, `= 5`: the step begins with a sign."""
+    here = case.here
+    if case.failure.at or here is None or here.kind in _OPERANDS:
+        return False
+    comment = here.text in ("/", "*", "-")
+    case.problems.error(
+        INVALID_EXPRESSION,
+        f"a step does not begin with `{_short(here.text)}`",
+        here.start,
+        here.end,
+        notes=("VAL-II says *Unknown instruction*",),
+        help=("begin comments with `;`",)
+        if comment
+        else ("a step begins with an instruction, as in `MOVE part`, or assigns, as in `n = 1`",),
+    )
+    return True
+
+
+def _empty_parentheses(case: _Case) -> bool:
+    here, before = case.here, case.before
+    if case.failure.at != 2 or here is None or before is None or case.word is None:
+        return False
+    if before.kind != "LPAREN" or here.kind != "RPAREN":
+        return False
+    case.problems.error(
+        UNEXPECTED_TEXT,
+        f"{case.word.text} has no parentheses",
+        before.start,
+        here.end,
+        "this is too much",
+        notes=(_TEXT_SAYS,),
+        help=(f"write `{case.word.usage}`",),
+        fix=case.problems.replace(before.start, here.end, ""),
+    )
+    return True
+
+
+def _function_without_parentheses(case: _Case) -> bool:
+    """`WAIT SIG 1001`."""
+    here, before = case.here, case.before
+    if here is None or before is None or here.kind not in ("NUMBER", "NAME", "STRINGNAME"):
+        return False
+    signature = FUNCTIONS.get(before.text.lower())
+    if before.kind != "NAME" or signature is None or signature.bare:
+        return False
+    name = before.text.upper()
+    case.problems.error(
+        INVALID_EXPRESSION,
+        f"{name} without parentheses",
+        before.start,
+        here.end,
+        notes=("VAL-II says *Missing parenthesis*",),
+        help=(f"write `{name}({_short(here.text)})`",),
+    )
+    return True
 
 
 def _equals_for_compare(case: _Case) -> bool:
@@ -322,7 +384,10 @@ def _report_extra(case: _Case, here: Token, headline: str, help_: str) -> None:
 
 def _anything_else(case: _Case) -> None:
     here, before = case.here, case.before
-    if here is not None:
+    if here is not None and "EQUAL" in case.wanted:
+        headline = f"`=` is missing before `{_short(here.text)}`"
+        where = (here.start, here.end)
+    elif here is not None:
         headline = f"`{_short(here.text)}` does not belong here"
         where = (here.start, here.end)
     else:

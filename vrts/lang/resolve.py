@@ -88,6 +88,7 @@ class Resolver:
         self.program_of: dict[int, str | None] = {}  # of each of `moves`, by offset
         self.argument_types: dict[int, Type] = {}  # of expressions passed by value, by identity
         self.bad_names: set[str] = set()
+        self.wrong_lines: set[int] = set()  # lines where a type did not fit
         self.reserved: set[str] = set()  # keywords used as names, each said once
 
     def type_of_name(self, program: str | None, name: Name) -> Type:
@@ -512,7 +513,9 @@ class Resolver:
         word, operands = node.word, node.operands
         if word in _LOCATION_WORDS:
             first, *rest = operands
-            if first is not None:
+            if isinstance(first, Number) and rest and isinstance(rest[0], Name):
+                self._swapped(node, first, rest[0])
+            elif first is not None:
                 self._location(first, f"{word} goes to a location")
             self._items(tuple(rest), Type.REAL)
         elif word == "TOOL":
@@ -533,6 +536,20 @@ class Resolver:
                     node.end,
                     help=("write `BASE dx, dy, dz, rotation`",),
                 )
+
+    def _swapped(self, node: Simple, distance: Number, location: Name) -> None:
+        """`APPRO 50, part`."""
+        text = self.problems.source.text[distance.start : distance.end]
+        self.wrong_lines.add(self.problems.source.line_of(node.start))
+        self.problems.error(
+            WRONG_TYPE,
+            f"the location comes first in {node.word}",
+            distance.start,
+            location.end,
+            notes=(_TYPES_SAY,),
+            help=(f"write `{node.word} {location.text}, {text}`",),
+            fix=self.problems.replace(distance.start, location.end, f"{location.text}, {text}"),
+        )
 
     def _location(self, node: Item, why: str) -> None:
         self.check(node, Type.POSE, why, joints=True)
@@ -558,9 +575,14 @@ class Resolver:
     # --- wording --------------------------------------------------------------------------------
 
     def _wrong(self, node: Expression, found: Type, wanted: Type, why: str) -> None:
+        self.wrong_lines.add(self.problems.source.line_of(node.start))
         secondary: tuple[Label, ...] = ()
         help_: tuple[str, ...] = ()
-        if wanted is Type.POSE and found is Type.JOINTS:
+        if wanted is Type.POSE and isinstance(node, Infix) and node.operator == "-":
+            text = self.problems.source.text[node.start : node.end]
+            joined = text.replace(" ", "").replace("-", "_")
+            help_ = (f"`-` subtracts; if this is meant as one name, write `{joined}`",)
+        elif wanted is Type.POSE and found is Type.JOINTS:
             help_ = ("a precision point cannot stand in a compound: `SET p = #point` first",)
         elif wanted is Type.POSE and found is Type.REAL:
             help_ = ("name a location, or write `TRANS(x, y, z, o, a, t)`",)

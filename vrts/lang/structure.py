@@ -159,6 +159,8 @@ def _unmatched(
 ) -> None:
     node = step.statement
     assert node is not None
+    if isinstance(node, Bad):
+        return  # reported as it is
     secondary = ()
     if top is not None:
         opener = program.steps[top.opener].statement
@@ -181,7 +183,7 @@ def _unmatched(
 
 def _check_cases(program: ProgramText, found: list[Block], problems: Problems) -> None:
     for block in found:
-        if block.word != "CASE":
+        if block.word != "CASE" or isinstance(program.steps[block.opener].statement, Bad):
             continue
         first = block.middles[0] if block.middles else block.end
         for i in range(block.opener + 1, first):

@@ -60,6 +60,9 @@ def _settle_moves(resolver: Resolver) -> None:
 def _clash(resolver: Resolver, entry: Entry) -> bool:
     problems = resolver.problems
     if Type.REAL in entry.types and Type.POSE in entry.types:
+        lines = {problems.source.line_of(place[0]) for place in entry.types.values()}
+        if lines & resolver.wrong_lines:
+            return True  # said there
         (first_type, first), (_, second) = sorted(entry.types.items(), key=lambda item: item[1])[:2]
         words = {Type.REAL: "a number", Type.POSE: "a location"}
         other = words[Type.POSE if first_type is Type.REAL else Type.REAL]
@@ -118,6 +121,8 @@ def _without_value(resolver: Resolver, entry: Entry) -> None:
     if not entry.reads or resolver.scope.may_have_value(entry):
         return
     problems = resolver.problems
+    if {problems.source.line_of(start) for start, _ in entry.reads} <= resolver.wrong_lines:
+        return  # the lines were reported
     location = entry.type in (Type.POSE, Type.JOINTS)
     kind = "location" if location else "string" if entry.type is Type.STRING else "variable"
     names = [e.name for e in resolver.scope.all_entries() if _could_be(e, entry)]

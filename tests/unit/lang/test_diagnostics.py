@@ -124,6 +124,9 @@ def test_negative_height_is_seen_through_a_variable() -> None:
         ("IF n == 1 THEN READY\nREADY", "V125"),  # the missing END is not said as well
         ("n = 1\nIF n == 1 THEN\nREADY\nENDIF", "V122"),
         ("FOR i = 1, 3\nTYPE i\nEND", "V130"),
+        ("APPRO 50, part", "V202"),  # nor that part is a number here and a location there
+        ("MOVE part-grip", "V202"),
+        ("VALUE 5", "V126"),
         ("PROMPT n\nTYPE n", "V123"),  # nor that n is never given a value
     ],
 )
@@ -135,3 +138,22 @@ def test_every_label_lies_in_one_line() -> None:
     for found in problems('MOVE\nTYPE "a\nx = (1\nEND\nGOTO 5\nAPPRO part', ".END\n"):
         assert found.primary is not None
         assert "\n" not in found.primary.span.text
+
+
+@pytest.mark.parametrize(
+    ("body", "headline", "help_"),
+    [
+        ("OPENI()", "OPENI has no parentheses", "write `OPENI`"),
+        ("// note", "a step does not begin with `/`", "begin comments with `;`"),
+        ("WAIT SIG 1001", "SIG without parentheses", "write `SIG(1001)`"),
+        ("APPRO 50, part", "the location comes first in APPRO", "write `APPRO part, 50`"),
+        ("MOVESpart", "`MOVESpart` is not an instruction", "write a blank: `MOVES part`"),
+        ("SPEED 50%", "`%` has no meaning here", "leave the percent sign out: SPEED takes percent"),
+        ("n += 1", "`+=` is not an operator of VAL-II", "write `x = x+1`"),
+        ("ENDIF", "ENDIF is not a VAL-II instruction", "write END"),
+    ],
+)
+def test_habits_of_other_languages_are_named(body: str, headline: str, help_: str) -> None:
+    found = problems(body)[0]
+    assert found.headline == headline
+    assert found.help == (help_,)
