@@ -1,21 +1,11 @@
-"""Types of names and expressions.
+"""Statements: which types each wants, and which names each gives a value."""
 
-One walk over the statements records how every unprefixed name is used and checks every other
-type; conflicts between uses are reported afterwards, once a name, with both places. A name with a
-conflict is accepted everywhere else.
-"""
-
-import re
-from typing import TypeAlias
-
-from vrts.base.diagnostic import Label, Rule
+from vrts.base.diagnostic import Rule
 from vrts.ir.values import Type
-from vrts.lang.functions import CONSTANTS, FOREIGN_FUNCTIONS, FUNCTIONS, Signature
-from vrts.lang.mistakes import INVALID_FORMAT
+from vrts.lang.expression_types import FUNCTION_ARGUMENTS, TYPES_SAY, WRONG_TYPE, ExpressionTypes
+from vrts.lang.functions import CONSTANTS, FUNCTIONS
 from vrts.lang.names import key
-from vrts.lang.problems import Problems
-from vrts.lang.scope import Entry, Passed, Scope
-from vrts.lang.spelling import nearest
+from vrts.lang.scope import Passed
 from vrts.lang.syntax import (
     Application,
     Assignment,
@@ -25,7 +15,6 @@ from vrts.lang.syntax import (
     Element,
     Expression,
     For,
-    FormatItem,
     Goto,
     HereStatement,
     If,
@@ -34,72 +23,25 @@ from vrts.lang.syntax import (
     Name,
     Number,
     Parenthesised,
-    Prefix,
     SetLocation,
     ShiftStatement,
     Simple,
     SpeedStatement,
     Statement,
-    Text,
     Until,
     ValueGroup,
     Variable,
     While,
 )
-from vrts.lang.tokens import KEYWORD_AS_NAME
-from vrts.lang.unknown_words import NOT_SUPPORTED_YET
-from vrts.lang.vocabulary import INSTRUCTIONS, OPERATORS, QUALIFIERS
 
-WRONG_TYPE = Rule("V202", "wrong-type")
 ASSIGNED_LOCATION = Rule("V203", "assigned-location")
-UNKNOWN_FUNCTION = Rule("V209", "unknown-function")
-FUNCTION_ARGUMENTS = Rule("V210", "function-arguments")
-RESERVED_NAME = Rule("V211", "reserved-name")
-SUBSCRIPTS = Rule("V214", "subscripts")
-DEFAULT_ANGLES = Rule("V215", "default-angles")
 
-MAX_SUBSCRIPTS = 3  # [val2.md 1.10]
-FORMAT = re.compile(r"/[DFIGEHOCXUBS](\d{0,3}(\.\d{1,2})?)?", re.IGNORECASE)
-_TYPES_SAY = "VAL-II says *Illegal operator*"
-_ANGLES = 3
-
-Wanted: TypeAlias = Type | None  # None: any type; POSE also takes joints where `joints` is True
-_WORDS = {
-    Type.REAL: "a number",
-    Type.STRING: "a string",
-    Type.POSE: "a location",
-    Type.JOINTS: "a precision point",
-    Type.DYNAMIC: "a value",
-}
-_CODES = {"r": Type.REAL, "s": Type.STRING, "p": Type.POSE, "l": Type.POSE, "$": Type.STRING}
 _LOCATION_WORDS = frozenset({"MOVE", "MOVES", "APPRO", "APPROS"})
 _TEXT_WORDS = frozenset({"STOP", "HALT", "PAUSE"})
-_COMPARISONS = frozenset({"==", "<>", "<", "<=", ">", ">="})
 
 
-class Resolver:
+class Resolver(ExpressionTypes):
     """Walks the statements of one program after the other."""
-
-    def __init__(self, problems: Problems, scope: Scope) -> None:
-        self.problems = problems
-        self.scope = scope
-        self.program: str | None = None
-        self.moves: list[Assignment] = []  # `a = b`, types unknown till the end
-        self.program_of: dict[int, str | None] = {}  # of each of `moves`, by offset
-        self.argument_types: dict[int, Type] = {}  # of expressions passed by value, by identity
-        self.bad_names: set[str] = set()
-        self.wrong_lines: set[int] = set()  # lines where a type did not fit
-        self.reserved: set[str] = set()  # keywords used as names, each said once
-
-    def type_of_name(self, program: str | None, name: Name) -> Type:
-        """Return the type of a name as all its uses tell."""
-        lower = name.text.lower()
-        if lower in CONSTANTS:
-            return Type.REAL
-        signature = FUNCTIONS.get(lower)
-        if signature is not None and signature.bare:
-            return signature.result
-        return self.scope.entry(program, key(name.text)).type
 
     def statement(self, node: Statement) -> None:
         """Record and check one statement of the current program."""
@@ -136,301 +78,6 @@ class Resolver:
                 self.bad_names.update(names)
             case _:
                 pass
-
-    # --- expressions ----------------------------------------------------------------------------
-
-    def check(self, node: Item, wanted: Wanted, why: str, *, joints: bool = False) -> Type:
-        """Return the type of an expression, and report it where it is not the one wanted."""
-        found = self._type(node, wanted)
-        if wanted is None or found is wanted or found is Type.DYNAMIC:
-            return found
-        if joints and wanted is Type.POSE and found is Type.JOINTS:
-            return found
-        if not isinstance(node, FormatItem):
-            self._wrong(node, found, wanted, why)
-        return Type.DYNAMIC
-
-    def _type(self, node: Item, wanted: Wanted) -> Type:
-        match node:
-            case Number():
-                return Type.REAL
-            case Text():
-                return Type.STRING
-            case Name():
-                return self._name(node, wanted)
-            case Element(name, subscripts):
-                return self._element(node, name, subscripts, wanted)
-            case Parenthesised(inner):
-                return self._type(inner, wanted)
-            case Prefix(operator, operand):
-                self.check(operand, Type.REAL, f"`{operator}` takes a number")
-                return Type.REAL
-            case Infix():
-                return self._infix(node, wanted)
-            case Application():
-                return self._application(node, wanted)
-            case FormatItem():
-                self.problems.error(
-                    INVALID_FORMAT,
-                    f"the format `{node.text}` does not belong here",
-                    node.start,
-                    node.end,
-                    notes=("VAL-II says *Invalid format specifier*",),
-                    help=("formats stand in TYPE and $ENCODE",),
-                )
-                return Type.DYNAMIC
-
-    def _infix(self, node: Infix, wanted: Wanted) -> Type:
-        operator = node.operator
-        if operator == ":":
-            for part in (node.left, node.right):
-                self.check(part, Type.POSE, "`:` joins locations")
-            return Type.POSE
-        if operator in _COMPARISONS or operator == "+":
-            text = self._is_text(node.left) or self._is_text(node.right)
-            if operator == "+" and wanted is Type.POSE and not text:
-                return self._added_locations(node)
-            kind = Type.STRING if text else Type.REAL
-            why = f"`{operator}` takes two strings or two numbers"
-            self.check(node.left, kind, why)
-            self.check(node.right, kind, why)
-            return kind if operator == "+" else Type.REAL
-        for part in (node.left, node.right):
-            self.check(part, Type.REAL, f"`{operator}` takes numbers")
-        return Type.REAL
-
-    def _added_locations(self, node: Infix) -> Type:
-        self._type(node.left, Type.POSE)
-        self._type(node.right, Type.POSE)
-        self.problems.error(
-            WRONG_TYPE,
-            "locations are not added",
-            node.operator_start,
-            node.operator_start + 1,
-            notes=(_TYPES_SAY,),
-            help=("join a frame and a location in it by `:`, or shift by `SHIFT(a BY x, y, z)`",),
-        )
-        return Type.DYNAMIC
-
-    def _is_text(self, node: Expression) -> bool:
-        while isinstance(node, Parenthesised | Infix):
-            if isinstance(node, Infix) and node.operator != "+":
-                return False
-            node = node.inner if isinstance(node, Parenthesised) else node.left
-        if isinstance(node, Application | Element):
-            node = node.name
-        return isinstance(node, Text) or (isinstance(node, Name) and node.text[0] == "$")
-
-    def _name(self, node: Name, wanted: Wanted) -> Type:
-        lower = node.text.lower()
-        if lower in CONSTANTS:
-            return Type.REAL
-        signature = FUNCTIONS.get(lower)
-        if signature is not None and signature.bare:
-            if signature.function is None:
-                self._not_yet(node)
-            return signature.result
-        entry = self._use(node, wanted)
-        entry.reads.append((node.start, node.end))
-        self._once(entry, node, array=False)
-        return _as_used(entry, wanted)
-
-    def _element(
-        self, node: Element, name: Name, subscripts: tuple[Item | None, ...], wanted: Wanted
-    ) -> Type:
-        entry = self._use(name, wanted)
-        entry.reads.append((node.start, node.end))
-        self._subscripts(entry, node, subscripts)
-        return _as_used(entry, wanted)
-
-    def _subscripts(self, entry: Entry, node: Element, subscripts: tuple[Item | None, ...]) -> None:
-        self._once(entry, node.name, array=True)
-        if not subscripts:
-            self.problems.error(
-                SUBSCRIPTS,
-                f"`{node.name.text}[]` is a whole array",
-                node.start,
-                node.end,
-                help=("write an index: a whole array can only be passed by CALL",),
-                notes=("VAL-II says *Missing argument*",),
-            )
-        if len(subscripts) > MAX_SUBSCRIPTS:
-            self.problems.error(
-                SUBSCRIPTS,
-                f"an array has at most {MAX_SUBSCRIPTS} subscripts",
-                node.start,
-                node.end,
-            )
-        self._items(subscripts, Type.REAL)
-
-    def _application(self, node: Application, wanted: Wanted) -> Type:
-        lower = node.name.text.lower()
-        signature = FUNCTIONS.get(lower)
-        if signature is None:
-            self._unknown_function(node, lower)
-            return Type.DYNAMIC
-        if signature.function is None:
-            self._not_yet(node.name)
-            self._loose(node)
-            return Type.DYNAMIC
-        if signature.name == "defined":
-            self._defined(node, signature)
-        elif self._count(node, signature):
-            for i, argument in enumerate(node.arguments):
-                code = signature.parameters[min(i, len(signature.parameters) - 1)]
-                if argument is not None:
-                    why = f"{node.name.text.upper()} takes {_taken(code)} here"
-                    self.check(argument, _CODES[code[0]], why, joints=code[0] == "l")
-            if signature.name == "trans":
-                self._default_angles(node)
-        return signature.result
-
-    def _count(self, node: Application, signature: Signature) -> bool:
-        given = len(node.arguments)
-        most = signature.most
-        omitted = [
-            i
-            for i, argument in enumerate(node.arguments)
-            if argument is None and i < signature.required
-        ]
-        name = node.name.text.upper()
-        if signature.by is not None and node.by != signature.by:
-            headline = f"{name} without BY"
-            help_ = f"write `{name}(location BY ...)`"
-        elif given < signature.required or omitted:
-            headline = f"{name} needs {_arguments(signature.required)}, {given} given"
-            help_ = ""
-        elif most is not None and given > most:
-            headline = f"{name} takes {_arguments(most)}, {given} given"
-            help_ = ""
-        else:
-            return True
-        self.problems.error(
-            FUNCTION_ARGUMENTS,
-            headline,
-            node.start,
-            node.end,
-            notes=("VAL-II says *Missing argument*",),
-            help=(help_,) if help_ else (),
-        )
-        self._loose(node)
-        return False
-
-    def _defined(self, node: Application, signature: Signature) -> None:
-        if not node.arguments or node.arguments[0] is None:
-            self._count(node._replace(arguments=()), signature)
-            return
-        first = node.arguments[0]
-        if not isinstance(first, Name | Element) or not self._count(node, signature):
-            self.problems.error(
-                FUNCTION_ARGUMENTS,
-                f"{node.name.text.upper()} takes a variable",
-                first.start,
-                first.end,
-                notes=("VAL-II says *Illegal assignment*",),
-            )
-            return
-        name = first if isinstance(first, Name) else first.name
-        entry = self._use(name, None)
-        if isinstance(first, Element):
-            self._once(entry, name, array=True)
-            self._items(first.subscripts, Type.REAL)
-        else:
-            self._once(entry, name, array=False)
-
-    def items_of_type(self, items: tuple[Item | None, ...]) -> None:
-        """Check the items of TYPE."""
-        for item in items:
-            if isinstance(item, FormatItem):
-                if FORMAT.fullmatch(item.text) is None:
-                    self.problems.error(
-                        INVALID_FORMAT,
-                        f"`{item.text}` is not a format",
-                        item.start,
-                        item.end,
-                        notes=("VAL-II says *Invalid format specifier*",),
-                        help=("formats are /D /F8.2 /I4 /G8.2 /E10.2 /H /O /C /X /U /B /S",),
-                    )
-            elif item is not None:
-                kind = Type.STRING if self._is_text(item) else Type.REAL
-                self.check(item, kind, "TYPE writes numbers and strings")
-
-    def _items(self, items: tuple[Item | None, ...], wanted: Type) -> None:
-        for item in items:
-            if item is not None:
-                self.check(item, wanted, f"{_WORDS[wanted]} belongs here")
-
-    def _loose(self, node: Application) -> None:
-        """Note the names in arguments that cannot be told apart."""
-        for argument in node.arguments:
-            if isinstance(argument, Name):
-                self.bad_names.add(key(argument.text))
-
-    # --- names ----------------------------------------------------------------------------------
-
-    def _use(self, node: Name, wanted: Wanted) -> Entry:
-        entry = self.scope.entry(self.program, key(node.text))
-        entry.spellings.setdefault(node.text.lower(), (node.start, node.end))
-        if wanted is not None and node.text[0] not in "$#":
-            entry.types.setdefault(wanted, (node.start, node.end))
-        self._reserved(node)
-        return entry
-
-    def _reserved(self, node: Name) -> None:
-        upper = node.text.upper()
-        if upper not in INSTRUCTIONS and node.text.lower() not in FUNCTIONS:
-            if upper not in QUALIFIERS and upper not in OPERATORS:
-                return
-        elif upper in INSTRUCTIONS and not INSTRUCTIONS[upper].in_val2:
-            return
-        if upper in self.reserved:
-            return
-        self.reserved.add(upper)
-        self.problems.warning(
-            KEYWORD_AS_NAME,
-            f"{upper} is a word of the language, here it names a variable",
-            node.start,
-            node.end,
-            help=("choose another name",),
-        )
-
-    def _once(self, entry: Entry, node: Name, *, array: bool) -> None:
-        if array and entry.array is None:
-            entry.array = (node.start, node.end)
-        elif not array and entry.scalar is None:
-            entry.scalar = (node.start, node.end)
-
-    def _write(self, target: Variable, kind: Type, why: str, value: Expression | None) -> None:
-        name = target if isinstance(target, Name) else target.name
-        lower = name.text.lower()
-        signature = FUNCTIONS.get(lower)
-        if lower in CONSTANTS or (signature is not None and signature.bare):
-            self.problems.error(
-                RESERVED_NAME,
-                f"{name.text.upper()} cannot be given a value",
-                name.start,
-                name.end,
-                notes=("VAL-II says *Illegal assignment*",),
-                help=(f"write `{lower.upper()} ...` without `=`, or choose another name",)
-                if lower.upper() in INSTRUCTIONS
-                else ("choose another name",),
-            )
-            return
-        sigil = {"$": Type.STRING, "#": Type.JOINTS}.get(name.text[0])
-        location = kind is Type.POSE and sigil is Type.JOINTS
-        if sigil is not None and sigil is not kind and not location:
-            self._wrong(target, sigil, kind, why)
-            return
-        entry = self._use(name, None if sigil else kind)
-        entry.writes.append((name.start, name.end))
-        if value is not None and isinstance(target, Name):
-            entry.values.append(value)
-        elif isinstance(target, Name):
-            entry.values.append(Text("", 0, 0))  # changes in ways not followed
-        if isinstance(target, Element):
-            self._subscripts(entry, target, target.subscripts)
-        else:
-            self._once(entry, name, array=False)
 
     # --- statements -----------------------------------------------------------------------------
 
@@ -546,7 +193,7 @@ class Resolver:
             f"the location comes first in {node.word}",
             distance.start,
             location.end,
-            notes=(_TYPES_SAY,),
+            notes=(TYPES_SAY,),
             help=(f"write `{node.word} {location.text}, {text}`",),
             fix=self.problems.replace(distance.start, location.end, f"{location.text}, {text}"),
         )
@@ -571,94 +218,3 @@ class Resolver:
                     entry.reads.pop()
             elif argument is not None:
                 self.argument_types[id(argument)] = self._type(argument, None)
-
-    # --- wording --------------------------------------------------------------------------------
-
-    def _wrong(self, node: Expression, found: Type, wanted: Type, why: str) -> None:
-        self.wrong_lines.add(self.problems.source.line_of(node.start))
-        secondary: tuple[Label, ...] = ()
-        help_: tuple[str, ...] = ()
-        if wanted is Type.POSE and isinstance(node, Infix) and node.operator == "-":
-            text = self.problems.source.text[node.start : node.end]
-            joined = text.replace(" ", "").replace("-", "_")
-            help_ = (f"`-` subtracts; if this is meant as one name, write `{joined}`",)
-        elif wanted is Type.POSE and found is Type.JOINTS:
-            help_ = ("a precision point cannot stand in a compound: `SET p = #point` first",)
-        elif wanted is Type.POSE and found is Type.REAL:
-            help_ = ("name a location, or write `TRANS(x, y, z, o, a, t)`",)
-            if why.startswith("SET"):
-                help_ = ("a number is given a value by `=`, without SET",)
-        elif wanted is Type.REAL and found is Type.STRING:
-            help_ = ("a string variable begins with `$`; VAL($s) turns a string into a number",)
-        elif wanted is Type.STRING and found is Type.REAL:
-            help_ = ("put text between double quotes; $ENCODE(x) turns a number into a string",)
-        elif wanted is Type.REAL and found in (Type.POSE, Type.JOINTS):
-            help_ = ("DX(l), DY(l) and DZ(l) are the coordinates of a location",)
-        self.problems.error(
-            WRONG_TYPE,
-            f"{why}, not {_WORDS[found]}",
-            node.start,
-            node.end,
-            f"this is {_WORDS[found]}",
-            secondary=secondary,
-            notes=(_TYPES_SAY,),
-            help=help_,
-        )
-
-    def _not_yet(self, node: Name) -> None:
-        self.problems.error(
-            NOT_SUPPORTED_YET,
-            f"{node.text.upper()} is not supported yet",
-            node.start,
-            node.end,
-            notes=("it is a function of VAL-II that this version of vrts does not carry out",),
-            data={"word": node.text.upper()},
-        )
-
-    def _unknown_function(self, node: Application, lower: str) -> None:
-        meant = nearest(lower, FUNCTIONS)
-        if lower in FOREIGN_FUNCTIONS:
-            help_ = (FOREIGN_FUNCTIONS[lower],)
-        elif meant is not None:
-            help_ = (f"did you mean `{meant.upper()}`?",)
-        elif lower in self.scope.programs:
-            help_ = ("a program is called by CALL and yields no value",)
-        else:
-            help_ = ("an element of an array is written with brackets: `a[1]`",)
-        self.problems.error(
-            UNKNOWN_FUNCTION,
-            f"there is no function `{node.name.text}`",
-            node.name.start,
-            node.name.end,
-            notes=("VAL-II says *Illegal expression syntax*",),
-            help=help_,
-        )
-        self._loose(node)
-
-    def _default_angles(self, node: Application) -> None:
-        given = node.arguments[_ANGLES:]
-        if any(argument is not None for argument in given) or not node.arguments:
-            return
-        self.problems.warning(
-            DEFAULT_ANGLES,
-            "TRANS without angles",
-            node.start,
-            node.end,
-            "taken as 90, -90, 0: not turned",
-            notes=("other controllers take omitted angles as 0, 0, 0: the hand level",),
-            help=("write all six: `TRANS(x, y, z, 90, -90, 0)`",),
-        )
-
-
-def _as_used(entry: Entry, wanted: Wanted) -> Type:
-    if entry.name[0] in "$#":
-        return entry.type
-    return wanted or Type.DYNAMIC
-
-
-def _arguments(count: int) -> str:
-    return f"{count} argument" if count == 1 else f"{count} arguments"
-
-
-def _taken(code: str) -> str:
-    return _WORDS[_CODES[code[0]]]
