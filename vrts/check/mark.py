@@ -182,8 +182,9 @@ def _forgive(causes: list[Loss], parts: Parts) -> None:
 def _target_loss(run: Run, task: Task, result: Reached, lost: Fraction) -> Loss:
     time_s = judged_at(run, task)
     body = result.goal.body
+    missing = [goal.body for goal in task.goals if not _was_grasped(run, goal.body)]
     sentence, hint, span = f"`{body}` {describe(result)}", SHORTFALL_HINT, None
-    why = _why(run, body)
+    why = _why(run, body, missing.index(body) if body in missing else 0)
     if why is not None:
         time_s = why.time_s
         span = why.cause.span if why.cause else None
@@ -242,18 +243,21 @@ def _stopped_by(run: Run) -> Loss | None:
     return Loss(NOTHING, "program", sentence, hint, span, moment(run, event.time_s, ()))
 
 
-def _why(run: Run, body: str) -> Found | None:
-    """Return the engine's finding that tells best why an object is not where it should be."""
+def _why(run: Run, body: str, turn: int = 0) -> Found | None:
+    """Return the engine's finding that tells best why an object is not where it should be.
+
+    An object that was never in the hand is put down to a hand that closed on nothing: the first
+    such object to the first such hand, the second (`turn` 1) to the second.
+    """
     found = [event for event in run.events if isinstance(event, Found)]
     for rule in (TOPPLED, DROPPED, OFF_CENTRE):
         for event in found:
             if event.diagnostic.rule == rule and event.diagnostic.data.get("body") == body:
                 return event
-    if run.ending in PROGRAM_ENDS and not _was_grasped(run, body):
-        for event in found:
-            if event.diagnostic.rule == CLOSED_ON_NOTHING:
-                return event
-    return None
+    if run.ending not in PROGRAM_ENDS or _was_grasped(run, body):
+        return None
+    empty = [event for event in found if event.diagnostic.rule == CLOSED_ON_NOTHING]
+    return empty[min(turn, len(empty) - 1)] if empty else None
 
 
 def _was_grasped(run: Run, body: str) -> bool:

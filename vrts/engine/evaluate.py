@@ -5,6 +5,7 @@ a run-time fault at its place in the text.
 """
 
 from collections.abc import Callable
+from difflib import get_close_matches
 from typing import cast
 
 from vrts.base.numbers import round_half_away
@@ -109,7 +110,7 @@ class Compiler:
             if isinstance(found, Cell):
                 if found.value is not UNDEFINED:
                     raise _mismatch(f"`{name}` is not an array", span)
-                raise _undefined(name, span)
+                raise _undefined(c, name, span)
             return found.element(tuple(_subscript(s(c), name, span) for s in subscripts))
 
         return element
@@ -124,7 +125,7 @@ class Compiler:
             def fast(c: Context) -> Value:
                 value = c.memory.bound[number].value  # type: ignore[union-attr]
                 if value is UNDEFINED:
-                    raise _undefined(name, span)
+                    raise _undefined(c, name, span)
                 return value  # type: ignore[return-value]
 
             return fast
@@ -134,7 +135,7 @@ class Compiler:
             cell = find(c)
             value = cell.value
             if isinstance(value, Undefined):
-                raise _undefined(cell.name if place.subscripts else name, span)
+                raise _undefined(c, cell.name, span)
             if wanted is not Type.DYNAMIC and type_of_value(value) is not wanted:
                 raise _mismatch(f"`{name}` holds a {type_of_value(value).value} here", span)
             return value
@@ -336,13 +337,16 @@ def _subscript(value: float, name: str, span: Span | None) -> int:
         ) from None
 
 
-def _undefined(name: str, span: Span | None) -> RuntimeFault:
+def _undefined(c: Context, name: str, span: Span | None) -> RuntimeFault:
+    known = [cell.name for cell in c.memory.cells() if cell.value is not UNDEFINED]
+    near = get_close_matches(name, known, 1)
+    remedy = f"define `{name}` in `.LOCATIONS` or give it a value before this step"
     return RuntimeFault(
         RuntimeErrorKind.UNDEFINED_VALUE,
         f"`{name}` has no value",
         span,
         label="never given a value",
-        help=(f"define `{name}` in `.LOCATIONS` or give it a value before this step",),
+        help=(f"did you mean `{near[0]}`?" if near else remedy,),
         data={"name": name},
     )
 

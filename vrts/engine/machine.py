@@ -220,8 +220,8 @@ class Machine:
                 SIMULATED_TIME,
                 f"the program is still running after {limits.time_s:.0f} s",
                 span,
-                "it was stopped here",
-                "check that every loop and WAIT comes to an end",
+                "it was stopped here, at the longest time it may take",
+                "if no loop repeats for ever, the arm is too slow: look at SPEED",
             )
         if len(c.planner.motions) > limits.motions:
             raise LimitReached(

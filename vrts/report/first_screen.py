@@ -17,6 +17,7 @@ from vrts.report.plain import capital, one_line
 from vrts.report.quantities import at_time, lost
 
 NOTHING_LOST = "Nothing was lost: every goal is reached and nothing was touched"
+SEEN = Fraction(1, 20)  # points; less is shown as 0.0
 NOTHING_WRONG = "Nothing was found to be wrong"
 
 
@@ -51,11 +52,16 @@ def first_screen(a: Assessment) -> FirstScreen:
         obstacles=tuple(one_line(o) for o in obstacles),
         cause=one_line(cause),
         hint=one_line(hint) if hint else None,
-        losses=grade.losses if grade else (),
+        losses=_shown(grade.losses) if grade else (),
         verdicts=() if grade else verdicts,
         moment=moment,
         span=span,
     )
+
+
+def _shown(losses: tuple[Loss, ...]) -> tuple[Loss, ...]:
+    """Return the losses without a rounding that would be shown as nothing."""
+    return tuple(loss for loss in losses if loss.kind != "rounding" or abs(loss.points) >= SEEN)
 
 
 def status(a: Assessment) -> str:

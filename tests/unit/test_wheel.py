@@ -1,0 +1,66 @@
+"""The built wheel, in an environment and a folder of its own, marks the example."""
+
+import json
+import subprocess
+import sys
+import sysconfig
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent.parent
+NEEDED = (
+    "vrts/lang/grammar.lark",
+    "vrts/pages/V301.md",
+    "vrts/library/scenes/cans-on-bases/scene.toml",
+    "vrts/library/examples/01-cans-on-bases/solution.v2",
+    "vrts/web/viewer/viewer.js",
+    "vrts/py.typed",
+)
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("wheel")
+    command = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(out)]
+    subprocess.run([*command, str(ROOT)], check=True, capture_output=True)
+    return next(out.glob("vrts-*.whl"))
+
+
+def test_the_wheel_holds_all_data(wheel: Path) -> None:
+    names = set(zipfile.ZipFile(wheel).namelist())
+    assert set(NEEDED) - names == set()
+    assert any(name.startswith("vrts/web/vendor/three/") for name in names)
+
+
+@pytest.mark.slow
+def test_the_installed_wheel_marks_the_example(wheel: Path, tmp_path: Path) -> None:
+    """Dependencies come from the environment of the tests, by a path; vrts itself does not."""
+    home = tmp_path / "env"
+    venv.create(home, with_pip=False)
+    site = home / "lib" / f"python3.{sys.version_info.minor}" / "site-packages"
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(site)
+    added = f"import site; site.addsitedir({sysconfig.get_path('purelib')!r})\n"
+    (site / "dependencies.pth").write_text(added)
+    python = home / "bin" / "python"
+    where = subprocess.run(
+        [python, "-c", "import vrts; print(vrts.__file__)"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert where.stdout.startswith(str(site))
+    result = subprocess.run(
+        [python, "-m", "vrts.cli.main", "grade", "01-cans-on-bases", "--format", "json"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    marks = {row["id"]: row["mark"] for row in json.loads(result.stdout)["results"]}
+    assert marks["solution"] == 10.0
+    assert marks["hits-base"] == 7.0
