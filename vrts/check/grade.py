@@ -40,7 +40,7 @@ class Grade:
     vias: Fraction  # V
     contacts: Fraction  # C
     time: Fraction  # D
-    losses: tuple[Loss, ...]  # costliest first, except "rounding", which is last
+    losses: tuple[Loss, ...]  # costliest first; then "time", "task", "rounding"
     ready: bool  # for the real robot
     obstacles: tuple[str, ...]  # why it is not ready, most serious first
     duration_s: float | None  # EXECUTE to program end

@@ -19,9 +19,11 @@ NOT_MOVABLE = Rule("V651", "not-movable")
 GOAL_PLACE = Rule("V652", "goal-place")
 GOAL_TWICE = Rule("V653", "goal-twice")
 TIMES = Rule("V654", "times")
+TOO_MANY_POINTS = Rule("V655", "too-many-points")
 
 POSITION_MM, ORIENTATION_DEG = 10.0, 5.0  # tolerances of a goal when the file gives none
 PAR_SHARE = Fraction(5, 4)  # t_par is this times the reference solution
+FULL = 10  # points
 MAX_SHARE = 2  # t_max is this times t_par
 RADIUS_MM = 20.0  # of a via point when the file gives none
 FARTHEST = 10_000.0  # [mm] any position
@@ -60,7 +62,7 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
     goals = _goals(top, problems, scene)
     vias = tuple(_via(table, number) for number, table in enumerate(top.tables("via"), 1))
     t_par, t_max = _times(top, problems)
-    mark = _mark(top)
+    mark = _mark(top, problems)
     top.finish()
     return Task(
         name,
@@ -113,6 +115,9 @@ def _goal(table: Table, problems: Problems, scene: Scene) -> Goal | None:
             help=(f"objects that can be carried: {', '.join(movable)}",),
         )
         return None
+    if on == name:
+        problems.error(GOAL_PLACE, f"`{name}` cannot stand on itself", table.value_span("on"))
+        return None
     if on is None and (at is None or len(at) < 3):
         problems.error(
             GOAL_PLACE,
@@ -157,7 +162,10 @@ def _times(top: Table, problems: Problems) -> tuple[float, float]:
     reference = section.fraction("reference_s", minimum=0.001, maximum=3600)
     par = section.fraction("t_par_s", minimum=0.001, maximum=3600)
     longest = section.fraction("t_max_s", minimum=0.001, maximum=7200)
+    given = (("reference_s", reference), ("t_par_s", par), ("t_max_s", longest))
     section.finish()
+    if any(key in section and found is None for key, found in given):
+        return 0.0, 0.0  # said already
     if par is None and reference is not None:
         par = PAR_SHARE * reference
     if par is None:
@@ -178,7 +186,7 @@ def _times(top: Table, problems: Problems) -> tuple[float, float]:
     return float(par), float(longest)
 
 
-def _mark(top: Table) -> MarkScheme:
+def _mark(top: Table, problems: Problems) -> MarkScheme:
     section = top.table("mark")
     usual = MarkScheme()
     if section is None:
@@ -193,6 +201,14 @@ def _mark(top: Table) -> MarkScheme:
         section.fraction("zero_at", usual.zero_at, minimum=1.01, maximum=100),
     )
     section.finish()
+    most = found.targets + found.vias + found.time_bonus
+    if most > FULL:
+        problems.error(
+            TOO_MANY_POINTS,
+            f"the parts of the mark add up to {float(most):g}, more than 10",
+            section.span,
+            help=("targets + vias + time_bonus may be 10 at most",),
+        )
     return found
 
 

@@ -82,8 +82,7 @@ def visits_of(run: Run, via: ViaPoint) -> Visits:
     found: list[tuple[float, float]] = []
     nearest = math.inf
     for segment in run.timeline.segments:
-        X_FT = run.scene.X_FT if segment.motion is None else run.motions[segment.motion].X_FT
-        search = _Search(arm, segment, X_FT, via)
+        search = _Search(arm, segment, run.scene.X_FT, via)  # whatever TOOL the program sets
         search.run()
         nearest = min(nearest, search.nearest)
         found += search.intervals

@@ -33,7 +33,7 @@ LIMIT_TOLERANCE = 1e-9  # [rad] a limit reached up to rounding holds
 REACH_TOLERANCE = 1e-10  # relative; a pose on the border of the workspace is within reach
 WRIST_SINGULAR = 1e-9  # sine of joint 5 below which joints 4 and 6 share one axis
 SINGULAR = 1e-7  # [m], or sine of joint 5: below, joint velocities are undefined
-HALF_TURN_BIAS = 1e-9  # [turns] of two turns equally near, the larger angle is taken
+HALF_TURN_BIAS = 1e-9  # [turns] of two turns equally near, the smaller angle is taken
 
 
 def forward(arm: SphericalWristArm, q: Configuration) -> Pose:
