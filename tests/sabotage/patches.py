@@ -1,0 +1,157 @@
+"""The patches: each breaks one promise of the product in one line."""
+
+from typing import NamedTuple
+
+EXAMPLE = "tests/golden/test_example_01.py"
+RUNS = "tests/spec/test_spec_run.py"
+LANG = "tests/spec/test_spec_lang.py"
+COLLISION = "tests/unit/check/test_collision.py"
+GEOMETRY = "tests/unit/geometry"
+COMMANDS = "tests/unit/cli/test_commands.py"
+
+
+class Patch(NamedTuple):
+    """Replace `before`, which stands once in `file`, by `after`; one of `tests` must fail."""
+
+    name: str
+    file: str
+    before: str
+    after: str
+    tests: tuple[str, ...]
+
+
+PATCHES: tuple[Patch, ...] = (
+    Patch(
+        "APPRO goes beyond the target",
+        "vrts/engine/planner.py",
+        "return target @ translation(0.0, 0.0, -distance_mm * MM)",
+        "return target @ translation(0.0, 0.0, distance_mm * MM)",
+        (EXAMPLE,),
+    ),
+    Patch(
+        "ALWAYS is ignored",
+        "vrts/engine/steps.py",
+        "if scope is ir.Scope.ALWAYS:",
+        "if scope is None:",
+        (EXAMPLE,),
+    ),
+    Patch(
+        "OPENI does not wait for the arm",
+        "vrts/engine/steps.py",
+        "                if not reached(c, c.planner.settled_at):\n"
+        "                    return BLOCKED\n"
+        "                _command_hand(c, action, c.now, cause)",
+        "                _command_hand(c, action, c.now, cause)",
+        (EXAMPLE,),
+    ),
+    Patch(
+        "toppled objects stand",
+        "vrts/engine/settle.py",
+        "return Rest(height, standing.name, X_touch, stands=False)",
+        "return Rest(height, standing.name, X_touch, stands=True)",
+        (EXAMPLE,),
+    ),
+    Patch(
+        "objects fall through the air unnoticed",
+        "vrts/engine/hand.py",
+        "DROP_HEIGHT = 2e-3",
+        "DROP_HEIGHT = 2e3",
+        (EXAMPLE,),
+    ),
+    Patch(
+        "joint 1 turns the other way",
+        "vrts/robots/kinematics.py",
+        "s1, c1 = math.sin(q1), math.cos(q1)\n    s23, c23 = math.sin(q2 + q3), "
+        "math.cos(q2 + q3)\n    s4, c4 = math.sin(q4), math.cos(q4)\n    s5, c5 = math.sin(q5), "
+        "math.cos(q5)\n    s6",
+        "s1, c1 = -math.sin(q1), math.cos(q1)\n    s23, c23 = math.sin(q2 + q3), "
+        "math.cos(q2 + q3)\n    s4, c4 = math.sin(q4), math.cos(q4)\n    s5, c5 = math.sin(q5), "
+        "math.cos(q5)\n    s6",
+        (EXAMPLE,),
+    ),
+    Patch(
+        "motions need not be whole ticks",
+        "vrts/engine/profile.py",
+        "math.ceil(least / tick - TICK_TOLERANCE) * tick",
+        "least",
+        (EXAMPLE,),
+    ),
+    Patch(
+        "no single precision",
+        "vrts/base/numbers.py",
+        "return _SINGLE.unpack(_SINGLE.pack(value))[0]",
+        "return value",
+        ("tests/unit/base/test_numbers.py",),
+    ),
+    Patch(
+        "halves round down",
+        "vrts/base/numbers.py",
+        "math.floor(value + 0.5) if value >= 0",
+        "math.floor(value + 0.49) if value >= 0",
+        ("tests/unit/base/test_numbers.py",),
+    ),
+    Patch(
+        "O and T change places",
+        "vrts/base/oat.py",
+        "so, co = _sine_cosine(o)",
+        "so, co = _sine_cosine(t)",
+        ("tests/unit/base/test_oat.py",),
+    ),
+    Patch(
+        "the mark is cut, not rounded",
+        "vrts/check/score.py",
+        "(parts.unrounded / TENTH + Fraction(1, 2)).__floor__()",
+        "(parts.unrounded / TENTH).__floor__()",
+        (EXAMPLE,),
+    ),
+    Patch(
+        "time counts although something is wrong",
+        "vrts/check/score.py",
+        "if not faultless(achieved) or achieved.duration_s is None:",
+        "if achieved.duration_s is None:",
+        (EXAMPLE,),
+    ),
+    Patch(
+        "by-reference arguments are copies",
+        "vrts/engine/executable.py",
+        "return self._expressions.cell(argument)",
+        "find = self._expressions.cell(argument)\n                return lambda c: find(c).copy()",
+        (RUNS,),
+    ),
+    Patch(
+        "FOR stops one too early",
+        "vrts/engine/steps.py",
+        "past = value > limit if",
+        "past = value >= limit if",
+        (RUNS,),
+    ),
+    Patch(
+        "WAIT looks only once",
+        "vrts/engine/steps.py",
+        "            if test(c) != 0.0:\n                return following\n            if changes:",
+        "            if test(c) is not None:\n"
+        "                return following\n            if changes:",
+        (RUNS,),
+    ),
+    Patch(
+        "frames compose the wrong way round",
+        "vrts/base/pose.py",
+        "            multiply(self.rotation, other.rotation),\n",
+        "            multiply(other.rotation, self.rotation),\n",
+        ("tests/property/test_poses.py",),
+    ),
+    Patch(
+        "results without a schema",
+        "vrts/report/json_form.py",
+        '"schema": RESULTS_SCHEMA, ',
+        "",
+        (COMMANDS,),
+    ),
+    Patch(
+        "the cylinder's caps count as its side",
+        "vrts/geometry/support.py",
+        "return radius * math.hypot(x, y) + half_length * abs(z)",
+        "return radius * math.hypot(x, y)",
+        (GEOMETRY,),
+    ),
+)
