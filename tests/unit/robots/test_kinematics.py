@@ -145,7 +145,7 @@ def test_limits_name_every_joint_outside_them() -> None:
     arm = arm_named("puma761")
     assert limit_violations(arm, arm.upper) == ()
     assert limit_violations(arm, arm.lower) == ()
-    beyond = cast(Configuration, (arm.upper[0] + 0.01, *arm.ready[1:5], arm.lower[5] - 0.01))
+    beyond = (arm.upper[0] + 0.01, *arm.ready[1:5], arm.lower[5] - 0.01)
     assert [joint for joint, *_ in limit_violations(arm, beyond)] == [1, 6]
     assert limit_violations(arm, beyond)[0][1:] == (beyond[0], arm.lower[0], arm.upper[0])
 
