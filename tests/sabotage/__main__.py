@@ -29,7 +29,8 @@ def main(words: list[str]) -> int:
             print("the named tests fail without any patch")
             return 1
         with ThreadPoolExecutor(max_workers=2) as pool:
-            verdicts = list(pool.map(lambda patch: verdict(patch, Path(folder)), chosen))
+            jobs = [pool.submit(verdict, patch, Path(folder)) for patch in chosen]
+            verdicts = [job.result() for job in jobs]
     for patch, problem in zip(chosen, verdicts, strict=True):
         print(f"{'noticed ' if problem is None else 'MISSED  '} {patch.name}" + (problem or ""))
     missed = [problem for problem in verdicts if problem is not None]

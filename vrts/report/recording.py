@@ -24,6 +24,7 @@ from vrts.engine.events import (
     SignalChanged,
     Toppled,
 )
+from vrts.engine.records import GRAVITY, Lie, Placement
 from vrts.geometry.mesh import tessellate
 from vrts.geometry.shapes import Piece
 from vrts.report.assessment import Assessment
@@ -50,8 +51,10 @@ def write_recording(a: Assessment, path: Path) -> None:
     with stream:
         stream.save(path, default_blueprint=_blueprint())
         _static(a)
-        _moving(a)
-        _plots(a)
+        times = times_of(a)
+        coordinates = _coordinates(a, times)
+        _moving(a, times, coordinates)
+        _plots(a, times, coordinates)
         _texts(a)
     stream.flush()
     stream.disconnect()
@@ -131,11 +134,10 @@ def _static(a: Assessment) -> None:
     rr.log("summary", rr.TextDocument(_summary(a), media_type="text/markdown"), static=True)
 
 
-def _moving(a: Assessment) -> None:
+def _moving(a: Assessment, times: Array, states: Array) -> None:
     assert a.run is not None
     assert a.scene is not None
-    robot, times = a.scene.robot, times_of(a)
-    states = _coordinates(a, times)
+    robot = a.scene.robot
     rotations, origins = link_frames(robot.arm, states[:, :6])
     moving = np.concatenate([[True], np.any(np.abs(np.diff(states, axis=0)) > 1e-9, axis=1)])
     moving[:-1] |= moving[1:]
@@ -150,15 +152,52 @@ def _moving(a: Assessment) -> None:
         shift = 0.5 * finger.side * states[:, 6:7] * flange_r[:, :, 1]
         at = (flange_p + shift)[moving]
         _send(finger.name, "robot/", times[moving], flange_r[moving], at)
-    poses = [a.run.at(float(t)).poses for t in times]
-    for name in a.run.placements:
-        track = [p[name] for p in poses]
-        changes = [True, *(x != y for x, y in zip(track[1:], track[:-1], strict=True))]
-        keep = np.array(changes)
+    for name, track in a.run.placements.items():
+        turn, at = _track(track, times, flange_r, flange_p)
+        changes = np.any(turn[1:] != turn[:-1], axis=(1, 2)) | np.any(at[1:] != at[:-1], axis=1)
+        keep = np.concatenate([[True], changes])
         keep[:-1] |= keep[1:]
-        chosen = [track[k] for k in np.flatnonzero(keep)]
-        turn = np.array([x.rotation for x in chosen]).reshape(-1, 3, 3)
-        _send(name, "", times[keep], turn, np.array([x.translation for x in chosen]))
+        _send(name, "", times[keep], turn[keep], at[keep])
+
+
+def _track(
+    track: Sequence[Placement], times: Array, flange_r: Array, flange_p: Array
+) -> tuple[Array, Array]:
+    """Return where a body is: rotations, shape (n, 3, 3), and origins, shape (n, 3) [m]."""
+    turn, at = np.empty((len(times), 3, 3)), np.empty((len(times), 3))
+    for placement in track:
+        now = times >= placement.start_s
+        R, p = np.array(placement.X.rotation).reshape(3, 3), np.array(placement.X.translation)
+        if placement.lie is Lie.HELD:
+            turn[now] = flange_r[now] @ R
+            at[now] = flange_p[now] + flange_r[now] @ p
+            continue
+        turn[now], at[now] = R, p
+        if placement.lie is Lie.FALLING:
+            at[now, 2] -= 0.5 * GRAVITY * (times[now] - placement.start_s) ** 2
+    return turn, at
+
+
+def _quaternions(rotations: Array) -> npt.NDArray[np.float32]:
+    """Return unit quaternions x, y, z, w, shape (n, 4), from the largest part of each."""
+    r = rotations
+    trace = np.einsum("nii->n", r)
+    parts = np.stack([r[:, 0, 0], r[:, 1, 1], r[:, 2, 2], trace], axis=1)
+    chosen = np.argmax(parts, axis=1)
+    q = np.empty((len(r), 4))
+    for k in range(3):
+        rows, i, j = chosen == k, (k + 1) % 3, (k + 2) % 3
+        m = r[rows]
+        q[rows, k] = 1.0 + m[:, k, k] - m[:, i, i] - m[:, j, j]
+        q[rows, i] = m[:, i, k] + m[:, k, i]
+        q[rows, j] = m[:, j, k] + m[:, k, j]
+        q[rows, 3] = m[:, j, i] - m[:, i, j]
+    rows, m = chosen == 3, r[chosen == 3]
+    q[rows, 3] = 1.0 + trace[rows]
+    for k in range(3):
+        i, j = (k + 1) % 3, (k + 2) % 3
+        q[rows, k] = m[:, j, i] - m[:, i, j]
+    return (q / np.linalg.norm(q, axis=1, keepdims=True)).astype(np.float32)
 
 
 def _coordinates(a: Assessment, times: Array) -> Array:
@@ -172,16 +211,15 @@ def _send(name: str, folder: str, times: Array, rotations: Array, origins: Array
         f"world/{folder}{_path(name)}",
         [rr.TimeColumn(TIMELINE, duration=times)],
         rr.Transform3D.columns(
-            translation=origins.astype(np.float32), mat3x3=rotations.astype(np.float32)
+            translation=origins.astype(np.float32), quaternion=_quaternions(rotations)
         ),
     )
 
 
-def _plots(a: Assessment) -> None:
+def _plots(a: Assessment, times: Array, states: Array) -> None:
     assert a.run is not None
     assert a.scene is not None
-    arm, times = a.scene.robot.arm, times_of(a)
-    states = _coordinates(a, times)
+    arm = a.scene.robot.arm
     rates = np.array([a.run.timeline.velocity(t) for t in times.tolist()])
     names = [f"JT{k}" for k in range(1, 7)]
     column = [rr.TimeColumn(TIMELINE, duration=times)]

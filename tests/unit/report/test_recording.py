@@ -1,0 +1,46 @@
+"""Recordings hold the run as it was: what the viewer is sent, and that it opens."""
+
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from vrts.base.pose import rotation_about
+from vrts.pipeline import assess
+from vrts.report import recording
+
+ROOT = Path(__file__).parent.parent.parent.parent
+SOLUTION = ROOT / "examples" / "01-cans-on-bases" / "solution.v2"
+RERUN = Path(sys.executable).parent / "rerun"
+
+
+def test_quaternions_turn_like_their_matrices() -> None:
+    turns = [rotation_about((0.6, 0.0, 0.8), math.pi * k / 7) for k in range(-7, 8)]
+    turns += [rotation_about(axis, math.pi) for axis in ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0))]
+    matrices = np.array(turns).reshape(-1, 3, 3)
+    x, y, z, w = recording._quaternions(matrices).astype(float).T  # pyright: ignore[reportPrivateUsage]
+    again = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    ).transpose(2, 0, 1)
+    assert np.abs(again - matrices).max() < 1e-6
+
+
+def test_a_recording_has_scene_robot_plots_and_log(tmp_path: Path) -> None:
+    path = tmp_path / "run.rrd"
+    recording.write_recording(assess(SOLUTION), path)
+    shown = subprocess.run(
+        [RERUN, "rrd", "print", "-v", path], capture_output=True, text=True, check=True
+    ).stdout
+    for entity in ("/world/robot/forearm", "/world/can1", "/joints", "/hand", "/log", "/summary"):
+        assert entity in shown
+    assert "Mesh3D" in shown
+    checked = subprocess.run(
+        [RERUN, "rrd", "verify", path], capture_output=True, text=True, check=False
+    )
+    assert checked.returncode == 0, checked.stderr
