@@ -51,8 +51,7 @@ def truncate(run: Run, time_s: float) -> Run:
     if not kept:
         kept = [run.machine]  # nothing has happened yet
     machine = kept[-1].copy()
-    known = [command for command in machine.commands if command.time_s <= time_s]
-    machine.commands = tuple(known)
+    machine.know(tuple(c for c in run.machine.issued if c.time_s <= time_s))
     machine.advance(time_s)
     return Run(machine, time_s, tuple(kept))
 

@@ -67,7 +67,9 @@ class Machine:
         self.initial_configuration = self.context.planner.configuration
         self.initial_opening = scenario.hand_opening
         self.next_tick = 0
-        self.commands: tuple[TimedCommand, ...] = ()
+        self.issued: tuple[TimedCommand, ...] = ()  # by time; those obeyed come first
+        self.obeyed = 0
+        self.commands: tuple[TimedCommand, ...] = ()  # still to come
         self.ending = Ending.NOT_STARTED
         self.ended_s: float | None = None
         self.started_s = 0.0
@@ -89,8 +91,13 @@ class Machine:
         return self.ending is Ending.RUNNING
 
     def issue(self, commands: tuple[TimedCommand, ...]) -> None:
-        """Add commands to those still to come."""
-        self.commands = tuple(sorted((*self.commands, *commands), key=lambda c: c.time_s))
+        """Add commands, at times from now on, to those still to come."""
+        self.know((*self.issued, *commands))
+
+    def know(self, issued: tuple[TimedCommand, ...]) -> None:
+        """Take these for all commands ever issued; those obeyed are among them."""
+        self.issued = tuple(sorted(issued, key=lambda c: c.time_s))
+        self.commands = self.issued[self.obeyed :]
 
     def advance(self, until_s: float) -> None:
         """Run every tick up to a time [s]."""
@@ -109,6 +116,7 @@ class Machine:
         c.now = now
         while self.commands and self.commands[0].time_s <= now + INSTANT:
             command, self.commands = self.commands[0].command, self.commands[1:]
+            self.obeyed += 1
             self._obey(command)
         for signal, on in c.signals.sample(now):
             c.events.append(SignalChanged(now, signal, on, None))
