@@ -14,7 +14,6 @@ from vrts.check.task import Goal, MarkScheme, Task, ViaPoint
 from vrts.geometry.support import bounds
 from vrts.scene.model import Body, Mobility, Scene
 
-UNKNOWN_OBJECT = Rule("V650", "unknown-object")
 NOT_MOVABLE = Rule("V651", "not-movable")
 GOAL_PLACE = Rule("V652", "goal-place")
 GOAL_TWICE = Rule("V653", "goal-twice")
