@@ -1,7 +1,7 @@
 """What inverse kinematics costs, and how exact it is."""
 
 import math
-import random  # noqa: TID251 -- seeded
+import random
 from time import perf_counter
 from typing import cast
 

@@ -1,7 +1,7 @@
 """Our kinematics against Pinocchio's, and joint velocities against finite differences."""
 
 import math
-import random  # noqa: TID251 -- seeded
+import random
 from typing import cast
 
 import numpy as np

@@ -2,7 +2,7 @@
 
 import json
 import math
-import random  # noqa: TID251 -- seeded
+import random
 from itertools import pairwise
 from pathlib import Path
 from typing import TypedDict, cast
