@@ -28,6 +28,8 @@ CHECKOUT = PACKAGE.parent  # the same in a checkout
 SCENE_FILE = "scene.toml"
 TASK_FILE = "task.toml"
 MAX_TOML = 1_000_000  # bytes
+CURVE_STEP = 0.1  # [s] between samples of the clearance, for charts
+CURVE_MOST = 600  # samples
 
 Value = TypeVar("Value")
 
@@ -246,6 +248,7 @@ def assess(
     collisions: bool = True,
     judged: bool = True,
     entry: str | None = None,
+    curve: bool = False,
     step_done: Callable[[str], None] = lambda _: None,
 ) -> "Assessment":
     """Compile, run, check and mark one program.
@@ -260,6 +263,7 @@ def assess(
         collisions: Whether to check them.
         judged: Whether to check and mark at all.
         entry: Program to execute; None: the task's, else the first.
+        curve: Whether to sample the clearance over time, for charts.
         step_done: Told the name of every stage that is done.
 
     Raises:
@@ -281,20 +285,21 @@ def assess(
             ),
         )
     name = title or (shown(path) if path is not None else "program")
-    source, compilation, found = compile_bytes(data, name)
+    source, compilation, diagnostics = compile_bytes(data, name)
     step_done("compile")
     start = Assessment(
         identifier or (path.stem if path is not None else "program"),
         name if title or path is None else path.name,
         source,
-        found,
+        diagnostics,
         scene=setting.scene,
         task=setting.task,
     )
     if compilation is None or compilation.module is None or compilation.module.main is None:
         return _ungraded(start)
     start = replace(start, module=compilation.module)
-    return _run(start, judged=judged, collisions=collisions, entry=entry, step_done=step_done)
+    found = _run(start, judged=judged, collisions=collisions, entry=entry, step_done=step_done)
+    return with_curve(found) if curve and judged and collisions else found
 
 
 def _run(
@@ -328,6 +333,20 @@ def _run(
     from vrts.check.mark import grade
 
     return replace(a, grade=grade(task, run, judgement))
+
+
+def with_curve(a: "Assessment") -> "Assessment":
+    """Return the assessment with the clearance of its run over time."""
+    if a.run is None or a.scene is None or a.run.horizon_s <= 0.0:
+        return a
+    import numpy as np
+
+    from vrts.check.clearance_curve import clearance_curve
+
+    count = min(int(a.run.horizon_s / CURVE_STEP) + 2, CURVE_MOST)
+    times = np.linspace(0.0, a.run.horizon_s, count)
+    values = clearance_curve(a.scene, a.run, times)
+    return replace(a, clearance=tuple(zip(times.tolist(), values.tolist(), strict=True)))
 
 
 def scenario_for(task: "Task | None") -> "Scenario":

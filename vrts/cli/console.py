@@ -14,6 +14,13 @@ from vrts.pipeline import CannotRead, Refused
 
 HOLDS, WRONG, WRONG_CALL, UNDETERMINED, FAULT = 0, 1, 2, 3, 70
 
+UNAVAILABLE = {
+    "coal": "this needs the package pin, which has no wheel for this machine (Windows): run vrts"
+    " on Linux, on a Mac or in WSL; `vrts compile` and `vrts explain` work everywhere",
+    "rerun": "recordings need the package rerun-sdk, which has no wheel for this machine (Intel"
+    " Macs); everything else works without it",
+}
+
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 color_option = click.option(
@@ -86,6 +93,10 @@ def guarded(function: Command) -> Command:
             sys.exit(WRONG)
         except BrokenPipeError:
             raise
+        except ModuleNotFoundError as missing:
+            if missing.name not in UNAVAILABLE:
+                raise
+            fail(UNAVAILABLE[missing.name], status=WRONG)
         except OSError as problem:
             fail(f"{(problem.strerror or 'failed').lower()}: `{problem.filename}`")
 

@@ -71,7 +71,12 @@ def command(
         _no_setting()
     identifier = path.stem if path else "stdin"
     found = assess(
-        data, setting=setting, identifier=identifier, title=name, collisions=not no_collisions
+        data,
+        setting=setting,
+        identifier=identifier,
+        title=name,
+        collisions=not no_collisions,
+        curve=html is not None or record is not None,
     )
     if form == "json":
         from vrts.report.json_form import assessment_json

@@ -45,7 +45,7 @@ def command(
     from vrts.pipeline import assess, robot_alone, setting_for
 
     setting = setting_for(program, scene=scene, task=task) or robot_alone()
-    found = assess(program, setting=setting)
+    found = assess(program, setting=setting, curve=still is None)
     if found.run is None:
         show_diagnostics(found.findings, color)
         sys.exit(WRONG)

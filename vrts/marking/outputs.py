@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from vrts.marking.grade import Marked, write_atomically
+from vrts.pipeline import with_curve
 from vrts.report.json_form import Json, assessment_json, results_json
 from vrts.report.overview import overview
 from vrts.report.page import page
@@ -15,7 +16,7 @@ MOMENT = "moment"
 
 def write_student(row: Marked, out: Path, *, recordings: bool) -> None:
     """Write the folder of one submission."""
-    a = row.assessment
+    a = with_curve(row.assessment)
     folder = out / "students" / a.identifier
     picture = moment_picture(a)
     stills = {} if picture is None else {MOMENT: picture}

@@ -26,6 +26,7 @@ class Assessment:
     run: Run | None = None
     judgement: Judgement | None = None
     grade: Grade | None = None
+    clearance: tuple[tuple[float, float], ...] = ()  # (time [s], smallest distance [m]), sampled
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:

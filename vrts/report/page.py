@@ -20,7 +20,7 @@ from vrts.report.html import (
 from vrts.report.listing import listing
 from vrts.report.page_top import first_screen_section, watch_button
 from vrts.report.plain import capital, one_line
-from vrts.report.quantities import millimetres
+from vrts.report.quantities import millimetres, seconds
 from vrts.report.replay_data import contact_rows, run_data
 from vrts.report.text import in_order, moment_text
 from vrts.report.viewer_data import scene_data
@@ -112,6 +112,7 @@ def _scripts(a: Assessment) -> list[Markup]:
         "contacts": contact_rows(report.contacts, a.source) if report else [],
         "grazes": contact_rows(report.grazes, a.source) if report else [],
         "moment": screen.moment.time_s if screen.moment else None,
+        "clearance": [[seconds(t), millimetres(distance)] for t, distance in a.clearance],
     }
     entry = f'import "{module_name(ENTRY)}";'
     return [

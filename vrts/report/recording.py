@@ -79,6 +79,7 @@ def _blueprint() -> rrb.Blueprint:
             rrb.Vertical(
                 rrb.TimeSeriesView(origin="/joints", name="Joints [deg]"),
                 rrb.TimeSeriesView(origin="/speed", name="Joint speed [% of limit]"),
+                rrb.TimeSeriesView(origin="/clearance", name="Clearance [mm]"),
                 rrb.TimeSeriesView(origin="/hand", name="Hand opening [mm]"),
                 rrb.TextDocumentView(origin="/summary", name="Summary"),
             ),
@@ -232,6 +233,14 @@ def _plots(a: Assessment, times: Array, states: Array) -> None:
         rr.send_columns(path, column, rr.Scalars.columns(scalars=values.ravel()).partition(count))
     rr.log("hand", rr.SeriesLines(names=["opening"]), static=True)
     rr.send_columns("hand", column, rr.Scalars.columns(scalars=1000.0 * states[:, 6]))
+    if a.clearance:
+        rows = np.array(a.clearance)
+        rr.log("clearance", rr.SeriesLines(names=["smallest distance"]), static=True)
+        rr.send_columns(
+            "clearance",
+            [rr.TimeColumn(TIMELINE, duration=rows[:, 0])],
+            rr.Scalars.columns(scalars=1000.0 * rows[:, 1]),
+        )
     limits = np.array([100.0, -100.0])
     rr.log("speed/limit", rr.SeriesLines(names=["limit", "limit"]), static=True)
     rr.send_columns(

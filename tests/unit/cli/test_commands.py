@@ -256,3 +256,26 @@ def test_hostile_program_text_reaches_no_terminal() -> None:
     result = vrts("compile", "-", stdin=program)
     assert result.returncode == 1
     assert b"\x1b" not in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("library", "words", "said"),
+    [
+        ("coal", ["verify", SOLUTION], b"no wheel for this machine (Windows)"),
+        ("rerun", ["verify", SOLUTION, "--record", "never.rrd"], b"rerun-sdk"),
+    ],
+)
+def test_a_missing_library_is_told_in_one_sentence(
+    library: str, words: list[str | Path], said: bytes
+) -> None:
+    program = (
+        f"import sys; sys.modules[{library!r}] = None\n"
+        f"sys.argv = ['vrts', *{[str(word) for word in words]!r}]\n"
+        "from vrts.cli.main import main\nmain()"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, cwd=ROOT, check=False
+    )
+    assert result.returncode == 1
+    assert said in result.stderr
+    assert b"Traceback" not in result.stderr

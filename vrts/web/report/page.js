@@ -22,7 +22,7 @@ const player = new Player(replay.end, show);
 const events = new EventList(byId("events"), data, (t) => jump(t));
 const times = sampleTimes(replay);
 const path = toolPath(replay, times);
-const plots = new Charts(byId("chart-list"), times, charts(replay, times, path), data.contacts, (t) => jump(t));
+const plots = new Charts(byId("chart-list"), times, charts(replay, times, path, data.clearance), data.contacts, (t) => jump(t));
 /** @type {Element | null} */
 let lit = null;
 

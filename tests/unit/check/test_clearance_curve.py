@@ -1,0 +1,28 @@
+"""The sampled clearance agrees with the certified one where it samples."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from vrts.check.clearance_curve import FAR, clearance_curve
+from vrts.pipeline import assess
+
+ROOT = Path(__file__).parent.parent.parent.parent
+SOLUTION = ROOT / "examples" / "01-cans-on-bases" / "solution.v2"
+
+
+def test_it_never_lies_below_the_certified_minimum_and_meets_it() -> None:
+    found = assess(SOLUTION)
+    assert found.run is not None
+    assert found.scene is not None
+    assert found.judgement is not None
+    report = found.judgement.collisions
+    assert report is not None
+    assert report.clearance is not None
+    smallest = report.clearance
+    times = np.append(np.linspace(0.0, found.run.horizon_s, 80), smallest.time_s)
+    curve = clearance_curve(found.scene, found.run, times)
+    assert curve.min() >= smallest.distance_m - smallest.tolerance_m
+    assert curve[-1] == pytest.approx(smallest.distance_m, abs=1e-6)
+    assert curve.max() <= FAR

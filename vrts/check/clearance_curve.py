@@ -1,0 +1,61 @@
+"""The smallest distance of robot and surroundings over time, for charts.
+
+Sampled, and so no verdict: what is certified stands in `CollisionReport`. The pairs and their rules
+are those of the certified check, so the curve leaves out what is near on purpose.
+"""
+
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.check.collision_pairs import Pairs, plan
+from vrts.check.collision_state import RunRecord, instants
+from vrts.check.curves import curves
+from vrts.engine.records import GRAVITY
+from vrts.geometry.narrow import pair, transform
+from vrts.geometry.solids import Places
+from vrts.scene.model import Scene
+
+Array: TypeAlias = npt.NDArray[np.float64]
+Indices: TypeAlias = npt.NDArray[np.int64]
+
+FAR = 0.5  # [m] larger distances are all the same to a reader
+
+
+def clearance_curve(scene: Scene, run: RunRecord, time_s: Array) -> Array:
+    """Return the smallest distance of any tested pair at times of shape (n,), at most `FAR` [m]."""
+    motion = curves(run.timeline.segments)
+    todo = plan(scene, run, motion)
+    rows = np.flatnonzero(todo.pairs.counts)
+    count, solids = len(time_s), len(todo.solids.shapes)
+    found = np.full(count, FAR)
+    if not len(rows):
+        return found
+    state = instants(scene.robot.arm, motion, time_s)
+    each = np.repeat(np.arange(solids), count)
+    places = todo.solids.places(state, each, np.tile(np.arange(count), solids), GRAVITY)
+    gaps = _gaps(todo.pairs, rows, places, count)
+    starts, ends = todo.pairs.start_s[rows], todo.pairs.end_s[rows]
+    for k, now in enumerate(time_s.tolist()):
+        gap = np.where((starts <= now) & (now <= ends), gaps[:, k], np.inf)
+        for row in np.argsort(gap).tolist():
+            if gap[row] >= found[k]:
+                break
+            i, j = int(todo.pairs.first[rows[row]]), int(todo.pairs.second[rows[row]])
+            a, b = i * count + k, j * count + k
+            distance = pair(todo.solids.shapes[i], todo.solids.shapes[j]).distance(
+                transform(places.rotations[a], places.origins[a]),
+                transform(places.rotations[b], places.origins[b]),
+            )
+            found[k] = min(found[k], distance)
+    return found
+
+
+def _gaps(pairs: Pairs, rows: Indices, places: Places, count: int) -> Array:
+    """Return the distance of the boxes round two solids, shape (rows, times) [m]."""
+    centres = places.centres.reshape(-1, count, 3)
+    halves = places.halves.reshape(-1, count, 3)
+    i, j = pairs.first[rows], pairs.second[rows]
+    apart = np.abs(centres[i] - centres[j]) - halves[i] - halves[j]
+    return np.sqrt((np.maximum(apart, 0.0) ** 2).sum(axis=2))
