@@ -3,6 +3,8 @@
 from typing import NamedTuple
 
 EXAMPLE = "tests/golden/test_example_01.py"
+ENGINE = "tests/unit/engine"
+MARK = "tests/unit/check/test_mark.py"
 RUNS = "tests/spec/test_spec_run.py"
 LANG = "tests/spec/test_spec_lang.py"
 COLLISION = "tests/unit/check/test_collision.py"
@@ -153,5 +155,62 @@ PATCHES: tuple[Patch, ...] = (
         "return radius * math.hypot(x, y) + half_length * abs(z)",
         "return radius * math.hypot(x, y)",
         (GEOMETRY,),
+    ),
+    Patch(
+        "a contact costs half",
+        "vrts/check/task.py",
+        "first_contact: Fraction = Fraction(3, 2)",
+        "first_contact: Fraction = Fraction(3, 4)",
+        (MARK,),
+    ),
+    Patch(
+        "held objects reach their goal",
+        "vrts/check/targets.py",
+        'return "is still in the hand"',
+        "return None",
+        ("tests/unit/check/test_held_goal.py",),
+    ),
+    Patch(
+        "the hand holds what only one pad meets",
+        "vrts/engine/grip.py",
+        "return self.across.lower < 0.0 < self.across.upper",
+        "return True",
+        (ENGINE,),
+    ),
+    Patch(
+        "joint speeds may be ten times the limit",
+        "vrts/check/limits.py",
+        "share > 1.0 + SPEED_TOLERANCE and",
+        "share > 10.0 and",
+        (MARK, "tests/unit/test_pages_run.py"),
+    ),
+    Patch(
+        "one missed via point voids the next",
+        "vrts/check/vias.py",
+        "for count in range(len(best) - 1, -1, -1):",
+        "for count in ([point] if point < len(best) else []):",
+        (MARK,),
+    ),
+    Patch(
+        "DRIVE uses up the pending speed",
+        "vrts/engine/steps.py",
+        "fraction = _fraction(c, Speed(percent, ir.SpeedUnit.PERCENT), cause)",
+        "c.planner.take_speed()\n"
+        "                    fraction = _fraction(c, Speed(percent, ir.SpeedUnit.PERCENT), cause)",
+        (ENGINE,),
+    ),
+    Patch(
+        "the wrist solution farther away is taken",
+        "vrts/robots/choice.py",
+        "branch, q = min(within, key=",
+        "branch, q = max(within, key=",
+        ("tests/unit/robots", ENGINE, EXAMPLE),
+    ),
+    Patch(
+        "a run may be asked beyond its horizon",
+        "vrts/engine/run.py",
+        "if not 0.0 <= time_s <= self.horizon_s:\n            raise OutOfHorizon",
+        "if time_s < 0.0:\n            raise OutOfHorizon",
+        ("tests/property/test_engine.py", ENGINE),
     ),
 )

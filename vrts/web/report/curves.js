@@ -39,7 +39,7 @@ export function charts(replay, times, path, clearance = []) {
   const middle = joints.map((k) => (arm.lower[k] + arm.upper[k]) / 2);
   const half = joints.map((k) => (arm.upper[k] - arm.lower[k]) / 2);
   const room = clearance.length < 2 ? [] : [
-    { title: "Clearance: smallest distance to anything, sampled", unit: "mm", fromZero: true,
+    { title: "Clearance: smallest distance to anything, sampled", unit: "mm",
       series: [{ name: "clearance", values: column((i) => between(clearance, times[i])) }] },
   ];
   return [
