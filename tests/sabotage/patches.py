@@ -32,18 +32,18 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "ALWAYS is ignored",
-        "vrts/engine/steps.py",
+        "vrts/engine/motion_steps.py",
         "if scope is ir.Scope.ALWAYS:",
         "if scope is None:",
         (EXAMPLE,),
     ),
     Patch(
         "OPENI does not wait for the arm",
-        "vrts/engine/steps.py",
+        "vrts/engine/motion_steps.py",
         "                if not reached(c, c.planner.settled_at):\n"
         "                    return BLOCKED\n"
-        "                _command_hand(c, action, c.now, cause)",
-        "                _command_hand(c, action, c.now, cause)",
+        "                command_hand(c, action, c.now, cause)",
+        "                command_hand(c, action, c.now, cause)",
         (EXAMPLE,),
     ),
     Patch(
@@ -193,7 +193,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "DRIVE uses up the pending speed",
-        "vrts/engine/steps.py",
+        "vrts/engine/motion_steps.py",
         "fraction = _fraction(c, Speed(percent, ir.SpeedUnit.PERCENT), cause)",
         "c.planner.take_speed()\n"
         "                    fraction = _fraction(c, Speed(percent, ir.SpeedUnit.PERCENT), cause)",

@@ -6,10 +6,13 @@
 import importlib
 import os
 import sys
+import traceback
 
 import click
 
 from vrts import __version__
+
+FAULT = 70
 
 COMMANDS = {
     "compile": "check a program for mistakes, without running it",
@@ -79,9 +82,10 @@ def main() -> None:
         sys.exit(0)
     except KeyboardInterrupt:
         sys.exit(130)
-    except (MemoryError, RecursionError, AssertionError):
-        click.echo("vrts itself failed; please report the text above", err=True)
-        raise
+    except Exception:  # the last line of defence: a fault of ours has its own status
+        traceback.print_exc()
+        click.echo("vrts itself failed: please report the text above", err=True)
+        sys.exit(FAULT)
 
 
 if __name__ == "__main__":

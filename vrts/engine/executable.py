@@ -9,7 +9,8 @@ from vrts.engine.evaluate import Compiler, Evaluate, Numbering
 from vrts.engine.events import Cause
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.outcomes import CYCLE_ENDED, SWITCHED
-from vrts.engine.steps import Step, StepCompiler
+from vrts.engine.step import Step
+from vrts.engine.steps import StepCompiler
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Place, Slot, WholeArray
 from vrts.ir.module import Module, Program

@@ -4,49 +4,35 @@ The result is the index of the next instruction, or a negative outcome of `outco
 that has to wait returns BLOCKED and is entered again; `Context.phase` remembers how far it came.
 """
 
-from collections.abc import Callable
-
 from vrts.base.numbers import round_half_away
-from vrts.base.oat import pose_from_components
-from vrts.base.pose import IDENTITY, Pose
+from vrts.base.pose import Pose
 from vrts.base.source import Span
-from vrts.base.units import DEG
 from vrts.engine.arithmetic import checked_string, rounded
 from vrts.engine.context import Context
 from vrts.engine.evaluate import Compiler, Evaluate
-from vrts.engine.events import Cause, MotionEnded, MotionStarted, Printed, SignalChanged
+from vrts.engine.events import Cause, Printed, SignalChanged
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.formats import FREE, NUMBER_KINDS, control, number
+from vrts.engine.motion_steps import MotionStepCompiler
 from vrts.engine.outcomes import (
     BLOCKED,
     CYCLE_ENDED,
     HALTED,
-    INSTANT,
     PAUSED,
     WAIT_NEVER_ENDS,
     LimitReached,
 )
-from vrts.engine.planner import Planned, Speed, backed_off, speed_fraction
 from vrts.engine.signals import known
+from vrts.engine.step import Step, place_of, reached
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Apply, Binary, Compose, Expression, Function, Load, Place, Unary
+from vrts.ir.expressions import Apply, Binary, Compose, Expression, Function, Place, Unary
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Type, Value
 from vrts.robots.kinematics import forward, solve
 
-Step = Callable[[Context], int]
-
 CHANGING = frozenset(
     {Function.TIMER, Function.RANDOM, Function.HERE, Function.HERE_JOINTS, Function.HAND}
 )  # functions whose value may change although no signal and no variable does
-
-
-def reached(c: Context, time_s: float) -> bool:
-    """Return whether a time has come, or else set when to look again."""
-    if c.now >= time_s - INSTANT:
-        return True
-    c.wake = time_s
-    return False
 
 
 class StepCompiler:
@@ -55,6 +41,7 @@ class StepCompiler:
     def __init__(self, expressions: Compiler) -> None:
         """Share the compiler of expressions."""
         self.expressions = expressions
+        self.motions = MotionStepCompiler(expressions)
 
     def step(self, instruction: ir.Instruction, index: int, cause: Cause) -> Step:
         """Return the closure of an instruction that stands at an index."""
@@ -66,13 +53,13 @@ class StepCompiler:
             case ir.AssignHere(place=place, frame=frame):
                 return self._assign_here(place, frame, following)
             case ir.Move() | ir.Depart() | ir.Drive() | ir.Ready():
-                return self._motion(instruction, following, cause)
+                return self.motions.motion(instruction, following, cause)
             case ir.Delay(time=time):
-                return self._delay(e.real(time), following)
+                return self.motions.delay(e.real(time), following)
             case ir.Break():
                 return lambda c: following if reached(c, c.planner.settled_at) else BLOCKED
             case ir.SetSpeed():
-                return self._speed(instruction, following)
+                return self.motions.speed(instruction, following)
             case ir.RequestBranch(branch=branch):
 
                 def request(c: Context) -> int:
@@ -84,7 +71,7 @@ class StepCompiler:
                 return request
             case ir.MoveHand(action=action, immediate=immediate):
                 if immediate:
-                    return self._hand_now(action, following, cause)
+                    return self.motions.hand_now(action, following, cause)
 
                 def hand_later(c: Context) -> int:
                     c.next_hand.append((action, cause))
@@ -92,9 +79,9 @@ class StepCompiler:
 
                 return hand_later
             case ir.SetTool(pose=pose):
-                return self._tool(pose, following)
+                return self.motions.tool(pose, following)
             case ir.SetBase():
-                return self._base(instruction, following)
+                return self.motions.base(instruction, following)
             case ir.Jump(target=target):
                 return lambda c: target
             case ir.JumpIf(condition=condition, when=when, target=target):
@@ -177,184 +164,6 @@ class StepCompiler:
 
         return here
 
-    # --- motion -------------------------------------------------------------------------------
-
-    def _motion(
-        self, instruction: ir.Move | ir.Depart | ir.Drive | ir.Ready, following: int, cause: Cause
-    ) -> Step:
-        plan = self._plan(instruction, cause)
-
-        def move(c: Context) -> int:
-            planner = c.planner
-            if c.phase == 2:  # the motion ended early; its fault comes when the arm stands
-                if not reached(c, planner.settled_at):
-                    return BLOCKED
-                fault, c.fault, c.phase = c.fault, None, 0
-                assert fault is not None
-                raise fault
-            if not reached(c, planner.motion_end):
-                c.phase = 1
-                return BLOCKED
-            start = c.now if c.phase == 1 else c.now + planner.arm.tick
-            c.phase = 0
-            planned, target = plan(c)
-            motion = planner.append(planned, start, target, cause)
-            c.events.append(MotionStarted(start, motion, cause))
-            c.events.append(MotionEnded(planner.motion_end, motion, cause))
-            for action, by in c.next_hand:
-                _command_hand(c, action, start, by)
-            c.next_hand = []
-            if planned.fault is None:
-                return following
-            c.fault, c.phase = planned.fault, 2
-            c.wake = planner.settled_at
-            return BLOCKED
-
-        return move
-
-    def _plan(
-        self, instruction: ir.Move | ir.Depart | ir.Drive | ir.Ready, cause: Cause
-    ) -> Callable[[Context], tuple[Planned, Pose | None]]:
-        e = self.expressions
-        match instruction:
-            case ir.Move(interpolation=interpolation, target=target, retreat=retreat):
-                location = e.location(target)
-                back = e.real(retreat) if retreat is not None else None
-                place = _place_of(target) or cause.span
-
-                def plan_move(c: Context) -> tuple[Planned, Pose | None]:
-                    goal = location(c)
-                    if back is None and not isinstance(goal, Pose):
-                        return self._to_joints(c, goal, interpolation, place)
-                    pose = goal if isinstance(goal, Pose) else c.planner.pose_of(goal)  # type: ignore[arg-type]
-                    if back is not None:
-                        pose = backed_off(pose, back(c))
-                    return self._to_pose(c, pose, interpolation, place)
-
-                return plan_move
-            case ir.Depart(interpolation=interpolation, distance=distance):
-                away = e.real(distance)
-                return lambda c: self._to_pose(
-                    c, backed_off(c.planner.destination, away(c)), interpolation, cause.span
-                )
-            case ir.Drive(joint=joint, change=change, speed=speed):
-                which, by = e.real(joint), e.real(change)
-                own = e.real(speed) if speed is not None else None
-
-                def plan_drive(c: Context) -> tuple[Planned, Pose | None]:
-                    k = round_half_away(which(c))
-                    if not 1 <= k <= 6:
-                        raise RuntimeFault(
-                            RuntimeErrorKind.ILLEGAL_JOINT,
-                            f"there is no joint {k}; joints are 1 to 6",
-                            cause.span,
-                        )
-                    q = list(c.planner.dest)
-                    q[k - 1] += by(c) * DEG
-                    percent = own(c) if own is not None else 100.0
-                    fraction = _fraction(c, Speed(percent, ir.SpeedUnit.PERCENT), cause)
-                    goal = (q[0], q[1], q[2], q[3], q[4], q[5])
-                    return c.planner.plan_joints(goal, fraction, cause.span), None
-
-                return plan_drive
-            case ir.Ready():
-
-                def plan_ready(c: Context) -> tuple[Planned, Pose | None]:
-                    planner = c.planner
-                    fraction = speed_fraction(planner.arm, planner.take_speed())
-                    return planner.plan_joints(planner.arm.ready, fraction, cause.span), None
-
-                return plan_ready
-
-    def _to_pose(
-        self, c: Context, pose: Pose, interpolation: ir.Interpolation, span: Span
-    ) -> tuple[Planned, Pose | None]:
-        planner = c.planner
-        speed = planner.take_speed()
-        if interpolation is ir.Interpolation.LINEAR:
-            planned = planner.plan_line(pose, speed, span)
-            return planned, None if planned.fault else pose
-        return planner.plan_pose(pose, speed_fraction(planner.arm, speed), span), pose
-
-    def _to_joints(
-        self, c: Context, goal: Value, interpolation: ir.Interpolation, span: Span
-    ) -> tuple[Planned, Pose | None]:
-        planner = c.planner
-        if interpolation is ir.Interpolation.LINEAR:
-            return self._to_pose(c, planner.pose_of(goal), interpolation, span)  # type: ignore[arg-type]
-        fraction = speed_fraction(planner.arm, planner.take_speed())
-        return planner.plan_joints(goal, fraction, span), None  # type: ignore[arg-type]
-
-    def _delay(self, time: Callable[[Context], float], following: int) -> Step:
-        def delay(c: Context) -> int:
-            if not reached(c, c.planner.motion_end):
-                return BLOCKED
-            c.planner.hold(c.now, time(c))
-            return following
-
-        return delay
-
-    def _speed(self, instruction: ir.SetSpeed, following: int) -> Step:
-        value = self.expressions.real(instruction.value)
-        unit, scope, span = instruction.unit, instruction.scope, _place_of(instruction.value)
-
-        def set_speed(c: Context) -> int:
-            speed = Speed(value(c), unit)
-            if speed.value <= 0.0:
-                raise RuntimeFault(
-                    RuntimeErrorKind.ILLEGAL_VALUE, "a speed must be above zero", span
-                )
-            if scope is ir.Scope.ALWAYS:
-                c.planner.speed = speed
-            else:
-                c.planner.next_speed = speed
-            return following
-
-        return set_speed
-
-    def _tool(self, pose: Expression | None, following: int) -> Step:
-        tool = self.expressions.pose(pose) if pose is not None else None
-
-        def set_tool(c: Context) -> int:
-            if not reached(c, c.planner.settled_at):
-                return BLOCKED
-            c.planner.set_tool(tool(c) if tool is not None else IDENTITY)
-            return following
-
-        return set_tool
-
-    def _base(self, instruction: ir.SetBase, following: int) -> Step:
-        operands = tuple(
-            self.expressions.real(operand) if operand is not None else None
-            for operand in (instruction.dx, instruction.dy, instruction.dz, instruction.rotation)
-        )
-
-        def set_base(c: Context) -> int:
-            if not reached(c, c.planner.settled_at):
-                return BLOCKED
-            dx, dy, dz, turn = (0.0 if o is None else o(c) for o in operands)
-            c.planner.base = pose_from_components(dx, dy, dz, 90.0 + turn, -90.0, 0.0)
-            return following
-
-        return set_base
-
-    # --- hand ---------------------------------------------------------------------------------
-
-    def _hand_now(self, action: ir.HandAction, following: int, cause: Cause) -> Step:
-        def hand_now(c: Context) -> int:
-            if c.phase == 0:
-                if not reached(c, c.planner.settled_at):
-                    return BLOCKED
-                _command_hand(c, action, c.now, cause)
-                c.until = c.now + c.hand_time
-                c.phase = 1
-            if not reached(c, c.until):
-                return BLOCKED
-            c.phase = 0
-            return following
-
-        return hand_now
-
     # --- control ------------------------------------------------------------------------------
 
     def _for(
@@ -417,7 +226,7 @@ class StepCompiler:
     # --- signals and terminal -----------------------------------------------------------------
 
     def _signal(self, signals: tuple[Expression, ...], following: int, cause: Cause) -> Step:
-        numbers = tuple((self.expressions.real(s), _place_of(s)) for s in signals)
+        numbers = tuple((self.expressions.real(s), place_of(s)) for s in signals)
 
         def signal(c: Context) -> int:
             for value, span in numbers:
@@ -497,7 +306,7 @@ class StepCompiler:
                     raise RuntimeFault(
                         RuntimeErrorKind.ARGUMENT_MISMATCH,
                         "TYPE cannot write a location",
-                        _place_of(item),
+                        place_of(item),
                         help=("write its parts with DX, DY and DZ",),
                     )
             _print(c, text if stays else text + "\r\n", cause)
@@ -506,24 +315,9 @@ class StepCompiler:
         return write
 
 
-def _command_hand(c: Context, action: ir.HandAction, time_s: float, cause: Cause) -> None:
-    planner = c.planner
-
-    def flange_at(t: float) -> Pose:
-        return forward(planner.arm, planner.configuration_at(t))
-
-    c.hand.command(action, time_s, flange_at, planner.motion_end, cause, c.events)
-
-
 def _print(c: Context, text: str, cause: Cause) -> None:
     c.terminal.wrote(text)
     c.events.append(Printed(c.now, text, cause))
-
-
-def _fraction(c: Context, speed: Speed, cause: Cause) -> float:
-    if speed.value <= 0.0:
-        raise RuntimeFault(RuntimeErrorKind.ILLEGAL_VALUE, "a speed must be above zero", cause.span)
-    return speed_fraction(c.planner.arm, speed)
 
 
 def _joints_of(c: Context, pose: Pose, span: Span | None) -> Value:
@@ -542,10 +336,6 @@ def _never_begun(cause: Cause) -> RuntimeFault:
         cause.span,
         help=("jump to the FOR step, not into its body",),
     )
-
-
-def _place_of(expression: Expression) -> Span | None:
-    return expression.place.span if isinstance(expression, Load) else expression.span
 
 
 def _uses(expression: object, functions: frozenset[Function]) -> bool:

@@ -279,3 +279,18 @@ def test_a_missing_library_is_told_in_one_sentence(
     assert result.returncode == 1
     assert said in result.stderr
     assert b"Traceback" not in result.stderr
+
+
+def test_a_fault_of_vrts_has_its_own_status() -> None:
+    program = (
+        "import vrts.pipeline\n"
+        "def broken(*_): raise ValueError('sabotaged')\n"
+        "vrts.pipeline.compile_bytes = broken\n"
+        f"import sys; sys.argv = ['vrts', 'compile', {str(SOLUTION)!r}]\n"
+        "from vrts.cli.main import main\nmain()"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, cwd=ROOT, check=False
+    )
+    assert result.returncode == 70
+    assert b"please report" in result.stderr

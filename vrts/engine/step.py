@@ -1,0 +1,24 @@
+"""What a compiled instruction is, and what compiled instructions share."""
+
+from collections.abc import Callable
+
+from vrts.base.source import Span
+from vrts.engine.context import Context
+from vrts.engine.outcomes import INSTANT
+from vrts.ir.expressions import Expression, Load
+
+Step = Callable[[Context], int]
+"""Takes the context; returns the next instruction's index, or a negative outcome of `outcomes`."""
+
+
+def reached(c: Context, time_s: float) -> bool:
+    """Return whether a time has come, or else set when to look again."""
+    if c.now >= time_s - INSTANT:
+        return True
+    c.wake = time_s
+    return False
+
+
+def place_of(expression: Expression) -> Span | None:
+    """Return where an expression stands."""
+    return expression.place.span if isinstance(expression, Load) else expression.span
