@@ -90,7 +90,7 @@ def _cause(
             return (NOTHING_LOST, None, None, None)
         worst = losses[0]
         sentence = f"{capital(worst.sentence)} ({lost(worst.points)})"
-        return (sentence, worst.hint or None, worst.moment, worst.span)
+        return (sentence, _loop_hint(a, worst) or worst.hint or None, worst.moment, worst.span)
     if errors:
         return _of_diagnostic(errors[0])
     for verdict in verdicts:
@@ -99,6 +99,17 @@ def _cause(
     if a.grade and a.grade.losses:  # does not compile, yet nothing to quote
         return (capital(a.grade.losses[0].sentence), a.grade.losses[0].hint or None, None, None)
     return (NOTHING_WRONG, None, None, None)
+
+
+def _loop_hint(a: Assessment, worst: Loss) -> str | None:
+    """Return what the compiler said of an endless loop when a limit stopped the run."""
+    if worst.kind != "program" or a.run is None or a.run.ending is not Ending.LIMIT:
+        return None
+    said = (d for d in a.diagnostics if d.rule.slug == "endless-loop")
+    first = next(said, None)
+    if first is None or first.primary is None:
+        return None
+    return f"line {first.primary.span.line}: {first.primary.text}"
 
 
 def _of_diagnostic(d: Diagnostic) -> tuple[str, str | None, Moment | None, Span | None]:

@@ -5,11 +5,10 @@ from typing import TypeAlias
 
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import FirstScreen, first_screen
-from vrts.report.palette import Palette, Style
+from vrts.report.palette import Palette, Style, worded
 from vrts.report.plain import one_line, width, yes_no
 from vrts.report.quantities import at_time, lost, mark
 from vrts.report.sketch import sketch
-from vrts.report.text import worded
 
 Row: TypeAlias = tuple[str, str]
 

@@ -3,6 +3,7 @@
 from enum import Enum
 
 from vrts.base.diagnostic import Severity
+from vrts.report.plain import visible
 
 
 class Style(Enum):
@@ -35,3 +36,12 @@ class Palette:
     def paint(self, style: Style, text: str) -> str:
         """Return the text in a style; without colour, or empty, as it is."""
         return f"\x1b[{style.value}m{text}\x1b[0m" if self._color and text else text
+
+
+def worded(word: str, text: str, style: Style, palette: Palette) -> str:
+    """Return `word: text`, further lines of the text indented below the first."""
+    first, *rest = visible(text).split("\n")
+    indent = " " * (len(word) + 2)
+    return "\n".join(
+        [palette.paint(style, word) + f": {first}", *(f"{indent}{line}" for line in rest)]
+    )

@@ -1,12 +1,13 @@
 """Diagnostics and assessments for a terminal, in rustc's manner."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from vrts.base.diagnostic import Diagnostic, Moment, Severity
 from vrts.report.excerpt import blocks, excerpt, gutter_width
-from vrts.report.palette import BY_SEVERITY, Palette, Style
-from vrts.report.plain import one_line, visible
+from vrts.report.palette import BY_SEVERITY, Palette, Style, worded
+from vrts.report.plain import one_line
 from vrts.report.quantities import at_time, joint_degrees
 
 if TYPE_CHECKING:  # `vrts compile` shows diagnostics and needs no engine
@@ -55,18 +56,19 @@ def assessment_text(a: "Assessment", *, color: bool) -> str:
 
 
 def in_order(findings: Sequence[Diagnostic]) -> list[Diagnostic]:
-    """Return findings, each once, errors before warnings before notes."""
+    """Return findings, errors before warnings before notes; one that comes again is told once."""
     weight = {Severity.ERROR: 0, Severity.WARNING: 1, Severity.NOTE: 2}
-    once: dict[object, Diagnostic] = {}
+    alike: dict[object, list[Diagnostic]] = {}
     for d in findings:
-        once.setdefault((d.rule, d.headline, d.primary, d.moment), d)
-    return sorted(once.values(), key=lambda d: weight[d.severity])
+        where = d.primary.span if d.primary else None
+        same = alike.setdefault((d.rule, d.headline, where), [])
+        if all(d.moment != other.moment for other in same) or not same:
+            same.append(d)
+    told = [_with_count(same[0], len(same) - 1) for same in alike.values()]
+    return sorted(told, key=lambda d: weight[d.severity])
 
 
-def worded(word: str, text: str, style: Style, palette: Palette) -> str:
-    """Return `word: text`, further lines of the text indented below the first."""
-    first, *rest = visible(text).split("\n")
-    indent = " " * (len(word) + 2)
-    return "\n".join(
-        [palette.paint(style, word) + f": {first}", *(f"{indent}{line}" for line in rest)]
-    )
+def _with_count(d: Diagnostic, more: int) -> Diagnostic:
+    if not more:
+        return d
+    return replace(d, notes=(*d.notes, f"and {more} more time{'s' if more > 1 else ''}"))
