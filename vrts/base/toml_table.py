@@ -10,7 +10,7 @@ from difflib import get_close_matches
 from fractions import Fraction
 from typing import TypeAlias, cast, overload
 
-from vrts.base.diagnostic import Fix, Rule
+from vrts.base.diagnostic import Diagnostic, Fix, Rule
 from vrts.base.source import Span
 from vrts.base.toml_places import Place
 from vrts.base.toml_problems import Problems
@@ -34,6 +34,7 @@ class Table:
         self._fields = fields
         self._place = place
         self._asked: list[str] = []
+        self._missing: dict[str, Diagnostic] = {}  # reported as missing
 
     # what there is
 
@@ -358,6 +359,8 @@ class Table:
                 key, self._asked, 1, 0.8
             )
             free = bool(close) and close[0] in others
+            if close and close[0] in self._missing:  # misspelt, not missing: one cause
+                self.problems.found.remove(self._missing.pop(close[0]))
             known = ", ".join(f"`{name}`" for name in sorted(set(self._asked)))
             self.problems.error(
                 UNKNOWN_KEY,
@@ -381,6 +384,7 @@ class Table:
                 self.span,
                 data={"key": key},
             )
+            self._missing[key] = self.problems.found[-1]
         return value
 
     def _wrong_type(self, key: str, wanted: str, value: object) -> None:
