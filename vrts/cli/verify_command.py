@@ -71,10 +71,10 @@ def command(
         _no_setting()
     identifier = path.stem if path else "stdin"
     found = assess(
-        data,
+        path or data,
         setting=setting,
         identifier=identifier,
-        title=name,
+        title=None if path else name,
         collisions=not no_collisions,
         curve=html is not None or record is not None,
     )

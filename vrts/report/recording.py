@@ -32,6 +32,7 @@ from vrts.robots.batch import link_frames
 
 Array = npt.NDArray[np.float64]
 
+EYE, TARGET = (3.4, -2.4, 1.3), (0.5, 0.0, -0.2)  # [m] in W
 RATE = 50.0  # poses a second, as the original system broadcast them
 TIMELINE = "t"
 _OF_A_BODY = (Grasped, MissedOffCentre, Released, Landed, Toppled)
@@ -72,7 +73,11 @@ def _blueprint() -> rrb.Blueprint:
     return rrb.Blueprint(
         rrb.Horizontal(
             rrb.Vertical(
-                rrb.Spatial3DView(origin="/world", name="Scene"),
+                rrb.Spatial3DView(
+                    origin="/world",
+                    name="Scene",
+                    eye_controls=rrb.EyeControls3D(position=EYE, look_target=TARGET),
+                ),
                 rrb.TextLogView(origin="/log", name="Program"),
                 row_shares=[3, 1],
             ),
