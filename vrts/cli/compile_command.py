@@ -1,6 +1,7 @@
 """`vrts compile`."""
 
 import sys
+from typing import TYPE_CHECKING
 
 import click
 
@@ -8,64 +9,78 @@ from vrts.cli.console import (
     HOLDS,
     WRONG,
     color_option,
+    fail,
     guarded,
     out,
     program_bytes,
     say,
     show_diagnostics,
+    use_color,
 )
+from vrts.report.diagnostics_output import FORMS, Checked, Form, render
+
+if TYPE_CHECKING:
+    from vrts.pipeline import Compiled
 
 EPILOG = """\b
 Examples:
   vrts compile prog.v2
   vrts compile prog.v2 --emit ir
-  cat prog.v2 | vrts compile - --format json
+  vrts compile *.v2 --format concise
+  cat prog.v2 | vrts compile - --format sarif
 """
 
 
 @click.command(name="compile", epilog=EPILOG)
-@click.argument("program")
+@click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True)
 @click.option(
     "--emit", type=click.Choice(["nothing", "ir"]), default="nothing", help="Print the IR."
 )
-@click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(FORMS),
+    default="full",
+    show_default=True,
+    help="How problems are told: full on stderr, all others on stdout.",
+)
 @color_option
 @guarded
-def command(program: str, emit: str, form: str, color: str) -> None:
-    """Check PROGRAM (a file, or - for stdin) for mistakes, without running it."""
+def command(programs: tuple[str, ...], emit: str, form: Form, color: str) -> None:
+    """Check each PROGRAM (a file, or - for stdin) for mistakes, without running it."""
     from vrts.pipeline import compile_bytes
 
-    data, name, _ = program_bytes(program)
-    compiled = compile_bytes(data, name)
-    module = compiled.compilation.module if compiled.compilation else None
-    if form == "json":
-        import json
-
-        from vrts.report.json_form import diagnostic_json
-
-        rows = [diagnostic_json(d) for d in compiled.diagnostics]
-        out(
-            json.dumps(
-                {
-                    "schema": "vrts.diagnostics/1",
-                    "compiles": module is not None,
-                    "diagnostics": rows,
-                },
-                indent=2,
-                ensure_ascii=False,
-            )
-        )
+    if emit == "ir" and form != "full":
+        fail(f"`--emit ir` and `--format {form}` both write to stdout", ("ask for one of them",))
+    read = [program_bytes(program) for program in programs]
+    compiled = [(name, compile_bytes(data, name)) for data, name, _ in read]
+    if form == "full":
+        for name, found in compiled:
+            _show(name, found, emit, color)
     else:
-        show_diagnostics(compiled.diagnostics, color)
+        checked = [Checked(name, c.diagnostics, _compiles(c)) for name, c in compiled]
+        text = render(checked, form, color=use_color(color))
+        if text:
+            out(text)
+    sys.exit(HOLDS if all(_compiles(found) for _, found in compiled) else WRONG)
+
+
+def _show(name: str, found: "Compiled", emit: str, color: str) -> None:
+    """Write what was found in one file to stderr, and its IR to stdout."""
+    show_diagnostics(found.diagnostics, color)
+    module = found.compilation.module if found.compilation else None
     if module is None:
-        sys.exit(WRONG)
+        return
     if emit == "ir":
         from vrts.ir.dump import dump
 
         out(dump(module), end=False)
-    elif form == "full":
+    else:
         say(f"{name}: {_contents(len(module.programs), len(module.data))}, compiles")
-    sys.exit(HOLDS)
+
+
+def _compiles(found: "Compiled") -> bool:
+    return found.compilation is not None and found.compilation.module is not None
 
 
 def _contents(programs: int, data: int) -> str:

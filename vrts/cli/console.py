@@ -45,8 +45,15 @@ def use_color(choice: str, *, err: bool = False) -> bool:
 
 
 def say(text: str) -> None:
-    """Write words to stderr."""
-    click.echo(text, err=True, color=True)
+    """Write words to stderr; names in them, of files and of programs, may be anybody's."""
+    from vrts.report.plain import plain_text
+
+    _err(plain_text(text))
+
+
+def _err(rendered: str) -> None:
+    """Write to stderr what a renderer made, colours as given."""
+    click.echo(rendered, err=True, color=True)
 
 
 def out(text: str, *, end: bool = True) -> None:
@@ -59,7 +66,7 @@ def show_diagnostics(found: Sequence[Diagnostic], color: str) -> None:
     from vrts.report.text import diagnostic_text
 
     for diagnostic in found:
-        say(diagnostic_text(diagnostic, color=use_color(color, err=True)) + "\n")
+        _err(diagnostic_text(diagnostic, color=use_color(color, err=True)) + "\n")
     errors = sum(diagnostic.is_error for diagnostic in found)
     warnings = len(found) - errors
     words = [

@@ -6,7 +6,7 @@ from typing import TypeAlias
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import FirstScreen, first_screen
 from vrts.report.palette import Palette, Style, worded
-from vrts.report.plain import one_line, width, yes_no
+from vrts.report.plain import line_start, one_line, width, yes_no
 from vrts.report.quantities import at_time, lost, mark
 from vrts.report.sketch import sketch
 
@@ -19,12 +19,12 @@ def first_screen_text(a: Assessment, palette: Palette) -> str:
     title = one_line(a.title) + (f" · {one_line(a.task.title)}" if a.task else "")
     good = Style.GOOD if screen.ready else Style.ERROR
     if screen.mark is None:
-        rows = [palette.paint(Style.STRONG, title) + f": {screen.status}"]
+        rows = [palette.paint(Style.STRONG, line_start(title)) + f": {screen.status}"]
     else:
         number = palette.paint(good, f"{mark(screen.mark)} / 10")
         rows = [f"{number}  {palette.paint(Style.STRONG, title)} ({screen.status})"]
     rows.append("ready for the real robot: " + palette.paint(good, yes_no(screen.ready)))
-    rows += [screen.cause]
+    rows += [line_start(screen.cause)]
     rows += [worded("hint", screen.hint, Style.NOTE, palette)] if screen.hint else []
     table = _loss_rows(screen) if screen.losses else _verdict_rows(screen)
     parts = [rows, _table(table, palette) if table else [], _picture(a, screen, palette)]

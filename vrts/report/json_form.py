@@ -6,19 +6,15 @@ numbers and, exactly, as fractions.
 
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import TypeAlias
 
-from vrts.base.diagnostic import Diagnostic, Label, Moment
-from vrts.base.source import Span
 from vrts.base.units import mm
 from vrts.check.grade import Grade
 from vrts.check.verdict import Clearance, CollisionReport, ContactEvent, Verdict
 from vrts.engine.events import Cause
 from vrts.report.assessment import Assessment
+from vrts.report.diagnostic_json import Json, diagnostic_json
 from vrts.report.first_screen import first_screen, status
-from vrts.report.quantities import joint_degrees, millimetres, rounded_data, seconds
-
-Json: TypeAlias = dict[str, object]
+from vrts.report.quantities import millimetres, rounded_data, seconds
 
 ASSESSMENT_SCHEMA = "vrts.assessment/1"
 RESULTS_SCHEMA = "vrts.results/1"
@@ -62,49 +58,6 @@ def assessment_json(a: Assessment) -> Json:
         "verdicts": [_verdict(v) for v in a.judgement.verdicts] if a.judgement else [],
         "collisions": _collisions(a),
         "findings": [diagnostic_json(d) for d in a.findings],
-    }
-
-
-def diagnostic_json(d: Diagnostic) -> Json:
-    """Return a diagnostic with its exact values."""
-    return {
-        "code": d.rule.code,
-        "slug": d.rule.slug,
-        "severity": d.severity.value,
-        "headline": d.headline,
-        "primary": _label(d.primary) if d.primary else None,
-        "secondary": [_label(label) for label in d.secondary],
-        "notes": list(d.notes),
-        "help": list(d.help),
-        "fix": {**_span(d.fix.span), "replacement": d.fix.replacement} if d.fix else None,
-        "moment": _moment(d.moment) if d.moment else None,
-        "data": rounded_data(d.data),
-    }
-
-
-def _span(span: Span) -> Json:
-    source = span.source
-    last = max(span.start, span.end)
-    return {
-        "file": source.name,
-        "line": span.line,
-        "column": span.column,
-        "end_line": source.line_of(last),
-        "end_column": source.column_of(last),
-    }
-
-
-def _label(label: Label) -> Json:
-    return {**_span(label.span), "text": label.text}
-
-
-def _moment(moment: Moment) -> Json:
-    hand = moment.configuration[6:7]
-    return {
-        "time_s": seconds(moment.time_s),
-        "joints_deg": joint_degrees(moment.configuration),
-        "hand_mm": millimetres(hand[0]) if hand else None,
-        "bodies": list(moment.bodies),
     }
 
 

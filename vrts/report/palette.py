@@ -3,7 +3,7 @@
 from enum import Enum
 
 from vrts.base.diagnostic import Severity
-from vrts.report.plain import visible
+from vrts.report.plain import plain_text
 
 
 class Style(Enum):
@@ -40,7 +40,7 @@ class Palette:
 
 def worded(word: str, text: str, style: Style, palette: Palette) -> str:
     """Return `word: text`, further lines of the text indented below the first."""
-    first, *rest = visible(text).split("\n")
+    first, *rest = plain_text(text).split("\n")
     indent = " " * (len(word) + 2)
     return "\n".join(
         [palette.paint(style, word) + f": {first}", *(f"{indent}{line}" for line in rest)]

@@ -2,13 +2,20 @@
 
 Programs and names come from anybody. Control characters would steer a terminal, and direction
 marks make text read differently from what the compiler sees; both are replaced by stand-ins.
+Build services read the output of what they run and obey `##[...]` anywhere in a line and `::...::`
+at its start; there one sign is replaced by another that looks like it.
 """
 
+import re
 import unicodedata
 from typing import NamedTuple
 
 TAB = 4  # columns between tab stops in excerpts
 STAND_IN = "�"
+SHARP, RATIO = "♯", "∶"  # look like number sign and colon, and mean nothing to a build service
+
+# the second sign, where GitHub, Azure and TeamCity would read a command
+SERVICE_COMMAND = re.compile(r"(?<=#)#(?=(?:vso|teamcity)?\[)", re.IGNORECASE)
 
 
 class Shown(NamedTuple):
@@ -20,12 +27,26 @@ class Shown(NamedTuple):
 
 def visible(text: str) -> str:
     """Return the text with every control and format character replaced; line ends stay."""
-    return "".join(character if character == "\n" else _visible(character) for character in text)
+    seen = (character if character == "\n" else _visible(character) for character in text)
+    return _disarmed("".join(seen))
 
 
 def one_line(text: str) -> str:
     """Return the text on one line: line ends and tabs become blanks, the rest is made visible."""
     return visible(" ".join(text.split()))
+
+
+def line_start(line: str) -> str:
+    """Return a visible line that begins with foreign text so that it begins no command."""
+    text = line.lstrip(" ")
+    if not text.startswith("::"):
+        return line
+    return line[: len(line) - len(text)] + RATIO + text[1:]
+
+
+def plain_text(text: str) -> str:
+    """Return lines of words and names, all visible, in which no line begins a command."""
+    return "\n".join(line_start(line) for line in visible(text).split("\n"))
 
 
 def capital(text: str) -> str:
@@ -48,12 +69,17 @@ def shown(line: str) -> Shown:
     parts: list[str] = []
     columns: list[int] = []
     at = 0
-    for character in line:
+    for character in _disarmed(line):
         columns.append(at)
         stand_in = " " * (TAB - at % TAB) if character == "\t" else _visible(character)
         parts.append(stand_in)
         at += width(stand_in)
     return Shown("".join(parts), (*columns, at))
+
+
+def _disarmed(text: str) -> str:
+    """Return the text, as long as before, without commands that stand anywhere in a line."""
+    return SERVICE_COMMAND.sub(SHARP, text)
 
 
 def _visible(character: str) -> str:

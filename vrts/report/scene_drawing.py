@@ -6,6 +6,7 @@ from html import escape
 from vrts.base.pose import X_AXIS, Y_AXIS, Z_AXIS, Pose, Vector, scale
 from vrts.base.units import mm
 from vrts.geometry.shapes import Piece
+from vrts.report.plain import visible
 from vrts.robots.kinematics import link_poses
 from vrts.scene.colors import hex_code
 from vrts.scene.model import Body, Scene
@@ -74,10 +75,10 @@ def scene_svg(scene: Scene) -> str:
         _view(scene, top, MARGIN * 1.5, MARGIN + 60.0),
         _view(scene, side, MARGIN * 2.5 + top.width + GAP, MARGIN + 60.0),
     ]
-    title = f'<text class="title" x="{MARGIN}" y="{MARGIN * 0.7}">{escape(scene.title)}</text>'
+    title = f'<text class="title" x="{MARGIN}" y="{MARGIN * 0.7}">{_escaped(scene.title)}</text>'
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" '
-        f'role="img" aria-label="{escape(scene.title)}, {top.title} and {side.title}">'
+        f'role="img" aria-label="{_escaped(scene.title)}, {top.title} and {side.title}">'
         f"<style>{STYLE}</style>"
         f'<rect width="100%" height="100%" fill="#ffffff"/>{title}{"".join(body)}</svg>\n'
     )
@@ -183,7 +184,7 @@ def _name(view: View, body: Body, taken: list[tuple[float, float]]) -> str:
     place = _free(((x + right) / 2, y - 10), taken)
     return (
         f'<text class="name" x="{place[0]:.0f}" y="{place[1]:.0f}" '
-        f'text-anchor="middle">{escape(body.name)}</text>'
+        f'text-anchor="middle">{_escaped(body.name)}</text>'
     )
 
 
@@ -194,7 +195,7 @@ def _place(view: View, name: str, X_WT: Pose, taken: list[tuple[float, float]]) 
     tx, ty = _free((x + 14, y + 30), taken)
     return (
         f'<circle class="place" cx="{x:.0f}" cy="{y:.0f}" r="7"/>'
-        f'<text class="placename" x="{tx:.0f}" y="{ty:.0f}">{escape(name)}</text>'
+        f'<text class="placename" x="{tx:.0f}" y="{ty:.0f}">{_escaped(name)}</text>'
     )
 
 
@@ -225,3 +226,8 @@ def _frame(view: View) -> str:
         f'stroke-width="7"/><text class="name" x="{x}" y="{y - length - 12}" '
         f'text-anchor="middle">{name}</text><circle cx="{x}" cy="{y}" r="9" fill="#243040"/>'
     )
+
+
+def _escaped(text: str) -> str:
+    """Return foreign text as character data; a control character would break the document."""
+    return escape(visible(text))

@@ -4,7 +4,7 @@ from vrts.base.oat import components
 from vrts.base.pose import Pose
 from vrts.base.units import deg, mm
 from vrts.geometry.support import bounds
-from vrts.report.plain import one_line
+from vrts.report.plain import one_line, plain_text
 from vrts.robots.model import ArmBranch
 from vrts.scene.block import location_block
 from vrts.scene.model import Body, Mobility, Scene
@@ -34,7 +34,7 @@ def scene_text(scene: Scene) -> str:
     ]
     if scene.locations:
         lines += ["", HOW_TO_USE + location_block(scene.locations).rstrip("\n")]
-    return "\n".join(lines)
+    return plain_text("\n".join(lines))
 
 
 def point_text(scene: Scene, X_WT: Pose, found: Reach) -> str:
@@ -45,7 +45,7 @@ def point_text(scene: Scene, X_WT: Pose, found: Reach) -> str:
     if found.error is not None:
         kind, amount = found.error
         words = "beyond reach" if kind == "too far" else "too close to the robot"
-        return "\n".join([*lines, f"not reachable: {mm(amount):.0f} mm {words}"])
+        return plain_text("\n".join([*lines, f"not reachable: {mm(amount):.0f} mm {words}"]))
     if best is None:
         nearest = max(found.branches, key=lambda way: way.margin.amount)
         over = deg(-nearest.margin.amount)
@@ -63,7 +63,7 @@ def point_text(scene: Scene, X_WT: Pose, found: Reach) -> str:
     others = [way for way in found.branches if way is not best]
     lines.append("")
     lines += [f"  {_branch(way.branch):<22} {_margin(way)}" for way in (best, *others) if way]
-    return "\n".join(lines)
+    return plain_text("\n".join(lines))
 
 
 def _row(body: Body) -> tuple[str, ...]:

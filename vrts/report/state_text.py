@@ -5,7 +5,7 @@ from vrts.base.pose import Pose
 from vrts.base.units import deg, mm
 from vrts.engine.run import Run
 from vrts.ir.values import Value
-from vrts.report.plain import one_line
+from vrts.report.plain import one_line, plain_text
 
 
 def state_text(run: Run, time_s: float) -> str:
@@ -28,7 +28,7 @@ def state_text(run: Run, time_s: float) -> str:
     if state.signals:
         lines.append(f"  signals on: {', '.join(map(str, sorted(state.signals)))}")
     lines += [f"  {name} = {_value(value)}" for name, value in sorted(state.variables.items())]
-    return "\n".join(lines)
+    return plain_text("\n".join(lines))
 
 
 def _pose(X: Pose) -> str:
