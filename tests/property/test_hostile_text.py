@@ -5,6 +5,7 @@ import re
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import PurePath
+from typing import Any
 from urllib.parse import unquote
 
 import pytest
@@ -12,9 +13,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.support_hostile import diagnostics, names, service_commands, steering, texts
-from tests.support_reports import broken
+from tests.support_reports import SYNTAX, broken
 from tests.support_sarif import schema_errors
-from vrts.base.diagnostic import Diagnostic
+from vrts.base.diagnostic import Diagnostic, error
 from vrts.base.source import SourceFile
 from vrts.report.diagnostics_output import FORMS, Checked, Form, render
 from vrts.report.html import joined, painted
@@ -77,8 +78,16 @@ def test_sarif_stays_valid_and_links_nowhere(name: str, found: list[Diagnostic])
     log = json.loads(rendered(name, found, "sarif"))
     assert schema_errors(log) == []
     for result in log["runs"][0]["results"]:
-        assert "](" not in result["message"]["text"]
-        assert not re.search(r"(?<!\{)(\{\{)*\{\d", result["message"]["text"])
+        said = [result["message"], *(place.get("message") for place in related(result))]
+        said += [fix.get("description") for fix in result.get("fixes", [])]
+        for text in (message["text"] for message in said if message):
+            assert steering(text) == []
+            assert "](" not in text
+            assert not re.search(r"(?<!\{)(\{\{)*\{\d", text)
+
+
+def related(result: dict[str, Any]) -> list[dict[str, Any]]:
+    return result.get("relatedLocations", [])
 
 
 @few
@@ -153,3 +162,12 @@ def test_the_first_screen_steers_nothing(name: str, d: Diagnostic) -> None:
         text = assessment_text(a, color=False)
         assert steering(text) == []
         assert service_commands(text) == []
+
+
+def test_neither_title_nor_cause_begins_a_command() -> None:
+    d = error(SYNTAX, "::error::a headline that stands first")
+    a = replace(broken(d, title="::debug::a title"), task=None, grade=None)
+    text = assessment_text(a, color=False)
+    assert "∶:error::a headline" in text
+    assert "∶:debug::a title" in text
+    assert service_commands(text) == []

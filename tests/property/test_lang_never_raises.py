@@ -10,7 +10,8 @@ from vrts.ir.verify import verify
 from vrts.lang.compiler import Compilation, compile_source
 from vrts.lang.problems import LIMIT
 from vrts.lang.reading import decode
-from vrts.lang.vocabulary import INSTRUCTIONS, OPERATORS, QUALIFIERS
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 
 WORDS = [*INSTRUCTIONS, *OPERATORS, *QUALIFIERS, "a", "b", "$s", "#p", "part", "TRANS", "DX"]
 SIGNS = [*"=+-*/<>()[],:;.'^/%$#&!", '"', "==", "<>", "=<", ":=", "“", "”", "–", "ö", "\u00a0"]

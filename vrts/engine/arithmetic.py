@@ -81,6 +81,18 @@ def unary(operator: UnaryOperator, span: Span | None) -> Callable[[float], float
             return lambda a: float(~bits(a, span))
 
 
+def _power(base: float, exponent: float, span: Span | None) -> float:
+    """Return a power; that of a negative number only to a whole exponent."""
+    if base < 0.0 and exponent != int(exponent):
+        raise RuntimeFault(
+            RuntimeErrorKind.ILLEGAL_VALUE, "a power of a negative number is not real", span
+        )
+    try:
+        return rounded(base**exponent if base or exponent >= 0.0 else _divisor(0.0, span), span)
+    except OverflowError:
+        return rounded(math.inf, span)
+
+
 def binary(operator: BinaryOperator, span: Span | None) -> RealOperator:
     """Return an operator on two reals."""
     match operator:
@@ -94,6 +106,8 @@ def binary(operator: BinaryOperator, span: Span | None) -> RealOperator:
             return lambda a, b: rounded(a / _divisor(b, span), span)
         case BinaryOperator.MOD:
             return lambda a, b: rounded(math.fmod(a, _divisor(b, span)), span)
+        case BinaryOperator.POWER:
+            return lambda a, b: _power(a, b, span)
         case BinaryOperator.AND:
             return lambda a, b: logical(bool(a) and bool(b))
         case BinaryOperator.OR:

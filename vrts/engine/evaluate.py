@@ -4,7 +4,7 @@ Every closure takes the context and returns a value; a value that is missing or 
 a run-time fault at its place in the text.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from typing import cast
 
@@ -14,6 +14,7 @@ from vrts.base.source import Span
 from vrts.engine.arithmetic import (
     COMPARISONS,
     binary,
+    checked_string,
     integer,
     joined,
     logical,
@@ -23,14 +24,18 @@ from vrts.engine.arithmetic import (
 from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Undefined
 from vrts.engine.context import Context
 from vrts.engine.faults import RuntimeFault
+from vrts.engine.formats import FREE, NUMBER_KINDS, control, number
 from vrts.engine.functions import PURE, bad
+from vrts.engine.pieces import ELEMENT, decode, spread
 from vrts.ir.expressions import (
     Apply,
+    Argument,
     Binary,
     BinaryOperator,
     Compose,
     Constant,
     Expression,
+    Format,
     Function,
     Global,
     Load,
@@ -237,8 +242,8 @@ class Compiler:
             return call
         return self._stateful(expression)
 
-    def _argument(self, argument: Expression | Place | WholeArray | None) -> Evaluate | None:
-        if argument is None or isinstance(argument, WholeArray):
+    def _argument(self, argument: Argument) -> Evaluate | None:
+        if argument is None or isinstance(argument, WholeArray | Format):
             return None
         return self.load(argument) if isinstance(argument, Place) else self.value(argument)
 
@@ -280,24 +285,141 @@ class Compiler:
             case Function.INRANGE:
                 location = self.location(_expression(expression.arguments[0]))
                 return lambda c: _in_range(c, location(c))
-            case Function.ENCODE | Function.DECODE:
-                words = expression.function.value.upper()
-
-                def refuse(c: Context) -> Value:
-                    raise RuntimeFault(
-                        RuntimeErrorKind.NOT_INSTALLED, f"{words} is not simulated yet", span
-                    )
-
-                return refuse
+            case Function.ENCODE:
+                items = tuple(_item(a) for a in expression.arguments)
+                text = self.text(items, "$ENCODE")
+                return lambda c: checked_string(text(c), span)
+            case Function.DECODE:
+                return self._decode(expression)
+            case Function.UNPACK:
+                return self._unpack(expression)
+            case Function.LAST:
+                whole = expression.arguments[0]
+                assert isinstance(whole, Place | WholeArray)
+                find = self.bound(whole.variable, array=True)
+                return lambda c: _last(find(c))
+            case Function.TAS:
+                return self._test_and_set(expression)
+            case Function.OPAQUE:
+                named = expression.arguments[0]
+                words = str(named.value) if isinstance(named, Constant) else "this function"
+                return _refusal(f"{words} is not simulated", span)
             case _:
-                raise ValueError(f"function without a meaning: {expression.function}")
+                words = expression.function.value.upper()
+                return _refusal(f"{words} is not simulated yet", span)
 
-    def _real_argument(
-        self, argument: Expression | Place | WholeArray | None
-    ) -> Callable[[Context], float]:
+    def text(self, items: "Sequence[Expression | Format]", word: str) -> Callable[[Context], str]:
+        """Return a closure that gives the text of items as TYPE writes them."""
+        parts = [
+            item if isinstance(item, Format) else (self.value(item), span_of(item))
+            for item in items
+        ]
+
+        def written(c: Context) -> str:
+            form, text = FREE, ""
+            for part in parts:
+                if isinstance(part, Format):
+                    if part.kind in NUMBER_KINDS:
+                        form = part
+                    else:
+                        text += control(part)
+                    continue
+                evaluate, span = part
+                found = evaluate(c)
+                if isinstance(found, str):
+                    text += found
+                elif isinstance(found, float):
+                    text += number(found, form)
+                else:
+                    raise RuntimeFault(
+                        RuntimeErrorKind.ARGUMENT_MISMATCH,
+                        f"{word} cannot write a location",
+                        span,
+                        help=("write its parts with DX, DY and DZ",),
+                    )
+            return text
+
+        return written
+
+    def elements(self, place: Place) -> Callable[[Context, int], Cell]:
+        """Return a closure that finds the k-th cell from a place on; a scalar has only one."""
+        if not place.subscripts:
+            find = self.cell(place)
+            name, span = place.variable.name, place.span
+
+            def scalar(c: Context, k: int) -> Cell:
+                if k:
+                    raise _mismatch(f"`{name}` is not an array", span)
+                return find(c)
+
+            return scalar
+        bound = self.bound(place.variable, array=True)
+        subscripts = tuple(self.real(subscript) for subscript in place.subscripts)
+        name, span = place.variable.name, place.span
+
+        def element(c: Context, k: int) -> Cell:
+            found = bound(c)
+            if isinstance(found, Cell):
+                raise _mismatch(f"`{name}` is not an array", span)
+            *outer, last = (_subscript(s(c), name, span) for s in subscripts)
+            return found.element((*outer, _subscript(float(last + k), name, span)))
+
+        return element
+
+    def _decode(self, expression: Apply) -> Evaluate:
+        variable, breaks, *mode = expression.arguments
+        assert isinstance(variable, Load)
+        find, read = self.cell(variable.place), self.string(variable)
+        characters = self.string(_expression(breaks))
+        how = self.real(_expression(mode[0])) if mode and mode[0] is not None else None
+
+        def decoded(c: Context) -> Value:
+            text = read(c)
+            chosen = 0 if how is None else round_half_away(how(c))
+            piece, rest = decode(text, characters(c), chosen)
+            find(c).assign(rest, c.now)
+            return piece
+
+        return decoded
+
+    def _unpack(self, expression: Apply) -> Evaluate:
+        place, first, length = expression.arguments
+        span = expression.span
+        assert isinstance(place, Place | WholeArray)
+        if isinstance(place, WholeArray):
+            place = Place(place.variable, (Constant(0.0),), place.span)
+        elements = self.elements(place)
+        start, many = self._real_argument(first), self._real_argument(length)
+
+        def unpacked(c: Context) -> Value:
+            at = integer(start(c), span, 1, HIGHEST_SUBSCRIPT * ELEMENT, "position")
+            count = integer(many(c), span, 0, ELEMENT, "number of characters")
+            pieces: list[str] = []
+            for element, offset, taken in spread(at, count):
+                value = elements(c, element).value
+                text = value if isinstance(value, str) else ""
+                pieces.append(text[offset - 1 : offset - 1 + taken])
+            return "".join(pieces)
+
+        return unpacked
+
+    def _test_and_set(self, expression: Apply) -> Evaluate:
+        place, new = expression.arguments
+        assert isinstance(place, Place)
+        find, value = self.cell(place), self._real_argument(new)
+
+        def swapped(c: Context) -> Value:
+            cell, wanted = find(c), value(c)
+            old = cell.value
+            cell.assign(wanted, c.now)
+            return old if isinstance(old, float) else 0.0
+
+        return swapped
+
+    def _real_argument(self, argument: Argument) -> Callable[[Context], float]:
         return self.real(_expression(argument))
 
-    def _defined(self, argument: Expression | Place | WholeArray | None) -> Evaluate:
+    def _defined(self, argument: Argument) -> Evaluate:
         if isinstance(argument, Load):
             argument = argument.place
         if isinstance(argument, WholeArray):
@@ -314,12 +436,33 @@ def span_of(expression: Expression) -> Span | None:
     return expression.place.span if isinstance(expression, Load) else expression.span
 
 
-def _expression(argument: Expression | Place | WholeArray | None) -> Expression:
+def _expression(argument: Argument) -> Expression:
     if isinstance(argument, Place):
         return Load(argument)
-    if argument is None or isinstance(argument, WholeArray):
+    if argument is None or isinstance(argument, WholeArray | Format):
         raise ValueError("an operand that must be there is missing")
     return argument
+
+
+def _item(argument: Argument) -> "Expression | Format":
+    return argument if isinstance(argument, Format) else _expression(argument)
+
+
+def _refusal(headline: str, span: Span | None) -> Evaluate:
+    def refuse(c: Context) -> Value:
+        raise RuntimeFault(RuntimeErrorKind.NOT_INSTALLED, headline, span)
+
+    return refuse
+
+
+def _last(found: Bound) -> float:
+    """LAST: the highest index that has a value, -1 when none has."""
+    if isinstance(found, Cell):
+        return -1.0
+    indices = [
+        subscripts[-1] for subscripts, cell in found.elements.items() if cell.value is not UNDEFINED
+    ]
+    return float(max(indices, default=-1))
 
 
 def _has_value(found: Bound) -> bool:

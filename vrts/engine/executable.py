@@ -12,7 +12,7 @@ from vrts.engine.outcomes import CYCLE_ENDED, SWITCHED
 from vrts.engine.step import Step
 from vrts.engine.steps import StepCompiler
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Place, Slot, WholeArray
+from vrts.ir.expressions import Expression, Place, Slot, WholeArray
 from vrts.ir.module import Module, Program
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Type, type_of_value
@@ -64,10 +64,7 @@ class Executable:
     def fresh_slots(self, number: int) -> list[Bound]:
         """Return slots of a program called without arguments."""
         program = self.programs[number].program
-        return [
-            Array(formal.name) if k in program.array_formals else Cell(formal.name)
-            for k, formal in enumerate(program.formals)
-        ]
+        return [_fresh(program, slot) for slot in (*program.formals, *program.autos)]
 
     def _program(self, program: Program) -> ExecutableProgram:
         causes = tuple(Cause(program.name, step, span) for step, span in program.origins)
@@ -83,7 +80,7 @@ class Executable:
         match instruction:
             case ir.Call():
                 return self._call(instruction, index + 1, cause)
-            case ir.Return():
+            case ir.Return(skip=None):
                 return _return
             case _:
                 return self._steps.step(instruction, index, cause)
@@ -123,9 +120,10 @@ class Executable:
             slots: list[Bound] = []
             for k, formal in enumerate(callee.formals):
                 bind = actuals[k] if k < len(actuals) else None
-                found = _fresh(callee, k) if bind is None else bind(c)
+                found = _fresh(callee, formal) if bind is None else bind(c)
                 _check(found, formal, is_array=k in callee.array_formals, cause=cause)
                 slots.append(found)
+            slots += [_fresh(callee, auto) for auto in callee.autos]
             c.frames[-1].index = following
             c.frames.append(self.frame(number, slots))
             c.slots = slots
@@ -133,7 +131,7 @@ class Executable:
 
         return enter
 
-    def _actual(self, argument: "ir.Expression | Place | WholeArray | None") -> Bind | None:
+    def _actual(self, argument: Expression | Place | WholeArray | None) -> Bind | None:
         match argument:
             case None:
                 return None
@@ -160,9 +158,8 @@ def _return(c: Context) -> int:
     return SWITCHED
 
 
-def _fresh(program: Program, slot: int) -> Bound:
-    name = program.formals[slot].name
-    return Array(name) if slot in program.array_formals else Cell(name)
+def _fresh(program: Program, slot: Slot) -> Bound:
+    return Array(slot.name) if slot.number in program.array_formals else Cell(slot.name)
 
 
 def _check(found: Bound, formal: Slot, *, is_array: bool, cause: Cause) -> None:

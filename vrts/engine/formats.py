@@ -3,7 +3,7 @@
 import math
 
 from vrts.base.numbers import round_half_away
-from vrts.ir.instructions import Format, FormatKind
+from vrts.ir.expressions import Format, FormatKind
 
 FREE_LOWEST = 0.01  # smaller magnitudes are written with an exponent
 FREE_HIGHEST = 999_999.0
@@ -19,6 +19,9 @@ NUMBER_KINDS = frozenset(
         FormatKind.EXPONENT,
         FormatKind.HEX,
         FormatKind.OCTAL,
+        FormatKind.HEX_FILLED,
+        FormatKind.DECIMAL_FILLED,
+        FormatKind.TIGHT,
     }
 )
 
@@ -44,6 +47,12 @@ def number(value: float, form: Format) -> str:
             return _fitted(f"{round_half_away(value) % WORD:X}", width)
         case FormatKind.OCTAL:
             return _fitted(f"{round_half_away(value) % WORD:o}", width)
+        case FormatKind.HEX_FILLED:
+            return _fitted(f"{round_half_away(value) % WORD:X}".rjust(width, "0"), width)
+        case FormatKind.DECIMAL_FILLED:
+            return _fitted(str(round_half_away(value)).rjust(width, "0"), width)
+        case FormatKind.TIGHT:
+            return free(value)
         case _:
             return " " + free(value)
 

@@ -68,6 +68,12 @@ def _trans(a: Arguments, span: Span | None) -> Pose:
     return pose_from_components(x, y, z, _real(a, 3), _real(a, 4), _real(a, 5))
 
 
+def _trans_zyz(a: Arguments, span: Span | None) -> Pose:
+    """TRANS of V+ and AS: plain Z Y' Z'' angles [val2.md 6.2]."""
+    x, y, z, yaw, pitch, roll = (_real(a, k) for k in range(6))
+    return pose_from_components(x, y, z, yaw + 90.0, pitch - 90.0, roll)
+
+
 def _frame(a: Arguments, span: Span | None) -> Pose:
     """FRAME: x along the first two points, y towards the third, origin at the fourth."""
     p1, p2, p3, origin = (_pose(a, k).translation for k in range(4))
@@ -215,6 +221,8 @@ PURE: Mapping[Function, Pure] = MappingProxyType(
         Function.DY: _component(1),
         Function.DZ: _component(2),
         Function.TRANS: _trans,
+        Function.TRANS_ZYZ: _trans_zyz,
+        Function.TRUNCATE: lambda a, s: _text(a, 0).partition("\0")[0],
         Function.NULL: lambda a, s: IDENTITY,
         Function.INVERSE: lambda a, s: _pose(a, 0).inverse(),
         Function.FRAME: _frame,

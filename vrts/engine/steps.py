@@ -4,15 +4,18 @@ The result is the index of the next instruction, or a negative outcome of `outco
 that has to wait returns BLOCKED and is entered again; `Context.phase` remembers how far it came.
 """
 
+from collections.abc import Callable
+
 from vrts.base.numbers import round_half_away
+from vrts.base.oat import components
 from vrts.base.pose import Pose
 from vrts.base.source import Span
-from vrts.engine.arithmetic import checked_string, rounded
+from vrts.base.units import deg
+from vrts.engine.arithmetic import checked_string, integer, rounded
 from vrts.engine.context import Context
 from vrts.engine.evaluate import Compiler, Evaluate
 from vrts.engine.events import Cause, Printed, SignalChanged
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.formats import FREE, NUMBER_KINDS, control, number
 from vrts.engine.motion_steps import MotionStepCompiler
 from vrts.engine.outcomes import (
     BLOCKED,
@@ -22,13 +25,28 @@ from vrts.engine.outcomes import (
     WAIT_NEVER_ENDS,
     LimitReached,
 )
-from vrts.engine.signals import known
+from vrts.engine.pieces import packed, spread
+from vrts.engine.signals import OUTPUTS, known
 from vrts.engine.step import Step, place_of, reached
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Apply, Binary, Compose, Expression, Function, Place, Unary
+from vrts.ir.expressions import (
+    Apply,
+    Binary,
+    Compose,
+    Expression,
+    Format,
+    FormatKind,
+    Function,
+    Place,
+    Unary,
+)
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Type, Value
 from vrts.robots.kinematics import forward, solve
+
+HIGHEST_TIMER = 15  # [val2.md 3.9]
+MOST_BITS = 16  # that BITS writes at once [val2.md 3.5]
+MOST_PACKED = 32767 * 128  # characters of a string array
 
 CHANGING = frozenset(
     {Function.TIMER, Function.RANDOM, Function.HERE, Function.HERE_JOINTS, Function.HAND}
@@ -118,7 +136,7 @@ class StepCompiler:
                 return self._wait(condition, following, cause)
             case ir.Type(items=items):
                 return self._type(items, following, cause)
-            case ir.Unsupported(words=words):
+            case ir.Opaque(words=words):
 
                 def refuse(c: Context) -> int:
                     raise RuntimeFault(
@@ -126,8 +144,98 @@ class StepCompiler:
                     )
 
                 return refuse
-            case ir.Call() | ir.Return():
+            case ir.SetTimer(number=number, value=value):
+                return self._set_timer(e.real(number), e.real(value), following, cause)
+            case ir.Reset():
+                return lambda c: _reset(c, following, cause)
+            case ir.SetBits():
+                return self._set_bits(instruction, following, cause)
+            case ir.Pack():
+                return self._pack(instruction, following, cause)
+            case ir.Decompose():
+                return self._decompose(instruction, following)
+            case ir.Call() | ir.Return(skip=None):
                 raise ValueError("calls and returns are compiled by `executable`")
+            case _:
+
+                def not_yet(c: Context) -> int:
+                    raise RuntimeFault(
+                        RuntimeErrorKind.NOT_INSTALLED,
+                        f"`{cause.span.text}` is not simulated yet",
+                        cause.span,
+                        help=("leave the step out, or change it, to simulate the rest",),
+                    )
+
+                return not_yet
+
+    # --- timers, outputs, strings -------------------------------------------------------------
+
+    def _set_timer(
+        self,
+        number: Callable[[Context], float],
+        value: Callable[[Context], float],
+        following: int,
+        cause: Cause,
+    ) -> Step:
+        def set_timer(c: Context) -> int:
+            which = integer(number(c), cause.span, 1, HIGHEST_TIMER, "timer")
+            c.timers[which] = c.now - value(c)
+            return following
+
+        return set_timer
+
+    def _set_bits(self, instruction: ir.SetBits, following: int, cause: Cause) -> Step:
+        first, length = self.expressions.real(instruction.first), instruction.length
+        count, value = self.expressions.real(length), self.expressions.real(instruction.value)
+
+        def set_bits(c: Context) -> int:
+            start = round_half_away(first(c))
+            many = integer(count(c), cause.span, 1, MOST_BITS, "number of signals")
+            bits = round_half_away(value(c))
+            for k in range(many):
+                known(start + k, cause.span, writable=True)
+            for k in range(many):
+                _turn(c, start + k, bool(bits >> k & 1), cause)
+            return following
+
+        return set_bits
+
+    def _pack(self, instruction: ir.Pack, following: int, cause: Cause) -> Step:
+        e, place = self.expressions, instruction.place
+        first, length = e.real(instruction.first), e.real(instruction.length)
+        text = e.string(instruction.text)
+        elements = e.elements(place)
+
+        def pack(c: Context) -> int:
+            start = integer(first(c), cause.span, 1, MOST_PACKED, "position")
+            part = text(c)
+            many = integer(length(c), cause.span, 0, MOST_PACKED, "number of characters")
+            for element, at, taken in spread(start, many):
+                cell = elements(c, element)
+                now = cell.value if isinstance(cell.value, str) else ""
+                cell.assign(checked_string(packed(now, at, taken, part[:taken]), cause.span), c.now)
+                part = part[taken:]
+            return following
+
+        return pack
+
+    def _decompose(self, instruction: ir.Decompose, following: int) -> Step:
+        e = self.expressions
+        elements, location = e.elements(instruction.place), e.location(instruction.location)
+        plain = instruction.plain_angles
+
+        def decompose(c: Context) -> int:
+            found = location(c)
+            if isinstance(found, Pose):
+                x, y, z, o, a, t = components(found)
+                values = (x, y, z, *((o - 90.0, a + 90.0, t) if plain else (o, a, t)))
+            else:
+                values = tuple(deg(joint) for joint in found)  # type: ignore[union-attr]
+            for k, value in enumerate(values):
+                elements(c, k).assign(rounded(value, instruction.place.span), c.now)
+            return following
+
+        return decompose
 
     # --- assignment ---------------------------------------------------------------------------
 
@@ -277,42 +385,28 @@ class StepCompiler:
 
         return wait
 
-    def _type(
-        self, items: "tuple[Expression | ir.Format, ...]", following: int, cause: Cause
-    ) -> Step:
-        parts = [
-            item if isinstance(item, ir.Format) else (self.expressions.value(item), item)
-            for item in items
-        ]
+    def _type(self, items: "tuple[Expression | Format, ...]", following: int, cause: Cause) -> Step:
+        text = self.expressions.text(items, "TYPE")
         last = items[-1] if items else None
-        stays = isinstance(last, ir.Format) and last.kind is ir.FormatKind.STAY
+        end = "" if isinstance(last, Format) and last.kind is FormatKind.STAY else "\r\n"
 
         def write(c: Context) -> int:
-            form, text = FREE, ""
-            for part in parts:
-                if isinstance(part, ir.Format):
-                    if part.kind in NUMBER_KINDS:
-                        form = part
-                    else:
-                        text += control(part)
-                    continue
-                evaluate, item = part
-                found = evaluate(c)
-                if isinstance(found, str):
-                    text += found
-                elif isinstance(found, float):
-                    text += number(found, form)
-                else:
-                    raise RuntimeFault(
-                        RuntimeErrorKind.ARGUMENT_MISMATCH,
-                        "TYPE cannot write a location",
-                        place_of(item),
-                        help=("write its parts with DX, DY and DZ",),
-                    )
-            _print(c, text if stays else text + "\r\n", cause)
+            _print(c, text(c) + end, cause)
             return following
 
         return write
+
+
+def _turn(c: Context, signal: int, on: bool, cause: Cause) -> None:
+    if on is not (signal in c.signals.on):
+        c.signals.turn(signal, on=on)
+        c.events.append(SignalChanged(c.now, signal, on, cause))
+
+
+def _reset(c: Context, following: int, cause: Cause) -> int:
+    for signal in OUTPUTS:
+        _turn(c, signal, False, cause)
+    return following
 
 
 def _print(c: Context, text: str, cause: Cause) -> None:

@@ -15,6 +15,7 @@ from vrts.ir.expressions import (
     Compose,
     Constant,
     Expression,
+    Format,
     Global,
     Load,
     Place,
@@ -22,7 +23,7 @@ from vrts.ir.expressions import (
     Unary,
     WholeArray,
 )
-from vrts.ir.instructions import Call, Format, Instruction
+from vrts.ir.instructions import Call, CallNamed, Instruction
 from vrts.ir.module import Module, Program
 from vrts.ir.values import Type, Value
 
@@ -48,6 +49,10 @@ def _program(program: Program) -> str:
         for slot in program.formals
     )
     lines = [f"program {program.name}({formals})"]
+    if program.autos:
+        lines[0] += " auto " + ", ".join(
+            f"{slot.name}: {slot.type.value}" for slot in program.autos
+        )
     for index, (instruction, origin) in enumerate(
         zip(program.instructions, program.origins, strict=True)
     ):
@@ -60,7 +65,7 @@ def _instruction(instruction: Instruction) -> str:
     for field, operand in zip(instruction._fields, instruction, strict=True):
         if operand is None or isinstance(operand, Span):
             continue
-        if isinstance(instruction, Call) and field == "arguments":
+        if isinstance(instruction, Call | CallNamed) and field == "arguments":
             parts.append(f"arguments=({', '.join(map(_passed, instruction.arguments))})")
         else:
             parts.append(f"{field}={text_of(operand)}")

@@ -67,10 +67,13 @@ class Binary(NamedTuple):
 
 
 class Apply(NamedTuple):
-    """A function of the language. An omitted operand is None; DEFINED and its like take a Place."""
+    """A function of the language. An omitted operand is None; DEFINED and its like take a Place.
+
+    $ENCODE also takes formats; SWITCH and PARAMETER take a name as a string constant.
+    """
 
     function: "Function"
-    arguments: "tuple[Expression | Place | WholeArray | None, ...]" = ()
+    arguments: "tuple[Argument, ...]" = ()
     span: Span | None = None
 
 
@@ -81,6 +84,34 @@ class Compose(NamedTuple):
     span: Span | None = None
 
 
+class FormatKind(Enum):
+    """Format controls of TYPE and $ENCODE; the value is the letter."""
+
+    FREE = "D"
+    FIXED = "F"
+    INTEGER = "I"
+    GENERAL = "G"
+    EXPONENT = "E"
+    HEX = "H"
+    OCTAL = "O"
+    HEX_FILLED = "J"  # AS: hexadecimal with leading zeros
+    DECIMAL_FILLED = "K"  # AS: decimal with leading zeros
+    TIGHT = "L"  # AS: as D, without the blank before it
+    NEWLINE = "C"
+    BLANK = "X"
+    UP = "U"
+    BELL = "B"
+    STAY = "S"
+
+
+class Format(NamedTuple):
+    """`/F8.2`, `/C2`, `/S`."""
+
+    kind: FormatKind
+    width: int | None = None
+    decimals: int | None = None
+
+
 class WholeArray(NamedTuple):
     """An array passed whole, `a[]`."""
 
@@ -89,6 +120,7 @@ class WholeArray(NamedTuple):
 
 
 Expression: TypeAlias = Constant | Load | Unary | Binary | Apply | Compose
+Argument: TypeAlias = Expression | Place | WholeArray | Format | None
 
 
 class UnaryOperator(Enum):
@@ -107,6 +139,7 @@ class BinaryOperator(Enum):
     MULTIPLY = "*"
     DIVIDE = "/"
     MOD = "mod"
+    POWER = "**"  # AS, and V+ as far as programs use it
     EQUAL = "=="
     NOT_EQUAL = "<>"
     LESS = "<"
@@ -147,6 +180,7 @@ class Function(Enum):
     DY = "dy"
     DZ = "dz"
     TRANS = "trans"  # x, y, z [mm], o, a, t [deg]
+    TRANS_ZYZ = "trans.zyz"  # x, y, z [mm], plain Z Y' Z'' angles [deg]: V+ and AS
     NULL = "null"
     INVERSE = "inverse"
     FRAME = "frame"
@@ -171,6 +205,18 @@ class Function(Enum):
     TIMER = "timer"
     SPEED = "speed"
     DEFINED = "defined"
+    LAST = "last"
+    TAS = "tas"  # old value of a variable, which then takes another
+    SWITCH = "switch"
+    PARAMETER = "parameter"
+    ADC = "adc"
+    PENDANT = "pendant"
+    PRIORITY = "priority"
+    STATE = "state"
+    STATUS = "status"
+    ERROR = "error"
+    FREE = "free"
+    TIME = "time"
     # strings
     ASC = "asc"
     CHR = "$chr"
@@ -180,3 +226,10 @@ class Function(Enum):
     VAL = "val"
     ENCODE = "$encode"
     DECODE = "$decode"
+    TRUNCATE = "$truncate"
+    UNPACK = "$unpack"
+    ERROR_TEXT = "$error"
+    TIME_TEXT = "$time"
+    DATE_TEXT = "$date"
+    # known, never carried out
+    OPAQUE = "opaque"  # its first argument is the name of the function

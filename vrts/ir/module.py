@@ -23,13 +23,14 @@ class Program:
 
     name: str  # lower case
     formals: tuple[Slot, ...]
-    array_formals: frozenset[int]  # slots written `a[]`
+    array_formals: frozenset[int]  # slots that are arrays, written `a[]`
     instructions: tuple[Instruction, ...]
     origins: tuple[Origin, ...]  # beside instructions
     steps: tuple[int, ...]  # steps[k] is the first instruction at or after step k + 1
     loops: int  # number of FOR loops; frames keep a limit and an increment for each
     cases: int  # number of CASE structures; frames keep a selector for each
     span: Span  # the .PROGRAM line
+    autos: tuple[Slot, ...] = ()  # variables of each activation, numbered after the formals
 
 
 class Datum(NamedTuple):

@@ -3,6 +3,7 @@
 from vrts.ir.instructions import (
     BeginCase,
     BeginFor,
+    Grasp,
     Jump,
     JumpIf,
     NextFor,
@@ -56,7 +57,8 @@ def _faults(program: Program) -> list[str]:
             wrong.append(f"instruction {i} belongs to no CASE")
     if loops != set(range(program.loops)) or cases != set(range(program.cases)):
         wrong.append("loops or cases are not numbered from 0 without gaps")
-    if [slot.number for slot in program.formals] != list(range(len(program.formals))):
+    slots = (*program.formals, *program.autos)
+    if [slot.number for slot in slots] != list(range(len(slots))):
         wrong.append("formals are not numbered in their order")
     return wrong
 
@@ -71,5 +73,7 @@ def _targets(instruction: object) -> tuple[int, ...]:
             return (test,)
         case TestCase(_, _, otherwise):
             return (otherwise,)
+        case Grasp(_, int(missing)):
+            return (missing,)
         case _:
             return ()

@@ -6,26 +6,38 @@ Tokens and nodes both end in `start` and `end`, so the range of a node is that o
 from typing import Any
 
 from vrts.base.diagnostic import Rule
+from vrts.lang.dialect import Precedence
 from vrts.lang.lalr import Build
 from vrts.lang.operators import TABLE_A, TABLE_B, ambiguous, tree, written
 from vrts.lang.problems import Problems
 from vrts.lang.syntax import (
     Application,
     Assignment,
+    CallNamed,
     CallStatement,
     Case,
     DataLine,
+    Declare,
+    Device,
     Element,
+    Expression,
     For,
     FormatItem,
+    Give,
     Goto,
     HereStatement,
     If,
+    Infix,
+    Level,
     Name,
     Number,
+    PackStatement,
     Parenthesised,
     Prefix,
+    Put,
+    ReactStatement,
     SetLocation,
+    Setting,
     ShiftStatement,
     Simple,
     SpeedStatement,
@@ -35,6 +47,7 @@ from vrts.lang.syntax import (
     ValueGroup,
     While,
 )
+from vrts.lang.vocabulary.functions import FUNCTIONS
 
 PRECEDENCE = Rule("V150", "precedence")
 
@@ -43,30 +56,41 @@ PRECEDENCE = Rule("V150", "precedence")
 Values = list[Any]
 
 
-def builders(problems: Problems) -> dict[str, Build]:
+def builders(problems: Problems, table: Precedence = Precedence.A) -> dict[str, Build]:
     """Return the builder of every alias of the grammar; W-PREC goes to `problems`."""
+    levels, other = (TABLE_A, TABLE_B) if table is Precedence.A else (TABLE_B, TABLE_A)
 
     def expression(v: Values) -> Any:
         chain = v[0]
         if len(chain) == 1:
             return chain[0]
-        result = tree(chain, TABLE_A)
-        if ambiguous(chain):
-            text = problems.source.text
-            meant = written(tree(chain, TABLE_B), text)
-            problems.warning(
-                PRECEDENCE,
-                "this condition is not read as it looks",
-                result.start,
-                result.end,
-                f"VAL-II reads {written(result, text)}",
-                notes=("in VAL-II AND binds like `*` and OR like `+`, before comparisons",),
-                help=(f"write parentheses: {meant}",),
-                fix=problems.replace(result.start, result.end, meant),
-            )
+        result = tree(chain, levels)
+        if len(chain) > 3 and ambiguous(chain):
+            _read_otherwise(problems, result, tree(chain, other), table)
         return result
 
     return {**_BUILDERS, "expression": expression}
+
+
+def _read_otherwise(
+    problems: Problems, result: Expression, meant: Expression, table: Precedence
+) -> None:
+    text = problems.source.text
+    read, instead = written(result, text), written(meant, text)
+    language = "VAL-II reads" if table is Precedence.A else "this is read"
+    note = "in VAL-II AND binds like `*` and OR like `+`, before comparisons"
+    problems.warning(
+        PRECEDENCE,
+        "this condition is not read as it looks"
+        if table is Precedence.A
+        else "other controllers of the family read this condition otherwise",
+        result.start,
+        result.end,
+        f"{language} {read}",
+        notes=(note,),
+        help=(f"write parentheses: {instead if table is Precedence.A else read}",),
+        fix=problems.replace(result.start, result.end, instead if table is Precedence.A else read),
+    )
 
 
 def _list(values: Any) -> tuple[Any, ...]:
@@ -78,10 +102,89 @@ def _value(token: Any, sign: float = 1.0) -> Number:
     return Number(sign * token.value, token.start, token.end)
 
 
+def _always(token: Any) -> bool:
+    return token is not None
+
+
+def _last(*nodes: Any) -> int:
+    """Return the end of the last node that is there."""
+    return max(node.end for node in nodes if node is not None)
+
+
+def _level(v: Values) -> Level:
+    unit = v[1].text if len(v) > 1 else None
+    return Level(v[0], unit, v[0].start, v[-1].end)
+
+
 def _speed(v: Values) -> SpeedStatement:
-    units = [token.text for token in v[2:] if token.kind == "UNIT"]
-    always = v[-1].kind == "ALWAYS" if len(v) > 2 else False
-    return SpeedStatement(v[1], units[0] if units else None, always, v[0].start, v[-1].end)
+    levels = tuple(v[1])
+    return SpeedStatement(v[0].text, levels, _always(v[2]), v[0].start, _last(levels[-1], v[2]))
+
+
+def _setting(v: Values) -> Setting:
+    value = v[1] if len(v) > 2 else None
+    return Setting(v[0].text, value, _always(v[-1]), v[0].start, _last(v[0], value, v[-1]))
+
+
+def _react(v: Values) -> ReactStatement:
+    operands = _list(v[1])
+    return ReactStatement(
+        v[0].text, operands, _always(v[2]), v[0].start, _last(v[0], *operands, v[2])
+    )
+
+
+def _on_call(v: Values) -> ReactStatement:
+    program = Name(v[3].text, v[3].start, v[3].end)
+    operands = (v[1], program, v[5]) if len(v) > 5 else (v[1], program)
+    return ReactStatement(v[0].text, operands, False, v[0].start, v[-1].end)
+
+
+def _device(v: Values) -> Device:
+    unit = _list(v[2]) if len(v) > 2 else None
+    operands = _list(v[-1])
+    closing = v[3] if len(v) > 2 else None
+    return Device(v[0].text, unit, operands, v[0].start, _last(v[0], closing, *operands))
+
+
+def _declare(v: Values) -> Declare:
+    kind = v[1].text if len(v) > 2 else None
+    return Declare(v[0].text, kind, tuple(v[-1]), v[0].start, v[-1][-1].end)
+
+
+def _give(v: Values) -> Give:
+    return Give(v[0].text, v[1], tuple(v[3]), v[0].start, v[3][-1].end)
+
+
+def _if_relation(v: Values) -> Goto:
+    """`IF a EQ b THEN label` of VAL."""
+    relation = v[2]
+    condition = Infix(relation.text, v[1], v[3], v[1].start, v[3].end, relation.start)
+    return Goto(v[5], condition, v[0].start, v[5].end)
+
+
+def signals_hold(operands: tuple[Any, ...], start: int, end: int) -> Application:
+    """Return `SIG(...)` for operands that are signals."""
+    return Application(Name("SIG", start, start), operands, None, start, end)
+
+
+def _if_signals(v: Values) -> Goto:
+    """`IFSIG a, b THEN label` of VAL."""
+    items = tuple(v[1])
+    condition = signals_hold(items, items[0].start, items[-1].end)
+    return Goto(v[3], condition, v[0].start, v[3].end)
+
+
+def _call_named(v: Values) -> CallNamed:
+    program, arguments = v[1], ()
+    if len(v) == 2 and isinstance(program, Application) and program.name.text[0] == "$":
+        if program.name.text.lower() not in FUNCTIONS:
+            program, arguments = program.name, program.arguments  # `CALLS $name(a)`
+    elif len(v) == 5:
+        program, arguments = Text(v[1].value, v[1].start, v[1].end), _list(v[3])
+    elif len(v) > 5:
+        program = Element(v[1], _list(v[3]), v[1].start, v[4].end)
+        arguments = _list(v[6])
+    return CallNamed(program, arguments, v[0].start, v[-1].end)
 
 
 def _for(v: Values) -> For:
@@ -140,9 +243,23 @@ _BUILDERS: dict[str, Build] = {
     "simple_two": _operands(1, 3),
     "simple_three": _operands(1, 3, 5),
     "simple_list": _simple_list,
+    "give": _give,
+    "put": lambda v: Put(v[0].text, v[1], None, v[3], v[0].start, v[3].end),
+    "put_bits": lambda v: Put(v[0].text, v[1], v[3], v[5], v[0].start, v[5].end),
+    "pack": lambda v: PackStatement(v[1], v[3], v[5], v[7], v[0].start, v[7].end),
+    "device": _device,
+    "setting": _setting,
+    "setting_value": _setting,
+    "react": _react,
+    "on_call": _on_call,
+    "level": _level,
     "speed": _speed,
-    "goto": lambda v: Goto(_value(v[1]), None, v[0].start, v[1].end),
-    "if_goto": lambda v: Goto(_value(v[3]), v[1], v[0].start, v[3].end),
+    "declare": _declare,
+    "goto": lambda v: Goto(v[1], None, v[0].start, v[1].end),
+    "goto_if": lambda v: Goto(v[1], v[3], v[0].start, v[3].end),
+    "if_goto": lambda v: Goto(v[3], v[1], v[0].start, v[3].end),
+    "if_relation": _if_relation,
+    "if_signals": _if_signals,
     "if_then": lambda v: If(v[1], v[0].start, v[2].end),
     "while_do": lambda v: While(v[1], v[0].start, v[2].end),
     "until": lambda v: Until(v[1], v[0].start, v[1].end),
@@ -151,6 +268,7 @@ _BUILDERS: dict[str, Build] = {
     "value": lambda v: ValueGroup(tuple(v[1]), v[0].start, v[2].end),
     "structure": lambda v: Structure(v[0].text, v[0].start, v[-1].end),
     "call": _call,
+    "call_named": _call_named,
     "execute": tuple,
     "data_line": lambda v: DataLine(v[0], tuple(v[-1]), v[0].start, v[-1][-1].end),
     "number": lambda v: _value(v[0]),

@@ -1,22 +1,27 @@
 """Source text to a module: the stages of the language in their order."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.source import SourceFile
 from vrts.ir.module import Datum, Module, Program
 from vrts.lang.data_sections import read_data, report_replaced
+from vrts.lang.detection import detect
+from vrts.lang.dialect import VAL2, Dialect, Precedence
 from vrts.lang.habits import check_habits
+from vrts.lang.joined import Joined
 from vrts.lang.lower import Lowering
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.resolve import Resolver
 from vrts.lang.scope import Scope
 from vrts.lang.splitter import INVALID_HEADER, Section, split
-from vrts.lang.steps import StepParser, report_pasted_characters
-from vrts.lang.structure import Block, blocks, labels
+from vrts.lang.steps import StepParser, report_pasted_characters, report_tolerated
+from vrts.lang.structure import Block, blocks, check_exits, labels
 from vrts.lang.syntax import Bad, Formal, Name, ProgramText
 from vrts.lang.usage import check_usage
 
@@ -29,7 +34,8 @@ _HEADER = re.compile(
     r"\.?PROGRAM(?:[ \t]+(?P<name>[A-Za-z][\w.]*))?[ \t]*(?:\((?P<formals>[^()]*)\))?(?P<rest>.*)$",
     re.IGNORECASE | re.ASCII,
 )
-_FORMAL = re.compile(r"(?P<name>[$#]?[A-Za-z][\w.]*)[ \t]*(?P<array>\[[ ,]*\])?$", re.ASCII)
+_AS_TAIL = re.compile(r"[@#\d]")  # date, time and number that AS writes behind the header
+_FORMAL = re.compile(r"&?(?P<name>\.?[$#]?[A-Za-z][\w.]*)[ \t]*(?P<array>\[[ ,]*\])?$", re.ASCII)
 _FEW = 3  # steps: fewer say nothing about what a file is
 
 
@@ -39,14 +45,42 @@ class Compilation:
 
     module: Module | None  # None when there is any error
     diagnostics: tuple[Diagnostic, ...]  # in the order of the text
+    dialect: Dialect = VAL2
 
 
-def compile_source(source: SourceFile) -> Compilation:
+class Options(NamedTuple):
+    """How to read a program."""
+
+    dialect: Dialect | None = None  # None: as file name and content tell
+    precedence: Precedence | None = None  # None: as the dialect has it
+    replace: bool = False  # a program that comes again takes the place of the first
+
+
+STRICT = Options(VAL2)
+
+
+def compile_source(source: SourceFile, options: Options = STRICT) -> Compilation:
     """Compile a file: all problems in one go, one diagnostic a cause. Never raises."""
-    problems = Problems(source)
+    dialect, found = options.dialect, None
+    if dialect is None:
+        dialect, found = detect(source)
+    problems = Problems(source, dialect)
+    compilation = _compile(problems, options)
+    if found is None:
+        return compilation
+    return Compilation(compilation.module, (found, *compilation.diagnostics), dialect)
+
+
+def compile_sources(sources: Sequence[SourceFile], options: Options = STRICT) -> Compilation:
+    """Compile several files as one: programs call each other and share their data."""
+    return compile_source(sources[0] if len(sources) == 1 else Joined(sources), options)
+
+
+def _compile(problems: Problems, options: Options) -> Compilation:
+    dialect = problems.dialect
     sections = split(problems)
     headers = [_header(s, problems) for s in sections if s.kind == "program"]
-    parser = StepParser(problems)
+    parser = StepParser(problems, options.precedence)
     parser.program_names = frozenset(name for name, _ in headers)
     programs: list[ProgramText] = []
     for section, (name, formals) in zip(
@@ -61,27 +95,30 @@ def compile_source(source: SourceFile) -> Compilation:
         )
     stranger = _stranger(problems, programs)
     if stranger is not None:
-        return Compilation(None, (stranger,))
-    programs = _distinct(programs, problems)
+        return Compilation(None, (stranger,), dialect)
+    programs = _distinct(programs, problems, replace=options.replace)
     scope = Scope(programs)
     data: list[Datum] = []
     for section in sections:
         if section.kind != "program":
             data += read_data(section, parser, scope)
     report_pasted_characters(problems)
+    report_tolerated(parser)
     report_replaced(problems, data)
     resolver = Resolver(problems, scope)
-    structures: dict[str, tuple[list[Block], dict[int, int]]] = {}
+    structures: dict[str, tuple[list[Block], dict[int | str, int]]] = {}
     for program in programs:
         resolver.program = program.name
         for step in program.steps:
             if step.statement is not None:
                 resolver.statement(step.statement)
-        structures[program.name] = (blocks(program, problems), labels(program, problems))
+        found = blocks(program, problems)
+        check_exits(program, found, problems)
+        structures[program.name] = (found, labels(program, problems))
     check_usage(resolver, programs)
     check_habits(problems, scope, programs, {n: found for n, (found, _) in structures.items()})
-    if not programs and not problems.any_error:
-        size = len(source.text)
+    if not programs and not data and not problems.any_error:
+        size = len(problems.source.text)
         problems.error(
             NO_PROGRAM,
             "this file holds no program",
@@ -90,11 +127,13 @@ def compile_source(source: SourceFile) -> Compilation:
             help=("begin one with `.PROGRAM name` and end it with `.END`",),
         )
     if problems.any_error:
-        return Compilation(None, problems.in_order())
+        return Compilation(None, problems.in_order(), dialect)
     lowered: dict[str, Program] = {}
     for program in programs:
-        lowered[program.name] = Lowering(source, scope, program, *structures[program.name]).run()
-    return Compilation(Module(MappingProxyType(lowered), tuple(data)), problems.in_order())
+        lowering = Lowering(problems.source, scope, resolver, program, *structures[program.name])
+        lowered[program.name] = lowering.run()
+    module = Module(MappingProxyType(lowered), tuple(data))
+    return Compilation(module, problems.in_order(), dialect)
 
 
 def _header(section: Section, problems: Problems) -> tuple[str, tuple[Formal, ...]]:
@@ -114,7 +153,9 @@ def _header(section: Section, problems: Problems) -> tuple[str, tuple[Formal, ..
         )
         return "", ()
     rest = match["rest"].strip()
-    if rest.startswith(("(", "[", ",")) or (rest and match["formals"] is None and rest[0] != "@"):
+    if _AS_TAIL.match(rest):
+        rest = ""
+    if rest.startswith(("(", "[", ",")) or (rest and match["formals"] is None):
         problems.error(
             INVALID_HEADER,
             f"`{rest[:40]}` does not belong to the name of a program",
@@ -154,9 +195,14 @@ def _header(section: Section, problems: Problems) -> tuple[str, tuple[Formal, ..
     return key(match["name"]), tuple(formals)
 
 
-def _distinct(programs: list[ProgramText], problems: Problems) -> list[ProgramText]:
+def _distinct(
+    programs: list[ProgramText], problems: Problems, *, replace: bool
+) -> list[ProgramText]:
     kept: dict[str, ProgramText] = {}
     for program in programs:
+        if replace:
+            kept[program.name] = program
+            continue
         first = kept.setdefault(program.name, program)
         if first is not program and program.name:
             problems.error(
@@ -166,7 +212,7 @@ def _distinct(programs: list[ProgramText], problems: Problems) -> list[ProgramTe
                 program.end,
                 secondary=(problems.label(first.start, first.end, "first here"),),
                 notes=("VAL-II says *Program already exists*",),
-                help=("give one of them another name",),
+                help=("give one of them another name, or compile with --replace",),
             )
     return list(kept.values())
 
@@ -178,11 +224,11 @@ def _stranger(problems: Problems, programs: list[ProgramText]) -> Diagnostic | N
     bad = sum(isinstance(s, Bad) and s.word is None for s in steps)
     if headed or len(steps) < _FEW or bad < 0.8 * len(steps):
         return None
-    stranger = Problems(problems.source)
+    stranger = Problems(problems.source, problems.dialect)
     first = next(s for s in steps if isinstance(s, Bad))
     stranger.error(
         NOT_A_PROGRAM,
-        f"`{problems.source.name}` is not a VAL-II program",
+        f"`{problems.source.name}` is not a {problems.dialect.title} program",
         first.start,
         first.end,
         "this is not a step of a program",

@@ -5,11 +5,14 @@ uses are reported afterwards (usage.py), once a name, with both places.
 """
 
 import re
+from collections.abc import Collection
 from typing import TypeAlias
 
 from vrts.base.diagnostic import Label, Rule
+from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
-from vrts.lang.functions import CONSTANTS, FOREIGN_FUNCTIONS, FUNCTIONS, Signature
+from vrts.lang.dialect import Angles
+from vrts.lang.forms import is_text
 from vrts.lang.mistakes import INVALID_FORMAT
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
@@ -30,21 +33,31 @@ from vrts.lang.syntax import (
     Text,
     Variable,
 )
-from vrts.lang.tokens import KEYWORD_AS_NAME
-from vrts.lang.unknown_words import NOT_SUPPORTED_YET
-from vrts.lang.vocabulary import INSTRUCTIONS, OPERATORS, QUALIFIERS
+from vrts.lang.vocabulary.functions import (
+    CONSTANTS,
+    FOREIGN_FUNCTIONS,
+    Signature,
+    applied_functions,
+    bare_functions,
+)
+from vrts.lang.vocabulary.lookup import instructions_of, reserved_words
 
+KEYWORD_AS_NAME = Rule("V160", "keyword-as-name")
 WRONG_TYPE = Rule("V202", "wrong-type")
 UNKNOWN_FUNCTION = Rule("V209", "unknown-function")
 FUNCTION_ARGUMENTS = Rule("V210", "function-arguments")
 RESERVED_NAME = Rule("V211", "reserved-name")
 SUBSCRIPTS = Rule("V214", "subscripts")
 DEFAULT_ANGLES = Rule("V215", "default-angles")
+INVALID_SWITCH = Rule("V218", "invalid-switch")
+INVALID_PARAMETER = Rule("V219", "invalid-parameter")
+NOT_SIMULATED = Rule("V161", "not-simulated")
 
 MAX_SUBSCRIPTS = 3  # [val2.md 1.10]
-FORMAT = re.compile(r"/[DFIGEHOCXUBS](\d{0,3}(\.\d{1,2})?)?", re.IGNORECASE)
+FORMAT = re.compile(r"/[DFIGEHOCXUBSJKLN](\d{0,3}(\.\d{1,2})?)?", re.IGNORECASE)
 TYPES_SAY = "VAL-II says *Illegal operator*"
 _ANGLES = 3
+_OF_ARRAYS = frozenset({"last", "$unpack"})  # functions that a whole array is given to
 
 Wanted: TypeAlias = Type | None  # None: any type; POSE also takes joints where `joints` is True
 _WORDS = {
@@ -63,7 +76,15 @@ class ExpressionTypes:
 
     def __init__(self, problems: Problems, scope: Scope) -> None:
         self.problems = problems
+        self.dialect = problems.dialect
         self.scope = scope
+        self.functions = applied_functions(self.dialect)
+        self.bare_functions = bare_functions(self.dialect)
+        self.words = reserved_words(self.dialect)
+        self.predefined = CONSTANTS.keys() | self.bare_functions.keys()
+        self.composing: set[int] = set()  # offsets of `+` and `-` of AS that join locations
+        self.called: list[Name] = []  # programs named by REACT and its like
+        self.not_simulated: set[str] = set()  # words reported, each once
         self.program: str | None = None
         self.moves: list[Assignment] = []  # `a = b`, types unknown till the end
         self.program_of: dict[int, str | None] = {}  # of each of `moves`, by offset
@@ -77,8 +98,8 @@ class ExpressionTypes:
         lower = name.text.lower()
         if lower in CONSTANTS:
             return Type.REAL
-        signature = FUNCTIONS.get(lower)
-        if signature is not None and signature.bare:
+        signature = self.bare_functions.get(lower)
+        if signature is not None:
             return signature.result
         return self.scope.entry(program, key(name.text)).type
 
@@ -107,6 +128,10 @@ class ExpressionTypes:
                 return self._element(node, name, subscripts, wanted)
             case Parenthesised(inner):
                 return self._type(inner, wanted)
+            case Prefix("-", operand) if self.dialect.is_as and self._locations(wanted, operand):
+                self.composing.add(node.start)
+                self.check(operand, Type.POSE, "`-` inverts a location")
+                return Type.POSE
             case Prefix(operator, operand):
                 self.check(operand, Type.REAL, f"`{operator}` takes a number")
                 return Type.REAL
@@ -131,8 +156,13 @@ class ExpressionTypes:
             for part in (node.left, node.right):
                 self.check(part, Type.POSE, "`:` joins locations")
             return Type.POSE
+        if operator in "+-" and self.dialect.is_as and self._locations(wanted, node.left):
+            self.composing.add(node.operator_start)
+            for part in (node.left, node.right):
+                self.check(part, Type.POSE, f"`{operator}` joins locations")
+            return Type.POSE
         if operator in _COMPARISONS or operator == "+":
-            text = self._is_text(node.left) or self._is_text(node.right)
+            text = is_text(node.left) or is_text(node.right)
             if operator == "+" and wanted is Type.POSE and not text:
                 return self._added_locations(node)
             kind = Type.STRING if text else Type.REAL
@@ -143,6 +173,27 @@ class ExpressionTypes:
         for part in (node.left, node.right):
             self.check(part, Type.REAL, f"`{operator}` takes numbers")
         return Type.REAL
+
+    def _locations(self, wanted: Wanted, node: Expression) -> bool:
+        """Return whether `+` and `-` before or after an operand join locations in AS."""
+        return wanted is Type.POSE or (wanted is None and self.is_location(node))
+
+    def is_location(self, node: Expression) -> bool:
+        """Return whether an expression is a location by its form alone."""
+        while isinstance(node, Parenthesised):
+            node = node.inner
+        if isinstance(node, Infix):
+            return node.operator == ":" or node.operator_start in self.composing
+        if isinstance(node, Element):
+            return node.name.text[0] == "#"
+        name = node.name if isinstance(node, Application) else node
+        if not isinstance(name, Name):
+            return False
+        known = self.functions if isinstance(node, Application) else self.bare_functions
+        signature = known.get(name.text.lower())
+        if signature is None:
+            return name.text[0] == "#"
+        return signature.result in (Type.POSE, Type.JOINTS)
 
     def _added_locations(self, node: Infix) -> Type:
         self._type(node.left, Type.POSE)
@@ -157,23 +208,14 @@ class ExpressionTypes:
         )
         return Type.DYNAMIC
 
-    def _is_text(self, node: Expression) -> bool:
-        while isinstance(node, Parenthesised | Infix):
-            if isinstance(node, Infix) and node.operator != "+":
-                return False
-            node = node.inner if isinstance(node, Parenthesised) else node.left
-        if isinstance(node, Application | Element):
-            node = node.name
-        return isinstance(node, Text) or (isinstance(node, Name) and node.text[0] == "$")
-
     def _name(self, node: Name, wanted: Wanted) -> Type:
         lower = node.text.lower()
         if lower in CONSTANTS:
             return Type.REAL
-        signature = FUNCTIONS.get(lower)
-        if signature is not None and signature.bare:
-            if signature.function is None:
-                self._not_yet(node)
+        signature = self.bare_functions.get(lower)
+        if signature is not None:
+            if signature.opaque:
+                self.warn_not_simulated(node.text.upper(), node.start, node.end)
             return signature.result
         entry = self._use(node, wanted)
         entry.reads.append((node.start, node.end))
@@ -210,23 +252,29 @@ class ExpressionTypes:
 
     def _application(self, node: Application, wanted: Wanted) -> Type:
         lower = node.name.text.lower()
-        signature = FUNCTIONS.get(lower)
+        signature = self.functions.get(lower)
         if signature is None:
             self._unknown_function(node, lower)
             return Type.DYNAMIC
-        if signature.function is None:
-            self._not_yet(node.name)
+        if signature.opaque:
+            self.warn_not_simulated(node.name.text.upper(), node.name.start, node.name.end)
             self._loose(node)
-            return Type.DYNAMIC
-        if signature.name == "defined":
+        elif signature.parameters and signature.parameters[0][0] == "v":
             self._defined(node, signature)
+        elif signature.parameters and signature.parameters[0][0] == "n":
+            self._named(node, signature)
+        elif signature.name == "$encode":
+            self.items_of_type(node.arguments)
+            self._count(node, signature)
         elif self._count(node, signature):
             for i, argument in enumerate(node.arguments):
                 code = signature.parameters[min(i, len(signature.parameters) - 1)]
+                if code[0] == "$" and argument is not None:
+                    self._changed(argument, node)
                 if argument is not None:
                     why = f"{node.name.text.upper()} takes {_taken(code)} here"
                     self.check(argument, _CODES[code[0]], why, joints=code[0] == "l")
-            if signature.name == "trans":
+            if signature.name == "trans" and self.dialect.angles is Angles.OAT:
                 self._default_angles(node)
         return signature.result
 
@@ -276,15 +324,84 @@ class ExpressionTypes:
             )
             return
         name = first if isinstance(first, Name) else first.name
-        entry = self._use(name, None)
+        entry = self._use(name, Type.REAL if signature.name == "tas" else None)
+        if signature.name == "tas":
+            entry.writes.append((name.start, name.end))
+        whole_array = signature.name in _OF_ARRAYS
         if isinstance(first, Element):
             self._once(entry, name, array=True)
             self._items(first.subscripts, Type.REAL)
         else:
-            self._once(entry, name, array=False)
+            self._once(entry, name, array=whole_array)
+        for argument in node.arguments[1:]:
+            if argument is not None:
+                self.check(argument, Type.REAL, f"{node.name.text.upper()} takes numbers here")
+
+    def _named(self, node: Application, signature: Signature) -> None:
+        """SWITCH and PARAMETER take the name of something of the controller."""
+        if not self._count(node, signature):
+            return
+        first = node.arguments[0]
+        assert first is not None
+        table = SWITCHES if signature.name == "switch" else PARAMETERS
+        self.system_name(first, table.keys(), signature.name)
+        for argument in node.arguments[1:]:
+            if argument is not None:
+                self.check(argument, Type.REAL, "an index is a number")
+
+    def system_name(self, node: Item, known: Collection[str], what: str) -> str | None:
+        """Return the name of a switch or parameter in upper case; report one that is unknown."""
+        name = node.name if isinstance(node, Element) else node
+        text = name.text.upper() if isinstance(name, Name) else ""
+        if text in known or (text and self.dialect.tolerant):
+            return text
+        meant = nearest(text, known) if text else None
+        rule = INVALID_SWITCH if what == "switch" else INVALID_PARAMETER
+        written = self.problems.source.text[node.start : node.end]
+        self.problems.error(
+            rule,
+            f"there is no {what} `{written}`",
+            node.start,
+            node.end,
+            notes=("VAL-II says *Invalid switch*",) if what == "switch" else (),
+            help=(f"did you mean `{meant}`?" if meant else f"known are {', '.join(known)}",),
+            fix=self.problems.replace(node.start, node.end, meant) if meant else None,
+        )
+        return None
+
+    def _changed(self, argument: Item, node: Application) -> None:
+        """$DECODE takes what it returns from its variable."""
+        name = argument.name if isinstance(argument, Element) else argument
+        if isinstance(name, Name) and name.text[0] == "$":
+            entry = self.scope.entry(self.program, key(name.text))
+            entry.values.append(Text("", 0, 0))
+            return
+        self.problems.error(
+            FUNCTION_ARGUMENTS,
+            f"{node.name.text.upper()} takes a string variable first",
+            argument.start,
+            argument.end,
+            notes=("it takes the piece that it returns out of the variable",),
+            help=("assign the text to a variable: `$s = ...`",),
+        )
+
+    def warn_not_simulated(self, word: str, start: int, end: int) -> None:
+        """Say once of each word that the run stops where it is reached."""
+        if word in self.not_simulated:
+            return
+        self.not_simulated.add(word)
+        self.problems.warning(
+            NOT_SIMULATED,
+            f"{word} is not simulated",
+            start,
+            end,
+            "a run stops when it gets here",
+            notes=("VAL-II says *Option not installed*",),
+            data={"word": word},
+        )
 
     def items_of_type(self, items: tuple[Item | None, ...]) -> None:
-        """Check the items of TYPE."""
+        """Check the items of TYPE and $ENCODE."""
         for item in items:
             if isinstance(item, FormatItem):
                 if FORMAT.fullmatch(item.text) is None:
@@ -297,7 +414,7 @@ class ExpressionTypes:
                         help=("formats are /D /F8.2 /I4 /G8.2 /E10.2 /H /O /C /X /U /B /S",),
                     )
             elif item is not None:
-                kind = Type.STRING if self._is_text(item) else Type.REAL
+                kind = Type.STRING if is_text(item) else Type.REAL
                 self.check(item, kind, "TYPE writes numbers and strings")
 
     def _items(self, items: tuple[Item | None, ...], wanted: Type) -> None:
@@ -323,12 +440,7 @@ class ExpressionTypes:
 
     def _reserved(self, node: Name) -> None:
         upper = node.text.upper()
-        if upper not in INSTRUCTIONS and node.text.lower() not in FUNCTIONS:
-            if upper not in QUALIFIERS and upper not in OPERATORS:
-                return
-        elif upper in INSTRUCTIONS and not INSTRUCTIONS[upper].in_val2:
-            return
-        if upper in self.reserved:
+        if upper not in self.words or upper in self.reserved or self.dialect.tolerant:
             return
         self.reserved.add(upper)
         self.problems.warning(
@@ -348,8 +460,7 @@ class ExpressionTypes:
     def _write(self, target: Variable, kind: Type, why: str, value: Expression | None) -> None:
         name = target if isinstance(target, Name) else target.name
         lower = name.text.lower()
-        signature = FUNCTIONS.get(lower)
-        if lower in CONSTANTS or (signature is not None and signature.bare):
+        if lower in self.predefined:
             self.problems.error(
                 RESERVED_NAME,
                 f"{name.text.upper()} cannot be given a value",
@@ -357,7 +468,7 @@ class ExpressionTypes:
                 name.end,
                 notes=("VAL-II says *Illegal assignment*",),
                 help=(f"write `{lower.upper()} ...` without `=`, or choose another name",)
-                if lower.upper() in INSTRUCTIONS
+                if lower.upper() in instructions_of(self.dialect)
                 else ("choose another name",),
             )
             return
@@ -410,18 +521,8 @@ class ExpressionTypes:
             help=help_,
         )
 
-    def _not_yet(self, node: Name) -> None:
-        self.problems.error(
-            NOT_SUPPORTED_YET,
-            f"{node.text.upper()} is not supported yet",
-            node.start,
-            node.end,
-            notes=("it is a function of VAL-II that this version of vrts does not carry out",),
-            data={"word": node.text.upper()},
-        )
-
     def _unknown_function(self, node: Application, lower: str) -> None:
-        meant = nearest(lower, FUNCTIONS)
+        meant = nearest(lower, self.functions)
         if lower in FOREIGN_FUNCTIONS:
             help_ = (FOREIGN_FUNCTIONS[lower],)
         elif meant is not None:

@@ -2,7 +2,6 @@
 
 from vrts.base.diagnostic import Rule
 from vrts.ir.values import Type
-from vrts.lang.functions import CONSTANTS, FUNCTIONS
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.scope import Scope
@@ -27,6 +26,7 @@ from vrts.lang.syntax import (
     Until,
     While,
 )
+from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS
 
 CONSTANT_WAIT = Rule("V152", "constant-wait")
 NEGATIVE_APPROACH = Rule("V220", "negative-approach")
@@ -65,7 +65,7 @@ def constant(scope: Scope, program: str, node: Item | None) -> float | None:
         return sign * node.value
     if isinstance(node, Name) and node.text.lower() not in CONSTANTS:
         entry = scope.entry(program, key(node.text))
-        if entry.formal is None and not entry.passed and len(entry.values) == 1:
+        if entry.slot is None and not entry.passed and len(entry.values) == 1:
             value = entry.values[0]
             inner = value.operand if isinstance(value, Prefix) else value
             if isinstance(inner, Number) and len(entry.writes) == 1:

@@ -75,12 +75,13 @@ def _record(start: str, kinds: Sequence[str]) -> tuple[int, ...] | _Stuck:
     states = [STARTS[start]]
     tape: list[int] = []
     for index, kind in enumerate((*kinds, END)):
+        shifted, taped = tuple(states), len(tape)  # before what this token makes complete
         while True:
             if kind == END and states[-1] in ENDS:
                 return tuple(tape)
             action = ACTIONS[states[-1]].get(kind)
             if action is None:
-                return _Stuck(index, tuple(states), tuple(tape))
+                return _Stuck(index, shifted, tuple(tape[:taped]))
             if action >= 0:
                 states.append(action)
                 tape.append(_SHIFT)

@@ -2,80 +2,77 @@
 
 from typing import assert_never
 
-from vrts.base.numbers import single
-from vrts.base.source import SourceFile, Span
+from vrts.base.source import SourceFile
 from vrts.ir import expressions as x
 from vrts.ir import instructions as i
 from vrts.ir.module import Origin, Program
 from vrts.ir.values import Type
-from vrts.lang.functions import CONSTANTS, FUNCTIONS
+from vrts.lang.expression_types import ExpressionTypes
+from vrts.lang.joined import span_in
+from vrts.lang.lower_instructions import InstructionLowering
 from vrts.lang.names import key
 from vrts.lang.scope import Scope
-from vrts.lang.structure import Block
+from vrts.lang.structure import Block, label_key, loop_around, loops_of
 from vrts.lang.syntax import (
-    Application,
     Assignment,
     Bad,
+    CallNamed,
     CallStatement,
     Case,
+    Declare,
+    Device,
     Element,
     Expression,
     For,
-    FormatItem,
+    Give,
     Goto,
     HereStatement,
     If,
     Infix,
-    Item,
     Name,
-    Number,
-    Parenthesised,
-    Prefix,
+    PackStatement,
     ProgramText,
+    Put,
+    ReactStatement,
+    Rest,
     SetLocation,
+    Setting,
     ShiftStatement,
     Simple,
     SpeedStatement,
     Step,
     Structure,
-    Text,
     Until,
     ValueGroup,
-    Variable,
     While,
 )
 
-_UNITS = {None: i.SpeedUnit.PERCENT, "MMPS": i.SpeedUnit.MM_PER_S, "IPS": i.SpeedUnit.INCH_PER_S}
-_NO_TURN = (90.0, -90.0, 0.0)  # O, A, T of TRANS without angles [val2.md 4.6 note 1]
 
-
-class Lowering:
+class Lowering(InstructionLowering):
     """Lowers one program."""
 
     def __init__(
         self,
         source: SourceFile,
         scope: Scope,
+        types: ExpressionTypes,
         program: ProgramText,
         blocks: list[Block],
-        labels: dict[int, int],
+        labels: dict[int | str, int],
     ) -> None:
-        self.source = source
-        self.scope = scope
+        super().__init__(source, scope, types, program)
         self.program = program
         self.labels = labels
-        self.code: list[i.Instruction] = []
-        self.origins: list[Origin] = []
         self.opened = {block.opener: block for block in blocks}
         self.ended = {block.end: block for block in blocks}
         self.middle = {at: block for block in blocks for at in block.middles}
         self.numbers: dict[int, int] = {}  # loop or case of a block, by its opener
         self.tests: dict[int, int] = {}  # index of the test of a loop, or of the last VALUE
         self.leaving: dict[int, list[int]] = {}  # jumps to behind a block, by its opener
-        self.gotos: list[tuple[int, int]] = []  # instruction, label
+        self.continuing: dict[int, list[int]] = {}  # jumps to the next pass of a loop
+        self.blocks = blocks
         self.loops = 0
         self.cases = 0
-        self.origin = Origin(1, Span(source, program.start, program.end))
 
     def run(self) -> Program:
         """Return the program."""
@@ -83,27 +80,34 @@ class Lowering:
             if step.statement is not None:
                 self._step(at, step)
         start, end = self.program.finish
-        self.origin = Origin(self.program.step_count + 1, Span(self.source, start, end))
+        self.origin = Origin(self.program.step_count + 1, span_in(self.source, start, end))
         self._emit(i.Return())
         steps = self._steps()
         for at, label in self.gotos:
             target = steps[self.labels[label] - 1]
             jump = self.code[at]
-            assert isinstance(jump, i.Jump | i.JumpIf)
-            self.code[at] = jump._replace(target=target)
+            if isinstance(jump, i.Grasp):
+                self.code[at] = jump._replace(missing=target)
+            else:
+                assert isinstance(jump, i.Jump | i.JumpIf)
+                self.code[at] = jump._replace(target=target)
         formals = self.program.formals
         names = [key(formal.name.text) if formal.name.text else "" for formal in formals]
         slots = tuple(x.Slot(n, name, self._formal_type(name)) for n, name in enumerate(names))
+        automatics = self.scope.automatics(self.program.name)
+        arrays = {n for n, formal in enumerate(formals) if formal.array}
+        arrays |= {e.slot for e in automatics if e.array is not None and e.slot is not None}
         return Program(
             self.program.name,
             slots,
-            frozenset(n for n, formal in enumerate(formals) if formal.array),
+            frozenset(arrays),
             tuple(self.code),
             tuple(self.origins),
             steps,
             self.loops,
             self.cases,
-            Span(self.source, self.program.start, self.program.end),
+            span_in(self.source, self.program.start, self.program.end),
+            tuple(x.Slot(e.slot or 0, e.name, e.type) for e in automatics),
         )
 
     def _formal_type(self, name: str) -> Type:
@@ -115,20 +119,12 @@ class Lowering:
             first.extend([at] * (origin.step - len(first)))
         return tuple(first[: self.program.step_count])
 
-    def _emit(self, instruction: i.Instruction) -> int:
-        self.code.append(instruction)
-        self.origins.append(self.origin)
-        return len(self.code) - 1
-
-    def _span(self, node: Item) -> Span:
-        return Span(self.source, node.start, node.end)
-
     # --- statements -----------------------------------------------------------------------------
 
     def _step(self, at: int, step: Step) -> None:
         node = step.statement
         assert node is not None
-        self.origin = Origin(step.number, Span(self.source, node.start, node.end))
+        self.origin = Origin(step.number, span_in(self.source, node.start, node.end))
         match node:
             case Assignment(target, value) | SetLocation(target, value):
                 self._emit(i.Assign(self.place(target), self.value(value)))
@@ -139,20 +135,41 @@ class Lowering:
                 arguments = (x.Load(place), *self._three(offsets))
                 shifted = x.Apply(x.Function.SHIFT, arguments, self.origin.span)
                 self._emit(i.Assign(place, shifted))
-            case SpeedStatement(value, unit, always):
-                scope = i.Scope.ALWAYS if always else i.Scope.NEXT_MOTION
-                self._emit(i.SetSpeed(self.value(value), _UNITS[unit], scope))
+            case SpeedStatement():
+                self.speed(node)
+            case Setting():
+                self.setting(node)
+            case Give():
+                self.give(node)
+            case Put():
+                self.put(node)
+            case PackStatement(target, first, count, value):
+                part = (self.value(first), self.value(count), self.value(value))
+                self._emit(i.Pack(self.place(target), *part))
+            case ReactStatement():
+                self.react(node)
+            case Device():
+                self.device(node)
+            case Rest():
+                self.opaque(node)
+            case Declare():
+                pass
+            case CallNamed(name, arguments):
+                passed = tuple(self._argument(argument) for argument in arguments)
+                self._emit(i.CallNamed(self.value(name), passed))
             case Goto(label, condition):
                 jump = i.Jump(0) if condition is None else i.JumpIf(self.value(condition), True, 0)
-                self.gotos.append((self._emit(jump), int(label.value)))
+                self.gotos.append((self._emit(jump), label_key(label)))
             case If(condition):
                 self.leaving[at] = [self._emit(i.JumpIf(self.value(condition), False, 0))]
             case While(condition):
                 self.tests[at] = self._emit(i.JumpIf(self.value(condition), False, 0))
                 self.leaving[at] = [self.tests[at]]
             case Until(condition):
-                top = self.tests[self.ended[at].opener]
-                self._emit(i.JumpIf(self.value(condition), False, top))
+                opener = self.ended[at].opener
+                self._aim_all(self.continuing, opener)
+                self._emit(i.JumpIf(self.value(condition), False, self.tests[opener]))
+                self._aim_all(self.leaving, opener)
             case For():
                 self._for(at, node)
             case Case(selector):
@@ -170,8 +187,10 @@ class Lowering:
             case CallStatement(program, arguments):
                 passed = tuple(self._argument(argument) for argument in arguments)
                 self._emit(i.Call(key(program.text), passed, self._span(program)))
+            case Simple(word="EXIT" | "NEXT"):
+                self._leave(at, node)
             case Simple():
-                self._simple(node)
+                self.simple(node)
             case Bad():
                 raise AssertionError("a program with a bad step is not lowered")
             case _:
@@ -192,6 +211,7 @@ class Lowering:
         match node.word:
             case "DO":
                 self.tests[at] = len(self.code)
+                self.leaving[at] = []
             case "ELSE":
                 opener = self.middle[at].opener
                 test = self.leaving[opener].pop()
@@ -212,6 +232,7 @@ class Lowering:
 
     def _end(self, block: Block) -> None:
         at = block.opener
+        self._aim_all(self.continuing, at)
         if block.word == "FOR":
             test = self.code[self.tests[at]]
             assert isinstance(test, i.TestFor)
@@ -220,7 +241,16 @@ class Lowering:
             self._emit(i.Jump(self.tests[at]))
         elif block.word == "CASE" and at in self.tests:
             self._aim(self.tests.pop(at), len(self.code))
-        for jump in self.leaving[at]:
+        self._aim_all(self.leaving, at)
+
+    def _leave(self, at: int, node: Simple) -> None:
+        """EXIT and NEXT: jump behind a loop around, or to the end of its body."""
+        opener = loop_around(self.blocks, at, loops_of(node)).opener
+        jumps = self.leaving if node.word == "EXIT" else self.continuing
+        jumps.setdefault(opener, []).append(self._emit(i.Jump(0)))
+
+    def _aim_all(self, jumps: dict[int, list[int]], opener: int) -> None:
+        for jump in jumps.get(opener, ()):
             self._aim(jump, len(self.code))
 
     def _aim(self, at: int, target: int) -> None:
@@ -240,184 +270,3 @@ class Lowering:
             frame, target = self.value(target.left), target.right
         assert isinstance(target, Name | Element)
         self._emit(i.AssignHere(self.place(target), frame))
-
-    def _simple(self, node: Simple) -> None:
-        word = node.word
-        values = [self._optional(v) for v in node.operands if not isinstance(v, FormatItem)]
-        first = values[0] if values else None
-        joint, linear = i.Interpolation.JOINT, i.Interpolation.LINEAR
-        match word:
-            case "MOVE" | "MOVES" | "APPRO" | "APPROS":
-                assert first is not None
-                retreat = values[1] if len(values) > 1 else None
-                self._emit(i.Move(linear if word[-1] == "S" else joint, first, retreat))
-            case "DEPART" | "DEPARTS":
-                assert first is not None
-                self._emit(i.Depart(linear if word[-1] == "S" else joint, first))
-            case "DRIVE":
-                change = values[1]
-                assert first is not None
-                assert change is not None
-                self._emit(i.Drive(first, change, values[2] if len(values) > 2 else None))
-            case "READY":
-                self._emit(i.Ready())
-            case "DELAY":
-                assert first is not None
-                self._emit(i.Delay(first))
-            case "BREAK":
-                self._emit(i.Break())
-            case "RETURN":
-                self._emit(i.Return())
-            case "RIGHTY" | "LEFTY" | "ABOVE" | "BELOW" | "FLIP" | "NOFLIP":
-                self._emit(i.RequestBranch(i.BranchRequest(word.lower())))
-            case "OPEN" | "CLOSE" | "RELAX" | "OPENI" | "CLOSEI" | "RELAXI":
-                action = i.HandAction(word.removesuffix("I").lower())
-                self._emit(i.MoveHand(action, word[-1] == "I", first))
-            case "TOOL":
-                self._emit(i.SetTool(first))
-            case "BASE":
-                self._emit(i.SetBase(*(values + [None] * 4)[:4]))
-            case "STOP":
-                self._emit(i.Stop(first))
-            case "HALT":
-                self._emit(i.Halt(first))
-            case "PAUSE":
-                self._emit(i.Pause(first))
-            case "SIGNAL":
-                self._emit(i.Signal(tuple(v for v in values if v is not None)))
-            case "WAIT":
-                self._emit(i.Wait(first))
-            case "TYPE":
-                self._emit(i.Type(self._written(node.operands)))
-            case _:
-                raise AssertionError(f"no lowering for {word}")
-
-    def _written(self, items: tuple[Item | None, ...]) -> tuple[x.Expression | i.Format, ...]:
-        return tuple(
-            _format(item.text) if isinstance(item, FormatItem) else self.value(item)
-            for item in items
-            if item is not None
-        )
-
-    # --- expressions ----------------------------------------------------------------------------
-
-    def variable(self, name: Name) -> x.Variable:
-        """Return the variable of a name as the program sees it."""
-        entry = self.scope.entry(self.program.name, key(name.text))
-        if entry.formal is not None:
-            return x.Slot(entry.formal, entry.name, entry.type)
-        return x.Global(entry.name, entry.type)
-
-    def place(self, node: Variable) -> x.Place:
-        """Return what a name or element stands for when assigned."""
-        if isinstance(node, Name):
-            return x.Place(self.variable(node), (), self._span(node))
-        subscripts = tuple(
-            self.value(s) if s is not None else x.Constant(0.0) for s in node.subscripts
-        )
-        return x.Place(self.variable(node.name), subscripts, self._span(node))
-
-    def value(self, node: Item) -> x.Expression:
-        """Return an expression."""
-        span = self._span(node)
-        match node:
-            case Number(value):
-                return x.Constant(value, span)
-            case Text(value):
-                return x.Constant(value, span)
-            case Parenthesised(inner):
-                return self.value(inner)
-            case Element():
-                return x.Load(self.place(node))
-            case Name():
-                return self._name(node, span)
-            case Prefix(operator, operand):
-                if operator == "+":
-                    return self.value(operand)
-                return x.Unary(x.UnaryOperator(operator.lower()), self.value(operand), span)
-            case Infix(operator, left, right):
-                if operator == ":":
-                    a, b = self.value(left), self.value(right)
-                    parts = a.parts if isinstance(a, x.Compose) else (a,)
-                    return x.Compose((*parts, b), span)
-                return x.Binary(
-                    x.BinaryOperator(operator.lower()), self.value(left), self.value(right), span
-                )
-            case Application():
-                return self._application(node, span)
-            case FormatItem():
-                raise AssertionError("a format is no expression")
-
-    def _optional(self, node: Item | None) -> x.Expression | None:
-        return None if node is None else self.value(node)
-
-    def _name(self, node: Name, span: Span) -> x.Expression:
-        lower = node.text.lower()
-        if lower in CONSTANTS:
-            return x.Constant(single(CONSTANTS[lower]), span)
-        signature = FUNCTIONS.get(lower)
-        if signature is not None and signature.bare:
-            assert signature.function is not None
-            return x.Apply(signature.function, (), span)
-        return x.Load(self.place(node))
-
-    def _application(self, node: Application, span: Span) -> x.Expression:
-        function = FUNCTIONS[node.name.text.lower()].function
-        assert function is not None
-        match function:
-            case x.Function.TRANS:
-                arguments = self._trans(node.arguments)
-            case x.Function.SHIFT:
-                pose = node.arguments[0]
-                assert pose is not None
-                arguments = (self.value(pose), *self._three(node.arguments[1:]))
-            case x.Function.PPOINT:
-                arguments = self._filled(node.arguments, (0.0,) * 6)
-            case x.Function.DEFINED:
-                first = node.arguments[0]
-                assert isinstance(first, Name | Element)
-                arguments = (self._variable_argument(first),)
-            case _:
-                arguments = tuple(self._optional(a) for a in node.arguments)
-        return x.Apply(function, arguments, span)
-
-    def _variable_argument(self, node: Variable) -> x.Place | x.WholeArray:
-        if isinstance(node, Element) and not node.subscripts:
-            return x.WholeArray(self.variable(node.name), self._span(node))
-        return self.place(node)
-
-    def _argument(self, node: Item | None) -> x.Expression | x.Place | x.WholeArray | None:
-        if node is None:
-            return None
-        if isinstance(node, Element):
-            return self._variable_argument(node)
-        if isinstance(node, Name):
-            value = self.value(node)
-            return value.place if isinstance(value, x.Load) else value
-        return self.value(node)
-
-    def _trans(self, arguments: tuple[Item | None, ...]) -> tuple[x.Expression, ...]:
-        angles = arguments[3:]
-        turned = any(a is not None for a in angles)
-        return self._filled(arguments, (0.0, 0.0, 0.0, *((0.0,) * 3 if turned else _NO_TURN)))
-
-    def _three(self, offsets: tuple[Item | None, ...]) -> tuple[x.Expression, ...]:
-        return self._filled(offsets, (0.0, 0.0, 0.0))
-
-    def _filled(
-        self, arguments: tuple[Item | None, ...], defaults: tuple[float, ...]
-    ) -> tuple[x.Expression, ...]:
-        padded = (*arguments, *(None for _ in defaults))
-        return tuple(
-            x.Constant(default) if argument is None else self.value(argument)
-            for argument, default in zip(padded, defaults, strict=False)
-        )
-
-
-def _format(text: str) -> i.Format:
-    width, _, decimals = text[2:].partition(".")
-    return i.Format(
-        i.FormatKind(text[1].upper()),
-        int(width) if width else None,
-        int(decimals) if decimals else None,
-    )

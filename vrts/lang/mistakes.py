@@ -7,20 +7,21 @@ instruction. The first explanation that fits wins.
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule
-from vrts.lang.functions import FUNCTIONS
 from vrts.lang.lalr import END, Failure, expected
 from vrts.lang.problems import Problems
+from vrts.lang.shapes import LABEL_EXPECTED, UNEXPECTED_TEXT
 from vrts.lang.syntax import Token
-from vrts.lang.vocabulary import INSTRUCTIONS, QUALIFIERS, Word
+from vrts.lang.vocabulary.functions import FUNCTIONS
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.vocabulary.word import Word
+from vrts.lang.vocabulary.words import QUALIFIERS
 
 MISSING_OPERAND = Rule("V124", "missing-operand")
-UNEXPECTED_TEXT = Rule("V125", "unexpected-text")
 INVALID_EXPRESSION = Rule("V126", "invalid-expression")
 SINGLE_EQUALS = Rule("V127", "single-equals")
 MISSING_KEYWORD = Rule("V130", "missing-keyword")
 MISSING_COMMA = Rule("V131", "missing-comma")
 INVALID_FORMAT = Rule("V132", "invalid-format")
-LABEL_EXPECTED = Rule("V136", "label-expected")
 
 _KEYWORDS = ("THEN", "DO", "OF", "TO", "BY")
 _OPERANDS = frozenset({"NAME", "NUMBER", "STRING", "STRINGNAME", "JOINTNAME", "LPAREN", "PREFIX"})
@@ -148,7 +149,7 @@ def _equals_for_compare(case: _Case) -> bool:
 
 def _label_wanted(case: _Case) -> bool:
     before = case.before
-    if before is None or before.text != "GOTO" or case.wanted != frozenset({"NUMBER"}):
+    if before is None or before.text != "GOTO" or case.wanted > frozenset({"NUMBER", "NAME"}):
         return False
     here = case.here
     at = here or before

@@ -18,12 +18,14 @@ def _levels(*levels: tuple[str, ...]) -> dict[str, int]:
 
 TABLE_A = _levels(
     (":",),
+    ("**",),
     ("*", "/", "MOD", "AND", "BAND"),
     ("+", "-", "OR", "BOR", "XOR", "BXOR"),
     _COMPARISONS,
 )
 TABLE_B = _levels(
     (":",),
+    ("**",),
     ("*", "/"),
     ("MOD",),
     ("+", "-"),
@@ -85,6 +87,10 @@ def _operand(item: Expression | Token) -> Expression:
 def _combine(operands: list[Expression], operator: Token) -> None:
     right = operands.pop()
     left = operands.pop()
+    if operator.text == "**" and isinstance(left, Prefix):  # -2^2 is -(2^2)
+        inner = Infix("**", left.operand, right, left.operand.start, right.end, operator.start)
+        operands.append(left._replace(operand=inner, end=right.end))
+        return
     operands.append(Infix(operator.text, left, right, left.start, right.end, operator.start))
 
 

@@ -4,6 +4,8 @@ from collections.abc import Mapping
 
 from vrts.base.diagnostic import NO_DATA, Datum, Diagnostic, Fix, Label, Rule, Severity
 from vrts.base.source import SourceFile, Span
+from vrts.lang.dialect import VAL2, Dialect
+from vrts.lang.joined import order, span_in
 
 TOO_MANY = Rule("V151", "too-many-problems")
 LIMIT = 200
@@ -12,8 +14,9 @@ LIMIT = 200
 class Problems:
     """Diagnostics of one source file, in the order they are found."""
 
-    def __init__(self, source: SourceFile) -> None:
+    def __init__(self, source: SourceFile, dialect: Dialect = VAL2) -> None:
         self.source = source
+        self.dialect = dialect
         self.found: list[Diagnostic] = []
         self.look_alikes: list[tuple[str, int]] = []  # pasted characters and their offsets
 
@@ -24,11 +27,11 @@ class Problems:
 
     def span(self, start: int, end: int) -> Span:
         """Return a span of the source."""
-        return Span(self.source, start, end)
+        return span_in(self.source, start, end)
 
     def label(self, start: int, end: int, text: str = "") -> Label:
         """Return a label in the source."""
-        return Label(Span(self.source, start, end), text)
+        return Label(span_in(self.source, start, end), text)
 
     def error(
         self,
@@ -82,7 +85,7 @@ class Problems:
 
     def replace(self, start: int, end: int, replacement: str) -> Fix:
         """Return a fix that replaces a range of the source."""
-        return Fix(Span(self.source, start, end), replacement)
+        return Fix(span_in(self.source, start, end), replacement)
 
     @property
     def any_error(self) -> bool:
@@ -93,7 +96,7 @@ class Problems:
         """Return the diagnostics by place, errors first on one place, at most `LIMIT` of them."""
         ordered = sorted(
             self.found,
-            key=lambda d: (d.primary.span.start if d.primary else 0, not d.is_error),
+            key=lambda d: (order(self.source, d.primary), not d.is_error),
         )
         if len(ordered) <= LIMIT:
             return tuple(ordered)

@@ -2,32 +2,40 @@
 
 from vrts.base.diagnostic import Rule
 from vrts.ir.values import Type
-from vrts.lang.expression_types import FUNCTION_ARGUMENTS, TYPES_SAY, WRONG_TYPE, ExpressionTypes
-from vrts.lang.functions import CONSTANTS, FUNCTIONS
+from vrts.lang.expression_types import WRONG_TYPE
+from vrts.lang.forms import is_text
 from vrts.lang.names import key
+from vrts.lang.operands import OperandTypes
 from vrts.lang.scope import Passed
 from vrts.lang.syntax import (
-    Application,
     Assignment,
     Bad,
+    CallNamed,
     CallStatement,
     Case,
+    Declare,
+    Device,
     Element,
     Expression,
     For,
+    Give,
     Goto,
     HereStatement,
     If,
     Infix,
     Item,
     Name,
-    Number,
-    Parenthesised,
+    PackStatement,
+    Put,
+    ReactStatement,
+    Rest,
     SetLocation,
+    Setting,
     ShiftStatement,
     Simple,
     SpeedStatement,
     Statement,
+    Structure,
     Until,
     ValueGroup,
     Variable,
@@ -36,11 +44,8 @@ from vrts.lang.syntax import (
 
 ASSIGNED_LOCATION = Rule("V203", "assigned-location")
 
-_LOCATION_WORDS = frozenset({"MOVE", "MOVES", "APPRO", "APPROS"})
-_TEXT_WORDS = frozenset({"STOP", "HALT", "PAUSE"})
 
-
-class Resolver(ExpressionTypes):
+class Resolver(OperandTypes):
     """Walks the statements of one program after the other."""
 
     def statement(self, node: Statement) -> None:
@@ -57,16 +62,44 @@ class Resolver(ExpressionTypes):
                 self._write(target, Type.POSE, "SHIFT moves a location", None)
                 self._items(offsets, Type.REAL)
             case Simple():
-                self._simple(node)
-            case SpeedStatement(value):
-                self.check(value, Type.REAL, "SPEED takes a number")
+                self.simple(node)
+            case SpeedStatement(word, levels):
+                for level in levels:
+                    self.check(level.value, Type.REAL, f"{word} takes a number")
+            case Setting(word, value):
+                if value is not None:
+                    self.check(value, Type.REAL, f"{word} takes a number")
+            case Give():
+                self.give(node)
+            case Put(word, target, count, value):
+                for part in (target, count, value):
+                    if part is not None:
+                        self.check(part, Type.REAL, f"{word} takes numbers")
+                if word == "IOPUT":
+                    self.warn_not_simulated(word, node.start, node.end)
+            case PackStatement(target, first, count, value):
+                self._write(target, Type.STRING, "PACK changes a string", None)
+                self.check(first, Type.REAL, "PACK takes a position")
+                self.check(count, Type.REAL, "PACK takes a number of characters")
+                self.check(value, Type.STRING, "PACK puts a string in")
+            case ReactStatement():
+                self.react(node)
+            case Device():
+                self.device(node)
+            case Rest(word, names):
+                self.bad_names.update(names)
+                self.warn_not_simulated(word, node.start, node.start + len(word))
             case Goto(_, condition):
                 if condition is not None:
                     self.check(condition, Type.REAL, "IF takes a condition")
-            case If(condition) | While(condition) | Until(condition) | Case(condition):
+            case If(condition) | While(condition) | Until(condition):
                 self.check(condition, Type.REAL, "a condition is a number")
+            case Case(selector):
+                self._selector(selector)
             case ValueGroup(values):
-                self._items(values, Type.REAL)
+                for value in values:
+                    if value is not None:
+                        self._selector(value)
             case For(target, first, last, increment):
                 self._write(target, Type.REAL, "FOR counts a number", None)
                 for part in (first, last, increment):
@@ -74,9 +107,12 @@ class Resolver(ExpressionTypes):
                         self.check(part, Type.REAL, "FOR counts with numbers")
             case CallStatement(program, arguments):
                 self._call(program, arguments)
+            case CallNamed(program, arguments):
+                self.check(program, Type.STRING, "CALLS takes the name of a program in a string")
+                self._call(Name("", node.start, node.start), arguments)
             case Bad(_, names):
                 self.bad_names.update(names)
-            case _:
+            case Structure() | Declare():
                 pass
 
     # --- statements -----------------------------------------------------------------------------
@@ -87,7 +123,7 @@ class Resolver(ExpressionTypes):
             self._write(target, Type.STRING, "`=` keeps the type", value)
             self.check(value, Type.STRING, f"`{name.text}` holds a string")
             return
-        if name.text[0] == "#" or self._is_location(value):
+        if name.text[0] == "#" or self.is_location(value):
             self._type(value, Type.POSE)
             self.assigned_location(node)
             if name.text[0] != "#":
@@ -107,25 +143,14 @@ class Resolver(ExpressionTypes):
 
     def _open_type(self, node: Name | Element) -> bool:
         name = node if isinstance(node, Name) else node.name
-        lower = name.text.lower()
-        known = lower in CONSTANTS or (lower in FUNCTIONS and FUNCTIONS[lower].bare)
-        return name.text[0] not in "$#" and not known
+        return name.text[0] not in "$#" and name.text.lower() not in self.predefined
 
-    def _is_location(self, node: Expression) -> bool:
-        while isinstance(node, Parenthesised):
-            node = node.inner
-        if isinstance(node, Infix):
-            return node.operator == ":"
-        if isinstance(node, Element):
-            return node.name.text[0] == "#"
-        name = node.name if isinstance(node, Application) else node
-        if not isinstance(name, Name):
-            return False
-        signature = FUNCTIONS.get(name.text.lower())
-        if signature is None:
-            return name.text[0] == "#"
-        usable = signature.bare or isinstance(node, Application)
-        return usable and signature.result in (Type.POSE, Type.JOINTS)
+    def _selector(self, node: Item) -> None:
+        """CASE compares numbers; the relatives also compare strings."""
+        if self.dialect.tolerant and is_text(node):
+            self._type(node, Type.STRING)
+        else:
+            self.check(node, Type.REAL, "CASE compares numbers")
 
     def assigned_location(self, node: Assignment) -> None:
         """Report `a = b` between locations."""
@@ -156,51 +181,6 @@ class Resolver(ExpressionTypes):
                 help=("write `HERE part`, or `HERE frame:part`",),
             )
 
-    def _simple(self, node: Simple) -> None:
-        word, operands = node.word, node.operands
-        if word in _LOCATION_WORDS:
-            first, *rest = operands
-            if isinstance(first, Number) and rest and isinstance(rest[0], Name):
-                self._swapped(node, first, rest[0])
-            elif first is not None:
-                self._location(first, f"{word} goes to a location")
-            self._items(tuple(rest), Type.REAL)
-        elif word == "TOOL":
-            for operand in operands:
-                if operand is not None:
-                    self.check(operand, Type.POSE, "TOOL takes a location")
-        elif word in _TEXT_WORDS:
-            self._items(operands, Type.STRING)
-        elif word == "TYPE":
-            self.items_of_type(operands)
-        else:
-            self._items(operands, Type.REAL)
-            if word == "BASE" and len(operands) > 4:
-                self.problems.error(
-                    FUNCTION_ARGUMENTS,
-                    f"BASE takes at most 4 operands, {len(operands)} given",
-                    node.start,
-                    node.end,
-                    help=("write `BASE dx, dy, dz, rotation`",),
-                )
-
-    def _swapped(self, node: Simple, distance: Number, location: Name) -> None:
-        """`APPRO 50, part`."""
-        text = self.problems.source.text[distance.start : distance.end]
-        self.wrong_lines.add(self.problems.source.line_of(node.start))
-        self.problems.error(
-            WRONG_TYPE,
-            f"the location comes first in {node.word}",
-            distance.start,
-            location.end,
-            notes=(TYPES_SAY,),
-            help=(f"write `{node.word} {location.text}, {text}`",),
-            fix=self.problems.replace(distance.start, location.end, f"{location.text}, {text}"),
-        )
-
-    def _location(self, node: Item, why: str) -> None:
-        self.check(node, Type.POSE, why, joints=True)
-
     def _call(self, program: Name, arguments: tuple[Item | None, ...]) -> None:
         callee = key(program.text)
         for i, argument in enumerate(arguments):
@@ -211,8 +191,7 @@ class Resolver(ExpressionTypes):
             elif isinstance(argument, Name | Element):
                 name = argument if isinstance(argument, Name) else argument.name
                 self._type(argument, None)
-                lower = name.text.lower()
-                if lower not in CONSTANTS and not (lower in FUNCTIONS and FUNCTIONS[lower].bare):
+                if name.text.lower() not in self.predefined:
                     entry = self.scope.entry(self.program, key(name.text))
                     entry.passed.append(Passed(callee, i, False))
                     entry.reads.pop()

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from vrts.ir.values import Type
 from vrts.lang.names import key
-from vrts.lang.syntax import Expression, ProgramText
+from vrts.lang.syntax import Declare, Element, Expression, Name, ProgramText
 
 Place = tuple[int, int]  # range of offsets
 
@@ -23,7 +23,9 @@ class Entry:
     """Uses of one name."""
 
     name: str
-    formal: int | None = None  # slot number
+    slot: int | None = None  # of a formal, or of a variable of each call
+    automatic: bool = False  # a variable of each call: AUTO, or `.x` of AS
+    stored: str = ""  # name in memory of a LOCAL variable; empty: its own
     types: dict[Type, Place] = field(default_factory=dict[Type, Place])  # first use as each type
     reads: list[Place] = field(default_factory=list[Place])
     writes: list[Place] = field(default_factory=list[Place])
@@ -57,17 +59,52 @@ class Scope:
                     name = key(formal.name.text)
                     slots[name] = Entry(name, i)
             self.formals[program.name] = slots
+            for step in program.steps:
+                if isinstance(step.statement, Declare):
+                    self._declare(program, step.statement, slots)
 
     def entry(self, program: str | None, name: str) -> Entry:
         """Return what is known of a name as a program sees it."""
         if program is not None:
-            formal = self.formals[program].get(name)
+            own = self.formals[program]
+            formal = own.get(name)
             if formal is not None:
                 return formal
+            if "." in name[:2]:  # `.x` and `$.x` of AS
+                return self._automatic(program, own, name)
         found = self.entries.get(name)
         if found is None:
             found = self.entries[name] = Entry(name)
         return found
+
+    def _declare(self, program: ProgramText, node: Declare, own: dict[str, Entry]) -> None:
+        """Make the variables of AUTO and LOCAL; GLOBAL needs none."""
+        for written in node.names:
+            name = written.name if isinstance(written, Element) else written
+            if not isinstance(name, Name) or node.word == "GLOBAL" or key(name.text) in own:
+                continue
+            where = (name.start, name.end)
+            if node.word == "AUTO":
+                entry = self._automatic(program.name, own, key(name.text))
+            else:
+                stored = f"{key(name.text)}@{program.name}"
+                entry = own[key(name.text)] = Entry(key(name.text), stored=stored)
+            if isinstance(written, Element):
+                entry.array = where
+            kind = {"REAL": Type.REAL, "DOUBLE": Type.REAL, "LOC": Type.POSE}.get(node.kind or "")
+            if kind is not None and name.text[0] not in "$#":
+                entry.types[kind] = where
+
+    def _automatic(self, program: str, own: dict[str, Entry], name: str) -> Entry:
+        """Make a variable of each call, with the slot after those there are."""
+        formals = len(self.programs[program].formals)
+        slot = formals + sum(entry.automatic for entry in own.values())
+        entry = own[name] = Entry(name, slot, automatic=True)
+        return entry
+
+    def automatics(self, program: str) -> list[Entry]:
+        """Return the variables of each call of a program, in the order of their slots."""
+        return [entry for entry in self.formals[program].values() if entry.automatic]
 
     def all_entries(self) -> list[Entry]:
         """Return every name, globals first."""
@@ -98,7 +135,7 @@ class Scope:
 
     def may_have_value(self, entry: Entry, seen: frozenset[int] = frozenset()) -> bool:
         """Return whether anything gives a name a value, also through calls."""
-        if entry.writes or entry.formal is not None:
+        if entry.writes or (entry.slot is not None and not entry.automatic):
             return True
         for passed in entry.passed:
             formal = self.formal(passed)

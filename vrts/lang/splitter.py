@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.characters import OPENING_QUOTES
+from vrts.lang.joined import parts
 from vrts.lang.problems import Problems
 
 MISSING_PROGRAM_LINE = Rule("V140", "missing-program-line")
@@ -17,9 +18,10 @@ INVALID_HEADER = Rule("V142", "invalid-header")
 UNKNOWN_SECTION = Rule("V144", "unknown-section")
 LINE_TOO_LONG = Rule("V105", "line-too-long")
 LONG_LINE = Rule("V106", "long-line")
+TOO_MANY_STEPS = Rule("V115", "too-many-steps")
 
-MAX_LINE = 255  # of a statement [val2.md 1.1]
 LONG = 132
+MAX_STEPS = 65_000  # of a program; more are refused before they are parsed
 
 _DATA_SECTIONS = {
     ".LOCATIONS": "locations",
@@ -78,14 +80,18 @@ class _Splitter:
         self.long_lines: list[tuple[int, int]] = []
 
     def run(self) -> list[Section]:
-        at = 0
-        for raw in self.problems.source.text.split("\n"):
-            self._line(raw, at)
-            at += len(raw) + 1
-        if self.open is not None:
-            self._close_without_end(None)
+        for at, text in parts(self.problems.source):
+            self._file(text, at)
         self._report_long_lines()
         return self.sections
+
+    def _file(self, text: str, at: int) -> None:
+        for raw in text.split("\n"):
+            self._line(raw, at)
+            at += len(raw) + 1
+        self.skipping = False
+        if self.open is not None:
+            self._close_without_end(None)
 
     def _line(self, raw: str, at: int) -> None:
         cut = comment_start(raw)
@@ -93,7 +99,7 @@ class _Splitter:
         text = body.strip()
         start = at + (len(body) - len(body.lstrip()) if text else 0)
         line = Line(0, text, start, start + len(text))
-        if len(raw) > LONG and len(text) <= MAX_LINE:
+        if len(raw) > LONG and len(text) <= self.problems.dialect.max_line:
             self.long_lines.append((start, at + len(raw)))
         if text.startswith(".") and _DOTTED.match(text):
             self._dotted(line)
@@ -111,15 +117,18 @@ class _Splitter:
         if not line.text:
             return
         section.last = line.end
-        if len(line.text) > MAX_LINE:
+        most = self.problems.dialect.max_line
+        if len(line.text) > most:
             self.problems.error(
                 LINE_TOO_LONG,
-                f"this line has {len(line.text):,} characters; a line has at most {MAX_LINE}",
+                f"this line has {len(line.text):,} characters; a line has at most {most}",
                 line.start,
                 line.start + 40,
                 help=("compute parts of it in lines of their own",),
                 data={"characters": len(line.text)},
             )
+            return
+        if section.count > MAX_STEPS:
             return
         section.lines.append(line._replace(number=section.count))
 
@@ -211,6 +220,16 @@ class _Splitter:
     def _close(self, finish: tuple[int, int]) -> None:
         section = self.open
         assert section is not None
+        if section.count > MAX_STEPS and section.kind == "program":
+            self.problems.error(
+                TOO_MANY_STEPS,
+                f"this program has {section.count:,} steps",
+                section.header.start,
+                section.header.end,
+                notes=(f"the limit is {MAX_STEPS:,} steps a program",),
+                help=("split it into several programs",),
+                data={"steps": section.count},
+            )
         self.sections.append(
             Section(section.kind, section.header, tuple(section.lines), section.count, finish)
         )

@@ -6,31 +6,44 @@ from typing import Any
 from vrts.base.diagnostic import Rule
 from vrts.lang.build import builders
 from vrts.lang.characters import BLANKS, INVISIBLE, LOOK_ALIKES, OPENING_QUOTES, SINGLE_QUOTES
+from vrts.lang.classify import Head, classify
+from vrts.lang.dialect import Precedence
 from vrts.lang.lalr import Failure, TableParser
 from vrts.lang.mistakes import explain
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
+from vrts.lang.shapes import fits
 from vrts.lang.splitter import Line
-from vrts.lang.syntax import Bad, DataLine, Label, Statement, Step, Token
-from vrts.lang.tokens import classify, tokenise
+from vrts.lang.syntax import Bad, DataLine, Label, Rest, Simple, Statement, Step, Text, Token
+from vrts.lang.tokens import MAX_STRING, tokenise
 from vrts.lang.unknown_words import refuse, structural_word
+from vrts.lang.vocabulary.lookup import look_up
 
 PASTED_CHARACTER = Rule("V108", "pasted-character")
 INVALID_LABEL = Rule("V133", "invalid-label")
+LARGE_LABEL = Rule("V154", "large-label")
+TOLERATED = Rule("V155", "tolerated")
 
 MAX_LABEL = 65535  # [val2.md 1.3]
+MAX_VAL2_LABEL = 32767  # beyond it VAL-II may refuse what V+ takes [assumed]
 _DIGITS = re.compile(r"\d+")
+_LISTED = re.compile(r"\d+\.(?=[ \t]*\?)[ \t]*\?|\d+\.(?=[ \t]|$)")  # `12.  MOVE a` of a listing
+_NAMED_LABEL = re.compile(r"(?P<name>[A-Za-z][\w.]*):", re.ASCII)
 _NAMES = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
-_FIRST_WORD = re.compile(r"[A-Za-z]+")
+_FIRST_WORD = re.compile(r"[A-Za-z][\w.]*", re.ASCII)
+_TEXT_WORDS = frozenset({"TYPE", "STOP", "PAUSE"})  # VAL: text without quotes follows
 
 
 class StepParser:
     """Parses the lines of one source."""
 
-    def __init__(self, problems: Problems) -> None:
+    def __init__(self, problems: Problems, precedence: Precedence | None = None) -> None:
         self.problems = problems
-        self.parser = TableParser(builders(problems))
+        self.dialect = problems.dialect
+        self.parser = TableParser(builders(problems, precedence or self.dialect.precedence))
         self.program_names: frozenset[str] = frozenset()
+        self.tolerated: dict[str, list[tuple[int, int]]] = {}  # odd shapes, by what they are
+        self.block_steps: list[tuple[int, int]] = []  # lines of AS block steps
 
     def step(self, line: Line) -> Step:
         """Return the step of a line of a program."""
@@ -57,16 +70,35 @@ class StepParser:
             return None
         return node
 
+    # --- labels ---------------------------------------------------------------------------------
+
     def _label(self, line: Line) -> tuple[Label | None, str, int]:
+        text = line.text
+        if text[0].isdecimal():
+            return self._number(line)
+        if self.dialect.has("a"):
+            named = _NAMED_LABEL.match(text)
+            if named is not None and named["name"].upper() not in ("ANY", "VALUE"):
+                rest = text[named.end() :].lstrip()
+                label = Label(key(named["name"]), line.start, line.start + named.end() - 1)
+                return label, rest, line.end - len(rest)
+        return None, text, line.start
+
+    def _number(self, line: Line) -> tuple[Label | None, str, int]:
         digits = _DIGITS.match(line.text)
-        if digits is None:
-            return None, line.text, line.start
+        assert digits is not None
         rest = line.text[digits.end() :]
         if rest[:1].isalpha() or rest[:1] == "_":
             return None, line.text, line.start  # `3x = 1`: the tokeniser says what is wrong
         start, end = line.start, line.start + digits.end()
         text = rest.lstrip()
         if rest.startswith("."):
+            listed = _LISTED.match(line.text)
+            if listed is not None and self.dialect.tolerant:
+                self._tolerate("step numbers of a listing", start, line.start + listed.end())
+                text = line.text[listed.end() :].lstrip()
+                relabelled = line._replace(text=text, start=line.end - len(text))
+                return self._label(relabelled) if text else (None, "", line.end)
             self.problems.error(
                 INVALID_LABEL,
                 "a label is a whole number followed by a blank",
@@ -86,31 +118,112 @@ class StepParser:
                 help=(f"use a number from 0 to {MAX_LABEL}",),
             )
         else:
-            label = Label(int(digits.group()), start, end)
-            return label, text, line.end - len(text)
+            number = int(digits.group())
+            if number > MAX_VAL2_LABEL and not self.dialect.tolerant:
+                self.problems.warning(
+                    LARGE_LABEL,
+                    f"the label {number} is larger than {MAX_VAL2_LABEL}",
+                    start,
+                    end,
+                    notes=("V+ takes labels up to 65535; a VAL-II controller may refuse this one",),
+                    help=("use a smaller number",),
+                )
+            return Label(number, start, end), text, line.end - len(text)
         return None, text, line.end - len(text)
 
-    def _statement(self, text: str, at: int) -> Statement:
+    # --- statements -----------------------------------------------------------------------------
+
+    def _statement(self, text: str, at: int) -> Statement | None:
+        whole = self._unparsed(text, at)
+        if whole is not None:
+            return None if isinstance(whole, _Comment) else whole
         raw = tokenise(text, at, self.problems)
         if not raw:
             first = _FIRST_WORD.match(text)
             word = first.group().upper() if first else None
-            return Bad(word, _names_in(text), at, at + len(text))
-        tokens, head = classify(raw, self.problems)
-        word = head.word
-        bad = Bad(structural_word(tokens, head), _names_in(text), at, at + len(text))
-        if refuse(self.problems, tokens, head, self.program_names):
-            return bad
-        node = self.parser.parse("step", tokens)
-        if isinstance(node, Failure):
-            explain(self.problems, tokens, node, word)
-            return bad
+            return Bad(word, names_in(text), at, at + len(text))
+        tokens, head = classify(raw, self.dialect)
+        if self.dialect.tolerant:
+            tokens, head = self._tolerant(tokens, head)
+        node: Any = None
+        if not refuse(self.problems, tokens, head, self.program_names):
+            node = self.parser.parse("step", tokens)
+            if isinstance(node, Failure):
+                explain(self.problems, tokens, node, head.word)
+                node = None
+            elif not fits(self.problems, node, head.word):
+                node = None
+        if node is None:
+            return Bad(structural_word(tokens, head), names_in(text), at, at + len(text))
         return node
+
+    def _unparsed(self, text: str, at: int) -> "Rest | Simple | _Comment | None":
+        """Return a step whose operands are not expressions: opaque ones, REMARK, texts of VAL."""
+        first = _FIRST_WORD.match(text)
+        if first is None:
+            return None
+        end = at + len(text)
+        match = look_up(first.group(), self.dialect)
+        word, rest = match.word, text[first.end() :].lstrip()
+        if word is None or rest[:1] == "=" or (rest[:1] == "[" and "=" in rest):
+            return None
+        if word.terminal == "REST":
+            if word.text == "REMARK":
+                return _COMMENT
+            return Rest(word.text, names_in(rest), at, end)
+        if self.dialect.is_val and word.text in _TEXT_WORDS and rest and rest[0] not in '"$/':
+            start = end - len(rest)
+            return Simple(word.text, (Text(rest[:MAX_STRING], start, end),), at, end)
+        return None
+
+    def _tolerant(self, tokens: list[Token], head: Head) -> tuple[list[Token], Head]:
+        """Complete what real files leave out: THEN, DO, CALL [traps 15 and 27]."""
+        word = head.word
+        last, first = tokens[-1], tokens[0]
+        kinds = {token.kind for token in tokens}
+        missing = ""
+        if word is not None and word.terminal == "IF" and kinds.isdisjoint({"THEN", "GOTO"}):
+            missing = "THEN"
+        elif word is not None and word.terminal == "WHILE" and "DO" not in kinds:
+            missing = "DO"
+        if missing:
+            self._tolerate(f"{first.text} without {missing}", first.start, last.end)
+            return [*tokens, Token(missing, missing, last.end, last.end)], head
+        called = first.kind == "NAME" and word is None and not head.abbreviates
+        bare = len(tokens) == 1 or (tokens[1].kind == "LPAREN" and last.kind == "RPAREN")
+        if called and bare and key(first.text) in self.program_names:
+            self._tolerate("a program without CALL", first.start, first.end)
+            return [Token("CALL", "CALL", first.start, first.start), *tokens], head
+        return tokens, head
+
+    def _tolerate(self, what: str, start: int, end: int) -> None:
+        self.tolerated.setdefault(what, []).append((start, end))
+
+
+class _Comment:
+    """Stands for a step that is nothing but a comment."""
+
+
+_COMMENT = _Comment()
+
+
+def report_tolerated(parser: StepParser) -> None:
+    """Warn once of each kind of shape that a controller refuses."""
+    for what, places in parser.tolerated.items():
+        more = len(places) - 1
+        parser.problems.warning(
+            TOLERATED,
+            f"{what}: a controller refuses this",
+            *places[0],
+            notes=(f"{more} more {'place' if more == 1 else 'places'}",) if more else (),
+            help=("`--dialect val2` shows how VAL-II wants it",),
+            data={"places": len(places)},
+        )
 
 
 def operands_only(tokens: list[Token]) -> list[Token]:
     """Return tokens with every word that is not an operator as a name."""
-    classified, _ = classify([Token("LPAREN", "(", 0, 0), *tokens], Problems.none())
+    classified, _ = classify([Token("LPAREN", "(", 0, 0), *tokens])
     return classified[1:]
 
 
@@ -123,7 +236,7 @@ def report_pasted_characters(problems: Problems) -> None:
         first = places[0]
         character = problems.source.text[first]
         entry = LOOK_ALIKES[character]
-        lines = sorted({problems.source.line_of(at) for at in places[1:]})
+        lines = sorted({problems.span(at, at).line for at in places[1:]})
         more = ""
         if len(places) > 1:
             shown = ", ".join(str(n) for n in lines[:8]) + (" ..." if len(lines) > 8 else "")
@@ -178,5 +291,6 @@ def _remedy(kind: str, replacement: str) -> str:
             return f"type `{replacement}` instead"
 
 
-def _names_in(text: str) -> tuple[str, ...]:
+def names_in(text: str) -> tuple[str, ...]:
+    """Return what could be names in a piece of text."""
     return tuple(dict.fromkeys(key(name) for name in _NAMES.findall(text)))

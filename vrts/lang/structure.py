@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule
+from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.syntax import (
     Bad,
@@ -10,7 +11,11 @@ from vrts.lang.syntax import (
     For,
     Goto,
     If,
+    Name,
+    Number,
     ProgramText,
+    Simple,
+    Statement,
     Step,
     Structure,
     Until,
@@ -109,10 +114,58 @@ def blocks(program: ProgramText, problems: Problems) -> list[Block]:
     return found
 
 
-def labels(program: ProgramText, problems: Problems) -> dict[int, int]:
+def label_key(node: Number | Name) -> int | str:
+    """Return the label that a jump names."""
+    return key(node.text) if isinstance(node, Name) else int(node.value)
+
+
+def loops_of(node: Simple) -> int:
+    """Return how many loops EXIT and NEXT mean; 0 when that is no whole number from 1."""
+    if not node.operands:
+        return 1
+    count = node.operands[0]
+    whole = isinstance(count, Number) and count.value >= 1 and count.value == int(count.value)
+    return int(count.value) if isinstance(count, Number) and whole else 0
+
+
+def loop_around(found: list[Block], at: int, count: int) -> Block:
+    """Return the loop around a step, counted from the inside.
+
+    Raises:
+        LookupError: There are fewer loops.
+    """
+    around = [b for b in found if b.word in ("FOR", "WHILE", "DO") and b.opener < at < b.end]
+    around.sort(key=lambda block: -block.opener)
+    if not 1 <= count <= len(around):
+        raise LookupError("not so many loops around")
+    return around[count - 1]
+
+
+def check_exits(program: ProgramText, found: list[Block], problems: Problems) -> None:
+    """Report EXIT and NEXT outside of loops."""
+    for at, step in enumerate(program.steps):
+        node = step.statement
+        if not isinstance(node, Simple) or node.word not in ("EXIT", "NEXT"):
+            continue
+        try:
+            loop_around(found, at, loops_of(node))
+        except LookupError:
+            problems.error(
+                UNMATCHED,
+                f"{node.word} outside of a loop"
+                if loops_of(node) == 1
+                else f"there are not so many loops around this {node.word}",
+                node.start,
+                node.end,
+                notes=(_SAYS,),
+                help=("EXIT and NEXT stand inside FOR, WHILE or DO",),
+            )
+
+
+def labels(program: ProgramText, problems: Problems) -> dict[int | str, int]:
     """Return the step number of every label; report duplicates and jumps to labels not there."""
-    known: dict[int, int] = {}
-    places: dict[int, tuple[int, int]] = {}
+    known: dict[int | str, int] = {}
+    places: dict[int | str, tuple[int, int]] = {}
     for step in program.steps:
         label = step.label
         if label is None:
@@ -131,14 +184,14 @@ def labels(program: ProgramText, problems: Problems) -> dict[int, int]:
         known[label.number] = step.number
         places[label.number] = (label.start, label.end)
     for step in program.steps:
-        node = step.statement
-        if isinstance(node, Goto) and node.label.value not in known:
-            shown = ", ".join(str(n) for n in sorted(known)[:8])
+        wanted = _label_wanted(step.statement)
+        if wanted is not None and label_key(wanted) not in known:
+            shown = ", ".join(sorted(map(str, known), key=lambda n: (len(n), n))[:8])
             problems.error(
                 UNDEFINED_LABEL,
-                f"there is no label {node.label.value:g} in this program",
-                node.label.start,
-                node.label.end,
+                f"there is no label {label_key(wanted)} in this program",
+                wanted.start,
+                wanted.end,
                 notes=("VAL-II says *Branch to undefined label*",),
                 help=(
                     f"labels of `{program.name}`: {shown}"
@@ -147,6 +200,16 @@ def labels(program: ProgramText, problems: Problems) -> dict[int, int]:
                 ),
             )
     return known
+
+
+def _label_wanted(node: Statement | None) -> Number | Name | None:
+    """Return the label that a step jumps to."""
+    if isinstance(node, Goto):
+        return node.label
+    if isinstance(node, Simple) and node.word == "GRASP" and len(node.operands) > 1:
+        label = node.operands[1]
+        return label if isinstance(label, Number) else None
+    return None
 
 
 def _unmatched(

@@ -151,12 +151,102 @@ class Simple(NamedTuple):
     end: int
 
 
-class SpeedStatement(NamedTuple):
-    """`SPEED value [MMPS|IPS] [ALWAYS]`."""
+class Level(NamedTuple):
+    """A value with its unit, as SPEED and its like take them."""
 
     value: Expression
     unit: str | None
+    start: int
+    end: int
+
+
+class SpeedStatement(NamedTuple):
+    """`SPEED value [unit] [, value [unit]] [ALWAYS]`, and ACCEL, DURATION, ACCURACY like it."""
+
+    word: str
+    levels: tuple[Level, ...]
     always: bool
+    start: int
+    end: int
+
+
+class Setting(NamedTuple):
+    """`COARSE [percent] [ALWAYS]`, NULL, SINGLE, RIGHTY ..."""
+
+    word: str
+    value: Expression | None
+    always: bool
+    start: int
+    end: int
+
+
+class Give(NamedTuple):
+    """`word v = e`: PARAMETER, DECOMPOSE, SETI, INVERSE, FRAME."""
+
+    word: str
+    target: Variable
+    values: tuple[Expression, ...]
+    start: int
+    end: int
+
+
+class Put(NamedTuple):
+    """`word e = e`: TIMER, DAC, IOPUT; BITS has a count between."""
+
+    word: str
+    target: Expression
+    length: Expression | None
+    value: Expression
+    start: int
+    end: int
+
+
+class PackStatement(NamedTuple):
+    """`PACK $v, first, count = $s`."""
+
+    target: Variable
+    first: Expression
+    length: Expression
+    value: Expression
+    start: int
+    end: int
+
+
+class ReactStatement(NamedTuple):
+    """`REACT signal, program, priority [ALWAYS]`, and IGNORE, ON, ONI."""
+
+    word: str
+    operands: "tuple[Item | None, ...]"
+    always: bool
+    start: int
+    end: int
+
+
+class Device(NamedTuple):
+    """`WRITE (unit) items`; `unit` is None when no parentheses are written."""
+
+    word: str
+    unit: "tuple[Item | None, ...] | None"
+    operands: "tuple[Item | None, ...]"
+    start: int
+    end: int
+
+
+class Declare(NamedTuple):
+    """`AUTO REAL a, b[10]`, LOCAL, GLOBAL."""
+
+    word: str
+    kind: str | None  # REAL, DOUBLE or LOC
+    names: tuple[Expression, ...]
+    start: int
+    end: int
+
+
+class Rest(NamedTuple):
+    """An instruction whose operands are not looked into: opaque ones, MC."""
+
+    word: str
+    names: tuple[str, ...]  # in the rest of the line: nothing is reported about them
     start: int
     end: int
 
@@ -164,7 +254,7 @@ class SpeedStatement(NamedTuple):
 class Goto(NamedTuple):
     """`GOTO label`, and with a condition `IF e GOTO label`."""
 
-    label: Number
+    label: Number | Name  # names are labels of AS
     condition: Expression | None
     start: int
     end: int
@@ -238,6 +328,15 @@ class CallStatement(NamedTuple):
     end: int
 
 
+class CallNamed(NamedTuple):
+    """`CALLS $name(a, b)`."""
+
+    program: Expression
+    arguments: "tuple[Item | None, ...]"
+    start: int
+    end: int
+
+
 class Bad(NamedTuple):
     """A step that was reported. `word` keeps the structure of the program known."""
 
@@ -254,6 +353,14 @@ Statement: TypeAlias = (
     | ShiftStatement
     | Simple
     | SpeedStatement
+    | Setting
+    | Give
+    | Put
+    | PackStatement
+    | ReactStatement
+    | Device
+    | Declare
+    | Rest
     | Goto
     | If
     | While
@@ -263,6 +370,7 @@ Statement: TypeAlias = (
     | ValueGroup
     | Structure
     | CallStatement
+    | CallNamed
     | Bad
 )
 
@@ -279,9 +387,9 @@ class DataLine(NamedTuple):
 
 
 class Label(NamedTuple):
-    """A number before a statement."""
+    """A number before a statement, or a name and a colon in AS."""
 
-    number: int
+    number: int | str
     start: int
     end: int
 

@@ -1,8 +1,7 @@
 """Text of one step to tokens. What a regular expression cannot decide is decided here.
 
-Longest name first, then its place: the first word of a step is an instruction unless `=` or
-`[...]=` follows; elsewhere a word is a keyword only if the instruction of the step wants it. `/X`
-is a format, and `^` and `'c` begin a number, only where an operand may stand.
+The longest name wins; which words are keywords is decided in `classify.py`. `/X` is a format, and
+`^` and `'c` begin a number, only where an operand may stand.
 """
 
 import re
@@ -10,22 +9,19 @@ import re
 from vrts.base.diagnostic import Rule
 from vrts.base.numbers import single
 from vrts.lang.characters import BLANKS, INVISIBLE, LOOK_ALIKES, OPENING_QUOTES, STRANGERS
+from vrts.lang.dialect import Dialect
+from vrts.lang.nesting import balanced
 from vrts.lang.problems import Problems
 from vrts.lang.syntax import Token
-from vrts.lang.vocabulary import OPERATORS, QUALIFIERS, Word, look_up
+from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 
 STRAY_CHARACTER = Rule("V107", "stray-character")
 MISSING_QUOTE = Rule("V109", "missing-quote")
 INVALID_CONSTANT = Rule("V110", "invalid-constant")
 INVALID_NAME = Rule("V111", "invalid-name")
 CHARACTER_IN_STRING = Rule("V112", "character-in-string")
-NESTED_TOO_DEEPLY = Rule("V113", "nested-too-deeply")
 STRING_TOO_LONG = Rule("V114", "string-too-long")
-MISSING_PARENTHESIS = Rule("V128", "missing-parenthesis")
-MISSING_BRACKET = Rule("V129", "missing-bracket")
-KEYWORD_AS_NAME = Rule("V160", "keyword-as-name")
 
-MAX_NESTING = 200
 MAX_STRING = 128  # [val2.md 1.6]
 
 _QUOTES = re.escape(OPENING_QUOTES)
@@ -43,6 +39,12 @@ _TOKEN = re.compile(
     re.VERBOSE,
 )
 _FORMAT = re.compile(r"/[A-Za-z][A-Za-z0-9]*(?:\.\d+)?")
+_LOCAL = re.compile(
+    r"""\.(?P<sigil>[$#])?(?P<name>[A-Za-z][\w.]*)
+    |(?P<mark>&)(?=[ \t]*[A-Za-z.#$])
+    |(?P<joints>\#)(?=\[)""",
+    re.ASCII | re.VERBOSE,
+)
 _CARET = re.compile(r"\^[A-Za-z0-9]*")
 
 _SIGNS = {
@@ -72,17 +74,6 @@ _MISTAKEN = {  # signs of other languages: what to write
 _AFTER_OPERAND = frozenset(
     {"NAME", "STRINGNAME", "JOINTNAME", "NUMBER", "STRING", "FORMAT", "RPAREN", "RBRACKET"}
 )
-_CLOSES = {"RPAREN": "LPAREN", "RBRACKET": "LBRACKET"}
-
-
-class Head:
-    """The instruction of a step as far as its first word tells."""
-
-    __slots__ = ("abbreviates", "word")
-
-    def __init__(self, word: Word | None, abbreviates: tuple[Word, ...]) -> None:
-        self.word = word  # None: an assignment, or no instruction
-        self.abbreviates = abbreviates
 
 
 def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
@@ -91,9 +82,11 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
     Args:
         text: The text of a statement, without label and comment.
         at: Offset of the text in the source.
-        problems: Where each bad character is reported, once per cause.
+        problems: Where each bad character is reported, once per cause; it knows the dialect.
     """
+    dialect = problems.dialect
     tokens: list[Token] = []
+    joint_literals: list[int] = []  # places in `tokens` of `#` before `[`
     good = True
     position = 0
     size = len(text)
@@ -135,8 +128,9 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
             else:
                 _foreign_name(written, at + start, problems)
         elif kind == "TWO":
-            if written in _INFIX:
-                token = Token("INFIX", _USUAL.get(written, written), at + start, at + end)
+            meant = written if written in _INFIX else _tolerated(written, dialect)
+            if meant is not None:
+                token = Token("INFIX", _USUAL.get(meant, meant), at + start, at + end)
             elif written in {"++", "--"} and end < size and text[end:].strip():
                 position = start + 1  # a - -b, a + +b
                 token = Token(_SIGNS[written[0]], written[0], at + start, at + start + 1)
@@ -148,12 +142,21 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
             caret = _CARET.match(text, start)
             assert caret is not None
             position = caret.end()
-            token = _based(caret.group(), at + start, problems)
+            token = _based(caret.group(), at + start, problems, dialect)
+        elif written == "^" and dialect.is_as:
+            token = Token("INFIX", "**", at + start, at + end)
         elif written == "'" and _operand_expected(tokens) and end < size:
             position = end + 1
             token = Token(
                 "NUMBER", text[start:position], at + start, at + position, float(ord(text[end]))
             )
+        elif written in ".&#" and dialect.has("a") and (special := _LOCAL.match(text, start)):
+            position = special.end()
+            if special["mark"]:
+                continue  # `&a` says that a location is passed
+            if special["joints"]:
+                joint_literals.append(len(tokens))
+            token = _local(special, at, problems)
         else:
             token = _other(written, at + start, problems)
             good = good and written in LOOK_ALIKES
@@ -163,61 +166,41 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
             good = False
         else:
             tokens.append(token)
-    return tokens if good and _balanced(tokens, problems) else None
+    if not good or not balanced(tokens, problems):
+        return None
+    for place in joint_literals:
+        _parenthesise(tokens, place + 1)
+    return tokens
 
 
-def classify(tokens: list[Token], problems: Problems) -> tuple[list[Token], Head]:
-    """Decide which words are keywords, and return the tokens and the instruction of the step."""
-    first = tokens[0]
-    head = Head(None, ())
-    if first.kind == "WORD" and not _assigned(tokens):
-        match = look_up(first.text)
-        head = Head(match.word, match.candidates)
-    word = head.word
-    wanted = word.qualifiers if word else frozenset[str]()
-    result: list[Token] = []
+def _tolerated(written: str, dialect: Dialect) -> str | None:
+    """Return the operator that a sign is taken for outside strict VAL-II."""
+    if written == "**" and dialect.tolerant:
+        return "**"
+    return "<>" if written in ("><", "!=") and dialect.tolerant else None
+
+
+def _local(special: re.Match[str], at: int, problems: Problems) -> Token:
+    """Return a local name of AS, `.x`, with its sigil first, or the `#` of `#[...]`."""
+    start, end = at + special.start(), at + special.end()
+    if special["joints"]:
+        return Token("JOINTNAME", "#PPOINT", start, end)
+    sigil, name = special["sigil"] or "", special["name"]
+    kind = {"$": "STRINGNAME", "#": "JOINTNAME", "": "NAME"}[sigil]
+    return Token(kind, f"{sigil}.{name}", start, end)
+
+
+def _parenthesise(tokens: list[Token], place: int) -> None:
+    """Make the brackets that open at a place parentheses."""
     depth = 0
-    for i, token in enumerate(tokens):
-        kind = token.kind
-        if kind == "WORD":
-            upper = token.text.upper()
-            if i == 0 and word is not None:
-                kind = word.terminal or "NAME"
-                token = Token(kind, word.text, token.start, token.end)
-            elif upper in OPERATORS:
-                kind = OPERATORS[upper].terminal or ""
-                token = Token(kind, upper, token.start, token.end)
-            elif upper in wanted or (upper == "BY" and depth):
-                kind = QUALIFIERS[upper].terminal or "" if upper in QUALIFIERS else upper
-                token = Token(kind, upper, token.start, token.end)
-            else:
-                token = Token("NAME", token.text, token.start, token.end)
-        elif kind in ("LPAREN", "LBRACKET"):
-            depth += 1
-        elif kind in ("RPAREN", "RBRACKET"):
-            depth -= 1
-        result.append(token)
-    if word is not None and word.text in ("VALUE", "ANY") and result[-1].text == ":":
-        last = result[-1]
-        result[-1] = Token("ENDCOLON", ":", last.start, last.end)
-    return result, head
-
-
-def _assigned(tokens: list[Token]) -> bool:
-    """Whether a step begins with `name =` or `name[...] =`."""
-    if len(tokens) < 2:
-        return False
-    if tokens[1].kind != "LBRACKET":
-        return tokens[1].kind == "EQUAL"
-    depth = 0
-    for i in range(1, len(tokens)):
-        if tokens[i].kind == "LBRACKET":
-            depth += 1
-        elif tokens[i].kind == "RBRACKET":
-            depth -= 1
-            if depth == 0:
-                return i + 1 < len(tokens) and tokens[i + 1].kind == "EQUAL"
-    return False
+    for i in range(place, len(tokens)):
+        token = tokens[i]
+        depth += (token.kind == "LBRACKET") - (token.kind == "RBRACKET")
+        if i == place or depth == 0:
+            kind = "LPAREN" if i == place else "RPAREN"
+            tokens[i] = token._replace(kind=kind)
+        if depth == 0:
+            return
 
 
 def _operand_expected(tokens: list[Token]) -> bool:
@@ -248,8 +231,11 @@ def _number(text: str, start: int, problems: Problems) -> Token | None:
 _BASES = {"H": (16, "hexadecimal"), "B": (2, "binary")}
 
 
-def _based(text: str, start: int, problems: Problems) -> Token | None:
+def _based(text: str, start: int, problems: Problems, dialect: Dialect) -> Token | None:
     letter = text[1:2].upper()
+    if letter == "D" and dialect.tolerant and text[2:].isdecimal():
+        number = _number(text[2:], start, problems)  # an integer of double length of V+
+        return number and number._replace(text=text, end=start + len(text))
     base, name = _BASES.get(letter, (8, "octal"))
     digits = text[2:] if letter in _BASES else text[1:]
     try:
@@ -376,56 +362,6 @@ def _name_after_digit(written: str, start: int, problems: Problems) -> None:
         start + len(written),
         notes=("VAL-II says *Invalid program or variable name*",),
         help=("begin names with a letter; put an operator or a blank after a number",),
-    )
-
-
-def _balanced(tokens: list[Token], problems: Problems) -> bool:
-    """Report the first parenthesis or bracket without its partner, or nesting too deep."""
-    open_: list[Token] = []
-    prefixes = 0
-    for token in tokens:
-        kind = token.kind
-        prefixes = prefixes + 1 if kind in ("MINUS", "PLUS") or token.text.upper() == "NOT" else 0
-        if kind in ("LPAREN", "LBRACKET"):
-            open_.append(token)
-        elif kind in _CLOSES:
-            if open_ and open_[-1].kind == _CLOSES[kind]:
-                open_.pop()
-                continue
-            _unmatched(token, open_[-1] if open_ else None, problems)
-            return False
-        if len(open_) + prefixes > MAX_NESTING:
-            problems.error(
-                NESTED_TOO_DEEPLY,
-                f"this expression is nested more than {MAX_NESTING} levels deep",
-                token.start,
-                token.end,
-                help=("compute parts of it in steps of their own",),
-            )
-            return False
-    if open_:
-        _unmatched(open_[-1], None, problems)
-    return not open_
-
-
-def _unmatched(token: Token, inside: Token | None, problems: Problems) -> None:
-    bracket = token.kind in ("LBRACKET", "RBRACKET")
-    rule = MISSING_BRACKET if bracket else MISSING_PARENTHESIS
-    opens = token.kind in ("LPAREN", "LBRACKET")
-    partner = {"(": ")", "[": "]", ")": "(", "]": "["}[token.text]
-    words = "Missing bracket" if bracket else "Missing parenthesis"
-    secondary = ()
-    if inside is not None:
-        secondary = (problems.label(inside.start, inside.end, "this one is still open"),)
-    problems.error(
-        rule,
-        f"`{token.text}` is never closed" if opens else f"`{token.text}` closes nothing",
-        token.start,
-        token.end,
-        f"no `{partner}` follows" if opens else f"no `{partner}` is open here",
-        secondary=secondary,
-        notes=(f"VAL-II says *{words}*",),
-        help=(f"add `{partner}`" + ("" if opens else f", or take `{token.text}` out"),),
     )
 
 

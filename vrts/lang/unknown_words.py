@@ -1,21 +1,22 @@
-"""First words that are no instruction of VAL-II, or one that vrts does not carry out yet."""
+"""First words that are no instruction of the dialect, or that could be several."""
 
 from vrts.base.diagnostic import Rule
+from vrts.lang.classify import Head, is_assigned
+from vrts.lang.dialect import titles
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.spelling import nearest
 from vrts.lang.syntax import Token
-from vrts.lang.tokens import Head
-from vrts.lang.vocabulary import COMMANDS, FOREIGN, INSTRUCTIONS, NAMES_OF_DIALECTS, Word
+from vrts.lang.vocabulary.commands import COMMANDS
+from vrts.lang.vocabulary.foreign import FOREIGN
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.vocabulary.lookup import spellings
+from vrts.lang.vocabulary.word import Word
 
 UNKNOWN_INSTRUCTION = Rule("V120", "unknown-instruction")
 AMBIGUOUS_KEYWORD = Rule("V121", "ambiguous-keyword")
 OTHER_DIALECT = Rule("V122", "not-val2")
-NOT_SUPPORTED_YET = Rule("V123", "not-supported-yet")
 MONITOR_COMMAND = Rule("V149", "monitor-command")
-
-_SPELLED = tuple(word.text for word in INSTRUCTIONS.values() if word.in_val2)
-
 
 _ENDS = frozenset({"ENDIF", "ENDFOR", "ENDWHILE", "ENDCASE", "WEND", "LOOP"})
 
@@ -33,14 +34,10 @@ def refuse(
     """Report a step whose first word says that it cannot be parsed; return whether it was."""
     first = tokens[0]
     if head.word is not None:
-        if not head.word.in_val2:
-            _other_dialect(problems, first, head.word.text)
-            return True
-        if head.word.terminal is None:
-            _not_yet(problems, first, head.word)
-            return True
+        if len(head.abbreviates) > 1:
+            _guessed(problems, first, head.word)
         return False
-    if first.kind != "NAME" or (len(tokens) > 1 and _is_assignment(tokens)):
+    if first.kind != "NAME" or is_assigned(tokens):
         return False
     upper = first.text.upper()
     following = tokens[1] if len(tokens) > 1 else None
@@ -67,6 +64,8 @@ def refuse(
             notes=("VAL-II says *Unknown instruction*",),
             help=(_instead_of_command(upper),),
         )
+    elif upper in INSTRUCTIONS:
+        _other_dialect(problems, first, upper)
     elif following is not None and following.text == "==":
         problems.error(
             UNKNOWN_INSTRUCTION,
@@ -82,23 +81,10 @@ def refuse(
     return True
 
 
-def _is_assignment(tokens: list[Token]) -> bool:
-    """Whether `=` comes next, or after the brackets that come next."""
-    depth = 0
-    for token in tokens[1:]:
-        if token.kind == "LBRACKET":
-            depth += 1
-        elif token.kind == "RBRACKET":
-            depth -= 1
-        elif depth == 0:
-            return token.kind == "EQUAL"
-    return False
-
-
 def _unknown(problems: Problems, first: Token, following: Token | None) -> None:
     name = first.text
-    meant = nearest(name.upper(), _SPELLED)
-    glued = _glued(name)
+    meant = nearest(name.upper(), spellings(problems.dialect))
+    glued = _glued(problems, name)
     if meant is not None:
         help_ = (f"did you mean `{meant}`?",)
         fix = problems.replace(first.start, first.end, meant)
@@ -123,11 +109,13 @@ def _unknown(problems: Problems, first: Token, following: Token | None) -> None:
     )
 
 
-def _glued(name: str) -> str | None:
+def _glued(problems: Problems, name: str) -> str | None:
     """Return the longest instruction a word begins with: `MOVESpart`, `TYPE.x`, `END.`."""
     upper = name.upper()
     found = [
-        text for text in _SPELLED if len(text) > 2 and upper.startswith(text) and upper != text
+        text
+        for text in spellings(problems.dialect)
+        if len(text) > 2 and upper.startswith(text) and upper != text
     ]
     longest = max(found, key=len, default=None)
     return (
@@ -147,30 +135,35 @@ def _ambiguous(problems: Problems, first: Token, candidates: tuple[Word, ...]) -
     )
 
 
+def _guessed(problems: Problems, first: Token, word: Word) -> None:
+    written = problems.source.text[first.start : first.end]
+    problems.warning(
+        AMBIGUOUS_KEYWORD,
+        f"`{written}` is taken for {word.text}",
+        first.start,
+        first.end,
+        notes=("VAL-II says *Ambiguous keyword*",),
+        help=("write the word in full",),
+        fix=problems.replace(first.start, first.end, word.text),
+    )
+
+
 def _other_dialect(problems: Problems, first: Token, upper: str) -> None:
     origin, hint = FOREIGN.get(upper, ("", ""))
     word = INSTRUCTIONS.get(upper)
-    if not origin and word is not None:
-        origin = " and ".join(NAMES_OF_DIALECTS[d] for d in word.dialects)
+    if word is not None:
+        origin = titles(word.dialects)
+        if not hint and word.means:
+            hint = f"use {word.means}"
+    title = problems.dialect.title
     problems.error(
         OTHER_DIALECT,
-        f"{upper} is not a VAL-II instruction",
+        f"{upper} is not {'an' if title == 'AS' else 'a'} {title} instruction",
         first.start,
         first.end,
         f"a word of {origin}" if origin else "",
         notes=("VAL-II says *Unknown instruction*",),
         help=(hint,) if hint else (),
-    )
-
-
-def _not_yet(problems: Problems, first: Token, word: Word) -> None:
-    problems.error(
-        NOT_SUPPORTED_YET,
-        f"{word.text} is not supported yet",
-        first.start,
-        first.end,
-        notes=("it is an instruction of VAL-II that this version of vrts does not carry out",),
-        data={"word": word.text},
     )
 
 

@@ -7,7 +7,7 @@ from vrts.lang.resolve import Resolver
 from vrts.lang.scope import Entry
 from vrts.lang.spelling import nearest
 from vrts.lang.syntax import CallStatement, Element, Infix, Name, ProgramText
-from vrts.lang.vocabulary import INSTRUCTIONS
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 REAL_AND_LOCATION = Rule("V201", "real-and-location")
 UNDEFINED_LOCATION = Rule("V204", "undefined-location")
@@ -130,7 +130,9 @@ def _without_value(resolver: Resolver, entry: Entry) -> None:
     upper = entry.name.upper()
     if meant is not None:
         help_ = f"did you mean `{meant}`?"
-    elif location and upper in INSTRUCTIONS and INSTRUCTIONS[upper].terminal == "WORD0":
+    elif (
+        location and upper in INSTRUCTIONS and INSTRUCTIONS[upper].terminal in ("WORD0", "SETTING0")
+    ):
         help_ = f"{upper} is an instruction: write it alone"
     elif location:
         help_ = "give it a value in a .LOCATIONS section, or by SET or HERE"
@@ -153,7 +155,7 @@ def _without_value(resolver: Resolver, entry: Entry) -> None:
 
 
 def _could_be(other: Entry, entry: Entry) -> bool:
-    if other is entry or not (other.writes or other.formal is not None):
+    if other is entry or not (other.writes or other.slot is not None):
         return False
     return other.type is entry.type or Type.DYNAMIC in (other.type, entry.type)
 

@@ -127,7 +127,6 @@ def test_negative_height_is_seen_through_a_variable() -> None:
         ("APPRO 50, part", "V202"),  # nor that part is a number here and a location there
         ("MOVE part-grip", "V202"),
         ("VALUE 5", "V126"),
-        ("PROMPT n\nTYPE n", "V123"),  # nor that n is never given a value
     ],
 )
 def test_one_cause_is_one_diagnostic(body: str, code: str) -> None:

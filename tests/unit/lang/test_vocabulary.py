@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from vrts.lang.vocabulary import INSTRUCTIONS, look_up
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.vocabulary.lookup import look_up
 
 WORDS = json.loads((Path(__file__).parents[2] / "data" / "keywords.json").read_text("utf-8"))
 

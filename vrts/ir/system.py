@@ -1,0 +1,61 @@
+"""System switches and parameters: names and what they are at the start [val2.md 3.9]."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import NamedTuple
+
+
+class SystemSwitch(NamedTuple):
+    """A switch of the controller."""
+
+    name: str  # upper case
+    on: bool  # at the start
+    about: str
+    read_only: bool = False
+
+
+class Parameter(NamedTuple):
+    """A number of the controller that programs may read and set."""
+
+    name: str  # upper case
+    value: float | None  # at the start; None: the robot's data decide
+    unit: str
+    about: str
+
+
+def _by_name(*items: SystemSwitch) -> Mapping[str, SystemSwitch]:
+    return MappingProxyType({item.name: item for item in items})
+
+
+SWITCHES = _by_name(
+    SystemSwitch("CP", True, "continuous path: motions are blended"),
+    SystemSwitch("POWER", True, "arm power"),
+    SystemSwitch("MESSAGES", True, "TYPE writes to the terminal"),
+    SystemSwitch("TRACE", False, "each step is listed as it is executed"),
+    SystemSwitch("DRY.RUN", False, "programs run, the arm stands still (V+)"),
+    SystemSwitch("UPPER", False, "comparisons of strings ignore case (V+)"),
+    SystemSwitch("ROBOT", True, "accepted without effect"),
+    SystemSwitch("FORCE", False, "accepted without effect"),
+    SystemSwitch("SUPERVISOR", False, "accepted without effect"),
+    SystemSwitch("EXTERN.ALTER", False, "accepted without effect"),
+    SystemSwitch("INTERACTIVE", True, "accepted without effect"),
+    SystemSwitch("MCP.MESSAGES", False, "accepted without effect"),
+    SystemSwitch("TERMINAL", True, "accepted without effect"),
+)
+
+PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
+    {
+        item.name: item
+        for item in (
+            Parameter("HAND.TIME", None, "s", "wait after OPENI, CLOSEI, RELAXI and GRASP"),
+            Parameter("HAND.MAX", None, "mm", "opening of the hand when fully open"),
+            Parameter("SPEED.MAX", 100.0, "%", "upper limit of the speed [assumed]"),
+            Parameter("VEL.LIN", None, "mm/s", "full speed of straight lines"),
+            Parameter("TACC", None, "s", "time of an acceleration"),
+            Parameter("NEST.POS", None, "deg", "joints of NEST and REST, indices 1 to 6"),
+            Parameter("TERMINAL", 0.0, "", "accepted without effect"),
+            Parameter("KERMIT.RETRY", 15.0, "", "accepted without effect"),
+            Parameter("KERMIT.TIMEOUT", 8.0, "s", "accepted without effect"),
+        )
+    }
+)

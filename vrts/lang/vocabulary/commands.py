@@ -1,0 +1,73 @@
+"""The commands of the monitor: what an operator types, not steps of programs [val2.md 5]."""
+
+from vrts.lang.vocabulary.word import Place, Word
+
+
+def _c(text: str, usage: str, about: str, *, shortest: str = "") -> Word:
+    return Word(text, Place.COMMAND, "12+", "", usage, about, shortest=shortest)
+
+
+_COMMANDS = (
+    _c("ABORT", "ABORT", "stop the program and the arm"),
+    _c("BASE", "BASE dx, dy, dz, rotation", "say how the robot was displaced"),
+    _c("CALIBRATE", "CALIBRATE", "calibrate the joints"),
+    _c("COPY", "COPY new = old", "copy a program"),
+    _c("DELETE", "DELETE program", "delete a program and what only it uses"),
+    _c("DELETEL", "DELETEL location", "delete locations"),
+    _c("DELETEP", "DELETEP program", "delete programs"),
+    _c("DELETER", "DELETER variable", "delete numbers"),
+    _c("DELETES", "DELETES $variable", "delete strings"),
+    _c("DIRECTORY", "DIRECTORY", "list the programs", shortest="DIR"),
+    _c("DISABLE", "DISABLE switch", "turn a switch off"),
+    _c("DO", "DO instruction", "carry out one instruction"),
+    _c("DPOINT", "DPOINT location", "delete locations"),
+    _c("EDIT", "EDIT program, step", "edit a program"),
+    _c("ENABLE", "ENABLE switch", "turn a switch on"),
+    _c("ERASE", "ERASE", "erase a disk"),
+    _c("EXECUTE", "EXECUTE program, cycles, step", "run a program", shortest="EX"),
+    _c("FCOPY", "FCOPY new = old", "copy a file"),
+    _c("FDELETE", "FDELETE file", "delete a file"),
+    _c("FDIRECTORY", "FDIRECTORY", "list the files"),
+    _c("FLIST", "FLIST file", "show a file"),
+    _c("FREE", "FREE", "show the memory left"),
+    _c("FRENAME", "FRENAME new = old", "rename a file"),
+    _c("HERE", "HERE location", "give a location the present pose"),
+    _c("ID", "ID", "show the version"),
+    _c("IO", "IO n", "show the signals"),
+    _c("LISTL", "LISTL location", "list locations"),
+    _c("LISTP", "LISTP program", "list programs"),
+    _c("LISTR", "LISTR expression", "list numbers"),
+    _c("LISTS", "LISTS $variable", "list strings"),
+    _c("LOAD", "LOAD file", "read a file"),
+    _c("NEXT", "NEXT n", "carry out some steps"),
+    _c("PARAMETER", "PARAMETER name = value", "show or set a parameter"),
+    _c("PCABORT", "PCABORT", "stop the process control program"),
+    _c("PCEND", "PCEND", "let the process control program end"),
+    _c("PCEXECUTE", "PCEXECUTE program", "run a process control program"),
+    _c("PCPROCEED", "PCPROCEED", "go on with the process control program"),
+    _c("PCRETRY", "PCRETRY", "repeat the step of the process control program"),
+    _c("PCSTATUS", "PCSTATUS", "show the process control program"),
+    _c("POINT", "POINT location = value", "give a location a value"),
+    _c("PROCEED", "PROCEED", "go on with the next step"),
+    _c("RENAME", "RENAME new = old", "rename a program"),
+    _c("RESET", "RESET", "turn all outputs off"),
+    _c("RETRY", "RETRY", "repeat the step that failed"),
+    _c("SIGNAL", "SIGNAL number", "turn outputs on or off"),
+    _c("SPEED", "SPEED percent", "set the operator's speed"),
+    _c("SSTEP", "SSTEP", "carry out one step, calls whole"),
+    _c("STATUS", "STATUS", "show what is running"),
+    _c("STORE", "STORE file = program", "write programs and what they use"),
+    _c("STOREL", "STOREL file = program", "write locations"),
+    _c("STOREP", "STOREP file = program", "write programs"),
+    _c("STORER", "STORER file = program", "write numbers"),
+    _c("STORES", "STORES file = program", "write strings"),
+    _c("SWITCH", "SWITCH name", "list switches"),
+    _c("TEACH", "TEACH location", "record locations"),
+    _c("TIME", "TIME", "show the clock"),
+    _c("TOOL", "TOOL location", "say where the tool tip is"),
+    _c("WHERE", "WHERE", "show where the arm is"),
+    _c("XSTEP", "XSTEP", "carry out one step, into calls"),
+    _c("ZERO", "ZERO", "delete everything"),
+)
+
+COMMANDS = {word.text: word for word in _COMMANDS}

@@ -1,0 +1,202 @@
+"""Functions and constants of the language: what they take and what they yield.
+
+Signatures: `r` real, `s` string, `p` pose, `l` location (pose or precision point), `v` a variable
+or whole array, `$` a string variable, `f` a format or any value, `n` the name of a switch or
+parameter. `?` may be left out or omitted, `*` any number of these, at least none. Before BY stands
+what comes first.
+"""
+
+from functools import cache
+from typing import NamedTuple
+
+from vrts.ir.expressions import Function
+from vrts.ir.values import Type
+from vrts.lang.dialect import Dialect
+
+
+class Signature(NamedTuple):
+    """How a function is applied."""
+
+    name: str  # lower case, with its sigil
+    function: Function
+    parameters: tuple[str, ...]
+    result: Type
+    about: str  # what it yields, in one line
+    dialects: str  # columns, as of words
+    by: int | None = None  # how many arguments stand before BY
+    bare: str = ""  # columns of the dialects in which it may be written without parentheses
+    required: int = 0
+
+    @property
+    def most(self) -> int | None:
+        """Largest number of arguments; None is any number."""
+        repeated = bool(self.parameters) and self.parameters[-1].endswith("*")
+        return None if repeated else len(self.parameters)
+
+    @property
+    def opaque(self) -> bool:
+        """Whether the simulator never carries it out."""
+        return self.function is Function.OPAQUE
+
+
+_EVERYWHERE = "12+a"
+_R, _S, _P, _J = Type.REAL, Type.STRING, Type.POSE, Type.JOINTS
+
+
+def _f(
+    function: Function,
+    parameters: str,
+    result: Type,
+    about: str,
+    dialects: str = "2+a",
+    *,
+    name: str = "",
+    by: int | None = None,
+    bare: str = "",
+) -> Signature:
+    wanted = tuple(parameters.split())
+    required = sum(1 for p in wanted if p[-1] not in "?*")
+    return Signature(
+        name or function.value, function, wanted, result, about, dialects, by, bare, required
+    )
+
+
+_F = Function
+_ALL = (
+    # numbers
+    _f(_F.ABS, "r", _R, "magnitude"),
+    _f(_F.ATAN2, "r r", _R, "angle whose tangent is y/x, in degrees"),
+    _f(_F.COS, "r", _R, "cosine of an angle in degrees"),
+    _f(_F.SIN, "r", _R, "sine of an angle in degrees"),
+    _f(_F.TAN, "r", _R, "tangent of an angle in degrees"),
+    _f(_F.FRACT, "r", _R, "part behind the point, with its sign"),
+    _f(_F.INT, "r", _R, "part before the point"),
+    _f(_F.MAX, "r r*", _R, "largest"),
+    _f(_F.MIN, "r r*", _R, "smallest"),
+    _f(_F.OUTSIDE, "r r r", _R, "whether the second is not between the others"),
+    _f(_F.RANDOM, "", _R, "a number from 0 to 1", bare=_EVERYWHERE),
+    _f(_F.SIGN, "r", _R, "1 or -1"),
+    _f(_F.SQR, "r", _R, "square"),
+    _f(_F.SQRT, "r", _R, "square root"),
+    _f(_F.BCD, "r", _R, "number to binary coded decimal"),
+    _f(_F.DCB, "r", _R, "binary coded decimal to number"),
+    # locations
+    _f(_F.DISTANCE, "l l", _R, "distance of two locations in mm"),
+    _f(_F.DX, "l", _R, "X of a location in mm"),
+    _f(_F.DY, "l", _R, "Y of a location in mm"),
+    _f(_F.DZ, "l", _R, "Z of a location in mm"),
+    _f(_F.TRANS, "r? r? r? r? r? r?", _P, "location of three lengths and three angles"),
+    _f(_F.NULL, "", _P, "the location that changes nothing", bare=_EVERYWHERE),
+    _f(_F.INVERSE, "p", _P, "inverse of a location"),
+    _f(_F.FRAME, "p p p p", _P, "frame by two points on X, one towards Y, and its origin"),
+    _f(_F.SHIFT, "p r? r? r?", _P, "location shifted in world axes", by=1),
+    _f(_F.SCALE, "p r", _P, "location with its lengths scaled", "+", by=1),
+    _f(_F.RX, "r", _P, "rotation about X"),
+    _f(_F.RY, "r", _P, "rotation about Y"),
+    _f(_F.RZ, "r", _P, "rotation about Z"),
+    _f(_F.IDENTICAL, "l l", _R, "whether two locations are exactly equal"),
+    _f(_F.PPOINT, "r? r? r? r? r? r?", _J, "precision point of six joints in degrees"),
+    # the robot and the controller
+    _f(_F.HERE, "", _P, "present pose of the tool", bare=_EVERYWHERE),
+    _f(_F.DEST, "", _P, "where the last motion goes", bare=_EVERYWHERE),
+    _f(_F.HERE_JOINTS, "", _J, "present joints", bare=_EVERYWHERE),
+    _f(_F.HERE_JOINTS, "", _J, "present joints", name="#phere", bare=_EVERYWHERE),
+    _f(_F.DEST_JOINTS, "", _J, "joints where the last motion ends", bare=_EVERYWHERE),
+    _f(
+        _F.DEST_JOINTS, "", _J, "joints where the last motion ends", name="#pdest", bare=_EVERYWHERE
+    ),
+    _f(_F.BASE, "", _P, "how the robot was displaced", bare=_EVERYWHERE),
+    _f(_F.TOOL, "", _P, "where the tool tip is on the flange", bare=_EVERYWHERE),
+    _f(_F.INRANGE, "l", _R, "0 when the arm can reach a location"),
+    _f(_F.HAND, "", _R, "opening of the hand", bare=_EVERYWHERE),
+    _f(_F.SIG, "r r*", _R, "whether all signals are as given"),
+    _f(_F.BITS, "r r", _R, "number on consecutive signals"),
+    _f(_F.TIMER, "r", _R, "seconds of a timer"),
+    _f(_F.SPEED, "r", _R, "speed in percent"),
+    _f(_F.DEFINED, "v", _R, "whether a variable has a value"),
+    _f(_F.SWITCH, "n", _R, "whether a system switch is on"),
+    _f(_F.PARAMETER, "n r?", _R, "value of a parameter of the controller"),
+    _f(_F.ADC, "r r?", _R, "counts on an analog input", "2"),
+    _f(_F.PENDANT, "r", _R, "a key of the manual control", "2+"),
+    _f(_F.PRIORITY, "", _R, "present priority of the program", "+a", bare="+a"),
+    _f(_F.STATE, "r", _R, "state of the robot"),
+    _f(_F.STATUS, "s", _R, "state of a program", "2+"),
+    _f(_F.ERROR, "r? r?", _R, "number of the last error", bare="a"),
+    _f(_F.FREE, "r", _R, "memory left", "+"),
+    _f(_F.LAST, "v", _R, "highest index that has a value", "+"),
+    _f(_F.TAS, "v r", _R, "old value of a variable, which then takes the new one", "+"),
+    _f(_F.TIME, "s? r?", _R, "date and time as a number", "+"),
+    # strings
+    _f(_F.ASC, "s r?", _R, "code of a character"),
+    _f(_F.CHR, "r", _S, "character of a code"),
+    _f(_F.LEN, "s", _R, "number of characters"),
+    _f(_F.MID, "s r? r?", _S, "part of a string"),
+    _f(_F.POS, "s s r?", _R, "where a string stands in another"),
+    _f(_F.VAL, "s r?", _R, "number at the start of a string"),
+    _f(_F.ENCODE, "f f*", _S, "text as TYPE would write it"),
+    _f(_F.DECODE, "$ s r?", _S, "next piece of a string, taken from it"),
+    _f(_F.TRUNCATE, "s", _S, "string up to the first NUL", "+"),
+    _f(_F.UNPACK, "v r r", _S, "part of a string array", "2+"),
+    _f(_F.ERROR_TEXT, "r r?", _S, "words of an error"),
+    _f(_F.TIME_TEXT, "r?", _S, "time as text", "+a"),
+    _f(_F.DATE_TEXT, "r?", _S, "date as text", "a"),
+    # spellings of AS
+    _f(_F.MAX, "r r*", _R, "largest", "a", name="maxval"),
+    _f(_F.MIN, "r r*", _R, "smallest", "a", name="minval"),
+    _f(_F.POS, "r s s", _R, "where a string stands in another", "a", name="instr"),
+    # never carried out
+    _f(_F.OPAQUE, "r", _R, "word on the bus", "2", name="ioget"),
+    _f(_F.OPAQUE, "s r?", _P, "location of 48 bytes", "+", name="transb"),
+    _f(_F.OPAQUE, "r", _J, "joints when the latch closed", "+", name="#platch"),
+    _f(_F.OPAQUE, "r?", _P, "pose when the latch closed", "+", name="latch"),
+    _f(_F.OPAQUE, "r r? r?", _R, "result of a device", "+", name="iostat"),
+    _f(_F.OPAQUE, "r? r?", _R, "number of the task", "+", name="task"),
+    _f(_F.OPAQUE, "r r?", _R, "event of a task", "+", name="get.event"),
+    _f(_F.OPAQUE, "r", _R, "position of a belt", "+", name="belt"),
+    _f(_F.OPAQUE, "s r?", _R, "number of bytes as binary", "+", name="intb"),
+    _f(_F.OPAQUE, "s r?", _R, "number of bytes as binary", "+", name="lngb"),
+    _f(_F.OPAQUE, "s r?", _R, "number of bytes as binary", "+", name="fltb"),
+    _f(_F.OPAQUE, "s r?", _R, "number of bytes as binary", "+", name="dblb"),
+    _f(_F.OPAQUE, "r", _S, "bytes of a number", "+", name="$intb"),
+    _f(_F.OPAQUE, "r", _S, "bytes of a number", "+", name="$lngb"),
+    _f(_F.OPAQUE, "r", _S, "bytes of a number", "+", name="$fltb"),
+    _f(_F.OPAQUE, "r", _S, "bytes of a number", "+", name="$dblb"),
+    _f(_F.OPAQUE, "r? r?", _S, "name of the default disk", "+", name="$defaults", bare=_EVERYWHERE),
+)
+
+FUNCTIONS = {signature.name: signature for signature in _ALL}
+
+
+@cache
+def applied_functions(dialect: Dialect) -> dict[str, Signature]:
+    """Return the functions that a dialect has, before parentheses, by name in lower case."""
+    if dialect.tolerant:
+        return FUNCTIONS
+    return {
+        name: signature
+        for name, signature in FUNCTIONS.items()
+        if dialect.has(signature.dialects)
+        or not (signature.opaque or signature.dialects == "a")  # V+ speaks for VAL-II
+    }
+
+
+@cache
+def bare_functions(dialect: Dialect) -> dict[str, Signature]:
+    """Return the functions that a dialect takes without parentheses."""
+    return {name: s for name, s in FUNCTIONS.items() if s.bare and dialect.has(s.bare)}
+
+
+# Functions of relatives, and what a VAL-II programmer writes instead.
+FOREIGN_FUNCTIONS = {
+    "maxval": "use MAX",
+    "minval": "use MIN",
+    "instr": "use POS($s, $part, start)",
+    "point": "use TRANS(x, y, z, o, a, t)",
+    "pow": "multiply, or use SQR(x)",
+    "sqrtf": "use SQRT",
+    "round": "use INT(x+0.5)",
+    "$left": "use $MID($s, 1, count)",
+    "$right": "use $MID($s, first)",
+}
+
+CONSTANTS = {"true": -1.0, "false": 0.0, "on": -1.0, "off": 0.0, "pi": 3.141593}

@@ -1,0 +1,64 @@
+"""Which instruction a first word stands for [val2.md 1.13]."""
+
+from functools import cache, lru_cache
+
+from vrts.lang.dialect import VAL2, Dialect
+from vrts.lang.vocabulary.functions import applied_functions
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.vocabulary.word import Match, Word
+from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
+
+
+@cache
+def instructions_of(dialect: Dialect) -> dict[str, Word]:
+    """Return the instructions of a dialect."""
+    return {text: word for text, word in INSTRUCTIONS.items() if dialect.has(word.dialects)}
+
+
+@cache
+def spellings(dialect: Dialect) -> frozenset[str]:
+    """Return the spellings of the instructions of a dialect."""
+    return frozenset(instructions_of(dialect))
+
+
+@cache
+def reserved_words(dialect: Dialect) -> frozenset[str]:
+    """Return every word, in upper case, that a name had better not be."""
+    qualifiers = {text for text, word in QUALIFIERS.items() if dialect.has(word.dialects)}
+    functions = {name.upper() for name in applied_functions(dialect)}
+    return spellings(dialect) | qualifiers | OPERATORS.keys() | functions
+
+
+def look_up(text: str, dialect: Dialect = VAL2) -> Match:
+    """Return the instruction a first word stands for.
+
+    An exact word wins, then a unique prefix; structure words are written in full. A dialect that
+    takes what the controller refuses also takes a prefix that the shortest of several words is
+    meant by, when it begins all the others: MOV for MOVE.
+    """
+    text = text.upper()
+    words = instructions_of(dialect)
+    exact = words.get(text)
+    return Match(exact) if exact is not None else _abbreviated(text, dialect)
+
+
+@lru_cache(4096)
+def _abbreviated(text: str, dialect: Dialect) -> Match:
+    found = [
+        word
+        for word in instructions_of(dialect).values()
+        if not word.full
+        and (not word.means or dialect.is_as)
+        and word.text.startswith(text)
+        and not (word.shortest == "WH" and len(text) < 2)
+    ]
+    fixed = [word for word in found if word.shortest and text.startswith(word.shortest)]
+    if fixed:
+        return Match(fixed[0])
+    if len(found) > 1 and dialect.tolerant:
+        shortest = min(found, key=lambda word: len(word.text))
+        if all(word.text.startswith(shortest.text) for word in found):
+            return Match(shortest, tuple(found))
+    if len(found) == 1:
+        return Match(found[0])
+    return Match(None, tuple(sorted(found, key=lambda word: word.text)))
