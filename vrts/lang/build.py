@@ -58,6 +58,7 @@ Values = list[Any]
 
 def builders(problems: Problems, table: Precedence = Precedence.A) -> dict[str, Build]:
     """Return the builder of every alias of the grammar; W-PREC goes to `problems`."""
+    warns = not problems.dialect.is_as  # AS has always read them by table B
     levels, other = (TABLE_A, TABLE_B) if table is Precedence.A else (TABLE_B, TABLE_A)
 
     def expression(v: Values) -> Any:
@@ -65,7 +66,7 @@ def builders(problems: Problems, table: Precedence = Precedence.A) -> dict[str, 
         if len(chain) == 1:
             return chain[0]
         result = tree(chain, levels)
-        if len(chain) > 3 and ambiguous(chain):
+        if len(chain) > 3 and warns and ambiguous(chain):
             _read_otherwise(problems, result, tree(chain, other), table)
         return result
 

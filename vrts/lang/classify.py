@@ -13,7 +13,7 @@ from vrts.lang.vocabulary.lookup import look_up
 from vrts.lang.vocabulary.word import Word
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 
-_KINDS = {"REAL": "KIND", "DOUBLE": "KIND", "LOC": "KIND", "FINE": "ALWAYS"}
+_KINDS = {"REAL": "KIND", "DOUBLE": "KIND", "LOC": "KIND"}
 _RELATIONS = {"EQ": "==", "NE": "<>", "LT": "<", "GT": ">", "LE": "<=", "GE": ">="}
 _UNITS = {  # of AS, by the word before and after the slash
     ("MM", "S"): "MMPS",
@@ -56,6 +56,8 @@ def classify(tokens: list[Token], dialect: Dialect = VAL2) -> tuple[list[Token],
                 token = Token(word.terminal, word.canonical, token.start, token.end)
             elif upper in OPERATORS:
                 token = Token(OPERATORS[upper].terminal, upper, token.start, token.end)
+            elif upper == "FINE" and upper in wanted:
+                continue  # ACCURACY of AS may say it; nothing here depends on it
             elif (upper in wanted and not depth) or (upper == "BY" and depth):
                 token = Token(_kind_of(upper), upper, token.start, token.end)
             elif word is not None and dialect.tolerant and not depth:

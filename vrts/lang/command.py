@@ -7,7 +7,7 @@ from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.source import SourceFile
 from vrts.ir.commands import Command, Execute
 from vrts.lang.build import builders
-from vrts.lang.habits import number_of
+from vrts.lang.constants import number_of
 from vrts.lang.lalr import Failure, TableParser
 from vrts.lang.mistakes import explain
 from vrts.lang.names import key

@@ -12,6 +12,7 @@ from vrts.ir.module import Datum, Module, Program
 from vrts.lang.data_sections import read_data, report_replaced
 from vrts.lang.detection import detect
 from vrts.lang.dialect import VAL2, Dialect, Precedence
+from vrts.lang.flow import check_jumps, check_process_programs, check_reachable
 from vrts.lang.habits import check_habits
 from vrts.lang.joined import Joined
 from vrts.lang.lower import Lowering
@@ -112,9 +113,13 @@ def _compile(problems: Problems, options: Options) -> Compilation:
         for step in program.steps:
             if step.statement is not None:
                 resolver.statement(step.statement)
+        before = len(problems.found)
         found = blocks(program, problems)
-        check_exits(program, found, problems)
+        if len(problems.found) == before:
+            check_exits(program, found, problems)
         structures[program.name] = (found, labels(program, problems))
+        check_jumps(problems, program, *structures[program.name])
+    check_process_programs(problems, scope.programs)
     check_usage(resolver, programs)
     check_habits(problems, scope, programs, {n: found for n, (found, _) in structures.items()})
     if not programs and not data and not problems.any_error:
@@ -132,6 +137,7 @@ def _compile(problems: Problems, options: Options) -> Compilation:
     for program in programs:
         lowering = Lowering(problems.source, scope, resolver, program, *structures[program.name])
         lowered[program.name] = lowering.run()
+        check_reachable(problems, program, lowered[program.name])
     module = Module(MappingProxyType(lowered), tuple(data))
     return Compilation(module, problems.in_order(), dialect)
 
@@ -181,6 +187,8 @@ def _header(section: Section, problems: Problems) -> tuple[str, tuple[Formal, ..
                 )
             continue
         name = formal["name"] if formal else ""
+        if name[:1] == "." and name[1] in "$#":
+            name = f"{name[1]}.{name[2:]}"  # `.$s` of AS, with its sigil first
         node = Name(name, start, start + len(name))
         if name and any(key(name) == key(f.name.text) for f in formals if f.name.text):
             problems.error(

@@ -1,42 +1,27 @@
 """Legal steps that beginners regret: each warning needs no run to be seen."""
 
 from vrts.base.diagnostic import Rule
-from vrts.ir.values import Type
-from vrts.lang.names import key
+from vrts.lang.constants import constant
+from vrts.lang.endless import check_loops
+from vrts.lang.motion_habits import check_motion
 from vrts.lang.problems import Problems
 from vrts.lang.scope import Scope
 from vrts.lang.structure import Block
 from vrts.lang.syntax import (
-    Application,
-    CallStatement,
-    Element,
-    Expression,
-    Goto,
-    Infix,
-    Item,
-    Name,
     Number,
-    Parenthesised,
-    Prefix,
     ProgramText,
     Simple,
     SpeedStatement,
     Statement,
-    Text,
-    Until,
-    While,
 )
-from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS
 
 CONSTANT_WAIT = Rule("V152", "constant-wait")
 NEGATIVE_APPROACH = Rule("V220", "negative-approach")
 HAND_ON_THE_WAY = Rule("V221", "hand-on-the-way")
-ENDLESS_LOOP = Rule("V222", "endless-loop")
 
 _ARRIVING = frozenset({"MOVE", "MOVES"})
 _LEAVING = frozenset({"DEPART", "DEPARTS"})
 _MOTIONS = _ARRIVING | _LEAVING | {"APPRO", "APPROS", "DRIVE", "READY"}
-_ENDINGS = frozenset({"RETURN", "STOP", "HALT", "PAUSE"})
 
 
 def check_habits(
@@ -53,44 +38,8 @@ def check_habits(
                 _waiting(problems, node)
                 _approach(problems, scope, program, node)
                 _hand(problems, steps, at, node)
-        for block in structures[program.name]:
-            if block.word in ("WHILE", "DO"):
-                _loop(problems, scope, program, block)
-
-
-def constant(scope: Scope, program: str, node: Item | None) -> float | None:
-    """Return the value of an operand that is a number, or a variable only ever given one."""
-    sign, node = _unsigned(node)
-    if isinstance(node, Number):
-        return sign * node.value
-    if isinstance(node, Name) and node.text.lower() not in CONSTANTS:
-        entry = scope.entry(program, key(node.text))
-        if entry.slot is None and not entry.passed and len(entry.values) == 1:
-            value = entry.values[0]
-            inner = value.operand if isinstance(value, Prefix) else value
-            if isinstance(inner, Number) and len(entry.writes) == 1:
-                found = constant(scope, program, value)
-                return None if found is None else sign * found
-    return None
-
-
-def number_of(node: Item | None) -> float | None:
-    """Return the value of an operand that is a number, with or without sign."""
-    sign, node = _unsigned(node)
-    return sign * node.value if isinstance(node, Number) else None
-
-
-def _unsigned(node: Item | None) -> tuple[float, Item | None]:
-    sign = 1.0
-    while isinstance(node, Prefix | Parenthesised):
-        if isinstance(node, Parenthesised):
-            node = node.inner
-        elif node.operator in "+-":
-            sign = -sign if node.operator == "-" else sign
-            node = node.operand
-        else:
-            break
-    return sign, node
+        check_motion(problems, scope, program)
+        check_loops(problems, scope, program, structures[program.name])
 
 
 def _waiting(problems: Problems, node: Simple) -> None:
@@ -173,86 +122,3 @@ def _counts(node: Statement | None) -> bool:
     if node is None or isinstance(node, SpeedStatement):
         return False
     return not (isinstance(node, Simple) and node.word in ("BREAK", "TYPE", "SIGNAL"))
-
-
-def _loop(problems: Problems, scope: Scope, program: ProgramText, block: Block) -> None:
-    """A loop whose condition nothing in the loop can change."""
-    at = block.opener if block.word == "WHILE" else block.end
-    node = program.steps[at].statement
-    if not isinstance(node, While | Until):
-        return
-    names: list[Name] = []
-    if not _fixed(node.condition, names) or not names:
-        return
-    inside = [step.statement for step in program.steps[block.opener : block.end + 1]]
-    changed = _changed(scope, inside, set())
-    if changed is None:
-        return
-    keys = {key(name.text) for name in names}
-    if changed & keys or any(scope.entry(program.name, k).type is not Type.REAL for k in keys):
-        return
-    ordered = list(dict.fromkeys(key(name.text) for name in names))
-    shown = " or ".join(f"`{name}`" for name in ordered)
-    first = ordered[0]
-    problems.warning(
-        ENDLESS_LOOP,
-        "this loop never ends once it has begun"
-        if block.word == "WHILE"
-        else "this loop ends after one pass or never",
-        node.condition.start,
-        node.condition.end,
-        f"nothing in the loop changes {shown}",
-        help=(f"change {shown} in the loop, as in `{first} = {first}+1`",),
-    )
-
-
-def _changed(scope: Scope, steps: list[Statement | None], seen: set[str]) -> set[str] | None:
-    """Return the names that steps and the programs they call may give a value.
-
-    None when they may also leave the loop, or call a program that is not in the file.
-    """
-    changed: set[str] = set()
-    for node in steps:
-        if isinstance(node, Goto) and not seen:
-            return None
-        if isinstance(node, Simple) and node.word in _ENDINGS - ({"RETURN"} if seen else set()):
-            return None
-        target = getattr(node, "target", None)
-        if isinstance(target, Name | Element):
-            changed.add(key((target if isinstance(target, Name) else target.name).text))
-        if not isinstance(node, CallStatement):
-            continue
-        for argument in node.arguments:
-            if isinstance(argument, Name | Element):
-                changed.add(key((argument if isinstance(argument, Name) else argument.name).text))
-        name = key(node.program.text)
-        called = scope.programs.get(name)
-        if called is None:
-            return None
-        if name not in seen:
-            inner = _changed(scope, [s.statement for s in called.steps], seen | {name})
-            if inner is None:
-                return None
-            changed |= inner
-    return changed
-
-
-def _fixed(node: Expression, names: list[Name]) -> bool:
-    """Whether an expression depends on plain variables only; collects them."""
-    match node:
-        case Number() | Text():
-            return True
-        case Name():
-            lower = node.text.lower()
-            if lower in CONSTANTS:
-                return True
-            names.append(node)
-            return not (lower in FUNCTIONS and FUNCTIONS[lower].bare) and node.text[0] not in "$#"
-        case Parenthesised(inner):
-            return _fixed(inner, names)
-        case Prefix(_, operand):
-            return _fixed(operand, names)
-        case Infix():
-            return _fixed(node.left, names) and _fixed(node.right, names)
-        case Application() | Element():
-            return False

@@ -158,8 +158,7 @@ class OperandTypes(ExpressionTypes):
     def device(self, node: Device) -> None:
         """Check the instructions of V+ with a device: WRITE is TYPE on the terminal."""
         for number in node.unit or ():
-            if isinstance(number, Name | Element):
-                self._type(number, None)
+            self._loosely(number)
         if node.word == "WRITE":
             self.items_of_type(node.operands)
         else:

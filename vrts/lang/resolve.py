@@ -182,7 +182,7 @@ class Resolver(OperandTypes):
             )
 
     def _call(self, program: Name, arguments: tuple[Item | None, ...]) -> None:
-        callee = key(program.text)
+        callee = key(program.text) if program.text else ""
         for i, argument in enumerate(arguments):
             if isinstance(argument, Element) and not argument.subscripts:
                 entry = self._use(argument.name, None)

@@ -101,7 +101,7 @@ class _Splitter:
         line = Line(0, text, start, start + len(text))
         if len(raw) > LONG and len(text) <= self.problems.dialect.max_line:
             self.long_lines.append((start, at + len(raw)))
-        if text.startswith(".") and _DOTTED.match(text):
+        if text.startswith(".") and self._is_section(text):
             self._dotted(line)
         elif _UNDOTTED.match(text):
             self._begin("program", line)
@@ -111,6 +111,14 @@ class _Splitter:
             self._keep(self.open, line)
         elif text:
             self._stray(line)
+
+    def _is_section(self, text: str) -> bool:
+        """Whether a line is `.PROGRAM` or its like, and no step on a local name of AS, `.x = 1`."""
+        match = _DOTTED.match(text)
+        if match is None:
+            return False
+        rest = text[match.end() :].lstrip()
+        return not (self.problems.dialect.has("a") and rest[:1] in ("=", "["))
 
     def _keep(self, section: _Open, line: Line) -> None:
         section.count += 1

@@ -17,6 +17,7 @@ from vrts.lang.splitter import Line
 from vrts.lang.syntax import Bad, DataLine, Label, Rest, Simple, Statement, Step, Text, Token
 from vrts.lang.tokens import MAX_STRING, tokenise
 from vrts.lang.unknown_words import refuse, structural_word
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.lookup import look_up
 
 PASTED_CHARACTER = Rule("V108", "pasted-character")
@@ -143,8 +144,9 @@ class StepParser:
             word = first.group().upper() if first else None
             return Bad(word, names_in(text), at, at + len(text))
         tokens, head = classify(raw, self.dialect)
+        completed = ""
         if self.dialect.tolerant:
-            tokens, head = self._tolerant(tokens, head)
+            tokens, head, completed = self._tolerant(tokens, head)
         node: Any = None
         if not refuse(self.problems, tokens, head, self.program_names):
             node = self.parser.parse("step", tokens)
@@ -153,6 +155,8 @@ class StepParser:
                 node = None
             elif not fits(self.problems, node, head.word):
                 node = None
+        if node is not None and completed:
+            self._tolerate(completed, tokens[0].start, tokens[-1].end)
         if node is None:
             return Bad(structural_word(tokens, head), names_in(text), at, at + len(text))
         return node
@@ -176,8 +180,8 @@ class StepParser:
             return Simple(word.text, (Text(rest[:MAX_STRING], start, end),), at, end)
         return None
 
-    def _tolerant(self, tokens: list[Token], head: Head) -> tuple[list[Token], Head]:
-        """Complete what real files leave out: THEN, DO, CALL [traps 15 and 27]."""
+    def _tolerant(self, tokens: list[Token], head: Head) -> tuple[list[Token], Head, str]:
+        """Complete what real files leave out; return also what that was [traps 15 and 27]."""
         word = head.word
         last, first = tokens[-1], tokens[0]
         kinds = {token.kind for token in tokens}
@@ -187,14 +191,20 @@ class StepParser:
         elif word is not None and word.terminal == "WHILE" and "DO" not in kinds:
             missing = "DO"
         if missing:
-            self._tolerate(f"{first.text} without {missing}", first.start, last.end)
-            return [*tokens, Token(missing, missing, last.end, last.end)], head
-        called = first.kind == "NAME" and word is None and not head.abbreviates
+            added = Token(missing, missing, last.end, last.end)
+            return [*tokens, added], head, f"{first.text} without {missing}"
+        if first.kind != "NAME" or word is not None or head.abbreviates:
+            return tokens, head, ""
+        switched = last.text.upper() in ("ON", "OFF") and len(tokens) == 2
+        if switched and self.dialect.has("a"):
+            verb = "ENABLE" if last.text.upper() == "ON" else "DISABLE"
+            switch = Token("WORDITEMS", verb, first.start, first.start)
+            return [switch, first], Head(INSTRUCTIONS[verb]), ""
         bare = len(tokens) == 1 or (tokens[1].kind == "LPAREN" and last.kind == "RPAREN")
-        if called and bare and key(first.text) in self.program_names:
-            self._tolerate("a program without CALL", first.start, first.end)
-            return [Token("CALL", "CALL", first.start, first.start), *tokens], head
-        return tokens, head
+        if bare and key(first.text) in self.program_names:
+            call = Token("CALL", "CALL", first.start, first.start)
+            return [call, *tokens], head, "a program without CALL"
+        return tokens, head, ""
 
     def _tolerate(self, what: str, start: int, end: int) -> None:
         self.tolerated.setdefault(what, []).append((start, end))

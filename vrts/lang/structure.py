@@ -30,6 +30,7 @@ UNMATCHED = Rule("V138", "unmatched-structure-word")
 CASE_LAYOUT = Rule("V139", "case-layout")
 
 _SAYS = "VAL-II says *Control structure error*"
+_WORDS = frozenset({"IF", "WHILE", "FOR", "CASE", "DO", "END", "UNTIL"})
 _OPENERS: dict[type, str] = {If: "IF", While: "WHILE", For: "FOR", Case: "CASE"}
 
 
@@ -142,7 +143,9 @@ def loop_around(found: list[Block], at: int, count: int) -> Block:
 
 
 def check_exits(program: ProgramText, found: list[Block], problems: Problems) -> None:
-    """Report EXIT and NEXT outside of loops."""
+    """Report EXIT and NEXT outside of loops, where the structures are known."""
+    if any(isinstance(step.statement, Bad) and word_of(step) in _WORDS for step in program.steps):
+        return
     for at, step in enumerate(program.steps):
         node = step.statement
         if not isinstance(node, Simple) or node.word not in ("EXIT", "NEXT"):
