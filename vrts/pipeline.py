@@ -225,16 +225,45 @@ class Compiled(NamedTuple):
 # --- programs -------------------------------------------------------------------------------------
 
 
-def compile_bytes(data: bytes, name: str) -> "Compiled":
+class ProgramFile(NamedTuple):
+    """The bytes of a program, and its name as shown."""
+
+    data: bytes
+    name: str
+
+
+class Reading(NamedTuple):
+    """How programs are read."""
+
+    dialect: str | None = "val2"  # None: as file name and content tell
+    precedence: str | None = None  # "A" or "B"; None: as the dialect has it
+    replace: bool = False  # a program that comes again takes the place of the first
+    others: tuple[ProgramFile, ...] = ()  # compiled together with the program
+
+
+STRICT = Reading()
+
+
+def compile_bytes(data: bytes, name: str, reading: Reading = STRICT) -> "Compiled":
     """Return source, compilation and diagnostics; the first two are None for what is no text."""
-    from vrts.lang.compiler import compile_source
+    from vrts.lang.compiler import Options, compile_sources
+    from vrts.lang.dialect import DIALECTS, Precedence
     from vrts.lang.reading import decode
 
-    source = decode(data, name)
-    if isinstance(source, Diagnostic):
-        return Compiled(None, None, (source,))
-    compilation = compile_source(source)
-    return Compiled(source, compilation, compilation.diagnostics)
+    found = [decode(file.data, file.name) for file in (ProgramFile(data, name), *reading.others)]
+    unread = tuple(source for source in found if isinstance(source, Diagnostic))
+    sources = [source for source in found if isinstance(source, SourceFile)]
+    if isinstance(found[0], Diagnostic):
+        return Compiled(None, None, unread)
+    options = Options(
+        None if reading.dialect is None else DIALECTS[reading.dialect],
+        None if reading.precedence is None else Precedence(reading.precedence),
+        reading.replace,
+    )
+    compilation = compile_sources(sources, options)
+    if unread:
+        compilation = replace(compilation, module=None)
+    return Compiled(found[0], compilation, (*unread, *compilation.diagnostics))
 
 
 def assess(
@@ -249,6 +278,7 @@ def assess(
     judged: bool = True,
     entry: str | None = None,
     curve: bool = False,
+    reading: Reading = STRICT,
     step_done: Callable[[str], None] = lambda _: None,
 ) -> "Assessment":
     """Compile, run, check and mark one program.
@@ -264,6 +294,7 @@ def assess(
         judged: Whether to check and mark at all.
         entry: Program to execute; None: the task's, else the first.
         curve: Whether to sample the clearance over time, for charts.
+        reading: Dialect, and files compiled together with the program.
         step_done: Told the name of every stage that is done.
 
     Raises:
@@ -285,7 +316,7 @@ def assess(
             ),
         )
     name = title or (shown(path) if path is not None else "program")
-    source, compilation, diagnostics = compile_bytes(data, name)
+    source, compilation, diagnostics = compile_bytes(data, name, reading)
     step_done("compile")
     start = Assessment(
         identifier or (path.stem if path is not None else "program"),

@@ -11,8 +11,10 @@ from vrts.cli.console import (
     color_option,
     fail,
     guarded,
+    language_options,
     out,
     program_bytes,
+    reading_of,
     say,
     show_diagnostics,
     use_color,
@@ -26,6 +28,7 @@ EPILOG = """\b
 Examples:
   vrts compile prog.v2
   vrts compile prog.v2 --emit ir
+  vrts compile main.v2 --with points.lc --dialect val2+
   vrts compile *.v2 --format concise
   cat prog.v2 | vrts compile - --format sarif
 """
@@ -44,16 +47,27 @@ Examples:
     show_default=True,
     help="How problems are told: full on stderr, all others on stdout.",
 )
+@language_options
 @color_option
 @guarded
-def command(programs: tuple[str, ...], emit: str, form: Form, color: str) -> None:
+def command(
+    programs: tuple[str, ...],
+    emit: str,
+    form: Form,
+    others: tuple[str, ...],
+    dialect: str | None,
+    prec: str | None,
+    replace: bool,
+    color: str,
+) -> None:
     """Check each PROGRAM (a file, or - for stdin) for mistakes, without running it."""
     from vrts.pipeline import compile_bytes
 
     if emit == "ir" and form != "full":
         fail(f"`--emit ir` and `--format {form}` both write to stdout", ("ask for one of them",))
     read = [program_bytes(program) for program in programs]
-    compiled = [(name, compile_bytes(data, name)) for data, name, _ in read]
+    reading = reading_of(others, dialect or "auto", prec, replace=replace)
+    compiled = [(name, compile_bytes(data, name, reading)) for data, name, _ in read]
     if form == "full":
         for name, found in compiled:
             _show(name, found, emit, color)

@@ -9,8 +9,8 @@ from typing import Any, NoReturn, TypeVar
 
 import click
 
-from vrts.base.diagnostic import Diagnostic
-from vrts.pipeline import CannotRead, Refused
+from vrts.base.diagnostic import Diagnostic, Severity
+from vrts.pipeline import CannotRead, ProgramFile, Reading, Refused
 
 HOLDS, WRONG, WRONG_CALL, UNDETERMINED, FAULT = 0, 1, 2, 3, 70
 
@@ -30,6 +30,40 @@ color_option = click.option(
     show_default=True,
     help="When to use colour; NO_COLOR and FORCE_COLOR are obeyed.",
 )
+
+
+def language_options(function: Command) -> Command:
+    """Add the options that say how programs are read."""
+    for option in (
+        click.option("--replace", is_flag=True, help="A program that comes again replaces."),
+        click.option(
+            "--prec",
+            type=click.Choice(["A", "B"]),
+            help="How operators bind: A as in VAL-II, B as in AS; otherwise as the dialect has it.",
+        ),
+        click.option(
+            "--dialect",
+            type=click.Choice(["auto", "val2", "val2+", "val", "vplus", "as"]),
+            help="Language of the family; auto looks at file name and content.",
+        ),
+        click.option(
+            "--with",
+            "others",
+            metavar="FILE",
+            multiple=True,
+            help="Compile together with the programs and data of FILE.",
+        ),
+    ):
+        function = option(function)
+    return function
+
+
+def reading_of(
+    others: tuple[str, ...], dialect: str, prec: str | None, *, replace: bool
+) -> Reading:
+    """Return how programs are to be read; `auto` is as name and content tell."""
+    files = tuple(ProgramFile(*program_bytes(name)[:2]) for name in others)
+    return Reading(None if dialect == "auto" else dialect, prec, replace, files)
 
 
 def use_color(choice: str, *, err: bool = False) -> bool:
@@ -68,12 +102,9 @@ def show_diagnostics(found: Sequence[Diagnostic], color: str) -> None:
     for diagnostic in found:
         _err(diagnostic_text(diagnostic, color=use_color(color, err=True)) + "\n")
     errors = sum(diagnostic.is_error for diagnostic in found)
-    warnings = len(found) - errors
-    words = [
-        f"{n} {word}{'' if n == 1 else 's'}"
-        for n, word in ((errors, "error"), (warnings, "warning"))
-        if n
-    ]
+    notes = sum(diagnostic.severity is Severity.NOTE for diagnostic in found)
+    counts = ((errors, "error"), (len(found) - errors - notes, "warning"), (notes, "note"))
+    words = [f"{n} {word}{'' if n == 1 else 's'}" for n, word in counts if n]
     if words:
         say(", ".join(words))
 

@@ -1,6 +1,5 @@
 """`vrts grade`."""
 
-import json
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -53,9 +52,10 @@ def command(
         say(f"wrote {folder / 'index.html'}")
     if form == "json":
         from vrts.report.json_form import results_json
+        from vrts.report.json_text import json_text
 
         results = results_json(row.assessment for row in rows)
-        out(json.dumps(results, indent=2, ensure_ascii=False))
+        out(json_text(results))
     sys.exit(FAULT if any(row.fault for row in rows) else HOLDS)
 
 

@@ -10,8 +10,10 @@ from vrts.cli.console import (
     color_option,
     fail,
     guarded,
+    language_options,
     out,
     program_bytes,
+    reading_of,
     say,
     show_diagnostics,
 )
@@ -29,17 +31,28 @@ Examples:
 @click.option("--scene", help="Name or path of a scene; without it the robot stands alone.")
 @click.option("--program", "entry", help="Program of the file to execute; the first, if not given.")
 @click.option("--at", "time_s", type=float, help="Print the state at a time in s, not the output.")
+@language_options
 @color_option
 @guarded
 def command(
-    program: str, scene: str | None, entry: str | None, time_s: float | None, color: str
+    program: str,
+    scene: str | None,
+    entry: str | None,
+    time_s: float | None,
+    others: tuple[str, ...],
+    dialect: str | None,
+    prec: str | None,
+    replace: bool,
+    color: str,
 ) -> None:
     """Run PROGRAM; what it TYPEs goes to stdout, everything else to stderr."""
     from vrts.pipeline import assess, load_scene, robot_alone
+    from vrts.report.plain import plain_text
 
     data, name, path = program_bytes(program)
     setting = load_scene(scene, path.parent if path else None) if scene else robot_alone()
-    found = assess(data, setting=setting, title=name, entry=entry, judged=False)
+    reading = reading_of(others, dialect or "auto", prec, replace=replace)
+    found = assess(data, setting=setting, title=name, entry=entry, judged=False, reading=reading)
     show_diagnostics(found.findings, color)
     run = found.run
     if run is None:
@@ -51,7 +64,7 @@ def command(
 
         out(state_text(run, time_s))
     else:
-        out(run.output.replace("\r\n", "\n"), end=False)
+        out(plain_text(run.output.replace("\r\n", "\n")), end=False)
         ended = run.ended_s if run.ended_s is not None else run.horizon_s
         say(f"{run.ending.value} after {ended:.3f} s of simulated time")
     sys.exit(WRONG if any(d.is_error for d in run.findings) else HOLDS)

@@ -1,6 +1,5 @@
 """`vrts verify`."""
 
-import json
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,8 +13,10 @@ from vrts.cli.console import (
     color_option,
     fail,
     guarded,
+    language_options,
     out,
     program_bytes,
+    reading_of,
     say,
     use_color,
     write_file,
@@ -46,6 +47,7 @@ Examples:
 @click.option("--record", type=click.Path(path_type=Path), help="Write a Rerun recording (.rrd).")
 @click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
 @click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
+@language_options
 @color_option
 @guarded
 def command(
@@ -56,6 +58,10 @@ def command(
     record: Path | None,
     form: str,
     no_collisions: bool,
+    others: tuple[str, ...],
+    dialect: str | None,
+    prec: str | None,
+    replace: bool,
     color: str,
 ) -> None:
     """Run PROGRAM and check everything: collisions, limits, goals.
@@ -77,11 +83,13 @@ def command(
         title=None if path else name,
         collisions=not no_collisions,
         curve=html is not None or record is not None,
+        reading=reading_of(others, dialect or "val2", prec, replace=replace),
     )
     if form == "json":
         from vrts.report.json_form import assessment_json
+        from vrts.report.json_text import json_text
 
-        out(json.dumps(assessment_json(found), indent=2, ensure_ascii=False))
+        out(json_text(assessment_json(found)))
     else:
         from vrts.report.text import assessment_text
 

@@ -24,6 +24,7 @@ from vrts.lang.splitter import INVALID_HEADER, Section, split
 from vrts.lang.steps import StepParser, report_pasted_characters, report_tolerated
 from vrts.lang.structure import Block, blocks, check_exits, labels
 from vrts.lang.syntax import Bad, Formal, Name, ProgramText
+from vrts.lang.uncollected import uncollected
 from vrts.lang.usage import check_usage
 
 NOT_A_PROGRAM = Rule("V104", "not-a-program")
@@ -37,6 +38,7 @@ _HEADER = re.compile(
 )
 _AS_TAIL = re.compile(r"[@#\d]")  # date, time and number that AS writes behind the header
 _FORMAL = re.compile(r"&?(?P<name>\.?[$#]?[A-Za-z][\w.]*)[ \t]*(?P<array>\[[ ,]*\])?$", re.ASCII)
+DATA_SUFFIXES = (".lc", ".rv", ".st")  # of files that STOREL, STORER and STORES write
 _FEW = 3  # steps: fewer say nothing about what a file is
 
 
@@ -65,8 +67,8 @@ def compile_source(source: SourceFile, options: Options = STRICT) -> Compilation
     dialect, found = options.dialect, None
     if dialect is None:
         dialect, found = detect(source)
-    problems = Problems(source, dialect)
-    compilation = _compile(problems, options)
+    with uncollected():
+        compilation = _compile(Problems(source, dialect), options)
     if found is None:
         return compilation
     return Compilation(compilation.module, (found, *compilation.diagnostics), dialect)
@@ -122,7 +124,8 @@ def _compile(problems: Problems, options: Options) -> Compilation:
     check_process_programs(problems, scope.programs)
     check_usage(resolver, programs)
     check_habits(problems, scope, programs, {n: found for n, (found, _) in structures.items()})
-    if not programs and not data and not problems.any_error:
+    stored = problems.source.name.lower().endswith(DATA_SUFFIXES) and data
+    if not programs and not stored and not problems.any_error:
         size = len(problems.source.text)
         problems.error(
             NO_PROGRAM,

@@ -32,22 +32,27 @@ from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS
 
 ENDLESS_LOOP = Rule("V222", "endless-loop")
 
+_STARTERS = frozenset({"PCEXECUTE", "REACTE"})
 _ENDINGS = frozenset({"RETURN", "STOP", "HALT", "PAUSE", "EXIT"})
 
 
 def check_loops(problems: Problems, scope: Scope, program: ProgramText, found: list[Block]) -> None:
-    """Warn of WHILE and DO loops that never end once they have begun."""
-    steps = (step.statement for other in scope.programs.values() for step in other.steps)
-    if any(_runs_beside(node) for node in steps):
-        return  # another program may change what the loop waits for
+    """Warn of WHILE and DO loops that never end once they have begun.
+
+    Not to be asked where `runs_beside`: another program may change what a loop waits for.
+    """
     for block in found:
         if block.word in ("WHILE", "DO"):
             _loop(problems, scope, program, block)
 
 
-def _runs_beside(node: Statement | None) -> bool:
-    return isinstance(node, ReactStatement) or (
-        isinstance(node, Simple) and node.word in ("PCEXECUTE", "REACTE")
+def runs_beside(programs: list[ProgramText]) -> bool:
+    """Return whether a reaction or a second program may run between the steps of another."""
+    return any(
+        isinstance(step.statement, ReactStatement)
+        or (isinstance(step.statement, Simple) and step.statement.word in _STARTERS)
+        for program in programs
+        for step in program.steps
     )
 
 

@@ -325,6 +325,7 @@ class ExpressionTypes:
             return
         name = first if isinstance(first, Name) else first.name
         entry = self._use(name, Type.REAL if signature.name == "tas" else None)
+        entry.asked = True
         if signature.name == "tas":
             entry.writes.append((name.start, name.end))
         whole_array = signature.name in _OF_ARRAYS
@@ -483,6 +484,7 @@ class ExpressionTypes:
             entry.values.append(value)
         elif isinstance(target, Name):
             entry.values.append(Text("", 0, 0))  # changes in ways not followed
+            entry.changed = True
         if isinstance(target, Element):
             self._subscripts(entry, target, target.subscripts)
         else:

@@ -5,7 +5,7 @@ from vrts.base.source import SourceFile, Span
 from vrts.ir import expressions as x
 from vrts.lang.dialect import Angles
 from vrts.lang.expression_types import ExpressionTypes
-from vrts.lang.joined import span_in
+from vrts.lang.joined import Joined, span_in
 from vrts.lang.names import key
 from vrts.lang.scope import Scope
 from vrts.lang.syntax import (
@@ -33,6 +33,7 @@ class ValueLowering:
         self, source: SourceFile, scope: Scope, types: ExpressionTypes, program: str
     ) -> None:
         self.source = source
+        self.joined = isinstance(source, Joined)
         self.scope = scope
         self.dialect = types.dialect
         self.functions = types.functions
@@ -41,7 +42,9 @@ class ValueLowering:
         self.program_name = program
 
     def _span(self, node: Item) -> Span:
-        return span_in(self.source, node.start, node.end)
+        if self.joined:
+            return span_in(self.source, node.start, node.end)
+        return Span(self.source, node.start, node.end)
 
     def variable(self, name: Name) -> x.Variable:
         """Return the variable of a name as the program sees it."""

@@ -83,6 +83,19 @@ class Problems:
             severity=Severity.WARNING,
         )
 
+    def note(
+        self,
+        rule: Rule,
+        headline: str,
+        start: int,
+        end: int,
+        *,
+        help: tuple[str, ...] = (),  # noqa: A002
+        data: Mapping[str, Datum] = NO_DATA,
+    ) -> None:
+        """Add a note at a range of offsets."""
+        self.error(rule, headline, start, end, help=help, data=data, severity=Severity.NOTE)
+
     def replace(self, start: int, end: int, replacement: str) -> Fix:
         """Return a fix that replaces a range of the source."""
         return Fix(span_in(self.source, start, end), replacement)

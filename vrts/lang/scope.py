@@ -33,6 +33,8 @@ class Entry:
     scalar: Place | None = None
     array: Place | None = None
     spellings: dict[str, Place] = field(default_factory=dict[str, Place])
+    asked: bool = False  # DEFINED and its like look whether it has a value
+    changed: bool = False  # given a value by something else than `=`
     values: list[Expression] = field(default_factory=list[Expression])  # all that is assigned
 
     @property

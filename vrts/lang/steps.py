@@ -1,13 +1,14 @@
 """One line of a program to a step. A bad line costs one diagnostic and becomes a `Bad` one."""
 
 import re
+from functools import cache
 from typing import Any
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.build import builders
 from vrts.lang.characters import BLANKS, INVISIBLE, LOOK_ALIKES, OPENING_QUOTES, SINGLE_QUOTES
 from vrts.lang.classify import Head, classify
-from vrts.lang.dialect import Precedence
+from vrts.lang.dialect import Dialect, Precedence
 from vrts.lang.lalr import Failure, TableParser
 from vrts.lang.mistakes import explain
 from vrts.lang.names import key
@@ -18,7 +19,7 @@ from vrts.lang.syntax import Bad, DataLine, Label, Rest, Simple, Statement, Step
 from vrts.lang.tokens import MAX_STRING, tokenise
 from vrts.lang.unknown_words import refuse, structural_word
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
-from vrts.lang.vocabulary.lookup import look_up
+from vrts.lang.vocabulary.lookup import instructions_of, look_up
 
 PASTED_CHARACTER = Rule("V108", "pasted-character")
 INVALID_LABEL = Rule("V133", "invalid-label")
@@ -43,6 +44,7 @@ class StepParser:
         self.dialect = problems.dialect
         self.parser = TableParser(builders(problems, precedence or self.dialect.precedence))
         self.program_names: frozenset[str] = frozenset()
+        self.whole_lines = _whole_line_words(self.dialect)
         self.tolerated: dict[str, list[tuple[int, int]]] = {}  # odd shapes, by what they are
         self.block_steps: list[tuple[int, int]] = []  # lines of AS block steps
 
@@ -135,9 +137,11 @@ class StepParser:
     # --- statements -----------------------------------------------------------------------------
 
     def _statement(self, text: str, at: int) -> Statement | None:
-        whole = self._unparsed(text, at)
-        if whole is not None:
-            return None if isinstance(whole, _Comment) else whole
+        first = text.split(None, 1)[0]
+        if first.upper() in self.whole_lines:
+            whole = self._unparsed(text, at)
+            if whole is not None:
+                return None if isinstance(whole, _Comment) else whole
         raw = tokenise(text, at, self.problems)
         if not raw:
             first = _FIRST_WORD.match(text)
@@ -208,6 +212,14 @@ class StepParser:
 
     def _tolerate(self, what: str, start: int, end: int) -> None:
         self.tolerated.setdefault(what, []).append((start, end))
+
+
+@cache
+def _whole_line_words(dialect: Dialect) -> frozenset[str]:
+    """Return every spelling of the words whose operands are not parsed."""
+    words = [w for w in instructions_of(dialect).values() if w.terminal == "REST"]
+    words += [INSTRUCTIONS[text] for text in _TEXT_WORDS if dialect.is_val]
+    return frozenset(word.text[:k] for word in words for k in range(1, len(word.text) + 1))
 
 
 class _Comment:

@@ -10,7 +10,7 @@ from vrts.base.diagnostic import Rule
 from vrts.base.numbers import single
 from vrts.lang.characters import BLANKS, INVISIBLE, LOOK_ALIKES, OPENING_QUOTES, STRANGERS
 from vrts.lang.dialect import Dialect
-from vrts.lang.nesting import balanced
+from vrts.lang.nesting import MAX_NESTING, balanced
 from vrts.lang.problems import Problems
 from vrts.lang.syntax import Token
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
@@ -26,7 +26,7 @@ MAX_STRING = 128  # [val2.md 1.6]
 
 _QUOTES = re.escape(OPENING_QUOTES)
 _TOKEN = re.compile(
-    rf"""(?P<WORD>[^\W\d_][\w.]*)
+    rf"""[ \t]*(?:(?P<WORD>[^\W\d_][\w.]*)
     |(?P<NUMBER>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)
     |(?P<STRING>"[^"]*")
     |(?P<OPEN>"[^"]*$)
@@ -34,8 +34,7 @@ _TOKEN = re.compile(
     |(?P<SIGIL>[$\#][^\W\d_][\w.]*)
     |(?P<TWO>==|<>|><|<=|=<|>=|=>|\*\*|!=|:=|\+=|-=|\+\+|--|&&|\|\|)
     |(?P<ONE>[-+*/=<>()\[\],:])
-    |(?P<BLANK>[ \t]+)
-    |(?P<OTHER>.)""",
+    |(?P<OTHER>[^ \t]))""",
     re.VERBOSE,
 )
 _FORMAT = re.compile(r"/[A-Za-z][A-Za-z0-9]*(?:\.\d+)?")
@@ -58,6 +57,7 @@ _SIGNS = {
     "+": "PLUS",
 }
 _INFIX = frozenset({"*", "/", "<", ">", ":", "==", "<>", "<=", "=<", ">=", "=>"})
+_BRACKETS = frozenset("()[]（）")
 _USUAL = {"=<": "<=", "=>": ">=", "><": "<>"}
 _MISTAKEN = {  # signs of other languages: what to write
     "!=": "<>",
@@ -92,13 +92,13 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
     size = len(text)
     while position < size:
         match = _TOKEN.match(text, position)
-        assert match is not None  # OTHER takes any character
+        if match is None:
+            break  # blanks at the end; OTHER takes any other character
         kind = match.lastgroup
-        start, end = position, match.end()
-        written = match.group()
+        assert kind is not None
+        start, end = match.span(kind)
+        written = text[start:end]
         position = end
-        if kind == "BLANK":
-            continue
         token: Token | None = None
         if kind == "WORD":
             if written.isascii():
@@ -166,7 +166,10 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
             good = False
         else:
             tokens.append(token)
-    if not good or not balanced(tokens, problems):
+    if not good:
+        return None
+    nested = len(tokens) > MAX_NESTING or not _BRACKETS.isdisjoint(text)
+    if nested and not balanced(tokens, problems):
         return None
     for place in joint_literals:
         _parenthesise(tokens, place + 1)

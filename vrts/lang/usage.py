@@ -15,6 +15,7 @@ UNDEFINED_VARIABLE = Rule("V205", "undefined-variable")
 UNDEFINED_PROGRAM = Rule("V206", "undefined-program")
 ARGUMENT_COUNT = Rule("V207", "argument-count")
 ARGUMENT_TYPE = Rule("V208", "argument-type")
+UNUSED_NAME = Rule("V225", "unused-name")
 ARRAY_AND_SCALAR = Rule("V213", "array-and-scalar")
 
 _MISMATCH = "VAL-II says *Program argument mismatch*"
@@ -32,6 +33,8 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
     for entry in resolver.scope.all_entries():
         if id(entry) not in clashes and entry.name not in resolver.bad_names:
             _without_value(resolver, entry)
+            if not resolver.problems.any_error:
+                _without_use(resolver, entry)
     for program in programs:
         for step in program.steps:
             if isinstance(step.statement, CallStatement):
@@ -150,6 +153,27 @@ def _without_value(resolver: Resolver, entry: Entry) -> None:
         ),
         help=(help_,),
         fix=problems.replace(*at, meant) if meant else None,
+        data={"name": entry.name},
+    )
+
+
+def _without_use(resolver: Resolver, entry: Entry) -> None:
+    """Note a number or string that only ever gets values, by `=`."""
+    if entry.reads or entry.passed or entry.asked or entry.slot is not None or not entry.writes:
+        return
+    if entry.type not in (Type.REAL, Type.STRING) or entry.changed or not entry.values:
+        return
+    bodies = [(p.start, p.finish[1]) for p in resolver.scope.programs.values()]
+    if not all(any(a <= at < b for a, b in bodies) for at, _ in entry.writes):
+        return  # data that stands ready
+    problems = resolver.problems
+    names = [e.name for e in resolver.scope.all_entries() if e is not entry and e.reads]
+    meant = nearest(entry.name, names)
+    problems.note(
+        UNUSED_NAME,
+        f"`{entry.name}` is given a value and never used in this file",
+        *min(entry.writes),
+        help=(f"did you mean `{meant}`?",) if meant else (),
         data={"name": entry.name},
     )
 

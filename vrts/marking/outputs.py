@@ -1,12 +1,12 @@
 """Writes what marking yields: results, an overview, and a page for each student."""
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 
 from vrts.marking.grade import Marked, write_atomically
 from vrts.pipeline import with_curve
 from vrts.report.json_form import Json, assessment_json, results_json
+from vrts.report.json_text import json_text
 from vrts.report.overview import overview
 from vrts.report.page import page
 from vrts.report.picture import moment_picture
@@ -39,4 +39,4 @@ def write_class(rows: Sequence[Marked], out: Path, title: str) -> None:
 
 
 def _json(value: Json) -> bytes:
-    return (json.dumps(value, indent=2, ensure_ascii=False) + "\n").encode()
+    return (json_text(value) + "\n").encode()

@@ -80,7 +80,7 @@ def test_name_of_two_kinds_shows_both_places() -> None:
 
 
 def test_endless_loop_through_a_call() -> None:
-    helper = ".PROGRAM step.on\nm = 2\n.END\n"
+    helper = ".PROGRAM step.on\nm = 2\nTYPE m\n.END\n"
     found = only("n = 1\nWHILE n <= 2 DO\nCALL step.on\nEND", helper)
     assert found.rule.code == "V222"
     assert found.help == ("change `n` in the loop, as in `n = n+1`",)
@@ -97,7 +97,7 @@ def test_endless_loop_through_a_call() -> None:
     ],
 )
 def test_loops_that_may_end_are_not_reported(body: str) -> None:
-    helpers = ".PROGRAM step.on\nn = 2\n.END\n.PROGRAM other(k)\nk = 2\n.END\n"
+    helpers = ".PROGRAM step.on\nn = 2\nTYPE n\n.END\n.PROGRAM other(k)\nk = 2\n.END\n"
     assert problems(body, helpers) == ()
 
 
