@@ -28,6 +28,7 @@ TOLERATED = Rule("V155", "tolerated")
 
 MAX_LABEL = 65535  # [val2.md 1.3]
 MAX_VAL2_LABEL = 32767  # beyond it VAL-II may refuse what V+ takes [assumed]
+MAX_SEEN = 4096  # different lines whose tokens are kept
 _DIGITS = re.compile(r"\d+")
 _LISTED = re.compile(r"\d+\.(?=[ \t]*\?)[ \t]*\?|\d+\.(?=[ \t]|$)")  # `12.  MOVE a` of a listing
 _NAMED_LABEL = re.compile(r"(?P<name>[A-Za-z][\w.]*):", re.ASCII)
@@ -44,6 +45,7 @@ class StepParser:
         self.dialect = problems.dialect
         self.parser = TableParser(builders(problems, precedence or self.dialect.precedence))
         self.program_names: frozenset[str] = frozenset()
+        self.seen: dict[str, tuple[int, tuple[Token, ...], Head]] = {}  # by text, with its place
         self.whole_lines = _whole_line_words(self.dialect)
         self.tolerated: dict[str, list[tuple[int, int]]] = {}  # odd shapes, by what they are
         self.block_steps: list[tuple[int, int]] = []  # lines of AS block steps
@@ -142,12 +144,12 @@ class StepParser:
             whole = self._unparsed(text, at)
             if whole is not None:
                 return None if isinstance(whole, _Comment) else whole
-        raw = tokenise(text, at, self.problems)
-        if not raw:
-            first = _FIRST_WORD.match(text)
-            word = first.group().upper() if first else None
+        classified = self._tokens(text, at)
+        if classified is None:
+            match = _FIRST_WORD.match(text)
+            word = match.group().upper() if match else None
             return Bad(word, names_in(text), at, at + len(text))
-        tokens, head = classify(raw, self.dialect)
+        tokens, head = classified
         completed = ""
         if self.dialect.tolerant:
             tokens, head, completed = self._tolerant(tokens, head)
@@ -164,6 +166,26 @@ class StepParser:
         if node is None:
             return Bad(structural_word(tokens, head), names_in(text), at, at + len(text))
         return node
+
+    def _tokens(self, text: str, at: int) -> tuple[list[Token], Head] | None:
+        """Return the tokens of a statement, those of the same text seen before moved to its place.
+
+        Most lines of a program stand in it more than once. None when one was reported.
+        """
+        seen = self.seen.get(text)
+        if seen is not None:
+            before, tokens, head = seen
+            by = at - before
+            return [Token(k, t, a + by, b + by, v) for k, t, a, b, v in tokens], head
+        reported = len(self.problems.found) + len(self.problems.look_alikes)
+        raw = tokenise(text, at, self.problems)
+        if not raw:
+            return None
+        tokens, head = classify(raw, self.dialect)
+        quiet = reported == len(self.problems.found) + len(self.problems.look_alikes)
+        if quiet and len(self.seen) < MAX_SEEN:
+            self.seen[text] = (at, tuple(tokens), head)
+        return tokens, head
 
     def _unparsed(self, text: str, at: int) -> "Rest | Simple | _Comment | None":
         """Return a step whose operands are not expressions: opaque ones, REMARK, texts of VAL."""

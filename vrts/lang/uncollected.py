@@ -1,12 +1,12 @@
 """Building large trees without the garbage collector looking at them again and again."""
 
 import gc
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 
 
 @contextmanager
-def uncollected() -> Iterator[None]:
+def uncollected() -> Generator[None]:
     """Hold the collector back: what is built inside has no cycles, and counting suffices.
 
     Its full passes otherwise take a third of the time of a large program, and more the longer it
