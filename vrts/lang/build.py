@@ -99,6 +99,11 @@ def _list(values: Any) -> tuple[Any, ...]:
     return () if len(values) == 1 and values[0] is None else tuple(values)
 
 
+def _subscripts(values: Any) -> tuple[Any, ...]:
+    """Return the subscripts of an element; `a[]` and `a[,]` are whole arrays."""
+    return () if all(value is None for value in values) else tuple(values)
+
+
 def _value(token: Any, sign: float = 1.0) -> Number:
     return Number(sign * token.value, token.start, token.end)
 
@@ -284,7 +289,7 @@ _BUILDERS: dict[str, Build] = {
     "application": _application,
     "application_by": _application_by,
     "parenthesised": lambda v: Parenthesised(v[1], v[0].start, v[2].end),
-    "element": lambda v: Element(v[0], _list(v[2]), v[0].start, v[3].end),
+    "element": lambda v: Element(v[0], _subscripts(v[2]), v[0].start, v[3].end),
     "name": lambda v: Name(v[0].text, v[0].start, v[0].end),
     "format": lambda v: FormatItem(v[0].text, v[0].start, v[0].end),
     "nothing": lambda _: None,

@@ -37,7 +37,10 @@ _HEADER = re.compile(
     re.IGNORECASE | re.ASCII,
 )
 _AS_TAIL = re.compile(r"[@#\d]")  # date, time and number that AS writes behind the header
-_FORMAL = re.compile(r"&?(?P<name>\.?[$#]?[A-Za-z][\w.]*)[ \t]*(?P<array>\[[ ,]*\])?$", re.ASCII)
+_BETWEEN_FORMALS = re.compile(r",(?![ ,]*\])")  # not inside `a[,]`
+_FORMAL = re.compile(
+    r"(?P<name>(?:\.?&?|&?\.?)[$#]?[A-Za-z][\w.]*)[ \t]*(?P<array>\[[ ,]*\])?$", re.ASCII
+)
 DATA_SUFFIXES = (".lc", ".rv", ".st")  # of files that STOREL, STORER and STORES write
 _FEW = 3  # steps: fewer say nothing about what a file is
 
@@ -81,7 +84,7 @@ def compile_sources(sources: Sequence[SourceFile], options: Options = STRICT) ->
 
 def _compile(problems: Problems, options: Options) -> Compilation:
     dialect = problems.dialect
-    sections = split(problems)
+    sections = [s for s in split(problems) if not _is_remarks(s, dialect)]
     headers = [_header(s, problems) for s in sections if s.kind == "program"]
     parser = StepParser(problems, options.precedence)
     parser.program_names = frozenset(name for name, _ in headers)
@@ -90,6 +93,7 @@ def _compile(problems: Problems, options: Options) -> Compilation:
         (s for s in sections if s.kind == "program"), headers, strict=True
     ):
         steps = tuple(parser.step(line) for line in section.lines)
+        parser.report_block_steps()
         header = section.header
         programs.append(
             ProgramText(
@@ -124,7 +128,7 @@ def _compile(problems: Problems, options: Options) -> Compilation:
     check_process_programs(problems, scope.programs)
     check_usage(resolver, programs)
     check_habits(problems, scope, programs, {n: found for n, (found, _) in structures.items()})
-    stored = problems.source.name.lower().endswith(DATA_SUFFIXES) and data
+    stored = data and (dialect.is_as or problems.source.name.lower().endswith(DATA_SUFFIXES))
     if not programs and not stored and not problems.any_error:
         size = len(problems.source.text)
         problems.error(
@@ -143,6 +147,13 @@ def _compile(problems: Problems, options: Options) -> Compilation:
         check_reachable(problems, program, lowered[program.name])
     module = Module(MappingProxyType(lowered), tuple(data))
     return Compilation(module, problems.in_order(), dialect)
+
+
+def _is_remarks(section: Section, dialect: Dialect) -> bool:
+    """Whether a section is the fake program in which the editor of AS keeps its remarks."""
+    match = _HEADER.match(section.header.text) if section.kind == "program" else None
+    name = match["name"] if match is not None else None
+    return dialect.has("a") and name is not None and name.lower().startswith("comment___")
 
 
 def _header(section: Section, problems: Problems) -> tuple[str, tuple[Formal, ...]]:
@@ -174,7 +185,7 @@ def _header(section: Section, problems: Problems) -> tuple[str, tuple[Formal, ..
         )
     formals: list[Formal] = []
     at = line.start + max(match.start("formals"), 0)
-    for written in (match["formals"] or "").split(","):
+    for written in _BETWEEN_FORMALS.split(match["formals"] or ""):
         start = at + len(written) - len(written.lstrip())
         at += len(written) + 1
         text = written.strip()
@@ -189,7 +200,7 @@ def _header(section: Section, problems: Problems) -> tuple[str, tuple[Formal, ..
                     help=("formals are names such as `n`, `$text`, `#point` or `row[]`",),
                 )
             continue
-        name = formal["name"] if formal else ""
+        name = formal["name"].replace("&", "") if formal else ""
         if name[:1] == "." and name[1] in "$#":
             name = f"{name[1]}.{name[2:]}"  # `.$s` of AS, with its sigil first
         node = Name(name, start, start + len(name))

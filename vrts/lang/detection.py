@@ -1,7 +1,7 @@
 """Which language of the family a file is written in, where nobody says.
 
 Strict VAL-II is the default; another dialect is taken only where the file name says so, or where
-several words that only it has stand in the text and none that it lacks.
+several words that only it has stand in the text and hardly one that it lacks.
 """
 
 import re
@@ -22,6 +22,7 @@ _AS_SECTION = re.compile(
     r"^[ \t]*\.(TRANS|JOINTS|ROBOTDATA\d*|SYSDATA|AUXDATA)\b", re.MULTILINE | re.IGNORECASE
 )
 _ENOUGH = 2  # words that only one dialect has
+_OUTWEIGHS = 3  # times as many as words that it lacks: real files hold a slip or two
 
 
 def detect(source: SourceFile) -> tuple[Dialect, Diagnostic | None]:
@@ -42,7 +43,7 @@ def detect(source: SourceFile) -> tuple[Dialect, Diagnostic | None]:
     for dialect in (VPLUS, AS, VAL):
         own = [w.text for w in used if w.dialects == dialect.letters]
         lacking = [w for w in used if not dialect.has(w.dialects)]
-        if len(own) >= _ENOUGH and not lacking:
+        if len(own) >= _ENOUGH and len(own) > _OUTWEIGHS * len(lacking):
             counts.append((len(own), dialect, own))
     if not counts:
         return VAL2, None

@@ -1,6 +1,6 @@
 """Statements: which types each wants, and which names each gives a value."""
 
-from vrts.base.diagnostic import Rule
+from vrts.base.diagnostic import Rule, Severity
 from vrts.ir.values import Type
 from vrts.lang.expression_types import WRONG_TYPE
 from vrts.lang.forms import is_text
@@ -124,9 +124,12 @@ class Resolver(OperandTypes):
             self.check(value, Type.STRING, f"`{name.text}` holds a string")
             return
         if name.text[0] == "#" or self.is_location(value):
-            self._type(value, Type.POSE)
             self.assigned_location(node)
-            if name.text[0] != "#":
+            if self.dialect.tolerant:
+                self._location(value, "a location is given a location")
+            else:
+                self._type(value, Type.POSE)
+            if name.text[0] != "#" or self.dialect.tolerant:
                 self._write(target, Type.POSE, "", value)
             return
         if isinstance(value, Name | Element) and self._open_type(value):
@@ -162,6 +165,7 @@ class Resolver(OperandTypes):
             notes=("`=` is for numbers and strings", "VAL-II says *Illegal assignment*"),
             help=(f"write `SET {self.problems.source.text[node.start : node.end]}`",),
             fix=self.problems.replace(node.start, node.start, "SET "),
+            severity=Severity.WARNING if self.dialect.tolerant else Severity.ERROR,
         )
 
     def _here(self, target: Expression) -> None:

@@ -31,6 +31,8 @@ _DATA_SECTIONS = {
     ".STRINGS": "strings",
 }
 _DOTTED = re.compile(r"\.[A-Za-z_*][\w*]*")
+_LOCAL = re.compile(r"\.[A-Za-z][\w.]*[ \t]*[=\[]", re.ASCII)  # a local name of AS, assigned
+_STARS = re.compile(r"\.\*")  # lines of stars and words that AS writes between sections
 _UNDOTTED = re.compile(r"PROGRAM[ \t]+[A-Za-z][\w.]*[ \t]*(\(.*\))?[ \t]*(;.*)?$", re.IGNORECASE)
 _QUOTES = re.escape(OPENING_QUOTES)
 _STRING_OR_COMMENT = re.compile(rf"""("[^"]*("|$)|[{_QUOTES}][^{_QUOTES}"]*[{_QUOTES}"]|'.)|(;)""")
@@ -101,6 +103,8 @@ class _Splitter:
         line = Line(0, text, start, start + len(text))
         if len(raw) > LONG and len(text) <= self.problems.dialect.max_line:
             self.long_lines.append((start, at + len(raw)))
+        if _STARS.match(text):
+            return
         if text.startswith(".") and self._is_section(text):
             self._dotted(line)
         elif _UNDOTTED.match(text):
@@ -114,11 +118,9 @@ class _Splitter:
 
     def _is_section(self, text: str) -> bool:
         """Whether a line is `.PROGRAM` or its like, and no step on a local name of AS, `.x = 1`."""
-        match = _DOTTED.match(text)
-        if match is None:
+        if _DOTTED.match(text) is None:
             return False
-        rest = text[match.end() :].lstrip()
-        return not (self.problems.dialect.has("a") and rest[:1] in ("=", "["))
+        return not (self.problems.dialect.has("a") and _LOCAL.match(text))
 
     def _keep(self, section: _Open, line: Line) -> None:
         section.count += 1

@@ -25,6 +25,7 @@ PASTED_CHARACTER = Rule("V108", "pasted-character")
 INVALID_LABEL = Rule("V133", "invalid-label")
 LARGE_LABEL = Rule("V154", "large-label")
 TOLERATED = Rule("V155", "tolerated")
+BLOCK_STEP = Rule("V158", "block-step")
 
 MAX_LABEL = 65535  # [val2.md 1.3]
 MAX_VAL2_LABEL = 32767  # beyond it VAL-II may refuse what V+ takes [assumed]
@@ -34,6 +35,9 @@ _LISTED = re.compile(r"\d+\.(?=[ \t]*\?)[ \t]*\?|\d+\.(?=[ \t]|$)")  # `12.  MOV
 _NAMED_LABEL = re.compile(r"(?P<name>[A-Za-z][\w.]*):", re.ASCII)
 _NAMES = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
 _FIRST_WORD = re.compile(r"[A-Za-z][\w.]*", re.ASCII)
+_BLOCK_STEP = re.compile(
+    r"(?:A[CS][ \t]+)?[A-Z]\w*[ \t]+SPEED\d+[ \t]+ACCU\d+", re.ASCII | re.IGNORECASE
+)  # JOINT SPEED9 ACCU1 TIMER0 ... [traps 25]
 _TEXT_WORDS = frozenset({"TYPE", "STOP", "PAUSE"})  # VAL: text without quotes follows
 
 
@@ -53,8 +57,29 @@ class StepParser:
     def step(self, line: Line) -> Step:
         """Return the step of a line of a program."""
         label, text, at = self._label(line)
+        if text and self.dialect.has("a") and _BLOCK_STEP.match(text):
+            self.block_steps.append((at, line.end))
+            return Step(line.number, label, Bad(None, (), at, line.end))
         statement = self._statement(text, at) if text else None
         return Step(line.number, label, statement)
+
+    def report_block_steps(self) -> None:
+        """Report the block steps of AS met since the last call: one message for a program."""
+        if not self.block_steps:
+            return
+        more = len(self.block_steps) - 1
+        self.problems.error(
+            BLOCK_STEP,
+            "a block step of AS is not read",
+            *self.block_steps[0],
+            notes=(
+                *((f"{more} more in this program",) if more else ()),
+                "block steps are another language of the Kawasaki controller",
+            ),
+            help=("write the motion as an AS step: `JMOVE` or `LMOVE` to the joints in `#[...]`",),
+            data={"steps": more + 1},
+        )
+        self.block_steps = []
 
     def data(self, line: Line) -> DataLine | Failure | None:
         """Return a line of a data section; None when it was reported."""
@@ -101,8 +126,9 @@ class StepParser:
             listed = _LISTED.match(line.text)
             if listed is not None and self.dialect.tolerant:
                 self._tolerate("step numbers of a listing", start, line.start + listed.end())
-                text = line.text[listed.end() :].lstrip()
-                relabelled = line._replace(text=text, start=line.end - len(text))
+                text = line.text[listed.end() :].lstrip().removesuffix("@").rstrip()
+                start = line.start + line.text.index(text, listed.end()) if text else line.end
+                relabelled = line._replace(text=text, start=start, end=start + len(text))
                 return self._label(relabelled) if text else (None, "", line.end)
             self.problems.error(
                 INVALID_LABEL,

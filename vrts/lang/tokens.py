@@ -39,7 +39,7 @@ _TOKEN = re.compile(
 )
 _FORMAT = re.compile(r"/[A-Za-z][A-Za-z0-9]*(?:\.\d+)?")
 _LOCAL = re.compile(
-    r"""\.(?P<sigil>[$#])?(?P<name>[A-Za-z][\w.]*)
+    r"""\.&?(?P<sigil>[$#])?(?P<name>[A-Za-z][\w.]*)
     |(?P<mark>&)(?=[ \t]*[A-Za-z.#$])
     |(?P<joints>\#)(?=\[)""",
     re.ASCII | re.VERBOSE,

@@ -34,6 +34,10 @@ def refuse(
     """Report a step whose first word says that it cannot be parsed; return whether it was."""
     first = tokens[0]
     if head.word is not None:
+        written = problems.source.text[first.start : first.end].upper()
+        if written != head.word.text and written in INSTRUCTIONS and len(tokens) > 1:
+            _other_dialect(problems, first, written)  # READ of V+ is short for READY, but hardly
+            return True
         if len(head.abbreviates) > 1:
             _guessed(problems, first, head.word)
         return False

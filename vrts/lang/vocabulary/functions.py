@@ -161,6 +161,14 @@ _ALL = (
     _f(_F.OPAQUE, "r", _S, "bytes of a number", "+", name="$lngb"),
     _f(_F.OPAQUE, "r", _S, "bytes of a number", "+", name="$fltb"),
     _f(_F.OPAQUE, "r", _S, "bytes of a number", "+", name="$dblb"),
+    _f(_F.OPAQUE, "r r*", _R, "number of signals as bits", "+", name="bmask"),
+    _f(_F.OPAQUE, "s", _R, "whether there is a program", "a", name="existpgm"),
+    _f(_F.OPAQUE, "s", _R, "whether a number has a value", "a", name="existreal"),
+    _f(_F.OPAQUE, "s", _R, "whether a string has a value", "a", name="existchar"),
+    _f(_F.OPAQUE, "s", _R, "whether a location has a value", "a", name="existtrans"),
+    _f(_F.OPAQUE, "s", _R, "whether a precision point has a value", "a", name="existjoint"),
+    _f(_F.OPAQUE, "r", _R, "seconds of a timer of the user", "a", name="utimer"),
+    _f(_F.PPOINT, "r? r? r? r? r? r?", _J, "precision point without its sign", "a", name="ppoint"),
     _f(_F.OPAQUE, "r? r?", _S, "name of the default disk", "+", name="$defaults", bare=_EVERYWHERE),
 )
 
