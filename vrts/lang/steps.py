@@ -38,6 +38,7 @@ _FIRST_WORD = re.compile(r"[A-Za-z][\w.]*", re.ASCII)
 _BLOCK_STEP = re.compile(
     r"(?:A[CS][ \t]+)?[A-Z]\w*[ \t]+SPEED\d+[ \t]+ACCU\d+", re.ASCII | re.IGNORECASE
 )  # JOINT SPEED9 ACCU1 TIMER0 ... [traps 25]
+_COMPONENT = re.compile(r"POINT[ \t]*/", re.IGNORECASE)  # `POINT/X a = b` sets one component
 _TEXT_WORDS = frozenset({"TYPE", "STOP", "PAUSE"})  # VAL: text without quotes follows
 
 
@@ -166,6 +167,8 @@ class StepParser:
 
     def _statement(self, text: str, at: int) -> Statement | None:
         first = text.split(None, 1)[0]
+        if self.dialect.has("a") and _COMPONENT.match(text):
+            return Rest("POINT", names_in(text), at, at + len(text))
         if first.upper() in self.whole_lines:
             whole = self._unparsed(text, at)
             if whole is not None:
