@@ -1,6 +1,5 @@
 """Source text to a module: the stages of the language in their order."""
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -14,33 +13,23 @@ from vrts.lang.detection import detect
 from vrts.lang.dialect import VAL2, Dialect, Precedence
 from vrts.lang.flow import check_jumps, check_process_programs, check_reachable
 from vrts.lang.habits import check_habits
+from vrts.lang.headers import is_remarks, read_header
 from vrts.lang.joined import Joined
 from vrts.lang.lower import Lowering
-from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.resolve import Resolver
 from vrts.lang.scope import Scope
-from vrts.lang.splitter import INVALID_HEADER, Section, split
+from vrts.lang.splitter import split
 from vrts.lang.steps import StepParser, report_pasted_characters, report_tolerated
 from vrts.lang.structure import Block, blocks, check_exits, labels
-from vrts.lang.syntax import Bad, Formal, Name, ProgramText
+from vrts.lang.syntax import Bad, ProgramText
 from vrts.lang.uncollected import uncollected
 from vrts.lang.usage import check_usage
 
 NOT_A_PROGRAM = Rule("V104", "not-a-program")
 DUPLICATE_PROGRAM = Rule("V143", "duplicate-program")
 NO_PROGRAM = Rule("V148", "no-program")
-DUPLICATE_FORMAL = Rule("V217", "duplicate-formal")
 
-_HEADER = re.compile(
-    r"\.?PROGRAM(?:[ \t]+(?P<name>[A-Za-z][\w.]*))?[ \t]*(?:\((?P<formals>[^()]*)\))?(?P<rest>.*)$",
-    re.IGNORECASE | re.ASCII,
-)
-_AS_TAIL = re.compile(r"[@#\d]")  # date, time and number that AS writes behind the header
-_BETWEEN_FORMALS = re.compile(r",(?![ ,]*\])")  # not inside `a[,]`
-_FORMAL = re.compile(
-    r"(?P<name>(?:\.?&?|&?\.?)[$#]?[A-Za-z][\w.]*)[ \t]*(?P<array>\[[ ,]*\])?$", re.ASCII
-)
 DATA_SUFFIXES = (".lc", ".rv", ".st")  # of files that STOREL, STORER and STORES write
 _FEW = 3  # steps: fewer say nothing about what a file is
 
@@ -84,8 +73,8 @@ def compile_sources(sources: Sequence[SourceFile], options: Options = STRICT) ->
 
 def _compile(problems: Problems, options: Options) -> Compilation:
     dialect = problems.dialect
-    sections = [s for s in split(problems) if not _is_remarks(s, dialect)]
-    headers = [_header(s, problems) for s in sections if s.kind == "program"]
+    sections = [s for s in split(problems) if not is_remarks(s, dialect)]
+    headers = [read_header(s, problems) for s in sections if s.kind == "program"]
     parser = StepParser(problems, options.precedence)
     parser.program_names = frozenset(name for name, _ in headers)
     programs: list[ProgramText] = []
@@ -147,74 +136,6 @@ def _compile(problems: Problems, options: Options) -> Compilation:
         check_reachable(problems, program, lowered[program.name])
     module = Module(MappingProxyType(lowered), tuple(data))
     return Compilation(module, problems.in_order(), dialect)
-
-
-def _is_remarks(section: Section, dialect: Dialect) -> bool:
-    """Whether a section is the fake program in which the editor of AS keeps its remarks."""
-    match = _HEADER.match(section.header.text) if section.kind == "program" else None
-    name = match["name"] if match is not None else None
-    return dialect.has("a") and name is not None and name.lower().startswith("comment___")
-
-
-def _header(section: Section, problems: Problems) -> tuple[str, tuple[Formal, ...]]:
-    """Return name and formals of a program."""
-    line = section.header
-    if not line.text:
-        return "main", ()
-    match = _HEADER.match(line.text)
-    if match is None or not match["name"]:
-        problems.error(
-            INVALID_HEADER,
-            "a program needs a name",
-            line.start,
-            line.end,
-            notes=("VAL-II says *Invalid program or variable name*",),
-            help=("write `.PROGRAM name` or `.PROGRAM name(a, b)`",),
-        )
-        return "", ()
-    rest = match["rest"].strip()
-    if _AS_TAIL.match(rest):
-        rest = ""
-    if rest.startswith(("(", "[", ",")) or (rest and match["formals"] is None):
-        problems.error(
-            INVALID_HEADER,
-            f"`{rest[:40]}` does not belong to the name of a program",
-            line.start + match.start("rest"),
-            line.end,
-            help=("write `.PROGRAM name` or `.PROGRAM name(a, b)`",),
-        )
-    formals: list[Formal] = []
-    at = line.start + max(match.start("formals"), 0)
-    for written in _BETWEEN_FORMALS.split(match["formals"] or ""):
-        start = at + len(written) - len(written.lstrip())
-        at += len(written) + 1
-        text = written.strip()
-        formal = _FORMAL.match(text)
-        if formal is None and (text or "," not in (match["formals"] or "")):
-            if text:
-                problems.error(
-                    INVALID_HEADER,
-                    f"`{text[:40]}` is not a formal argument",
-                    start,
-                    start + len(text),
-                    help=("formals are names such as `n`, `$text`, `#point` or `row[]`",),
-                )
-            continue
-        name = formal["name"].replace("&", "") if formal else ""
-        if name[:1] == "." and name[1] in "$#":
-            name = f"{name[1]}.{name[2:]}"  # `.$s` of AS, with its sigil first
-        node = Name(name, start, start + len(name))
-        if name and any(key(name) == key(f.name.text) for f in formals if f.name.text):
-            problems.error(
-                DUPLICATE_FORMAL,
-                f"`{name}` stands twice among the formals",
-                node.start,
-                node.end,
-                help=("give each formal its own name",),
-            )
-            continue
-        formals.append(Formal(node, bool(formal and formal["array"])))
-    return key(match["name"]), tuple(formals)
 
 
 def _distinct(

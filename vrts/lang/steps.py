@@ -57,7 +57,7 @@ class StepParser:
 
     def step(self, line: Line) -> Step:
         """Return the step of a line of a program."""
-        label, text, at = self._label(line)
+        label, text, at = self.label(line)
         if text and self.dialect.has("a") and _BLOCK_STEP.match(text):
             self.block_steps.append((at, line.end))
             return Step(line.number, label, Bad(None, (), at, line.end))
@@ -103,7 +103,8 @@ class StepParser:
 
     # --- labels ---------------------------------------------------------------------------------
 
-    def _label(self, line: Line) -> tuple[Label | None, str, int]:
+    def label(self, line: Line) -> tuple[Label | None, str, int]:
+        """Return the label of a line, what follows it, and where that begins."""
         text = line.text
         if text[0].isdecimal():
             return self._number(line)
@@ -130,7 +131,7 @@ class StepParser:
                 text = line.text[listed.end() :].lstrip().removesuffix("@").rstrip()
                 start = line.start + line.text.index(text, listed.end()) if text else line.end
                 relabelled = line._replace(text=text, start=start, end=start + len(text))
-                return self._label(relabelled) if text else (None, "", line.end)
+                return self.label(relabelled) if text else (None, "", line.end)
             self.problems.error(
                 INVALID_LABEL,
                 "a label is a whole number followed by a blank",
@@ -173,7 +174,7 @@ class StepParser:
             whole = self._unparsed(text, at)
             if whole is not None:
                 return None if isinstance(whole, _Comment) else whole
-        classified = self._tokens(text, at)
+        classified = self.tokens(text, at)
         if classified is None:
             match = _FIRST_WORD.match(text)
             word = match.group().upper() if match else None
@@ -196,7 +197,7 @@ class StepParser:
             return Bad(structural_word(tokens, head), names_in(text), at, at + len(text))
         return node
 
-    def _tokens(self, text: str, at: int) -> tuple[list[Token], Head] | None:
+    def tokens(self, text: str, at: int) -> tuple[list[Token], Head] | None:
         """Return the tokens of a statement, those of the same text seen before moved to its place.
 
         Most lines of a program stand in it more than once. None when one was reported.
