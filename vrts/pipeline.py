@@ -266,6 +266,16 @@ def compile_bytes(data: bytes, name: str, reading: Reading = STRICT) -> "Compile
     return Compiled(found[0], compilation, (*unread, *compilation.diagnostics))
 
 
+def store(compilation: "Compilation", *, exact: bool = False) -> str:
+    """Return what STORE writes for a compilation that succeeded."""
+    from vrts.lang.store import store_text
+
+    module, source = compilation.module, compilation.source
+    assert module is not None
+    assert source is not None
+    return store_text(source, module, compilation.dialect, exact=exact)
+
+
 class Formatted(NamedTuple):
     """A program in canonical layout."""
 

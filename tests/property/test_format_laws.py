@@ -76,7 +76,7 @@ def test_any_lines(lines: list[str], dialect: Dialect) -> None:
 
 
 WORDS = (
-    "x $s #p 1 5. .5 1E-3 ^HFF 'a \"t;\" ( ) [ ] , + - * / : = == =< <> NOT AND MOD TO BY THEN "
+    'x $s #p 1 5. .5 1E-3 ^HFF \'a "t;" ( ) [ ] , + - * / : = == =< <> NOT AND MOD TO BY THEN '
     "MOVE SET TYPE IF FOR BASE SPEED ALWAYS SIN dx TRANS /F8.2 10 END DO ; & #[ .x ** ^ 2: WRITE"
 )
 PIECES = st.sampled_from([*WORDS.split(), "\t", "  "])

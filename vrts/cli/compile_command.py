@@ -37,8 +37,12 @@ Examples:
 @click.command(name="compile", epilog=EPILOG)
 @click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True)
 @click.option(
-    "--emit", type=click.Choice(["nothing", "ir"]), default="nothing", help="Print the IR."
+    "--emit",
+    type=click.Choice(["nothing", "ir", "store"]),
+    default="nothing",
+    help="Print the IR, or what STORE writes.",
 )
+@click.option("--exact", is_flag=True, help="With --emit store: locations with all their digits.")
 @click.option(
     "--format",
     "form",
@@ -53,6 +57,7 @@ Examples:
 def command(
     programs: tuple[str, ...],
     emit: str,
+    exact: bool,
     form: Form,
     others: tuple[str, ...],
     dialect: str | None,
@@ -63,14 +68,16 @@ def command(
     """Check each PROGRAM (a file, or - for stdin) for mistakes, without running it."""
     from vrts.pipeline import compile_bytes
 
-    if emit == "ir" and form != "full":
-        fail(f"`--emit ir` and `--format {form}` both write to stdout", ("ask for one of them",))
+    if emit != "nothing" and form != "full":
+        fail(
+            f"`--emit {emit}` and `--format {form}` both write to stdout", ("ask for one of them",)
+        )
     read = [program_bytes(program) for program in programs]
     reading = reading_of(others, dialect or "auto", prec, replace=replace)
     compiled = [(name, compile_bytes(data, name, reading)) for data, name, _ in read]
     if form == "full":
         for name, found in compiled:
-            _show(name, found, emit, color)
+            _show(name, found, emit, color, exact=exact)
     else:
         checked = [Checked(name, c.diagnostics, _compiles(c)) for name, c in compiled]
         text = render(checked, form, color=use_color(color))
@@ -79,8 +86,8 @@ def command(
     sys.exit(HOLDS if all(_compiles(found) for _, found in compiled) else WRONG)
 
 
-def _show(name: str, found: "Compiled", emit: str, color: str) -> None:
-    """Write what was found in one file to stderr, and its IR to stdout."""
+def _show(name: str, found: "Compiled", emit: str, color: str, *, exact: bool) -> None:
+    """Write what was found in one file to stderr, and what was asked for to stdout."""
     show_diagnostics(found.diagnostics, color)
     module = found.compilation.module if found.compilation else None
     if module is None:
@@ -89,6 +96,11 @@ def _show(name: str, found: "Compiled", emit: str, color: str) -> None:
         from vrts.ir.dump import dump
 
         out(dump(module), end=False)
+    elif emit == "store":
+        from vrts.pipeline import store
+
+        assert found.compilation is not None
+        out(store(found.compilation, exact=exact), end=False)
     else:
         say(f"{name}: {_contents(len(module.programs), len(module.data))}, compiles")
 

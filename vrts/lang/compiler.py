@@ -1,7 +1,7 @@
 """Source text to a module: the stages of the language in their order."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -41,6 +41,7 @@ class Compilation:
     module: Module | None  # None when there is any error
     diagnostics: tuple[Diagnostic, ...]  # in the order of the text
     dialect: Dialect = VAL2
+    source: SourceFile | None = None  # what was compiled: one file, or several joined
 
 
 class Options(NamedTuple):
@@ -63,7 +64,7 @@ def compile_source(source: SourceFile, options: Options = STRICT) -> Compilation
         compilation = _compile(Problems(source, dialect), options)
     if found is None:
         return compilation
-    return Compilation(compilation.module, (found, *compilation.diagnostics), dialect)
+    return replace(compilation, diagnostics=(found, *compilation.diagnostics))
 
 
 def compile_sources(sources: Sequence[SourceFile], options: Options = STRICT) -> Compilation:
@@ -91,7 +92,7 @@ def _compile(problems: Problems, options: Options) -> Compilation:
         )
     stranger = _stranger(problems, programs)
     if stranger is not None:
-        return Compilation(None, (stranger,), dialect)
+        return Compilation(None, (stranger,), dialect, problems.source)
     programs = _distinct(programs, problems, replace=options.replace)
     scope = Scope(programs)
     data: list[Datum] = []
@@ -128,14 +129,14 @@ def _compile(problems: Problems, options: Options) -> Compilation:
             help=("begin one with `.PROGRAM name` and end it with `.END`",),
         )
     if problems.any_error:
-        return Compilation(None, problems.in_order(), dialect)
+        return Compilation(None, problems.in_order(), dialect, problems.source)
     lowered: dict[str, Program] = {}
     for program in programs:
         lowering = Lowering(problems.source, scope, resolver, program, *structures[program.name])
         lowered[program.name] = lowering.run()
         check_reachable(problems, program, lowered[program.name])
     module = Module(MappingProxyType(lowered), tuple(data))
-    return Compilation(module, problems.in_order(), dialect)
+    return Compilation(module, problems.in_order(), dialect, problems.source)
 
 
 def _distinct(

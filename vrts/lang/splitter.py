@@ -28,6 +28,7 @@ _DATA_SECTIONS = {
     ".TRANS": "locations",
     ".JOINTS": "locations",
     ".REALS": "reals",
+    ".DOUBLES": "reals",
     ".STRINGS": "strings",
 }
 _DOTTED = re.compile(r"\.[A-Za-z_*][\w*]*")
