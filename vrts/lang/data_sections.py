@@ -4,6 +4,7 @@ Lines are read as they stand in real files: values between blanks or commas, wit
 behind the name, locations of 3, 6 or 12 values [val2.md 2.2].
 """
 
+import math
 import re
 from typing import NamedTuple
 
@@ -163,7 +164,7 @@ def _written(problems: Problems, number: Number) -> str:
     text = problems.source.text[number.start : number.end].lstrip("+-")
     if not text[:1].isdecimal() and text[:1] != ".":
         return repr(number.value)  # `^HFF`
-    return f"-{text}" if number.value < 0 else text
+    return f"-{text}" if math.copysign(1.0, number.value) < 0 else text  # -0.0 of what is tiny
 
 
 def _joints(problems: Problems, line: Line, name: Name, numbers: list[Number]) -> Joints | None:

@@ -15,7 +15,6 @@ _DEGREE = _DIGITS.divide(_PI, Decimal(180))
 
 FEWEST, MOST = 15, 22  # digits that are tried for a double
 MOST_SINGLE = 9  # digits that tell single-precision numbers apart
-LARGEST_SINGLE = 3.4028234663852886e38
 
 
 def metres(text: str) -> float:
@@ -42,7 +41,7 @@ def single_text(value: float) -> str:
     """Return the shortest decimal number that reads as a single-precision number."""
     for digits in range(1, MOST_SINGLE + 1):
         text = f"{value:.{digits}g}"
-        if abs(float(text)) <= LARGEST_SINGLE and single(float(text)) == value:
+        if _as_single(text) == value:
             return _plain(text)
     raise AssertionError("nine digits tell all single-precision numbers apart")
 
@@ -53,6 +52,13 @@ def _shortest(exact: Decimal, value: float, read: Callable[[str], float]) -> str
         if read(text) == value:
             return _plain(text)
     raise AssertionError("so many digits tell all doubles apart")
+
+
+def _as_single(text: str) -> float | None:
+    try:
+        return single(float(text))
+    except OverflowError:
+        return None  # rounded up beyond the largest one: more digits are needed
 
 
 def _plain(text: str) -> str:

@@ -21,6 +21,7 @@ LONG_LINE = Rule("V106", "long-line")
 TOO_MANY_STEPS = Rule("V115", "too-many-steps")
 
 LONG = 132
+MAX_DATA_LINE = 4096  # twelve values with all their digits
 MAX_STEPS = 65_000  # of a program; more are refused before they are parsed
 
 _DATA_SECTIONS = {
@@ -128,7 +129,7 @@ class _Splitter:
         if not line.text:
             return
         section.last = line.end
-        most = self.problems.dialect.max_line
+        most = self.problems.dialect.max_line if section.kind == "program" else MAX_DATA_LINE
         if len(line.text) > most:
             self.problems.error(
                 LINE_TOO_LONG,
