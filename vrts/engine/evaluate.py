@@ -23,6 +23,7 @@ from vrts.engine.arithmetic import (
 )
 from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Undefined
 from vrts.engine.context import Context
+from vrts.engine.extent import evaluates
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.formats import FREE, NUMBER_KINDS, control, number
 from vrts.engine.functions import PURE, bad
@@ -227,6 +228,12 @@ class Compiler:
 
     def _function(self, expression: Apply) -> Evaluate:
         function, span = expression.function, expression.span
+        if function is Function.OPAQUE:
+            named = expression.arguments[0]
+            words = str(named.value) if isinstance(named, Constant) else "this function"
+            return _refusal(f"{words} is not simulated", span)
+        if not evaluates(function):
+            return _refusal(f"{function.value.upper()} is not simulated yet", span)
         pure = PURE.get(function)
         if pure is not None:
             arguments = tuple(self._argument(a) for a in expression.arguments)
@@ -300,13 +307,8 @@ class Compiler:
                 return lambda c: _last(find(c))
             case Function.TAS:
                 return self._test_and_set(expression)
-            case Function.OPAQUE:
-                named = expression.arguments[0]
-                words = str(named.value) if isinstance(named, Constant) else "this function"
-                return _refusal(f"{words} is not simulated", span)
             case _:
-                words = expression.function.value.upper()
-                return _refusal(f"{words} is not simulated yet", span)
+                raise ValueError(f"function without a meaning: {expression.function}")
 
     def text(self, items: "Sequence[Expression | Format]", word: str) -> Callable[[Context], str]:
         """Return a closure that gives the text of items as TYPE writes them."""

@@ -15,6 +15,7 @@ from vrts.engine.arithmetic import checked_string, integer, rounded
 from vrts.engine.context import Context
 from vrts.engine.evaluate import Compiler, Evaluate
 from vrts.engine.events import Cause, Printed, SignalChanged
+from vrts.engine.extent import simulates
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.motion_steps import MotionStepCompiler
 from vrts.engine.outcomes import (
@@ -65,6 +66,10 @@ class StepCompiler:
         """Return the closure of an instruction that stands at an index."""
         following = index + 1
         e = self.expressions
+        if isinstance(instruction, ir.Opaque):
+            return refusal(f"{instruction.words} is not simulated", cause)
+        if not simulates(instruction):
+            return refusal(f"`{cause.span.text}` is not simulated yet", cause)
         match instruction:
             case ir.Assign(place=place, value=value):
                 return self._assign(place, e.value(value), following)
@@ -136,14 +141,6 @@ class StepCompiler:
                 return self._wait(condition, following, cause)
             case ir.Type(items=items):
                 return self._type(items, following, cause)
-            case ir.Opaque(words=words):
-
-                def refuse(c: Context) -> int:
-                    raise RuntimeFault(
-                        RuntimeErrorKind.NOT_INSTALLED, f"{words} is not simulated", cause.span
-                    )
-
-                return refuse
             case ir.SetTimer(number=number, value=value):
                 return self._set_timer(e.real(number), e.real(value), following, cause)
             case ir.Reset():
@@ -154,19 +151,10 @@ class StepCompiler:
                 return self._pack(instruction, following, cause)
             case ir.Decompose():
                 return self._decompose(instruction, following)
-            case ir.Call() | ir.Return(skip=None):
+            case ir.Call() | ir.Return():
                 raise ValueError("calls and returns are compiled by `executable`")
             case _:
-
-                def not_yet(c: Context) -> int:
-                    raise RuntimeFault(
-                        RuntimeErrorKind.NOT_INSTALLED,
-                        f"`{cause.span.text}` is not simulated yet",
-                        cause.span,
-                        help=("leave the step out, or change it, to simulate the rest",),
-                    )
-
-                return not_yet
+                raise ValueError(f"{type(instruction).__name__} is said to be carried out")
 
     # --- timers, outputs, strings -------------------------------------------------------------
 
@@ -395,6 +383,20 @@ class StepCompiler:
             return following
 
         return write
+
+
+def refusal(headline: str, cause: Cause) -> Step:
+    """Return the closure of an instruction that is not carried out: it stops the run."""
+
+    def refuse(c: Context) -> int:
+        raise RuntimeFault(
+            RuntimeErrorKind.NOT_INSTALLED,
+            headline,
+            cause.span,
+            help=("leave the step out, or change it, to simulate the rest",),
+        )
+
+    return refuse
 
 
 def _turn(c: Context, signal: int, on: bool, cause: Cause) -> None:
