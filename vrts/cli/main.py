@@ -24,6 +24,7 @@ COMMANDS = {
     "scene": "list the scenes, or show where things are in one",
     "point": "ask what the arm can reach",
     "explain": "explain a diagnostic code",
+    "support": "show the words of the language",
 }
 
 FIRST_STEPS = """\

@@ -42,6 +42,11 @@ class Dialect(NamedTuple):
         """Whether this is the VAL of 1979."""
         return self.letters == "1"
 
+    @property
+    def takes_all(self) -> bool:
+        """Whether this is VAL-II with every spelling of its relatives."""
+        return len(self.letters) > 1
+
     def has(self, letters: str) -> bool:
         """Return whether a word with these columns of the vocabulary counts."""
         return not set(self.letters).isdisjoint(letters)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from vrts.lang.dialect import AS, VAL2_PLUS
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.lookup import look_up
 
@@ -50,3 +51,33 @@ def test_ambiguous_abbreviation(text: str) -> None:
 def test_structure_words_are_written_in_full(text: str) -> None:
     match = look_up(text)
     assert match.word is None or not match.word.full
+
+
+@pytest.mark.parametrize(("text", "word"), sorted(WORDS["as_shortest"].items()))
+def test_shortest_forms_of_as(text: str, word: str) -> None:
+    match = look_up(text, AS)
+    assert match.word is not None
+    assert match.word.text == word
+
+
+@pytest.mark.parametrize("word", ["OPEN", "OPENI", "CLOSE", "RELAX", "ON", "ONE", "ONI", "RETURNE"])
+def test_words_of_as_that_stand_in_full(word: str) -> None:
+    assert look_up(word, AS).word is not None
+    shorter = look_up(word[:-1], AS).word
+    assert shorter is None or shorter.text != word
+
+
+def test_a_tolerant_dialect_takes_the_shortest_of_several() -> None:
+    assert look_up("MOV").word is None
+    found = look_up("MOV", VAL2_PLUS)
+    assert found.word is not None
+    assert found.word.text == "MOVE"
+    assert len(found.candidates) > 1
+    assert look_up("B", VAL2_PLUS).word is None  # none of them begins all the others
+
+
+def test_words_of_other_dialects_do_not_count() -> None:
+    assert look_up("STAB").word is None
+    found = look_up("STAB", AS).word
+    assert found is not None
+    assert found.text == "STABLE"

@@ -168,7 +168,7 @@ _ALL = (
     _f(_F.OPAQUE, "s", _R, "whether a location has a value", "a", name="existtrans"),
     _f(_F.OPAQUE, "s", _R, "whether a precision point has a value", "a", name="existjoint"),
     _f(_F.OPAQUE, "r", _R, "seconds of a timer of the user", "a", name="utimer"),
-    _f(_F.PPOINT, "r? r? r? r? r? r?", _J, "precision point without its sign", "a", name="ppoint"),
+    _f(_F.PPOINT, "r? r? r? r? r? r?", _J, "precision point without its sign", "+", name="ppoint"),
     _f(_F.OPAQUE, "r? r?", _S, "name of the default disk", "+", name="$defaults", bare=_EVERYWHERE),
 )
 

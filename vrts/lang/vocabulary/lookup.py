@@ -32,9 +32,8 @@ def reserved_words(dialect: Dialect) -> frozenset[str]:
 def look_up(text: str, dialect: Dialect = VAL2) -> Match:
     """Return the instruction a first word stands for.
 
-    An exact word wins, then a unique prefix; structure words are written in full. A dialect that
-    takes what the controller refuses also takes a prefix that the shortest of several words is
-    meant by, when it begins all the others: MOV for MOVE.
+    An exact word wins, then a unique prefix; structure words are written in full. `val2+` also
+    takes a prefix of several words of which one begins all the others: MOV for MOVE.
     """
     text = text.upper()
     words = instructions_of(dialect)
@@ -55,7 +54,7 @@ def _abbreviated(text: str, dialect: Dialect) -> Match:
     fixed = [word for word in found if word.shortest and text.startswith(word.shortest)]
     if fixed:
         return Match(fixed[0])
-    if len(found) > 1 and dialect.tolerant:
+    if len(found) > 1 and dialect.takes_all:
         shortest = min(found, key=lambda word: len(word.text))
         if all(word.text.startswith(shortest.text) for word in found):
             return Match(shortest, tuple(found))
