@@ -2,6 +2,7 @@
 
 from difflib import get_close_matches
 from importlib.resources import files
+from pathlib import Path
 
 import click
 
@@ -12,14 +13,19 @@ Examples:
   vrts explain
   vrts explain V301
   vrts explain joint-speed
+  vrts explain --assumptions
 """
 
 
 @click.command(name="explain", epilog=EPILOG)
 @click.argument("code", required=False)
+@click.option("--assumptions", is_flag=True, help="List what had to be decided without a source.")
 @guarded
-def command(code: str | None) -> None:
+def command(code: str | None, assumptions: bool) -> None:
     """Explain a diagnostic by its CODE or name; without one, list them all."""
+    if assumptions:
+        _list_assumptions()
+        return
     pages = _pages()
     if code is None:
         for key, slug in pages.items():
@@ -34,6 +40,22 @@ def command(code: str | None) -> None:
             (f"did you mean `{near[0]}`?",) if near else ("`vrts explain` lists all",),
         )
     out((files("vrts") / "pages" / f"{key}.md").read_text(encoding="utf-8"), end=False)
+
+
+def _list_assumptions() -> None:
+    """Print every decision that the source of vrts marks as assumed."""
+    from vrts.report.assumptions import assumptions_in, text_of
+
+    package = Path(str(files("vrts")))
+    found = [
+        assumption
+        for path in sorted(package.rglob("*.py"))
+        for assumption in assumptions_in(
+            ".".join(path.relative_to(package).with_suffix("").parts),
+            path.read_text(encoding="utf-8"),
+        )
+    ]
+    out(text_of(found))
 
 
 def _pages() -> dict[str, str]:

@@ -16,7 +16,7 @@ def _levels(*levels: tuple[str, ...]) -> dict[str, int]:
     return {operator: len(levels) - i for i, level in enumerate(levels) for operator in level}
 
 
-TABLE_A = _levels(
+TABLE_A = _levels(  # of VAL-II from memory only [assumed, val2.md 4.2]
     (":",),
     ("**",),
     ("*", "/", "MOD", "AND", "BAND"),
