@@ -1,0 +1,1 @@
+"""Highlighting for editors and web pages, made of the vocabulary."""

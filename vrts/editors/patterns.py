@@ -1,0 +1,74 @@
+"""The shapes of VAL-II that a highlighter tells apart, as regular expressions in order.
+
+Both the Pygments lexer and the TextMate grammar are made of this list; the first that matches
+wins. Case does not count, and `^` and `$` are the ends of a line. Only constructs are used that
+Python's `re` and Oniguruma read alike.
+"""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
+
+
+class Pattern(NamedTuple):
+    """One shape; `parts` names the groups of the expression, or the whole when there are none."""
+
+    expression: str
+    parts: tuple[str, ...]
+
+
+_BEFORE = r"(?<![\w.$#])"
+_AFTER = r"(?![\w.])"
+_NOT_ASSIGNED = r"(?![\w.]|[ \t]*=(?!=)|[ \t]*\[[^\]\n]*\][ \t]*=(?!=))"
+_NAME = r"[A-Za-z][\w.]*"
+
+
+def _any(words: Iterable[str]) -> str:
+    """Return words as alternatives, longest first."""
+    ordered = sorted({word.upper() for word in words}, key=lambda word: (-len(word), word))
+    escaped = (word.replace(".", r"\.").replace("$", r"\$") for word in ordered)
+    return f"(?:{'|'.join(escaped)})"
+
+
+def patterns() -> tuple[Pattern, ...]:
+    """Return all shapes in order."""
+    structure = [
+        w.text for w in INSTRUCTIONS.values() if w.terminal in _STRUCTURE or w.text in _FLOW
+    ]
+    others = [w.text for w in INSTRUCTIONS.values() if w.text not in structure]
+    called = [name for name, signature in FUNCTIONS.items() if signature.parameters]
+    bare = [name for name, signature in FUNCTIONS.items() if signature.bare]
+    inner = ["THEN", "DO", "OF", "TO", "STEP", "GOTO"]
+    label = r"^([ \t]*\d+)?([ \t]*)"
+    return (
+        Pattern(r";[^\n]*", ("comment",)),
+        Pattern(
+            r"^[ \t]*\.(?:PROGRAM|END|LOCATIONS|REALS|STRINGS|DOUBLES|TRANS|JOINTS)\b", ("section",)
+        ),
+        Pattern(r'"[^"\n]*"?', ("string",)),
+        Pattern(rf"{label}({_any(structure)}){_NOT_ASSIGNED}", ("label", "blank", "structure")),
+        Pattern(rf"{label}({_any(others)}){_NOT_ASSIGNED}", ("label", "blank", "instruction")),
+        Pattern(r"^[ \t]*\d+(?=[ \t;]|$)", ("label",)),
+        Pattern(r"'[^\n]", ("character",)),
+        Pattern(r"\^(?:H[0-9A-F]+|B[01]+|[0-7]+)\b", ("number",)),
+        Pattern(r"(?<=[,( \t])/[A-Z]\d*(?:\.\d+)?(?=[ \t]*(?:[,);]|$))", ("format",)),
+        Pattern(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:E[-+]?\d+)?", ("number",)),
+        Pattern(rf"(?<![\w.]){_any(called)}(?=[ \t]*\()", ("function",)),
+        Pattern(rf"(?<![\w.]){_any(bare)}{_AFTER}", ("function",)),
+        Pattern(rf"{_BEFORE}{_any(CONSTANTS)}{_AFTER}", ("constant",)),
+        Pattern(rf"{_BEFORE}{_any(OPERATORS)}{_AFTER}", ("word operator",)),
+        Pattern(rf"{_BEFORE}{_any([*QUALIFIERS, *inner])}{_AFTER}", ("qualifier",)),
+        Pattern(rf"\${_NAME}", ("string variable",)),
+        Pattern(rf"#{_NAME}", ("precision point",)),
+        Pattern(_NAME, ("name",)),
+        Pattern(r"[-+*/=<>:^]+", ("operator",)),
+        Pattern(r"[()\[\],]", ("punctuation",)),
+        Pattern(r"[ \t]+", ("blank",)),
+    )
+
+
+_STRUCTURE = frozenset({"STRUCTURE", "IF", "WHILE", "UNTIL", "FOR", "CASE", "VALUE", "ANY", "GOTO"})
+_FLOW = frozenset({"CALL", "CALLS", "RETURN", "RETURNE", "STOP", "HALT", "PAUSE", "EXIT", "NEXT"})
