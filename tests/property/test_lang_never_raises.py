@@ -1,5 +1,7 @@
 """Whatever is handed in is answered by a module or by diagnostics, never by an exception."""
 
+from pathlib import Path
+
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -7,16 +9,41 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.ir.dump import dump
 from vrts.ir.verify import verify
-from vrts.lang.compiler import Compilation, compile_source
+from vrts.lang.command import parse_command
+from vrts.lang.compiler import Compilation, Options, compile_source
+from vrts.lang.dialect import DIALECTS, VAL2, Dialect
 from vrts.lang.problems import LIMIT
 from vrts.lang.reading import decode
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
+from vrts.report.diagnostics_output import FORMS, Checked, render
 
+ROOT = Path(__file__).parents[2]
+REAL = [
+    path.read_text("utf-8")
+    for folder in ("tests/golden/lang", "tests/data/lang_findings", "examples/01-cans-on-bases")
+    for path in sorted((ROOT / folder).glob("*.*"))
+    if path.suffix in (".v2", ".as", ".val")
+]
+DIALECT = st.sampled_from([None, *sorted(DIALECTS.values())])
 WORDS = [*INSTRUCTIONS, *OPERATORS, *QUALIFIERS, "a", "b", "$s", "#p", "part", "TRANS", "DX"]
-SIGNS = [*"=+-*/<>()[],:;.'^/%$#&!", '"', "==", "<>", "=<", ":=", "“", "”", "–", "ö", "\u00a0"]
-NUMBERS = ["0", "1", "10", "3.5", "1E3", "1E99", "^17", "^H", "/F8.2", "/I0", "'A", '"text"']
-TOKENS = st.sampled_from([*WORDS, *SIGNS, *NUMBERS])
+SIGNS = [*"=+-*/<>()[],:;.'^/%$#&!@?", '"', "==", "<>", "=<", ":=", "“", "”", "–", "ö", "\u00a0"]
+ODD = [".x", ".$s", "#[1,2]", "**", "10.", "JOINT SPEED9 ACCU1", ".PROGRAM", ".END"]
+NUMBERS = [
+    "0",
+    "1",
+    "10",
+    "3.5",
+    "1E3",
+    "1E99",
+    "^17",
+    "^H",
+    "/F8.2",
+    "/I0",
+    "'A",
+    '"text"',
+]
+TOKENS = st.sampled_from([*WORDS, *SIGNS, *NUMBERS, *ODD])
 
 PROGRAM = """.PROGRAM main(a, $s, v[])
         OPENI
@@ -75,30 +102,51 @@ def check(compilation: Compilation) -> None:
                 assert "\n" not in label.span.text
 
 
-def compile_text(text: str) -> Compilation:
-    return compile_source(SourceFile("test.v2", text))
+def compile_text(text: str, dialect: Dialect | None = VAL2) -> Compilation:
+    return compile_source(SourceFile("test.v2", text), Options(dialect))
 
 
 def test_the_program_itself_compiles() -> None:
     assert compile_text(PROGRAM).module is not None
 
 
-@given(st.binary(max_size=300))
-def test_any_bytes(data: bytes) -> None:
+@given(st.binary(max_size=300), DIALECT)
+def test_any_bytes(data: bytes, dialect: Dialect | None) -> None:
     source = decode(data, "test.v2")
     if not isinstance(source, Diagnostic):
-        check(compile_source(source))
+        check(compile_source(source, Options(dialect)))
 
 
-@given(st.text(max_size=300))
-def test_any_text(text: str) -> None:
-    check(compile_text(text))
+@given(st.text(max_size=300), DIALECT)
+def test_any_text(text: str, dialect: Dialect | None) -> None:
+    check(compile_text(text, dialect))
 
 
-@given(st.lists(st.lists(TOKENS, max_size=10), max_size=12), st.sampled_from(["", " "]))
-def test_token_soup(lines: list[list[str]], glue: str) -> None:
+@given(st.lists(st.lists(TOKENS, max_size=10), max_size=12), st.sampled_from(["", " "]), DIALECT)
+def test_token_soup(lines: list[list[str]], glue: str, dialect: Dialect | None) -> None:
     body = "\n".join(glue.join(line) for line in lines)
-    check(compile_text(f".PROGRAM main(a)\n{body}\n.END\n"))
+    check(compile_text(f".PROGRAM main(a)\n{body}\n.END\n", dialect))
+
+
+@given(st.sampled_from(REAL), st.data(), DIALECT)
+def test_mutated_real_programs(text: str, data: st.DataObject, dialect: Dialect | None) -> None:
+    for _ in range(data.draw(st.integers(0, 3))):
+        start = data.draw(st.integers(0, len(text)))
+        end = data.draw(st.integers(start, min(len(text), start + 30)))
+        text = text[:start] + data.draw(TOKENS) + text[end:]
+    once = compile_text(text, dialect)
+    check(once)
+    again = compile_text(text, dialect)
+    assert [d.headline for d in again.diagnostics] == [d.headline for d in once.diagnostics]
+    for form in FORMS:
+        found = Checked("test.v2", once.diagnostics, once.module is not None)
+        assert isinstance(render([found], form), str)
+
+
+@given(st.lists(TOKENS, max_size=8), st.sampled_from(["", " "]))
+def test_any_command(pieces: list[str], glue: str) -> None:
+    command, found = parse_command(SourceFile("command", glue.join(["EX", *pieces])))
+    assert command is not None or any(d.is_error for d in found) or not "".join(pieces)
 
 
 @given(st.data())

@@ -25,6 +25,7 @@ BYTES = {
     "V101": b" \n",
     "V102": b"%PDF-1.7\n",
     "V103": b"x" * 4_000_001,
+    "V116": b".PROGRAM main\n" + (b"x = 1" + b"+1" * 60 + b"\n") * 8_400 + b".END\n",
     "V115": b".PROGRAM main\n" + b"READY\n" * 65_001 + b".END\n",
 }
 # What cannot but come along: such examples are long lines, or many faults.

@@ -32,6 +32,8 @@ from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS
 
 ENDLESS_LOOP = Rule("V222", "endless-loop")
 
+MOST_STEPS = 1000  # of a loop; longer ones are not looked into
+MOST_CALLED = 50  # programs that are followed from one loop
 _STARTERS = frozenset({"PCEXECUTE", "REACTE"})
 _ENDINGS = frozenset({"RETURN", "STOP", "HALT", "PAUSE", "EXIT"})
 
@@ -64,6 +66,8 @@ def _loop(problems: Problems, scope: Scope, program: ProgramText, block: Block) 
         return
     names: list[Name] = []
     if not _fixed(node.condition, names) or not names:
+        return
+    if block.end - block.opener > MOST_STEPS:
         return
     inside = [step.statement for step in program.steps[block.opener : block.end + 1]]
     changed = _changed(scope, inside, set())
@@ -112,7 +116,7 @@ def _changed(scope: Scope, steps: list[Statement | None], seen: set[str]) -> set
                 changed.add(key((argument if isinstance(argument, Name) else argument.name).text))
         name = key(node.program.text)
         called = scope.programs.get(name)
-        if called is None:
+        if called is None or len(seen) > MOST_CALLED or len(called.steps) > MOST_STEPS:
             return None
         if name not in seen:
             inner = _changed(scope, [s.statement for s in called.steps], seen | {name})

@@ -161,18 +161,34 @@ class ExpressionTypes:
             for part in (node.left, node.right):
                 self.check(part, Type.POSE, f"`{operator}` joins locations")
             return Type.POSE
-        if operator in _COMPARISONS or operator == "+":
+        if operator == "+":
+            return self._sum(node, wanted)
+        if operator in _COMPARISONS:
             text = is_text(node.left) or is_text(node.right)
-            if operator == "+" and wanted is Type.POSE and not text:
-                return self._added_locations(node)
             kind = Type.STRING if text else Type.REAL
             why = f"`{operator}` takes two strings or two numbers"
             self.check(node.left, kind, why)
             self.check(node.right, kind, why)
-            return kind if operator == "+" else Type.REAL
+            return Type.REAL
         for part in (node.left, node.right):
             self.check(part, Type.REAL, f"`{operator}` takes numbers")
         return Type.REAL
+
+    def _sum(self, node: Infix, wanted: Wanted) -> Type:
+        """`a + b + c`: all numbers or all strings. Looked at from the left, each operand once."""
+        operands = [node.right]
+        left = node.left
+        while isinstance(left, Infix) and left.operator == "+":
+            operands.append(left.right)
+            left = left.left
+        operands.append(left)
+        text = any(is_text(operand) for operand in operands)
+        if wanted is Type.POSE and not text:
+            return self._added_locations(node)
+        kind = Type.STRING if text else Type.REAL
+        for operand in reversed(operands):
+            self.check(operand, kind, "`+` takes two strings or two numbers")
+        return kind
 
     def _locations(self, wanted: Wanted, node: Expression) -> bool:
         """Return whether `+` and `-` before or after an operand join locations in AS."""

@@ -103,32 +103,49 @@ def check_jumps(
     problems: Problems, program: ProgramText, found: list[Block], labels: dict[int | str, int]
 ) -> None:
     """Warn of a GOTO into a FOR loop from outside: its limits are not set."""
+    loops = sorted((block for block in found if block.word == "FOR"), key=lambda b: b.opener)
+    if not loops or not labels:
+        return
+    place = {step.number: at for at, step in enumerate(program.steps)}
+    around = _innermost(loops, len(program.steps))
     for at, step in enumerate(program.steps):
         node = step.statement
         if not isinstance(node, Goto) or label_key(node.label) not in labels:
             continue
-        wanted = labels[label_key(node.label)]
-        target = next(k for k, other in enumerate(program.steps) if other.number == wanted)
-        for block in found:
-            inside = block.opener < target <= block.end
-            if block.word != "FOR" or not inside or block.opener < at < block.end:
-                continue
-            opener = program.steps[block.opener].statement
-            assert opener is not None
-            problems.warning(
-                INTO_LOOP,
-                "this jumps into a FOR loop",
-                node.start,
-                node.end,
-                f"label {label_key(node.label)} is inside",
-                secondary=(problems.label(opener.start, opener.end, "the loop begins here"),),
-                notes=(
-                    "the end value of the loop is not set when its first line is passed by",
-                    "VAL-II says *Control structure error* at its END",
-                ),
-                help=("jump to a label before the FOR",),
-            )
-            break
+        block = around[place[labels[label_key(node.label)]]]
+        if block is None or block.opener < at < block.end:
+            continue  # whoever is in the innermost loop is in all around it
+        opener = program.steps[block.opener].statement
+        assert opener is not None
+        problems.warning(
+            INTO_LOOP,
+            "this jumps into a FOR loop",
+            node.start,
+            node.end,
+            f"label {label_key(node.label)} is inside",
+            secondary=(problems.label(opener.start, opener.end, "the loop begins here"),),
+            notes=(
+                "the end value of the loop is not set when its first line is passed by",
+                "VAL-II says *Control structure error* at its END",
+            ),
+            help=("jump to a label before the FOR",),
+        )
+
+
+def _innermost(loops: list[Block], count: int) -> list[Block | None]:
+    """Return the innermost loop around each step, its END included; loops in order."""
+    around: list[Block | None] = [None] * count
+    open_: list[Block] = []
+    following = iter(loops)
+    coming = next(following, None)
+    for at in range(count):
+        while open_ and open_[-1].end < at:
+            open_.pop()
+        around[at] = open_[-1] if open_ else None
+        if coming is not None and coming.opener == at:
+            open_.append(coming)
+            coming = next(following, None)
+    return around
 
 
 def check_process_programs(problems: Problems, programs: dict[str, ProgramText]) -> None:

@@ -12,7 +12,7 @@ from vrts.lang.joined import span_in
 from vrts.lang.lower_instructions import InstructionLowering
 from vrts.lang.names import key
 from vrts.lang.scope import Scope
-from vrts.lang.structure import Block, label_key, loop_around, loops_of
+from vrts.lang.structure import Block, exits, label_key
 from vrts.lang.syntax import (
     Assignment,
     Bad,
@@ -70,7 +70,7 @@ class Lowering(InstructionLowering):
         self.tests: dict[int, int] = {}  # index of the test of a loop, or of the last VALUE
         self.leaving: dict[int, list[int]] = {}  # jumps to behind a block, by its opener
         self.continuing: dict[int, list[int]] = {}  # jumps to the next pass of a loop
-        self.blocks = blocks
+        self.exits = exits(program, blocks)
         self.loops = 0
         self.cases = 0
 
@@ -245,7 +245,9 @@ class Lowering(InstructionLowering):
 
     def _leave(self, at: int, node: Simple) -> None:
         """EXIT and NEXT: jump behind a loop around, or to the end of its body."""
-        opener = loop_around(self.blocks, at, loops_of(node)).opener
+        block = self.exits[at]
+        assert block is not None
+        opener = block.opener
         jumps = self.leaving if node.word == "EXIT" else self.continuing
         jumps.setdefault(opener, []).append(self._emit(i.Jump(0)))
 

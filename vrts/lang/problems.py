@@ -18,6 +18,7 @@ class Problems:
         self.source = source
         self.dialect = dialect
         self.found: list[Diagnostic] = []
+        self.any_error = False
         self.look_alikes: list[tuple[str, int]] = []  # pasted characters and their offsets
 
     @classmethod
@@ -49,6 +50,7 @@ class Problems:
         severity: Severity = Severity.ERROR,
     ) -> None:
         """Add an error at a range of offsets."""
+        self.any_error = self.any_error or severity is Severity.ERROR
         primary = self.label(start, end, text)
         self.found.append(
             Diagnostic(rule, severity, headline, primary, secondary, notes, help, fix, None, data)
@@ -99,11 +101,6 @@ class Problems:
     def replace(self, start: int, end: int, replacement: str) -> Fix:
         """Return a fix that replaces a range of the source."""
         return Fix(span_in(self.source, start, end), replacement)
-
-    @property
-    def any_error(self) -> bool:
-        """Whether an error was found."""
-        return any(d.is_error for d in self.found)
 
     def in_order(self) -> tuple[Diagnostic, ...]:
         """Return the diagnostics by place, errors first on one place, at most `LIMIT` of them."""

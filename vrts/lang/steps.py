@@ -25,11 +25,14 @@ PASTED_CHARACTER = Rule("V108", "pasted-character")
 INVALID_LABEL = Rule("V133", "invalid-label")
 LARGE_LABEL = Rule("V154", "large-label")
 TOLERATED = Rule("V155", "tolerated")
+TOO_MANY_WORDS = Rule("V116", "too-many-words")
 BLOCK_STEP = Rule("V158", "block-step")
 
 MAX_LABEL = 65535  # [val2.md 1.3]
 MAX_VAL2_LABEL = 32767  # beyond it VAL-II may refuse what V+ takes [assumed]
 MAX_SEEN = 4096  # different lines whose tokens are kept
+MAX_KEPT = 64  # tokens of such a line
+MAX_TOKENS = 1_000_000  # of a file: with more it would not fit into memory
 _DIGITS = re.compile(r"\d+")
 _LISTED = re.compile(r"\d+\.(?=[ \t]*\?)[ \t]*\?|\d+\.(?=[ \t]|$)")  # `12.  MOVE a` of a listing
 _NAMED_LABEL = re.compile(r"(?P<name>[A-Za-z][\w.]*):", re.ASCII)
@@ -51,6 +54,7 @@ class StepParser:
         self.parser = TableParser(builders(problems, precedence or self.dialect.precedence))
         self.program_names: frozenset[str] = frozenset()
         self.seen: dict[str, tuple[int, tuple[Token, ...], Head]] = {}  # by text, with its place
+        self.token_count = 0
         self.whole_lines = _whole_line_words(self.dialect)
         self.tolerated: dict[str, list[tuple[int, int]]] = {}  # odd shapes, by what they are
         self.block_steps: list[tuple[int, int]] = []  # lines of AS block steps
@@ -174,12 +178,15 @@ class StepParser:
             whole = self._unparsed(text, at)
             if whole is not None:
                 return None if isinstance(whole, _Comment) else whole
+        if self.token_count > MAX_TOKENS:
+            return Bad(None, (), at, at + len(text))
         classified = self.tokens(text, at)
         if classified is None:
             match = _FIRST_WORD.match(text)
             word = match.group().upper() if match else None
             return Bad(word, names_in(text), at, at + len(text))
         tokens, head = classified
+        self._counted(tokens)
         completed = ""
         if self.dialect.tolerant:
             tokens, head, completed = self._tolerant(tokens, head)
@@ -197,6 +204,19 @@ class StepParser:
             return Bad(structural_word(tokens, head), names_in(text), at, at + len(text))
         return node
 
+    def _counted(self, tokens: list[Token]) -> None:
+        before = self.token_count
+        self.token_count += len(tokens)
+        if before <= MAX_TOKENS < self.token_count:
+            self.problems.error(
+                TOO_MANY_WORDS,
+                f"there are more than {MAX_TOKENS:,} words and signs up to here",
+                tokens[0].start,
+                tokens[-1].end,
+                notes=("what follows is not read",),
+                help=("check that this is a program, or split the file",),
+            )
+
     def tokens(self, text: str, at: int) -> tuple[list[Token], Head] | None:
         """Return the tokens of a statement, those of the same text seen before moved to its place.
 
@@ -213,7 +233,7 @@ class StepParser:
             return None
         tokens, head = classify(raw, self.dialect)
         quiet = reported == len(self.problems.found) + len(self.problems.look_alikes)
-        if quiet and len(self.seen) < MAX_SEEN:
+        if quiet and len(self.seen) < MAX_SEEN and len(tokens) < MAX_KEPT:
             self.seen[text] = (at, tuple(tokens), head)
         return tokens, head
 

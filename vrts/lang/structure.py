@@ -129,40 +129,41 @@ def loops_of(node: Simple) -> int:
     return int(count.value) if isinstance(count, Number) and whole else 0
 
 
-def loop_around(found: list[Block], at: int, count: int) -> Block:
-    """Return the loop around a step, counted from the inside.
-
-    Raises:
-        LookupError: There are fewer loops.
-    """
-    around = [b for b in found if b.word in ("FOR", "WHILE", "DO") and b.opener < at < b.end]
-    around.sort(key=lambda block: -block.opener)
-    if not 1 <= count <= len(around):
-        raise LookupError("not so many loops around")
-    return around[count - 1]
+def exits(program: ProgramText, found: list[Block]) -> dict[int, Block | None]:
+    """Return which loop each EXIT and NEXT means, by its place; None where there is none."""
+    loops = {block.opener: block for block in found if block.word in ("FOR", "WHILE", "DO")}
+    open_: list[Block] = []
+    meant: dict[int, Block | None] = {}
+    for at, step in enumerate(program.steps):
+        while open_ and open_[-1].end <= at:
+            open_.pop()
+        node = step.statement
+        if isinstance(node, Simple) and node.word in ("EXIT", "NEXT"):
+            count = loops_of(node)
+            meant[at] = open_[-count] if 1 <= count <= len(open_) else None
+        if at in loops:
+            open_.append(loops[at])
+    return meant
 
 
 def check_exits(program: ProgramText, found: list[Block], problems: Problems) -> None:
     """Report EXIT and NEXT outside of loops, where the structures are known."""
     if any(isinstance(step.statement, Bad) and word_of(step) in _WORDS for step in program.steps):
         return
-    for at, step in enumerate(program.steps):
-        node = step.statement
-        if not isinstance(node, Simple) or node.word not in ("EXIT", "NEXT"):
+    for at, block in exits(program, found).items():
+        node = program.steps[at].statement
+        if block is not None or not isinstance(node, Simple):
             continue
-        try:
-            loop_around(found, at, loops_of(node))
-        except LookupError:
-            problems.error(
-                UNMATCHED,
-                f"{node.word} outside of a loop"
-                if loops_of(node) == 1
-                else f"there are not so many loops around this {node.word}",
-                node.start,
-                node.end,
-                notes=(_SAYS,),
-                help=("EXIT and NEXT stand inside FOR, WHILE or DO",),
-            )
+        problems.error(
+            UNMATCHED,
+            f"{node.word} outside of a loop"
+            if loops_of(node) == 1
+            else f"there are not so many loops around this {node.word}",
+            node.start,
+            node.end,
+            notes=(_SAYS,),
+            help=("EXIT and NEXT stand inside FOR, WHILE or DO",),
+        )
 
 
 def labels(program: ProgramText, problems: Problems) -> dict[int | str, int]:

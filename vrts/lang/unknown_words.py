@@ -4,7 +4,7 @@ from vrts.base.diagnostic import Rule
 from vrts.lang.classify import Head, is_assigned
 from vrts.lang.dialect import titles
 from vrts.lang.names import key
-from vrts.lang.problems import Problems
+from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.spelling import nearest
 from vrts.lang.syntax import Token
 from vrts.lang.vocabulary.commands import COMMANDS
@@ -87,8 +87,9 @@ def refuse(
 
 def _unknown(problems: Problems, first: Token, following: Token | None) -> None:
     name = first.text
-    meant = nearest(name.upper(), spellings(problems.dialect))
-    glued = _glued(problems, name)
+    shown = len(problems.found) < LIMIT  # what is not shown needs no suggestion
+    meant = nearest(name.upper(), spellings(problems.dialect)) if shown else None
+    glued = _glued(problems, name) if shown else None
     if meant is not None:
         help_ = (f"did you mean `{meant}`?",)
         fix = problems.replace(first.start, first.end, meant)

@@ -1,8 +1,12 @@
 """Questions about names that only the whole compilation answers."""
 
+from bisect import bisect_right
+from collections.abc import Callable
+
 from vrts.base.diagnostic import Rule
 from vrts.ir.values import Type
 from vrts.lang.names import NAME_TRUNCATED, SIGNIFICANT, is_truncated, key
+from vrts.lang.problems import LIMIT
 from vrts.lang.resolve import Resolver
 from vrts.lang.scope import Entry
 from vrts.lang.spelling import nearest
@@ -18,6 +22,7 @@ ARGUMENT_TYPE = Rule("V208", "argument-type")
 UNUSED_NAME = Rule("V225", "unused-name")
 ARRAY_AND_SCALAR = Rule("V213", "array-and-scalar")
 
+MOST_NAMES = 2000  # with more names than this none is suggested
 _MISMATCH = "VAL-II says *Program argument mismatch*"
 
 
@@ -25,6 +30,8 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
     """Report what the uses of each name do not agree on, and what is never given a value."""
     _settle_moves(resolver)
     resolver.scope.spread_types()
+    suggestions = _Suggestions(resolver)
+    bodies = sorted((p.start, p.finish[1]) for p in programs)
     clashes: set[int] = set()
     for entry in resolver.scope.all_entries():
         if _clash(resolver, entry):
@@ -32,13 +39,36 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
         _truncated(resolver, entry)
     for entry in resolver.scope.all_entries():
         if id(entry) not in clashes and entry.name not in resolver.bad_names:
-            _without_value(resolver, entry)
+            _without_value(resolver, entry, suggestions)
             if not resolver.problems.any_error:
-                _without_use(resolver, entry)
+                _without_use(resolver, entry, suggestions, bodies)
     for program in programs:
         for step in program.steps:
             if isinstance(step.statement, CallStatement):
-                _call(resolver, program, step.statement)
+                _call(resolver, program, step.statement, suggestions)
+
+
+class _Suggestions:
+    """Did you mean: for as many names as are shown, and among not too many others."""
+
+    def __init__(self, resolver: Resolver) -> None:
+        self.entries = resolver.scope.all_entries()
+        self.programs = list(resolver.scope.programs)
+        self.left = LIMIT
+
+    def name(self, entry: Entry, among: Callable[[Entry], bool]) -> str | None:
+        """Return the name most like that of an entry."""
+        if not self._may_ask(len(self.entries)):
+            return None
+        return nearest(entry.name, [other.name for other in self.entries if among(other)])
+
+    def program(self, name: str) -> str | None:
+        """Return the program whose name is most like another."""
+        return nearest(name, self.programs) if self._may_ask(len(self.programs)) else None
+
+    def _may_ask(self, count: int) -> bool:
+        self.left -= 1
+        return self.left >= 0 and count <= MOST_NAMES
 
 
 def _settle_moves(resolver: Resolver) -> None:
@@ -120,7 +150,7 @@ def _truncated(resolver: Resolver, entry: Entry) -> None:
         )
 
 
-def _without_value(resolver: Resolver, entry: Entry) -> None:
+def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) -> None:
     if not entry.reads or resolver.scope.may_have_value(entry):
         return
     problems = resolver.problems
@@ -128,8 +158,7 @@ def _without_value(resolver: Resolver, entry: Entry) -> None:
         return  # the lines were reported
     location = entry.type in (Type.POSE, Type.JOINTS)
     kind = "location" if location else "string" if entry.type is Type.STRING else "variable"
-    names = [e.name for e in resolver.scope.all_entries() if _could_be(e, entry)]
-    meant = nearest(entry.name, names)
+    meant = suggestions.name(entry, lambda other: _could_be(other, entry))
     upper = entry.name.upper()
     if meant is not None:
         help_ = f"did you mean `{meant}`?"
@@ -157,18 +186,18 @@ def _without_value(resolver: Resolver, entry: Entry) -> None:
     )
 
 
-def _without_use(resolver: Resolver, entry: Entry) -> None:
+def _without_use(
+    resolver: Resolver, entry: Entry, suggestions: _Suggestions, bodies: list[tuple[int, int]]
+) -> None:
     """Note a number or string that only ever gets values, by `=`."""
     if entry.reads or entry.passed or entry.asked or entry.slot is not None or not entry.writes:
         return
     if entry.type not in (Type.REAL, Type.STRING) or entry.changed or not entry.values:
         return
-    bodies = [(p.start, p.finish[1]) for p in resolver.scope.programs.values()]
-    if not all(any(a <= at < b for a, b in bodies) for at, _ in entry.writes):
+    if not all(_inside(bodies, at) for at, _ in entry.writes):
         return  # data that stands ready
     problems = resolver.problems
-    names = [e.name for e in resolver.scope.all_entries() if e is not entry and e.reads]
-    meant = nearest(entry.name, names)
+    meant = suggestions.name(entry, lambda other: other is not entry and bool(other.reads))
     problems.note(
         UNUSED_NAME,
         f"`{entry.name}` is given a value and never used in this file",
@@ -178,18 +207,26 @@ def _without_use(resolver: Resolver, entry: Entry) -> None:
     )
 
 
+def _inside(bodies: list[tuple[int, int]], at: int) -> bool:
+    """Return whether an offset lies in one of the programs, which are in order."""
+    number = bisect_right(bodies, (at, at)) - 1
+    return number >= 0 and bodies[number][0] <= at < bodies[number][1]
+
+
 def _could_be(other: Entry, entry: Entry) -> bool:
     if other is entry or not (other.writes or other.slot is not None):
         return False
     return other.type is entry.type or Type.DYNAMIC in (other.type, entry.type)
 
 
-def _call(resolver: Resolver, caller: ProgramText, node: CallStatement) -> None:
+def _call(
+    resolver: Resolver, caller: ProgramText, node: CallStatement, suggestions: _Suggestions
+) -> None:
     problems, scope = resolver.problems, resolver.scope
     name = node.program
     program = scope.programs.get(key(name.text))
     if program is None:
-        meant = nearest(key(name.text), scope.programs)
+        meant = suggestions.program(key(name.text))
         problems.warning(
             UNDEFINED_PROGRAM,
             f"there is no program `{name.text}` in this file",

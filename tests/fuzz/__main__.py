@@ -1,0 +1,89 @@
+"""Fuzzes the compiler with atheris: `python -m tests.fuzz --minutes 15`.
+
+Needs the extra `fuzz` (`pip install -c .ci/constraints.txt -e '.[fuzz]'`). The first byte chooses
+the dialect, the rest is a file. Seeds are the programs of the tests and examples; words come from
+the vocabulary. What raises is written to `crash-*` in the folder given by `--out`; make it small,
+put it into `tests/data/lang_findings`, where a test compiles it from then on, and mend the fault.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+import atheris
+
+with atheris.instrument_imports(include=["vrts.lang", "vrts.ir"]):
+    from vrts.base.diagnostic import Diagnostic
+    from vrts.base.source import SourceFile
+    from vrts.ir.dump import dump
+    from vrts.ir.verify import verify
+    from vrts.lang.compiler import Options, compile_source
+    from vrts.lang.dialect import DIALECTS, VAL2
+    from vrts.lang.layout import layout
+    from vrts.lang.reading import decode
+    from vrts.lang.vocabulary.functions import FUNCTIONS
+    from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+    from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
+
+ROOT = Path(__file__).parents[2]
+SEEDS = ("tests/golden/lang", "tests/data/lang_findings", "examples", "tests/spec")
+CHOICES = [None, *DIALECTS.values()]
+
+
+def one_input(data: bytes) -> None:
+    """Compile and lay out one file; whatever is wrong with it is a diagnostic."""
+    dialect = CHOICES[data[0] % len(CHOICES)] if data else None
+    source = decode(data[1:], "fuzz.v2")
+    if isinstance(source, Diagnostic):
+        return
+    found = compile_source(source, Options(dialect))
+    if found.module is None:
+        assert any(d.is_error for d in found.diagnostics)
+    else:
+        assert verify(found.module) == []
+        dump(found.module)
+    for d in found.diagnostics:
+        for label in (d.primary, *d.secondary):
+            if label is not None:
+                size = len(label.span.source.text)
+                assert 0 <= label.span.start <= label.span.end <= size
+    once = layout(source, dialect or VAL2)
+    assert layout(SourceFile("fuzz.v2", once), dialect or VAL2) == once
+
+
+def main() -> None:
+    """Prepare seeds and words, and fuzz."""
+    parser = argparse.ArgumentParser(prog="python -m tests.fuzz", description=__doc__)
+    parser.add_argument("--minutes", type=float, default=15)
+    parser.add_argument("--out", type=Path, default=Path("fuzz-out"))
+    options = parser.parse_args()
+    corpus = options.out / "corpus"
+    corpus.mkdir(parents=True, exist_ok=True)
+    number = 0
+    for folder in SEEDS:
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix in (".v2", ".as", ".val", ".md") and path.stat().st_size < 20_000:
+                for choice in range(len(CHOICES)):
+                    number += 1
+                    (corpus / f"seed{number}").write_bytes(bytes([choice]) + path.read_bytes())
+    words = options.out / "words.txt"
+    texts = [*INSTRUCTIONS, *QUALIFIERS, *OPERATORS, *(name.upper() for name in FUNCTIONS)]
+    words.write_text("\n".join(f'"{text}"' for text in texts) + '\n"\\x0a.PROGRAM "\n"\\x0a.END"\n')
+    atheris.Setup(
+        [
+            sys.argv[0],
+            str(corpus),
+            f"-max_total_time={round(options.minutes * 60)}",
+            f"-dict={words}",
+            f"-artifact_prefix={options.out}/",
+            "-max_len=4000",
+            "-timeout=20",
+            "-print_final_stats=1",
+        ],
+        one_input,
+    )
+    atheris.Fuzz()
+
+
+if __name__ == "__main__":
+    main()
