@@ -95,11 +95,10 @@ def blocks(program: ProgramText, problems: Problems) -> list[Block]:
                 found.append(open_.pop()._replace(end=i))
         elif top is not None and top.word == "CASE" and not top.middles:
             pass
-    for block in open_:
+    bad = any(isinstance(program.steps[b.opener].statement, Bad) for b in (*found, *open_))
+    for block in open_ if not bad else ():  # a bad opener may have taken the END of another
         step = program.steps[block.opener].statement
         assert step is not None
-        if any(isinstance(program.steps[b.opener].statement, Bad) for b in (*found, *open_)):
-            break  # a bad opener was reported, and may have taken the END of another
         closer = "UNTIL" if block.word == "DO" else "END"
         problems.error(
             MISSING_END,
