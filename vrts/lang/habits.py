@@ -19,6 +19,7 @@ CONSTANT_WAIT = Rule("V152", "constant-wait")
 NEGATIVE_APPROACH = Rule("V220", "negative-approach")
 HAND_ON_THE_WAY = Rule("V221", "hand-on-the-way")
 
+NEAR = 50  # steps that are looked through for the motion before or after
 _ARRIVING = frozenset({"MOVE", "MOVES"})
 _LEAVING = frozenset({"DEPART", "DEPARTS"})
 _MOTIONS = _ARRIVING | _LEAVING | {"APPRO", "APPROS", "DRIVE", "READY"}
@@ -93,8 +94,8 @@ def _hand(problems: Problems, steps: list[Statement | None], at: int, node: Simp
     """`MOVES part / CLOSE / DEPARTS 50`: the hand closes while it leaves."""
     if node.word not in ("OPEN", "CLOSE"):
         return
-    following = next((s for s in steps[at + 1 :] if _counts(s)), None)
-    before = next((s for s in reversed(steps[:at]) if _counts(s)), None)
+    following = next((s for s in steps[at + 1 : at + 1 + NEAR] if _counts(s)), None)
+    before = next((s for s in reversed(steps[max(at - NEAR, 0) : at]) if _counts(s)), None)
     if not isinstance(following, Simple) or not isinstance(before, Simple):
         return
     leaves = following.word in _LEAVING
