@@ -90,3 +90,9 @@ def test_any_pieces(rows: list[list[str]], dialect: Dialect) -> None:
     body = [" ".join(row) for row in rows]
     holds("\n".join([".PROGRAM main", *body, ".END"]), dialect)
     holds("\n".join(["".join(row) for row in rows]), dialect)
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "tests/data/lang_findings").glob("*")))
+@pytest.mark.parametrize("dialect", sorted(DIALECTS.values()))
+def test_what_fuzzing_found(path: Path, dialect: Dialect) -> None:
+    holds(path.read_text("utf-8"), dialect)

@@ -7,6 +7,7 @@ ENGINE = "tests/unit/engine"
 MARK = "tests/unit/check/test_mark.py"
 RUNS = "tests/spec/test_spec_run.py"
 LANG = "tests/spec/test_spec_lang.py"
+VOCABULARY = "tests/unit/lang/test_vocabulary.py"
 COLLISION = "tests/unit/check/test_collision.py"
 GEOMETRY = "tests/unit/geometry"
 COMMANDS = "tests/unit/cli/test_commands.py"
@@ -212,5 +213,96 @@ PATCHES: tuple[Patch, ...] = (
         "if not 0.0 <= time_s <= self.horizon_s:\n            raise OutOfHorizon",
         "if time_s < 0.0:\n            raise OutOfHorizon",
         ("tests/property/test_engine.py", ENGINE),
+    ),
+    Patch(
+        "abbreviations need not be unique",
+        "vrts/lang/vocabulary/lookup.py",
+        "if len(found) > 1 and dialect.takes_all:",
+        "if len(found) > 1:",
+        (VOCABULARY,),
+    ),
+    Patch(
+        "AND binds after comparisons in VAL-II",
+        "vrts/lang/dialect.py",
+        'VAL2 = Dialect("val2", "VAL-II", "2", False, Angles.OAT, Precedence.A, _STRICT_LINE)',
+        'VAL2 = Dialect("val2", "VAL-II", "2", False, Angles.OAT, Precedence.B, _STRICT_LINE)',
+        (LANG, RUNS),
+    ),
+    Patch(
+        "V+ angles are taken for O, A, T",
+        "vrts/lang/dialect.py",
+        'VPLUS = Dialect("vplus", "V+", "+", True, Angles.ZYZ,',
+        'VPLUS = Dialect("vplus", "V+", "+", True, Angles.OAT,',
+        (LANG, RUNS),
+    ),
+    Patch(
+        "EXIT goes to the next pass",
+        "vrts/lang/lower.py",
+        'jumps = self.leaving if node.word == "EXIT" else self.continuing',
+        'jumps = self.continuing if node.word == "EXIT" else self.leaving',
+        (LANG, RUNS),
+    ),
+    Patch(
+        "AUTO variables are shared by all calls",
+        "vrts/engine/executable.py",
+        "slots += [_fresh(callee, auto) for auto in callee.autos]",
+        "slots += self.fresh_slots(number)[len(slots) :] if not c.frames else c.slots[:0]",
+        (RUNS, LANG),
+    ),
+    Patch(
+        "the formatter glues signs together",
+        "vrts/lang/spelling_of_tokens.py",
+        "return token.kind in _SIGNS  # nothing behind a sign, but `- -b`",
+        "return False",
+        ("tests/unit/lang/test_layout.py",),
+    ),
+    Patch(
+        "the formatter moves comments",
+        "vrts/lang/layout.py",
+        "return row.ljust(max(column, len(row) + 2)) + comment",
+        "return row + comment",
+        ("tests/unit/lang/test_layout.py",),
+    ),
+    Patch(
+        "a double is rounded twice on its way through STORE",
+        "vrts/lang/decimals.py",
+        "return float(_DIGITS.multiply(Decimal(text), _MM))",
+        "return float(text) * 0.001",
+        ("tests/property/test_store_laws.py",),
+    ),
+    Patch(
+        "unreachable steps are not seen",
+        "vrts/lang/flow.py",
+        "if isinstance(instruction, i.Jump | i.NextFor | i.Stop | i.Halt | i.ReturnError):",
+        "if isinstance(instruction, i.NextFor):",
+        (LANG,),
+    ),
+    Patch(
+        "text of programs reaches the terminal raw",
+        "vrts/report/plain.py",
+        'return _disarmed("".join(seen))',
+        "return text",
+        ("tests/unit/report",),
+    ),
+    Patch(
+        "$DECODE leaves its piece in the variable",
+        "vrts/engine/pieces.py",
+        "return text[:end], text[end:]",
+        "return text[:end], text",
+        (RUNS,),
+    ),
+    Patch(
+        "vrts support calls everything simulated",
+        "vrts/report/support.py",
+        "return RUNS if all(simulates(instruction) for instruction in own) else COMPILES",
+        "return RUNS",
+        ("tests/unit/report/test_support.py",),
+    ),
+    Patch(
+        "one dialect is detected by a single word",
+        "vrts/lang/detection.py",
+        "_ENOUGH = 2",
+        "_ENOUGH = 1",
+        (LANG,),
     ),
 )

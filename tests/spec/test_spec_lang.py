@@ -1,6 +1,6 @@
 """Runs the language chapters of this folder: each program yields what stands below it.
 
-A ```val2 block is compiled. What follows it, up to the next program, is expected: ```diagnostics
+A ```val2 block is compiled, or one named after another dialect; ```auto finds out which. What follows it, up to the next program, is expected: ```diagnostics
 has one line each, `line:column severity code headline`; without it there must be none. ```ir is the
 text dump of the module. The prose says why.
 """
@@ -15,14 +15,16 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.ir.dump import dump
 from vrts.ir.verify import verify
-from vrts.lang.compiler import compile_source
+from vrts.lang.compiler import Options, compile_source
+from vrts.lang.dialect import DIALECTS, Dialect
 
 CHAPTERS = sorted(Path(__file__).parent.glob("lang-*.md"))
-_FENCE = re.compile(r"^(#+ [^\n]*)$|^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+_FENCE = re.compile(r"^(#+ [^\n]*)$|^```([\w+]+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 class Case(NamedTuple):
     title: str
+    dialect: Dialect | None
     program: str
     expected: dict[str, str]
 
@@ -35,8 +37,9 @@ def cases() -> list[Case]:
             heading, language, text = match.groups()
             if heading:
                 title = heading.lstrip("# ")
-            elif language == "val2":
-                found.append(Case(f"{chapter.stem}: {title}", text, {}))
+            elif language in DIALECTS or language == "auto":
+                dialect = DIALECTS.get(language)
+                found.append(Case(f"{chapter.stem}: {title}", dialect, text, {}))
             else:
                 assert language in ("diagnostics", "ir"), language
                 found[-1].expected[language] = text
@@ -55,7 +58,7 @@ def test_there_are_chapters() -> None:
 
 @pytest.mark.parametrize("case", cases(), ids=lambda case: case.title)
 def test_program(case: Case) -> None:
-    compilation = compile_source(SourceFile("spec.v2", case.program))
+    compilation = compile_source(SourceFile("spec.v2", case.program), Options(case.dialect))
     said = "".join(one_line(d) + "\n" for d in compilation.diagnostics)
     assert said == case.expected.get("diagnostics", "")
     if compilation.module is not None:

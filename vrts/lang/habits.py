@@ -46,6 +46,8 @@ def check_habits(
 
 
 def _waiting(problems: Problems, node: Simple) -> None:
+    if problems.dialect.is_val:
+        return  # there a number is a signal
     if node.word != "WAIT" or not isinstance(node.operands[0] if node.operands else None, Number):
         return
     value = node.operands[0]

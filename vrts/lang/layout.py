@@ -194,6 +194,8 @@ class _Layout:
         if label is not None:
             shown = self.source.text[label.start : label.end].lower()
             gutter = f"{shown}:" if isinstance(label.number, str) else shown
+        if self.source.text[line.start : at].strip().lower() != gutter:
+            return None  # a step number of a listing
         width = GUTTER + indent if code else 0
         if len(gutter) >= width and gutter and code:
             return f"{gutter} {code}"

@@ -53,6 +53,7 @@ def explain(problems: Problems, tokens: list[Token], failure: Failure, word: Wor
     case = _Case(problems, tokens, failure, expected(failure.states), word)
     for explanation in (
         _no_beginning,
+        _compound_set,
         _empty_parentheses,
         _function_without_parentheses,
         _equals_for_compare,
@@ -61,8 +62,8 @@ def explain(problems: Problems, tokens: list[Token], failure: Failure, word: Wor
         _text_after_structure,
         _list_in_parentheses,
         _comma_missing,
-        _operand_missing,
         _format_misplaced,
+        _operand_missing,
         _too_many,
     ):
         if explanation(case):
@@ -85,6 +86,23 @@ def _no_beginning(case: _Case) -> bool:
         help=("begin comments with `;`",)
         if comment
         else ("a step begins with an instruction, as in `MOVE part`, or assigns, as in `n = 1`",),
+    )
+    return True
+
+
+def _compound_set(case: _Case) -> bool:
+    """`SET frame:part = ...`."""
+    here = case.here
+    if here is None or case.tokens[0].kind != "SET" or here.text != ":" or case.failure.at > 5:
+        return False
+    end = next((t.start for t in case.tokens if t.kind == "EQUAL"), here.end)
+    case.problems.error(
+        INVALID_EXPRESSION,
+        "SET gives a value to one location, not to a compound",
+        case.tokens[1].start,
+        end,
+        notes=("VAL-II says *Illegal assignment*",),
+        help=("write `SET part = INVERSE(frame):...` for the part in its frame",),
     )
     return True
 

@@ -1,5 +1,6 @@
 """Operands of the instructions that are a word and a list: which types they want."""
 
+from vrts.base.diagnostic import Rule
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
 from vrts.lang.expression_types import FUNCTION_ARGUMENTS, TYPES_SAY, WRONG_TYPE, ExpressionTypes
@@ -16,6 +17,8 @@ from vrts.lang.syntax import (
     Simple,
 )
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+
+WITHOUT_EFFECT = Rule("V229", "without-effect")
 
 _LOCATION_WORDS = frozenset(
     {"MOVE", "MOVES", "APPRO", "APPROS", "MOVET", "MOVEST", "C1MOVE", "C2MOVE"}
@@ -138,6 +141,15 @@ class OperandTypes(ExpressionTypes):
             self.check(signal, Type.REAL, f"{node.word} watches a signal")
         if program is not None:
             self.program_name(program, node.word)
+        elif node.word == "REACT":
+            self.problems.warning(
+                WITHOUT_EFFECT,
+                "REACT without a program does nothing",
+                node.start,
+                node.end,
+                notes=("REACTI without a program stops the motion",),
+                help=("name the program to call: `REACT signal, program`",),
+            )
         if priority is not None:
             self.check(priority, Type.REAL, "a priority is a number")
 
