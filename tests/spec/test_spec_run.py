@@ -1,8 +1,8 @@
 """Runs the execution chapters of this folder: `run-*.md`.
 
-A ```val2 block, or one named after another dialect, is compiled and run with the robot alone. What follows it is expected: ```output is
-what the program types; ```error is the code and VAL's words of the error that stops it. A program
-without `.PROGRAM` is wrapped in one. The prose says why.
+A ```val2 block, or one named after another dialect, is compiled and run with the robot alone. What
+follows it is expected: ```output is what the program types; ```error is the code and VAL's words of
+the error that stops it. A program without `.PROGRAM` is wrapped in one. The prose says why.
 """
 
 import re
@@ -12,13 +12,18 @@ from typing import NamedTuple
 import pytest
 
 from vrts.base.source import SourceFile
-from vrts.engine.controller import execute
+from vrts.engine.controller import advance, execute, start
+from vrts.engine.run import Run
+from vrts.ir.commands import TimedCommand
+from vrts.ir.module import Module
+from vrts.lang.command import parse_command
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS, Dialect
 from vrts.scene.default import robot_alone
 
 FOLDER = Path(__file__).parent
 BLOCK = re.compile(r"^```([\w+]+)\n(.*?)^```$", re.M | re.S)
+LONG_ENOUGH = 60.0  # [s] for what a command starts
 
 
 class Case(NamedTuple):
@@ -27,8 +32,7 @@ class Case(NamedTuple):
     name: str
     dialect: Dialect
     program: str
-    output: str | None
-    error: str | None
+    expected: dict[str, str]
 
 
 def cases() -> list[Case]:
@@ -38,26 +42,38 @@ def cases() -> list[Case]:
         for block in BLOCK.finditer(text):
             line = text[: block.start()].count("\n") + 1
             if block[1] in DIALECTS:
-                dialect = DIALECTS[block[1]]
-                found.append(Case(f"{page.stem}:{line}", dialect, block[2], None, None))
-            elif block[1] == "output":
-                found[-1] = found[-1]._replace(output=block[2])
+                found.append(Case(f"{page.stem}:{line}", DIALECTS[block[1]], block[2], {}))
             else:
-                assert block[1] == "error", block[1]
-                found[-1] = found[-1]._replace(error=block[2].strip())
+                assert block[1] in ("command", "output", "error"), block[1]
+                found[-1].expected[block[1]] = block[2]
     return found
+
+
+def compiled(case: Case) -> Module:
+    text = case.program
+    if ".PROGRAM" not in text:
+        text = f".PROGRAM main()\n{text}.END\n"
+    compilation = compile_source(SourceFile("case.v2", text), Options(case.dialect))
+    assert compilation.module is not None, compilation.diagnostics
+    return compilation.module
+
+
+def ran(case: Case) -> Run:
+    module = compiled(case)
+    if "command" not in case.expected:
+        return execute(module, robot_alone())
+    command, _ = parse_command(SourceFile("monitor", case.expected["command"].strip()))
+    assert command is not None
+    return advance(start(module, robot_alone()), LONG_ENOUGH, [TimedCommand(0.0, command)])
+
+
+def stopped_by(run: Run) -> str:
+    errors = [d for d in run.findings if d.is_error]
+    return "".join(f"{d.rule.code} {d.notes[-1].removeprefix('VAL-II says ')}\n" for d in errors)
 
 
 @pytest.mark.parametrize("case", cases(), ids=lambda case: case.name)
 def test_the_program_does_what_the_page_says(case: Case) -> None:
-    text = case.program
-    if ".PROGRAM" not in text:
-        text = f".PROGRAM main()\n{text}.END\n"
-    compiled = compile_source(SourceFile("case.v2", text), Options(case.dialect))
-    assert compiled.module is not None, compiled.diagnostics
-    run = execute(compiled.module, robot_alone())
-    errors = [d for d in run.findings if d.is_error]
-    said = "".join(f"{d.rule.code} {d.notes[-1].removeprefix('VAL-II says ')}" for d in errors)
-    assert said == (case.error or "")
-    if case.output is not None:
-        assert run.output.replace("\r\n", "\n") == case.output
+    run = ran(case)
+    assert stopped_by(run) == case.expected.get("error", "")
+    assert run.output.replace("\r\n", "\n") == case.expected.get("output", "")

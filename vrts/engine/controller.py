@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 
+from vrts.base.stack import deep_stack
 from vrts.engine.executable import Executable
 from vrts.engine.machine import Machine
 from vrts.engine.run import OutOfHorizon, Run
@@ -14,6 +15,7 @@ CHECKPOINT = 5.0  # [s] of simulated time between states kept for `truncate`
 AFTERWARDS = 10.0  # [s] longest time anything may move after the program has ended
 
 
+@deep_stack()
 def start(module: Module, scene: Scene, scenario: Scenario | None = None) -> Run:
     """Return a run at time 0 in which nothing executes."""
     scenario = scenario or Scenario()
@@ -21,6 +23,7 @@ def start(module: Module, scene: Scene, scenario: Scenario | None = None) -> Run
     return Run(Machine(executable, scene, scenario), 0.0, ())
 
 
+@deep_stack()
 def advance(run: Run, until_s: float, commands: Sequence[TimedCommand] = ()) -> Run:
     """Return a run that goes on to a time [s], with commands issued from its horizon on.
 

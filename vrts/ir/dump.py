@@ -8,6 +8,7 @@ from enum import Enum
 from vrts.base.oat import components
 from vrts.base.pose import Pose
 from vrts.base.source import Span
+from vrts.base.stack import deep_stack
 from vrts.base.units import deg
 from vrts.ir.expressions import (
     Apply,
@@ -30,6 +31,7 @@ from vrts.ir.values import Type, Value
 _WORDS = frozenset({"not", "com"})
 
 
+@deep_stack()
 def dump(module: Module) -> str:
     """Return the text form of a module. The same module gives the same bytes."""
     parts = [_program(program) for program in module.programs.values()]

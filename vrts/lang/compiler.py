@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.source import SourceFile
+from vrts.base.stack import deep_stack
 from vrts.ir.module import Datum, Module, Program
 from vrts.lang.data_sections import read_data, report_replaced
 from vrts.lang.detection import detect
@@ -55,6 +56,7 @@ class Options(NamedTuple):
 STRICT = Options(VAL2)
 
 
+@deep_stack()
 def compile_source(source: SourceFile, options: Options = STRICT) -> Compilation:
     """Compile a file: all problems in one go, one diagnostic a cause. Never raises."""
     dialect, found = options.dialect, None

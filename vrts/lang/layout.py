@@ -7,6 +7,7 @@ parse stays as it is, byte for byte, and so do comments and blank lines.
 from typing import NamedTuple
 
 from vrts.base.source import SourceFile
+from vrts.base.stack import deep_stack
 from vrts.lang.dialect import Dialect
 from vrts.lang.headers import read_header
 from vrts.lang.problems import Problems
@@ -26,6 +27,7 @@ _CLOSERS = frozenset({"END", "UNTIL"})
 _GROUPS = frozenset({"VALUE", "ANY"})
 
 
+@deep_stack()
 def layout(source: SourceFile, dialect: Dialect) -> str:
     """Return the text of a file in canonical layout; the same again for what it returns."""
     return _Layout(source, dialect).run()

@@ -1,14 +1,17 @@
 """Parentheses and brackets of a step: each has its partner, and they do not nest too deeply."""
 
+from typing import Any
+
 from vrts.base.diagnostic import Rule
 from vrts.lang.problems import Problems
-from vrts.lang.syntax import Token
+from vrts.lang.syntax import Application, Element, Infix, Parenthesised, Prefix, Token
 
 NESTED_TOO_DEEPLY = Rule("V113", "nested-too-deeply")
 MISSING_PARENTHESIS = Rule("V128", "missing-parenthesis")
 MISSING_BRACKET = Rule("V129", "missing-bracket")
 
-MAX_NESTING = 200
+MAX_NESTING = 200  # parentheses and brackets
+MAX_DEPTH = 400  # levels of an expression: operators in a row nest too
 
 _CLOSES = {"RPAREN": "LPAREN", "RBRACKET": "LBRACKET"}
 
@@ -61,3 +64,23 @@ def _unmatched(token: Token, inside: Token | None, problems: Problems) -> None:
         notes=(f"VAL-II says *{words}*",),
         help=(f"add `{partner}`" + ("" if opens else f", or take `{token.text}` out"),),
     )
+
+
+def too_deep(problems: Problems, statement: Any) -> bool:
+    """Report a statement whose expressions are nested beyond `MAX_DEPTH`, and return whether."""
+    waiting: list[tuple[Any, int]] = [(statement, 0)]
+    while waiting:
+        node, depth = waiting.pop()
+        if depth > MAX_DEPTH:
+            problems.error(
+                NESTED_TOO_DEEPLY,
+                f"this expression joins more than {MAX_DEPTH} operands",
+                statement.start,
+                statement.end,
+                help=("compute parts of it in steps of their own",),
+            )
+            return True
+        deeper = depth + isinstance(node, Infix | Prefix | Parenthesised | Application | Element)
+        parts: list[Any] = [part for part in node if isinstance(part, tuple)]
+        waiting.extend((part, deeper) for part in parts)
+    return False

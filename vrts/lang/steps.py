@@ -12,6 +12,7 @@ from vrts.lang.dialect import Dialect, Precedence
 from vrts.lang.lalr import Failure, TableParser
 from vrts.lang.mistakes import explain
 from vrts.lang.names import key
+from vrts.lang.nesting import MAX_NESTING, too_deep
 from vrts.lang.problems import Problems
 from vrts.lang.shapes import fits
 from vrts.lang.splitter import Line
@@ -196,7 +197,9 @@ class StepParser:
             if isinstance(node, Failure):
                 explain(self.problems, tokens, node, head.word)
                 node = None
-            elif not fits(self.problems, node, head.word):
+            elif not fits(self.problems, node, head.word) or (
+                len(tokens) > MAX_NESTING and too_deep(self.problems, node)
+            ):
                 node = None
         if node is not None and completed:
             self._tolerate(completed, tokens[0].start, tokens[-1].end)
@@ -216,6 +219,12 @@ class StepParser:
                 notes=("what follows is not read",),
                 help=("check that this is a program, or split the file",),
             )
+
+    def _fits(self, node: Any, head: Head, length: int) -> bool:
+        """Whether the dialect takes a step, and its expressions are not too deep."""
+        if length > MAX_NESTING and too_deep(self.problems, node):
+            return False
+        return fits(self.problems, node, head.word)
 
     def tokens(self, text: str, at: int) -> tuple[list[Token], Head] | None:
         """Return the tokens of a statement, those of the same text seen before moved to its place.
