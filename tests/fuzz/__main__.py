@@ -7,10 +7,12 @@ put it into `tests/data/lang_findings`, where a test compiles it from then on, a
 """
 
 import argparse
+import importlib
 import sys
 from pathlib import Path
+from typing import Any
 
-import atheris
+atheris: Any = importlib.import_module("atheris")  # an extra that has no types
 
 with atheris.instrument_imports(include=["vrts.lang", "vrts.ir"]):
     from vrts.base.diagnostic import Diagnostic

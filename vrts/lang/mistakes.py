@@ -26,6 +26,7 @@ INVALID_FORMAT = Rule("V132", "invalid-format")
 _KEYWORDS = ("THEN", "DO", "OF", "TO", "BY")
 _OPERANDS = frozenset({"NAME", "NUMBER", "STRING", "STRINGNAME", "JOINTNAME", "LPAREN", "PREFIX"})
 _ARGUMENT_SAYS = "VAL-II says *Missing argument*"
+_QUALIFIER_SAYS = "VAL-II says *Invalid qualifier*"
 _TEXT_SAYS = "VAL-II says *Unexpected text at end of line*"
 
 
@@ -396,7 +397,7 @@ def _report_extra(case: _Case, here: Token, headline: str, help_: str) -> None:
         here.start,
         case.tokens[-1].end,
         "this is too much",
-        notes=(_TEXT_SAYS,),
+        notes=(_QUALIFIER_SAYS if here.text.upper() in QUALIFIERS else _TEXT_SAYS,),
         help=(help_,) if help_ else (),
     )
 
