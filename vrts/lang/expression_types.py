@@ -15,7 +15,7 @@ from vrts.lang.dialect import Angles
 from vrts.lang.forms import is_text
 from vrts.lang.mistakes import INVALID_FORMAT
 from vrts.lang.names import key
-from vrts.lang.problems import Problems
+from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.scope import Entry, Scope
 from vrts.lang.spelling import nearest
 from vrts.lang.syntax import (
@@ -372,7 +372,8 @@ class ExpressionTypes:
         text = name.text.upper() if isinstance(name, Name) else ""
         if text in known or (text and self.dialect.tolerant):
             return text
-        meant = nearest(text, known) if text else None
+        shown = len(self.problems.found) < LIMIT
+        meant = nearest(text, known) if text and shown else None
         rule = INVALID_SWITCH if what == "switch" else INVALID_PARAMETER
         written = self.problems.source.text[node.start : node.end]
         self.problems.error(
@@ -540,7 +541,8 @@ class ExpressionTypes:
         )
 
     def _unknown_function(self, node: Application, lower: str) -> None:
-        meant = nearest(lower, self.functions)
+        shown = len(self.problems.found) < LIMIT  # what is not shown needs no suggestion
+        meant = nearest(lower, self.functions) if shown else None
         if lower in FOREIGN_FUNCTIONS:
             help_ = (FOREIGN_FUNCTIONS[lower],)
         elif meant is not None:

@@ -2,7 +2,7 @@
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.constants import constant
-from vrts.lang.endless import check_loops, runs_beside
+from vrts.lang.endless import LoopCheck, runs_beside
 from vrts.lang.motion_habits import check_motion
 from vrts.lang.problems import Problems
 from vrts.lang.scope import Scope
@@ -33,6 +33,7 @@ def check_habits(
 ) -> None:
     """Warn of what the language allows and the writer hardly means."""
     alone = not runs_beside(programs)
+    loops = LoopCheck(problems, scope)
     for program in programs:
         steps = [s.statement for s in program.steps]
         for at, node in enumerate(steps):
@@ -42,7 +43,7 @@ def check_habits(
                 _hand(problems, steps, at, node)
         check_motion(problems, scope, program)
         if alone:
-            check_loops(problems, scope, program, structures[program.name])
+            loops.check(program, structures[program.name])
 
 
 def _waiting(problems: Problems, node: Simple) -> None:

@@ -16,7 +16,7 @@ _HEADER = re.compile(
     re.IGNORECASE | re.ASCII,
 )
 _AS_TAIL = re.compile(r"[@#\d]")  # date, time and number that AS writes behind the header
-_BETWEEN_FORMALS = re.compile(r",(?![ ,]*\])")  # not inside `a[,]`
+_PIECE = re.compile(r"[^,\[]*(?:\[[^\]]*\]?[^,\[]*)*")  # up to a comma that is not inside `a[,]`
 _FORMAL = re.compile(
     r"(?P<name>(?:\.?&?|&?\.?)[$#]?[A-Za-z][\w.]*)[ \t]*(?P<array>\[[ ,]*\])?$", re.ASCII
 )
@@ -51,7 +51,8 @@ def read_header(section: Section, problems: Problems) -> tuple[str, tuple[Formal
         )
     formals: list[Formal] = []
     at = line.start + max(match.start("formals"), 0)
-    for written in _BETWEEN_FORMALS.split(match["formals"] or ""):
+    taken: set[str] = set()
+    for written in _pieces(match["formals"] or ""):
         start = at + len(written) - len(written.lstrip())
         at += len(written) + 1
         text = written.strip()
@@ -70,7 +71,7 @@ def read_header(section: Section, problems: Problems) -> tuple[str, tuple[Formal
         if name[:1] == "." and name[1] in "$#":
             name = f"{name[1]}.{name[2:]}"  # `.$s` of AS, with its sigil first
         node = Name(name, start, start + len(name))
-        if name and any(key(name) == key(f.name.text) for f in formals if f.name.text):
+        if name and key(name) in taken:
             problems.error(
                 DUPLICATE_FORMAL,
                 f"`{name}` stands twice among the formals",
@@ -79,8 +80,22 @@ def read_header(section: Section, problems: Problems) -> tuple[str, tuple[Formal
                 help=("give each formal its own name",),
             )
             continue
+        if name:
+            taken.add(key(name))
         formals.append(Formal(node, bool(formal and formal["array"])))
     return key(match["name"]), tuple(formals)
+
+
+def _pieces(formals: str) -> list[str]:
+    """Return what stands between the commas of a list of formals."""
+    pieces: list[str] = []
+    at = 0
+    while at <= len(formals):
+        match = _PIECE.match(formals, at)
+        assert match is not None
+        pieces.append(match.group())
+        at = match.end() + 1
+    return pieces
 
 
 def is_remarks(section: Section, dialect: Dialect) -> bool:

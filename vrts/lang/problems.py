@@ -8,7 +8,10 @@ from vrts.lang.dialect import VAL2, Dialect
 from vrts.lang.joined import order, span_in
 
 TOO_MANY = Rule("V151", "too-many-problems")
-LIMIT = 200
+LIMIT = 200  # that are shown
+MOST_KEPT = 20_000  # errors, and as many others; of what is found beyond, only the number counts
+
+_NOT_KEPT = {s: Diagnostic(TOO_MANY, s, "one more problem") for s in Severity}
 
 
 class Problems:
@@ -19,6 +22,7 @@ class Problems:
         self.dialect = dialect
         self.found: list[Diagnostic] = []
         self.any_error = False
+        self._room = {True: MOST_KEPT, False: MOST_KEPT}  # for errors, and for others
         self.look_alikes: list[tuple[str, int]] = []  # pasted characters and their offsets
 
     @classmethod
@@ -50,7 +54,12 @@ class Problems:
         severity: Severity = Severity.ERROR,
     ) -> None:
         """Add an error at a range of offsets."""
-        self.any_error = self.any_error or severity is Severity.ERROR
+        is_error = severity is Severity.ERROR
+        self.any_error = self.any_error or is_error
+        self._room[is_error] -= 1
+        if self._room[is_error] < 0:
+            self.found.append(_NOT_KEPT[severity])
+            return
         primary = self.label(start, end, text)
         self.found.append(
             Diagnostic(rule, severity, headline, primary, secondary, notes, help, fix, None, data)
@@ -105,14 +114,14 @@ class Problems:
     def in_order(self) -> tuple[Diagnostic, ...]:
         """Return the diagnostics by place, errors first on one place, at most `LIMIT` of them."""
         ordered = sorted(
-            self.found,
+            (d for d in self.found if d.rule is not TOO_MANY),
             key=lambda d: (order(self.source, d.primary), not d.is_error),
         )
         if len(ordered) <= LIMIT:
             return tuple(ordered)
         kept = _errors_first(ordered)
-        more = len(ordered) - LIMIT
-        worst = Severity.ERROR if any(d.is_error for d in ordered) else Severity.WARNING
+        more = len(self.found) - LIMIT
+        worst = Severity.ERROR if self.any_error else Severity.WARNING
         rest = Diagnostic(
             TOO_MANY,
             worst,

@@ -9,6 +9,8 @@ from vrts.lang.syntax import Declare, Element, Expression, Name, ProgramText
 
 Place = tuple[int, int]  # range of offsets
 
+_SPREADING = frozenset({Type.REAL, Type.POSE})  # types that a name has from its uses
+
 
 class Passed(NamedTuple):
     """A variable passed to a program by reference."""
@@ -54,6 +56,7 @@ class Scope:
         self.programs = {program.name: program for program in programs}
         self.entries: dict[str, Entry] = {}
         self.formals: dict[str, dict[str, Entry]] = {}
+        self.slots = {program.name: len(program.formals) for program in programs}  # the next ones
         for program in programs:
             slots: dict[str, Entry] = {}
             for i, formal in enumerate(program.formals):
@@ -99,8 +102,8 @@ class Scope:
 
     def _automatic(self, program: str, own: dict[str, Entry], name: str) -> Entry:
         """Make a variable of each call, with the slot after those there are."""
-        formals = len(self.programs[program].formals)
-        slot = formals + sum(entry.automatic for entry in own.values())
+        slot = self.slots[program]
+        self.slots[program] += 1
         entry = own[name] = Entry(name, slot, automatic=True)
         return entry
 
@@ -114,18 +117,20 @@ class Scope:
 
     def spread_types(self) -> None:
         """Give a name passed by reference the type its formal has, until nothing changes."""
-        changed = True
-        while changed:
-            changed = False
-            for entry in self.all_entries():
-                if entry.type is not Type.DYNAMIC:
-                    continue
-                for passed in entry.passed:
-                    formal = self.formal(passed)
-                    if formal is not None and formal.type in (Type.REAL, Type.POSE):
-                        entry.types[formal.type] = next(iter(entry.spellings.values()), (0, 0))
-                        changed = True
-                        break
+        passers: dict[int, list[Entry]] = {}  # of a formal, by identity
+        entries = self.all_entries()
+        for entry in entries:
+            for passed in entry.passed:
+                formal = self.formal(passed)
+                if formal is not None:
+                    passers.setdefault(id(formal), []).append(entry)
+        waiting = [entry for entry in reversed(entries) if entry.type in _SPREADING]
+        while waiting:
+            formal = waiting.pop()
+            for entry in passers.get(id(formal), ()):
+                if entry.type is Type.DYNAMIC:
+                    entry.types[formal.type] = next(iter(entry.spellings.values()), (0, 0))
+                    waiting.append(entry)
 
     def formal(self, passed: Passed) -> Entry | None:
         """Return the formal a variable is passed to, if the program is known."""
@@ -135,24 +140,21 @@ class Scope:
         name = program.formals[passed.argument].name.text
         return self.formals[program.name].get(key(name)) if name else None
 
-    def may_have_value(self, entry: Entry, seen: frozenset[int] = frozenset()) -> bool:
+    def may_have_value(self, entry: Entry) -> bool:
         """Return whether anything gives a name a value, also through calls."""
-        if entry.writes or (entry.slot is not None and not entry.automatic):
+        if entry.slot is not None and not entry.automatic:
             return True
-        for passed in entry.passed:
-            formal = self.formal(passed)
-            if formal is None or formal.writes:
+        seen: set[int] = set()
+        waiting = [entry]
+        while waiting:
+            found = waiting.pop()
+            if found.writes:
                 return True
-            if id(formal) not in seen and formal.passed:
-                seen = seen | {id(formal)}
-                if any(self._written(p, seen) for p in formal.passed):
+            for passed in found.passed:
+                formal = self.formal(passed)
+                if formal is None:
                     return True
+                if id(formal) not in seen:
+                    seen.add(id(formal))
+                    waiting.append(formal)
         return False
-
-    def _written(self, passed: Passed, seen: frozenset[int]) -> bool:
-        formal = self.formal(passed)
-        if formal is None or formal.writes:
-            return True
-        if id(formal) in seen:
-            return False
-        return any(self._written(p, seen | {id(formal)}) for p in formal.passed)

@@ -35,7 +35,7 @@ _DATA_SECTIONS = {
 _DOTTED = re.compile(r"\.[A-Za-z_*][\w*]*")
 _LOCAL = re.compile(r"\.[A-Za-z][\w.]*[ \t]*[=\[]", re.ASCII)  # a local name of AS, assigned
 _STARS = re.compile(r"\.\*")  # lines of stars and words that AS writes between sections
-_UNDOTTED = re.compile(r"PROGRAM[ \t]+[A-Za-z][\w.]*[ \t]*(\(.*\))?[ \t]*(;.*)?$", re.IGNORECASE)
+_UNDOTTED = re.compile(r"PROGRAM[ \t]+[A-Za-z][\w.]*(?:[ \t]*\(.*\))?$", re.IGNORECASE)
 _QUOTES = re.escape(OPENING_QUOTES)
 _STRING_OR_COMMENT = re.compile(rf"""("[^"]*("|$)|[{_QUOTES}][^{_QUOTES}"]*[{_QUOTES}"]|'.)|(;)""")
 

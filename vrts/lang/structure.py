@@ -1,5 +1,6 @@
 """Pairs the structure words and labels of a program."""
 
+import heapq
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule
@@ -186,10 +187,10 @@ def labels(program: ProgramText, problems: Problems) -> dict[int | str, int]:
             continue
         known[label.number] = step.number
         places[label.number] = (label.start, label.end)
+    shown = ", ".join(heapq.nsmallest(8, map(str, known), key=lambda text: (len(text), text)))
     for step in program.steps:
         wanted = _label_wanted(step.statement)
         if wanted is not None and label_key(wanted) not in known:
-            shown = ", ".join(sorted(map(str, known), key=lambda n: (len(n), n))[:8])
             problems.error(
                 UNDEFINED_LABEL,
                 f"there is no label {label_key(wanted)} in this program",

@@ -11,7 +11,7 @@ from vrts.base.numbers import single
 from vrts.lang.characters import BLANKS, INVISIBLE, LOOK_ALIKES, OPENING_QUOTES, STRANGERS
 from vrts.lang.dialect import Dialect
 from vrts.lang.nesting import MAX_NESTING, balanced
-from vrts.lang.problems import Problems
+from vrts.lang.problems import MOST_KEPT, Problems
 from vrts.lang.syntax import Token
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 
@@ -23,6 +23,7 @@ CHARACTER_IN_STRING = Rule("V112", "character-in-string")
 STRING_TOO_LONG = Rule("V114", "string-too-long")
 
 MAX_STRING = 128  # [val2.md 1.6]
+MOST_BAD = 20  # problems of one step; it is not read further
 
 _QUOTES = re.escape(OPENING_QUOTES)
 _TOKEN = re.compile(
@@ -44,6 +45,7 @@ _LOCAL = re.compile(
     |(?P<joints>\#)(?=\[)""",
     re.ASCII | re.VERBOSE,
 )
+_WORD = re.compile(r"[\w.]+")
 _CARET = re.compile(r"\^[A-Za-z0-9]*")
 
 _SIGNS = {
@@ -85,6 +87,9 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
         problems: Where each bad character is reported, once per cause; it knows the dialect.
     """
     dialect = problems.dialect
+    reported = len(problems.found)
+    if reported > MOST_KEPT:
+        return None  # what is wrong with it would not be shown
     tokens: list[Token] = []
     joint_literals: list[int] = []  # places in `tokens` of `#` before `[`
     good = True
@@ -107,8 +112,8 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
                 _foreign_name(written, at + start, problems)
         elif kind == "NUMBER":
             if end < size and (text[end].isalpha() or text[end] == "_"):
-                word = re.match(r"[\w.]+", text[start:])
-                end = position = start + (word.end() if word else 1)
+                word = _WORD.match(text, start)
+                end = position = word.end() if word else start + 1
                 _name_after_digit(text[start:end], at + start, problems)
             else:
                 token = _number(written, at + start, problems)
@@ -164,6 +169,8 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
                 continue
         if token is None:
             good = False
+            if len(problems.found) - reported >= MOST_BAD:
+                break
         else:
             tokens.append(token)
     if not good:
@@ -171,8 +178,8 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
     nested = len(tokens) > MAX_NESTING or not _BRACKETS.isdisjoint(text)
     if nested and not balanced(tokens, problems):
         return None
-    for place in joint_literals:
-        _parenthesise(tokens, place + 1)
+    if joint_literals:
+        _parenthesise(tokens, {place + 1 for place in joint_literals})
     return tokens
 
 
@@ -193,17 +200,16 @@ def _local(special: re.Match[str], at: int, problems: Problems) -> Token:
     return Token(kind, f"{sigil}.{name}", start, end)
 
 
-def _parenthesise(tokens: list[Token], place: int) -> None:
-    """Make the brackets that open at a place parentheses."""
-    depth = 0
-    for i in range(place, len(tokens)):
-        token = tokens[i]
-        depth += (token.kind == "LBRACKET") - (token.kind == "RBRACKET")
-        if i == place or depth == 0:
-            kind = "LPAREN" if i == place else "RPAREN"
-            tokens[i] = token._replace(kind=kind)
-        if depth == 0:
-            return
+def _parenthesise(tokens: list[Token], places: set[int]) -> None:
+    """Make the brackets that open at some places, and their partners, parentheses."""
+    open_: list[int] = []
+    for i, token in enumerate(tokens):
+        if token.kind == "LBRACKET":
+            open_.append(i)
+            if i in places:
+                tokens[i] = token._replace(kind="LPAREN")
+        elif token.kind == "RBRACKET" and open_.pop() in places:
+            tokens[i] = token._replace(kind="RPAREN")
 
 
 def _operand_expected(tokens: list[Token]) -> bool:
