@@ -1,14 +1,17 @@
 """Fuzzes the compiler with atheris: `python -m tests.fuzz --minutes 15`.
 
 Needs the extra `fuzz` (`pip install -c .ci/constraints.txt -e '.[fuzz]'`). The first byte chooses
-the dialect, the rest is a file. Seeds are the programs of the tests and examples; words come from
-the vocabulary. What raises is written to `crash-*` in the folder given by `--out`; make it small,
+the dialect, the rest is a file. Seeds are the programs of the tests, examples and pages; words come
+from the vocabulary. Short files are tried faster, so the default length is short; `--length 4000`
+tries long ones. What raises is written to `crash-*` in the folder given by `--out`; make it small,
 put it into `tests/data/lang_findings`, where a test compiles it from then on, and mend the fault.
 """
 
 import argparse
 import importlib
+import re
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -26,9 +29,11 @@ with atheris.instrument_imports(include=["vrts.lang", "vrts.ir"]):
     from vrts.lang.vocabulary.functions import FUNCTIONS
     from vrts.lang.vocabulary.instructions import INSTRUCTIONS
     from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
+    from vrts.report.diagnostics_output import FORMS, Checked, render
 
 ROOT = Path(__file__).parents[2]
-SEEDS = ("tests/golden/lang", "tests/data/lang_findings", "examples", "tests/spec")
+FENCED = re.compile(r"^```[^\n]*\n(.*?)^```", re.MULTILINE | re.DOTALL)
+SEEDS = ("tests/golden/lang", "tests/data/lang_findings", "examples", "tests/spec", "vrts/pages")
 CHOICES = [None, *DIALECTS.values()]
 
 
@@ -49,25 +54,37 @@ def one_input(data: bytes) -> None:
             if label is not None:
                 size = len(label.span.source.text)
                 assert 0 <= label.span.start <= label.span.end <= size
+    for form in FORMS:
+        render([Checked("fuzz.v2", found.diagnostics, found.module is not None)], form)
     once = layout(source, dialect or VAL2)
     assert layout(SourceFile("fuzz.v2", once), dialect or VAL2) == once
+
+
+def seeds() -> Iterator[bytes]:
+    """Return the programs that stand in files and on pages."""
+    for folder in SEEDS:
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix in (".v2", ".as", ".val"):
+                yield path.read_bytes()
+            elif path.suffix == ".md":
+                for block in FENCED.finditer(path.read_text("utf-8")):
+                    yield block[1].encode()
 
 
 def main() -> None:
     """Prepare seeds and words, and fuzz."""
     parser = argparse.ArgumentParser(prog="python -m tests.fuzz", description=__doc__)
     parser.add_argument("--minutes", type=float, default=15)
+    parser.add_argument("--length", type=int, default=700, help="longest file, in bytes")
     parser.add_argument("--out", type=Path, default=Path("fuzz-out"))
     options = parser.parse_args()
     corpus = options.out / "corpus"
     corpus.mkdir(parents=True, exist_ok=True)
     number = 0
-    for folder in SEEDS:
-        for path in sorted((ROOT / folder).rglob("*")):
-            if path.suffix in (".v2", ".as", ".val", ".md") and path.stat().st_size < 20_000:
-                for choice in range(len(CHOICES)):
-                    number += 1
-                    (corpus / f"seed{number}").write_bytes(bytes([choice]) + path.read_bytes())
+    for seed in seeds():
+        for choice in range(len(CHOICES)):
+            number += 1
+            (corpus / f"seed{number}").write_bytes(bytes([choice]) + seed)
     words = options.out / "words.txt"
     texts = [*INSTRUCTIONS, *QUALIFIERS, *OPERATORS, *(name.upper() for name in FUNCTIONS)]
     words.write_text("\n".join(f'"{text}"' for text in texts) + '\n"\\x0a.PROGRAM "\n"\\x0a.END"\n')
@@ -78,7 +95,7 @@ def main() -> None:
             f"-max_total_time={round(options.minutes * 60)}",
             f"-dict={words}",
             f"-artifact_prefix={options.out}/",
-            "-max_len=4000",
+            f"-max_len={options.length}",
             "-timeout=20",
             "-print_final_stats=1",
         ],
