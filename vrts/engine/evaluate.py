@@ -4,7 +4,7 @@ Every closure takes the context and returns a value; a value that is missing or 
 a run-time fault at its place in the text.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from difflib import get_close_matches
 from typing import cast
 
@@ -23,11 +23,11 @@ from vrts.engine.arithmetic import (
 )
 from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Undefined
 from vrts.engine.context import Context
+from vrts.engine.evaluate_strings import HIGHEST_SUBSCRIPT, decoding, unpacking, written
 from vrts.engine.extent import evaluates
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.formats import FREE, NUMBER_KINDS, control, number
 from vrts.engine.functions import PURE, bad
-from vrts.engine.pieces import ELEMENT, decode, spread
+from vrts.engine.operands import expression_of, span_of
 from vrts.ir.expressions import (
     Apply,
     Argument,
@@ -55,7 +55,6 @@ from vrts.robots.model import Configuration
 Evaluate = Callable[[Context], Value]
 Find = Callable[[Context], Cell]
 
-HIGHEST_SUBSCRIPT = 32767  # [assumed, val2.md 1.10]
 TOO_CLOSE, TOO_FAR = 8192.0, 16384.0  # bits of INRANGE
 RANDOM_MULTIPLIER, RANDOM_INCREMENT = 1664525, 1013904223  # linear congruential, 32 bits
 
@@ -274,32 +273,32 @@ class Compiler:
             case Function.RANDOM:
                 return _random
             case Function.SIG:
-                signals = tuple(self._real_argument(a) for a in expression.arguments)
+                signals = tuple(self.real_argument(a) for a in expression.arguments)
                 return lambda c: logical(
                     all(c.signals.holds(round_half_away(s(c)), span) for s in signals)
                 )
             case Function.BITS:
-                first, count = (self._real_argument(a) for a in expression.arguments[:2])
+                first, count = (self.real_argument(a) for a in expression.arguments[:2])
                 return lambda c: _bits(c, round_half_away(first(c)), count(c), span)
             case Function.TIMER:
-                timer = self._real_argument(expression.arguments[0])
+                timer = self.real_argument(expression.arguments[0])
                 return lambda c: rounded(c.now - c.timers.get(round_half_away(timer(c)), 0.0), span)
             case Function.SPEED:
-                which = self._real_argument(expression.arguments[0])
+                which = self.real_argument(expression.arguments[0])
                 return lambda c: _speed(c, integer(which(c), span, 1, 3, "selector"))
             case Function.DEFINED:
                 return self._defined(expression.arguments[0])
             case Function.INRANGE:
-                location = self.location(_expression(expression.arguments[0]))
+                location = self.location(expression_of(expression.arguments[0]))
                 return lambda c: _in_range(c, location(c))
             case Function.ENCODE:
                 items = tuple(_item(a) for a in expression.arguments)
-                text = self.text(items, "$ENCODE")
+                text = written(self, items, "$ENCODE")
                 return lambda c: checked_string(text(c), span)
             case Function.DECODE:
-                return self._decode(expression)
+                return decoding(self, expression)
             case Function.UNPACK:
-                return self._unpack(expression)
+                return unpacking(self, expression)
             case Function.LAST:
                 whole = expression.arguments[0]
                 assert isinstance(whole, Place | WholeArray)
@@ -309,39 +308,6 @@ class Compiler:
                 return self._test_and_set(expression)
             case _:
                 raise ValueError(f"function without a meaning: {expression.function}")
-
-    def text(self, items: "Sequence[Expression | Format]", word: str) -> Callable[[Context], str]:
-        """Return a closure that gives the text of items as TYPE writes them."""
-        parts = [
-            item if isinstance(item, Format) else (self.value(item), span_of(item))
-            for item in items
-        ]
-
-        def written(c: Context) -> str:
-            form, text = FREE, ""
-            for part in parts:
-                if isinstance(part, Format):
-                    if part.kind in NUMBER_KINDS:
-                        form = part
-                    else:
-                        text += control(part)
-                    continue
-                evaluate, span = part
-                found = evaluate(c)
-                if isinstance(found, str):
-                    text += found
-                elif isinstance(found, float):
-                    text += number(found, form)
-                else:
-                    raise RuntimeFault(
-                        RuntimeErrorKind.ARGUMENT_MISMATCH,
-                        f"{word} cannot write a location",
-                        span,
-                        help=("write its parts with DX, DY and DZ",),
-                    )
-            return text
-
-        return written
 
     def elements(self, place: Place) -> Callable[[Context, int], Cell]:
         """Return a closure that finds the k-th cell from a place on; a scalar has only one."""
@@ -368,47 +334,10 @@ class Compiler:
 
         return element
 
-    def _decode(self, expression: Apply) -> Evaluate:
-        variable, breaks, *mode = expression.arguments
-        assert isinstance(variable, Load)
-        find, read = self.cell(variable.place), self.string(variable)
-        characters = self.string(_expression(breaks))
-        how = self.real(_expression(mode[0])) if mode and mode[0] is not None else None
-
-        def decoded(c: Context) -> Value:
-            text = read(c)
-            chosen = 0 if how is None else round_half_away(how(c))
-            piece, rest = decode(text, characters(c), chosen)
-            find(c).assign(rest, c.now)
-            return piece
-
-        return decoded
-
-    def _unpack(self, expression: Apply) -> Evaluate:
-        place, first, length = expression.arguments
-        span = expression.span
-        assert isinstance(place, Place | WholeArray)
-        if isinstance(place, WholeArray):
-            place = Place(place.variable, (Constant(0.0),), place.span)
-        elements = self.elements(place)
-        start, many = self._real_argument(first), self._real_argument(length)
-
-        def unpacked(c: Context) -> Value:
-            at = integer(start(c), span, 1, HIGHEST_SUBSCRIPT * ELEMENT, "position")
-            count = integer(many(c), span, 0, ELEMENT, "number of characters")
-            pieces: list[str] = []
-            for element, offset, taken in spread(at, count):
-                value = elements(c, element).value
-                text = value if isinstance(value, str) else ""
-                pieces.append(text[offset - 1 : offset - 1 + taken])
-            return "".join(pieces)
-
-        return unpacked
-
     def _test_and_set(self, expression: Apply) -> Evaluate:
         place, new = expression.arguments
         assert isinstance(place, Place)
-        find, value = self.cell(place), self._real_argument(new)
+        find, value = self.cell(place), self.real_argument(new)
 
         def swapped(c: Context) -> Value:
             cell, wanted = find(c), value(c)
@@ -418,8 +347,9 @@ class Compiler:
 
         return swapped
 
-    def _real_argument(self, argument: Argument) -> Callable[[Context], float]:
-        return self.real(_expression(argument))
+    def real_argument(self, argument: Argument) -> Callable[[Context], float]:
+        """Return a closure that gives a real operand that must be there."""
+        return self.real(expression_of(argument))
 
     def _defined(self, argument: Argument) -> Evaluate:
         if isinstance(argument, Load):
@@ -433,21 +363,8 @@ class Compiler:
         raise ValueError("DEFINED of something that is no variable")
 
 
-def span_of(expression: Expression) -> Span | None:
-    """Return where an expression stands."""
-    return expression.place.span if isinstance(expression, Load) else expression.span
-
-
-def _expression(argument: Argument) -> Expression:
-    if isinstance(argument, Place):
-        return Load(argument)
-    if argument is None or isinstance(argument, WholeArray | Format):
-        raise ValueError("an operand that must be there is missing")
-    return argument
-
-
 def _item(argument: Argument) -> "Expression | Format":
-    return argument if isinstance(argument, Format) else _expression(argument)
+    return argument if isinstance(argument, Format) else expression_of(argument)
 
 
 def _refusal(headline: str, span: Span | None) -> Evaluate:

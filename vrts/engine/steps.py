@@ -14,6 +14,7 @@ from vrts.base.units import deg
 from vrts.engine.arithmetic import checked_string, integer, rounded
 from vrts.engine.context import Context
 from vrts.engine.evaluate import Compiler, Evaluate
+from vrts.engine.evaluate_strings import written
 from vrts.engine.events import Cause, Printed, SignalChanged
 from vrts.engine.extent import simulates
 from vrts.engine.faults import RuntimeFault
@@ -374,7 +375,7 @@ class StepCompiler:
         return wait
 
     def _type(self, items: "tuple[Expression | Format, ...]", following: int, cause: Cause) -> Step:
-        text = self.expressions.text(items, "TYPE")
+        text = written(self.expressions, items, "TYPE")
         last = items[-1] if items else None
         end = "" if isinstance(last, Format) and last.kind is FormatKind.STAY else "\r\n"
 
