@@ -37,9 +37,12 @@ def command(word: str | None, kind: str | None, dialect: str | None, as_document
     """Show the words of the language and how far vrts goes with them; all, or one WORD."""
     from vrts.lang.dialect import DIALECTS
     from vrts.report.json_text import json_text
-    from vrts.report.support import as_json, card, entries, table
+    from vrts.report.support import entries
+    from vrts.report.support_text import as_json, card, table
 
     found = entries(DIALECTS[dialect] if dialect else None, kind)
+    if not found:
+        fail(f"{dialect} has no word of the kind {kind}", ("`vrts support` lists all words",))
     if word is not None:
         names = {entry.word for entry in found}
         found = tuple(entry for entry in found if entry.word == word.upper())

@@ -1,26 +1,31 @@
 """`vrts support` tells the truth: what it calls simulated is, and what it does not is not."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 
 from vrts.cli.support_command import KINDS as OFFERED
 from vrts.engine.controller import execute
+from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.verify import verify
-from vrts.lang.vocabulary.functions import FUNCTIONS
+from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
-from vrts.report.support import (
-    COMPILES,
-    KINDS,
-    KNOWN,
-    OPAQUE,
-    RUNS,
+from vrts.lang.vocabulary.word import Word
+from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
+from vrts.report.support import COMPILES, KNOWN, OPAQUE, RUNS, entries
+from vrts.report.word_samples import (
+    COMPANY,
+    NATIVE,
     compiled,
-    entries,
     function_sample,
+    instruction_sample,
     native,
-    sample,
+    operator_sample,
+    parameter_sample,
+    qualifier_sample,
+    switch_sample,
 )
 from vrts.scene.default import robot_alone
 
@@ -43,7 +48,7 @@ def stopped_at(steps: str, dialects: str) -> bool:
 def test_instruction(text: str) -> None:
     word = INSTRUCTIONS[text]
     assert STATES[text] in (RUNS, COMPILES, OPAQUE)
-    assert stopped_at(sample(word), word.dialects) is (STATES[text] != RUNS)
+    assert stopped_at(instruction_sample(word), word.dialects) is (STATES[text] != RUNS)
 
 
 @pytest.mark.parametrize("name", sorted(FUNCTIONS))
@@ -54,6 +59,33 @@ def test_function(name: str) -> None:
         before += "SET p = NULL\n"
     stops = stopped_at(before + function_sample(signature), signature.dialects)
     assert stops is (FUNCTION_STATES[name.upper()] != RUNS)
+
+
+PARTS = [
+    *(
+        ("qualifier", word.text, qualifier_sample(word), word.dialects)
+        for word in QUALIFIERS.values()
+    ),
+    *(("operator", word.text, operator_sample(word), word.dialects) for word in OPERATORS.values()),
+    *(("constant", name.upper(), f"x = {name}", "2") for name in CONSTANTS),
+    *(("switch", name, switch_sample(name), "2") for name in SWITCHES),
+    *(("parameter", name, parameter_sample(name), "2") for name in PARAMETERS),
+]
+
+
+@pytest.mark.parametrize(("kind", "text", "steps", "dialects"), PARTS)
+def test_parts_of_steps(kind: str, text: str, steps: str, dialects: str) -> None:
+    (entry,) = [entry for entry in entries(kind=kind) if entry.word == text]
+    assert re.search(rf"(?i)(?<![\w.]){re.escape(text)}(?![\w.])", steps)
+    assert stopped_at(f"n = 1\n{steps}", dialects) is (entry.state != RUNS)
+
+
+@pytest.mark.parametrize("word", INSTRUCTIONS.values(), ids=lambda word: word.text)
+def test_usage_compiles_where_the_word_exists(word: Word) -> None:
+    """As it is printed, or with the steps around it without which it is no program."""
+    homes = [dialect for letter, dialect in NATIVE.items() if letter in word.dialects]
+    steps = COMPANY.get(word.text, word.usage)
+    assert any(compiled(steps, dialect) is not None for dialect in homes)
 
 
 def test_words_that_are_never_simulated_say_so_in_the_table() -> None:
@@ -71,5 +103,5 @@ def test_nothing_of_the_reference_is_missing(kind: str) -> None:
 def test_every_word_says_what_it_does() -> None:
     found = entries()
     assert [entry.word for entry in found if not entry.about or not entry.usage] == []
-    assert KINDS == OFFERED
+    assert tuple(dict.fromkeys(entry.kind for entry in found)) == OFFERED
     assert {entry.state for entry in found} == {RUNS, COMPILES, OPAQUE, KNOWN}

@@ -1,0 +1,63 @@
+"""The words of the language as a table, as a card of one word, as JSON."""
+
+from vrts.lang.dialect import TITLES
+from vrts.report.support import Entry
+
+_PLURALS = {"switch": "switches"}  # all others take an s
+_LEGEND = """\
+Columns: word, its shortest spelling in VAL-II, state, marks, languages, how it is written.
+R moves or sets up the robot, so not in process control programs; B waits until the arm stands still
+1 VAL, 2 VAL-II, + V+, a AS
+runs: compiled and simulated; compiles: a run stops there, not simulated yet
+opaque: a run stops there, never simulated; known: told apart, not read yet"""
+
+
+def table(found: tuple[Entry, ...]) -> str:
+    """Return a table of words, one line each, with what the marks mean below."""
+    widths = [max((len(cell) for cell in column), default=0) for column in _columns(found)]
+    rows: list[str] = []
+    kind = ""
+    for entry in found:
+        if entry.kind != kind:
+            kind = entry.kind
+            rows += ["", _plural(kind)] if rows else [_plural(kind)]
+        cells = (f"{cell:<{width}}" for cell, width in zip(_cells(entry), widths, strict=True))
+        rows.append(f"  {'  '.join(cells)}".rstrip())
+    return "\n".join([*rows, "", _LEGEND])
+
+
+def _columns(found: tuple[Entry, ...]) -> list[tuple[str, ...]]:
+    return list(zip(*(_cells(entry) for entry in found), strict=True))
+
+
+def _cells(entry: Entry) -> tuple[str, ...]:
+    marks = ("R" if entry.robot else " ") + ("B" if entry.breaks else " ")
+    languages = "".join(letter if letter in entry.dialects else " " for letter in TITLES)
+    shortest = "" if entry.shortest == entry.word else entry.shortest
+    return entry.word, shortest, entry.state, marks, languages, entry.usage, entry.about
+
+
+def _plural(kind: str) -> str:
+    return _PLURALS.get(kind, f"{kind}s")
+
+
+def card(entry: Entry) -> str:
+    """Return all that is known of one word."""
+    rows = [f"{entry.word}  ({entry.kind} of {entry.languages})", f"  {entry.about}"]
+    rows.append(f"  write      {entry.usage}")
+    if entry.shortest:
+        rows.append(f"  shortest   {entry.shortest}")
+    if entry.robot:
+        rows.append("  marks      [R] for the robot: not in process control programs")
+    if entry.breaks:
+        rows.append("  marks      breaks continuous path: waits until the arm stands still")
+    rows.append(f"  in vrts    {entry.state}")
+    return "\n".join(rows)
+
+
+def as_json(found: tuple[Entry, ...]) -> dict[str, object]:
+    """Return words for JSON."""
+    return {
+        "schema": "vrts.support/1",
+        "words": [{**entry._asdict(), "languages": entry.languages.split(", ")} for entry in found],
+    }
