@@ -44,18 +44,14 @@ def command(code: str | None, assumptions: bool) -> None:
 
 def _list_assumptions() -> None:
     """Print every decision that the source of vrts marks as assumed."""
-    from vrts.report.assumptions import assumptions_in, text_of
+    from vrts.report.assumptions import decisions, text_of
 
     package = Path(str(files("vrts")))
-    found = [
-        assumption
+    sources = {
+        ".".join(path.relative_to(package).with_suffix("").parts): path.read_text(encoding="utf-8")
         for path in sorted(package.rglob("*.py"))
-        for assumption in assumptions_in(
-            ".".join(path.relative_to(package).with_suffix("").parts),
-            path.read_text(encoding="utf-8"),
-        )
-    ]
-    out(text_of(found))
+    }
+    out(text_of(decisions(sources)))
 
 
 def _pages() -> dict[str, str]:

@@ -4,7 +4,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from vrts.report.assumptions import assumptions_in, text_of
+from vrts.report.assumptions import assumptions_in, decisions, text_of
 
 SOURCE = '''
 """A module."""
@@ -31,6 +31,47 @@ def test_marks_in_comments_and_docstrings() -> None:
         "a.b",
         "  LIMIT = 5  -- [m] farther is away; val2.md 1.2",
     ]
+
+
+FIELDS = '''
+"""Rules of the house. Names are long [assumed, val2.md 3]."""
+
+class Limits:
+    depth: int = 200  # calls [assumed]
+
+ARM = Arm(
+    name="arm",
+    speed=degrees(
+        90,
+    ),  # assumed
+)
+TABLE = _by_name(Row("SPEED", 100.0, "upper limit [assumed]"))
+'''
+
+
+def test_fields_tables_and_modules_are_named() -> None:
+    found = assumptions_in("a.b", FIELDS)
+    assert [(entry.what, entry.why, entry.about) for entry in found] == [
+        ("a.b", "Names are long", "val2.md 3"),
+        ("Limits.depth = 200", "calls", ""),
+        ("ARM.speed = degrees(90)", "assumed", ""),
+        ("'SPEED' = 100.0", "upper limit", ""),
+    ]
+
+
+def test_uses_are_found_by_name_and_by_import() -> None:
+    constant = "LIMIT = 5  # [assumed]\n\ndef one():\n    return LIMIT\n"
+    user = "from vrts.a.b import LIMIT\n\ndef two():\n    return LIMIT\n"
+    stranger = "LIMIT = 7\n\ndef three():\n    return LIMIT\n"
+    field = "class Limits:\n    depth: int = 2  # [assumed]\n"
+    reader = "def four(limits):\n    return limits.depth\n"
+    sources = {"a.b": constant, "c": user, "d": stranger, "e": field, "f": reader}
+    found = decisions(sources)
+    assert [(entry.name, entry.uses) for entry in found] == [
+        ("LIMIT", ("a.b.one", "c.two")),
+        ("Limits.depth", ("f.four",)),
+    ]
+    assert text_of(found).splitlines()[-1] == "      a field `depth` is read in f.four"
 
 
 def test_a_module_without_marks_yields_nothing() -> None:
