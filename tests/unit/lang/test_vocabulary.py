@@ -22,6 +22,15 @@ def test_words_of_relatives_are_known_as_such(word: str) -> None:
     assert not INSTRUCTIONS[word].in_val2
 
 
+def test_columns_are_those_of_the_reference() -> None:
+    """A program is never refused for a word of its language; two words are in more."""
+    listed = WORDS["columns"]
+    missing = {w for w, letters in listed.items() if set(letters) - set(INSTRUCTIONS[w].dialects)}
+    added = {w for w, letters in listed.items() if set(INSTRUCTIONS[w].dialects) - set(letters)}
+    assert missing == set()
+    assert added == {"HALT", "SHIFT"}  # HALT in VAL; SHIFT as an instruction of VAL-II
+
+
 @pytest.mark.parametrize(
     ("text", "word"),
     [
