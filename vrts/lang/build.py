@@ -74,23 +74,28 @@ def builders(problems: Problems, table: Precedence = Precedence.A) -> dict[str, 
 
 
 def _read_otherwise(
-    problems: Problems, result: Expression, meant: Expression, table: Precedence
+    problems: Problems, result: Expression, other: Expression, table: Precedence
 ) -> None:
+    """Warn of an expression that the two tables read differently [W-PREC]."""
     text = problems.source.text
-    read, instead = written(result, text), written(meant, text)
-    language = "VAL-II reads" if table is Precedence.A else "this is read"
-    note = "in VAL-II AND binds like `*` and OR like `+`, before comparisons"
+    read, otherwise = written(result, text), written(other, text)
+    condition = any(sign in read for sign in ("==", "<", ">"))
+    meant = otherwise if condition and table is Precedence.A else read
+    if condition and table is Precedence.A:
+        headline = "this condition is not read as it looks"
+        note = "in VAL-II AND binds like `*` and OR like `+`, before comparisons"
+    else:
+        headline = "other controllers of the family read this otherwise"
+        note = f"they read {otherwise}"
     problems.warning(
         PRECEDENCE,
-        "this condition is not read as it looks"
-        if table is Precedence.A
-        else "other controllers of the family read this condition otherwise",
+        headline,
         result.start,
         result.end,
-        f"{language} {read}",
+        f"VAL-II reads {read}" if table is Precedence.A else f"this is read {read}",
         notes=(note,),
-        help=(f"write parentheses: {instead if table is Precedence.A else read}",),
-        fix=problems.replace(result.start, result.end, instead if table is Precedence.A else read),
+        help=(f"write parentheses: {meant}",),
+        fix=problems.replace(result.start, result.end, meant),
     )
 
 
@@ -173,9 +178,17 @@ def signals_hold(operands: tuple[Any, ...], start: int, end: int) -> Application
     return Application(Name("SIG", start, start), operands, None, start, end)
 
 
+def _input(item: Any) -> Infix:
+    """Return the input that a channel number of VAL means: 1 is 1001, -1 is -1001."""
+    start, end = item.start, item.end
+    sign = Application(Name("SIGN", start, start), (item,), None, start, end)
+    offset = Infix("*", Number(1000.0, start, start), sign, start, end, start)
+    return Infix("+", item, offset, start, end, start)
+
+
 def _if_signals(v: Values) -> Goto:
     """`IFSIG a, b THEN label` of VAL."""
-    items = tuple(v[1])
+    items = tuple(map(_input, v[1]))
     condition = signals_hold(items, items[0].start, items[-1].end)
     return Goto(v[3], condition, v[0].start, v[3].end)
 

@@ -31,6 +31,7 @@ from vrts.lang.syntax import (
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 ACCURACY_FINE = 1.0  # [mm] AS's normal accuracy; what is larger is COARSE [assumed]
+FIRST_INPUT = 1000.0  # what VAL's channels lack to be inputs of VAL-II [assumed, val2.md 3.5]
 MAX_TEXT = 60  # characters of an instruction in a message
 
 _UNITS = {None: i.SpeedUnit.PERCENT, "MMPS": i.SpeedUnit.MM_PER_S, "IPS": i.SpeedUnit.INCH_PER_S}
@@ -124,7 +125,8 @@ class InstructionLowering(ValueLowering):
             case "SIGNAL":
                 self._emit(i.Signal(tuple(v for v in values if v is not None)))
             case "WAIT" if self.dialect.is_val and first is not None:
-                self._emit(i.Wait(x.Apply(x.Function.SIG, (first,), self.origin.span)))
+                channel = self._input(first)
+                self._emit(i.Wait(x.Apply(x.Function.SIG, (channel,), self.origin.span)))
             case "WAIT":
                 self._emit(i.Wait(first))
             case "TYPE":
@@ -278,6 +280,8 @@ class InstructionLowering(ValueLowering):
         """Lower REACT, REACTI, IGNORE, and ON and ONI of AS."""
         signal = self._optional(node.operands[0])
         assert signal is not None
+        if self.dialect.is_val:
+            signal = self._input(signal)
         if node.word == "IGNORE":
             self._emit(i.Ignore(signal))
             return
@@ -292,6 +296,13 @@ class InstructionLowering(ValueLowering):
                 node.word == "ON",
             )
         )
+
+    def _input(self, channel: x.Expression) -> x.Expression:
+        """Return the input that a channel number of VAL means: 1 is 1001, -1 is -1001."""
+        first = x.Constant(FIRST_INPUT)
+        sign = x.Apply(x.Function.SIGN, (channel,))
+        offset = x.Binary(x.BinaryOperator.MULTIPLY, first, sign)
+        return x.Binary(x.BinaryOperator.ADD, channel, offset)
 
     def device(self, node: Device) -> None:
         """Lower ATTACH, WRITE and their like: the terminal is written to, the rest is opaque."""

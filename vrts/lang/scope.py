@@ -75,7 +75,7 @@ class Scope:
             formal = own.get(name)
             if formal is not None:
                 return formal
-            if "." in name[:2]:  # `.x` and `$.x` of AS
+            if name[0] == "." or (name[0] in "$#" and name[1:2] == "."):  # `.x`, `$.x` of AS
                 return self._automatic(program, own, name)
         found = self.entries.get(name)
         if found is None:

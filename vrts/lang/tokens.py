@@ -11,7 +11,7 @@ from vrts.base.numbers import single
 from vrts.lang.characters import BLANKS, INVISIBLE, LOOK_ALIKES, OPENING_QUOTES, STRANGERS
 from vrts.lang.dialect import Dialect
 from vrts.lang.nesting import MAX_NESTING, balanced
-from vrts.lang.problems import MOST_KEPT, Problems
+from vrts.lang.problems import Problems
 from vrts.lang.syntax import Token
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 
@@ -65,7 +65,7 @@ _MISTAKEN = {  # signs of other languages: what to write
     "!=": "<>",
     "><": "<>",
     ":=": "=",
-    "**": "SQR(x) or x*x",
+    "**": "SQR(x)` or `x*x",
     "&&": "AND",
     "||": "OR",
     "+=": "x = x+1",
@@ -87,9 +87,9 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
         problems: Where each bad character is reported, once per cause; it knows the dialect.
     """
     dialect = problems.dialect
-    reported = len(problems.found)
-    if reported > MOST_KEPT:
+    if problems.full:
         return None  # what is wrong with it would not be shown
+    reported = len(problems.found)
     tokens: list[Token] = []
     joint_literals: list[int] = []  # places in `tokens` of `#` before `[`
     good = True

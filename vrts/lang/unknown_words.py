@@ -185,5 +185,6 @@ def _instead_of_command(upper: str) -> str:
 
 
 def _either(texts: list[str]) -> str:
-    shown = texts[:6] + ([f"{len(texts) - 6} others"] if len(texts) > 6 else [])
+    more = len(texts) - 6
+    shown = texts[:6] + ([f"{more} other{'' if more == 1 else 's'}"] if more > 0 else [])
     return ", ".join(shown[:-1]) + f" or {shown[-1]}"

@@ -46,6 +46,9 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
         for step in program.steps:
             if isinstance(step.statement, CallStatement):
                 _call(resolver, program, step.statement, suggestions)
+    for name in resolver.called:
+        if key(name.text) not in resolver.scope.programs:
+            _undefined_program(resolver, name, suggestions)
 
 
 class _Suggestions:
@@ -226,17 +229,7 @@ def _call(
     name = node.program
     program = scope.programs.get(key(name.text))
     if program is None:
-        meant = suggestions.program(key(name.text))
-        problems.warning(
-            UNDEFINED_PROGRAM,
-            f"there is no program `{name.text}` in this file",
-            name.start,
-            name.end,
-            notes=("the controller says *Undefined program or variable name* when it gets here",),
-            help=(f"did you mean `{meant}`?" if meant else f"write `.PROGRAM {name.text}`",),
-            fix=problems.replace(name.start, name.end, meant) if meant else None,
-            data={"name": name.text.lower()},
-        )
+        _undefined_program(resolver, name, suggestions)
         return
     header = problems.label(program.start, program.end, "the program begins here")
     if len(node.arguments) > len(program.formals):
@@ -278,6 +271,21 @@ def _call(
             notes=(_MISMATCH,),
             help=(help_,),
         )
+
+
+def _undefined_program(resolver: Resolver, name: Name, suggestions: _Suggestions) -> None:
+    problems = resolver.problems
+    meant = suggestions.program(key(name.text))
+    problems.warning(
+        UNDEFINED_PROGRAM,
+        f"there is no program `{name.text}` in this file",
+        name.start,
+        name.end,
+        notes=("the controller says *Undefined program or variable name* when it gets here",),
+        help=(f"did you mean `{meant}`?" if meant else f"write `.PROGRAM {name.text}`",),
+        fix=problems.replace(name.start, name.end, meant) if meant else None,
+        data={"name": name.text.lower()},
+    )
 
 
 _WORDS = {
