@@ -55,6 +55,7 @@ NOT_SIMULATED = Rule("V161", "not-simulated")
 
 MAX_SUBSCRIPTS = 3  # [val2.md 1.10]
 FORMAT = re.compile(r"/[DFIGEHOCXUBSJKLN](\d{0,3}(\.\d{1,2})?)?", re.IGNORECASE)
+_WORD = re.compile(r"[$#]?[\w.]+")
 TYPES_SAY = "VAL-II says *Illegal operator*"
 _ANGLES = 3
 _OF_ARRAYS = frozenset({"last", "$unpack"})  # functions that a whole array is given to
@@ -408,11 +409,12 @@ class ExpressionTypes:
         if word in self.not_simulated:
             return
         self.not_simulated.add(word)
+        written = _WORD.match(self.problems.source.text, start, end)  # it may be abbreviated
         self.problems.warning(
             NOT_SIMULATED,
             f"{word} is not simulated",
             start,
-            end,
+            written.end() if written else end,
             "a run stops when it gets here",
             notes=("VAL-II says *Option not installed*",),
             data={"word": word},

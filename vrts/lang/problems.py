@@ -107,6 +107,11 @@ class Problems:
         """Add a note at a range of offsets."""
         self.error(rule, headline, start, end, help=help, data=data, severity=Severity.NOTE)
 
+    @property
+    def full(self) -> bool:
+        """Whether further errors would not even be kept."""
+        return self._room[True] < 0
+
     def replace(self, start: int, end: int, replacement: str) -> Fix:
         """Return a fix that replaces a range of the source."""
         return Fix(span_in(self.source, start, end), replacement)

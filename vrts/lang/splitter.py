@@ -22,6 +22,7 @@ TOO_MANY_STEPS = Rule("V115", "too-many-steps")
 
 LONG = 132
 MAX_DATA_LINE = 4096  # twelve values with all their digits
+MAX_LINES = 150_000  # of all sections that hold something: with more it would not fit into memory
 MAX_STEPS = 65_000  # of a program; more are refused before they are parsed
 
 _DATA_SECTIONS = {
@@ -81,6 +82,8 @@ class _Splitter:
         self.sections: list[Section] = []
         self.open: _Open | None = None
         self.skipping = False
+        self.kept = 0  # lines, sections, formals
+        self.stopped = False  # as there were too many
         self.long_lines: list[tuple[int, int]] = []
 
     def run(self) -> list[Section]:
@@ -91,11 +94,28 @@ class _Splitter:
 
     def _file(self, text: str, at: int) -> None:
         for raw in text.split("\n"):
+            if self.kept > MAX_LINES:
+                self._stop(at)
+                return
             self._line(raw, at)
             at += len(raw) + 1
         self.skipping = False
         if self.open is not None:
             self._close_without_end(None)
+
+    def _stop(self, at: int) -> None:
+        if not self.stopped:
+            self.problems.error(
+                TOO_MANY_STEPS,
+                f"there are more than {MAX_LINES:,} steps and lines of data up to here",
+                at,
+                at,
+                notes=("what follows is not read",),
+                help=("split the file",),
+            )
+        self.stopped = True
+        if self.open is not None:
+            self._close((self.open.last, self.open.last))
 
     def _line(self, raw: str, at: int) -> None:
         cut = comment_start(raw)
@@ -140,8 +160,9 @@ class _Splitter:
                 data={"characters": len(line.text)},
             )
             return
-        if section.count > MAX_STEPS:
+        if section.kind == "program" and section.count > MAX_STEPS:
             return
+        self.kept += 1
         section.lines.append(line._replace(number=section.count))
 
     def _dotted(self, line: Line) -> None:
@@ -161,6 +182,7 @@ class _Splitter:
         if self.open is not None:
             self._close_without_end(header)
         self.skipping = False
+        self.kept += 1 + header.text.count(",")  # formals take room as well
         self.open = _Open(kind, header)
 
     def _end(self, line: Line, word_end: int) -> None:
@@ -206,6 +228,7 @@ class _Splitter:
             f"taken as the first step of a program `{DEFAULT_PROGRAM}`",
             help=(f"write `.PROGRAM {DEFAULT_PROGRAM}` above and `.END` below",),
         )
+        self.kept += 1
         self.open = _Open("program", Line(0, "", line.start, line.start))
         self._keep(self.open, line)
 

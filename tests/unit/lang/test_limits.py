@@ -7,11 +7,12 @@ from vrts.base.source import SourceFile
 from vrts.engine.controller import execute
 from vrts.ir.dump import dump
 from vrts.lang.compiler import Options, compile_source
-from vrts.lang.dialect import VAL2, VAL2_PLUS, Dialect
+from vrts.lang.dialect import AS, VAL2, VAL2_PLUS, Dialect
 from vrts.lang.layout import layout
-from vrts.lang.problems import LIMIT
+from vrts.lang.problems import LIMIT, MOST_KEPT
 from vrts.lang.reading import MAX_BYTES, decode
 from vrts.lang.splitter import MAX_STEPS
+from vrts.lang.tokens import MOST_BAD
 from vrts.scene.default import robot_alone
 
 LONG = "V106"  # lines beyond 132 characters, which come along
@@ -96,3 +97,51 @@ def test_number_of_diagnostics() -> None:
 )
 def test_what_was_quadratic_once_is_answered(body: str) -> None:
     assert codes(body)  # would take minutes
+
+
+def test_lines_of_a_file() -> None:
+    section = ".REALS\n" + "a 1\n" * 49_999 + ".END\n"
+    for more, expected in ("", set[str]()), (".REALS\n.END\n", {"V115"}):
+        text = section * 2 + ".PROGRAM main\n" + "READY\n" * 49_999 + ".END\n" + more
+        found = compile_source(SourceFile("a.v2", text), Options(VAL2)).diagnostics
+        assert {d.rule.code for d in found if d.is_error} - {"V151"} == expected
+
+
+def test_of_what_is_found_beyond_only_the_number_is_kept() -> None:
+    signs = 30
+    source = SourceFile("a.v2", f".PROGRAM main\n{('%' * signs + chr(10)) * 10_000}.END\n")
+    problems = compile_source(source, Options(VAL2)).diagnostics
+    assert [d.rule.code for d in problems] == ["V107"] * LIMIT + ["V151"]
+    more = problems[-1].data["more"]
+    assert isinstance(more, int)
+    assert signs > MOST_BAD  # a line is left after so many
+    assert MOST_KEPT <= more + LIMIT <= MOST_KEPT + MOST_BAD
+
+
+def test_errors_are_shown_before_warnings_that_fill_the_memory() -> None:
+    text = ".END\n" * (MOST_KEPT + 10) + ".PROGRAM main\nMOVEE x\n.END\n"
+    found = compile_source(SourceFile("a.v2", text), Options(VAL2)).diagnostics
+    assert [d.rule.code for d in found if d.is_error] == ["V120", "V151"]
+
+
+def chain(count: int, call: str) -> str:
+    return "".join(f".PROGRAM p{k}(a)\n" + call.format(k + 1) + ".END\n" for k in range(count))
+
+
+@pytest.mark.parametrize(
+    ("dialect", "text"),
+    [
+        (VAL2, chain(9000, "CALL p{}(a)\n") + ".PROGRAM q\nCALL p0(x)\ny = x\n.END\n"),
+        (VAL2, chain(60, "CALL p{0}(a)\nCALL p{0}(a)\n") + ".PROGRAM p60(a)\ny = a+1\n.END\n"),
+        (VAL2, chain(49, "CALL p{0}\nCALL p{0}\nWHILE x DO\nCALL p{0}\nEND\n")),
+        (VAL2, chain(400, "{0} READY\n" * 70 + "GOTO 9\n" * 70)),
+        (AS, ".PROGRAM q\n" + "".join(f".v{k} = 1\n" for k in range(20_000)) + ".END\n"),
+        (VAL2, ".PROGRAM q(" + "," * 9_900 + ")\n.END\n"),
+        (VAL2, ".PROGRAM q(" + ",".join(f"a{k:04}" for k in range(1_600)) + ")\n.END\n"),
+        (VAL2, ("PROGRAM a" + " " * 9_900 + "x\n") * 40),
+    ],
+    ids=["deep", "twice", "loops", "labels", "locals", "commas", "formals", "blanks"],
+)
+def test_nothing_is_looked_at_again_and_again(dialect: Dialect, text: str) -> None:
+    found = compile_source(SourceFile("a.v2", text), Options(dialect))
+    assert found.module is not None or found.diagnostics

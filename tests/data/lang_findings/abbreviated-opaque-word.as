@@ -1,0 +1,2 @@
+cycle
+cyc:e
