@@ -10,6 +10,8 @@ from typing import NamedTuple
 
 from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.vocabulary.lookup import look_up
+from vrts.lang.vocabulary.word import Word
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 
 
@@ -22,7 +24,8 @@ class Pattern(NamedTuple):
 
 _BEFORE = r"(?<![\w.$#])"
 _AFTER = r"(?![\w.])"
-_NOT_ASSIGNED = r"(?![\w.]|[ \t]*=(?!=)|[ \t]*\[[^\]\n]*\][ \t]*=(?!=))"
+_INDEX = r"\[(?:[^\[\]\n]|\[[^\[\]\n]*\])*\]"  # may hold an element of another array
+_NOT_ASSIGNED = rf"(?![\w.]|[ \t]*=(?!=)|[ \t]*{_INDEX}[ \t]*=(?!=))"
 _NAME = r"[A-Za-z][\w.]*"
 
 
@@ -33,15 +36,25 @@ def _any(words: Iterable[str]) -> str:
     return f"(?:{'|'.join(escaped)})"
 
 
+def _spellings(words: Iterable[Word]) -> list[str]:
+    """Return words and what VAL-II takes for them."""
+    return [
+        word.text[:length]
+        for word in words
+        for length in range(1, len(word.text) + 1)
+        if length == len(word.text) or (word.in_val2 and look_up(word.text[:length]).word is word)
+    ]
+
+
 def patterns() -> tuple[Pattern, ...]:
     """Return all shapes in order."""
-    structure = [
-        w.text for w in INSTRUCTIONS.values() if w.terminal in _STRUCTURE or w.text in _FLOW
-    ]
-    others = [w.text for w in INSTRUCTIONS.values() if w.text not in structure]
+    flow = [w for w in INSTRUCTIONS.values() if w.terminal in _STRUCTURE or w.text in _FLOW]
+    structure = _spellings(flow)
+    others = _spellings(w for w in INSTRUCTIONS.values() if w not in flow)
     called = [name for name, signature in FUNCTIONS.items() if signature.parameters]
     bare = [name for name, signature in FUNCTIONS.items() if signature.bare]
     inner = ["THEN", "DO", "OF", "TO", "STEP", "GOTO"]
+    qualifiers = QUALIFIERS.keys() - set(inner)
     label = r"^([ \t]*\d+)?([ \t]*)"
     return (
         Pattern(r";[^\n]*", ("comment",)),
@@ -57,14 +70,15 @@ def patterns() -> tuple[Pattern, ...]:
         Pattern(r"(?<=[,( \t])/[A-Z]\d*(?:\.\d+)?(?=[ \t]*(?:[,);]|$))", ("format",)),
         Pattern(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:E[-+]?\d+)?", ("number",)),
         Pattern(rf"(?<![\w.]){_any(called)}(?=[ \t]*\()", ("function",)),
-        Pattern(rf"(?<![\w.]){_any(bare)}{_AFTER}", ("function",)),
+        Pattern(rf"(?<![\w.]){_any(bare)}{_NOT_ASSIGNED}", ("function",)),
         Pattern(rf"{_BEFORE}{_any(CONSTANTS)}{_AFTER}", ("constant",)),
         Pattern(rf"{_BEFORE}{_any(OPERATORS)}{_AFTER}", ("word operator",)),
-        Pattern(rf"{_BEFORE}{_any([*QUALIFIERS, *inner])}{_AFTER}", ("qualifier",)),
+        Pattern(rf"{_BEFORE}{_any(inner)}{_NOT_ASSIGNED}", ("structure",)),
+        Pattern(rf"{_BEFORE}{_any(qualifiers)}{_NOT_ASSIGNED}", ("qualifier",)),
         Pattern(rf"\${_NAME}", ("string variable",)),
         Pattern(rf"#{_NAME}", ("precision point",)),
-        Pattern(_NAME, ("name",)),
-        Pattern(r"[-+*/=<>:^]+", ("operator",)),
+        Pattern(rf"%?{_NAME}", ("name",)),
+        Pattern(r"\*\*|<=|>=|<>|==|=<|=>|[-+*/=<>:^]", ("operator",)),
         Pattern(r"[()\[\],]", ("punctuation",)),
         Pattern(r"[ \t]+", ("blank",)),
     )

@@ -2,6 +2,8 @@
 
 import json
 import re
+import subprocess
+import sys
 from importlib.metadata import entry_points
 from importlib.resources import files
 from pathlib import Path
@@ -9,16 +11,20 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from pygments.token import Comment, Error, Keyword, Name, Operator, String, Text
+from pygments.token import Comment, Error, Keyword, Name, Number, Operator, String, Text
 
+from vrts.editors.patterns import patterns
 from vrts.editors.pygments_lexer import Val2Lexer
 from vrts.editors.textmate import grammar, grammar_text
+from vrts.lang.vocabulary.functions import FUNCTIONS
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 ROOT = Path(__file__).parents[3]
 PROGRAMS = [
     path.read_text("utf-8")
     for folder in ("tests/golden/lang", "examples/01-cans-on-bases")
-    for path in sorted((ROOT / folder).glob("*.v2"))
+    for path in sorted((ROOT / folder).glob("*.*"))
+    if path.suffix in (".v2", ".val", ".vplus", ".as")
 ]
 
 
@@ -59,7 +65,44 @@ def test_words_count_where_they_are_words() -> None:
     assert kinds('TYPE /F8.2, "IF", a AND b')['"IF"'] is String.Double
     assert kinds("x = a AND b/c")["AND"] is Operator.Word
     assert kinds("x = a AND b/c")["/"] is Operator
+    assert kinds("IF a GOTO 10")["GOTO"] is Keyword
+    assert kinds("value[a[1]] = 3")["value"] is Name
+    assert kinds("here = hand")["here"] is Name
+    assert kinds("here = hand")["hand"] is Name.Builtin
+    assert kinds("step = 3")["step"] is Name
+    assert kinds("FOR i = 1 TO 9 STEP 2")["STEP"] is Keyword
+    assert kinds("WINDOW %belt")["%belt"] is Name
     assert kinds(".PROGRAM main")[".PROGRAM"] is Keyword.Namespace
+
+
+def test_words_may_be_short() -> None:
+    assert kinds("DEL 2")["DEL"] is Keyword.Reserved
+    assert kinds("DEL = 2")["DEL"] is Name
+    assert kinds("WH n DO")["WH"] is Keyword
+    assert kinds("MOV p")["MOV"] is Name  # MOVE, MOVES, MOVET: the controller does not take it
+
+
+def test_numbers_and_what_looks_like_them() -> None:
+    found = kinds("x = ^HFF+^B101-'A*1.5E-3+p2--4")
+    for number in ("^HFF", "^B101", "1.5E-3", "4"):
+        assert found[number] is Number, number
+    assert found["'A"] is String.Char
+    assert found["p2"] is Name
+    assert found["+"] is Operator
+
+
+@pytest.mark.parametrize("word", sorted(INSTRUCTIONS))
+def test_every_instruction_counts_at_the_start_of_a_step_only(word: str) -> None:
+    assert kinds(f"  10 {word.lower()} x")[word.lower()] in (Keyword, Keyword.Reserved)
+    inside = tokens(f'TYPE "{word}" ;{word}')
+    assert [value for _, value in inside if value.strip()] == ["TYPE", f'"{word}"', f";{word}"]
+
+
+@pytest.mark.parametrize("name", sorted(FUNCTIONS))
+def test_every_function_counts_before_its_parentheses(name: str) -> None:
+    assert kinds(f"x = {name}(1)")[name] is Name.Builtin
+    if not FUNCTIONS[name].bare:
+        assert kinds(f"x = {name}+1").get(name) is not Name.Builtin
 
 
 def test_lexer_is_registered() -> None:
@@ -70,6 +113,21 @@ def test_lexer_is_registered() -> None:
 def test_grammar_file_is_up_to_date() -> None:
     kept = files("vrts.editors").joinpath("val2.tmLanguage.json").read_text("utf-8")
     assert kept == grammar_text()
+    printed = subprocess.run(
+        [sys.executable, "-m", "vrts.editors.textmate"], capture_output=True, check=True
+    )
+    assert printed.stdout.decode() == kept
+    assert json.loads(kept)["scopeName"] == "source.val2"
+
+
+def test_expressions_are_read_alike_by_python_and_oniguruma() -> None:
+    """Only groups, sets, repetition, and look-around of fixed width: the same in both."""
+    for text in (pattern.expression for pattern in patterns()):
+        re.compile(text)
+        bare = re.sub(r"\[\^?[^]]*\]", "x", re.sub(r"\\[^a-z]", "x", text))  # without sets
+        assert set(re.findall(r"\(\?(<?[^\w<])", bare)) <= {":", "=", "!", "<=", "<!"}
+        assert set(re.findall(r"\\([a-zA-Z])", text)) <= {"b", "d", "n", "t", "w"}
+        assert re.search(r"[*+?}][+]", bare) is None  # possessive
 
 
 def scopes(line: str) -> dict[str, str]:
