@@ -103,5 +103,6 @@ def test_nothing_of_the_reference_is_missing(kind: str) -> None:
 def test_every_word_says_what_it_does() -> None:
     found = entries()
     assert [entry.word for entry in found if not entry.about or not entry.usage] == []
+    assert [entry.word for entry in found if "an instruction of" in entry.about] == []
     assert tuple(dict.fromkeys(entry.kind for entry in found)) == OFFERED
     assert {entry.state for entry in found} == {RUNS, COMPILES, OPAQUE, KNOWN}
