@@ -197,9 +197,7 @@ class StepParser:
             if isinstance(node, Failure):
                 explain(self.problems, tokens, node, head.word)
                 node = None
-            elif not fits(self.problems, node, head.word) or (
-                len(tokens) > MAX_NESTING and too_deep(self.problems, node)
-            ):
+            elif not self._fits(node, head, len(tokens)):
                 node = None
         if node is not None and completed:
             self._tolerate(completed, tokens[0].start, tokens[-1].end)
