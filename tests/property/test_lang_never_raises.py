@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -12,6 +13,7 @@ from vrts.ir.verify import verify
 from vrts.lang.command import parse_command
 from vrts.lang.compiler import Compilation, Options, compile_source
 from vrts.lang.dialect import DIALECTS, VAL2, Dialect
+from vrts.lang.layout import layout
 from vrts.lang.problems import LIMIT
 from vrts.lang.reading import decode
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
@@ -25,6 +27,7 @@ REAL = [
     for path in sorted((ROOT / folder).glob("*.*"))
     if path.suffix in (".v2", ".as", ".val")
 ]
+FINDINGS = sorted((ROOT / "tests/data/lang_findings").iterdir())
 DIALECT = st.sampled_from([None, *sorted(DIALECTS.values())])
 WORDS = [*INSTRUCTIONS, *OPERATORS, *QUALIFIERS, "a", "b", "$s", "#p", "part", "TRANS", "DX"]
 SIGNS = [*"=+-*/<>()[],:;.'^/%$#&!@?", '"', "==", "<>", "=<", ":=", "“", "”", "–", "ö", "\u00a0"]
@@ -102,12 +105,28 @@ def check(compilation: Compilation) -> None:
                 assert "\n" not in label.span.text
 
 
+def one_line(d: Diagnostic) -> tuple[object, ...]:
+    place = d.primary and (d.primary.span.start, d.primary.span.end)
+    return (place, d.rule, d.headline, d.notes, d.help)
+
+
 def compile_text(text: str, dialect: Dialect | None = VAL2) -> Compilation:
     return compile_source(SourceFile("test.v2", text), Options(dialect))
 
 
 def test_the_program_itself_compiles() -> None:
     assert compile_text(PROGRAM).module is not None
+
+
+@pytest.mark.parametrize(
+    "dialect", [None, *sorted(DIALECTS.values())], ids=lambda d: d.name if d else "auto"
+)
+@pytest.mark.parametrize("path", FINDINGS, ids=lambda path: path.stem)
+def test_findings_of_fuzzing(path: Path, dialect: Dialect | None) -> None:
+    text = path.read_text("utf-8")
+    check(compile_text(text, dialect))
+    once = layout(SourceFile("test.v2", text), dialect or VAL2)
+    assert layout(SourceFile("test.v2", once), dialect or VAL2) == once
 
 
 @given(st.binary(max_size=300), DIALECT)
@@ -137,7 +156,9 @@ def test_mutated_real_programs(text: str, data: st.DataObject, dialect: Dialect 
     once = compile_text(text, dialect)
     check(once)
     again = compile_text(text, dialect)
-    assert [d.headline for d in again.diagnostics] == [d.headline for d in once.diagnostics]
+    assert list(map(one_line, again.diagnostics)) == list(map(one_line, once.diagnostics))
+    if once.module is not None and again.module is not None:
+        assert dump(again.module) == dump(once.module)
     for form in FORMS:
         found = Checked("test.v2", once.diagnostics, once.module is not None)
         assert isinstance(render([found], form), str)
@@ -147,6 +168,22 @@ def test_mutated_real_programs(text: str, data: st.DataObject, dialect: Dialect 
 def test_any_command(pieces: list[str], glue: str) -> None:
     command, found = parse_command(SourceFile("command", glue.join(["EX", *pieces])))
     assert command is not None or any(d.is_error for d in found) or not "".join(pieces)
+
+
+@given(st.one_of(st.text(max_size=80), st.text(max_size=80).map("EX ".__add__)))
+def test_any_text_as_a_command(text: str) -> None:
+    parse_command(SourceFile("command", text))
+
+
+@given(st.sampled_from(REAL), st.data(), DIALECT)
+def test_mutated_programs_are_laid_out(
+    text: str, data: st.DataObject, dialect: Dialect | None
+) -> None:
+    start = data.draw(st.integers(0, len(text)))
+    end = data.draw(st.integers(start, min(len(text), start + 30)))
+    text = text[:start] + data.draw(TOKENS) + text[end:]
+    once = layout(SourceFile("test.v2", text), dialect or VAL2)
+    assert layout(SourceFile("test.v2", once), dialect or VAL2) == once
 
 
 @given(st.data())

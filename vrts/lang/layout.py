@@ -37,7 +37,7 @@ def program_text(source: SourceFile, dialect: Dialect) -> dict[str, str]:
     """Return the canonical text of every program of a file, by name, header and .END included."""
     found = _Layout(source, dialect)
     found.run()
-    return found.programs
+    return {name: "".join(rows) for name, rows in found.programs.items()}
 
 
 class _Place(NamedTuple):
@@ -61,7 +61,8 @@ class _Layout:
             if s.kind == "program"
         )
         self.open: list[tuple[str, int]] = []  # structure words and their indentation
-        self.programs: dict[str, str] = {}
+        self.name = ""  # of the program that a row stands in
+        self.programs: dict[str, list[str]] = {}
 
     def run(self) -> str:
         places = self._places()
@@ -72,6 +73,7 @@ class _Layout:
             place = self._place(places, at, raw)
             if place is not None and place.kind == "header":
                 inside, self.open = place.section, []
+                self.name = read_header(inside, Problems(self.source, self.dialect))[0]
             rows.append(self._row(raw, at, place, inside))
             self._collect(rows[-1], inside, place)
             if place is not None and place.kind == "end":
@@ -82,8 +84,7 @@ class _Layout:
     def _collect(self, row: str, inside: Section | None, place: _Place | None) -> None:
         if inside is None or inside.kind != "program":
             return
-        name = read_header(inside, Problems(self.source, self.dialect))[0]
-        self.programs[name] = self.programs.get(name, "") + row + "\n"
+        self.programs.setdefault(self.name, []).append(row + "\n")
 
     def _places(self) -> dict[int, _Place]:
         """Return what begins at an offset: headers, steps and data lines, ends of sections."""
