@@ -45,6 +45,36 @@ SHAPES: dict[str, Callable[[], str]] = {
     "locations": lambda: (
         ".LOCATIONS\n" + "".join(f"p{k} 1 2 3 4 5 6\n" for k in range(130_000)) + ".END\n"
     ),
+    "reals": lambda: ".REALS\n" + "".join(f"a{k} 1\n" for k in range(330_000)) + ".END\n",
+    "stray signs": lambda: ("%" * 254 + "\n") * 15_000,
+    "stray steps": lambda: "x\n.END\n" * 550_000,
+    "ends": lambda: ".END\n" * 790_000,
+    "unknown sections": lambda: ".X\n" * 1_300_000 + ".END\n",
+    "undefined labels": lambda: (
+        "".join(f"{k} READY\n" for k in range(1, 30_000)) + "GOTO 31000\n" * 30_000
+    ),
+    "local names": lambda: "".join(f".v{k} = 1\n" for k in range(MANY)),
+    "formals": lambda: f".PROGRAM p({','.join(f'a{k:04d}' for k in range(1500))})\n.END\n" * 430,
+    "passed on": lambda: (
+        "".join(f".PROGRAM p{k}(a)\nCALL p{k + 1}(a)\n.END\n" for k in range(20_000))
+        + ".PROGRAM p20000(a)\ny = a+1\n.END\n.PROGRAM q\nCALL p0(x)\ny = x\n.END\n"
+    ),
+    "loops that call": lambda: (
+        "".join(f".PROGRAM p{k}\ny = 1\nCALL p{k + 1}\n.END\n" for k in range(49))
+        + ".PROGRAM p49\n"
+        + "y = 1\n" * 900
+        + ".END\n"
+        + ".PROGRAM q\nx = 1\n"
+        + "WHILE x DO\nCALL p0\nEND\n" * 20_000
+        + ".END\n"
+    ),
+    "assignments": lambda: (
+        "".join(
+            (f".PROGRAM z{k}\n" if k % 50_000 == 0 else "") + f"v{k} = w{k % 50_000}\n"
+            for k in range(200_000)
+        )
+        + ".END\n"
+    ),
     "one letter": lambda: ("a" * 9000 + "\n") * 440,
     "NULs": lambda: "\0" * (MOST_BYTES - 1),
     "lone CRs": lambda: "MOVE p\r" * 500_000,
