@@ -16,19 +16,21 @@ class Cause(NamedTuple):
 
 
 class ProgramStarted(NamedTuple):
-    """EXECUTE took effect."""
+    """EXECUTE or PCEXECUTE took effect."""
 
     time_s: float
     program: str
     cause: Cause | None = None
+    process: bool = False  # as the process control program
 
 
 class ProgramEnded(NamedTuple):
-    """The robot program is over and the arm stands still."""
+    """A program is over; the robot program when the arm stands still."""
 
     time_s: float
     ending: str  # value of Ending
     cause: Cause | None = None
+    process: bool = False  # the process control program
 
 
 class MotionStarted(NamedTuple):
@@ -116,6 +118,64 @@ class Printed(NamedTuple):
     cause: Cause | None
 
 
+class SwitchChanged(NamedTuple):
+    """A system switch was turned on or off."""
+
+    time_s: float
+    switch: str
+    on: bool
+    cause: Cause | None
+
+
+class AnalogChanged(NamedTuple):
+    """An analog output got a value [counts]."""
+
+    time_s: float
+    channel: int
+    value: float
+    cause: Cause | None
+
+
+class Prompted(NamedTuple):
+    """A program waits for a line of the terminal."""
+
+    time_s: float
+    cause: Cause | None
+
+
+class Answered(NamedTuple):
+    """A line of the terminal was read."""
+
+    time_s: float
+    text: str
+    cause: Cause | None
+
+
+class Reacted(NamedTuple):
+    """A reaction to a signal, or to a run-time error (signal 0), was taken."""
+
+    time_s: float
+    signal: int
+    program: str
+    cause: Cause | None
+
+
+class SpeedChanged(NamedTuple):
+    """The operator's speed changed [%]."""
+
+    time_s: float
+    percent: float
+    cause: Cause | None = None
+
+
+class CommandRefused(NamedTuple):
+    """A command could not be carried out."""
+
+    time_s: float
+    words: str  # VAL's, without asterisks
+    cause: Cause | None = None
+
+
 class Found(NamedTuple):
     """A finding of the engine: an error that stopped the program, or a warning on the way."""
 
@@ -137,5 +197,12 @@ Event: TypeAlias = (
     | Toppled
     | SignalChanged
     | Printed
+    | SwitchChanged
+    | AnalogChanged
+    | Prompted
+    | Answered
+    | Reacted
+    | SpeedChanged
+    | CommandRefused
     | Found
 )

@@ -16,7 +16,7 @@ class Segment(NamedTuple):
 
     start_s: float
     end_s: float
-    coefficients: tuple[tuple[float, ...], ...]  # 7 rows, ascending powers, degree at most 3
+    coefficients: tuple[tuple[float, ...], ...]  # 7 rows, ascending powers, any degree up to 8
     motion: int | None  # index in Run.motions; None while the arm stands still
 
 

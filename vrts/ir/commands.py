@@ -1,6 +1,13 @@
-"""Commands that drive a controller. Live, monitor and offline runs use the same ones."""
+"""Commands that drive a controller. Live, monitor and offline runs use the same ones.
+
+A command that the controller cannot carry out in its present state is refused: the run gains a
+`CommandRefused` event with VAL's words, and nothing changes.
+"""
 
 from typing import NamedTuple, TypeAlias
+
+from vrts.ir.module import Module
+from vrts.ir.values import Value
 
 
 class Execute(NamedTuple):
@@ -8,10 +15,139 @@ class Execute(NamedTuple):
 
     program: str
     cycles: int = 1  # negative is endless; 0 counts as 1
+    step: int = 1  # of the first cycle; later ones begin at 1
+
+
+class Abort(NamedTuple):
+    """Stop the robot program after its step and slow the arm down to rest along its path."""
+
+
+class Panic(NamedTuple):
+    """Stop both programs and the arm; what was to be done next is forgotten."""
+
+
+class Proceed(NamedTuple):
+    """Go on with the next step after PAUSE, ABORT, a single step or an error."""
+
+
+class Retry(NamedTuple):
+    """As PROCEED, after the step that failed or the motion that was cut is done again."""
+
+
+class RunSteps(NamedTuple):
+    """NEXT, SSTEP, XSTEP: execute some steps of the stopped program, then stop again."""
+
+    count: int = 1
+    over_calls: bool = False  # a CALL with all it leads to counts as one step
+
+
+class EndCycle(NamedTuple):
+    """CYCLE.END: stop the robot program at the end of its present cycle."""
+
+
+class Kill(NamedTuple):
+    """Clear the stopped robot program: it cannot be resumed."""
+
+
+class Do(NamedTuple):
+    """Execute a program of one instruction at once, while no robot program executes."""
+
+    module: Module  # whose first program is the instruction; its data are not loaded
+
+
+class StartProcess(NamedTuple):
+    """PCEXECUTE: run a process control program; None is the one run last."""
+
+    program: str | None = None
+    cycles: int = 1
     step: int = 1
 
 
-Command: TypeAlias = Execute
+class AbortProcess(NamedTuple):
+    """PCABORT: stop the process control program after its step."""
+
+
+class EndProcess(NamedTuple):
+    """PCEND: stop it at the end of its cycle; False takes that back."""
+
+    on: bool = True
+
+
+class ProceedProcess(NamedTuple):
+    """PCPROCEED: go on with the process control program where it stopped."""
+
+
+class RetryProcess(NamedTuple):
+    """PCRETRY: as PCPROCEED, with the step that failed done again."""
+
+
+class MonitorSpeed(NamedTuple):
+    """SPEED of the operator [%]: the path stays, time is stretched."""
+
+    percent: float
+
+
+class Answer(NamedTuple):
+    """A line typed at the terminal, for the PROMPT that waits or the next one."""
+
+    text: str
+
+
+class ForceSignals(NamedTuple):
+    """Set signals by hand, inputs too; a negative number is off."""
+
+    signals: tuple[int, ...]
+
+
+class SetVariable(NamedTuple):
+    """Give a variable a value, or none."""
+
+    name: str  # as Global.name
+    subscripts: tuple[int, ...]
+    value: Value | None
+
+
+class DeleteVariables(NamedTuple):
+    """Forget variables; a name stands for all elements of an array."""
+
+    names: tuple[str, ...]
+
+
+class Load(NamedTuple):
+    """Add programs and data to memory; those of the same name are replaced."""
+
+    module: Module
+
+
+class DeletePrograms(NamedTuple):
+    """Forget programs that are not being executed."""
+
+    names: tuple[str, ...]
+
+
+Command: TypeAlias = (
+    Execute
+    | Abort
+    | Panic
+    | Proceed
+    | Retry
+    | RunSteps
+    | EndCycle
+    | Kill
+    | Do
+    | StartProcess
+    | AbortProcess
+    | EndProcess
+    | ProceedProcess
+    | RetryProcess
+    | MonitorSpeed
+    | Answer
+    | ForceSignals
+    | SetVariable
+    | DeleteVariables
+    | Load
+    | DeletePrograms
+)
 
 
 class TimedCommand(NamedTuple):

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from types import MappingProxyType
+from typing import NamedTuple
 
 from vrts.base.pose import Pose, Vector
 from vrts.base.source import Span
@@ -71,9 +72,42 @@ class Limits:
     output_characters: int = 1_000_000
 
 
+class Region(NamedTuple):
+    """A box of the workspace, edges along the world's axes."""
+
+    lower: Vector  # in W [m]
+    upper: Vector
+
+
+class Sensor(NamedTuple):
+    """An input that is on while something is inside a region."""
+
+    signal: int  # an input, 1001 and above
+    region: Region
+    sees: tuple[str, ...] = ()  # names of bodies, or "tool"; empty: every movable body
+    inverted: bool = False  # on while nothing is inside
+
+
+class FaultKind(Enum):
+    """What goes wrong on purpose."""
+
+    INPUT_STUCK = "input stuck"  # the input `signal` keeps the state `on`
+    GRIPPER_SLIPS = "gripper slips"  # what is held then, or grasped next, drops out of the hand
+    EMERGENCY_STOP = "emergency stop"  # the arm stops, arm power goes off, the program ends
+
+
+class PlannedFault(NamedTuple):
+    """A fault that a scenario brings about."""
+
+    time_s: float
+    kind: FaultKind
+    signal: int = 0
+    on: bool = False
+
+
 @dataclass(frozen=True, slots=True)
 class Scenario:
-    """Initial state, inputs, seed and limits of one run."""
+    """Initial state, inputs, answers, faults, seed and limits of one run."""
 
     configuration: Configuration | None = None  # None: the arm's ready configuration
     hand_opening: float = 0.0  # closed [m]
@@ -81,3 +115,7 @@ class Scenario:
     inputs: tuple[tuple[float, int, bool], ...] = ()  # (time [s], signal number, state), by time
     limits: Limits = field(default_factory=Limits)
     parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    sensors: tuple[Sensor, ...] = ()
+    answers: tuple[str, ...] = ()  # lines that PROMPT reads, in order
+    faults: tuple[PlannedFault, ...] = ()  # by time
+    monitor_speed: float = 100.0  # operator's speed [%]
