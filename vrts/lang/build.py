@@ -288,7 +288,7 @@ _BUILDERS: dict[str, Build] = {
     "structure": lambda v: Structure(v[0].text, v[0].start, v[-1].end),
     "call": _call,
     "call_named": _call_named,
-    "execute": tuple,
+    "command": lambda v: (_list(v[1]), _list(v[3]) if len(v) > 2 else None),
     "data_line": lambda v: DataLine(v[0], tuple(v[-1]), v[0].start, v[-1][-1].end),
     "number": lambda v: _value(v[0]),
     "positive": lambda v: _value(v[1])._replace(start=v[0].start),
