@@ -63,7 +63,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "joint 1 turns the other way",
-        "vrts/robots/kinematics.py",
+        "vrts/robots/spherical_wrist.py",
         "s1, c1 = math.sin(q1), math.cos(q1)\n    s23, c23 = math.sin(q2 + q3), "
         "math.cos(q2 + q3)\n    s4, c4 = math.sin(q4), math.cos(q4)\n    s5, c5 = math.sin(q5), "
         "math.cos(q5)\n    s6",

@@ -5,14 +5,14 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from vrts.robots.model import SphericalWristArm
+from vrts.robots.model import Arm, SerialArm, SphericalWristArm
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
 JOINTS = 6
 
 
-def link_frames(arm: SphericalWristArm, q: Array) -> tuple[Array, Array]:
+def link_frames(arm: Arm, q: Array) -> tuple[Array, Array]:
     """Return the frames L_0 .. L_6 in B, each right after the turn of its joint.
 
     Args:
@@ -29,6 +29,17 @@ def link_frames(arm: SphericalWristArm, q: Array) -> tuple[Array, Array]:
     rotations[0] = np.eye(3)
     origins[0] = 0.0
     cosines, sines = np.cos(q), np.sin(q)
+    if isinstance(arm, SerialArm):
+        _fill_serial(arm, rotations, origins, cosines, sines)
+    else:
+        _fill_spherical_wrist(arm, rotations, origins, cosines, sines)
+    return rotations, origins
+
+
+def _fill_spherical_wrist(
+    arm: SphericalWristArm, rotations: Array, origins: Array, cosines: Array, sines: Array
+) -> None:
+    """Fill the frames L_1 .. L_6: quarter turns only exchange axes, so nothing is multiplied."""
     # before each joint: along x, along z, and quarter turns about x
     along_x = (0.0, 0.0, arm.a2, arm.a3, 0.0, 0.0)
     along_z = (0.0, 0.0, arm.d2, 0.0, arm.d4, 0.0)
@@ -48,16 +59,38 @@ def link_frames(arm: SphericalWristArm, q: Array) -> tuple[Array, Array]:
         child[:, :, 0] = c * x + s * y
         child[:, :, 1] = c * y - s * x
         child[:, :, 2] = z
-    return rotations, origins
 
 
-def flange_frames(arm: SphericalWristArm, q: Array) -> tuple[Array, Array]:
+def _fill_serial(
+    arm: SerialArm, rotations: Array, origins: Array, cosines: Array, sines: Array
+) -> None:
+    """Fill the frames L_1 .. L_6 from those before them."""
+    for joint, before in enumerate(arm.joints):
+        parent, child = rotations[joint], rotations[joint + 1]
+        origins[joint + 1] = origins[joint] + parent @ np.array(before.translation)
+        still = parent @ np.array(before.rotation).reshape(3, 3)
+        c, s = cosines[:, joint, None], sines[:, joint, None]
+        child[:, :, 0] = c * still[:, :, 0] + s * still[:, :, 1]
+        child[:, :, 1] = c * still[:, :, 1] - s * still[:, :, 0]
+        child[:, :, 2] = still[:, :, 2]
+
+
+def flange_frames(arm: Arm, q: Array) -> tuple[Array, Array]:
     """Return the flange frame F in B: rotations, shape (n, 3, 3), and origins, shape (n, 3) [m]."""
     rotations, origins = link_frames(arm, q)
-    return rotations[6], origins[6] + arm.d6 * rotations[6][:, :, 2]
+    return flange_of(arm, rotations[6], origins[6])
 
 
-def joint_axes(arm: SphericalWristArm, q: Array) -> tuple[Array, Array]:
+def flange_of(arm: Arm, rotations: Array, origins: Array) -> tuple[Array, Array]:
+    """Return F in B, shapes (n, 3, 3) and (n, 3), where L_6 is known."""
+    if isinstance(arm, SphericalWristArm):
+        return rotations, origins + arm.d6 * rotations[:, :, 2]
+    X_LF = arm.X_LF
+    turned = rotations @ np.array(X_LF.rotation).reshape(3, 3)
+    return turned, origins + rotations @ np.array(X_LF.translation)
+
+
+def joint_axes(arm: Arm, q: Array) -> tuple[Array, Array]:
     """Return the axes of joints 1 .. 6 in B: directions and points on them, both (6, n, 3)."""
     rotations, origins = link_frames(arm, q)
     return rotations[1:, :, :, 2], origins[1:]

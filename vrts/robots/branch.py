@@ -8,6 +8,7 @@ counts.
 import math
 
 from vrts.robots.model import (
+    Arm,
     ArmBranch,
     Configuration,
     Elbow,
@@ -27,6 +28,14 @@ ALL_BRANCHES: tuple[ArmBranch, ...] = tuple(
 )
 
 
+def has_branches(arm: Arm) -> bool:
+    """Return whether LEFTY, ABOVE, FLIP and their like mean anything to an arm.
+
+    They do where the elbow is one joint and the wrist a sphere: in the PUMA family.
+    """
+    return isinstance(arm, SphericalWristArm)
+
+
 def shoulder_reach(arm: SphericalWristArm, q: Configuration) -> float:
     """Return the signed reach of the wrist centre in the arm plane [m]; negative is RIGHTY."""
     q23 = q[1] + q[2]
@@ -38,14 +47,14 @@ def elbow_reach(arm: SphericalWristArm, q: Configuration) -> float:
     return arm.d4 * math.cos(q[2]) - arm.a3 * math.sin(q[2])
 
 
-def branch_of(
-    arm: SphericalWristArm, q: Configuration, previous: ArmBranch | None = None
-) -> ArmBranch:
+def branch_of(arm: Arm, q: Configuration, previous: ArmBranch | None = None) -> ArmBranch:
     """Return the arm branch of a configuration.
 
     On a boundary the branch remembered from before counts; without one the bare sign does. READY
-    lies on all three boundaries.
+    lies on all three boundaries. Arms without branches keep what they have.
     """
+    if not isinstance(arm, SphericalWristArm):
+        return previous or INITIAL_BRANCH
     reach, bend = shoulder_reach(arm, q), elbow_reach(arm, q)
     shoulder = Shoulder.RIGHTY if reach < 0.0 else Shoulder.LEFTY
     if previous is not None and abs(reach) < SHOULDER_BOUNDARY:

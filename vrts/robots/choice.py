@@ -6,7 +6,17 @@ from typing import NamedTuple
 from vrts.base.pose import Pose
 from vrts.robots.branch import ALL_BRANCHES
 from vrts.robots.kinematics import limit_violations, reach_error, solve
-from vrts.robots.model import ArmBranch, Configuration, Elbow, Shoulder, SphericalWristArm, Wrist
+from vrts.robots.model import (
+    Arm,
+    ArmBranch,
+    Configuration,
+    Elbow,
+    SerialArm,
+    Shoulder,
+    SphericalWristArm,
+    Wrist,
+)
+from vrts.robots.serial_solutions import solutions
 
 
 class Request(NamedTuple):
@@ -28,7 +38,7 @@ class Choice(NamedTuple):
 
 
 class OutOfReach(NamedTuple):
-    """The wrist centre is out of reach on every branch."""
+    """The pose is out of reach on every branch."""
 
     kind: str  # "too far" or "too close"
     excess_m: float
@@ -44,7 +54,7 @@ class OutOfLimits(NamedTuple):
 
 
 def choose(
-    arm: SphericalWristArm,
+    arm: Arm,
     X_BF: Pose,
     present: ArmBranch,
     near: Configuration,
@@ -54,8 +64,11 @@ def choose(
 
     Shoulder and elbow are those requested, else those of the present branch. FLIP and NOFLIP bind
     only when requested; otherwise the wrist solution within limits whose largest change of joints
-    4 to 6 is smaller is taken [assumed, val2.md 6.8].
+    4 to 6 is smaller is taken [assumed, val2.md 6.8]. Arms without branches take, of the solutions
+    within limits, the one whose largest change of a joint is smallest; requests are ignored.
     """
+    if isinstance(arm, SerialArm):
+        return _choose_nearest(arm, X_BF, present, near)
     error = reach_error(arm, X_BF)
     if error is not None:
         return OutOfReach(*error)
@@ -75,6 +88,18 @@ def choose(
     return OutOfLimits(
         branch, q, limit_violations(arm, q), branches_within_limits(arm, X_BF, near, ALL_BRANCHES)
     )
+
+
+def _choose_nearest(
+    arm: SerialArm, X_BF: Pose, present: ArmBranch, near: Configuration
+) -> Choice | OutOfReach | OutOfLimits:
+    found = solutions(arm, X_BF, near)
+    if not found:
+        return OutOfReach(*(reach_error(arm, X_BF) or ("too far", 0.0)))
+    violations = limit_violations(arm, found[0])
+    if violations:
+        return OutOfLimits(present, found[0], violations, ())
+    return Choice(found[0], present)
 
 
 def branches_within_limits(

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import NamedTuple, TypeAlias
 
-from vrts.base.pose import Pose
+from vrts.base.pose import Pose, translation
 from vrts.geometry.shapes import Piece
 
 Configuration: TypeAlias = tuple[float, float, float, float, float, float]
@@ -43,7 +43,7 @@ class ArmBranch(NamedTuple):
 class Link(NamedTuple):
     """A rigid part of the arm that turns with a joint (0 is the base)."""
 
-    name: str  # "base", "turret", "upper arm", "forearm", "wrist", "wrist bend", "flange"
+    name: str  # "base", "turret", "upper arm", "forearm", "wrist", "wrist bend", "flange", ...
     joint: int  # number of joints before it; its frame L_k is right after the rotation of joint k
     pieces: tuple[Piece, ...]  # in frame L_k
 
@@ -99,10 +99,42 @@ class SphericalWristArm:
     links: tuple[Link, ...]  # joint 0 to 6
     skipped_pairs: frozenset[frozenset[str]]  # link names never tested against each other
 
+    @property
+    def X_LF(self) -> Pose:
+        """The flange in L_6: d6 along the axis of joint 6."""
+        return translation(0.0, 0.0, self.d6)
+
+
+@dataclass(frozen=True, slots=True)
+class SerialArm:
+    """Any arm of six turning joints, one behind the other; it has no arm branches.
+
+    Joint k turns L_k about its own z axis. Base frame B: z up.
+    """
+
+    name: str  # "ur5"
+    title: str  # "Universal Robots UR5"
+    joints: tuple[Pose, ...]  # six: of L_k in L_(k-1) with joint k at zero; L_0 is B
+    X_LF: Pose  # the flange in L_6
+    shoulder_height: float  # of B above the floor [m]
+    lower: Configuration  # joint limits [rad]
+    upper: Configuration  # [rad]
+    speed: Configuration  # largest joint speeds [rad/s]
+    ready: Configuration  # [rad]
+    linear_speed: float  # straight lines at SPEED 100 [m/s]
+    angular_speed: float  # straight lines at SPEED 100 [rad/s]
+    acceleration_time: float  # of every motion [s]
+    tick: float  # trajectory generator [s]
+    links: tuple[Link, ...]  # joint 0 to 6
+    skipped_pairs: frozenset[frozenset[str]]  # link names never tested against each other
+
+
+Arm: TypeAlias = SphericalWristArm | SerialArm
+
 
 @dataclass(frozen=True, slots=True)
 class Robot:
     """An arm with its gripper. `gripper.X_FP` is not VAL's TOOL: programs set that."""
 
-    arm: SphericalWristArm
+    arm: Arm
     gripper: Gripper

@@ -1,19 +1,23 @@
 """The solution that continues a straight line, from one set point of the controller to the next."""
 
 from vrts.base.pose import Pose
-from vrts.robots.kinematics import limit_violations, solve
-from vrts.robots.model import ArmBranch, Configuration, SphericalWristArm, Wrist
+from vrts.robots.approach import approach
+from vrts.robots.limits import limit_violations
+from vrts.robots.model import Arm, ArmBranch, Configuration, SerialArm, Wrist
 from vrts.robots.singular import NEAR_WRIST
+from vrts.robots.spherical_wrist import solve
 
 WRIST_MAY_TURN = 10 * NEAR_WRIST  # [rad] of joint 5; farther from zero it keeps its sign
+MOST_STEPS = 12  # from one set point to the next; two or three are usual
 
 
 def track(
-    arm: SphericalWristArm, X_BF: Pose, branch: ArmBranch, near: Configuration
+    arm: Arm, X_BF: Pose, branch: ArmBranch, near: Configuration
 ) -> tuple[Configuration, ArmBranch] | None:
     """Return the solution that continues from the set point before.
 
-    Shoulder and elbow stay. The wrist follows continuity, so joint 5 may pass through zero.
+    Shoulder and elbow stay. The wrist follows continuity, so joint 5 may pass through zero. Arms
+    without branches go on from `near` step by step.
 
     Args:
         arm: The arm.
@@ -25,6 +29,9 @@ def track(
         The configuration [rad], which may violate limits, and its branch; None when the pose is
         out of reach.
     """
+    if isinstance(arm, SerialArm):
+        found = approach(arm, X_BF, near, MOST_STEPS)
+        return (found.configuration, branch) if found.reached else None
     same = solve(arm, X_BF, branch, near)
     if same is None:
         return None
