@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from vrts.base.pose import Pose, Vector, translation
+from vrts.base.pose import Pose, Vector, rotate, translation
 from vrts.check.collision_grips import (
     counted_from,
     counted_until,
@@ -108,7 +108,7 @@ def plan(scene: Scene, run: RunRecord, curves: Curves) -> Plan:
         for name in (body.rests_on, *(p.support for p in placements[body.name]))
         if name is not None
     )
-    cast = _Cast(*interval, scene.robot.arm.d6)
+    cast = _Cast(*interval, scene.robot.arm.X_LF)
     arm = _arm(cast, scene.robot)
     stays = [
         stay
@@ -138,7 +138,7 @@ class _Cast:
 
     start_s: float
     end_s: float
-    flange_m: float  # of L_6's origin from the flange
+    X_LF: Pose  # the flange in L_6
     members: list[Solid] = field(default_factory=list[Solid])
 
     def add(
@@ -206,10 +206,15 @@ def _arm(cast: _Cast, robot: Robot) -> _Arm:
         (link.name, link.joint, cast.add(link.pieces, link.joint, translation(0, 0, 0), link.name))
         for link in robot.arm.links
     )
-    X_LF = translation(0.0, 0.0, cast.flange_m)
-    palm = cast.add(robot.gripper.body, HAND, X_LF, PALM)
+    palm = cast.add(robot.gripper.body, HAND, cast.X_LF, PALM)
     fingers = tuple(
-        cast.add(finger.pieces, HAND, X_LF, finger.name, (0.0, 0.5 * finger.side, 0.0))
+        cast.add(
+            finger.pieces,
+            HAND,
+            cast.X_LF,
+            finger.name,
+            rotate(cast.X_LF.rotation, (0.0, 0.5 * finger.side, 0.0)),
+        )
         for finger in robot.gripper.fingers
     )
     return _Arm(links, palm, fingers)
@@ -227,7 +232,7 @@ def _stays(
             continue
         held = placement.lie is Lie.HELD
         falling = placement.lie is Lie.FALLING
-        X_LO = translation(0.0, 0.0, cast.flange_m) @ placement.X if held else placement.X
+        X_LO = cast.X_LF @ placement.X if held else placement.X
         members = cast.add(
             body.pieces,
             HAND if held else 0,

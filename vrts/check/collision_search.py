@@ -37,7 +37,7 @@ from vrts.check.curves import Curves, Spread
 from vrts.engine.records import GRAVITY
 from vrts.geometry.narrow import ERROR, pair
 from vrts.geometry.solids import Instants, Motion, Places, Solids
-from vrts.robots.model import SphericalWristArm
+from vrts.robots.model import Arm
 
 Array: TypeAlias = npt.NDArray[np.float64]
 Flags: TypeAlias = npt.NDArray[np.bool_]
@@ -62,7 +62,7 @@ class _Level(NamedTuple):
 
 
 def search(
-    arm: SphericalWristArm,
+    arm: Arm,
     curves: Curves,
     solids: Solids,
     pairs: Pairs,
@@ -88,7 +88,7 @@ class _Search:
 
     def __init__(
         self,
-        arm: SphericalWristArm,
+        arm: Arm,
         curves: Curves,
         solids: Solids,
         pairs: Pairs,

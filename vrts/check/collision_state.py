@@ -13,7 +13,7 @@ from vrts.engine.records import GRAVITY, Motion, Placement, Segment
 from vrts.geometry.narrow import Nearest, Pair, Transform, pair, transform
 from vrts.geometry.solids import Frames, Instants, Solids
 from vrts.robots.batch import link_frames
-from vrts.robots.model import SphericalWristArm
+from vrts.robots.model import Arm
 
 Array: TypeAlias = npt.NDArray[np.float64]
 Indices: TypeAlias = npt.NDArray[np.int64]
@@ -52,12 +52,12 @@ class RunRecord(Protocol):
         ...
 
 
-def instants(arm: SphericalWristArm, curves: Curves, time_s: Array) -> Instants:
+def instants(arm: Arm, curves: Curves, time_s: Array) -> Instants:
     """Return the state of the arm at times of shape (n,)."""
     return instants_of(arm, curves.values(time_s), time_s)
 
 
-def instants_of(arm: SphericalWristArm, values: Array, time_s: Array) -> Instants:
+def instants_of(arm: Arm, values: Array, time_s: Array) -> Instants:
     """Return the state of the arm for coordinates of shape (n, 7)."""
     rotations, origins = link_frames(arm, values[:, :6])
     return Instants(time_s, values[:, 6], Frames(rotations, origins))
@@ -67,7 +67,7 @@ def instants_of(arm: SphericalWristArm, values: Array, time_s: Array) -> Instant
 class Prober:
     """Exact distances between solids at chosen instants."""
 
-    arm: SphericalWristArm
+    arm: Arm
     curves: Curves
     solids: Solids
 

@@ -17,7 +17,8 @@ from vrts.engine.records import Segment
 from vrts.engine.run import Run
 from vrts.engine.timeline import value
 from vrts.robots.kinematics import forward
-from vrts.robots.model import SphericalWristArm
+from vrts.robots.levers import levers
+from vrts.robots.model import Arm
 
 VIA_MISSED = Rule("V662", "via-point-missed")
 VIA_ORDER = Rule("V663", "via-point-order")
@@ -118,15 +119,11 @@ def verdicts(result: Passed) -> tuple[Verdict, ...]:
 class _Search:
     """Halves one segment until every part is decided."""
 
-    def __init__(self, arm: SphericalWristArm, segment: Segment, X_FT: Pose, via: ViaPoint) -> None:
+    def __init__(self, arm: Arm, segment: Segment, X_FT: Pose, via: ViaPoint) -> None:
         self.arm, self.segment, self.X_FT, self.via = arm, segment, X_FT, via
         self.intervals: list[tuple[float, float]] = []
         self.nearest = math.inf
-        tool = math.dist((0.0, 0.0, 0.0), X_FT.translation)
-        wrist = arm.d6 + tool
-        forearm = math.hypot(arm.a3, arm.d4) + wrist
-        upper = arm.a2 + forearm
-        self.levers = (upper + arm.d2, upper + arm.d2, forearm + arm.d2, wrist, wrist, tool)
+        self.levers = levers(arm, X_FT.translation)
 
     def run(self) -> None:
         """Decide the whole segment."""

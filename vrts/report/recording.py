@@ -28,7 +28,7 @@ from vrts.engine.records import GRAVITY, Lie, Placement
 from vrts.geometry.mesh import tessellate
 from vrts.geometry.shapes import Piece
 from vrts.report.assessment import Assessment
-from vrts.robots.batch import link_frames
+from vrts.robots.batch import flange_of, link_frames
 
 Array = npt.NDArray[np.float64]
 
@@ -151,8 +151,7 @@ def _moving(a: Assessment, times: Array, states: Array) -> None:
         if link.pieces:
             k = link.joint
             _send(link.name, "robot/", times[moving], rotations[k][moving], origins[k][moving])
-    flange_r = rotations[6]
-    flange_p = origins[6] + robot.arm.d6 * flange_r[:, :, 2]
+    flange_r, flange_p = flange_of(robot.arm, rotations[6], origins[6])
     _send("hand", "robot/", times[moving], flange_r[moving], flange_p[moving])
     for finger in robot.gripper.fingers:
         shift = 0.5 * finger.side * states[:, 6:7] * flange_r[:, :, 1]

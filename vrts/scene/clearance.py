@@ -54,7 +54,7 @@ def placed_robot(robot: Robot, q: Configuration, opening: float) -> tuple[Placed
     links = tuple(
         Placed(link.name, link.pieces, poses[link.joint]) for link in robot.arm.links if link.pieces
     )
-    X_WF = poses[6] @ translation(0.0, 0.0, robot.arm.d6)
+    X_WF = poses[6] @ robot.arm.X_LF
     return (*links, *placed_hand(robot.gripper, X_WF, opening))
 
 
