@@ -181,8 +181,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "joint speeds may be ten times the limit",
         "vrts/check/limits.py",
-        "share > 1.0 + SPEED_TOLERANCE and",
-        "share > 10.0 and",
+        "(shares > 1.0 + SPEED_TOLERANCE)",
+        "(shares > 10.0)",
         (MARK, "tests/unit/test_pages_run.py"),
     ),
     Patch(

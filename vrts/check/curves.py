@@ -1,8 +1,9 @@
 """A timeline as arrays: values, and what they cannot exceed, over any interval of time.
 
-A straight line consists of many short cubics, a joint motion of a few long ones. Bounds over an
-interval are exact whatever it spans: its first and last piece by their ends and turning points, the
-pieces between by a table of maxima over runs of 1, 2, 4, ... pieces.
+A straight line consists of many short cubics, a joint motion of a few long ones; the few pieces of
+a higher degree are kept apart. Bounds over an interval are exact whatever it spans: its first and
+last piece by their ends and turning points, the pieces between by a table of maxima over runs of 1,
+2, 4, ... pieces.
 """
 
 from collections.abc import Sequence
@@ -13,6 +14,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from vrts.check.high_pieces import CUBIC, HighPieces, high_pieces, is_high
 from vrts.engine.records import COORDINATES, Segment
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -32,16 +34,18 @@ class Spread(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Curves:
-    """Piecewise cubic motion of seven coordinates."""
+    """Piecewise polynomial motion of seven coordinates."""
 
     starts: Array  # (n,) [s], increasing
     ends: Array  # (n,) [s]
-    powers: Array  # (n, 7, 4), ascending powers of t - start
+    powers: Array  # (n, 7, 4), first coefficients, ascending powers of t - start
     motions: Indices  # (n,) index of the motion, -1 while the arm stands still
     turns: Array  # (n, 7, 2) local times of extremes inside the piece; inf where there is none
     turn_values: Array  # (n, 7, 2) values there; 0 where there is none
     bends: Array  # (n, 7) local times of extreme velocity; inf where there is none
     bend_speeds: Array  # (n, 7) size of the velocity there; 0 where there is none
+    high: HighPieces | None  # the pieces above degree 3
+    high_at: Indices  # (n,) index in `high`, -1 for the others
     table: (
         Array  # (levels, n, 28) maxima of [upper, -lower, speed, acceleration] over 2^level pieces
     )
@@ -56,6 +60,11 @@ class Curves:
         """End of the last piece."""
         return float(self.ends[-1])
 
+    @property
+    def pieces(self) -> Spread:
+        """Bounds over each piece, n of them."""
+        return _as_spread(self.table[0])
+
     def piece_at(self, t: Array) -> Indices:
         """Return the piece that holds each time: the later one at a joint, the nearest outside."""
         return np.maximum(np.searchsorted(self.starts, t, side="right") - 1, 0)
@@ -63,23 +72,29 @@ class Curves:
     def values(self, t: Array) -> Array:
         """Return the coordinates, shape (m, 7), at times of shape (m,). Constant outside."""
         at = self.piece_at(t)
-        return _values(self.powers[at], self._local(at, t)[:, None])
+        u = self._local(at, t)
+        found = _values(self.powers[at], u[:, None])
+        if self.high is not None:
+            rows, high = self._high(at)
+            found[rows] = self.high.value.at(high, u[rows])
+        return found
 
     def velocities(self, t: Array) -> Array:
         """Return the velocities, shape (m, 7), at times of shape (m,)."""
         at = self.piece_at(t)
-        return _velocities(self.powers[at], self._local(at, t)[:, None])
+        return self._velocities(at, self._local(at, t))
 
     def jumps(self) -> Array:
         """Return the times between pieces at which a velocity is not continuous."""
         if len(self.starts) < 2:
             return np.empty(0)
-        before = _velocities(self.powers[:-1], (self.ends - self.starts)[:-1, None])
+        pieces = np.arange(len(self.starts) - 1)
+        before = self._velocities(pieces, (self.ends - self.starts)[:-1])
         after = self.powers[1:, :, 1]
         return self.starts[1:][np.abs(before - after).max(axis=1) > VELOCITY_JUMP]
 
     def spread(self, t0: Array, t1: Array) -> Spread:
-        """Return exact bounds over intervals.
+        """Return exact bounds over intervals; above degree 3 they are wider by rounding.
 
         Args:
             t0: Starts, shape (m,), in s.
@@ -111,8 +126,28 @@ class Curves:
         start = self.starts[at]
         return np.clip(t - start, 0.0, self.ends[at] - start)
 
+    def _high(self, at: Indices) -> tuple[Indices, Indices]:
+        """Return which of some pieces are above degree 3, and their indices in `high`."""
+        high = self.high_at[at]
+        rows = np.nonzero(high >= 0)[0]
+        return rows, high[rows]
+
+    def _velocities(self, at: Indices, u: Array) -> Array:
+        found = _velocities(self.powers[at], u[:, None])
+        if self.high is not None:
+            rows, high = self._high(at)
+            found[rows] = self.high.velocity.at(high, u[rows])
+        return found
+
     def _within(self, at: Indices, u0: Array, u1: Array) -> Array:
         """Return [upper, -lower, speed, acceleration], (m, 28), over parts of single pieces."""
+        found = self._within_cubics(at, u0, u1)
+        if self.high is not None:
+            rows, high = self._high(at)
+            found[rows] = self.high.within(high, u0[rows], u1[rows])
+        return found
+
+    def _within_cubics(self, at: Indices, u0: Array, u1: Array) -> Array:
         powers = self.powers[at]
         a, b = u0[:, None], u1[:, None]
         at_a, at_b = _values(powers, a), _values(powers, b)
@@ -140,12 +175,12 @@ def curves(segments: Sequence[Segment]) -> Curves:
     Raises:
         ValueError: There is no segment that lasts.
     """
-    lasting = [segment for segment in segments if segment.end_s > segment.start_s]
+    lasting = lasting_of(segments)
     if not lasting:
         raise ValueError("a timeline without a segment")
     starts = np.array([segment.start_s for segment in lasting])
     ends = np.array([segment.end_s for segment in lasting])
-    powers = _powers(lasting)
+    powers, high, high_at = _powers(lasting, ends - starts)
     motions = np.array([-1 if s.motion is None else s.motion for s in lasting], dtype=np.int64)
     length = (ends - starts)[:, None]
     turns = _roots(powers[:, :, 1], 2.0 * powers[:, :, 2], 3.0 * powers[:, :, 3])
@@ -158,21 +193,34 @@ def curves(segments: Sequence[Segment]) -> Curves:
     finite = np.isfinite(bends) & (bends > 0.0) & (bends < length)
     bends = np.where(finite, bends, np.inf)
     bend_speeds = np.abs(_velocities(powers, np.where(finite, bends, 0.0))) * finite
-    whole = Curves(
-        starts, ends, powers, motions, turns, turn_values, bends, bend_speeds, np.empty((0, 0, 0))
-    )
+    columns = (starts, ends, powers, motions, turns, turn_values, bends, bend_speeds, high, high_at)
+    whole = Curves(*columns, np.empty((0, 0, 0)))
     each = whole._within(np.arange(len(starts)), np.zeros(len(starts)), ends - starts)  # pyright: ignore[reportPrivateUsage]
-    return Curves(
-        starts, ends, powers, motions, turns, turn_values, bends, bend_speeds, _table(each)
-    )
+    return Curves(*columns, _table(each))
 
 
-def _powers(segments: Sequence[Segment]) -> Array:
+def lasting_of(segments: Sequence[Segment]) -> list[Segment]:
+    """Return the segments that last, which are the pieces of their curves."""
+    return [segment for segment in segments if segment.end_s > segment.start_s]
+
+
+def _powers(segments: Sequence[Segment], length: Array) -> tuple[Array, HighPieces | None, Indices]:
+    """Return all coefficients up to degree 3, and the pieces that have more."""
     rows = [row for segment in segments for row in segment.coefficients]
-    if any(len(row) != 4 for row in rows):
-        rows = [(*row, 0.0, 0.0, 0.0)[:4] for row in rows]
-    flat = np.fromiter(chain.from_iterable(rows), np.float64, 4 * len(rows))
-    return flat.reshape(len(segments), COORDINATES, 4)
+    counts = set(map(len, rows))
+    if counts != {CUBIC}:
+        rows = [row if len(row) == CUBIC else (*row, 0.0, 0.0, 0.0)[:CUBIC] for row in rows]
+    flat = np.fromiter(chain.from_iterable(rows), np.float64, CUBIC * len(rows))
+    powers = flat.reshape(len(segments), COORDINATES, CUBIC)
+    high_at = np.full(len(segments), -1, dtype=np.int64)
+    if max(counts) <= CUBIC:
+        return powers, None, high_at
+    pieces = [k for k, segment in enumerate(segments) if is_high(segment.coefficients)]
+    if not pieces:
+        return powers, None, high_at
+    high_at[pieces] = np.arange(len(pieces))
+    high = high_pieces([segments[k].coefficients for k in pieces], length[pieces])
+    return powers, high, high_at
 
 
 def _values(powers: Array, u: Array) -> Array:

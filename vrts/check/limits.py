@@ -1,14 +1,19 @@
 """Joint limits and joint speeds, judged on the polynomials and not at samples."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Sequence
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
 
 from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, Severity
 from vrts.base.units import deg
+from vrts.check.curves import Curves, curves, lasting_of
+from vrts.check.extremes import fastest, first_outside
 from vrts.check.verdict import Answer, Verdict
 from vrts.engine.records import Motion, Segment
 from vrts.engine.run import Run
-from vrts.engine.timeline import rate, value
 from vrts.ir.instructions import Interpolation
 
 JOINT_SPEED = Rule("V302", "joint-speed")
@@ -18,27 +23,42 @@ SPEED_TOLERANCE = 1e-6  # share of the limit; rounding of the polynomials
 POSITION_TOLERANCE = math.radians(0.005)  # half of what a measurement is rounded to
 
 
+Array: TypeAlias = npt.NDArray[np.float64]
+
+
+class _Fastest(NamedTuple):
+    """The largest share of its speed limit that a joint reaches on a motion."""
+
+    motion: Motion
+    share: float
+    joint: int  # from 0
+    speed: float  # [rad/s]
+    time_s: float
+
+
 def check_limits(run: Run) -> Verdict:
     """Return whether every joint stays within its position and speed limits."""
-    arm = run.scene.robot.arm
-    worst: dict[int, tuple[float, int, float, float]] = {}  # motion: share, joint, speed, time
-    outside: list[Diagnostic] = []
-    largest = 0.0
-    for segment in run.timeline.segments:
-        if segment.motion is None:
-            continue
-        motion = run.motions[segment.motion]
-        for joint, row in enumerate(segment.coefficients[:6]):
-            speed, at = _fastest(row, segment.end_s - segment.start_s)
-            share = speed / arm.speed[joint]
-            largest = max(largest, share)
-            if share > 1.0 + SPEED_TOLERANCE and share > worst.get(segment.motion, (0.0,))[0]:
-                worst[segment.motion] = (share, joint, speed, segment.start_s + at)
-            outside += _outside(run, segment, motion, joint, row)
-    findings = [
-        *(_too_fast(run, run.motions[k], *found) for k, found in sorted(worst.items())),
-        *outside[:1],
-    ]
+    segments = lasting_of(run.timeline.segments)
+    if all(segment.motion is None for segment in segments):
+        return _verdict((), 0.0)
+    known = curves(segments)
+    bounds = known.pieces
+    moving = known.motions >= 0
+    shares: Array = bounds.speed[:, :6] / np.array(run.scene.robot.arm.speed)
+    shares[~moving] = 0.0
+    findings = [_too_fast(run, found) for found in _over(run, segments, known, shares)]
+    lower, upper = _range(run)
+    out = (bounds.lower[:, :6] < lower) | (bounds.upper[:, :6] > upper)
+    out[~moving] = False
+    for piece, joint in np.argwhere(out).tolist():
+        outside = _outside(run, segments[piece], joint)
+        if outside is not None:
+            findings.append(outside)
+            break
+    return _verdict(findings, float(shares.max()))
+
+
+def _verdict(findings: Sequence[Diagnostic], largest: float) -> Verdict:
     evidence = {"largest_speed_share": round(largest, 4)}
     if findings:
         return Verdict("limits", Answer.VIOLATED, findings[0].headline, tuple(findings), evidence)
@@ -51,9 +71,22 @@ def check_limits(run: Run) -> Verdict:
     )
 
 
-def _too_fast(
-    run: Run, motion: Motion, share: float, joint: int, speed: float, time_s: float
-) -> Diagnostic:
+def _over(run: Run, segments: Sequence[Segment], known: Curves, shares: Array) -> list[_Fastest]:
+    """Return of every motion with a joint above its limit the one most above."""
+    too_fast = (shares > 1.0 + SPEED_TOLERANCE).any(axis=1)
+    found: list[_Fastest] = []
+    for motion in np.unique(known.motions[too_fast]).tolist():
+        own = np.nonzero(known.motions == motion)[0]
+        best, joint = divmod(int(np.argmax(shares[own])), 6)
+        segment = segments[int(own[best])]
+        speed, at = fastest(segment.coefficients[joint], segment.end_s - segment.start_s)
+        share, time_s = speed / run.scene.robot.arm.speed[joint], segment.start_s + at
+        found.append(_Fastest(run.motions[motion], share, joint, speed, time_s))
+    return found
+
+
+def _too_fast(run: Run, found: _Fastest) -> Diagnostic:
+    motion, share, joint, speed, time_s = found
     limit = run.scene.robot.arm.speed[joint]
     percent = math.floor(100.0 * motion.speed_fraction / share)
     remedy = f"lower SPEED to {percent} or less" if percent >= 1 else "go round the singularity"
@@ -72,51 +105,30 @@ def _too_fast(
     )
 
 
-def _outside(
-    run: Run, segment: Segment, motion: Motion, joint: int, row: tuple[float, ...]
-) -> Iterable[Diagnostic]:
+def _range(run: Run) -> tuple[Array, Array]:
+    """Return the least and the largest positions that count as within limits, both (6,) [rad]."""
     arm = run.scene.robot.arm
-    lower, upper = arm.lower[joint] - POSITION_TOLERANCE, arm.upper[joint] + POSITION_TOLERANCE
-    for t in (0.0, *_turns(row, segment.end_s - segment.start_s), segment.end_s - segment.start_s):
-        position = value(row, t)
-        if not lower <= position <= upper:
-            yield Diagnostic(
-                JOINT_POSITION,
-                Severity.ERROR,
-                f"joint {joint + 1} leaves its range on this move",
-                Label(motion.cause.span, f"reaches {deg(position):.1f} degrees"),
-                moment=_moment(run, segment.start_s + t),
-                data={"joint": joint + 1, "value_deg": deg(position)},
-            )
-            return
+    return np.array(arm.lower) - POSITION_TOLERANCE, np.array(arm.upper) + POSITION_TOLERANCE
+
+
+def _outside(run: Run, segment: Segment, joint: int) -> Diagnostic | None:
+    assert segment.motion is not None
+    lower, upper = _range(run)
+    row, length = segment.coefficients[joint], segment.end_s - segment.start_s
+    found = first_outside(row, length, float(lower[joint]), float(upper[joint]))
+    if found is None:  # the bounds of pieces are wider by rounding
+        return None
+    at, position = found
+    return Diagnostic(
+        JOINT_POSITION,
+        Severity.ERROR,
+        f"joint {joint + 1} leaves its range on this move",
+        Label(run.motions[segment.motion].cause.span, f"reaches {deg(position):.1f} degrees"),
+        moment=_moment(run, segment.start_s + at),
+        data={"joint": joint + 1, "value_deg": deg(position)},
+    )
 
 
 def _moment(run: Run, time_s: float) -> Moment:
     state = run.at(time_s)
     return Moment(time_s, (*state.configuration, state.hand_opening))
-
-
-def _fastest(row: tuple[float, ...], length: float) -> tuple[float, float]:
-    """Return the largest speed of a polynomial of degree at most 3, and when."""
-    c = (*row, 0.0, 0.0, 0.0, 0.0)[:4]
-    times = [0.0, length]
-    if c[3]:
-        turn = -c[2] / (3.0 * c[3])
-        if 0.0 < turn < length:
-            times.append(turn)
-    return max((abs(rate(c, t)), t) for t in times)
-
-
-def _turns(row: tuple[float, ...], length: float) -> list[float]:
-    """Return where a polynomial of degree at most 3 turns round."""
-    c = (*row, 0.0, 0.0, 0.0, 0.0)[:4]
-    a, b, d = 3.0 * c[3], 2.0 * c[2], c[1]
-    roots: list[float] = []
-    if a == 0.0:
-        roots = [-d / b] if b else []
-    else:
-        disc = b * b - 4.0 * a * d
-        if disc >= 0.0:
-            s = -0.5 * (b + math.copysign(math.sqrt(disc), b))
-            roots = [s / a, *([d / s] if s else [])]
-    return [t for t in roots if 0.0 < t < length]
