@@ -1,24 +1,28 @@
 """Whether the tool passed the via points, decided on the polynomials.
 
-The distance of tool and point changes at most as fast as the tool can move, so an interval in which
-it cannot come within the radius is closed at once; others are halved [Schwarzer2005]_.
+The distance of tool and point changes by no more than the tool can move, so an interval in which it
+cannot come within the radius is closed at once; others are halved [Schwarzer2005]_. All intervals
+are handled together, level by level.
 """
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
 
 from vrts.base.diagnostic import Diagnostic, Rule, Severity
-from vrts.base.pose import Pose, distance
+from vrts.base.pose import distance
 from vrts.base.units import mm
+from vrts.check.curves import Curves, curves, lasting_of
 from vrts.check.task import Task, ViaPoint
 from vrts.check.verdict import Answer, Verdict
-from vrts.engine.records import Segment
 from vrts.engine.run import Run
-from vrts.engine.timeline import value
-from vrts.robots.kinematics import forward
+from vrts.robots.batch import flange_frames
 from vrts.robots.levers import levers
-from vrts.robots.model import Arm
+
+Array: TypeAlias = npt.NDArray[np.float64]
 
 VIA_MISSED = Rule("V662", "via-point-missed")
 VIA_ORDER = Rule("V663", "via-point-order")
@@ -48,7 +52,7 @@ class Passed(NamedTuple):
 
 def passed(run: Run, task: Task) -> Passed:
     """Return which via points the tool passed, in order if the task wants that."""
-    visits = tuple(visits_of(run, via) for via in task.vias)
+    visits = visits_of(run, task.vias)
     met = [bool(visit.intervals) for visit in visits]
     if task.ordered:
         met = in_order([visit.intervals for visit in visits])
@@ -77,23 +81,57 @@ def in_order(visits: Sequence[Sequence[tuple[float, float]]]) -> list[bool]:
     return [point in members for point in range(len(visits))]
 
 
-def visits_of(run: Run, via: ViaPoint) -> Visits:
-    """Return the intervals in which the tool is within the radius of a point, to 0.1 ms."""
-    arm = run.scene.robot.arm
+def visits_of(run: Run, vias: Sequence[ViaPoint]) -> tuple[Visits, ...]:
+    """Return when the tool of the scene is within the radius of points, to 0.1 ms."""
+    if not lasting_of(run.timeline.segments):
+        return tuple(_standing(run, via) for via in vias)
+    motion = curves(run.timeline.segments)
+    return tuple(_passing(run, motion, via) for via in vias)
+
+
+def _standing(run: Run, via: ViaPoint) -> Visits:
+    """Return the visits of a run in which no time passes."""
+    X_WT = run.at(0.0).X_WF @ run.scene.X_FT
+    gap = distance(X_WT.translation, via.point)
+    return Visits(via, ((0.0, 0.0),) if gap <= via.radius else (), gap)
+
+
+def _passing(run: Run, motion: Curves, via: ViaPoint) -> Visits:
+    """Halve the pieces of the motion until every part is decided."""
+    start, end = motion.starts, motion.ends
     found: list[tuple[float, float]] = []
     nearest = math.inf
-    for segment in run.timeline.segments:
-        search = _Search(arm, segment, run.scene.X_FT, via)  # whatever TOOL the program sets
-        search.run()
-        nearest = min(nearest, search.nearest)
-        found += search.intervals
+    while len(start):
+        middle = 0.5 * (start + end)
+        gap, travel = _gap_and_travel(run, motion, via, start, middle, end)
+        nearest = min(nearest, float(gap.min()))
+        short = end - start <= SHORTEST
+        inside = (gap + travel <= via.radius) | (short & (gap <= via.radius))
+        found += zip(start[inside].tolist(), end[inside].tolist(), strict=True)
+        unsure = (gap - travel <= via.radius) & ~inside & ~short
+        start, middle, end = start[unsure], middle[unsure], end[unsure]
+        start, end = np.concatenate([start, middle]), np.concatenate([middle, end])
     merged: list[tuple[float, float]] = []
-    for start, end in sorted(found):
-        if merged and start <= merged[-1][1] + 2 * SHORTEST:
-            merged[-1] = (merged[-1][0], max(merged[-1][1], end))
+    for begin, finish in sorted(found):
+        if merged and begin <= merged[-1][1] + 2 * SHORTEST:
+            merged[-1] = (merged[-1][0], max(merged[-1][1], finish))
         else:
-            merged.append((start, end))
+            merged.append((begin, finish))
     return Visits(via, tuple(merged), nearest)
+
+
+def _gap_and_travel(
+    run: Run, motion: Curves, via: ViaPoint, start: Array, middle: Array, end: Array
+) -> tuple[Array, Array]:
+    """Return distances to a point at middles, and how far the tool can be from there, all (m,)."""
+    arm, X_FT = run.scene.robot.arm, run.scene.X_FT  # whatever TOOL the program sets
+    values = motion.values(middle)
+    rotations, origins = flange_frames(arm, values[:, :6])
+    tips = origins + rotations @ np.array(X_FT.translation)
+    gap: Array = np.linalg.norm(tips - np.array(via.point), axis=1)
+    spread = motion.spread(start, end)
+    turn = np.maximum(spread.upper - values, values - spread.lower)[:, :6]
+    return gap, turn @ np.array(levers(arm, X_FT.translation))
 
 
 def verdicts(result: Passed) -> tuple[Verdict, ...]:
@@ -114,57 +152,3 @@ def verdicts(result: Passed) -> tuple[Verdict, ...]:
         finding = Diagnostic(VIA_ORDER if late else VIA_MISSED, Severity.ERROR, summary)
         found.append(Verdict(f"via {name}", Answer.VIOLATED, summary, (finding,)))
     return tuple(found)
-
-
-class _Search:
-    """Halves one segment until every part is decided."""
-
-    def __init__(self, arm: Arm, segment: Segment, X_FT: Pose, via: ViaPoint) -> None:
-        self.arm, self.segment, self.X_FT, self.via = arm, segment, X_FT, via
-        self.intervals: list[tuple[float, float]] = []
-        self.nearest = math.inf
-        self.levers = levers(arm, X_FT.translation)
-
-    def run(self) -> None:
-        """Decide the whole segment."""
-        pending = [(self.segment.start_s, self.segment.end_s)]
-        while pending:
-            start, end = pending.pop()
-            middle = 0.5 * (start + end)
-            gap = self._distance(middle)
-            self.nearest = min(self.nearest, gap)
-            travel = self._travel(start, end)
-            if gap - travel > self.via.radius:
-                continue
-            if gap + travel <= self.via.radius:
-                self.intervals.append((start, end))
-            elif end - start > SHORTEST:
-                pending += [(start, middle), (middle, end)]
-            elif gap <= self.via.radius:
-                self.intervals.append((start, end))
-
-    def _distance(self, time_s: float) -> float:
-        t = time_s - self.segment.start_s
-        q = tuple(value(row, t) for row in self.segment.coefficients[:6])
-        tool = forward(self.arm, q) @ self.X_FT  # type: ignore[arg-type]
-        return distance(tool.translation, self.via.point)
-
-    def _travel(self, start: float, end: float) -> float:
-        """Return a bound on how far the tool moves from the middle to either end [m]."""
-        half = 0.5 * (end - start)
-        a, b = start - self.segment.start_s, end - self.segment.start_s
-        return half * sum(
-            lever * _fastest(row, a, b)
-            for lever, row in zip(self.levers, self.segment.coefficients[:6], strict=True)
-        )
-
-
-def _fastest(row: tuple[float, ...], a: float, b: float) -> float:
-    """Return a bound on the speed of a polynomial of degree at most 3 on an interval."""
-    c = (*row, 0.0, 0.0, 0.0)[1:4]
-    at = [abs(c[0] + t * (2.0 * c[1] + 3.0 * t * c[2])) for t in (a, b)]
-    if c[2]:
-        turn = -c[1] / (3.0 * c[2])
-        if a < turn < b:
-            at.append(abs(c[0] + turn * (2.0 * c[1] + 3.0 * turn * c[2])))
-    return max(at)
