@@ -1,9 +1,10 @@
 """The stages for one request, composed, each at most once; and the files they need.
 
-Reads programs, scenes and tasks; writes nothing. What is wrong in a file is a diagnostic; a file
-that is not there is a wrong call and raises `CannotRead`.
+Reads programs, scenes, tasks and scenarios; writes nothing. What is wrong in a file is a
+diagnostic; a file that is not there is a wrong call and raises `CannotRead`.
 """
 
+import hashlib
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from vrts.lang.compiler import Compilation
     from vrts.report.assessment import Assessment
     from vrts.scene.model import Scenario, Scene
+    from vrts.scene.scenario_file import ScenarioFile
 
 NO_SUCH_PROGRAM = Rule("V190", "no-such-program")
 
@@ -27,6 +29,7 @@ CHECKOUT = PACKAGE.parent  # the same in a checkout
 
 SCENE_FILE = "scene.toml"
 TASK_FILE = "task.toml"
+SCENARIO_FILE = "scenario.toml"  # beside a task: how its runs begin, and what happens in them
 MAX_TOML = 1_000_000  # bytes
 CURVE_STEP = 0.1  # [s] between samples of the clearance, for charts
 CURVE_MOST = 600  # samples
@@ -55,11 +58,16 @@ class Refused(Exception):  # noqa: N818 -- names the situation
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """A scene, and the task set in it if there is one, read and found right."""
+    """A scene, and the task and scenario set in it if there are, read and found right.
+
+    Where a task has a scenario, the digest of the task covers both: marks are valid for this
+    scenario only, as they are for this scene only.
+    """
 
     scene: "Scene"
     task: "Task | None"
     diagnostics: tuple[Diagnostic, ...]  # warnings
+    scenario: "ScenarioFile | None" = None
 
 
 # --- files ----------------------------------------------------------------------------------------
@@ -171,11 +179,13 @@ def load_scene(name: str, beside: Path | None = None) -> Setting:
     return Setting(_accepted(scene, found), None, found)
 
 
-def load_task(path: Path, scene: str | None = None) -> Setting:
+def load_task(path: Path, scene: str | None = None, scenario: Path | None = None) -> Setting:
     """Return a task in its scene, or in another one.
 
+    The scenario is the one given, else `scenario.toml` beside the task if there is one.
+
     Raises:
-        CannotRead: The task or its scene is not there.
+        CannotRead: The task, its scene or the scenario is not there.
         Refused: One of the files has errors.
     """
     from vrts.check.task_file import read_task, scene_name
@@ -183,28 +193,58 @@ def load_task(path: Path, scene: str | None = None) -> Setting:
     source = read_toml_source(path / TASK_FILE if path.is_dir() else path)
     named, found = scene_name(source)
     wanted = scene or _accepted(named, found)
-    setting = load_scene(wanted, path if path.is_dir() else path.parent)
+    folder = path if path.is_dir() else path.parent
+    setting = load_scene(wanted, folder)
     task, found = read_task(source, setting.scene)
-    return Setting(setting.scene, _accepted(task, found), (*setting.diagnostics, *found))
+    setting = Setting(setting.scene, _accepted(task, found), (*setting.diagnostics, *found))
+    if scenario is None and (folder / SCENARIO_FILE).is_file():
+        scenario = folder / SCENARIO_FILE
+    return setting if scenario is None else with_scenario(setting, scenario)
+
+
+def with_scenario(setting: Setting, path: Path) -> Setting:
+    """Return a setting in which runs go as a scenario file says.
+
+    Raises:
+        CannotRead: The file is not there.
+        Refused: It has errors.
+    """
+    from vrts.ir.system import PARAMETERS
+    from vrts.scene.scenario_file import read_scenario
+
+    numbers = PARAMETERS.keys() - {"NEST.POS"}  # which is six of them
+    scenario, found = read_scenario(read_toml_source(path), setting.scene, sorted(numbers))
+    accepted = _accepted(scenario, found)
+    task = setting.task
+    if task is not None:
+        both = hashlib.sha256(f"{task.digest} {accepted.digest}".encode()).hexdigest()
+        task = replace(task, digest=both)
+    return Setting(setting.scene, task, (*setting.diagnostics, *found), accepted)
 
 
 def setting_for(
-    program: Path | None, *, scene: str | None = None, task: Path | None = None
+    program: Path | None,
+    *,
+    scene: str | None = None,
+    task: Path | None = None,
+    scenario: Path | None = None,
 ) -> Setting | None:
     """Return the setting that a program is verified in; None when nothing tells which.
 
     The task is the one given, else `task.toml` beside the program, unless a scene is asked for.
+    The scenario is the one given, else the task's.
     """
     if task is not None:
-        return load_task(task, scene)
+        return load_task(task, scene, scenario)
     beside = program.parent if program is not None else None
     if scene is not None:
-        return load_scene(scene, beside)
+        setting = load_scene(scene, beside)
+        return setting if scenario is None else with_scenario(setting, scenario)
     if beside is None:
         return None
     for folder in (beside, beside.parent if beside.name == "submissions" else beside):
         if (folder / TASK_FILE).is_file():
-            return load_task(folder / TASK_FILE)
+            return load_task(folder / TASK_FILE, scenario=scenario)
     return None
 
 
@@ -379,12 +419,20 @@ def assess(
     if compilation is None or compilation.module is None or compilation.module.main is None:
         return _ungraded(start)
     start = replace(start, module=compilation.module)
-    found = _run(start, judged=judged, collisions=collisions, entry=entry, step_done=step_done)
+    found = _run(
+        start,
+        scenario_for(setting.task, setting.scenario),
+        judged=judged,
+        collisions=collisions,
+        entry=entry,
+        step_done=step_done,
+    )
     return with_curve(found) if curve and judged and collisions else found
 
 
 def _run(
     a: "Assessment",
+    scenario: "Scenario",
     *,
     judged: bool,
     collisions: bool,
@@ -398,7 +446,7 @@ def _run(
     name = entry or (a.task.program if a.task else None)
     if name is not None and name.lower() not in a.module.programs:
         return _ungraded(replace(a, diagnostics=(*a.diagnostics, _no_program(a, name))))
-    run = execute(a.module, a.scene, scenario_for(a.task), name.lower() if name else None)
+    run = execute(a.module, a.scene, scenario, name.lower() if name else None)
     step_done("simulate")
     scene, task = a.scene, a.task
     a = replace(a, run=run, diagnostics=_without_repeats(a.diagnostics, run.findings))
@@ -430,14 +478,15 @@ def with_curve(a: "Assessment") -> "Assessment":
     return replace(a, clearance=tuple(zip(times.tolist(), values.tolist(), strict=True)))
 
 
-def scenario_for(task: "Task | None") -> "Scenario":
-    """Return the scenario of a task: a run longer than its longest time is stopped."""
-    from vrts.scene.model import Limits, Scenario
+def scenario_for(task: "Task | None", planned: "ScenarioFile | None" = None) -> "Scenario":
+    """Return the scenario of a run: where there is a task, it is stopped at its longest time."""
+    from vrts.scene.model import Scenario
 
+    scenario = Scenario() if planned is None else planned.scenario
     if task is None:
-        return Scenario()
-    usual = Limits()
-    return Scenario(limits=replace(usual, time_s=min(usual.time_s, task.t_max)))
+        return scenario
+    limits = replace(scenario.limits, time_s=min(scenario.limits.time_s, task.t_max))
+    return replace(scenario, limits=limits)
 
 
 def _ungraded(a: "Assessment") -> "Assessment":

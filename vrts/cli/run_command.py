@@ -1,6 +1,7 @@
 """`vrts run`."""
 
 import sys
+from pathlib import Path
 
 import click
 
@@ -23,12 +24,16 @@ Examples:
   vrts run prog.v2
   vrts run prog.v2 --scene cans-on-bases
   vrts run prog.v2 --scene cans-on-bases --at 4.5
+  vrts run prog.v2 --scene cans-on-bases --scenario gripper-slips.toml
 """
 
 
 @click.command(name="run", epilog=EPILOG)
 @click.argument("program")
 @click.option("--scene", help="Name or path of a scene; without it the robot stands alone.")
+@click.option(
+    "--scenario", type=click.Path(path_type=Path), help="What happens in the run: a scenario file."
+)
 @click.option("--program", "entry", help="Program of the file to execute; the first, if not given.")
 @click.option("--at", "time_s", type=float, help="Print the state at a time in s, not the output.")
 @language_options
@@ -37,6 +42,7 @@ Examples:
 def command(
     program: str,
     scene: str | None,
+    scenario: Path | None,
     entry: str | None,
     time_s: float | None,
     others: tuple[str, ...],
@@ -46,14 +52,17 @@ def command(
     color: str,
 ) -> None:
     """Run PROGRAM; what it TYPEs goes to stdout, everything else to stderr."""
-    from vrts.pipeline import assess, load_scene, robot_alone
+    from vrts.pipeline import assess, load_scene, robot_alone, with_scenario
     from vrts.report.plain import plain_text
 
     data, name, path = program_bytes(program)
     setting = load_scene(scene, path.parent if path else None) if scene else robot_alone()
+    if scenario is not None:
+        setting = with_scenario(setting, scenario)
+    warnings = setting.scenario.warnings if setting.scenario else ()
     reading = reading_of(others, dialect or "auto", prec, replace=replace)
     found = assess(data, setting=setting, title=name, entry=entry, judged=False, reading=reading)
-    show_diagnostics(found.findings, color)
+    show_diagnostics((*warnings, *found.findings), color)
     run = found.run
     if run is None:
         sys.exit(WRONG)

@@ -2,7 +2,7 @@
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 import click
 
@@ -18,6 +18,7 @@ from vrts.cli.console import (
     program_bytes,
     reading_of,
     say,
+    show_diagnostics,
     use_color,
     write_file,
 )
@@ -35,6 +36,7 @@ Examples:
   vrts verify examples/01-cans-on-bases/solution.v2
   vrts verify prog.v2 --scene cans-on-bases
   vrts verify prog.v2 --task task.toml --html page.html --record run.rrd
+  vrts verify prog.v2 --scenario gripper-slips.toml
   vrts verify prog.v2 --format json
 """
 
@@ -43,6 +45,9 @@ Examples:
 @click.argument("program")
 @click.option("--scene", help="Name or path of a scene: verify in it, without a mark.")
 @click.option("--task", type=click.Path(path_type=Path), help="Task file, or its folder.")
+@click.option(
+    "--scenario", type=click.Path(path_type=Path), help="What happens in the run: a scenario file."
+)
 @click.option("--html", type=click.Path(path_type=Path), help="Write a page with a replay.")
 @click.option("--record", type=click.Path(path_type=Path), help="Write a Rerun recording (.rrd).")
 @click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
@@ -54,6 +59,7 @@ def command(
     program: str,
     scene: str | None,
     task: Path | None,
+    scenario: Path | None,
     html: Path | None,
     record: Path | None,
     form: str,
@@ -66,15 +72,18 @@ def command(
 ) -> None:
     """Run PROGRAM and check everything: collisions, limits, goals.
 
-    Takes the task.toml beside the program unless a scene or task is given. Exit status 1 when
-    something is wrong, 3 when a check cannot tell.
+    Takes the task.toml beside the program unless a scene or task is given, and the scenario.toml
+    beside the task unless a scenario is given. Exit status 1 when something is wrong, 3 when a
+    check cannot tell.
     """
     from vrts.pipeline import assess, setting_for
 
     data, name, path = program_bytes(program)
-    setting = setting_for(path, scene=scene, task=task)
+    setting = setting_for(path, scene=scene, task=task, scenario=scenario)
     if setting is None:
         _no_setting()
+    if scenario is not None and setting.scenario is not None:
+        show_diagnostics(setting.scenario.warnings, color)
     identifier = path.stem if path else "stdin"
     found = assess(
         path or data,
@@ -135,7 +144,7 @@ def status_of(found: "Assessment") -> int:
     ]
 
 
-def _no_setting() -> None:
+def _no_setting() -> NoReturn:
     from vrts.pipeline import scene_names
 
     fail(
