@@ -1,23 +1,39 @@
 """The robots a scene can name."""
 
 from vrts.robots.gripper import TWO_FINGERS
-from vrts.robots.model import Arm, Robot
+from vrts.robots.model import Arm, Robot, SphericalWristArm
 from vrts.robots.puma import PUMA_761, PUMA_762
 from vrts.robots.puma560 import PUMA_560
+from vrts.robots.universal import WheelMissing
+from vrts.robots.universal import names as universal_names
+from vrts.robots.universal import robot as universal_robot
 
-_PUMAS = {arm.name: Robot(arm, TWO_FINGERS) for arm in (PUMA_761, PUMA_762, PUMA_560)}
+__all__ = ["WheelMissing", "arm", "names", "puma", "robot"]
+
+_PUMAS = {arm.name: arm for arm in (PUMA_761, PUMA_762, PUMA_560)}
+_ROBOTS = {name: Robot(arm, TWO_FINGERS) for name, arm in _PUMAS.items()}
 
 
 def names() -> tuple[str, ...]:
     """Return the names of the robots that a scene can hold."""
-    return tuple(_PUMAS)
+    return (*_ROBOTS, *universal_names())
 
 
 def robot(name: str) -> Robot:
-    """Return the robot of a name. Raises KeyError when there is none."""
-    return _PUMAS[name]
+    """Return the robot of a name.
+
+    Raises:
+        KeyError: There is none.
+        WheelMissing: Its description is not installed.
+    """
+    return _ROBOTS.get(name) or universal_robot(name)
 
 
 def arm(name: str) -> Arm:
-    """Return the arm of a name. Raises KeyError when there is none."""
+    """Return the arm of a name; raises as `robot` does."""
     return robot(name).arm
+
+
+def puma(name: str) -> SphericalWristArm:
+    """Return the arm of a name of the PUMA family. Raises KeyError when there is none."""
+    return _PUMAS[name]
