@@ -188,7 +188,7 @@ def curves(segments: Sequence[Segment]) -> Curves:
     finite = np.isfinite(turns)
     safe = np.where(finite, turns, 0.0)
     turn_values = np.where(finite, _values(powers[:, :, None, :], safe), 0.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         bends = -powers[:, :, 2] / (3.0 * powers[:, :, 3])
     finite = np.isfinite(bends) & (bends > 0.0) & (bends < length)
     bends = np.where(finite, bends, np.inf)
@@ -233,7 +233,7 @@ def _velocities(powers: Array, u: Array) -> Array:
 
 def _roots(c: Array, b: Array, a: Array) -> Array:
     """Return both real roots of a u^2 + b u + c, last axis 2; not finite where there is none."""
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         half = -0.5 * (b + np.copysign(np.sqrt(b * b - 4.0 * a * c), b))
         roots = np.stack([half / a, c / half], axis=-1)
     return np.where(np.isfinite(roots), roots, np.inf)
