@@ -175,7 +175,8 @@ def load_scene(name: str, beside: Path | None = None) -> Setting:
     """
     from vrts.scene.scene_file import read_scene
 
-    scene, found = read_scene(read_toml_source(find_scene(name, beside)))
+    path = find_scene(name, beside)
+    scene, found = read_scene(read_toml_source(path), path.parent)
     return Setting(_accepted(scene, found), None, found)
 
 

@@ -5,6 +5,7 @@ from vrts.base.pose import Pose
 from vrts.base.units import deg, mm
 from vrts.geometry.support import bounds
 from vrts.report.plain import one_line, plain_text
+from vrts.robots.branch import has_branches
 from vrts.robots.model import ArmBranch
 from vrts.scene.block import location_block
 from vrts.scene.model import Body, Mobility, Scene
@@ -52,7 +53,8 @@ def point_text(scene: Scene, X_WT: Pose, found: Reach) -> str:
         joint = nearest.margin.joint
         lines.append(f"not reachable: joint {joint} would be {over:.1f} degrees past its limit")
     else:
-        lines.append(f"reachable, {_branch(best.branch)}; {_margin(best)}")
+        way = f", {_branch(best.branch)}" if has_branches(scene.robot.arm) else ""
+        lines.append(f"reachable{way}; {_margin(best)}")
         joints = "  ".join(f"JT{k} {deg(q):.1f}" for k, q in enumerate(best.configuration, 1))
         lines.append(f"joints: {joints}")
     if found.nearest is not None:
@@ -60,9 +62,10 @@ def point_text(scene: Scene, X_WT: Pose, found: Reach) -> str:
         gap = mm(near.clearance)
         words = f"{gap:.1f} mm from" if gap > 0 else f"{-gap:.1f} mm inside"
         lines.append(f"with the hand open, {near.part} is {words} `{near.body}`")
-    others = [way for way in found.branches if way is not best]
-    lines.append("")
-    lines += [f"  {_branch(way.branch):<22} {_margin(way)}" for way in (best, *others) if way]
+    if has_branches(scene.robot.arm):
+        others = [way for way in found.branches if way is not best]
+        lines.append("")
+        lines += [f"  {_branch(way.branch):<22} {_margin(way)}" for way in (best, *others) if way]
     return plain_text("\n".join(lines))
 
 

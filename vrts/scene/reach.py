@@ -5,6 +5,7 @@ from itertools import product
 from typing import NamedTuple
 
 from vrts.base.pose import Pose
+from vrts.robots.branch import has_branches
 from vrts.robots.kinematics import reach_error, solve
 from vrts.robots.model import ArmBranch, Configuration, Elbow, Robot, Shoulder, Wrist
 from vrts.scene.clearance import Nearness, nearest_body, placed_robot
@@ -72,7 +73,13 @@ def reach(scene: Scene, X_WT: Pose) -> Reach:
 
 
 def branches(robot: Robot, X_BF: Pose) -> tuple[BranchReach, ...]:
-    """Return every arm branch that puts the flange at a pose, limits not enforced."""
+    """Return every arm branch that puts the flange at a pose, limits not enforced.
+
+    Arms without branches have one way: the solution nearest to the ready configuration.
+    """
+    if not has_branches(robot.arm):
+        q = solve(robot.arm, X_BF, USUAL, robot.arm.ready)
+        return () if q is None else (BranchReach(USUAL, q, margin(robot, q)),)
     found: list[BranchReach] = []
     for shoulder, elbow, wrist in product(Shoulder, Elbow, Wrist):
         branch = ArmBranch(shoulder, elbow, wrist)

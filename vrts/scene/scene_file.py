@@ -8,6 +8,7 @@ import hashlib
 import re
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import Path
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -18,12 +19,13 @@ from vrts.base.source import SourceFile
 from vrts.base.toml import Problems, Table, read_toml
 from vrts.base.units import DEG, MM
 from vrts.geometry.support import bounds
-from vrts.robots.catalog import names, robot
 from vrts.robots.model import Robot
 from vrts.scene.colors import NAMED, Color, color
 from vrts.scene.default import floor_body
+from vrts.scene.files import SceneFolder
 from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.places import find_places
+from vrts.scene.robot_section import read_robot
 from vrts.scene.standing import (
     check_overlaps,
     check_robot,
@@ -62,10 +64,17 @@ class _Draft(NamedTuple):
     color: Color
 
 
-def read_scene(source: SourceFile) -> tuple[Scene | None, tuple[Diagnostic, ...]]:
-    """Return the scene a file describes, or None, with everything there is to say about it."""
+def read_scene(
+    source: SourceFile, folder: Path | None = None
+) -> tuple[Scene | None, tuple[Diagnostic, ...]]:
+    """Return the scene a file describes, or None, with everything there is to say about it.
+
+    Args:
+        source: The file.
+        folder: Where files that it names are; None: none can be read.
+    """
     top, problems = read_toml(source)
-    scene = None if top is None else _scene(top, problems)
+    scene = None if top is None else _scene(top, SceneFolder(folder), problems)
     if problems.any_error:
         scene = None
     return scene, problems.in_order()
@@ -78,11 +87,11 @@ def scene_name(file_name: str) -> str:
     return parts[-2] if last == "scene" and len(parts) > 1 else last
 
 
-def _scene(top: Table, problems: Problems) -> Scene | None:
+def _scene(top: Table, folder: SceneFolder, problems: Problems) -> Scene | None:
     source = problems.source
     name = scene_name(source.name)
     title = top.string("title", name)
-    arm_and_hand, X_FT = _robot(top.table("robot"))
+    arm_and_hand, X_FT = read_robot(top.table("robot"), folder)
     sections = top.named_tables("objects")
     locations_section = top.table("locations")
     top.finish()
@@ -97,8 +106,9 @@ def _scene(top: Table, problems: Problems) -> Scene | None:
     given: Mapping[str, Pose] = {}
     if locations_section is not None:
         given = _locations(locations_section)
-    digest = hashlib.sha256(source.text.encode()).hexdigest()
-    scene = Scene(name, title, arm_and_hand, X_FT, bodies, MappingProxyType({}), digest)
+    scene = Scene(
+        name, title, arm_and_hand, X_FT, bodies, MappingProxyType({}), _digest(source, folder)
+    )
     if problems.any_error:  # geometry is looked at only when all of it is known
         return None
     check_overlaps(bodies, problems)
@@ -111,14 +121,13 @@ def _scene(top: Table, problems: Problems) -> Scene | None:
     return replace(scene, locations=find_places(scene, given, locations_section, problems))
 
 
-def _robot(section: Table | None) -> tuple[Robot, Pose]:
-    if section is None:
-        chosen = robot("puma761")
-        return chosen, chosen.gripper.X_FP
-    chosen = robot(section.string("name", "puma761", choices=names()))
-    tool = section.numbers("tool_xyzoat", count=6, minimum=-FARTHEST, maximum=FARTHEST)
-    section.finish()
-    return chosen, chosen.gripper.X_FP if tool is None else _pose(tool)
+def _digest(source: SourceFile, folder: SceneFolder) -> str:
+    """Return the hash of the file and of those it names."""
+    digest = hashlib.sha256(source.text.encode())
+    for name, data in sorted(folder.contents.items()):
+        digest.update(f"\0{name}\0{len(data)}\0".encode())
+        digest.update(data)
+    return digest.hexdigest()
 
 
 def _pose(xyzoat: tuple[float, ...]) -> Pose:

@@ -1,0 +1,49 @@
+"""Files that a scene names: only those in its own folder, and only up to a size."""
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+_PLAIN = re.compile(r"[\w.-][\w. -]*(/[\w.-][\w. -]*)*")
+
+
+class FileFault(Exception):  # noqa: N818 -- names what it is
+    """A file that a scene names cannot be had."""
+
+
+@dataclass(slots=True)
+class SceneFolder:
+    """The folder of a scene, and what was read from it."""
+
+    path: Path | None  # None: the scene came without one
+    contents: dict[str, bytes] = field(default_factory=dict[str, bytes])  # by name, as read
+
+    def read(self, name: str, most: int) -> bytes:
+        """Return the bytes of a file.
+
+        Args:
+            name: Path within the folder, parts joined by `/`.
+            most: Bytes; a larger file is refused.
+
+        Raises:
+            FileFault: The name leads out of the folder, or the file is missing or too large.
+        """
+        if self.path is None:
+            raise FileFault("the scene came without its folder")
+        if not _PLAIN.fullmatch(name) or ".." in name.split("/"):
+            raise FileFault("only names of files in the scene's own folder are taken")
+        folder = self.path.resolve()
+        place = (folder / name).resolve()
+        if not place.is_relative_to(folder):  # by a link
+            raise FileFault("it lies outside the scene's folder")
+        if not place.is_file():
+            raise FileFault("there is no such file in the scene's folder")
+        try:
+            with place.open("rb") as file:
+                data = file.read(most + 1)
+        except OSError as refusal:
+            raise FileFault(f"it cannot be read: {refusal.strerror}") from refusal
+        if len(data) > most:
+            raise FileFault(f"it has more than {most:,} bytes")
+        self.contents[name] = data
+        return data

@@ -1,0 +1,140 @@
+"""The section `[robot]` of a scene: a robot by name, or one described by a URDF file beside it."""
+
+import posixpath
+import re
+from typing import cast
+
+from vrts.base.diagnostic import Label, Rule
+from vrts.base.oat import pose_from_components
+from vrts.base.pose import Pose
+from vrts.base.toml import Table
+from vrts.base.units import DEG, MM
+from vrts.robots.catalog import WheelMissing, names, robot
+from vrts.robots.model import Configuration, Robot
+from vrts.robots.serial_robot import Manner, serial_robot
+from vrts.robots.urdf import UrdfFault, read_urdf
+from vrts.scene.files import FileFault, SceneFolder
+
+ROBOT_FILE = Rule("V421", "robot-file")
+ROBOT_DESCRIPTION = Rule("V422", "robot-description")
+ROBOT_NOT_INSTALLED = Rule("V423", "robot-not-installed")
+TWO_ROBOTS = Rule("V424", "two-robots")
+
+USUAL = "puma761"
+FARTHEST = 10_000.0  # [mm]
+MOST_URDF = 1_000_000  # bytes
+MOST_MESH = 20_000_000  # bytes
+MOST_MESHES = 60_000_000  # bytes of all together
+
+_PACKAGE = re.compile(r"package://[^/]*/")
+
+
+def read_robot(section: Table | None, folder: SceneFolder) -> tuple[Robot, Pose]:
+    """Return the robot of a scene and the TOOL with which programs start.
+
+    What is wrong is reported; the usual robot then stands in for the rest of the reading.
+    """
+    if section is None:
+        chosen = robot(USUAL)
+        return chosen, chosen.gripper.X_FP
+    chosen = _described(section, folder) if "urdf" in section else _named(section)
+    tool = section.numbers("tool_xyzoat", count=6, minimum=-FARTHEST, maximum=FARTHEST)
+    section.finish()
+    chosen = chosen or robot(USUAL)
+    return chosen, chosen.gripper.X_FP if tool is None else _pose(tool)
+
+
+def _named(section: Table) -> Robot | None:
+    name = section.string("name", USUAL, choices=names())
+    try:
+        return robot(name)
+    except WheelMissing as missing:
+        section.problems.error(
+            ROBOT_NOT_INSTALLED,
+            f"robot `{name}` is not installed",
+            section.value_span("name"),
+            str(missing),
+            help=("pip install example-robot-data",),
+            data={"robot": name},
+        )
+        return None
+
+
+def _described(section: Table, folder: SceneFolder) -> Robot | None:
+    if "name" in section:
+        section.problems.error(
+            TWO_ROBOTS,
+            "two robots are given",
+            section.span_of("name"),
+            "by name",
+            secondary=(Label(section.span_of("urdf"), "by a description"),),
+            help=("leave out one of the two; `title` says what a described robot is called",),
+        )
+    section.string("name")
+    before = len(section.problems.found)
+    file = section.string("urdf", required=True)
+    flange = section.string("flange")
+    title = section.string("title")
+    ready = section.numbers("ready_deg", count=6, minimum=-3600, maximum=3600, required=True)
+    height = section.number("base_height_mm", 0.0, minimum=0.0, maximum=FARTHEST)
+    linear = section.number("linear_mm_s", 500.0, above=0.0, maximum=FARTHEST)  # [assumed]
+    angular = section.number("angular_deg_s", 90.0, above=0.0, maximum=3600.0)  # [assumed]
+    if file is None or ready is None or len(section.problems.found) > before:
+        return None
+    try:
+        description = read_urdf(folder.read(file, MOST_URDF), flange)
+        manner = Manner(
+            description.name,
+            title or description.name,
+            cast(Configuration, tuple(angle * DEG for angle in ready)),
+            height * MM,
+            linear * MM,
+            angular * DEG,
+        )
+        return serial_robot(description, manner, _Meshes(file, folder).read)
+    except FileFault as fault:
+        section.problems.error(
+            ROBOT_FILE,
+            f"cannot read the robot `{file}`",
+            section.value_span("urdf"),
+            str(fault),
+            help=("put the file beside the scene, and write its name",),
+            data={"file": file},
+        )
+    except UrdfFault as fault:
+        where = f"{file}, line {fault.line}" if fault.line else file
+        section.problems.error(
+            ROBOT_DESCRIPTION,
+            f"`{file}` does not describe an arm with six turning joints that can be simulated",
+            section.value_span("urdf"),
+            fault.message,
+            notes=(f"in {where}",),
+            data={"file": file, "line": fault.line or 0},
+        )
+    return None
+
+
+class _Meshes:
+    """Meshes beside a description."""
+
+    def __init__(self, file: str, folder: SceneFolder) -> None:
+        self.beside = posixpath.dirname(file)
+        self.folder = folder
+        self.bytes = 0
+
+    def read(self, name: str) -> bytes:
+        """Return a mesh by the name that the description gives it; `package://x/` is beside it."""
+        place = posixpath.join(self.beside, _PACKAGE.sub("", name, count=1))
+        try:
+            data = self.folder.contents.get(place) or self.folder.read(place, MOST_MESH)
+        except FileFault as fault:
+            raise FileFault(f"mesh `{name}`: {fault}") from fault
+        self.bytes += len(data)
+        if self.bytes > MOST_MESHES:
+            raise FileFault(f"its meshes have more than {MOST_MESHES:,} bytes")
+        return data
+
+
+def _pose(xyzoat: tuple[float, ...]) -> Pose:
+    x, y, z, o, a, t = xyzoat
+    return pose_from_components(x, y, z, o, a, t)
