@@ -174,6 +174,13 @@ def run() -> Run:
     return cast(Run, record)
 
 
+def with_segments(*segments: Segment) -> Run:
+    """Return the run with another timeline, which lasts from 0 to the end of the last segment."""
+    record = cast(Record, run())
+    end = segments[-1].end_s
+    return cast(Run, replace(record, timeline=Timeline(segments), ended_s=end, horizon_s=end))
+
+
 def replace_height(X: Pose, z: float) -> Pose:
     """Return a pose at another height [m]."""
     x, y, _ = X.translation

@@ -2,13 +2,15 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page, sync_playwright
 
-from tests.support_runs import CONTACT_S, END_S, GRASP_S, RUN_S, assessment
+from tests.support_runs import CONTACT_S, END_S, GRASP_S, RUN_S, assessment, with_segments
+from tests.support_segments import blend, sampled, segment, slowed
 from vrts.base.pose import Pose, distance
 from vrts.engine.records import Segment
 from vrts.report.overview import overview
@@ -181,6 +183,33 @@ def test_poses_in_the_browser_are_those_in_python(report: Opened) -> None:
         X_WO = X_WF @ placement.X if held else placement.X
         drop = 9.81 / 2 * (t - END_S) ** 2 if placement.lie.value == "falling" else 0.0
         near(state["can"], X_WO, lower=drop)
+
+
+def test_blends_and_what_is_slowed_down_are_evaluated_in_full(
+    browser: Browser, tmp_path: Path
+) -> None:
+    quartic, stopping = blend(0.3, 0.0, -1.0, 0.8), slowed(blend(-0.1, -1.0, 0.5, 1.0), 1.0, -0.6)
+    pieces = (
+        segment((0.3,), (0.1, 0.0, 0.75, -0.5)),
+        segment(quartic, (0.35, 0.2), start_s=1.0, length=0.8),
+        segment(stopping, (0.51,), start_s=1.8, length=1.4),
+    )
+    path = tmp_path / "blends.html"
+    a = replace(assessment(), run=with_segments(*pieces))
+    path.write_text(page(a, {"moment": PIXEL}), encoding="utf-8")
+    view = opened(browser, path)
+    until(view, "window.vrts !== undefined")
+    for t in (0.0, 0.4, 1.0, 1.1, 1.37, 1.799, 1.8, 1.93, 2.5, 3.0, 3.19):
+        piece = next(p for p in reversed(pieces) if p.start_s <= t)
+        u = np.array([t - piece.start_s])
+        state = view.page.evaluate(
+            "t => { const s = vrts.replay.at(t); return { q: [...s.q], v: [...s.v] }; }", t
+        )
+        for row, q, v in zip(piece.coefficients, state["q"], state["v"], strict=True):
+            assert q == pytest.approx(float(sampled(row, u)[0]), abs=1e-6)
+            assert v == pytest.approx(float(sampled(row, u, 1)[0]), abs=1e-5)
+    assert [m for m in view.messages if "GPU stall" not in m] == []
+    view.page.close()
 
 
 def configuration(segments: "list[Segment] | tuple[Segment, ...]", t: float) -> Configuration:

@@ -1,6 +1,8 @@
 """A run as the browser's replay takes it: segments to evaluate, not samples.
 
-Coefficients travel as float32: a joint at 3 rad is then right to 0.2 µrad, the tool to 0.5 µm.
+Every row has as many coefficients as it needs: most are constants, linear or cubic. They travel as
+float32, in powers of the share of the segment that has passed, so none is out of range however
+short a segment is: a joint at 3 rad is right to 0.2 µrad, the tool to 0.5 µm.
 """
 
 import base64
@@ -12,30 +14,14 @@ from collections.abc import Iterable, Sequence
 
 from vrts.base.source import SourceFile, Span
 from vrts.check.verdict import ContactEvent
-from vrts.engine.events import (
-    Cause,
-    Event,
-    Found,
-    Grasped,
-    HandCommanded,
-    Landed,
-    MissedOffCentre,
-    MotionEnded,
-    MotionStarted,
-    Printed,
-    ProgramEnded,
-    ProgramStarted,
-    Released,
-    SignalChanged,
-    Toppled,
-)
+from vrts.engine.events import Cause, Event, Landed, MotionEnded, MotionStarted, Toppled
 from vrts.engine.records import COORDINATES, GRAVITY, Placement, Segment
 from vrts.engine.run import Run
+from vrts.report.event_words import event_text
 from vrts.report.plain import one_line
 from vrts.report.quantities import millimetres, seconds
 from vrts.report.viewer_data import Json, pose_numbers
 
-POWERS = 4  # coefficients sent of each polynomial
 MOST_EVENTS = 2000  # rows of the list
 
 
@@ -95,14 +81,33 @@ def _end(run: Run) -> float:
 
 def _segments(segments: Iterable[Segment]) -> Json:
     kept = list(segments)
+    counts = array("B")
     coefficients = array("f")
     for segment in kept:
         assert len(segment.coefficients) == COORDINATES
+        length = segment.end_s - segment.start_s
         for row in segment.coefficients:
-            coefficients.extend(row[:POWERS])
-            coefficients.extend([0.0] * (POWERS - len(row)))
+            sent = _of_share(row, length)
+            counts.append(len(sent))
+            coefficients.extend(sent)
     knots = array("d", [kept[0].start_s, *(segment.end_s for segment in kept)])
-    return {"knots": _packed(knots), "coefficients": _packed(coefficients)}
+    return {
+        "knots": _packed(knots),
+        "counts": _packed(counts),
+        "coefficients": _packed(coefficients),
+    }
+
+
+def _of_share(row: Sequence[float], length: float) -> list[float]:
+    """Return coefficients in powers of t / length, without the zeros at the end; at least one."""
+    count = len(row)
+    while count > 1 and row[count - 1] == 0.0:
+        count -= 1
+    scale, scaled = 1.0, [row[0]]
+    for k in range(1, count):
+        scale *= length
+        scaled.append(row[k] * scale)
+    return scaled
 
 
 def _still(run: Run) -> Segment:
@@ -112,7 +117,7 @@ def _still(run: Run) -> Segment:
     return Segment(0.0, 0.0, rows, None)
 
 
-def _packed(numbers: "array[float]") -> str:
+def _packed(numbers: "array[float] | array[int]") -> str:
     """Return little-endian numbers, deflated (loops repeat themselves), in base64."""
     if sys.byteorder == "big":
         numbers = array(numbers.typecode, numbers)
@@ -183,36 +188,3 @@ def _event_rows(events: Sequence[Event], source: SourceFile | None) -> list[Json
             line = _line(event.cause, source)
             rows.append({"t": seconds(event.time_s), "kind": kind, "text": text, "line": line})
     return rows
-
-
-def event_text(event: Event) -> tuple[str, str] | None:
-    """Return the kind and the words of an event worth a row; None for the ends of motions."""
-    match event:
-        case ProgramStarted(program=program):
-            return ("program", f"program {program} starts")
-        case ProgramEnded(ending=ending):
-            return ("program", f"program over: {ending}")
-        case MotionStarted(cause=cause):
-            return ("motion", one_line(cause.span.text))
-        case MotionEnded():
-            return None
-        case HandCommanded(action=action):
-            return ("hand", f"hand: {action}")
-        case Grasped(body=body):
-            return ("grasp", f"{body} grasped")
-        case MissedOffCentre(body=body):
-            return ("fault", f"{body} missed: only one finger meets it")
-        case Released(body=body, height_m=height):
-            fall = f", to fall {millimetres(height):g} mm" if height > 0 else ""
-            return ("grasp", f"{body} released{fall}")
-        case Landed(body=body, support=support):
-            return ("grasp", f"{body} stands on {support}")
-        case Toppled(body=body, support=support):
-            return ("fault", f"{body} cannot stand on {support}")
-        case SignalChanged(signal=signal, on=on):
-            return ("signal", f"signal {signal} {'on' if on else 'off'}")
-        case Printed(text=text):
-            return ("output", one_line(text)) if text.strip() else None
-        case Found(diagnostic=diagnostic):
-            kind = "fault" if diagnostic.is_error else "note"
-            return (kind, one_line(diagnostic.headline))

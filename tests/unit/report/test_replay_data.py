@@ -5,10 +5,13 @@ import json
 import zlib
 from array import array
 from bisect import bisect_right
+from itertools import accumulate, pairwise
 
+import numpy as np
 import pytest
 
-from tests.support_runs import scene
+from tests.support_runs import scene, with_segments
+from tests.support_segments import blend, sampled, segment, slowed
 from vrts.base.source import SourceFile
 from vrts.engine.controller import execute
 from vrts.engine.run import Run
@@ -46,22 +49,54 @@ def numbers(text: object, kind: str) -> "array[float]":
     return array(kind, zlib.decompress(base64.b64decode(text)))
 
 
+def sent_rows(segments: dict[str, str]) -> "list[array[float]]":
+    """Return the coefficients of every polynomial, in powers of the share that has passed."""
+    coefficients = numbers(segments["coefficients"], "f")
+    ends = list(accumulate(zlib.decompress(base64.b64decode(segments["counts"]))))
+    assert ends[-1] == len(coefficients)
+    return [coefficients[a:b] for a, b in pairwise([0, *ends])]
+
+
 def test_the_segments_give_back_every_configuration(run: Run) -> None:
     segments = json.loads(json.dumps(run_data(run, PROGRAM)))["segments"]
-    knots = numbers(segments["knots"], "d")
-    coefficients = numbers(segments["coefficients"], "f")
-    assert len(coefficients) == 28 * (len(knots) - 1)
+    knots, rows = numbers(segments["knots"], "d"), sent_rows(segments)
+    assert len(rows) == 7 * (len(knots) - 1)
     assert (knots[0], knots[-1]) == (0.0, run.horizon_s)
     for k in range(101):
         t = run.horizon_s * k / 100
         at = bisect_right(knots, t, hi=len(knots) - 1) - 1
-        u = t - knots[at]
+        share = (t - knots[at]) / (knots[at + 1] - knots[at])
         state = run.at(t)
         expected = (*state.configuration, state.hand_opening)
-        for row, value in enumerate(expected):
-            first = 28 * at + 4 * row
-            sent = sum(c * u**power for power, c in enumerate(coefficients[first : first + 4]))
-            assert sent == pytest.approx(value, abs=2e-6)
+        for row, value in zip(rows[7 * at : 7 * at + 7], expected, strict=True):
+            assert value_at(row, share) == pytest.approx(value, abs=2e-6)
+
+
+def value_at(row: "array[float]", share: float) -> float:
+    return sum(c * share**power for power, c in enumerate(row))
+
+
+def test_rows_have_the_coefficients_they_need() -> None:
+    stopping = slowed(blend(0.3, -2.0, 1.0, 0.5), 1.0, -0.5)
+    pieces = (
+        segment((0.5, 0.0), (0.0, 0.0, 3.0, -2.0, 0.0)),
+        segment(blend(0.3, 1.0, -2.0, 0.5), stopping, start_s=1.0, length=0.5),
+    )
+    segments = json.loads(json.dumps(run_data(with_segments(*pieces), None)))["segments"]
+    rows = sent_rows(segments)
+    assert [len(row) for row in rows] == [1, 4, *[1] * 5, 5, 9, *[1] * 5]
+    for share in (0.0, 0.3, 0.8, 1.0):
+        for row, k in ((rows[7], 0), (rows[8], 1)):
+            u = np.array([0.5 * share])
+            exact = float(sampled(pieces[1].coefficients[k], u)[0])
+            assert value_at(row, share) == pytest.approx(exact, abs=1e-6)
+
+
+def test_a_very_short_segment_of_degree_8_stays_within_single_precision() -> None:
+    row = tuple(0.1 / 1e-5**power for power in range(9))  # up to 1e39
+    segments = run_data(with_segments(segment(row, length=1e-5)), None)["segments"]
+    (sent, *_) = sent_rows(json.loads(json.dumps(segments)))
+    assert value_at(sent, 1.0) == pytest.approx(0.9, abs=1e-6)
 
 
 def test_the_line_at_work_is_that_of_the_motion(run: Run) -> None:

@@ -1,12 +1,12 @@
 // Seven coordinates at any time, from polynomial segments: six joints [rad], hand opening [m].
 
 export const COORDINATES = 7;
-const POWERS = 4; // cubics: c0 + c1 u + c2 u^2 + c3 u^3, u = t - start
 
 /**
  * @typedef {object} SegmentData numbers are little-endian, deflated, in base64
  * @property {string} knots float64: where the segments meet, both ends included [s]
- * @property {string} coefficients float32: segment, coordinate, power
+ * @property {string} counts uint8: how many coefficients, by segment and coordinate
+ * @property {string} coefficients float32: c0 + c1 s + c2 s^2 ..., s = (t - start) / (end - start)
  */
 
 /** @typedef {{position: Float64Array, velocity: Float64Array}} Motion */
@@ -15,18 +15,22 @@ const POWERS = 4; // cubics: c0 + c1 u + c2 u^2 + c3 u^3, u = t - start
 export class Timeline {
   /**
    * @param {Float64Array} knots one more than segments [s]
+   * @param {Uint8Array} counts of coefficients, seven for each segment
    * @param {Float32Array} coefficients
    */
-  constructor(knots, coefficients) {
+  constructor(knots, counts, coefficients) {
     this.starts = knots.subarray(0, -1);
     this.ends = knots.subarray(1);
     this.coefficients = coefficients;
+    this.first = new Uint32Array(counts.length + 1); // where each polynomial begins
+    counts.forEach((count, i) => (this.first[i + 1] = this.first[i] + count));
   }
 
   /** @param {SegmentData} data */
   static async unpack(data) {
-    const [knots, coefficients] = await Promise.all([inflate(data.knots), inflate(data.coefficients)]);
-    return new Timeline(new Float64Array(knots), new Float32Array(coefficients));
+    const parts = [data.knots, data.counts, data.coefficients];
+    const [knots, counts, coefficients] = await Promise.all(parts.map(inflate));
+    return new Timeline(new Float64Array(knots), new Uint8Array(counts), new Float32Array(coefficients));
   }
 
   /** End of the last segment [s]. */
@@ -71,11 +75,18 @@ export class Timeline {
   evaluate(segment, u, moving = true) {
     const position = new Float64Array(COORDINATES);
     const velocity = new Float64Array(COORDINATES);
+    const length = this.ends[segment] - this.starts[segment];
+    const share = length > 0 ? u / length : 0;
     for (let i = 0; i < COORDINATES; i++) {
-      const at = (segment * COORDINATES + i) * POWERS;
-      const [c0, c1, c2, c3] = this.coefficients.subarray(at, at + POWERS);
-      position[i] = c0 + u * (c1 + u * (c2 + u * c3));
-      velocity[i] = moving ? c1 + u * (2 * c2 + u * 3 * c3) : 0;
+      const row = segment * COORDINATES + i;
+      let value = 0;
+      let slope = 0;
+      for (let at = this.first[row + 1] - 1; at >= this.first[row]; at--) {
+        slope = slope * share + value;
+        value = value * share + this.coefficients[at];
+      }
+      position[i] = value;
+      velocity[i] = moving && length > 0 ? slope / length : 0;
     }
     return { position, velocity };
   }
