@@ -140,7 +140,9 @@ def _answers(section: Table | None) -> tuple[str, ...]:
         return ()
     answers = section.strings("answers", ()) or ()
     section.finish()
-    check_count(section.problems, len(answers), MOST_ANSWERS, "answers", section.span_of("answers"))
+    span = section.span_of("answers")
+    if not check_count(section.problems, len(answers), MOST_ANSWERS, "answers", span):
+        return ()
     for index, answer in enumerate(answers):
         reason = _refused(answer)
         if reason:

@@ -27,7 +27,7 @@ FIRST_INPUT, LAST_INPUT = 1001, 1032  # [assumed, val2.md 3.5]
 LATEST_S = 7200.0  # any time in a scenario [s]
 FARTHEST_MM = 10_000.0  # any corner of a region
 MOST_CHANGES = 10_000  # of all inputs together
-MOST_FAULTS = 1_000
+MOST_ENTRIES = 1_000  # of `[[inputs]]`, of `[[sensors]]`, and of `[[faults]]`
 
 
 class Inputs(NamedTuple):
@@ -48,13 +48,13 @@ def read_inputs(top: Table, scene: Scene) -> Inputs:
     problems = top.problems
     driven: dict[int, Span] = {}
     changes: list[tuple[float, int, bool]] = []
-    for table in top.tables("inputs"):
+    for table in _entries(top, "inputs"):
         signal, own = _input(table)
         if signal is not None and _driven_once(table, signal, driven):
             changes += [(change.time_s, signal, change.on) for change in own]
     check_count(problems, len(changes), MOST_CHANGES, "changes of inputs", top.span_of("inputs"))
     sensors: list[Sensor] = []
-    for table in top.tables("sensors"):
+    for table in _entries(top, "sensors"):
         signal, sensor = _sensor(table, scene)
         if signal is not None and _driven_once(table, signal, driven) and sensor is not None:
             sensors.append(sensor)
@@ -63,14 +63,12 @@ def read_inputs(top: Table, scene: Scene) -> Inputs:
 
 def read_faults(top: Table) -> tuple[PlannedFault, ...]:
     """Return the faults that a scenario brings about, by time."""
-    tables = top.tables("faults")
-    check_count(top.problems, len(tables), MOST_FAULTS, "faults", top.span_of("faults"))
-    found = [fault for fault in map(_fault, tables) if fault is not None]
+    found = [fault for fault in map(_fault, _entries(top, "faults")) if fault is not None]
     return tuple(sorted(found, key=lambda fault: fault.time_s))
 
 
-def check_count(problems: Problems, count: int, most: int, what: str, span: Span) -> None:
-    """Report more entries than a scenario may have."""
+def check_count(problems: Problems, count: int, most: int, what: str, span: Span) -> bool:
+    """Return whether a scenario may have so many of something; report it if not."""
     if count > most:
         problems.error(
             TOO_MANY,
@@ -79,6 +77,14 @@ def check_count(problems: Problems, count: int, most: int, what: str, span: Span
             f"a scenario may have {most:,}",
             data={"count": count, "most": most},
         )
+    return count <= most
+
+
+def _entries(top: Table, key: str) -> tuple[Table, ...]:
+    """Return the tables `[[key]]`; of too many none is read, so that a fault costs little."""
+    tables = top.tables(key)
+    few = check_count(top.problems, len(tables), MOST_ENTRIES, key, top.span_of(key))
+    return tables if few else ()
 
 
 def _signal(table: Table, *, required: bool = True) -> int | None:
@@ -229,7 +235,7 @@ def _seen(table: Table, scene: Scene) -> tuple[str, ...] | None:
             notes=("the scene holds no object that can be carried",),
             help=(f'write sees = ["{TOOL}"], or choose another scene',),
         )
-    return names
+    return tuple(dict.fromkeys(names))  # each once: the engine asks for them at every tick
 
 
 def _listed(names: tuple[str, ...]) -> str:

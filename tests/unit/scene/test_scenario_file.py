@@ -48,7 +48,7 @@ on_s = [2]
 [[sensors]]
 signal = 1003
 region_mm = { from = [900, -550, -100], to = [700, -350, -300] }
-sees = ["can1", "tool"]
+sees = ["can1", "tool", "can1"]
 inverted = true
 
 [[sensors]]
@@ -302,6 +302,27 @@ def many_changes() -> str:
     on = ", ".join(f"{k}.0" for k in range(MOST_CHANGES // 2 + 1))
     off = ", ".join(f"{k}.5" for k in range(MOST_CHANGES // 2 + 1))
     return f"[[inputs]]\nsignal = 1001\non_s = [{on}]\noff_s = [{off}]\n"
+
+
+TOO_MANY = [
+    ("[[inputs]]\nsignal = 1001\non_s = [1]\n", 1000),
+    ("[[sensors]]\nsignl = 1001\n", 1000),
+    ("[[faults]]\ntim_s = 1\nkin = 'gripper slips'\n", 1000),
+]
+
+
+@pytest.mark.parametrize(("entry", "most"), TOO_MANY)
+def test_of_too_many_entries_none_is_read(entry: str, most: int, cans: Scene) -> None:
+    """Faulty or not: what a hostile file costs is bounded."""
+    _, (problem,) = read(entry * (most + 1), cans)
+    assert problem.rule.code == "V480"
+    assert problem.data["most"] == most
+
+
+def test_too_many_answers_are_one_error(cans: Scene) -> None:
+    answers = ", ".join(["'a'"] * 10_001)
+    _, (problem,) = read(f"[prompts]\nanswers = [{answers}]\n", cans)
+    assert problem.rule.code == "V480"
 
 
 def with_far(scene: Scene) -> Scene:
