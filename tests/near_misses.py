@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from tests.collision_runs import Line, Record, fixed, hermite, movable, scene_of
+from tests.support_segments import blend, slowed
 from vrts.base.pose import IDENTITY, Pose, rotation_about, translation
 from vrts.engine.records import Lie, Placement, Segment
 from vrts.geometry.narrow import pair, transform
@@ -19,7 +20,7 @@ from vrts.geometry.support import support
 from vrts.robots.batch import link_frames
 from vrts.robots.catalog import robot
 from vrts.robots.kinematics import forward
-from vrts.robots.model import Configuration
+from vrts.robots.model import Configuration, SphericalWristArm
 from vrts.scene.model import Body, Scene
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -38,8 +39,13 @@ class NearMiss(NamedTuple):
     duration: float
 
 
-def near_miss(seed: int) -> NearMiss:
-    """Return a motion of 0.5 to 1.5 s with something thin within millimetres of the hand's way."""
+def near_miss(seed: int, *, high: bool = False) -> NearMiss:
+    """Return a motion of 0.5 to 1.5 s with something thin within millimetres of the hand's way.
+
+    Args:
+        seed: Chooses everything.
+        high: Whether the motion is of degree 8, moving at its end, instead of a cubic.
+    """
     random = np.random.default_rng((2026, seed))
     machine = robot("puma761")
     arm = machine.arm
@@ -51,6 +57,12 @@ def near_miss(seed: int) -> NearMiss:
     rows = [
         hermite(float(a), float(b), 0.0, 0.0, duration) for a, b in zip(start, goal, strict=True)
     ]
+    if high:
+        rate = float(random.uniform(0.6, 1.4))
+        rows = [
+            _high(float(a), 0.5 * float(b - a), rate, duration)
+            for a, b in zip(start, goal, strict=True)
+        ]
     opening = float(random.uniform(0.0, 0.08))
     segment = Segment(0.0, duration, (*rows, (opening,)), None)
     at = float(random.uniform(0.2, 0.8)) * duration
@@ -74,6 +86,13 @@ def near_miss(seed: int) -> NearMiss:
         placements["can"] = (Placement("can", 0.0, math.inf, Lie.HELD, X_FO, None),)
     record = Record(Line((segment,)), (), (), placements)
     return NearMiss(kind, scene_of(*bodies, machine=machine), record, duration)
+
+
+def _high(start: float, step: float, rate: float, duration: float) -> tuple[float, ...]:
+    """Return a quartic from rest to motion, under a rate of time that changes all along."""
+    path = tuple(c * step for c in blend(0.0, 0.0, 2.0, 1.0))
+    first, *others = slowed(path, rate / duration, 2.0 * (1.0 - rate) / duration**2)
+    return (start + first, *others)
 
 
 def _at(rows: list[tuple[float, ...]], t: float) -> Configuration:
@@ -119,6 +138,7 @@ def sampled(case: NearMiss, step_s: float = 1e-4) -> Array:
     """Return the times, of those every `step_s`, at which robot and obstacle are in contact."""
     machine = case.scene.robot
     obstacle = case.scene.bodies[0].pieces[0]
+    assert isinstance(machine.arm, SphericalWristArm)
     X_LF = translation(0.0, 0.0, machine.arm.d6)
     parts = [_Part(Piece(p.shape, X_LF @ p.X_OP), 6, 0.0) for p in machine.gripper.body] + [
         _Part(Piece(p.shape, X_LF @ p.X_OP), 6, 0.5 * f.side)
@@ -164,7 +184,7 @@ def _near(case: NearMiss, part: _Part, obstacle: Piece, times: Array) -> npt.NDA
 
 def _placed(case: NearMiss, part: _Part, times: Array) -> tuple[Array, Array]:
     segment = case.record.timeline.segments[0]
-    powers = times[:, None] ** np.arange(4)
+    powers = times[:, None] ** np.arange(len(segment.coefficients[0]))
     q = powers @ np.array(segment.coefficients[:6]).T
     rotations, origins = link_frames(case.scene.robot.arm, q)
     R, p = rotations[part.frame], origins[part.frame]

@@ -100,11 +100,15 @@ def test_the_spread_of_curves_is_exact(seed: int) -> None:
         assert (slope[steady].max(axis=0) <= spread.acceleration[0] + 1e-3).all()
 
 
-@pytest.mark.parametrize("first", range(0, 200, 20))
-def test_no_contact_that_sampling_finds_is_missed(first: int) -> None:
+CUBICS = [(first, False) for first in range(0, 200, 20)]
+DEGREE_8 = [(first, True) for first in range(0, 60, 20)]
+
+
+@pytest.mark.parametrize(("first", "high"), CUBICS + DEGREE_8)
+def test_no_contact_that_sampling_finds_is_missed(first: int, high: bool) -> None:
     hits = 0
     for seed in range(first, first + 20):
-        case = near_miss(seed)
+        case = near_miss(seed, high=high)
         times = sampled(case)
         if not len(times):
             continue

@@ -33,7 +33,7 @@ class _Fastest(NamedTuple):
     share: float
     joint: int  # from 0
     speed: float  # [rad/s]
-    time_s: float
+    moment: Moment
 
 
 def check_limits(run: Run) -> Verdict:
@@ -51,7 +51,7 @@ def check_limits(run: Run) -> Verdict:
     out = (bounds.lower[:, :6] < lower) | (bounds.upper[:, :6] > upper)
     out[~moving] = False
     for piece, joint in np.argwhere(out).tolist():
-        outside = _outside(run, segments[piece], joint)
+        outside = _outside(run, segments[piece], known, joint)
         if outside is not None:
             findings.append(outside)
             break
@@ -80,13 +80,14 @@ def _over(run: Run, segments: Sequence[Segment], known: Curves, shares: Array) -
         best, joint = divmod(int(np.argmax(shares[own])), 6)
         segment = segments[int(own[best])]
         speed, at = fastest(segment.coefficients[joint], segment.end_s - segment.start_s)
-        share, time_s = speed / run.scene.robot.arm.speed[joint], segment.start_s + at
-        found.append(_Fastest(run.motions[motion], share, joint, speed, time_s))
+        share = speed / run.scene.robot.arm.speed[joint]
+        moment = _moment(known, segment.start_s + at)
+        found.append(_Fastest(run.motions[motion], share, joint, speed, moment))
     return found
 
 
 def _too_fast(run: Run, found: _Fastest) -> Diagnostic:
-    motion, share, joint, speed, time_s = found
+    motion, share, joint, speed, moment = found
     limit = run.scene.robot.arm.speed[joint]
     percent = math.floor(100.0 * motion.speed_fraction / share)
     remedy = f"lower SPEED to {percent} or less" if percent >= 1 else "go round the singularity"
@@ -100,7 +101,7 @@ def _too_fast(run: Run, found: _Fastest) -> Diagnostic:
             motion.cause.span, f"needs {deg(speed):.0f} deg/s; the limit is {deg(limit):.0f} deg/s"
         ),
         help=(remedy,),
-        moment=_moment(run, time_s),
+        moment=moment,
         data={"joint": joint + 1, "speed_deg_s": deg(speed), "limit_deg_s": deg(limit)},
     )
 
@@ -111,7 +112,7 @@ def _range(run: Run) -> tuple[Array, Array]:
     return np.array(arm.lower) - POSITION_TOLERANCE, np.array(arm.upper) + POSITION_TOLERANCE
 
 
-def _outside(run: Run, segment: Segment, joint: int) -> Diagnostic | None:
+def _outside(run: Run, segment: Segment, known: Curves, joint: int) -> Diagnostic | None:
     assert segment.motion is not None
     lower, upper = _range(run)
     row, length = segment.coefficients[joint], segment.end_s - segment.start_s
@@ -124,11 +125,11 @@ def _outside(run: Run, segment: Segment, joint: int) -> Diagnostic | None:
         Severity.ERROR,
         f"joint {joint + 1} leaves its range on this move",
         Label(run.motions[segment.motion].cause.span, f"reaches {deg(position):.1f} degrees"),
-        moment=_moment(run, segment.start_s + at),
+        moment=_moment(known, segment.start_s + at),
         data={"joint": joint + 1, "value_deg": deg(position)},
     )
 
 
-def _moment(run: Run, time_s: float) -> Moment:
-    state = run.at(time_s)
-    return Moment(time_s, (*state.configuration, state.hand_opening))
+def _moment(known: Curves, time_s: float) -> Moment:
+    coordinates: list[float] = known.values(np.array([time_s]))[0].tolist()
+    return Moment(time_s, tuple(coordinates))
