@@ -84,7 +84,7 @@ _COMMANDS = (
     _c("RENAME", "LIST", "RENAME new = old", "rename a program"),
     _c("RESET", "STEP", "RESET", "turn all outputs off"),
     _c("RETRY", "NONE", "RETRY", "repeat the step that failed"),
-    _c("SIGNAL", "STEP", "SIGNAL number", "turn outputs on or off"),
+    _c("SIGNAL", "LIST", "SIGNAL number", "turn outputs on or off"),
     _c("SPEED", "LIST", "SPEED percent", "set the operator's speed"),
     _c("SSTEP", "LIST", "SSTEP", "carry out one step, calls whole"),
     _c("STATUS", "NONE", "STATUS", "show what is running"),

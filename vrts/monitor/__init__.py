@@ -1,0 +1,1 @@
+"""The monitor: the operator's dialogue over a controller."""

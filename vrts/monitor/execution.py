@@ -1,0 +1,271 @@
+"""Commands that execute, and those that show what is going on [val2.md 5.2, 5.6]."""
+
+from vrts import __version__
+from vrts.engine.records import ProgramState, ProgramStatus
+from vrts.engine.signals import INPUTS, INTERNAL, OUTPUTS
+from vrts.ir.commands import (
+    Abort,
+    AbortProcess,
+    Command,
+    Do,
+    EndCycle,
+    EndProcess,
+    Execute,
+    ForceSignals,
+    Kill,
+    MonitorSpeed,
+    Panic,
+    Proceed,
+    ProceedProcess,
+    Retry,
+    RetryProcess,
+    RunSteps,
+    StartProcess,
+)
+from vrts.ir.system import PARAMETERS, SWITCHES
+from vrts.lang.commands import CommandLine
+from vrts.lang.entry import check_alone
+from vrts.lang.syntax import Element, Name
+from vrts.monitor import words
+from vrts.monitor.desk import Desk, Refused, Situation, Turn, one_step, program_name, real, whole
+from vrts.monitor.listings import (
+    parameters_text,
+    signals_text,
+    status_text,
+    switches_text,
+    where_of_as_text,
+    where_text,
+)
+from vrts.monitor.programs import step_text
+from vrts.monitor.questions import sure
+from vrts.monitor.values import here_pose
+
+INSTALLED = {kind.start: len(kind) for kind in (OUTPUTS, INPUTS, INTERNAL)}
+_MOST_CYCLES = 32767
+_MOST_SPEED = 100.0  # % [val2.md 3.1: V+ clips there]
+
+PLAIN: dict[str, Command] = {
+    "ABORT": Abort(),
+    "CYCLE.END": EndCycle(),
+    "KILL": Kill(),
+    "PANIC": Panic(),
+    "PCABORT": AbortProcess(),
+    "PCPROCEED": ProceedProcess(),
+    "PCRETRY": RetryProcess(),
+    "PROCEED": Proceed(),
+    "RETRY": Retry(),
+}
+
+
+def plain(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """Issue a command that takes no operand."""
+    return Turn(commands=(PLAIN[line.word.text],))
+
+
+def execute(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """EXECUTE [program] [, cycles [, step]]."""
+    name, cycles, step = _program_and_counts(line, desk.last_executed, desk, now)
+    desk.last_executed = name
+    return Turn(commands=(Execute(name, cycles, step),))
+
+
+def execute_process(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """PCEXECUTE [program] [, cycles [, step]]."""
+    name, cycles, step = _program_and_counts(line, desk.last_process, desk, now)
+    desk.last_process = name
+    return Turn(commands=(StartProcess(name, cycles, step),))
+
+
+def _program_and_counts(
+    line: CommandLine, last: str | None, desk: Desk, now: Situation
+) -> tuple[str, int, int]:
+    first, *counts = line.operands or (None,)
+    if len(counts) > 2 or line.values is not None:
+        raise Refused(words.starred(words.UNEXPECTED_TEXT, f"write `{line.word.usage}`"))
+    name = last if first is None else program_name(first)
+    if name is None:
+        raise Refused(words.starred(words.MISSING_ARGUMENT, f"write `{line.word.usage}`"))
+    program = desk.program(name)
+    if program.program is None:
+        raise Refused(words.starred(words.NOT_EXECUTABLE, f"`LISTP {name}` shows its bad steps"))
+    cycles, step = (*(whole(line, c, 1, desk, now) for c in counts), 1, 1)[:2]
+    if not -_MOST_CYCLES - 1 <= cycles <= _MOST_CYCLES:
+        raise Refused(words.starred(words.ILLEGAL_VALUE, "cycles are from -32768 to 32767"))
+    if not 1 <= step <= max(len(program.lines), 1):
+        raise Refused(words.starred(words.ILLEGAL_VALUE, f"`{name}` has no step {step}"))
+    return name, cycles, step
+
+
+def steps(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """NEXT [n], SSTEP, XSTEP."""
+    if len(line.operands) > 1 or (line.operands and line.word.text != "NEXT"):
+        raise Refused(words.starred(words.UNEXPECTED_TEXT, f"write `{line.word.usage}`"))
+    count = whole(line, line.operands[0] if line.operands else None, 1, desk, now)
+    if not 1 <= count <= _MOST_CYCLES:
+        raise Refused(words.starred(words.ILLEGAL_VALUE, "steps are from 1 to 32767"))
+    return Turn(commands=(RunSteps(count, line.word.text == "SSTEP"),))
+
+
+def end_process(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """PCEND [1 | -1]."""
+    sign = whole(line, line.operands[0] if line.operands else None, 1, desk, now)
+    return Turn(commands=(EndProcess(sign >= 0),))
+
+
+def do(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """DO [instruction]: without one the last one again."""
+    text = line.rest or desk.last_do
+    if text is None:
+        raise Refused(words.starred(words.MISSING_ARGUMENT, "write `DO instruction`"))
+    refused = words.first_refusal(check_alone(text, desk.dialect))
+    if refused is not None:
+        raise Refused(refused)
+    module = one_step(text, desk, now)
+    desk.last_do = text
+    return Turn(commands=(Do(module),))
+
+
+def as_instruction(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """Carry out a command that is an instruction too: BASE, ENABLE, RESET, SIGNAL, TOOL ..."""
+    text = f"{line.word.text} {line.rest}".rstrip()
+    refused = words.first_refusal(check_alone(text, desk.dialect))
+    if refused is not None:
+        raise Refused(refused)
+    return Turn(commands=(Do(one_step(text, desk, now)),))
+
+
+def signal(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """SIGNAL number, number: also while a program executes."""
+    if not now.executing:
+        return as_instruction(line, desk, now)
+    numbers = tuple(whole(line, operand, 0, desk, now) for operand in line.operands)
+    bad = next((n for n in numbers if n and abs(n) not in (*OUTPUTS, *INTERNAL)), None)
+    if bad is not None or not numbers:
+        raise Refused(words.starred("Illegal digital signal", f"there is no output {bad}"))
+    return Turn(commands=(ForceSignals(tuple(n for n in numbers if n)),))
+
+
+def reset(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """RESET: all outputs off, also while a program executes."""
+    if not now.executing:
+        return as_instruction(line, desk, now)
+    on = sorted(number for number in now.state.signals if number in OUTPUTS)
+    return Turn(commands=(ForceSignals(tuple(-number for number in on)),) if on else ())
+
+
+def speed(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """SPEED percent: of the monitor, at once; more than 100 counts as 100."""
+    percent = real(line, line.operands[0] if line.operands else None, desk, now)
+    if not percent > 0.0:
+        raise Refused(words.starred(words.ILLEGAL_VALUE, "a speed is more than 0 percent"))
+    return Turn(commands=(MonitorSpeed(min(percent, _MOST_SPEED)),))
+
+
+def calibrate(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """CALIBRATE: asks; the simulated arm always knows where it is."""
+    return sure(desk, now, lambda desk, now: Turn())
+
+
+# --- what is going on -----------------------------------------------------------------------------
+
+
+def where(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """WHERE: pose, joints and hand at this moment."""
+    state = now.state
+    block = whole(line, line.operands[0] if line.operands else None, 0, desk, now)
+    if desk.dialect.is_as:
+        return Turn(where_of_as_text(here_pose(now), state.configuration, block=block))
+    return Turn(where_text(here_pose(now), state.configuration, state.hand_opening))
+
+
+def signals(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """IO [n]: the nth 32 signals of each kind."""
+    block = whole(line, line.operands[0] if line.operands else None, 1, desk, now)
+    if not 1 <= block <= 16:
+        raise Refused(words.starred(words.ILLEGAL_VALUE, "blocks of signals are 1 to 16"))
+    return Turn(signals_text(now.state.signals, block, INSTALLED))
+
+
+def status(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """STATUS, PCSTATUS."""
+    process = line.word.text == "PCSTATUS"
+    program = now.state.process if process else now.state.robot
+    title = "PC program" if process else "Robot program"
+    speeds = (now.state.monitor_speed, now.state.program_speed)
+    if program is None:
+        return Turn(status_text(speeds, title, "NOT RUNNING", (0, 0), ()))
+    word = _STATUS[program.status]
+    cycles = (program.cycles_done, program.cycles_left)
+    return Turn(status_text(speeds, title, word, cycles, _frames(program, desk)))
+
+
+_STATUS = {
+    ProgramStatus.NOT_RUNNING: "NOT RUNNING",
+    ProgramStatus.RUNNING: "RUNNING",
+    ProgramStatus.WAITING: "WAITING",
+    ProgramStatus.STOPPED: "STOPPED",
+    ProgramStatus.COMPLETED: "NOT RUNNING",
+}
+
+
+def _frames(program: ProgramState, desk: Desk) -> tuple[tuple[str, int, int, str], ...]:
+    cause = program.cause
+    if cause is None:
+        return ()
+    stored = desk.programs.get(cause.program)
+    text = cause.span.text if stored is None else step_text(stored, cause.step, desk.dialect)
+    return ((cause.program, program.priority, cause.step, text),)
+
+
+def switches(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """SWITCH [name]."""
+    states = now.state.switches
+    if not line.operands:
+        return Turn(switches_text((name, states.get(name, s.on)) for name, s in SWITCHES.items()))
+    names = [_system_name(operand, "switch") for operand in line.operands]
+    unknown = next((name for name in names if name not in SWITCHES), None)
+    if unknown is not None:
+        raise Refused(words.starred("Invalid switch", f"there is no switch {unknown}"))
+    return Turn(switches_text((name, states.get(name, SWITCHES[name].on)) for name in names))
+
+
+def parameter(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """PARAMETER [name [= value]]."""
+    if line.values is not None:
+        return as_instruction(line, desk, now)
+    values = now.state.parameters
+    if not line.operands:
+        return Turn(parameters_text(values, PARAMETERS))
+    names = [_system_name(operand, "parameter") for operand in line.operands]
+    unknown = next((name for name in names if name not in PARAMETERS), None)
+    if unknown is not None:
+        raise Refused(words.starred("Invalid parameter", f"there is no parameter {unknown}"))
+    return Turn(parameters_text(values, names))
+
+
+def _system_name(operand: object, what: str) -> str:
+    if isinstance(operand, Element):
+        operand = operand.name
+    if not isinstance(operand, Name):
+        raise Refused(words.starred(words.INVALID_NAME, f"here the name of a {what} belongs"))
+    return operand.text.upper()
+
+
+def free(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """FREE: what memory holds; the simulator has no end of it."""
+    count = len(desk.programs)
+    total = sum(len(program.lines) for program in desk.programs.values())
+    return Turn(
+        f"{count} program{'' if count == 1 else 's'}, {total} step{'' if total == 1 else 's'}, "
+        f"{len(now.state.variables)} values in memory; there is room for more\n"
+    )
+
+
+def time(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """TIME: simulated seconds since the controller was turned on."""
+    return Turn(f"{now.state.time_s:.3f} s\n")
+
+
+def identify(line: CommandLine, desk: Desk, now: Situation) -> Turn:
+    """ID: what this is."""
+    return Turn(f"vrts {__version__}, simulated {desk.dialect.title} controller\n")

@@ -1,0 +1,177 @@
+"""The monitor: a line goes in, text and commands for the controller come out.
+
+Nothing here reads a terminal, a clock or the disk: files are those of the `Folder` it is given.
+Terminal, browser and emulated controller drive the same one, through `dialogue.Dialogue`.
+"""
+
+from collections.abc import Callable
+
+from vrts.base.source import SourceFile
+from vrts.engine.events import CommandRefused, Event, Found, Printed, ProgramEnded
+from vrts.engine.run import State
+from vrts.ir.commands import Abort, AbortProcess, Answer
+from vrts.lang.commands import CommandLine, read_command
+from vrts.lang.vocabulary.commands import IDLE_ONLY
+from vrts.monitor import editor, execution, files, teaching, texts, values, words
+from vrts.monitor.desk import ALONE, Calculate, Desk, Mode, Refused, Situation, Turn, executes
+from vrts.monitor.folder import CannotUse
+
+MAX_LINE = 1000  # characters that are looked at; no command or step is as long
+
+Handler = Callable[[CommandLine, Desk, Situation], Turn]
+
+HANDLERS: dict[str, Handler] = {
+    **dict.fromkeys(execution.PLAIN, execution.plain),
+    "BASE": execution.as_instruction,
+    "CALIBRATE": execution.calibrate,
+    "COPY": texts.copy,
+    "DELETE": texts.delete,
+    "DELETEL": values.delete,
+    "DELETEP": texts.delete_programs,
+    "DELETER": values.delete,
+    "DELETES": values.delete,
+    "DIRECTORY": texts.directory,
+    "DISABLE": execution.as_instruction,
+    "DO": execution.do,
+    "DPOINT": values.delete,
+    "EDIT": editor.edit_command,
+    "ENABLE": execution.as_instruction,
+    "EXECUTE": execution.execute,
+    "FCOPY": files.copy_file,
+    "FDELETE": files.delete_file,
+    "FDIRECTORY": files.list_files,
+    "FLIST": files.show_file,
+    "FREE": execution.free,
+    "FRENAME": files.rename_file,
+    "HERE": values.here,
+    "ID": execution.identify,
+    "IO": execution.signals,
+    "LISTF": files.list_files,
+    "LISTL": values.list_locations,
+    "LISTP": texts.list_programs,
+    "LISTR": values.list_reals,
+    "LISTS": values.list_strings,
+    "LOAD": files.load,
+    "LOADL": files.load,
+    "LOADP": files.load,
+    "NEXT": execution.steps,
+    "PARAMETER": execution.parameter,
+    "PCEND": execution.end_process,
+    "PCEXECUTE": execution.execute_process,
+    "PCSTATUS": execution.status,
+    "POINT": values.point,
+    "RENAME": texts.rename,
+    "RESET": execution.reset,
+    "SIGNAL": execution.signal,
+    "SPEED": execution.speed,
+    "SSTEP": execution.steps,
+    "STATUS": execution.status,
+    "STORE": files.store,
+    "STOREL": files.store,
+    "STOREP": files.store,
+    "STORER": files.store,
+    "STORES": files.store,
+    "SWITCH": execution.switches,
+    "TEACH": teaching.teach,
+    "TIME": execution.time,
+    "TOOL": execution.as_instruction,
+    "WHERE": execution.where,
+    "XSTEP": execution.steps,
+    "ZERO": texts.zero,
+}
+
+
+class Monitor:
+    """The operator's side of a controller."""
+
+    def __init__(self, desk: Desk) -> None:
+        """Begin at the dot."""
+        self.desk = desk
+        self._mode: Mode | None = None
+
+    @property
+    def at_commands(self) -> bool:
+        """Whether the next line is a command, not an answer to a question or a step."""
+        return self._mode is None
+
+    def prompt(self, state: State) -> str:
+        """Return what stands before the line that is typed next."""
+        if self._mode is not None:
+            return self._mode.prompt
+        if state.awaits_answer:
+            return ""  # the program has asked
+        return "*" if executes(state.robot) else "."
+
+    def enter(self, line: str, state: State, calculate: Calculate) -> Turn:
+        """Take a line. `calculate` executes one step beside the run, and changes nothing."""
+        line = line.rstrip("\r\n")[:MAX_LINE]
+        now = Situation(state, calculate)
+        if self._mode is None and state.awaits_answer:
+            return Turn(commands=(Answer(line),))
+        try:
+            turn = self._taken(line, now)
+        except Refused as refused:
+            turn = Turn(refused.text, mode=self._mode)
+        except CannotUse as problem:
+            turn = Turn(words.starred(problem.words, problem.reason), mode=self._mode)
+        self._mode = turn.mode
+        return turn
+
+    def interrupt(self, state: State, calculate: Calculate) -> Turn:
+        """Take Ctrl-C: leave a question or the editor; at commands stop what executes."""
+        now = Situation(state, calculate)
+        if self._mode is not None:
+            turn = self._mode.interrupt(self.desk, now)
+            self._mode = turn.mode
+            return turn
+        robot = (Abort(),) if now.executing else ()
+        process = (AbortProcess(),) if executes(state.process) else ()
+        return Turn(commands=(*robot, *process))
+
+    def load(self, source: SourceFile, state: State, calculate: Calculate) -> Turn:
+        """Take what a file holds into memory, as LOAD does."""
+        return files.load_source(source, self.desk, Situation(state, calculate))
+
+    def _taken(self, line: str, now: Situation) -> Turn:
+        if self._mode is not None:
+            return self._mode.enter(line, self.desk, now)
+        command, found = read_command(SourceFile("monitor", line), self.desk.dialect)
+        if command is None:
+            return Turn(words.first_refusal(found) or "")
+        word = command.word
+        if word.text in IDLE_ONLY and now.executing:
+            raise Refused(words.starred(words.ILLEGAL_NOW))
+        handler = HANDLERS.get(word.text)
+        if handler is None:
+            raise Refused(words.starred(words.NOT_INSTALLED, f"{word.text} is not simulated"))
+        return handler(command, self.desk, now)
+
+
+def told(event: Event) -> str:
+    """Return what the terminal shows of an event of the run."""
+    match event:
+        case Printed():
+            return event.text.replace("\r\n", "\n")
+        case CommandRefused():
+            return words.starred(event.words)
+        case Found():
+            if event.diagnostic.is_error:
+                return words.refusal(event.diagnostic)
+            return f"{event.diagnostic.severity.value}: {event.diagnostic.headline}\n"
+        case ProgramEnded():
+            return _ended(event)
+        case _:
+            return ""
+
+
+_REASONS = {"paused": "(PAUSED)\n", "halted": "(HALTED)\n", "aborted": "(ABORTED)\n"}
+
+
+def _ended(event: ProgramEnded) -> str:
+    if event.cause is not None and event.cause.program == ALONE:
+        return ""  # a single instruction comes and goes
+    which = "Process control program" if event.process else "Program"
+    if event.ending == "completed":
+        return f"{which} completed\n"
+    where = f" at {event.cause.program}, step {event.cause.step}" if event.cause else ""
+    return f"{_REASONS.get(event.ending, '')}{which} stopped{where}\n"

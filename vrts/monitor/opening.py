@@ -1,0 +1,58 @@
+"""A dialogue ready to begin: scene, controller, monitor, and files loaded."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from vrts.base.diagnostic import Diagnostic
+from vrts.engine.controller import Controller
+from vrts.ir.module import Module
+from vrts.lang.dialect import DIALECTS
+from vrts.lang.reading import decode
+from vrts.monitor.desk import Desk
+from vrts.monitor.dialogue import Dialogue
+from vrts.monitor.folder import WorkingFolder
+from vrts.monitor.monitor import Monitor
+from vrts.pipeline import Refused, load_scene, read_bytes, robot_alone, shown
+
+
+def opened(
+    files: Sequence[str],
+    scene: str | None,
+    dialect: str,
+    *,
+    asks: bool,
+    replace: bool = False,
+    overwrite: bool = False,
+) -> tuple[Dialogue, str]:
+    """Return a dialogue, and what loading the files had to say.
+
+    Args:
+        files: Read first, from anywhere: the user named them.
+        scene: Name or path; None: the robot alone.
+        dialect: Name of the dialect.
+        asks: Whether the monitor asks before what cannot be undone.
+        replace: Whether LOAD replaces programs.
+        overwrite: Whether STORE replaces files unasked.
+
+    Raises:
+        CannotRead: A file or the scene is not there.
+        Refused: The scene has errors, or a file is no text.
+    """
+    beside = Path(files[0]).parent if files else None
+    setting = load_scene(scene, beside) if scene else robot_alone()
+    desk = Desk(
+        WorkingFolder(Path.cwd()),
+        DIALECTS[dialect],
+        asks=asks,
+        overwrite=overwrite,
+        replace=replace,
+    )
+    dialogue = Dialogue(Controller(Module({}, ()), setting.scene), Monitor(desk))
+    said: list[str] = []
+    for name in files:
+        path = Path(name)
+        source = decode(read_bytes(path), shown(path))
+        if isinstance(source, Diagnostic):
+            raise Refused((source,))
+        said.append(dialogue.load(source))
+    return dialogue, "".join(said)
