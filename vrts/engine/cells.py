@@ -1,5 +1,11 @@
-"""The controller's memory: cells with their history, so that any moment can be read back."""
+"""The controller's memory: cells with their history, so that any statement can be looked back at.
 
+Statements are numbered through a run; an entry of a cell says from which number of finished
+statements on its value holds. Copies of a cell share the history: entries beyond the number at
+which a copy was made are another future's, until `cut` parts them.
+"""
+
+from array import array
 from bisect import bisect_right
 from typing import TypeAlias
 
@@ -18,41 +24,47 @@ class Undefined:
 
 UNDEFINED = Undefined()
 
+Content: TypeAlias = Value | Undefined
+
 
 class Cell:
-    """A variable or array element. History keeps its last value of every instant."""
+    """A variable or array element with every value it ever had."""
 
-    __slots__ = ("name", "times", "value", "values")
+    __slots__ = ("name", "since", "value", "values")
 
     def __init__(self, name: str) -> None:
         """Make a cell without a value."""
         self.name = name
-        self.value: Value | Undefined = UNDEFINED
-        self.times: list[float] = []
-        self.values: list[Value] = []
+        self.value: Content = UNDEFINED
+        self.since = array("I")  # numbers of finished statements, ascending
+        self.values: array[float] | list[Content] = array("d")  # beside `since`
 
-    def assign(self, value: Value, time_s: float) -> None:
-        """Give the cell a value at an instant not before the last one."""
+    def assign(self, value: Content, since: int) -> None:
+        """Give the cell a value that holds once `since` statements are finished."""
         self.value = value
-        times = self.times
-        if times and times[-1] == time_s:
-            self.values[-1] = value
-        else:
-            times.append(time_s)
-            self.values.append(value)
+        try:
+            self.values.append(value)  # type: ignore[arg-type]
+        except TypeError:  # the first value that is no number
+            self.values = [*self.values, value]
+        self.since.append(since)
 
-    def at(self, time_s: float) -> Value | Undefined:
-        """Return the value at an instant."""
-        found = bisect_right(self.times, time_s)
+    def at(self, finished: int) -> Content:
+        """Return the value after a number of finished statements."""
+        found = bisect_right(self.since, finished)
         return self.values[found - 1] if found else UNDEFINED
 
     def copy(self) -> "Cell":
-        """Return a cell with the same history that can go on by itself."""
-        other = Cell(self.name)
-        other.value = self.value
-        other.times = self.times.copy()
-        other.values = self.values.copy()
+        """Return a cell that shares the history."""
+        other = Cell.__new__(Cell)
+        other.name, other.value = self.name, self.value
+        other.since, other.values = self.since, self.values
         return other
+
+    def cut(self, finished: int) -> None:
+        """Keep a history of its own, without entries after a number of finished statements."""
+        kept = bisect_right(self.since, finished)
+        self.since = self.since[:kept]
+        self.values = self.values[:kept]
 
 
 class Array:
@@ -78,6 +90,11 @@ Bound: TypeAlias = Cell | Array
 """What a name stands for."""
 
 
+def cells_of(item: Bound) -> list[Cell]:
+    """Return the cells behind a name."""
+    return list(item.elements.values()) if isinstance(item, Array) else [item]
+
+
 class Memory:
     """Every global variable, by number. Numbers are given when the programs are compiled."""
 
@@ -89,10 +106,7 @@ class Memory:
 
     def cells(self) -> list[Cell]:
         """Return every cell, array elements included."""
-        found: list[Cell] = []
-        for item in self.bound:
-            found += item.elements.values() if isinstance(item, Array) else [item]
-        return found
+        return [cell for item in self.bound for cell in cells_of(item)]
 
     def copy(self, copies: dict[int, Bound]) -> "Memory":
         """Return an independent memory; `copies` maps id of the old to the new cells and arrays."""

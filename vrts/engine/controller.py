@@ -11,7 +11,8 @@ from vrts.ir.commands import Command, Execute, TimedCommand
 from vrts.ir.module import Module
 from vrts.scene.model import Scenario, Scene
 
-CHECKPOINT = 5.0  # [s] of simulated time between states kept for `truncate`
+CHECKPOINT = 5.0  # [s] of simulated time between states kept for `truncate`, at first
+MOST_CHECKPOINTS = 64  # beyond, every other one is given up
 AFTERWARDS = 10.0  # [s] longest time anything may move after the program has ended
 
 
@@ -20,12 +21,21 @@ def start(module: Module, scene: Scene, scenario: Scenario | None = None) -> Run
     """Return a run at time 0 in which nothing executes."""
     scenario = scenario or Scenario()
     executable = Executable(module, scenario.limits.call_depth)
-    return Run(Machine(executable, scene, scenario), 0.0, ())
+    machine = Machine(executable, scene, scenario)
+    return Run(machine, 0.0, (machine,))
 
 
 @deep_stack()
-def advance(run: Run, until_s: float, commands: Sequence[TimedCommand] = ()) -> Run:
+def advance(
+    run: Run, until_s: float, commands: Sequence[TimedCommand] = (), *, closed: bool = False
+) -> Run:
     """Return a run that goes on to a time [s], with commands issued from its horizon on.
+
+    Args:
+        run: The run so far.
+        until_s: How far it goes on.
+        commands: What the controller is told.
+        closed: No other command will ever come: what waits for one is stuck.
 
     Raises:
         ValueError: The time or a command lies in the past of the run, or a program is unknown.
@@ -35,13 +45,16 @@ def advance(run: Run, until_s: float, commands: Sequence[TimedCommand] = ()) -> 
     for timed in commands:
         if timed.time_s < run.until_s:
             raise ValueError(f"a command at {timed.time_s} s is in the past of the run")
-        if timed.command.program not in run.module.programs:
-            raise ValueError(f"no program {timed.command.program!r}")
+        command = timed.command
+        if isinstance(command, Execute) and command.program not in run.module.programs:
+            raise ValueError(f"no program {command.program!r}")
     machine = run.machine.copy()
+    machine.closed = machine.closed or closed
     machine.issue(tuple(commands))
-    return _grown(machine, run.until_s, until_s, run.checkpoints or (run.machine,))
+    return _grown(machine, run.until_s, until_s, run.checkpoints)
 
 
+@deep_stack()
 def truncate(run: Run, time_s: float) -> Run:
     """Return the run as it was known at an earlier time, with commands issued later forgotten.
 
@@ -50,10 +63,9 @@ def truncate(run: Run, time_s: float) -> Run:
     """
     if not 0.0 <= time_s <= run.until_s:
         raise OutOfHorizon(time_s, run.until_s)
-    kept = [machine for machine in run.checkpoints if machine.next_tick * machine.tick <= time_s]
-    if not kept:
-        kept = [run.machine]  # nothing has happened yet
+    kept = [machine for machine in run.checkpoints if machine.last_tick * machine.tick <= time_s]
     machine = kept[-1].copy()
+    machine.closed = False
     machine.know(tuple(c for c in run.machine.issued if c.time_s <= time_s))
     machine.advance(time_s)
     return Run(machine, time_s, tuple(kept))
@@ -72,7 +84,7 @@ def execute(
         raise ValueError(f"no program {name!r}")
     run = start(module, scene, scenario)
     horizon = run.scenario.limits.time_s + AFTERWARDS
-    return advance(run, horizon, [TimedCommand(0.0, Execute(name))])
+    return advance(run, horizon, [TimedCommand(0.0, Execute(name))], closed=True)
 
 
 class Controller:
@@ -93,6 +105,26 @@ class Controller:
         self._waiting = []
         return self.run
 
+    @deep_stack()
+    def advance_until_stopped(self, most_s: float) -> Run:
+        """Go on until no robot program executes and the arm rests, or one waits in vain.
+
+        A program that waits for an answer, or for a signal that nothing will change, waits in vain
+        until a command comes.
+
+        Args:
+            most_s: Longest simulated time [s].
+        """
+        machine = self.run.machine.copy()
+        machine.issue(tuple(self._waiting))
+        self._waiting = []
+        begin = self.run.until_s
+        machine.advance(begin + most_s, stop_when_idle=True)
+        reached = min(max(machine.now, machine.ended_s or 0.0, begin), begin + most_s)
+        machine.settle(reached)
+        self.run = Run(machine, reached, (*self.run.checkpoints, machine.copy()))
+        return self.run
+
     def truncate(self, time_s: float) -> Run:
         """Forget everything after a time [s]."""
         self.run = truncate(self.run, time_s)
@@ -104,10 +136,25 @@ def _grown(
     machine: Machine, from_s: float, until_s: float, checkpoints: tuple[Machine, ...]
 ) -> Run:
     kept = list(checkpoints)
-    boundary = (math.floor(from_s / CHECKPOINT) + 1) * CHECKPOINT
-    while boundary < until_s and (machine.running or machine.commands):
+    step = _spacing(kept)
+    boundary = (math.floor(from_s / step) + 1) * step
+    while boundary < until_s and machine.has_work():
         machine.advance(boundary)
         kept.append(machine.copy())
-        boundary += CHECKPOINT
+        if len(kept) > MOST_CHECKPOINTS:
+            kept = [kept[0], *kept[2::2]]
+            step *= 2.0
+        boundary = (math.floor(boundary / step) + 1) * step
     machine.advance(until_s)
     return Run(machine, until_s, tuple(kept))
+
+
+def _spacing(kept: Sequence[Machine]) -> float:
+    """Return the time between checkpoints [s]: twice as long whenever they were thinned out."""
+    spacing = CHECKPOINT
+    while kept and kept[-1].now > spacing * MOST_CHECKPOINTS:
+        spacing *= 2.0
+    return spacing
+
+
+

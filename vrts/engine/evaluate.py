@@ -23,10 +23,12 @@ from vrts.engine.arithmetic import (
 )
 from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Undefined
 from vrts.engine.context import Context
+from vrts.engine.controller_functions import controller_function, hand_state, read_timer, speed
 from vrts.engine.evaluate_strings import HIGHEST_SUBSCRIPT, decoding, unpacking, written
 from vrts.engine.extent import evaluates
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.functions import PURE, bad
+from vrts.engine.motion.planner import half_turns
 from vrts.engine.operands import expression_of, span_of
 from vrts.ir.expressions import (
     Apply,
@@ -66,6 +68,12 @@ class Numbering:
         """Start with no variable."""
         self.numbers: dict[str, int] = {}
         self.arrays: set[str] = set()
+
+    def copy(self) -> "Numbering":
+        """Return a numbering that goes on by itself."""
+        other = Numbering()
+        other.numbers, other.arrays = dict(self.numbers), set(self.arrays)
+        return other
 
     def number(self, name: str) -> int:
         """Return the number of a global variable, a new one at first."""
@@ -269,7 +277,7 @@ class Compiler:
             case Function.TOOL:
                 return lambda c: c.planner.tool
             case Function.HAND:
-                return lambda c: _hand(c)
+                return hand_state
             case Function.RANDOM:
                 return _random
             case Function.SIG:
@@ -282,10 +290,10 @@ class Compiler:
                 return lambda c: _bits(c, round_half_away(first(c)), count(c), span)
             case Function.TIMER:
                 timer = self.real_argument(expression.arguments[0])
-                return lambda c: rounded(c.now - c.timers.get(round_half_away(timer(c)), 0.0), span)
+                return lambda c: rounded(read_timer(c, round_half_away(timer(c))), span)
             case Function.SPEED:
                 which = self.real_argument(expression.arguments[0])
-                return lambda c: _speed(c, integer(which(c), span, 1, 3, "selector"))
+                return lambda c: speed(c, integer(which(c), span, 1, 3, "selector"))
             case Function.DEFINED:
                 return self._defined(expression.arguments[0])
             case Function.INRANGE:
@@ -307,7 +315,7 @@ class Compiler:
             case Function.TAS:
                 return self._test_and_set(expression)
             case _:
-                raise ValueError(f"function without a meaning: {expression.function}")
+                return controller_function(self, expression)
 
     def elements(self, place: Place) -> Callable[[Context, int], Cell]:
         """Return a closure that finds the k-th cell from a place on; a scalar has only one."""
@@ -342,7 +350,7 @@ class Compiler:
         def swapped(c: Context) -> Value:
             cell, wanted = find(c), value(c)
             old = cell.value
-            cell.assign(wanted, c.now)
+            cell.assign(wanted, c.finished)
             return old if isinstance(old, float) else 0.0
 
         return swapped
@@ -350,6 +358,10 @@ class Compiler:
     def real_argument(self, argument: Argument) -> Callable[[Context], float]:
         """Return a closure that gives a real operand that must be there."""
         return self.real(expression_of(argument))
+
+    def string_argument(self, argument: Argument) -> Callable[[Context], str]:
+        """Return a closure that gives a string operand that must be there."""
+        return self.string(expression_of(argument))
 
     def _defined(self, argument: Argument) -> Evaluate:
         if isinstance(argument, Load):
@@ -422,27 +434,18 @@ def _tool_now(c: Context) -> Pose:
     return forward(planner.arm, planner.configuration_at(c.now)) @ planner.tool
 
 
-def _hand(c: Context) -> float:
-    """HAND: 1 when a pneumatic hand is open, else 0."""
-    return 1.0 if c.hand.opening(c.now) >= 0.5 * c.hand.gripper.opening_max else 0.0
-
-
 def _random(c: Context) -> float:
-    c.random_state = (RANDOM_MULTIPLIER * c.random_state + RANDOM_INCREMENT) & 0xFFFFFFFF
-    return (c.random_state >> 8) / float(1 << 24)
+    system = c.system
+    system.clock_reads += 1
+    system.random_state = (
+        RANDOM_MULTIPLIER * system.random_state + RANDOM_INCREMENT
+    ) & 0xFFFFFFFF
+    return (system.random_state >> 8) / float(1 << 24)
 
 
 def _bits(c: Context, first: int, count: float, span: Span | None) -> float:
     number = integer(count, span, 1, 16, "number of signals")
     return float(sum(1 << k for k in range(number) if c.signals.holds(first + k, span)))
-
-
-def _speed(c: Context, which: int) -> float:
-    planner = c.planner
-    if which == 1:
-        return 100.0
-    speed = planner.speed if which == 2 else planner.next_speed or planner.speed
-    return speed.value
 
 
 def _in_range(c: Context, location: Value) -> float:
@@ -451,7 +454,8 @@ def _in_range(c: Context, location: Value) -> float:
         joints = cast("Configuration", location)
         return float(sum(1 << (k - 1) for k, *_ in limit_violations(planner.arm, joints)))
     X_BF = planner.base.inverse() @ location @ planner.tool.inverse()
-    found = choose(planner.arm, X_BF, planner.branch, planner.configuration, planner.request)
+    arm = planner.arm if planner.always.multiple else half_turns(planner.arm)
+    found = choose(arm, X_BF, planner.branch, planner.configuration, planner.request)
     if isinstance(found, OutOfReach):
         return TOO_FAR if found.kind == "too far" else TOO_CLOSE
     if isinstance(found, OutOfLimits):

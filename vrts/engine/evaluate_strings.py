@@ -68,7 +68,7 @@ def decoding(compiler: "Compiler", expression: Apply) -> "Evaluate":
         text = read(c)
         chosen = 0 if how is None else round_half_away(how(c))
         piece, rest = decode(text, characters(c), chosen)
-        find(c).assign(rest, c.now)
+        find(c).assign(rest, c.finished)
         return piece
 
     return decoded

@@ -3,10 +3,12 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from vrts.engine.cells import Array, Bound, Cell, Memory
-from vrts.engine.context import Context, Frame
+from vrts.base.source import Span
+from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Memory
+from vrts.engine.context import Context, Frame, FrameKind
 from vrts.engine.evaluate import Compiler, Evaluate, Numbering
 from vrts.engine.events import Cause
+from vrts.engine.extent import robot_only, simulates
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.outcomes import CYCLE_ENDED, SWITCHED
 from vrts.engine.step import Step
@@ -25,85 +27,145 @@ class ExecutableProgram:
     """One program."""
 
     program: Program
+    base: int  # number of its first instruction among those of all programs
     steps: tuple[Step, ...]
     causes: tuple[Cause, ...]  # beside steps
 
 
 class Executable:
-    """All programs of a module. Holds no state: runs share it."""
+    """All programs in memory. Holds no state: runs share it."""
 
-    def __init__(self, module: Module, call_depth: int) -> None:
-        """Compile every program."""
-        self.module = module
+    def __init__(
+        self, module: Module, call_depth: int, earlier: "Executable | None" = None
+    ) -> None:
+        """Compile every program; those of an earlier executable stay unless they are replaced."""
         self.call_depth = call_depth
-        self.numbers = {name: k for k, name in enumerate(module.programs)}
-        self._numbering = Numbering()
+        self._numbering = Numbering() if earlier is None else earlier._numbering.copy()
         self._expressions = Compiler(self._numbering)
         self._steps = StepCompiler(self._expressions)
+        self.programs: tuple[ExecutableProgram, ...] = () if earlier is None else earlier.programs
+        self.numbers: dict[str, int] = {} if earlier is None else dict(earlier.numbers)
+        self.causes: list[Cause] = [] if earlier is None else earlier.causes.copy()
+        programs = {} if earlier is None else dict(earlier.module.programs)
+        programs.update(module.programs)
+        data = module.data if earlier is None else (*earlier.module.data, *module.data)
+        self.module = Module(programs, data)
         for datum in module.data:
             self._numbering.number(datum.name)
             if datum.subscripts:
                 self._numbering.arrays.add(datum.name)
-        self.programs = tuple(self._program(program) for program in module.programs.values())
-        self.names = tuple(self._numbering.numbers)
+        for program in module.programs.values():
+            self.numbers[program.name] = len(self.programs)
+            self.programs = (*self.programs, self._program(program))
+
+    def without(self, names: tuple[str, ...]) -> "Executable":
+        """Return an executable in which some programs are no longer known."""
+        other = Executable(Module({}, ()), self.call_depth, self)
+        for name in names:
+            other.numbers.pop(name, None)
+        left = {k: p for k, p in self.module.programs.items() if k not in names}
+        other.module = Module(left, self.module.data)
+        return other
 
     def memory(self) -> Memory:
         """Return fresh memory that holds the module's data."""
-        bound = self._numbering.bound()
-        for datum in self.module.data:
-            found = bound[self._numbering.number(datum.name)]
-            cell = found.element(datum.subscripts) if isinstance(found, Array) else found
-            cell.assign(datum.value, 0.0)
-        return Memory(bound)
+        memory = Memory(self._numbering.bound())
+        self.load(self.module, memory, 0)
+        return memory
 
-    def frame(self, number: int, slots: list[Bound]) -> Frame:
-        """Return a frame at the start of a program."""
+    def extend(self, memory: Memory) -> None:
+        """Give memory the variables that it does not have yet."""
+        fresh = self._numbering.bound()
+        for k, bound in enumerate(memory.bound):
+            if isinstance(fresh[k], Array) and isinstance(bound, Cell) and bound.value is UNDEFINED:
+                memory.bound[k] = fresh[k]
+        memory.bound += fresh[len(memory.bound) :]
+
+    def load(self, module: Module, memory: Memory, finished: int) -> None:
+        """Give memory the values of a module's data sections."""
+        for datum in module.data:
+            self.variable(memory, datum.name, datum.subscripts).assign(datum.value, finished)
+
+    def variable(self, memory: Memory, name: str, subscripts: tuple[int, ...]) -> Cell:
+        """Return the cell of a variable, making it when it is new."""
+        if subscripts:
+            self._numbering.arrays.add(name)
+        number = self._numbering.number(name)
+        self.extend(memory)
+        bound = memory.bound[number]
+        if subscripts:
+            if isinstance(bound, Cell):
+                bound = memory.bound[number] = Array(name)
+            return bound.element(subscripts)
+        if isinstance(bound, Array):
+            bound = memory.bound[number] = Cell(name)
+        return bound
+
+    def bound(self, memory: Memory, name: str) -> Bound | None:
+        """Return what a name stands for; None when it was never spoken of."""
+        number = self._numbering.numbers.get(name)
+        return memory.bound[number] if number is not None else None
+
+    def frame(self, number: int, slots: list[Bound] | None = None) -> Frame:
+        """Return a frame at the start of a program; without slots as called without arguments."""
         program = self.programs[number].program
+        if slots is None:
+            slots = [_fresh(program, slot) for slot in (*program.formals, *program.autos)]
         return Frame(number, slots, program.loops, program.cases)
-
-    def fresh_slots(self, number: int) -> list[Bound]:
-        """Return slots of a program called without arguments."""
-        program = self.programs[number].program
-        return [_fresh(program, slot) for slot in (*program.formals, *program.autos)]
 
     def _program(self, program: Program) -> ExecutableProgram:
         causes = tuple(Cause(program.name, step, span) for step, span in program.origins)
+        base = len(self.causes)
+        self.causes += causes
         steps = tuple(
-            self._step(instruction, index, cause)
+            self._step(instruction, index, cause, len(causes))
             for index, (instruction, cause) in enumerate(
                 zip(program.instructions, causes, strict=True)
             )
         )
-        return ExecutableProgram(program, steps, causes)
+        return ExecutableProgram(program, base, steps, causes)
 
-    def _step(self, instruction: ir.Instruction, index: int, cause: Cause) -> Step:
+    def _step(self, instruction: ir.Instruction, index: int, cause: Cause, count: int) -> Step:
         match instruction:
-            case ir.Call():
-                return self._call(instruction, index + 1, cause)
-            case ir.Return(skip=None):
-                return _return
-            case _:
-                return self._steps.step(instruction, index, cause)
-
-    def _call(self, call: ir.Call, following: int, cause: Cause) -> Step:
-        number = self.numbers.get(call.program)
-        span = call.program_span or cause.span
-        if number is None:
-
-            def unknown(c: Context) -> int:
-                raise RuntimeFault(
-                    RuntimeErrorKind.UNDEFINED_PROGRAM,
-                    f"there is no program `{call.program}`",
-                    span,
-                    data={"name": call.program},
+            case ir.Call(program=name, arguments=arguments):
+                span = instruction.program_span or cause.span
+                return self._call(lambda c: name, arguments, index + 1, cause, span)
+            case ir.CallNamed(program=named, arguments=arguments):
+                text = self._expressions.string(named)
+                return self._call(
+                    lambda c: text(c).strip().lower(), arguments, index + 1, cause, cause.span
                 )
+            case ir.Return(skip=skip):
+                skipped = self._expressions.real(skip) if skip is not None else None
+                return _return(skipped, implicit=index == count - 1)
+            case _:
+                step = self._steps.step(instruction, index, cause)
+                if not robot_only(instruction) or not simulates(instruction):
+                    return step
+                return _for_robot(step, cause)
 
-            return unknown
-        actuals = tuple(self._actual(argument) for argument in call.arguments)
-        callee = self.module.programs[call.program]
+    def _call(
+        self,
+        name: Callable[[Context], str],
+        arguments: tuple[Expression | Place | WholeArray | None, ...],
+        following: int,
+        cause: Cause,
+        span: Span,
+    ) -> Step:
+        actuals = tuple(self._actual(argument) for argument in arguments)
         depth = self.call_depth
 
         def enter(c: Context) -> int:
+            wanted = name(c)
+            executable = c.system.executable
+            number = executable.numbers.get(wanted)
+            if number is None:
+                raise RuntimeFault(
+                    RuntimeErrorKind.UNDEFINED_PROGRAM,
+                    f"there is no program `{wanted}`",
+                    span,
+                    data={"name": wanted},
+                )
             if len(c.frames) > depth:
                 raise RuntimeFault(
                     RuntimeErrorKind.STACK_FULL,
@@ -111,6 +173,7 @@ class Executable:
                     span,
                     help=("let the calls come to an end, or use a loop",),
                 )
+            callee = executable.programs[number].program
             if len(actuals) > len(callee.formals):
                 raise RuntimeFault(
                     RuntimeErrorKind.ARGUMENT_MISMATCH,
@@ -125,8 +188,7 @@ class Executable:
                 slots.append(found)
             slots += [_fresh(callee, auto) for auto in callee.autos]
             c.frames[-1].index = following
-            c.frames.append(self.frame(number, slots))
-            c.slots = slots
+            c.enter(executable.frame(number, slots))
             return SWITCHED
 
         return enter
@@ -144,18 +206,68 @@ class Executable:
 
                 def by_value(c: Context) -> Bound:
                     cell = Cell("argument")
-                    cell.assign(value(c), c.now)
+                    cell.assign(value(c), c.finished)
                     return cell
 
                 return by_value
 
 
-def _return(c: Context) -> int:
-    if len(c.frames) == 1:
-        return CYCLE_ENDED
-    c.frames.pop()
-    c.slots = c.frames[-1].slots
-    return SWITCHED
+def _return(skip: Callable[[Context], float] | None, *, implicit: bool) -> Step:
+    def leave(c: Context) -> int:
+        if len(c.frames) == 1:
+            return CYCLE_ENDED
+        frame = c.frames[-1]
+        if frame.kind is FrameKind.ERROR and implicit:
+            return CYCLE_ENDED  # an error program has to say how it goes on [assumed, val2.md 3.6]
+        steps = int(skip(c)) if skip is not None else 0
+        c.leave()
+        if steps > 0:
+            _skip(c, steps)
+        return SWITCHED
+
+    return leave
+
+
+def _skip(c: Context, steps: int) -> None:
+    """Go on some steps later than after the call, as VAL's `RETURN n` does."""
+    frame = c.frames[-1]
+    program = c.system.executable.programs[frame.program].program
+    called = program.origins[frame.index - 1].step
+    wanted = min(called + 1 + steps, len(program.steps))
+    frame.index = program.steps[wanted - 1]
+
+
+def _for_robot(step: Step, cause: Cause) -> Step:
+    """Return the step of a robot instruction."""
+    refused = refusal_of_process(cause)
+
+    def guarded(c: Context) -> int:
+        if not c.is_robot:
+            return refused(c)
+        if not c.system.powered:
+            raise RuntimeFault(
+                RuntimeErrorKind.ROBOT_POWER_OFF,
+                "the arm has no power",
+                cause.span,
+                help=("`ENABLE POWER` turns it on again",),
+            )
+        return step(c)
+
+    return guarded
+
+
+def refusal_of_process(cause: Cause) -> Step:
+    """Return what a robot instruction does in a process control program."""
+
+    def refuse(c: Context) -> int:
+        raise RuntimeFault(
+            RuntimeErrorKind.ILLEGAL_IN_PROCESS,
+            f"`{cause.span.text}` moves the robot; a process control program may not",
+            cause.span,
+            help=("set a signal here, and let the robot program wait for it",),
+        )
+
+    return refuse
 
 
 def _fresh(program: Program, slot: Slot) -> Bound:

@@ -29,6 +29,13 @@ BRANCH_CHANGE = Rule("V304", "branch-change")
 LINE_FROM_SINGULARITY = Rule("V305", "line-from-singularity")
 SINGULAR_JUMP = Rule("V306", "singular-jump")
 JOINT_NUMBER = Rule("V307", "joint-number")
+POWER_OFF = Rule("V308", "arm-power-off")
+PART_MISSING = Rule("V314", "part-missing")
+UNREADABLE_ANSWER = Rule("V262", "unreadable-answer")
+PROCESS_EXECUTING = Rule("V263", "process-executing")
+ROBOT_INSTRUCTION = Rule("V264", "robot-instruction")
+RETURN_FROM_NO_ERROR = Rule("V265", "return-from-no-error")
+NO_SUCH_SWITCH = Rule("V266", "no-such-switch")
 
 RULES: Mapping[RuntimeErrorKind, Rule] = MappingProxyType(
     {
@@ -53,6 +60,13 @@ RULES: Mapping[RuntimeErrorKind, Rule] = MappingProxyType(
         RuntimeErrorKind.CANNOT_ALTER_CONFIGURATION: BRANCH_CHANGE,
         RuntimeErrorKind.ILLEGAL_MOTION_FROM_HERE: LINE_FROM_SINGULARITY,
         RuntimeErrorKind.ILLEGAL_JOINT: JOINT_NUMBER,
+        RuntimeErrorKind.ROBOT_POWER_OFF: POWER_OFF,
+        RuntimeErrorKind.HAND_CLOSED_TOO_FAR: PART_MISSING,
+        RuntimeErrorKind.INVALID_NUMBER: UNREADABLE_ANSWER,
+        RuntimeErrorKind.PROCESS_EXECUTING: PROCESS_EXECUTING,
+        RuntimeErrorKind.ILLEGAL_IN_PROCESS: ROBOT_INSTRUCTION,
+        RuntimeErrorKind.ILLEGAL_RETURNE: RETURN_FROM_NO_ERROR,
+        RuntimeErrorKind.INVALID_SWITCH: NO_SUCH_SWITCH,
     }
 )
 
@@ -85,15 +99,24 @@ class RuntimeFault(Exception):  # noqa: N818 -- VAL's run-time errors are faults
         self.joint = joint
         self.data = data
 
+    @property
+    def number(self) -> int:
+        """VAL's number of the error."""
+        return self.kind.value.number - self.joint * (self.kind is RuntimeErrorKind.JOINT_OUT_OF_RANGE)
+
+    @property
+    def words(self) -> str:
+        """VAL's words for the error."""
+        return self.kind.value.words.format(joint=self.joint)
+
     def diagnostic(self, instruction: Span) -> Diagnostic:
         """Return the diagnostic, at the failing operand or else at the instruction."""
-        words = self.kind.value.words.format(joint=self.joint)
         return Diagnostic(
             self.rule,
             Severity.ERROR,
             self.headline,
             Label(self.span or instruction, self.label),
-            notes=(*self.notes, f"VAL-II says *{words}*"),
+            notes=(*self.notes, f"VAL-II says *{self.words}*"),
             help=self.help,
             data=self.data,
         )

@@ -154,20 +154,25 @@ def _pos(a: Arguments, span: Span | None) -> float:
     return float(_text(a, 0).find(_text(a, 1), start - 1) + 1)
 
 
-def _val(a: Arguments, span: Span | None) -> float:
-    """VAL: the number at the start of a string, 0 when there is none."""
+def number_at_start(text: str) -> tuple[float, int] | None:
+    """Return the number that a text begins with and how long it is; None when there is none."""
     import re
 
-    text = _text(a, 0).lstrip()
     based = re.match(r"([-+]?)\^(?:[hH]([0-9a-fA-F]+)|[bB]([01]+)|([0-7]+))", text)
     if based:
         sign, hexadecimal, binary, octal = based.groups()
         value = float(
             int(hexadecimal, 16) if hexadecimal else int(binary, 2) if binary else int(octal, 8)
         )
-        return rounded(-value if sign == "-" else value, span)
+        return (-value if sign == "-" else value), based.end()
     plain = re.match(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?", text)
-    return rounded(float(plain.group()), span) if plain else 0.0
+    return (float(plain.group()), plain.end()) if plain else None
+
+
+def _val(a: Arguments, span: Span | None) -> float:
+    """VAL: the number at the start of a string, 0 when there is none."""
+    found = number_at_start(_text(a, 0).lstrip())
+    return rounded(found[0], span) if found else 0.0
 
 
 def _chr(a: Arguments, span: Span | None) -> str:

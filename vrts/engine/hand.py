@@ -6,7 +6,7 @@ constant speed. Objects attach as they lie at the instant the opening equals the
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.pose import Pose
@@ -23,12 +23,17 @@ from vrts.engine.events import (
     Toppled,
 )
 from vrts.engine.grip import Between, between
+from vrts.engine.log import Log
 from vrts.engine.records import GRAVITY, Lie, Placement
 from vrts.engine.settle import Standing, settle
 from vrts.engine.timeline import Stroke, stroke_at
 from vrts.ir.instructions import HandAction
+from vrts.robots.kinematics import forward
 from vrts.robots.model import Gripper
 from vrts.scene.model import Mobility, Scene
+
+if TYPE_CHECKING:
+    from vrts.engine.motion.planner import Planner
 
 CLOSED_ON_NOTHING = Rule("V310", "nothing-grasped")
 OFF_CENTRE = Rule("V311", "off-centre")
@@ -39,18 +44,19 @@ DROP_HEIGHT = 2e-3  # [m] letting go higher than this is a drop [assumed]
 LOOK = 7e-3  # [s] between looks at a closing hand that moves: a quarter tick [assumed]
 INSTANT = 1e-7  # [s] to which the instant of a grasp is found
 
-FlangeAt = Callable[[float], Pose]
-"""X_WF at a time [s], for times up to the end of the motions planned."""
+EventLog: TypeAlias = Log[Event]
 
 
-class Grasp(NamedTuple):
-    """A grasp that will happen."""
+class Closing(NamedTuple):
+    """The hand closes, and what comes of it unless the arm's motion is changed before."""
 
-    time_s: float
-    body: str
-    opening_m: float
-    X_FO: Pose
+    begin_s: float
+    start_m: float
     cause: Cause
+    end_s: float  # of the stroke, or the instant of the grasp
+    body: str | None  # grasped, or missed
+    X_FO: Pose | None  # of the body grasped
+    tested: bool  # the program finds out by itself whether a part is in the hand
 
 
 class Hand:
@@ -62,8 +68,9 @@ class Hand:
         self.scene = scene
         self.opening_m = opening_m  # before the first stroke
         self.strokes: list[Stroke] = []
-        self.pending: Grasp | None = None
+        self.closing: Closing | None = None
         self.held: str | None = None
+        self.planner: Planner  # where the arm goes: set by the machine
         self.placements: dict[str, list[Placement]] = {
             body.name: [Placement(body.name, 0.0, math.inf, Lie.RESTING, body.X_WO, body.rests_on)]
             for body in scene.bodies
@@ -82,69 +89,89 @@ class Hand:
         """Return the opening at a time not before the last stroke [m]."""
         return stroke_at(self.strokes[-1], time_s) if self.strokes else self.opening_m
 
-    def settle_until(self, time_s: float, events: list[Event]) -> None:
-        """Carry out a grasp whose instant has come."""
-        if self.pending is None or self.pending.time_s > time_s:
+    def settle_until(self, time_s: float, events: EventLog) -> None:
+        """Carry out what comes of closing, if its instant has come."""
+        if self.closing is None or self.closing.end_s > time_s:
             return
-        grasp, self.pending = self.pending, None
-        self.held = grasp.body
-        last = self.placements[grasp.body][-1]
-        X_FW = grasp.X_FO @ last.X.inverse()
-        carried = self._stack_on(grasp.body)
-        self._place(grasp.body, grasp.time_s, Lie.HELD, grasp.X_FO, None)
+        closing, self.closing = self.closing, None
+        if closing.X_FO is None:
+            self._report_miss(closing, events)
+            return
+        assert closing.body is not None
+        self.held = closing.body
+        last = self.placements[closing.body][-1]
+        X_FW = closing.X_FO @ last.X.inverse()
+        carried = self._stack_on(closing.body)
+        self._place(closing.body, closing.end_s, Lie.HELD, closing.X_FO, None)
         for name, support in carried:
             X_WO = self.placements[name][-1].X
-            self._place(name, grasp.time_s, Lie.HELD, X_FW @ X_WO, support)
-        events.append(Grasped(grasp.time_s, grasp.body, grasp.X_FO, grasp.cause))
+            self._place(name, closing.end_s, Lie.HELD, X_FW @ X_WO, support)
+        events.append(Grasped(closing.end_s, closing.body, closing.X_FO, closing.cause))
+
+    @property
+    def next_s(self) -> float | None:
+        """When something comes of closing the hand [s]; None when it is not closing."""
+        return self.closing.end_s if self.closing is not None else None
+
+    def path_changed(self, now: float) -> None:
+        """Find out anew what comes of closing: the arm goes another way from now on."""
+        closing = self.closing
+        if closing is None or closing.end_s <= now:
+            return
+        self.strokes.pop()
+        self._close(closing.start_m, closing.begin_s, closing.cause, tested=closing.tested)
+
+    def let_slip(self, time_s: float, cause: Cause | None, events: EventLog) -> None:
+        """Lose what the hand holds, although it stays closed."""
+        if self.held is not None:
+            self._release(time_s, cause, events)
+
+    def _flange_at(self, time_s: float) -> Pose:
+        planner = self.planner
+        return forward(planner.arm, planner.configuration_at(time_s))
 
     def command(
         self,
         action: HandAction,
         time_s: float,
-        flange_at: FlangeAt,
-        moving_until: float,
         cause: Cause,
-        events: list[Event],
+        events: EventLog,
+        *,
+        tested: bool = False,
     ) -> None:
         """Begin an action of the hand at an instant."""
         self.settle_until(time_s, events)
-        self.pending = None
+        self.closing = None
         events.append(HandCommanded(time_s, action.value, cause))
         start = self.opening(time_s)
         if action is HandAction.CLOSE:
-            self._close(start, time_s, flange_at, moving_until, cause, events)
+            if self.held is None:
+                self._close(start, time_s, cause, tested=tested)
             return
         if self.held is not None:
-            self._release(time_s, flange_at(time_s), cause, events)
+            self._release(time_s, cause, events)
         self._stroke(
             time_s, start, self.gripper.opening_max if action is HandAction.OPEN else start
         )
 
     # --- closing ------------------------------------------------------------------------------
 
-    def _close(
-        self,
-        start: float,
-        time_s: float,
-        flange_at: FlangeAt,
-        moving_until: float,
-        cause: Cause,
-        events: list[Event],
-    ) -> None:
-        if self.held is not None:
-            return  # it holds something already
+    def _close(self, start: float, time_s: float, cause: Cause, *, tested: bool) -> None:
         stop = time_s + (start - self.gripper.opening_min) / self._speed
-        found = self._meeting(start, time_s, stop, flange_at, moving_until)
+        found = self._meeting(start, time_s, stop)
         if isinstance(found, tuple):
-            instant, body, met = found
-            X_FO = flange_at(instant).inverse() @ self.placements[body][-1].X
-            self.pending = Grasp(instant, body, met.width, X_FO, cause)
-            self.strokes.append(
-                Stroke(time_s, instant, start, start - self._speed * (instant - time_s))
-            )
+            instant, body, _ = found
+            X_FO = self._flange_at(instant).inverse() @ self.placements[body][-1].X
+            self.closing = Closing(time_s, start, cause, instant, body, X_FO, tested)
+            end = start - self._speed * (instant - time_s)
+            self.strokes.append(Stroke(time_s, instant, start, end))
             return
-        self._stroke(time_s, start, self.gripper.opening_min)
-        if isinstance(found, str):
+        self.closing = Closing(time_s, start, cause, stop, found, None, tested)
+        self.strokes.append(Stroke(time_s, stop, start, self.gripper.opening_min))
+
+    def _report_miss(self, closing: Closing, events: EventLog) -> None:
+        stop, cause, found = closing.end_s, closing.cause, closing.body
+        if found is not None:
             events.append(MissedOffCentre(stop, found, cause))
             self._warn(
                 events,
@@ -155,23 +182,25 @@ class Hand:
                 help="bring the point between the pads over the middle of the object",
                 body=found,
             )
-        else:
-            already = start <= self.gripper.opening_min
-            self._warn(
-                events,
-                stop,
-                CLOSED_ON_NOTHING,
-                "the hand is told to close but is closed already"
-                if already
-                else "the hand closes on nothing",
-                cause,
-                help="open the hand before the approach: `OPENI`"
-                if already
-                else "compare the location with the object's in `vrts scene show`",
-            )
+            return
+        if closing.tested:
+            return
+        already = closing.start_m <= self.gripper.opening_min
+        self._warn(
+            events,
+            stop,
+            CLOSED_ON_NOTHING,
+            "the hand is told to close but is closed already"
+            if already
+            else "the hand closes on nothing",
+            cause,
+            help="open the hand before the approach: `OPENI`"
+            if already
+            else "compare the location with the object's in `vrts scene show`",
+        )
 
     def _meeting(
-        self, start: float, begin: float, stop: float, flange_at: FlangeAt, moving_until: float
+        self, start: float, begin: float, stop: float
     ) -> tuple[float, str, Between] | str | None:
         """Return the first grasp of a closing hand, the name of a body missed, or None."""
         missed: str | None = None
@@ -180,7 +209,7 @@ class Hand:
             last = track[-1]
             if last.start_s > begin or last.lie not in (Lie.RESTING, Lie.TOPPLED):
                 continue
-            found = self._meets(name, last.X, start, begin, stop, flange_at, moving_until)
+            found = self._meets(name, last.X, start, begin, stop)
             if isinstance(found, str):
                 missed = missed or found
             elif found is not None and (best is None or found[0] < best[0]):
@@ -194,20 +223,18 @@ class Hand:
         start: float,
         begin: float,
         stop: float,
-        flange_at: FlangeAt,
-        moving_until: float,
     ) -> tuple[float, str, Between] | str | None:
         pieces = self.scene.body(name).pieces
 
         def look(time_s: float) -> Between | None:
-            X_PO = (flange_at(time_s) @ self.gripper.X_FP).inverse() @ X_WO
+            X_PO = (self._flange_at(time_s) @ self.gripper.X_FP).inverse() @ X_WO
             return between(self.gripper, pieces, X_PO)
 
         def excess(time_s: float, met: Between) -> float:
             return start - self._speed * (time_s - begin) - met.width
 
         first = look(begin)
-        if moving_until <= begin:
+        if self.planner.motion_end <= begin:
             if first is None or excess(begin, first) < 0.0:
                 return None
             if not first.centred or first.overlap < self.gripper.overlap_min:
@@ -246,9 +273,10 @@ class Hand:
 
     # --- opening ------------------------------------------------------------------------------
 
-    def _release(self, time_s: float, X_WF: Pose, cause: Cause, events: list[Event]) -> None:
+    def _release(self, time_s: float, cause: Cause | None, events: EventLog) -> None:
         assert self.held is not None
         name, self.held = self.held, None
+        X_WF = self._flange_at(time_s)
         carried = [
             track[-1]
             for track in self.placements.values()
@@ -339,11 +367,11 @@ class Hand:
 
     def _warn(
         self,
-        events: list[Event],
+        events: EventLog,
         time_s: float,
         rule: Rule,
         headline: str,
-        cause: Cause,
+        cause: Cause | None,
         *,
         help: str,  # noqa: A002 -- the diagnostic's own word
         body: str = "",
@@ -352,7 +380,7 @@ class Hand:
             rule,
             Severity.WARNING,
             headline,
-            Label(cause.span),
+            Label(cause.span) if cause else None,
             help=(help,),
             data={"time_s": round(time_s, 3), "body": body},
         )

@@ -1,48 +1,71 @@
-"""The controller's machine: one robot program, tick by tick.
+"""The controller's machine: two programs and an arm, tick by tick.
 
-Order within a tick: commands, signal inputs, the hand, then at most `STEPS_A_TICK` steps of the
+Order within a tick: commands, faults of the scenario, signal inputs and sensors, the hand, then
+reactions, at most `STEPS_A_TICK` steps of the robot program, as many of the process control
 program. Motion needs no work of its own, because it is planned as polynomials when it is issued.
 Ticks in which nothing can happen are skipped.
 """
 
 import math
-from typing import NamedTuple
+from array import array
+from bisect import bisect_right
+from typing import TypeAlias
 
 from vrts.base.diagnostic import Diagnostic
-from vrts.engine.context import Context
-from vrts.engine.events import Cause, Found, ProgramEnded, ProgramStarted, SignalChanged
+from vrts.engine.cells import UNDEFINED, Bound, cells_of
+from vrts.engine.context import Context, Frame, FrameKind, System
+from vrts.engine.endless import Watcher
+from vrts.engine.events import (
+    Cause,
+    Found,
+    MotionEnded,
+    MotionStarted,
+    Reacted,
+    SignalChanged,
+    SwitchChanged,
+)
 from vrts.engine.executable import Executable
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.hand import Hand
+from vrts.engine.limits import check_limits, stuck
+from vrts.engine.motion.planner import Planner
+from vrts.engine.obey import obey
 from vrts.engine.outcomes import (
     BLOCKED,
     CYCLE_ENDED,
     HALTED,
     INSTANT,
-    MOTIONS,
-    OUTPUT,
     PAUSED,
-    SIMULATED_TIME,
-    STATEMENTS,
     SWITCHED,
     LimitReached,
 )
-from vrts.engine.planner import Planner
+from vrts.engine.process import end, next_cycle, place
+from vrts.engine.reactions import ERROR_PRIORITY, Watch
 from vrts.engine.records import Ending
+from vrts.engine.sensing import Sensing
 from vrts.engine.signals import Signals
 from vrts.engine.terminal import Terminal
-from vrts.ir.commands import Execute, TimedCommand
-from vrts.scene.model import Scenario, Scene
+from vrts.engine.trace import Activation
+from vrts.ir.commands import TimedCommand
+from vrts.ir.instructions import Interpolation
+from vrts.ir.module import Module
+from vrts.ir.runtime_errors import RuntimeErrorKind
+from vrts.scene.model import FaultKind, Scenario, Scene
 
-STEPS_A_TICK = 100  # of the robot program [assumed, val2.md 3.7]
-HAND_TIME = "hand.time"  # parameter: wait after OPENI, CLOSEI, RELAXI [s]
+STEPS_A_TICK = 100  # of each program [assumed, val2.md 3.7]
 
 
-class Place(NamedTuple):
-    """Where the program is: program number and next instruction of every frame, outermost first."""
+KeptProgram: TypeAlias = tuple[list[Frame], str, str, Ending, Activation | None]
 
-    time_s: float
-    frames: tuple[tuple[int, int], ...]
+
+class Lineage:
+    """Which version of a machine wrote last to the histories that versions share."""
+
+    __slots__ = ("writes",)
+
+    def __init__(self) -> None:
+        """Start with nothing written."""
+        self.writes = 0
 
 
 class Machine:
@@ -50,45 +73,135 @@ class Machine:
 
     def __init__(self, executable: Executable, scene: Scene, scenario: Scenario) -> None:
         """Stand at time 0 with nothing executing."""
-        arm, gripper = scene.robot.arm, scene.robot.gripper
-        self.executable = executable
+        arm = scene.robot.arm
         self.scene = scene
         self.scenario = scenario
         self.tick = arm.tick
-        self.context = Context(
+        rate = scenario.monitor_speed / 100.0
+        configuration = scenario.configuration or arm.ready
+        self.system = System(
+            executable,
             executable.memory(),
-            Planner(arm, scenario.configuration or arm.ready, scene.X_FT),
+            Planner(arm, configuration, scene.X_FT, rate),
             Hand(scene, scenario.hand_opening),
             Signals(scenario.inputs),
             Terminal(),
-            scenario.parameters.get(HAND_TIME, gripper.stroke_time),
             scenario.seed,
         )
-        self.initial_configuration = self.context.planner.configuration
         self.initial_opening = scenario.hand_opening
+        self.robot = Context(self.system, is_robot=True)
+        self.process = Context(self.system, is_robot=False)
+        self._wire()
+        for name, value in scenario.parameters.items():
+            self.system.set_parameter(name.upper(), value, 0)
+        for answer in scenario.answers:
+            self.system.answers.append(answer)
+        self.sensing = Sensing(scene, scenario)
         self.next_tick = 0
+        self.last_tick = -1  # the last one run
         self.issued: tuple[TimedCommand, ...] = ()  # by time; those obeyed come first
         self.obeyed = 0
-        self.commands: tuple[TimedCommand, ...] = ()  # still to come
-        self.ending = Ending.NOT_STARTED
-        self.ended_s: float | None = None
+        self.closed = False  # no further command will come
+        self.ended_s: float | None = None  # the robot program is over and the arm stands still
         self.started_s = 0.0
-        self.program: tuple[str, int] = ("", 0)  # of EXECUTE: name and cycles left
-        self.statements = 0
-        self.places: list[Place] = []
+        self.finished = 0  # statements of both programs
+        self.ticks = array("I")  # ticks in which statements were executed
+        self.counts = array("I")  # beside `ticks`: statements finished after it
+        self.moved = 0  # motions whose start was noted
+        self.arrived = 0  # motions whose end was noted
+        self.faults_done = 0
+        self.kept_program: KeptProgram | None = None  # that stopped before a DO
+        self.watcher = Watcher()
+        self.lineage = Lineage()
+        self.written = 0
+
+    # --- versions -----------------------------------------------------------------------------
 
     def copy(self) -> "Machine":
         """Return an independent machine that shares the past."""
         other = Machine.__new__(Machine)
         other.__dict__.update(self.__dict__)
-        other.context = self.context.copy()
-        other.places = self.places.copy()
+        copies: dict[int, Bound] = {}
+        other.system = self.system.copy(copies)
+        other.robot = self.robot.copy(other.system, copies)
+        other.process = self.process.copy(other.system, copies)
+        other.watcher = self.watcher.copy()
+        if self.kept_program is not None:
+            frames, *rest = self.kept_program
+            other.kept_program = ([frame.copy(copies) for frame in frames], *rest)
+        other._wire()
         return other
+
+    def _wire(self) -> None:
+        self.system.robot, self.system.process = self.robot, self.process
+        self.system.hand.planner = self.system.planner
+
+    def write(self) -> None:
+        """Begin to add to the shared histories; part from versions that went on before."""
+        if self.written != self.lineage.writes:
+            self._part()
+        self.lineage.writes += 1
+        self.written = self.lineage.writes
+
+    def _part(self) -> None:
+        self.lineage = Lineage()
+        kept = bisect_right(self.counts, self.finished)
+        self.ticks, self.counts = self.ticks[:kept], self.counts[:kept]
+        seen: set[int] = set()
+        bounds: list[Bound] = [*self.system.memory.bound]
+        for c in (self.robot, self.process):
+            c.trace.cut(self.finished)
+            c.trace.activate(self.finished, c.activation)
+            bounds += [slot for frame in c.frames for slot in frame.slots]
+        for bound in bounds:
+            if id(bound) not in seen:
+                seen.add(id(bound))
+                for cell in cells_of(bound):
+                    cell.cut(self.finished)
+        for cell in self.system.cells():
+            cell.cut(self.finished)
+
+    # --- what has happened --------------------------------------------------------------------
+
+    @property
+    def now(self) -> float:
+        """Time of the last tick that was run [s]."""
+        return max(self.last_tick, 0) * self.tick
 
     @property
     def running(self) -> bool:
         """Whether a program executes."""
-        return self.ending is Ending.RUNNING
+        return self.robot.running or self.process.running
+
+    def finished_at(self, time_s: float) -> int:
+        """Return how many statements are finished at a time."""
+        tick = math.floor(time_s / self.tick + INSTANT / self.tick)
+        k = bisect_right(self.ticks, tick)
+        return min(self.counts[k - 1], self.finished) if k else 0
+
+    def time_of(self, finished: int) -> float:
+        """Return the time of the tick in which a number of statements was reached."""
+        k = bisect_right(self.counts, finished - 1)
+        return self.ticks[k] * self.tick if finished > 0 and k < len(self.ticks) else 0.0
+
+    def signals_to_come(self) -> bool:
+        """Return whether inputs, faults or commands may still change something."""
+        system = self.system
+        return (
+            system.signals.next_input_s is not None
+            or bool(system.scheduled)
+            or self.faults_done < len(self.scenario.faults)
+            or self._next_command() is not None
+        )
+
+    def steps_between(self, first: int, last: int) -> str:
+        """Return which steps the robot program executed between two counts of statements."""
+        trace, causes = self.robot.trace, self.system.executable.causes
+        begin, stop = trace.executed(first), trace.executed(last)
+        steps = sorted({causes[k].step for k in trace.instructions[begin:stop][-STEPS_A_TICK * 50 :]})
+        return f"{steps[0]} to {steps[-1]}" if len(steps) > 1 else str(steps[0])
+
+    # --- commands -----------------------------------------------------------------------------
 
     def issue(self, commands: tuple[TimedCommand, ...]) -> None:
         """Add commands, at times from now on, to those still to come."""
@@ -97,163 +210,424 @@ class Machine:
     def know(self, issued: tuple[TimedCommand, ...]) -> None:
         """Take these for all commands ever issued; those obeyed are among them."""
         self.issued = tuple(sorted(issued, key=lambda c: c.time_s))
-        self.commands = self.issued[self.obeyed :]
+        coming = self._next_command()
+        if coming is not None:  # a tick that was to be skipped may be needed now
+            self.next_tick = min(self.next_tick, max(self._tick_of(coming), self.last_tick + 1))
 
-    def advance(self, until_s: float) -> None:
-        """Run every tick up to a time [s]."""
-        while True:
-            now = self.next_tick * self.tick
-            if now > until_s + INSTANT or not self._has_work():
+    def _next_command(self) -> float | None:
+        return self.issued[self.obeyed].time_s if self.obeyed < len(self.issued) else None
+
+    # --- ticks --------------------------------------------------------------------------------
+
+    def advance(self, until_s: float, *, stop_when_idle: bool = False) -> None:
+        """Run every tick up to a time [s], or until nothing executes and nothing moves."""
+        self.write()
+        last = math.floor(until_s / self.tick + INSTANT / self.tick)
+        while self.next_tick <= last and self.has_work():
+            if stop_when_idle and self._idle():
                 break
-            self._run_tick(now)
-        self.context.hand.settle_until(until_s, self.context.events)
+            self._run_tick(self.next_tick)
+        self.settle(until_s)
 
-    def _has_work(self) -> bool:
-        return self.running or bool(self.commands)
+    def settle(self, until_s: float) -> None:
+        """Note what needs no tick: grasps, and motions that begin and end."""
+        self.system.hand.settle_until(until_s, self.system.events)
+        self._note_motions(until_s)
 
-    def _run_tick(self, now: float) -> None:
-        c = self.context
-        c.now = now
-        while self.commands and self.commands[0].time_s <= now + INSTANT:
-            command, self.commands = self.commands[0].command, self.commands[1:]
-            self.obeyed += 1
-            self._obey(command)
-        for signal, on in c.signals.sample(now):
-            c.events.append(SignalChanged(now, signal, on, None))
-        c.hand.settle_until(now, c.events)
-        c.wake = now
+    def has_work(self) -> bool:
+        """Return whether anything is still to be done."""
+        if self.closed and not self.robot.running and self._next_command() is None:
+            return False
+        return self.running or self._next_event() is not None or self._next_command() is not None
+
+    def _idle(self) -> bool:
+        if self.last_tick < 0 or self._next_command() is not None:
+            return False
+        if self.robot.running and self.robot.wake != math.inf:
+            return False
+        if self.robot.running and self._future() is not None:
+            return False
+        return self.system.planner.settled_at <= self.now + INSTANT
+
+    def _run_tick(self, tick: int) -> None:
+        now = tick * self.tick
+        self.last_tick, self.next_tick = tick, tick + 1
+        system = self.system
+        self.robot.now = self.process.now = now
+        self._note_motions(now)
+        self._obey(now)
+        self._bring_faults_about(now)
+        self._sample(now)
+        system.hand.settle_until(now, system.events)
+        before = self.finished
+        on = system.signals.changes
+        for c in (self.robot, self.process):
+            if c.running:
+                self._run_program(c, now)
+        progress = self.finished != before
+        if progress:
+            self.ticks.append(tick)
+            self.counts.append(self.finished)
+        self._note_end(now)
         if self.running:
-            self._run_program()
-            self._note_place()
-        self.next_tick += 1
-        if self.running and c.wake > now:
-            self._skip_to(c.wake)
-        elif not self.running and self.commands:
-            self._skip_to(self.commands[0].time_s)
+            self._plan_next(now, progress=progress, stirred=on != system.signals.changes)
+        else:
+            following = self._future()
+            self._skip_to(following if following is not None else now)
+
+    def _plan_next(self, now: float, *, progress: bool, stirred: bool) -> None:
+        """Choose the next tick that has to be run."""
+        programs = [c for c in (self.robot, self.process) if c.running]
+        if any(c.wake <= now for c in programs):
+            return  # some program goes on at the next tick
+        if (progress and len(programs) > 1) or (stirred and any(c.watches for c in programs)):
+            return  # what one has changed the other may wait for
+        if progress and any(c.wake == math.inf for c in programs) and stirred:
+            return
+        waking = min(c.wake for c in programs)
+        following = self._future()
+        if following is not None and following < waking:
+            waking = following
+        if waking < math.inf:
+            self._skip_to(waking)
+        elif self.closed:
+            self._end_stuck(now)
 
     def _skip_to(self, time_s: float) -> None:
-        times = [time_s]
-        if self.commands:
-            times.append(self.commands[0].time_s)
-        coming = self.context.signals.next_input_s
-        if coming is not None:
-            times.append(coming)
-        tick = math.ceil(min(times) / self.tick - INSTANT / self.tick)
-        self.next_tick = max(self.next_tick, tick)
+        self.next_tick = max(self.next_tick, self._tick_of(time_s))
 
-    def _obey(self, command: Execute) -> None:
-        c = self.context
-        number = self.executable.numbers[command.program]
-        c.frames = [self.executable.frame(number, self.executable.fresh_slots(number))]
-        c.slots = c.frames[0].slots
-        program = self.executable.programs[number].program
-        steps = program.steps
-        c.frames[0].index = steps[min(command.step, len(steps)) - 1] if steps else 0
-        c.phase, c.next_hand = 0, []
-        c.planner.reset_settings()
-        self.program = (command.program, command.cycles or 1)
-        self.started_s = c.now
-        self.ending, self.ended_s = Ending.RUNNING, None
-        c.events.append(ProgramStarted(c.now, command.program))
+    def _tick_of(self, time_s: float) -> int:
+        return math.ceil(time_s / self.tick - INSTANT / self.tick)
 
-    def _run_program(self) -> None:
-        try:
-            self._run_steps()
-            self._check_limits()
-        except RuntimeFault as fault:
-            self._end(Ending.ERROR, fault.diagnostic(self._cause().span))
-        except LimitReached as limit:
-            self._end(Ending.LIMIT, limit.diagnostic)
+    def _future(self) -> float | None:
+        """Return when something next happens that programs may notice; None when nothing will."""
+        times = [t for t in (self._next_command(), self._next_event()) if t is not None]
+        return min(times, default=None)
 
-    def _run_steps(self) -> None:
-        c = self.context
-        for _ in range(STEPS_A_TICK):
-            frame = c.frames[-1]
-            outcome = self.executable.programs[frame.program].steps[frame.index](c)
-            self.statements += 1
-            if outcome >= 0:
-                frame.index = outcome
-            elif outcome == BLOCKED:
-                return
-            elif outcome == CYCLE_ENDED:
-                if not self._begin_cycle():
-                    self._end(Ending.COMPLETED, None)
+    def _next_event(self) -> float | None:
+        """Return when an input, a sensor, the hand or a fault may change something next."""
+        system = self.system
+        times = [system.signals.next_input_s, system.hand.next_s]
+        if system.scheduled:
+            times.append(system.scheduled[0][0])
+        faults = self.scenario.faults
+        if self.faults_done < len(faults):
+            times.append(faults[self.faults_done].time_s)
+        times.append(self.sensing.next_s(system, self.now, self.tick))
+        known = [t for t in times if t is not None]
+        return max(min(known), self.now + self.tick) if known else None
+
+    # --- parts of a tick ----------------------------------------------------------------------
+
+    def _note_motions(self, until_s: float) -> None:
+        planner, events = self.system.planner, self.system.events
+        committed = len(planner.motions) - (planner.pending is not None)
+        while self.arrived < committed:
+            motion = planner.motions[self.arrived]
+            if self.moved == self.arrived:
+                start = planner.scale.time(motion.start_s)
+                if start > until_s + INSTANT:
                     return
-            elif outcome == HALTED:
-                self._end(Ending.HALTED, None)
+                events.append(MotionStarted(start, self.moved, motion.cause))
+                self.moved += 1
+            finish = planner.scale.time(motion.end_s)
+            open_end = self.arrived == committed - 1 and planner.pending is not None
+            if finish > until_s + INSTANT or open_end:
                 return
-            elif outcome == PAUSED:
-                self._end(Ending.PAUSED, None)
+            events.append(MotionEnded(finish, self.arrived, motion.cause))
+            self.arrived += 1
+
+    def _obey(self, now: float) -> None:
+        while self.obeyed < len(self.issued) and self.issued[self.obeyed].time_s <= now + INSTANT:
+            command = self.issued[self.obeyed].command
+            self.obeyed += 1
+            before = self.finished
+            self.finished = obey(command, self, now)
+            if self.finished != before:
+                self.ticks.append(self.last_tick)
+                self.counts.append(self.finished)
+
+    def _bring_faults_about(self, now: float) -> None:
+        faults, system = self.scenario.faults, self.system
+        while self.faults_done < len(faults) and faults[self.faults_done].time_s <= now + INSTANT:
+            fault = faults[self.faults_done]
+            self.faults_done += 1
+            match fault.kind:
+                case FaultKind.INPUT_STUCK:
+                    if system.signals.stick(fault.signal, on=fault.on):
+                        system.events.append(SignalChanged(now, fault.signal, fault.on, None))
+                case FaultKind.GRIPPER_SLIPS:
+                    system.hand.let_slip(now, None, system.events)
+                case FaultKind.EMERGENCY_STOP:
+                    self._emergency_stop(now)
+
+    def _emergency_stop(self, now: float) -> None:
+        system = self.system
+        system.planner.brake(now)
+        system.hand.path_changed(now)
+        system.powered = False
+        system.switches["POWER"] = False
+        system.events.append(SwitchChanged(now, "POWER", False, None))
+        if self.robot.running:
+            fault = RuntimeFault(
+                RuntimeErrorKind.ROBOT_POWER_OFF, "the emergency stop was pressed", None
+            )
+            self._fail(self.robot, fault)
+
+    def _sample(self, now: float) -> None:
+        system = self.system
+        changed = system.signals.sample(now)
+        while system.scheduled and system.scheduled[0][0] <= now + INSTANT:
+            _, number, state = system.scheduled.pop(0)
+            if state is not (number in system.signals.on):
+                system.signals.turn(number, on=state)
+                changed.append((number, state))
+        changed += self.sensing.sample(system, now)
+        for signal, on in changed:
+            system.events.append(SignalChanged(now, signal, on, None))
+
+    # --- programs -----------------------------------------------------------------------------
+
+    def _run_program(self, c: Context, now: float) -> None:
+        try:
+            self._react(c, look=True)
+            if c.wake == math.inf or c.wake <= now + INSTANT:
+                c.wake = now
+                self._run_steps(c, STEPS_A_TICK)
+            check_limits(self, c)
+        except LimitReached as limit:
+            self._end(c, Ending.LIMIT, limit.diagnostic)
+
+    def _run_steps(self, c: Context, most: int) -> None:
+        """Execute statements until the program waits, ends, or has used its share of the tick."""
+        left = most
+        while left > 0 and c.running:
+            try:
+                left = self._run_frame(c, left)
+            except RuntimeFault as fault:
+                left -= 1
+                self._catch(c, fault)
+            if left > 0 and c.running:
+                self._react(c, look=False)
+
+    def _run_frame(self, c: Context, left: int) -> int:
+        """Execute statements of the innermost program; return how many more may follow."""
+        frame = c.frames[-1]
+        program = self.system.executable.programs[frame.program]
+        steps, base = program.steps, program.base
+        trace, index, finished = c.trace, frame.index, self.finished
+        note = trace.instructions.append
+        trace.begin_slice(finished)
+        if c.steps_left is not None:
+            left = min(left, 1)
+        traced = c.system.is_on("TRACE")
+        try:
+            while left > 0:
+                if traced:
+                    self._list_step(c, program.causes[index])
+                    left = min(left, 1)
+                finished += 1
+                c.finished = finished
+                note(base + index)
+                left -= 1
+                outcome = steps[index](c)
+                if outcome >= 0:
+                    index = outcome
+                    continue
+                if outcome == BLOCKED:
+                    trace.instructions.pop()
+                    finished -= 1
+                    frame.index = index
+                    return 0
+                self.finished = finished
+                return self._left(c, outcome, left)
+            frame.index = index
+        except RuntimeFault:
+            frame.index = index
+            raise
+        finally:
+            self.finished = finished
+        return self._stepped(c, program.causes, index) if c.steps_left is not None else left
+
+    def _left(self, c: Context, outcome: int, left: int) -> int:
+        """Go on after a statement that left the innermost program."""
+        if outcome == SWITCHED:
+            return self._stepped(c, None, 0) if c.steps_left is not None else left
+        if outcome == CYCLE_ENDED:
+            if next_cycle(c):
+                return left
+            self._end(c, Ending.COMPLETED, None)
+        elif outcome == HALTED:
+            self._end(c, Ending.HALTED, None)
+            c.clear()
+        else:
+            assert outcome == PAUSED
+            self._end(c, Ending.PAUSED, None)
+        return 0
+
+    def _stepped(self, c: Context, causes: tuple[Cause, ...] | None, index: int) -> int:
+        """Count a single step when another one comes next."""
+        assert c.steps_left is not None
+        count, depth = c.steps_left
+        inside = depth is not None and len(c.frames) > depth
+        same_step = (
+            causes is not None
+            and c.trace.instructions
+            and self.system.executable.causes[c.trace.instructions[-1]].step == causes[index].step
+            and self.system.executable.causes[c.trace.instructions[-1]].span == causes[index].span
+        )
+        if inside or same_step:
+            return 1
+        if count > 1:
+            c.steps_left = (count - 1, depth)
+            return 1
+        self._end(c, Ending.STEPPED, None)
+        return 0
+
+    def _list_step(self, c: Context, cause: Cause) -> None:
+        from vrts.engine.terminal_steps import put
+
+        put(c, f"{cause.program} {cause.step:5d}.  {cause.span.text}\r\n", cause)
+
+    def _react(self, c: Context, *, look: bool) -> None:
+        """Take reactions that may be taken now, the strongest first."""
+        if not c.watches:
+            return
+        if look:
+            on = c.signals.on
+            for watch in c.watches:
+                watch.look(watch.signal in on)
+        planner = self.system.planner
+        while True:
+            ready = [
+                watch
+                for watch in c.watches
+                if watch.pending
+                and watch.priority > c.priority
+                and not (watch.after_motion and planner.under_way(c.now))
+            ]
+            if not ready:
                 return
-            else:
-                assert outcome == SWITCHED
+            self._take(c, max(ready, key=lambda watch: watch.priority))
+
+    def _take(self, c: Context, watch: Watch) -> None:
+        watch.pending = False
+        if not watch.always:
+            c.watches = [w for w in c.watches if w is not watch]
+        planner = self.system.planner
+        if watch.immediate:
+            planner.brake(c.now)
+        elif c.is_robot:
+            planner.take_back()
+        self.system.hand.path_changed(c.now)
+        name = ""
+        if watch.program is not None:
+            program = self.system.executable.programs[watch.program].program
+            name = program.name
+            c.finished = self.finished
+            frame = self.system.executable.frame(watch.program)
+            c.interrupt(frame, FrameKind.REACTION, watch.priority)
+        c.wake = c.now
+        c.events.append(Reacted(c.now, watch.signal, name, place(c)))
+
+    def _catch(self, c: Context, fault: RuntimeFault) -> None:
+        """Call the program that catches errors, or end the program."""
+        c.last_error = fault
+        caught = any(frame.kind is FrameKind.ERROR for frame in c.frames)
+        if c.error_program is None or caught:
+            self._fail(c, fault)
+            return
+        cause = place(c)
+        c.phase, c.operands, c.fault = 0, None, None
+        c.finished = self.finished
+        frame = self.system.executable.frame(c.error_program)
+        c.interrupt(frame, FrameKind.ERROR, ERROR_PRIORITY)
+        name = self.system.executable.programs[c.error_program].program.name
+        c.events.append(Reacted(c.now, 0, name, cause))
         c.wake = c.now
 
-    def _begin_cycle(self) -> bool:
-        name, cycles = self.program
-        if cycles == 1:
-            return False
-        c = self.context
-        self.program = (name, cycles - 1 if cycles > 0 else cycles)
-        number = self.executable.numbers[name]
-        c.frames = [self.executable.frame(number, self.executable.fresh_slots(number))]
-        c.slots = c.frames[0].slots
-        c.planner.reset_settings()
-        return True
+    def _fail(self, c: Context, fault: RuntimeFault) -> None:
+        cause = place(c)
+        assert cause is not None
+        self._end(c, Ending.ERROR, fault.diagnostic(cause.span))
 
-    def _end(self, ending: Ending, diagnostic: Diagnostic | None) -> None:
-        """End the program; it is over when the arm stands still."""
-        c = self.context
-        cause = self._cause()
+    def _end(self, c: Context, ending: Ending, diagnostic: Diagnostic | None) -> None:
+        """End a program; after an error the arm slows down along its path."""
+        planner = self.system.planner
         if diagnostic is not None:
-            c.events.append(Found(c.now, diagnostic, cause))
-        self.ending = ending
-        self.ended_s = max(c.now, c.planner.settled_at)
-        c.events.append(ProgramEnded(self.ended_s, ending.value, cause))
+            c.events.append(Found(c.now, diagnostic, place(c)))
+        if c.is_robot:
+            if ending in (Ending.ERROR, Ending.LIMIT, Ending.ABORTED):
+                planner.brake(c.now)
+            else:
+                planner.take_back()
+            self.system.hand.path_changed(c.now)
+            self.ended_s = max(c.now, planner.settled_at)
+            end(c, ending, self.ended_s)
+            self._give_back()
+        else:
+            end(c, ending, c.now)
 
-    def _check_limits(self) -> None:
-        limits, c = self.scenario.limits, self.context
-        span = self._cause().span
-        elapsed = c.now - self.started_s
-        if self.statements > limits.statements:
-            raise LimitReached(
-                STATEMENTS,
-                f"the program is still running after {limits.statements:,} steps",
-                span,
-                f"it was stopped here, after {elapsed:.0f} s of simulated time",
-                "check that every loop comes to an end",
-            )
-        if elapsed > limits.time_s:
-            raise LimitReached(
-                SIMULATED_TIME,
-                f"the program is still running after {limits.time_s:.0f} s",
-                span,
-                "it was stopped here, at the longest time it may take",
-                "if no loop repeats for ever, the arm is too slow: look at SPEED",
-            )
-        if len(c.planner.motions) > limits.motions:
-            raise LimitReached(
-                MOTIONS,
-                f"the program makes more than {limits.motions:,} motions",
-                span,
-                "it was stopped here",
-                "check that every loop comes to an end",
-            )
-        if c.terminal.characters > limits.output_characters:
-            raise LimitReached(
-                OUTPUT,
-                f"the program writes more than {limits.output_characters:,} characters",
-                span,
-                "it was stopped here",
-                "check the loop that writes",
-            )
+    def _give_back(self) -> None:
+        """After the monitor's DO, put the program that stopped before it back in its place."""
+        if self.kept_program is None:
+            return
+        robot = self.robot
+        robot.frames, robot.program, robot.last_program, robot.ending, robot.activation = (
+            self.kept_program
+        )
+        robot.slots = robot.frames[-1].slots if robot.frames else []
+        self.kept_program = None
 
-    def _cause(self) -> Cause:
-        frame = self.context.frames[-1]
-        causes = self.executable.programs[frame.program].causes
-        return causes[min(frame.index, len(causes) - 1)]
+    def abort(self, c: Context, ending: Ending = Ending.ABORTED) -> None:
+        """End a program from outside."""
+        self._end(c, ending, None)
 
-    def _note_place(self) -> None:
-        frames = tuple((frame.program, frame.index) for frame in self.context.frames)
-        if not self.places or self.places[-1].frames != frames:
-            self.places.append(Place(self.context.now, frames))
+    def abort_all(self) -> None:
+        """Stop both programs and the arm."""
+        planner = self.system.planner
+        if self.process.running:
+            self._end(self.process, Ending.ABORTED, None)
+        if self.robot.running:
+            self._end(self.robot, Ending.ABORTED, None)
+        else:
+            planner.brake(self.now)
+            self.system.hand.path_changed(self.now)
+
+    def repeat_motion(self, now: float) -> None:
+        """Give the motion that was cut once more, as RETRY does."""
+        planner = self.system.planner
+        if not planner.motions or not planner.motions[-1].cut:
+            return
+        cut = planner.motions[-1]
+        settings = planner.always
+        if cut.interpolation is Interpolation.LINEAR:
+            intent = planner.to_line(planner.destination, settings, cut.speed_fraction, None)
+        else:
+            intent = planner.to_joints(planner.dest, settings, cut.speed_fraction, None)
+        planner.begin(intent, now + self.tick, planner.destination, cut.cause)
+
+    def load_do(self, module: Module) -> None:
+        """Take the one instruction of the monitor's DO into the memory of programs."""
+        system = self.system
+        system.executable = Executable(
+            Module(module.programs, ()), self.scenario.limits.call_depth, system.executable
+        )
+        system.executable.extend(system.memory)
+
+    def forget(self, name: str) -> None:
+        """Delete a variable, or all elements of an array."""
+        bound = self.system.executable.bound(self.system.memory, name)
+        if bound is not None:
+            for cell in cells_of(bound):
+                cell.assign(UNDEFINED, self.finished)
+
+    def _note_end(self, now: float) -> None:
+        if self.closed and self.robot.running:
+            finding = self.watcher.look(self, now)
+            if finding is not None:
+                self._end(self.robot, Ending.LIMIT, finding)
+
+    def _end_stuck(self, now: float) -> None:
+        c = self.robot if self.robot.running else self.process
+        self._end(c, Ending.LIMIT, stuck(c, now))

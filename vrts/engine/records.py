@@ -33,6 +33,17 @@ class Motion(NamedTuple):
     speed_fraction: float  # program speed as a share of full speed
     deviation_m: float  # of the polynomials from the straight line; 0 for joint motions
     cause: Cause
+    blended: bool = False  # its end is rounded into the next motion
+    cut: bool = False  # it was given up on the way
+
+
+class ArmPiece(NamedTuple):
+    """Polynomials of the six joints on an interval of path time, in powers of (t - start_s)."""
+
+    start_s: float
+    end_s: float
+    rows: tuple[tuple[float, ...], ...]
+    motion: int
 
 
 class Lie(Enum):
@@ -60,12 +71,46 @@ class Placement(NamedTuple):
 GRAVITY = 9.81  # [m/s^2]
 
 
+def pose_of(placement: Placement, time_s: float, X_WF: Pose) -> Pose:
+    """Return X_WO of a body at a time, with the flange where it is then."""
+    if placement.lie is Lie.HELD:
+        return X_WF @ placement.X
+    if placement.lie is Lie.FALLING:
+        x, y, z = placement.X.translation
+        fallen = 0.5 * GRAVITY * (time_s - placement.start_s) ** 2
+        return Pose(placement.X.rotation, (x, y, z - fallen))
+    return placement.X
+
+
+class ProgramStatus(Enum):
+    """What a program is doing."""
+
+    NOT_RUNNING = "not running"
+    RUNNING = "running"
+    WAITING = "waiting"  # for the arm, a signal, an answer, a time
+    STOPPED = "stopped"  # it can be resumed
+    COMPLETED = "completed"
+
+
+class ProgramState(NamedTuple):
+    """The robot program or the process control program at an instant."""
+
+    program: str  # as named to EXECUTE
+    status: ProgramStatus
+    cycles_done: int
+    cycles_left: int  # the present one included; negative is endless
+    priority: int
+    cause: Cause | None  # the step to come, waited at, or that failed
+
+
 class Ending(Enum):
     """How an execution ended."""
 
     COMPLETED = "completed"
     HALTED = "halted"
     PAUSED = "paused"
+    ABORTED = "aborted"
+    STEPPED = "stepped"  # the steps asked for were executed
     ERROR = "error"  # a run-time error; the diagnostic is in Run.findings
     LIMIT = "limit"  # a limit of the scenario; the diagnostic is in Run.findings
     RUNNING = "running"  # not ended up to the horizon

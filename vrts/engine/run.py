@@ -2,24 +2,55 @@
 
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
+from functools import cached_property
+from typing import TypeVar
 
 from vrts.base.diagnostic import Diagnostic
-from vrts.base.pose import Pose
+from vrts.base.pose import IDENTITY, Pose
 from vrts.base.source import Span
-from vrts.engine.cells import UNDEFINED
-from vrts.engine.events import Cause, Event, Found, Printed, SignalChanged
+from vrts.engine.cells import UNDEFINED, Array
+from vrts.engine.context import Context
+from vrts.engine.events import (
+    AnalogChanged,
+    Answered,
+    Cause,
+    Event,
+    Found,
+    Printed,
+    ProgramEnded,
+    ProgramStarted,
+    Prompted,
+    SignalChanged,
+    SpeedChanged,
+    SwitchChanged,
+)
 from vrts.engine.machine import Machine
-from vrts.engine.records import GRAVITY, Ending, Lie, Motion, Placement
+from vrts.engine.records import (
+    Ending,
+    Lie,
+    Motion,
+    Placement,
+    ProgramState,
+    ProgramStatus,
+    pose_of,
+)
 from vrts.engine.timeline import Timeline
+from vrts.engine.trace import Activation
 from vrts.ir.module import Module
+from vrts.ir.system import SWITCHES
 from vrts.ir.values import Value
 from vrts.robots.kinematics import forward
 from vrts.robots.model import Configuration
 from vrts.scene.model import Scenario, Scene
 
+__all__ = ["OutOfHorizon", "Run", "State", "pose_of"]
+
+
+E = TypeVar("E", bound=Event)
+
 
 class OutOfHorizon(ValueError):  # noqa: N818 -- names the situation, as the glossary does
-    """A time was asked for at which the run is not known."""
+    """A time or a statement was asked for at which the run is not known."""
 
     def __init__(self, time_s: float, horizon_s: float) -> None:
         """Say which time, and how far the run reaches."""
@@ -37,9 +68,8 @@ class Run:
         self._checkpoints = checkpoints
         self.until_s = until_s
         ended = machine.ended_s
-        self.horizon_s = until_s if ended is None else max(ended, min(until_s, self._last_s))
-        self._timeline: Timeline | None = None  # worked out when first asked for
-        self._events: tuple[Event, ...] | None = None
+        over = machine.closed and ended is not None
+        self.horizon_s = max(ended, min(until_s, self._last_s)) if over and ended else until_s
 
     @property
     def machine(self) -> Machine:
@@ -54,7 +84,7 @@ class Run:
     @property
     def module(self) -> Module:
         """The programs."""
-        return self._machine.executable.module
+        return self._machine.system.executable.module
 
     @property
     def scene(self) -> Scene:
@@ -68,11 +98,11 @@ class Run:
 
     @property
     def ending(self) -> Ending:
-        """How the program ended, or that it still runs."""
+        """How the robot program ended, or that it still runs."""
         ended = self._machine.ended_s
         if ended is not None and ended > self.horizon_s:
             return Ending.RUNNING
-        return self._machine.ending
+        return self._machine.robot.ending
 
     @property
     def started_s(self) -> float:
@@ -81,48 +111,57 @@ class Run:
 
     @property
     def ended_s(self) -> float | None:
-        """When the program was over and the arm stood still [s]."""
+        """When the robot program was over and the arm stood still [s]."""
         ended = self._machine.ended_s
         return None if ended is None or ended > self.horizon_s else ended
 
     @property
-    def motions(self) -> Sequence[Motion]:
-        """Every motion issued."""
-        return self._machine.context.planner.motions
+    def statements(self) -> int:
+        """How many statements were executed, by both programs."""
+        return self._machine.finished
 
-    @property
+    @cached_property
+    def motions(self) -> Sequence[Motion]:
+        """Every motion issued, in run time."""
+        planner = self._machine.system.planner
+        if planner.scale.plain:
+            return planner.motions
+        time = planner.scale.time
+        return [
+            motion._replace(start_s=time(motion.start_s), end_s=time(motion.end_s))
+            for motion in planner.motions
+        ]
+
+    @cached_property
     def timeline(self) -> Timeline:
         """The trajectory of arm and hand."""
-        if self._timeline is None:
-            machine = self._machine
-            self._timeline = Timeline(
-                machine.context.planner.pieces,
-                machine.context.hand.strokes,
-                machine.initial_configuration,
-                machine.initial_opening,
-                self.horizon_s,
-            )
-        return self._timeline
+        system = self._machine.system
+        return Timeline(
+            system.planner.pieces,
+            system.planner.scale,
+            system.hand.strokes,
+            system.planner.initial,
+            self._machine.initial_opening,
+            self.horizon_s,
+        )
 
-    @property
+    @cached_property
     def events(self) -> tuple[Event, ...]:
         """What happened up to the horizon, in time order."""
-        if self._events is None:
-            known = (e for e in self._machine.context.events if e.time_s <= self.horizon_s)
-            self._events = tuple(sorted(known, key=lambda event: event.time_s))
-        return self._events
+        known = (e for e in self._machine.system.events if e.time_s <= self.horizon_s)
+        return tuple(sorted(known, key=lambda event: event.time_s))
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:
         """Diagnostics of the engine, in time order."""
         return tuple(event.diagnostic for event in self.events if isinstance(event, Found))
 
-    @property
+    @cached_property
     def placements(self) -> Mapping[str, Sequence[Placement]]:
         """Where every movable body is, over time."""
         return {
             name: tuple(p for p in track if p.start_s <= self.horizon_s)
-            for name, track in self._machine.context.hand.placements.items()
+            for name, track in self._machine.system.hand.placements.items()
         }
 
     @property
@@ -131,19 +170,29 @@ class Run:
         return "".join(event.text for event in self.events if isinstance(event, Printed))
 
     def at(self, time_s: float) -> "State":
-        """Return the state at a time, in any order of asking.
+        """Return the state at a time, after all that happened in its tick; in any order of asking.
 
         Raises:
             OutOfHorizon: The run does not reach so far.
         """
         if not 0.0 <= time_s <= self.horizon_s:
             raise OutOfHorizon(time_s, self.horizon_s)
-        return State(self, time_s)
+        return State(self, time_s, None)
+
+    def at_statement(self, finished: int) -> "State":
+        """Return the state after a number of statements, in any order of asking.
+
+        Raises:
+            OutOfHorizon: So many were not executed.
+        """
+        if not 0 <= finished <= self.statements:
+            raise OutOfHorizon(finished, self.statements)
+        return State(self, self._machine.time_of(finished), finished)
 
     @property
     def _last_s(self) -> float:
         """End of everything under way when the program ended [s]."""
-        hand = self._machine.context.hand
+        hand = self._machine.system.hand
         strokes = [stroke.end_s for stroke in hand.strokes[-1:]]
         landings = [track[-1].start_s for track in hand.placements.values()]
         return max([0.0, *strokes, *landings])
@@ -152,12 +201,22 @@ class Run:
 class State:
     """A run at one instant; parts are worked out when they are asked for."""
 
-    __slots__ = ("_run", "time_s")
+    __slots__ = ("_finished", "_run", "time_s")
 
-    def __init__(self, run: Run, time_s: float) -> None:
-        """Remember the run and the instant."""
+    def __init__(self, run: Run, time_s: float, finished: int | None) -> None:
+        """Remember the run and the instant; None is after all that happened in its tick."""
         self._run = run
+        self._finished = finished
         self.time_s = time_s
+
+    @property
+    def finished(self) -> int:
+        """Statements finished."""
+        if self._finished is None:
+            self._finished = self._run.machine.finished_at(self.time_s)
+        return self._finished
+
+    # --- the arm ------------------------------------------------------------------------------
 
     @property
     def configuration(self) -> Configuration:
@@ -180,11 +239,25 @@ class State:
         return forward(self._run.scene.robot.arm, self.configuration)
 
     @property
+    def X_FT(self) -> Pose:
+        """The tool that TOOL set last."""
+        held = self._run.machine.system.held_tool.at(self.finished)
+        return held if isinstance(held, Pose) else self._run.scene.X_FT
+
+    @property
+    def base(self) -> Pose:
+        """X_VB: how BASE says that the robot was displaced."""
+        held = self._run.machine.system.held_base.at(self.finished)
+        return held if isinstance(held, Pose) else IDENTITY
+
+    @property
     def X_WT(self) -> Pose:
         """Pose of the tool in force at the motion under way or just done."""
         motions = self._run.motions
         found = bisect_right(motions, self.time_s, key=lambda motion: motion.start_s)
         X_FT = motions[found - 1].X_FT if found else self._run.scene.X_FT
+        if not found or self.time_s > motions[found - 1].end_s:
+            X_FT = self.X_FT
         return self.X_WF @ X_FT
 
     @property
@@ -224,30 +297,112 @@ class State:
         return frozenset(on)
 
     @property
+    def switches(self) -> Mapping[str, bool]:
+        """System switches."""
+        found = {name: switch.on for name, switch in SWITCHES.items()}
+        for event in self._events(SwitchChanged):
+            found[event.switch] = event.on
+        return found
+
+    @property
+    def parameters(self) -> Mapping[str, float]:
+        """Parameters of the controller that were set."""
+        cells = self._run.machine.system.parameters
+        values = {name: cell.at(self.finished) for name, cell in cells.items()}
+        return {name: v for name, v in values.items() if isinstance(v, float)}
+
+    @property
+    def analog(self) -> Mapping[int, float]:
+        """Analog outputs that were set [counts]."""
+        return {event.channel: event.value for event in self._events(AnalogChanged)}
+
+    @property
+    def monitor_speed(self) -> float:
+        """The operator's speed [%]."""
+        percent = self._run.scenario.monitor_speed
+        for event in self._events(SpeedChanged):
+            percent = event.percent
+        return percent
+
+    @property
+    def program_speed(self) -> float:
+        """Speed of the motion under way or just done [%]."""
+        motions = self._run.motions
+        found = bisect_right(motions, self.time_s, key=lambda motion: motion.start_s)
+        return 100.0 * motions[found - 1].speed_fraction if found else 100.0
+
+    # --- programs -----------------------------------------------------------------------------
+
+    @property
+    def module(self) -> Module:
+        """The programs in memory at the horizon."""
+        return self._run.module
+
+    @property
     def variables(self) -> Mapping[str, Value]:
         """Global variables that have a value, array elements included."""
+        finished = self.finished
         found: dict[str, Value] = {}
-        for cell in self._run.machine.context.memory.cells():
-            value = cell.at(self.time_s)
+        for cell in self._run.machine.system.memory.cells():
+            value = cell.at(finished)
             if value is not UNDEFINED:
                 found[cell.name] = value  # type: ignore[assignment]
         return found
 
     @property
+    def locals(self) -> Mapping[str, Value]:
+        """Arguments and automatic variables of the innermost program that have a value."""
+        activation = self._run.machine.robot.trace.activation(self.finished)
+        found: dict[str, Value] = {}
+        if activation is None:
+            return found
+        program = self._run.machine.system.executable.programs[activation.program].program
+        slots = (*program.formals, *program.autos)
+        for slot, bound in zip(slots, activation.slots, strict=True):
+            cells = bound.elements.values() if isinstance(bound, Array) else (bound,)
+            for cell in cells:
+                value = cell.at(self.finished)
+                if value is not UNDEFINED:
+                    _, bracket, subscripts = cell.name.partition("[")
+                    name = slot.name + bracket + subscripts if isinstance(bound, Array) else slot.name
+                    found[name] = value  # type: ignore[assignment]
+        return found
+
+    @property
     def call_stack(self) -> tuple[Cause, ...]:
-        """The instruction that each program is at, outermost first; empty when none runs."""
+        """The step that every active program of the robot is at, outermost first."""
         machine = self._run.machine
         if machine.ended_s is not None and self.time_s >= machine.ended_s:
             return ()
-        places = machine.places
-        found = bisect_right(places, self.time_s, key=lambda place: place.time_s)
-        if not found:
-            return ()
-        programs = machine.executable.programs
-        return tuple(
-            programs[number].causes[min(index, len(programs[number].causes) - 1)]
-            for number, index in places[found - 1].frames
-        )
+        return self._stack(machine.robot)
+
+    @property
+    def process_stack(self) -> tuple[Cause, ...]:
+        """The same of the process control program."""
+        return self._stack(self._run.machine.process)
+
+    @property
+    def robot(self) -> ProgramState | None:
+        """The robot program; None when none was executed yet."""
+        return self._program(self._run.machine.robot)
+
+    @property
+    def process(self) -> ProgramState | None:
+        """The process control program; None when none was executed yet."""
+        return self._program(self._run.machine.process)
+
+    @property
+    def awaits_answer(self) -> bool:
+        """Whether a PROMPT waits for a line."""
+        asked = False
+        for event in self._run.events:
+            if event.time_s > self.time_s:
+                break
+            if isinstance(event, Prompted):
+                asked = True
+            elif isinstance(event, Answered | ProgramEnded):
+                asked = False
+        return asked
 
     @property
     def cause(self) -> Cause | None:
@@ -256,6 +411,12 @@ class State:
         found = bisect_right(motions, self.time_s, key=lambda motion: motion.start_s)
         if found and self.time_s < motions[found - 1].end_s:
             return motions[found - 1].cause
+        stack = self.call_stack
+        return stack[-1] if stack else None
+
+    @property
+    def instruction(self) -> Cause | None:
+        """The step that the robot program executes next, or waits at."""
         stack = self.call_stack
         return stack[-1] if stack else None
 
@@ -277,19 +438,57 @@ class State:
     @property
     def output(self) -> str:
         """What the program has written so far."""
-        return "".join(
-            event.text
+        return "".join(event.text for event in self._events(Printed))
+
+    # --- parts --------------------------------------------------------------------------------
+
+    def _events(self, kind: type[E]) -> list[E]:
+        return [
+            event
             for event in self._run.events
-            if isinstance(event, Printed) and event.time_s <= self.time_s
+            if event.time_s <= self.time_s and isinstance(event, kind)
+        ]
+
+    def _stack(self, c: Context) -> tuple[Cause, ...]:
+        executable = self._run.machine.system.executable
+        activation = c.trace.activation(self.finished)
+        if activation is None:
+            return ()
+        following = c.trace.following(self.finished)
+        if following is None and c.frames:
+            frame = c.frames[-1]
+            program = executable.programs[frame.program]
+            following = program.base + min(frame.index, len(program.causes) - 1)
+        if following is None:
+            return ()
+        stack = [executable.causes[following]]
+        at: Activation | None = activation
+        while at is not None and at.called_from is not None:
+            stack.append(executable.causes[at.called_from])
+            at = at.caller
+        return tuple(reversed(stack))
+
+    def _program(self, c: Context) -> ProgramState | None:
+        started = ended = None
+        for event in self._run.events:
+            if event.time_s > self.time_s:
+                break
+            if isinstance(event, ProgramStarted) and event.process is not c.is_robot:
+                started, ended = event, None
+            elif isinstance(event, ProgramEnded) and event.process is not c.is_robot:
+                ended = event
+        if started is None:
+            return None
+        stack = self._stack(c)
+        cause = stack[-1] if stack else None
+        if ended is not None:
+            done = ended.ending in (Ending.COMPLETED.value, Ending.HALTED.value)
+            status = ProgramStatus.COMPLETED if done else ProgramStatus.STOPPED
+            cause = ended.cause
+        else:
+            at_horizon = self.time_s >= self._run.machine.now
+            waits = at_horizon and c.wake > self._run.machine.now
+            status = ProgramStatus.WAITING if waits else ProgramStatus.RUNNING
+        return ProgramState(
+            started.program, status, c.cycles_done, c.cycles_left, c.priority, cause
         )
-
-
-def pose_of(placement: Placement, time_s: float, X_WF: Pose) -> Pose:
-    """Return X_WO of a body at a time, with the flange where it is then."""
-    if placement.lie is Lie.HELD:
-        return X_WF @ placement.X
-    if placement.lie is Lie.FALLING:
-        x, y, z = placement.X.translation
-        fallen = 0.5 * GRAVITY * (time_s - placement.start_s) ** 2
-        return Pose(placement.X.rotation, (x, y, z - fallen))
-    return placement.X

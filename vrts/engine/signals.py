@@ -14,13 +14,15 @@ INTERNAL = range(2001, 2257)
 class Signals:
     """Which signals are on, and the inputs still to change."""
 
-    __slots__ = ("_inputs", "_next", "on")
+    __slots__ = ("_inputs", "_next", "_stuck", "changes", "on")
 
     def __init__(self, inputs: Sequence[tuple[float, int, bool]]) -> None:
         """Take the inputs in time order."""
         self.on: set[int] = set()
+        self.changes = 0  # how often a signal changed
         self._inputs = tuple(inputs)
         self._next = 0
+        self._stuck: frozenset[int] = frozenset()  # inputs that do not change any more
 
     def sample(self, time_s: float) -> list[tuple[int, bool]]:
         """Take over the inputs up to a time; return those that changed."""
@@ -28,10 +30,17 @@ class Signals:
         while self._next < len(self._inputs) and self._inputs[self._next][0] <= time_s:
             _, number, state = self._inputs[self._next]
             self._next += 1
-            if state is not (number in self.on):
+            if state is not (number in self.on) and number not in self._stuck:
                 self.turn(number, on=state)
                 changed.append((number, state))
         return changed
+
+    def stick(self, number: int, *, on: bool) -> bool:
+        """Keep an input in a state from now on; return whether that changes it."""
+        changes = on is not (number in self.on)
+        self.turn(number, on=on)
+        self._stuck |= {number}
+        return changes
 
     @property
     def next_input_s(self) -> float | None:
@@ -41,7 +50,10 @@ class Signals:
         return self._inputs[self._next][0]
 
     def turn(self, number: int, *, on: bool) -> None:
-        """Turn a signal on or off."""
+        """Turn a signal on or off; one that is stuck stays as it is."""
+        if number in self._stuck:
+            return
+        self.changes += 1
         if on:
             self.on.add(number)
         else:
@@ -62,7 +74,7 @@ class Signals:
         """Return an independent copy."""
         other = Signals(self._inputs)
         other.on = set(self.on)
-        other._next = self._next
+        other._next, other._stuck, other.changes = self._next, self._stuck, self.changes
         return other
 
 

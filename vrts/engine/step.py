@@ -22,3 +22,9 @@ def reached(c: Context, time_s: float) -> bool:
 def place_of(expression: Expression) -> Span | None:
     """Return where an expression stands."""
     return expression.place.span if isinstance(expression, Load) else expression.span
+
+
+def parameter(c: Context, name: str, otherwise: float) -> float:
+    """Return a parameter of the controller, or what it is at the start."""
+    cell = c.system.parameters.get(name)
+    return cell.value if cell is not None and isinstance(cell.value, float) else otherwise

@@ -4,55 +4,29 @@ The result is the index of the next instruction, or a negative outcome of `outco
 that has to wait returns BLOCKED and is entered again; `Context.phase` remembers how far it came.
 """
 
-from collections.abc import Callable
-
 from vrts.base.numbers import round_half_away
-from vrts.base.oat import components
 from vrts.base.pose import Pose
 from vrts.base.source import Span
-from vrts.base.units import deg
-from vrts.engine.arithmetic import checked_string, integer, rounded
+from vrts.engine.arithmetic import checked_string, rounded
 from vrts.engine.context import Context
 from vrts.engine.evaluate import Compiler, Evaluate
-from vrts.engine.evaluate_strings import written
-from vrts.engine.events import Cause, Printed, SignalChanged
+from vrts.engine.events import Cause, SwitchChanged
 from vrts.engine.extent import simulates
 from vrts.engine.faults import RuntimeFault
+from vrts.engine.hand_steps import HandStepCompiler
 from vrts.engine.motion_steps import MotionStepCompiler
-from vrts.engine.outcomes import (
-    BLOCKED,
-    CYCLE_ENDED,
-    HALTED,
-    PAUSED,
-    WAIT_NEVER_ENDS,
-    LimitReached,
-)
-from vrts.engine.pieces import packed, spread
-from vrts.engine.signals import OUTPUTS, known
-from vrts.engine.step import Step, place_of, reached
+from vrts.engine.outcomes import BLOCKED, CYCLE_ENDED, HALTED, PAUSED
+from vrts.engine.reaction_steps import ReactionStepCompiler
+from vrts.engine.setting_steps import SettingStepCompiler
+from vrts.engine.signal_steps import SignalStepCompiler
+from vrts.engine.step import Step, reached
+from vrts.engine.terminal_steps import TerminalStepCompiler, put
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import (
-    Apply,
-    Binary,
-    Compose,
-    Expression,
-    Format,
-    FormatKind,
-    Function,
-    Place,
-    Unary,
-)
+from vrts.ir.expressions import Expression, Place
 from vrts.ir.runtime_errors import RuntimeErrorKind
+from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type, Value
 from vrts.robots.kinematics import forward, solve
-
-HIGHEST_TIMER = 15  # [val2.md 3.9]
-MOST_BITS = 16  # that BITS writes at once [val2.md 3.5]
-MOST_PACKED = 32767 * 128  # characters of a string array
-
-CHANGING = frozenset(
-    {Function.TIMER, Function.RANDOM, Function.HERE, Function.HERE_JOINTS, Function.HAND}
-)  # functions whose value may change although no signal and no variable does
 
 
 class StepCompiler:
@@ -62,6 +36,11 @@ class StepCompiler:
         """Share the compiler of expressions."""
         self.expressions = expressions
         self.motions = MotionStepCompiler(expressions)
+        self.settings = SettingStepCompiler(expressions)
+        self.hands = HandStepCompiler(expressions)
+        self.signals = SignalStepCompiler(expressions)
+        self.reactions = ReactionStepCompiler(expressions)
+        self.texts = TerminalStepCompiler(expressions)
 
     def step(self, instruction: ir.Instruction, index: int, cause: Cause) -> Step:
         """Return the closure of an instruction that stands at an index."""
@@ -76,41 +55,53 @@ class StepCompiler:
                 return self._assign(place, e.value(value), following)
             case ir.AssignHere(place=place, frame=frame):
                 return self._assign_here(place, frame, following)
-            case ir.Move() | ir.Depart() | ir.Drive() | ir.Ready():
+            case (
+                ir.Move()
+                | ir.Depart()
+                | ir.Drive()
+                | ir.Draw()
+                | ir.Align()
+                | ir.Ready()
+                | ir.Nest()
+            ):
                 return self.motions.motion(instruction, following, cause)
             case ir.Delay(time=time):
-                return self.motions.delay(e.real(time), following)
+                return self.motions.delay(time, following)
             case ir.Break():
                 return lambda c: following if reached(c, c.planner.settled_at) else BLOCKED
-            case ir.SetSpeed():
-                return self.motions.speed(instruction, following)
-            case ir.RequestBranch(branch=branch):
+            case ir.Brake():
 
-                def request(c: Context) -> int:
-                    if not reached(c, c.planner.settled_at):
-                        return BLOCKED
-                    c.planner.ask(branch)
+                def brake(c: Context) -> int:
+                    c.planner.brake(c.now)
+                    c.hand.path_changed(c.now)
                     return following
 
-                return request
-            case ir.MoveHand(action=action, immediate=immediate):
-                if immediate:
-                    return self.motions.hand_now(action, following, cause)
-
-                def hand_later(c: Context) -> int:
-                    c.next_hand.append((action, cause))
-                    return following
-
-                return hand_later
+                return brake
+            case (
+                ir.SetSpeed()
+                | ir.SetMonitorSpeed()
+                | ir.SetAcceleration()
+                | ir.SetDuration()
+                | ir.SetAccuracy()
+                | ir.SetNulling()
+                | ir.SetIntegration()
+                | ir.SetTurns()
+            ):
+                return self.settings.setting(instruction, following, cause)
+            case ir.RequestBranch():
+                return self.settings.branch(instruction, following, cause)
+            case ir.MoveHand():
+                return self.hands.move_hand(instruction, following, cause)
+            case ir.Grasp():
+                return self.hands.grasp(instruction, following, cause)
             case ir.SetTool(pose=pose):
                 return self.motions.tool(pose, following)
-            case ir.SetBase():
+            case ir.SetBase() | ir.SetBaseFrame():
                 return self.motions.base(instruction, following)
             case ir.Jump(target=target):
                 return lambda c: target
             case ir.JumpIf(condition=condition, when=when, target=target):
-                test = e.real(condition)
-                return lambda c: target if (test(c) != 0.0) is when else following
+                return self._jump_if(condition, target, following, when=when)
             case ir.BeginFor() | ir.TestFor() | ir.NextFor():
                 return self._for(instruction, following, cause)
             case ir.BeginCase(selector=selector, case=case):
@@ -131,100 +122,73 @@ class StepCompiler:
 
                 return test_case
             case ir.Stop(message=message):
-                return self._ending(message, CYCLE_ENDED, cause, waits=False)
+                return self._ending(message, CYCLE_ENDED, following, cause, waits=False)
             case ir.Halt(message=message):
-                return self._ending(message, HALTED, cause, waits=True)
+                return self._ending(message, HALTED, following, cause, waits=True)
             case ir.Pause(message=message):
-                return self._ending(message, PAUSED, cause, waits=True)
-            case ir.Signal(signals=signals):
-                return self._signal(signals, following, cause)
-            case ir.Wait(condition=condition):
-                return self._wait(condition, following, cause)
-            case ir.Type(items=items):
-                return self._type(items, following, cause)
-            case ir.SetTimer(number=number, value=value):
-                return self._set_timer(e.real(number), e.real(value), following, cause)
-            case ir.Reset():
-                return lambda c: _reset(c, following, cause)
-            case ir.SetBits():
-                return self._set_bits(instruction, following, cause)
-            case ir.Pack():
-                return self._pack(instruction, following, cause)
-            case ir.Decompose():
-                return self._decompose(instruction, following)
-            case ir.Call() | ir.Return():
+                return self._ending(message, PAUSED, following, cause, waits=True)
+            case (
+                ir.Signal()
+                | ir.Reset()
+                | ir.SetBits()
+                | ir.Pulse()
+                | ir.DelayedSignal()
+                | ir.SetAnalog()
+                | ir.SetTimer()
+                | ir.Wait()
+                | ir.WaitTime()
+            ):
+                return self.signals.step(instruction, following, cause)
+            case (
+                ir.React()
+                | ir.ReactError()
+                | ir.ReturnError()
+                | ir.Ignore()
+                | ir.Lock()
+                | ir.StartProcess()
+                | ir.AbortProcess()
+                | ir.EndProcess()
+            ):
+                return self.reactions.step(instruction, following, cause)
+            case ir.Type() | ir.Prompt() | ir.Pack() | ir.Decompose():
+                return self.texts.step(instruction, following, cause)
+            case ir.Switch():
+                return _switch(instruction, following, cause)
+            case ir.SetParameter():
+                return self._set_parameter(instruction, following, cause)
+            case ir.Call() | ir.CallNamed() | ir.Return():
                 raise ValueError("calls and returns are compiled by `executable`")
-            case _:
-                raise ValueError(f"{type(instruction).__name__} is said to be carried out")
 
-    # --- timers, outputs, strings -------------------------------------------------------------
-
-    def _set_timer(
-        self,
-        number: Callable[[Context], float],
-        value: Callable[[Context], float],
-        following: int,
-        cause: Cause,
+    def _jump_if(
+        self, condition: Expression, target: int, following: int, *, when: bool
     ) -> Step:
-        def set_timer(c: Context) -> int:
-            which = integer(number(c), cause.span, 1, HIGHEST_TIMER, "timer")
-            c.timers[which] = c.now - value(c)
-            return following
+        test = self.expressions.real(condition)
+        if when:
+            return lambda c: target if test(c) != 0.0 else following
+        return lambda c: following if test(c) != 0.0 else target
 
-        return set_timer
-
-    def _set_bits(self, instruction: ir.SetBits, following: int, cause: Cause) -> Step:
-        first, length = self.expressions.real(instruction.first), instruction.length
-        count, value = self.expressions.real(length), self.expressions.real(instruction.value)
-
-        def set_bits(c: Context) -> int:
-            start = round_half_away(first(c))
-            many = integer(count(c), cause.span, 1, MOST_BITS, "number of signals")
-            bits = round_half_away(value(c))
-            for k in range(many):
-                known(start + k, cause.span, writable=True)
-            for k in range(many):
-                _turn(c, start + k, bool(bits >> k & 1), cause)
-            return following
-
-        return set_bits
-
-    def _pack(self, instruction: ir.Pack, following: int, cause: Cause) -> Step:
-        e, place = self.expressions, instruction.place
-        first, length = e.real(instruction.first), e.real(instruction.length)
-        text = e.string(instruction.text)
-        elements = e.elements(place)
-
-        def pack(c: Context) -> int:
-            start = integer(first(c), cause.span, 1, MOST_PACKED, "position")
-            part = text(c)
-            many = integer(length(c), cause.span, 0, MOST_PACKED, "number of characters")
-            for element, at, taken in spread(start, many):
-                cell = elements(c, element)
-                now = cell.value if isinstance(cell.value, str) else ""
-                cell.assign(checked_string(packed(now, at, taken, part[:taken]), cause.span), c.now)
-                part = part[taken:]
-            return following
-
-        return pack
-
-    def _decompose(self, instruction: ir.Decompose, following: int) -> Step:
+    def _set_parameter(
+        self, instruction: ir.SetParameter, following: int, cause: Cause
+    ) -> Step:
         e = self.expressions
-        elements, location = e.elements(instruction.place), e.location(instruction.location)
-        plain = instruction.plain_angles
+        value = e.real(instruction.value)
+        index = e.real(instruction.subscript) if instruction.subscript is not None else None
+        known = instruction.name in PARAMETERS
 
-        def decompose(c: Context) -> int:
-            found = location(c)
-            if isinstance(found, Pose):
-                x, y, z, o, a, t = components(found)
-                values = (x, y, z, *((o - 90.0, a + 90.0, t) if plain else (o, a, t)))
-            else:
-                values = tuple(deg(joint) for joint in found)  # type: ignore[union-attr]
-            for k, value in enumerate(values):
-                elements(c, k).assign(rounded(value, instruction.place.span), c.now)
+        def set_parameter(c: Context) -> int:
+            if not known:
+                raise RuntimeFault(
+                    RuntimeErrorKind.INVALID_ARGUMENT,
+                    f"there is no parameter `{instruction.name}`",
+                    cause.span,
+                )
+            name = instruction.name
+            if index is not None:
+                name = f"{name}[{round_half_away(index(c))}]"
+            c.system.set_parameter(name, value(c), c.finished)
             return following
 
-        return decompose
+        return set_parameter
 
     # --- assignment ---------------------------------------------------------------------------
 
@@ -239,7 +203,7 @@ class StepCompiler:
                 found = _joints_of(c, found, span)
             elif isinstance(found, tuple) and not isinstance(found, Pose) and wanted is Type.POSE:
                 found = c.planner.pose_of(found)  # type: ignore[arg-type]
-            cell(c).assign(found, c.now)
+            cell(c).assign(found, c.finished)
             return following
 
         return assign
@@ -253,10 +217,10 @@ class StepCompiler:
             planner = c.planner
             q = planner.configuration_at(c.now)
             if wanted is Type.JOINTS:
-                cell(c).assign(q, c.now)
+                cell(c).assign(q, c.finished)
                 return following
             X = planner.base @ forward(planner.arm, q) @ planner.tool
-            cell(c).assign(base(c).inverse() @ X if base is not None else X, c.now)
+            cell(c).assign(base(c).inverse() @ X if base is not None else X, c.finished)
             return following
 
         return here
@@ -274,7 +238,7 @@ class StepCompiler:
                 by = e.real(increment) if increment is not None else None
 
                 def begin_for(c: Context) -> int:
-                    cell(c).assign(begin(c), c.now)
+                    cell(c).assign(begin(c), c.finished)
                     frame = c.frames[-1]
                     frame.limits[loop] = limit(c)
                     frame.increments[loop] = 1.0 if by is None else by(c)
@@ -301,13 +265,13 @@ class StepCompiler:
                         raise _never_begun(cause)
                     value: float = load(c)  # type: ignore[assignment]
                     total = rounded(value + frame.increments[loop], cause.span)
-                    cell(c).assign(total, c.now)
+                    cell(c).assign(total, c.finished)
                     return test
 
                 return next_for
 
     def _ending(
-        self, message: Expression | None, outcome: int, cause: Cause, *, waits: bool
+        self, message: Expression | None, outcome: int, following: int, cause: Cause, *, waits: bool
     ) -> Step:
         text = self.expressions.string(message) if message is not None else None
 
@@ -315,75 +279,11 @@ class StepCompiler:
             if waits and not reached(c, c.planner.settled_at):
                 return BLOCKED
             if text is not None:
-                _print(c, text(c) + "\r\n", cause)
+                put(c, text(c) + "\r\n", cause)
+            c.frames[-1].index = following
             return outcome
 
         return end
-
-    # --- signals and terminal -----------------------------------------------------------------
-
-    def _signal(self, signals: tuple[Expression, ...], following: int, cause: Cause) -> Step:
-        numbers = tuple((self.expressions.real(s), place_of(s)) for s in signals)
-
-        def signal(c: Context) -> int:
-            for value, span in numbers:
-                wanted = round_half_away(value(c))
-                if wanted == 0:
-                    continue
-                known(wanted, span, writable=True)
-                on = wanted > 0
-                if on is not (abs(wanted) in c.signals.on):
-                    c.signals.turn(abs(wanted), on=on)
-                    c.events.append(SignalChanged(c.now, abs(wanted), on, cause))
-            return following
-
-        return signal
-
-    def _wait(self, condition: Expression | None, following: int, cause: Cause) -> Step:
-        if condition is None:
-
-            def give_up(c: Context) -> int:
-                if c.phase == 1:
-                    c.phase = 0
-                    return following
-                c.phase = 1
-                c.wake = c.now + c.planner.arm.tick
-                return BLOCKED
-
-            return give_up
-        test = self.expressions.real(condition)
-        changes = _uses(condition, CHANGING)
-
-        def wait(c: Context) -> int:
-            if test(c) != 0.0:
-                return following
-            if changes:
-                c.wake = c.now + c.planner.arm.tick
-                return BLOCKED
-            coming = c.signals.next_input_s
-            if coming is None:
-                raise LimitReached(
-                    WAIT_NEVER_ENDS,
-                    "this WAIT never ends: nothing that is still to happen makes it true",
-                    cause.span,
-                    f"looked at when it was reached, at {c.now:.3f} s",
-                    "wait for a signal that the scenario turns on, or set it in the program",
-                )
-            c.wake = max(coming, c.now + c.planner.arm.tick)
-            return BLOCKED
-
-        return wait
-
-    def _type(self, items: "tuple[Expression | Format, ...]", following: int, cause: Cause) -> Step:
-        text = written(self.expressions, items, "TYPE")
-        last = items[-1] if items else None
-        end = "" if isinstance(last, Format) and last.kind is FormatKind.STAY else "\r\n"
-
-        def write(c: Context) -> int:
-            _print(c, text(c) + end, cause)
-            return following
-
-        return write
 
 
 def refusal(headline: str, cause: Cause) -> Step:
@@ -400,21 +300,30 @@ def refusal(headline: str, cause: Cause) -> Step:
     return refuse
 
 
-def _turn(c: Context, signal: int, on: bool, cause: Cause) -> None:
-    if on is not (signal in c.signals.on):
-        c.signals.turn(signal, on=on)
-        c.events.append(SignalChanged(c.now, signal, on, cause))
+def _switch(instruction: ir.Switch, following: int, cause: Cause) -> Step:
+    names, on = instruction.names, instruction.on
 
+    def switch(c: Context) -> int:
+        for name in names:
+            known = SWITCHES.get(name)
+            if known is None or known.read_only:
+                raise RuntimeFault(
+                    RuntimeErrorKind.INVALID_SWITCH,
+                    f"there is no switch `{name}`",
+                    cause.span,
+                    help=(f"switches are {', '.join(SWITCHES)}",),
+                )
+            if c.system.is_on(name) is not on:
+                c.events.append(SwitchChanged(c.now, name, on, cause))
+            c.system.switches[name] = on
+            if name == "POWER":
+                c.system.powered = on
+                if not on:
+                    c.planner.brake(c.now)
+                    c.hand.path_changed(c.now)
+        return following
 
-def _reset(c: Context, following: int, cause: Cause) -> int:
-    for signal in OUTPUTS:
-        _turn(c, signal, False, cause)
-    return following
-
-
-def _print(c: Context, text: str, cause: Cause) -> None:
-    c.terminal.wrote(text)
-    c.events.append(Printed(c.now, text, cause))
+    return switch
 
 
 def _joints_of(c: Context, pose: Pose, span: Span | None) -> Value:
@@ -433,17 +342,3 @@ def _never_begun(cause: Cause) -> RuntimeFault:
         cause.span,
         help=("jump to the FOR step, not into its body",),
     )
-
-
-def _uses(expression: object, functions: frozenset[Function]) -> bool:
-    match expression:
-        case Apply(function=function, arguments=arguments):
-            return function in functions or any(_uses(a, functions) for a in arguments)
-        case Unary(operand=operand):
-            return _uses(operand, functions)
-        case Binary(left=left, right=right):
-            return _uses(left, functions) or _uses(right, functions)
-        case Compose(parts=parts):
-            return any(_uses(part, functions) for part in parts)
-        case _:
-            return False

@@ -37,4 +37,11 @@ class RuntimeErrorKind(Enum):
     TOO_FAR = ValError("Location too far", -617)
     TOO_CLOSE = ValError("Location too close", -618)
     JOINT_OUT_OF_RANGE = ValError("Joint {joint} out of range", -1000)  # number is -1000 - joint
+    ROBOT_POWER_OFF = ValError("Robot power off", -604)
+    HAND_CLOSED_TOO_FAR = ValError("Hand closed too far", -620)
+    INVALID_NUMBER = ValError("Invalid number format", -457)
+    PROCESS_EXECUTING = ValError("Process control program executing", -305)
+    ILLEGAL_IN_PROCESS = ValError("Illegal in process control program", -306)
+    ILLEGAL_RETURNE = ValError("Illegal RETURNE", -307)  # text and number assumed [val2.md 3.4]
+    INVALID_SWITCH = ValError("Invalid switch", -424)  # number assumed
     NOT_INSTALLED = ValError("Option not installed", -802)

@@ -1,0 +1,36 @@
+"""A timeline at many times at once."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.engine.records import COORDINATES, Segment
+
+Array = npt.NDArray[np.float64]
+
+
+class Batch:
+    """The segments of a timeline as arrays."""
+
+    def __init__(self, segments: Sequence[Segment]) -> None:
+        """Take the segments in time order, at least one."""
+        self._starts = np.array([segment.start_s for segment in segments])
+        self._ends = np.array([segment.end_s for segment in segments])
+        powers = max(len(row) for segment in segments for row in segment.coefficients)
+        self._powers = np.zeros((powers, len(segments), COORDINATES))
+        for k, segment in enumerate(segments):
+            for joint, row in enumerate(segment.coefficients):
+                self._powers[: len(row), k, joint] = row
+
+    def values(self, times: Array) -> Array:
+        """Return six joints [rad] and the hand opening [m], shape (m, 7), at times of shape (m,).
+
+        Before the first segment and after the last the arm stands still.
+        """
+        at = np.maximum(np.searchsorted(self._starts, times, side="right") - 1, 0)
+        t = np.clip(times - self._starts[at], 0.0, (self._ends - self._starts)[at])[:, None]
+        result = self._powers[-1, at]
+        for c in self._powers[-2::-1]:
+            result = result * t + c[at]
+        return result

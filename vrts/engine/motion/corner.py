@@ -1,0 +1,197 @@
+"""A corner rounded: the end of one motion and the beginning of the next, added up.
+
+From W before to W after the nominal instant at the corner both motions are under way: the first
+slows down, the second picks up speed [Paul1981]_. Two joint motions add in the joints, two lines in
+space, and a joint motion and a line in the joints of both.
+"""
+
+from typing import NamedTuple
+
+from vrts.base.pose import Pose
+from vrts.engine.motion.paths import Course, JointPath, LinePath, Path, rounded
+from vrts.engine.motion.plan import STILL, Intent, joint_pieces, parameter
+from vrts.engine.motion.polynomials import Row, added
+from vrts.engine.motion.profile import Profile, at
+from vrts.engine.motion.set_points import Offset, Piece, SetPoints, deviation, follow, joined
+from vrts.robots.branch import branch_of
+from vrts.robots.model import Arm, ArmBranch, Configuration
+
+EPSILON = 1e-9  # [s]
+
+
+class Leg(NamedTuple):
+    """The motion that was given last, on the timeline."""
+
+    path: Path
+    profile: Profile
+    departure: float  # nominal, in path time [s]
+    deceleration: float  # [s]
+
+    @property
+    def arrival(self) -> float:
+        """Nominal, in path time [s]."""
+        return self.departure + self.profile.duration
+
+
+class Corner(NamedTuple):
+    """Two motions joined."""
+
+    start_s: float  # of the zone, in path time
+    pieces: list[Piece]  # from the zone's start to the end of the second motion
+    leg: Leg  # the second motion
+    goal: Configuration
+    branch: ArmBranch
+    deviation_m: float
+    crossed_wrist: bool
+
+
+def half_width(leg: Leg, intent: Intent, arm: Arm) -> float:
+    """Return W [s]: the longer of the two accelerations."""
+    return max(leg.deceleration, intent.settings.acceleration_times(arm)[0])
+
+
+def fits(leg: Leg, intent: Intent, half: float) -> bool:
+    """Return whether the zone leaves room for the zones at the other ends."""
+    return (
+        leg.profile.rise <= leg.profile.duration - half + EPSILON
+        and half + intent.profile.fall <= intent.profile.duration + EPSILON
+    )
+
+
+def round_corner(
+    arm: Arm,
+    X_FT: Pose,
+    leg: Leg,
+    intent: Intent,
+    state: tuple[Configuration, Configuration],
+) -> Corner | None:
+    """Return two motions joined, or None when a line cannot be followed that way.
+
+    Args:
+        arm: The arm.
+        X_FT: The tool, the same for both.
+        leg: The motion under way.
+        intent: The next, from the end of the first.
+        state: Configuration and velocity in path time at the start of the zone.
+    """
+    half = half_width(leg, intent, arm)
+    before = leg.profile._replace(fall=half, to_rest=False)
+    after = intent.profile._replace(rise=half, from_rest=False)
+    arrival = leg.arrival
+    following = Leg(intent.path, after, arrival, intent.settings.acceleration_times(arm)[1])
+    start = arrival - half
+    first, second = leg.path, intent.path
+
+    def course_before(t: float) -> Course:
+        assert isinstance(first, LinePath)
+        return first.course(*at(before.tail(), min(t - leg.departure, before.end)))
+
+    def course_after(t: float) -> Course:
+        assert isinstance(second, LinePath)
+        x = t - arrival
+        return second.course(*((1.0, 0.0) if x >= after.end - EPSILON else parameter(after, x)))
+
+    zone = round(2.0 * half / arm.tick)
+    if isinstance(second, JointPath):
+        rest = joint_pieces(second, after.phases()[1:], arrival)
+        if isinstance(first, JointPath):
+            pieces = [_both(first, second, before, after, start, 2.0 * half), *rest]
+            return _corner(start, pieces, following, intent)
+        times = _times(start, zone, arm.tick)
+        head = after.head()
+
+        def joining(k: int) -> Offset:
+            u, rate = at(head, times[k] - arrival)
+            return Offset(_scaled(second.change, u), _scaled(second.change, rate))
+
+        points = follow(
+            arm, X_FT, times, lambda k: course_before(times[k]), (*state, intent.start_branch), joining
+        )
+        return _into_joints(points, following, intent, rest)
+    count = zone + round((after.end - half) / arm.tick)
+    times = _times(start, count, arm.tick)
+    if isinstance(first, JointPath):
+        tail = before.tail()
+
+        def leaving(k: int) -> Offset:
+            if k >= zone:
+                return Offset(STILL, STILL)
+            u, rate = at(tail, times[k] - leg.departure)
+            return Offset(_scaled(first.change, u - 1.0), _scaled(first.change, rate))
+
+        points = follow(
+            arm,
+            X_FT,
+            times,
+            lambda k: course_after(times[k]),
+            (first.goal, STILL, intent.start_branch),
+            leaving,
+        )
+        return _into_line(arm, X_FT, points, following, zone)
+    corner = first.X_BT1
+
+    def course(k: int) -> Course:
+        if k >= zone:
+            return course_after(times[k])
+        return rounded(course_before(times[k]), corner, course_after(times[k]))
+
+    points = follow(arm, X_FT, times, course, (*state, intent.start_branch))
+    return _into_line(arm, X_FT, points, following, zone)
+
+
+def _corner(start: float, pieces: list[Piece], leg: Leg, intent: Intent) -> Corner:
+    assert intent.goal is not None
+    assert intent.goal_branch is not None
+    return Corner(start, pieces, leg, intent.goal, intent.goal_branch, 0.0, crossed_wrist=False)
+
+
+def _into_joints(points: SetPoints, leg: Leg, intent: Intent, rest: list[Piece]) -> Corner | None:
+    """Return a line that goes over into a joint motion."""
+    if points.obstacle is not None:
+        return None
+    after = rest[0][2]  # the joint motion goes on exactly where the zone ends
+    points.q[-1] = tuple(row[0] for row in after)  # type: ignore[call-overload]
+    points.rates[-1] = tuple(row[1] if len(row) > 1 else 0.0 for row in after)  # type: ignore[call-overload]
+    corner = _corner(points.times[0], [*joined(points), *rest], leg, intent)
+    return corner._replace(crossed_wrist=points.crossed_wrist)
+
+
+def _into_line(
+    arm: Arm, X_FT: Pose, points: SetPoints, leg: Leg, zone: int
+) -> Corner | None:
+    """Return a motion that goes over into a line."""
+    if points.obstacle is not None:
+        return None
+    assert isinstance(leg.path, LinePath)
+    pieces, goal = joined(points), points.q[-1]
+    return Corner(
+        points.times[0],
+        pieces,
+        leg,
+        goal,
+        branch_of(arm, goal, points.branch),
+        deviation(arm, X_FT, leg.path, pieces[zone:]),
+        points.crossed_wrist,
+    )
+
+
+def _both(
+    first: JointPath, second: JointPath, before: Profile, after: Profile, start: float, length: float
+) -> Piece:
+    u, v = before.tail().coefficients, after.head().coefficients
+    rows: list[Row] = []
+    for corner, out, into in zip(first.goal, first.change, second.change, strict=True):
+        leaving = tuple(out * (c - 1.0 if k == 0 else c) for k, c in enumerate(u))
+        row = added(leaving, tuple(into * c for c in v))
+        rows.append((corner + row[0], *row[1:]))
+    return (start, start + length, tuple(rows))
+
+
+def _times(start: float, count: int, tick: float) -> list[float]:
+    return [start + k * tick for k in range(count + 1)]
+
+
+def _scaled(change: Configuration, u: float) -> Configuration:
+    return tuple(u * d for d in change)  # type: ignore[return-value]
+
+

@@ -1,0 +1,172 @@
+"""One motion from rest to rest: its path, its time scaling, and what stops it on the way."""
+
+from typing import NamedTuple
+
+from vrts.base.pose import Pose
+from vrts.base.source import Span
+from vrts.engine.faults import RuntimeFault
+from vrts.engine.motion.faults import obstacle_fault
+from vrts.engine.motion.paths import Course, JointPath, LinePath, Path
+from vrts.engine.motion.polynomials import Row
+from vrts.engine.motion.profile import Phase, Profile, at, profile
+from vrts.engine.motion.set_points import Piece, SetPoints, deviation, follow, joined
+from vrts.engine.motion.settings import Settings
+from vrts.ir.instructions import Interpolation
+from vrts.robots.branch import branch_of
+from vrts.robots.model import Arm, ArmBranch, Configuration
+
+SHORTEST_LINE = 1e-6  # [m] or [rad]: less is no motion at all
+STILL: Configuration = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+class Intent(NamedTuple):
+    """A motion that is asked for: where from, where to and how fast."""
+
+    interpolation: Interpolation
+    path: Path
+    profile: Profile  # from rest to rest
+    start: Configuration
+    start_branch: ArmBranch
+    goal: Configuration | None  # None: the end of the line tells
+    goal_branch: ArmBranch | None
+    settings: Settings
+    fraction: float  # program speed as a share of full speed
+    span: Span | None = None  # of the target, for what is wrong with it
+
+
+class Planned(NamedTuple):
+    """A motion from rest to rest, ready to be put on the timeline."""
+
+    path: Path
+    profile: Profile
+    pieces: list[Piece]  # from time 0; none when nothing moves
+    goal: Configuration
+    branch: ArmBranch
+    deviation_m: float = 0.0
+    crossed_wrist: bool = False
+    fault: RuntimeFault | None = None  # it ends before its target, for this reason
+
+
+def joint_intent(
+    arm: Arm,
+    start: Configuration,
+    goal: Configuration,
+    branches: tuple[ArmBranch, ArmBranch],
+    settings: Settings,
+    fraction: float,
+) -> Intent:
+    """Return a joint-interpolated motion; the branches are those at start and goal."""
+    path = JointPath(start, goal)
+    times = settings.acceleration_times(arm)
+    scaling = profile(path.needed(arm.speed, fraction), *times, arm.tick, settings.duration)
+    return Intent(Interpolation.JOINT, path, scaling, start, branches[0], goal, branches[1], settings, fraction)
+
+
+def line_intent(
+    arm: Arm,
+    path: LinePath,
+    start: tuple[Configuration, ArmBranch],
+    settings: Settings,
+    fraction: float,
+    span: Span | None,
+) -> Intent:
+    """Return a straight line."""
+    scaling = line_profile(arm, path, settings, fraction)
+    return Intent(
+        Interpolation.LINEAR, path, scaling, *start, None, None, settings, fraction, span
+    )
+
+
+def line_profile(arm: Arm, path: LinePath, settings: Settings, fraction: float) -> Profile:
+    """Return the time scaling of a line from rest to rest."""
+    turning = fraction if settings.rotation is None else min(settings.rotation, 100.0) / 100.0
+    needed = path.needed(arm.linear_speed * fraction, arm.angular_speed * turning)
+    return profile(needed, *settings.acceleration_times(arm), arm.tick, settings.duration)
+
+
+def from_rest(arm: Arm, X_FT: Pose, intent: Intent) -> Planned:
+    """Return a motion from rest to rest; a line ends early where it cannot be followed."""
+    path = intent.path
+    if isinstance(path, JointPath):
+        assert intent.goal is not None
+        assert intent.goal_branch is not None
+        moves = any(a != b for a, b in zip(path.start, path.goal, strict=True))
+        scaling = intent.profile
+        pieces = joint_pieces(path, scaling.phases(), scaling.rise) if moves else []
+        return Planned(path, scaling, pieces, intent.goal, intent.goal_branch)
+    start, branch = intent.start, intent.start_branch
+    fault, part, scaling = None, path, intent.profile
+    points = follow_line(arm, X_FT, part, scaling, start, branch)
+    while points.obstacle is not None:
+        u = parameter(scaling, points.times[points.obstacle.at] - scaling.rise)[0]
+        if fault is None:
+            fault = obstacle_fault(points.obstacle, path, u, intent.span)
+        elif u > 0.5:
+            u = 0.5
+        if u <= SHORTEST_LINE:
+            return Planned(part, scaling, [], start, branch, fault=fault)
+        part = part.part(u)
+        scaling = line_profile(arm, part, intent.settings, intent.fraction)
+        points = follow_line(arm, X_FT, part, scaling, start, branch)
+    pieces = joined(points)
+    goal = points.q[-1]
+    return Planned(
+        part,
+        scaling,
+        pieces,
+        goal,
+        branch_of(arm, goal, points.branch),
+        deviation(arm, X_FT, part, pieces),
+        points.crossed_wrist,
+        fault,
+    )
+
+
+def follow_line(
+    arm: Arm,
+    X_FT: Pose,
+    path: LinePath,
+    scaling: Profile,
+    start: Configuration,
+    branch: ArmBranch,
+) -> SetPoints:
+    """Return the set points of a line from rest to rest, from time 0."""
+    count = round(scaling.total / arm.tick)
+    times = [k * arm.tick for k in range(count + 1)]
+
+    def course(k: int) -> Course:
+        u, rate = (1.0, 0.0) if k == count else parameter(scaling, times[k] - scaling.rise)
+        return path.course(u, rate)
+
+    return follow(arm, X_FT, times, course, (start, STILL, branch))
+
+
+def parameter(scaling: Profile, x: float) -> tuple[float, float]:
+    """Return u and du/dx at a time from the nominal departure."""
+    rise, cruise_end = scaling.cruise
+    if x <= rise:
+        return at(scaling.head(), x)
+    if x < cruise_end:
+        return x / scaling.duration, 1.0 / scaling.duration
+    return at(scaling.tail(), x)
+
+
+def joint_pieces(path: JointPath, phases: tuple[Phase, ...], offset: float) -> list[Piece]:
+    """Return the polynomials of a joint path; `offset` is the time of the nominal departure."""
+    change = path.change
+    return [
+        (
+            offset + phase.start,
+            offset + phase.start + phase.length,
+            tuple(
+                _row(q, d, phase.coefficients) for q, d in zip(path.start, change, strict=True)
+            ),
+        )
+        for phase in phases
+    ]
+
+
+def _row(q: float, d: float, u: Row) -> Row:
+    if d == 0.0:
+        return (q,)
+    return (q + d * u[0], *(d * c for c in u[1:]))

@@ -1,0 +1,462 @@
+"""Where the arm goes: the motions given so far, the one that waits its turn, and how they end.
+
+Frames: VAL's world is the robot's base frame displaced by BASE, so a location X of a program is
+reached by the tool at X_BT = X_VB^-1 X, with X_VB the displacement of the robot. Pieces and motions
+are kept in path time; `scale` maps it to run time.
+"""
+
+import math
+from bisect import bisect_right
+from dataclasses import replace
+from functools import lru_cache
+from typing import NamedTuple
+
+from vrts.base.pose import IDENTITY, Pose, translation
+from vrts.base.source import Span
+from vrts.base.units import MM
+from vrts.engine.events import Cause
+from vrts.engine.faults import RuntimeFault
+from vrts.engine.motion.corner import Corner, Leg, fits, half_width, round_corner
+from vrts.engine.motion.faults import limit_fault, reach_fault
+from vrts.engine.motion.paths import line
+from vrts.engine.motion.plan import Intent, Planned, from_rest, joint_intent, line_intent
+from vrts.engine.motion.polynomials import rate as rate_of
+from vrts.engine.motion.polynomials import value
+from vrts.engine.motion.profile import TICK_TOLERANCE
+from vrts.engine.motion.settings import Settings
+from vrts.engine.motion.time_scale import TimeScale
+from vrts.engine.records import ArmPiece, Motion
+from vrts.ir.instructions import BranchRequest
+from vrts.ir.runtime_errors import RuntimeErrorKind
+from vrts.robots.branch import INITIAL_BRANCH, branch_of
+from vrts.robots.choice import NOTHING_REQUESTED, OutOfLimits, OutOfReach, choose
+from vrts.robots.kinematics import forward, limit_violations
+from vrts.robots.model import (
+    Arm,
+    Configuration,
+    Elbow,
+    Shoulder,
+    Wrist,
+)
+from vrts.robots.singular import singular_at
+
+INSTANT = 1e-9  # [s]
+
+
+class Pending(NamedTuple):
+    """A motion that is on the timeline already but may still be taken back."""
+
+    start_s: float  # in path time
+    corner: Corner
+    target: Pose | None  # X_VT
+    intent: Intent
+    replaced: tuple[ArmPiece, ...]  # by its pieces
+
+
+class Planner:
+    """Where the arm will be when all motions given so far are done, and the settings in force."""
+
+    def __init__(self, arm: Arm, configuration: Configuration, X_FT: Pose, rate: float) -> None:
+        """Start at rest."""
+        self.arm = arm
+        self.configuration = configuration  # at the end of the last motion
+        self.initial = configuration
+        self.branch = branch_of(arm, configuration, INITIAL_BRANCH)
+        self.request = NOTHING_REQUESTED
+        self.tool = X_FT  # X_FT
+        self.base: Pose = IDENTITY  # X_VB
+        self.always = Settings()
+        self.next: dict[str, object] = {}  # settings of the next motion only
+        self.tool_at_dest = forward(arm, configuration) @ X_FT  # X_BT at the destination
+        self.dest: Configuration = configuration
+        self.end_s = 0.0  # of the last motion, in path time
+        self.settling_s = 0.0  # after it
+        self.hold_until = 0.0  # end of a DELAY, in run time
+        self.pieces: list[ArmPiece] = []
+        self.motions: list[Motion] = []  # in path time
+        self.leg: Leg | None = None  # None: nothing can be joined to the last motion
+        self.pending: Pending | None = None
+        self.scale = TimeScale(rate)
+        self.braking_until = 0.0  # run time at which a stop under way is complete
+
+    def copy(self) -> "Planner":
+        """Return an independent planner that shares the past."""
+        other = Planner.__new__(Planner)
+        other.__dict__.update(self.__dict__)
+        other.pieces = self.pieces.copy()
+        other.motions = self.motions.copy()
+        other.next = self.next.copy()
+        other.scale = self.scale.copy()
+        return other
+
+    # --- settings -----------------------------------------------------------------------------
+
+    def reset_settings(self) -> None:
+        """Return to the settings of a fresh execution cycle."""
+        self.always = Settings()
+        self.next = {}
+
+    def take_settings(self, *, but_speed: bool = False) -> Settings:
+        """Return the settings of the motion now given; those for one motion are used up."""
+        kept = {}
+        if but_speed and "speed" in self.next:
+            kept = {"speed": self.next.pop("speed")}
+        settings = self.always._replace(**self.next)  # type: ignore[arg-type]
+        self.next = kept
+        return settings
+
+    def ask(self, branch: BranchRequest) -> None:
+        """Remember a requested branch until a joint-interpolated motion carries it out."""
+        match branch:
+            case BranchRequest.RIGHTY:
+                self.request = self.request._replace(shoulder=Shoulder.RIGHTY)
+            case BranchRequest.LEFTY:
+                self.request = self.request._replace(shoulder=Shoulder.LEFTY)
+            case BranchRequest.ABOVE:
+                self.request = self.request._replace(elbow=Elbow.ABOVE)
+            case BranchRequest.BELOW:
+                self.request = self.request._replace(elbow=Elbow.BELOW)
+            case BranchRequest.FLIP:
+                self.request = self.request._replace(wrist=Wrist.FLIP)
+            case BranchRequest.NOFLIP:
+                self.request = self.request._replace(wrist=Wrist.NOFLIP)
+
+    def set_tool(self, X_FT: Pose) -> None:
+        """Change the tool; the destination becomes where the new tool is."""
+        self.tool = X_FT
+        self.tool_at_dest = forward(self.arm, self.dest) @ X_FT
+
+    # --- locations ----------------------------------------------------------------------------
+
+    def pose_of(self, q: Configuration) -> Pose:
+        """Return the tool's location as a program sees it."""
+        return self.base @ forward(self.arm, q) @ self.tool
+
+    @property
+    def destination(self) -> Pose:
+        """DEST: where the last motion goes, as a program sees it."""
+        return self.base @ self.tool_at_dest
+
+    # --- times --------------------------------------------------------------------------------
+
+    @property
+    def motion_end(self) -> float:
+        """Run time at which the path of the last motion ends [s]."""
+        end = self.scale.time(self.end_s)
+        return max(end, self.hold_until)
+
+    @property
+    def settled_at(self) -> float:
+        """Run time at which the arm counts as standing still [s]."""
+        return max(self.scale.time(self.end_s) + self.settling_s, self.hold_until)
+
+    def under_way(self, now: float) -> bool:
+        """Return whether a motion or a DELAY lasts beyond a run time."""
+        return self.motion_end > now + INSTANT
+
+    def configuration_at(self, time_s: float) -> Configuration:
+        """Return the joints at a run time, on the motions given so far."""
+        return self._at(self.scale.path(time_s))
+
+    def _at(self, path_s: float) -> Configuration:
+        pieces = self.pieces
+        if not pieces or path_s <= pieces[0].start_s:
+            return self.motions[0].start if self.motions else self.initial
+        piece = pieces[-1]
+        if path_s < piece.start_s:
+            piece = pieces[bisect_right(pieces, path_s, key=_start) - 1]
+        t = min(path_s, piece.end_s) - piece.start_s
+        return tuple(value(row, t) for row in piece.rows)  # type: ignore[return-value]
+
+    # --- what is asked for --------------------------------------------------------------------
+
+    def to_joints(
+        self, goal: Configuration, settings: Settings, fraction: float, span: Span | None
+    ) -> Intent:
+        """Return a joint-interpolated motion to a configuration.
+
+        Raises:
+            RuntimeFault: A joint is outside its limits.
+        """
+        violations = limit_violations(self.arm, goal)
+        if violations:
+            raise limit_fault(violations[0], span, "the location")
+        branches = (self.branch, branch_of(self.arm, goal, self.branch))
+        return joint_intent(self.arm, self.configuration, goal, branches, settings, fraction)
+
+    def to_pose(
+        self, target: Pose, settings: Settings, fraction: float, span: Span | None
+    ) -> Intent:
+        """Return a joint-interpolated motion of the tool to a location of the program.
+
+        Raises:
+            RuntimeFault: It is out of reach, or outside the joint limits on the arm branch.
+        """
+        arm = self.arm if settings.multiple else half_turns(self.arm)
+        X_BF = self.base.inverse() @ target @ self.tool.inverse()
+        found = choose(arm, X_BF, self.branch, self.configuration, self.request)
+        if isinstance(found, OutOfReach):
+            raise reach_fault(found.kind, found.excess_m, span, "the location")
+        if isinstance(found, OutOfLimits):
+            raise limit_fault(found.violations[0], span, "the location", found.elsewhere)
+        branches = (self.branch, found.branch)
+        return joint_intent(
+            self.arm, self.configuration, found.configuration, branches, settings, fraction
+        )
+
+    def to_line(
+        self, target: Pose, settings: Settings, fraction: float, span: Span | None
+    ) -> Intent:
+        """Return a straight line of the tool to a location of the program.
+
+        Raises:
+            RuntimeFault: It cannot be started.
+        """
+        self._refuse_line(span)
+        start = forward(self.arm, self.configuration) @ self.tool
+        path = line(start, self.base.inverse() @ target)
+        return line_intent(
+            self.arm, path, (self.configuration, self.branch), settings, fraction, span
+        )
+
+    # --- the timeline -------------------------------------------------------------------------
+
+    def begin(
+        self, intent: Intent, time_s: float, target: Pose | None, cause: Cause, *, dry: bool = False
+    ) -> RuntimeFault | None:
+        """Put a motion on the timeline that starts from rest; return what ends it early.
+
+        Args:
+            intent: The motion.
+            time_s: Run time at which it starts.
+            target: X_VT that DEST gives from now on; None: where the motion ends.
+            cause: The instruction.
+            dry: The arm stands still; everything else is as if it moved.
+        """
+        planned = from_rest(self.arm, self.tool, intent)
+        start = self.scale.path(time_s)
+        pieces = [] if dry else planned.pieces
+        tick = self.arm.tick
+        end = start + (pieces[-1][1] if pieces else 0.0)
+        if self.scale.plain:
+            end = round(end / tick) * tick
+        number = len(self.motions)
+        for a, b, rows in pieces:
+            stop = end if b == pieces[-1][1] else start + b
+            self.pieces.append(ArmPiece(start + a, stop, rows, number))
+        goal = self.configuration if dry else planned.goal
+        self._record(intent, start, end, goal, planned.deviation_m, cause)
+        self.configuration = goal
+        self.dest = planned.goal
+        self.branch = self.branch if dry else planned.branch
+        reached = forward(self.arm, planned.goal) @ self.tool
+        early = target is None or planned.fault is not None
+        self.tool_at_dest = reached if early else self.base.inverse() @ target  # type: ignore[operator]
+        self._end(end, intent.settings)
+        self.leg = self._leg(planned, intent, start) if pieces and planned.fault is None else None
+        if intent.goal is not None:
+            self.request = NOTHING_REQUESTED
+        return planned.fault
+
+    def join(self, intent: Intent, now: float, target: Pose | None, cause: Cause) -> bool:
+        """Join a motion to the one under way with a rounded corner, if there is time for it.
+
+        The program goes on at `pending.start_s`; until then `take_back` undoes this.
+        """
+        leg = self.leg
+        if leg is None or self.pending is not None or self.braking_until > now:
+            return False
+        if intent.goal_branch is not None and intent.goal_branch != intent.start_branch:
+            return False
+        half = half_width(leg, intent, self.arm)
+        start = leg.arrival - half
+        if self.scale.path(now) > start + INSTANT or not fits(leg, intent, half):
+            return False
+        state = (self._at(start), self._rate(start))
+        corner = round_corner(self.arm, self.tool, leg, intent, state)
+        if corner is None or corner.branch[:2] != intent.start_branch[:2]:
+            return False
+        replaced = self._cut(start)
+        number = len(self.motions)
+        self.pieces += [ArmPiece(a, b, rows, number) for a, b, rows in corner.pieces]
+        self.motions[-1] = self.motions[-1]._replace(end_s=start, blended=True)
+        end = corner.pieces[-1][1]
+        self._record(intent, start, end, corner.goal, corner.deviation_m, cause)
+        self.pending = Pending(start, corner, target, intent, replaced)
+        return True
+
+    def commit(self) -> None:
+        """Begin the motion that waited its turn: it cannot be taken back any more."""
+        pending = self.pending
+        assert pending is not None
+        self.pending = None
+        corner = pending.corner
+        self.configuration = self.dest = corner.goal
+        self.branch = corner.branch
+        reached = forward(self.arm, corner.goal) @ self.tool
+        target = pending.target
+        self.tool_at_dest = reached if target is None else self.base.inverse() @ target
+        self.leg = corner.leg
+        self._end(corner.pieces[-1][1], pending.intent.settings)
+        if pending.intent.goal is not None:
+            self.request = NOTHING_REQUESTED
+
+    def take_back(self) -> None:
+        """Forget the motion that waits its turn: the one under way ends at its own target."""
+        pending = self.pending
+        if pending is None:
+            return
+        self.pending = None
+        self._cut(pending.start_s)
+        if pending.replaced[0].start_s < pending.start_s - INSTANT:
+            self.pieces.pop()
+        self.pieces += pending.replaced
+        self.motions.pop()
+        self.motions[-1] = self.motions[-1]._replace(end_s=self.end_s, blended=False)
+
+    def hold(self, start_s: float, seconds: float) -> None:
+        """Stand still for a time, as DELAY does: a motion to nowhere."""
+        ticks = math.ceil(max(seconds, 0.0) / self.arm.tick - TICK_TOLERANCE)
+        self.hold_until = start_s + ticks * self.arm.tick
+        self.leg = None
+
+    def brake(self, now: float) -> bool:
+        """Slow down to rest along the path and give the motion up; return whether one was cut."""
+        self.take_back()
+        self.hold_until = min(self.hold_until, now)
+        path_s = self.scale.path(now)
+        if path_s >= self.end_s - INSTANT or self.braking_until > now:
+            return False
+        motion = self.motions[-1]
+        if path_s <= motion.start_s:  # it has not begun
+            self._cut(motion.start_s)
+            self.motions.pop()
+            self._stop_at(motion.start_s, motion.start)
+            return True
+        steady, rate = self.scale.rate, self.scale.rate_at(now)
+        ramp = self.arm.acceleration_time / steady * (rate / steady)
+        stop_s = path_s + 0.5 * rate * ramp
+        if stop_s >= self.end_s:
+            return False  # it comes to rest by itself within that time
+        self.braking_until = self.scale.stop(now, ramp)
+        stopped = self._at(stop_s)
+        self._cut(stop_s)
+        self.motions[-1] = motion._replace(end_s=stop_s, goal=stopped, cut=True)
+        self._stop_at(stop_s, stopped)
+        return True
+
+    def set_rate(self, now: float, rate: float) -> None:
+        """Go over to another monitor speed, given as a share of full speed."""
+        if self.braking_until > now:
+            self.scale.rate = rate
+            self.scale.knots[-1] = self.scale.knots[-1]._replace(rate=rate)
+        else:
+            self.scale.change(now, rate, self.arm.acceleration_time)
+
+    # --- parts --------------------------------------------------------------------------------
+
+    def _stop_at(self, path_s: float, q: Configuration) -> None:
+        self.end_s = path_s
+        self.configuration = q
+        self.branch = branch_of(self.arm, q, self.branch)
+        self.leg = None
+
+    def _end(self, path_s: float, settings: Settings) -> None:
+        self.end_s = path_s
+        self.settling_s = settings.settling_ticks * self.arm.tick
+        self.hold_until = 0.0
+
+    def _leg(self, planned: Planned, intent: Intent, start: float) -> Leg:
+        deceleration = intent.settings.acceleration_times(self.arm)[1]
+        departure = start + planned.profile.rise
+        return Leg(planned.path, planned.profile, departure, deceleration)
+
+    def _record(
+        self,
+        intent: Intent,
+        start: float,
+        end: float,
+        goal: Configuration,
+        deviation_m: float,
+        cause: Cause,
+    ) -> None:
+        self.motions.append(
+            Motion(
+                intent.interpolation,
+                start,
+                end,
+                intent.start,
+                goal,
+                forward(self.arm, goal) @ self.tool,
+                self.tool,
+                intent.fraction,
+                deviation_m,
+                cause,
+            )
+        )
+
+    def _cut(self, path_s: float) -> tuple[ArmPiece, ...]:
+        """Take everything after a path time off; return the pieces as they were."""
+        pieces = self.pieces
+        first = bisect_right(pieces, path_s - INSTANT, key=_end_of)
+        removed = tuple(pieces[first:])
+        del pieces[first:]
+        if removed and removed[0].start_s < path_s - INSTANT:
+            pieces.append(removed[0]._replace(end_s=path_s))
+        return removed
+
+    def _rate(self, path_s: float) -> Configuration:
+        """Return the velocities in path time just before a path time [rad/s]."""
+        k = max(bisect_right(self.pieces, path_s - INSTANT, key=_start) - 1, 0)
+        piece = self.pieces[k]
+        t = path_s - piece.start_s
+        return tuple(rate_of(row, t) for row in piece.rows)  # type: ignore[return-value]
+
+    def _refuse_line(self, span: Span | None) -> None:
+        present, wanted = self.branch, self.request
+        changes = [
+            word.value.upper()
+            for word, now in ((wanted.shoulder, present.shoulder), (wanted.elbow, present.elbow))
+            if word is not None and word is not now
+        ]
+        if wanted.wrist is not None and wanted.wrist is not present.wrist:
+            changes.append(wanted.wrist.value.upper())
+        if changes:
+            raise RuntimeFault(
+                RuntimeErrorKind.CANNOT_ALTER_CONFIGURATION,
+                f"a straight line cannot change the arm branch to {' '.join(changes)}",
+                span,
+                help=("use MOVE or APPRO for the motion that changes the branch",),
+            )
+        where = singular_at(self.arm, self.configuration)
+        if where in ("shoulder", "elbow"):
+            stretched = "straight up" if where == "shoulder" else "out"
+            raise RuntimeFault(
+                RuntimeErrorKind.ILLEGAL_MOTION_FROM_HERE,
+                f"no straight line can start from here: the arm is stretched {stretched}",
+                span,
+                notes=(f"the {where} is singular here, as it is at READY",),
+                help=("begin with MOVE",),
+            )
+
+
+def backed_off(target: Pose, distance_mm: float) -> Pose:
+    """Return the location a distance back along the tool's z axis."""
+    return target @ translation(0.0, 0.0, -distance_mm * MM)
+
+
+@lru_cache(maxsize=8)
+def half_turns(arm: Arm) -> Arm:
+    """Return an arm whose joints 4 and 6 stay within half a turn, as SINGLE asks."""
+    lower, upper = list(arm.lower), list(arm.upper)
+    for k in (3, 5):
+        lower[k], upper[k] = max(lower[k], -math.pi), min(upper[k], math.pi)
+    return replace(arm, lower=tuple(lower), upper=tuple(upper))
+
+
+def _start(piece: ArmPiece) -> float:
+    return piece.start_s
+
+
+def _end_of(piece: ArmPiece) -> float:
+    return piece.end_s

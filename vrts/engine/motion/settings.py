@@ -1,0 +1,63 @@
+"""Settings of motions: what holds always, and what holds for the next motion only."""
+
+import math
+from typing import NamedTuple
+
+from vrts.base.units import INCH, MM
+from vrts.ir.instructions import Accuracy, SpeedUnit
+from vrts.robots.model import Arm
+
+SPEED_MAX = 100.0  # [%] a higher program speed acts as this [assumed, val2.md 3.1]
+SETTLING = {Accuracy.FINE: 3, Accuracy.COARSE: 1}  # ticks at a stop [assumed, val2.md 3.1]
+
+
+class Speed(NamedTuple):
+    """A program speed."""
+
+    value: float
+    unit: SpeedUnit
+
+    def fraction(self, arm: Arm, most: float = SPEED_MAX) -> float:
+        """Return the share of full speed, at most that of a largest percentage."""
+        match self.unit:
+            case SpeedUnit.PERCENT:
+                percent = self.value
+            case SpeedUnit.MM_PER_S:
+                percent = 100.0 * self.value * MM / arm.linear_speed
+            case SpeedUnit.INCH_PER_S:
+                percent = 100.0 * self.value * INCH / arm.linear_speed
+        return min(percent, most) / 100.0
+
+
+FULL_SPEED = Speed(100.0, SpeedUnit.PERCENT)
+
+
+class Settings(NamedTuple):
+    """Everything a motion is carried out with. The defaults hold when a cycle begins."""
+
+    speed: Speed = FULL_SPEED
+    rotation: float | None = None  # [%] of the turning speed; None: as `speed`
+    acceleration: float = 100.0  # [%]
+    deceleration: float = 100.0  # [%]
+    duration: float = 0.0  # [s] at least
+    accuracy: Accuracy = Accuracy.FINE
+    accuracy_percent: float = 100.0  # of the tolerance (V+); kept
+    nulling: bool = True
+    integration: bool = False  # without effect on an ideal servo
+    multiple: bool = True  # joints 4 and 6 may go beyond half a turn
+
+    def acceleration_times(self, arm: Arm) -> tuple[float, float]:
+        """Return the times to reach full speed and to stop from it [s], even numbers of ticks."""
+        return (
+            _even(arm.acceleration_time * 100.0 / self.acceleration, arm.tick),
+            _even(arm.acceleration_time * 100.0 / self.deceleration, arm.tick),
+        )
+
+    @property
+    def settling_ticks(self) -> int:
+        """Ticks until a stop counts as reached."""
+        return SETTLING[self.accuracy] if self.nulling else 0
+
+
+def _even(time_s: float, tick: float) -> float:
+    return 2.0 * tick * max(math.ceil(0.5 * time_s / tick - 1e-9), 1)

@@ -1,0 +1,194 @@
+"""What the machine does when it is given a command."""
+
+from typing import TYPE_CHECKING
+
+from vrts.engine.cells import UNDEFINED as UNSET
+from vrts.engine.context import Context
+from vrts.engine.events import CommandRefused, SignalChanged
+from vrts.engine.executable import Executable
+from vrts.engine.faults import RuntimeFault
+from vrts.engine.process import begin, end_cycle, end_later
+from vrts.engine.records import Ending
+from vrts.engine.setting_steps import change_monitor_speed
+from vrts.engine.signals import known
+from vrts.ir import commands as k
+from vrts.ir.module import Module
+
+if TYPE_CHECKING:
+    from vrts.engine.machine import Machine
+
+RESUMABLE = (Ending.PAUSED, Ending.ABORTED, Ending.STEPPED, Ending.ERROR, Ending.LIMIT)
+
+
+class _Refused(Exception):
+    """A command cannot be carried out now; the argument is VAL's words."""
+
+
+EXECUTING = "Illegal when program executing"
+NOT_EXECUTING = "No program is executing"
+UNDEFINED = "Undefined program or variable name"
+CANNOT_PROCEED = "Program cannot be resumed"
+
+
+def obey(command: k.Command, machine: "Machine", now: float) -> int:
+    """Carry a command out at a tick; return the number of statements then finished."""
+    try:
+        _obey(command, machine, now)
+    except _Refused as refusal:
+        machine.system.events.append(CommandRefused(now, str(refusal)))
+    except RuntimeFault as fault:
+        machine.system.events.append(CommandRefused(now, fault.words))
+    return machine.finished
+
+
+def _obey(command: k.Command, machine: "Machine", now: float) -> None:
+    robot, process, system = machine.robot, machine.process, machine.system
+    match command:
+        case k.Execute(program=program, cycles=cycles, step=step):
+            _needs_idle(robot)
+            _start(machine, robot, program, cycles, step, now)
+        case k.StartProcess(program=program, cycles=cycles, step=step):
+            if process.running:
+                raise _Refused("Process control program executing")
+            _start(machine, process, program or process.last_program, cycles, step, now)
+        case k.Abort():
+            _needs_running(robot)
+            machine.abort(robot)
+        case k.Panic():
+            machine.abort_all()
+        case k.Proceed():
+            _resume(machine, robot, now, retry=False)
+        case k.Retry():
+            _resume(machine, robot, now, retry=True)
+        case k.RunSteps(count=count, over_calls=over):
+            _resume(machine, robot, now, retry=True)
+            robot.steps_left = (max(count, 1), len(robot.frames) if over else None)
+        case k.EndCycle():
+            _needs_running(robot)
+            end_later(robot, on=True)
+        case k.Kill():
+            _needs_idle(robot)
+            robot.clear()
+            robot.ending = Ending.NOT_STARTED
+        case k.Do(module=module):
+            _needs_idle(robot)
+            _do(machine, module, now)
+        case k.AbortProcess():
+            _needs_running(process)
+            end_cycle(process, now, aborted=True)
+        case k.EndProcess(on=on):
+            end_later(process, on=on)
+        case k.ProceedProcess():
+            _resume(machine, process, now, retry=False)
+        case k.RetryProcess():
+            _resume(machine, process, now, retry=True)
+        case k.MonitorSpeed(percent=percent):
+            change_monitor_speed(robot, percent, None)
+        case k.Answer(text=text):
+            system.answers.append(text)
+        case k.ForceSignals(signals=signals):
+            for number in signals:
+                known(number, None)
+                on = number > 0
+                if number and on is not (abs(number) in system.signals.on):
+                    system.signals.turn(abs(number), on=on)
+                    system.events.append(SignalChanged(now, abs(number), on, None))
+        case k.SetVariable(name=name, subscripts=subscripts, value=value):
+            machine.finished += 1
+            cell = system.executable.variable(system.memory, name, subscripts)
+            cell.assign(UNSET if value is None else value, machine.finished)
+        case k.DeleteVariables(names=names):
+            machine.finished += 1
+            for name in names:
+                machine.forget(name)
+        case k.Load(module=module):
+            _load(machine, module)
+        case k.DeletePrograms(names=names):
+            _delete(machine, names)
+
+
+def _needs_idle(c: Context) -> None:
+    if c.running:
+        raise _Refused(EXECUTING)
+
+
+def _needs_running(c: Context) -> None:
+    if not c.running:
+        raise _Refused(NOT_EXECUTING)
+
+
+def _start(
+    machine: "Machine", c: Context, program: str, cycles: int, step: int, now: float
+) -> None:
+    if program not in machine.system.executable.numbers:
+        raise _Refused(UNDEFINED)
+    c.finished = machine.finished
+    begin(c, program, cycles, step, now)
+    if c.is_robot:
+        machine.started_s, machine.ended_s = now, None
+
+
+def _resume(machine: "Machine", c: Context, now: float, *, retry: bool) -> None:
+    if c.running:
+        raise _Refused(EXECUTING)
+    if not c.frames or c.ending not in RESUMABLE:
+        raise _Refused(CANNOT_PROCEED)
+    if not retry and c.ending is Ending.ERROR:  # go on after the step that failed
+        frame = c.frames[-1]
+        program = machine.system.executable.programs[frame.program].program
+        failed = program.origins[min(frame.index, len(program.origins) - 1)].step
+        frame.index = program.steps[min(failed + 1, len(program.steps)) - 1]
+    c.now = now
+    if retry and c.is_robot and c.ending is Ending.ABORTED:
+        machine.repeat_motion(now)
+    c.ending, c.wake, c.steps_left = Ending.RUNNING, now, None
+    if c.is_robot:
+        machine.ended_s = None
+
+
+def _do(machine: "Machine", module: Module, now: float) -> None:
+    """Execute an instruction beside the program that stopped, which keeps its place."""
+    name = module.main
+    assert name is not None
+    machine.load_do(module)
+    robot = machine.robot
+    kept = (robot.frames, robot.program, robot.last_program, robot.ending, robot.activation)
+    machine.kept_program = machine.kept_program or (kept if robot.frames else None)
+    robot.frames = []
+    robot.finished = machine.finished
+    always, following = machine.system.planner.always, machine.system.planner.next
+    begin(robot, name, 1, 1, now)
+    machine.system.planner.always, machine.system.planner.next = always, following
+    machine.ended_s = None
+
+
+def _load(machine: "Machine", module: Module) -> None:
+    busy = {
+        machine.system.executable.programs[frame.program].program.name
+        for c in (machine.robot, machine.process)
+        if c.running
+        for frame in c.frames
+    }
+    if busy & set(module.programs):
+        raise _Refused(EXECUTING)
+    machine.finished += 1
+    system = machine.system
+    system.executable = Executable(module, machine.scenario.limits.call_depth, system.executable)
+    system.executable.extend(system.memory)
+    system.executable.load(module, system.memory, machine.finished)
+
+
+def _delete(machine: "Machine", names: tuple[str, ...]) -> None:
+    executable = machine.system.executable
+    used = {
+        executable.programs[frame.program].program.name
+        for c in (machine.robot, machine.process)
+        for frame in c.frames
+    }
+    if used & set(names):
+        raise _Refused("Program is in use")
+    if any(name not in executable.numbers for name in names):
+        raise _Refused(UNDEFINED)
+    machine.system.executable = executable.without(names)
+
+

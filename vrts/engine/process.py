@@ -1,0 +1,74 @@
+"""Programs begin and end: the robot program and the process control program alike."""
+
+from vrts.engine.context import Context
+from vrts.engine.events import Cause, ProgramEnded, ProgramStarted
+from vrts.engine.records import Ending
+
+
+def begin(c: Context, name: str, cycles: int, step: int, now: float) -> None:
+    """Begin a program at a step of its first cycle."""
+    c.now = now
+    c.program = c.last_program = name
+    c.cycles_left, c.cycles_done = cycles or 1, 0
+    c.started_s, c.ending = now, Ending.RUNNING
+    c.steps_left = None
+    c.clear()
+    _begin_cycle(c, step)
+    c.wake = now
+    c.events.append(ProgramStarted(now, name, process=not c.is_robot))
+
+
+def next_cycle(c: Context) -> bool:
+    """End a cycle; return whether another one begins."""
+    c.cycles_done += 1
+    if c.cycles_left > 0:
+        c.cycles_left -= 1
+    c.clear()
+    if c.cycles_left == 0:
+        return False
+    _begin_cycle(c, 1)
+    return True
+
+
+def end(c: Context, ending: Ending, time_s: float) -> None:
+    """End a program; what it waits for is forgotten, its place is kept."""
+    c.ending = ending
+    c.phase, c.operands, c.fault = 0, None, None
+    c.steps_left = None
+    c.events.append(ProgramEnded(time_s, ending.value, place(c), process=not c.is_robot))
+
+
+def end_cycle(c: Context, now: float, *, aborted: bool) -> None:
+    """Stop a process control program where it is."""
+    if c.running:
+        end(c, Ending.ABORTED if aborted else Ending.COMPLETED, now)
+
+
+def end_later(c: Context, *, on: bool) -> None:
+    """Let a program stop at the end of its cycle, or take that back [assumed, val2.md 3.7]."""
+    if on and c.cycles_left != 1:
+        c.kept_cycles, c.cycles_left = c.cycles_left, 1
+    elif not on and c.kept_cycles is not None:
+        c.cycles_left, c.kept_cycles = c.kept_cycles, None
+
+
+def place(c: Context) -> Cause | None:
+    """Return the step that comes next, or that failed."""
+    if not c.frames:
+        return None
+    frame = c.frames[-1]
+    causes = c.system.executable.programs[frame.program].causes
+    return causes[min(frame.index, len(causes) - 1)]
+
+
+def _begin_cycle(c: Context, step: int) -> None:
+    executable = c.system.executable
+    number = executable.numbers[c.program]
+    c.enter(executable.frame(number))
+    steps = executable.programs[number].program.steps
+    c.frames[0].index = steps[min(max(step, 1), len(steps)) - 1] if steps else 0
+    c.phase, c.operands, c.fault, c.next_hand = 0, None, None, []
+    c.priority, c.watches, c.error_program, c.last_error = 0, [], None, None
+    c.kept_cycles = None
+    if c.is_robot:
+        c.planner.reset_settings()

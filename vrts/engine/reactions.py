@@ -1,0 +1,43 @@
+"""Reactions: signals that a program watches, and what it does when one changes [val2.md 3.6]."""
+
+from dataclasses import dataclass
+
+HIGHEST_PRIORITY = 127
+ERROR_PRIORITY = 254  # of a program that REACTE names [assumed, val2.md 3.6]
+MOST_WATCHES = 8  # [assumed, val2.md 3.6]
+
+
+@dataclass(slots=True)
+class Watch:
+    """One watched signal."""
+
+    signal: int
+    on: bool  # whether it triggers when the signal comes on
+    program: int | None  # number of the executable program
+    priority: int
+    immediate: bool  # REACTI: the motion is given up when the reaction is taken
+    always: bool  # it stays armed
+    after_motion: bool  # ON of AS: taken when the motion under way has ended
+    state: bool  # of the signal when last looked at
+    pending: bool = False
+
+    def look(self, state: bool) -> None:  # noqa: FBT001 -- the state is the argument
+        """Take note of the signal's state at a tick."""
+        if state is not self.state:
+            self.state = state
+            if state is self.on:
+                self.pending = True
+
+    def copy(self) -> "Watch":
+        """Return an independent copy."""
+        return Watch(
+            self.signal,
+            self.on,
+            self.program,
+            self.priority,
+            self.immediate,
+            self.always,
+            self.after_motion,
+            self.state,
+            self.pending,
+        )
