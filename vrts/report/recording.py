@@ -62,7 +62,7 @@ def write_recording(a: Assessment, path: Path) -> None:
 
 
 def times_of(a: Assessment) -> Array:
-    """Return the instants that are recorded: a steady rate, and every change of a segment."""
+    """Return the instants that are recorded: at a steady rate, and the end."""
     assert a.run is not None
     end = a.run.horizon_s
     steady = np.arange(0.0, end, 1.0 / RATE)

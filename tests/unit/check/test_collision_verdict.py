@@ -2,9 +2,11 @@
 
 from types import MappingProxyType
 
+import numpy as np
 import pytest
 
-from tests.collision_runs import TEXT, Story, down, fixed, movable, scene_of
+from tests.collision_runs import TEXT, Line, Record, Story, down, fixed, movable, scene_of
+from tests.support_segments import blend, sampled, segment, slowed
 from vrts.base.diagnostic import Severity
 from vrts.base.pose import IDENTITY
 from vrts.base.source import Span
@@ -112,6 +114,17 @@ def test_a_run_gives_findings_their_configuration() -> None:
     (finding,) = verdict(check_collisions(story.scene, run), run).findings
     assert finding.moment is not None
     assert finding.moment.configuration == pytest.approx((*story.q, 0.07), abs=1e-3)
+
+
+def test_the_configuration_of_a_finding_takes_all_coefficients() -> None:
+    stopping = slowed(blend(0.3, -2.0, 1.0, 1.0), 1.0, -0.5)
+    pieces = (segment((0.3,)), segment(stopping, start_s=1.0))
+    run = Record(Line(pieces), (), (), {})
+    (finding,) = verdict(report((event(deepest_s=1.9),)), run).findings
+    assert finding.moment is not None
+    first, *others = finding.moment.configuration
+    assert first == pytest.approx(float(sampled(stopping, np.array([0.9]))[0]), abs=1e-12)
+    assert others == [0.1] * 6
 
 
 def test_a_hand_that_is_too_narrow_is_told_to_look_at_the_hand() -> None:

@@ -1,7 +1,5 @@
 """Via points passed on segments of any degree, against dense samples of the tool."""
 
-import math
-
 import numpy as np
 import pytest
 
@@ -61,8 +59,7 @@ def test_a_point_beyond_where_the_arm_was_stopped_is_missed() -> None:
     assert met.intervals
     grid = np.linspace(0.0, 1.0, 2001).tolist()
     nearest = min(distance(tool_at(p, u), via.point) for p in pieces for u in grid)
-    assert nearest <= missed.nearest_m + 1e-4
-    assert missed.nearest_m < math.inf
+    assert nearest - 1e-4 <= missed.nearest_m <= nearest + 6e-4
 
 
 def test_a_tool_that_stands_still_stays_where_it_is() -> None:
