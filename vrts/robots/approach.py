@@ -27,7 +27,14 @@ class Approach(NamedTuple):
     reached: bool
 
 
-def approach(arm: SerialArm, X_BF: Pose, start: Configuration, most_steps: int) -> Approach:
+def approach(
+    arm: SerialArm,
+    X_BF: Pose,
+    start: Configuration,
+    most_steps: int,
+    *,
+    length: float | None = None,
+) -> Approach:
     """Return where the steps from a start lead, limits not enforced.
 
     Args:
@@ -35,8 +42,10 @@ def approach(arm: SerialArm, X_BF: Pose, start: Configuration, most_steps: int) 
         X_BF: Where the flange shall be.
         start: A configuration.
         most_steps: After which the nearest configuration so far is returned.
+        length: Of position that counts as much as a radian of orientation [m]; None: the arm's
+            extent. It matters only where the pose is out of reach.
     """
-    length = extent(arm)
+    length = length or extent(arm)
     q = start
     best: Approach | None = None
     for _ in range(most_steps + 1):

@@ -1,15 +1,17 @@
-"""The arm as a Pinocchio model, built from the same rows: a second opinion on our kinematics.
+"""Arms as Pinocchio models: a second opinion on our kinematics.
 
 The only module that imports pinocchio.
 """
 
 import math
+from pathlib import Path
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 import pinocchio as pin
 
+from vrts.base.pose import Pose
 from vrts.robots.model import Configuration, SphericalWristArm
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -38,6 +40,12 @@ def pinocchio_arm(arm: SphericalWristArm) -> PinocchioArm:
     return PinocchioArm(model, model.createData(), flange)
 
 
+def pinocchio_from_urdf(path: Path, flange: str) -> PinocchioArm:
+    """Return the model that Pinocchio itself reads from a URDF file; `flange` names a link."""
+    model = pin.buildModelFromUrdf(str(path))
+    return PinocchioArm(model, model.createData(), model.getFrameId(flange))
+
+
 def flange_pose(arm: PinocchioArm, q: Configuration) -> tuple[Array, Array]:
     """Return the rotation, shape (3, 3), and the origin, shape (3,) [m], of F in B."""
     pin.framesForwardKinematics(arm.model, arm.data, np.array(q))
@@ -50,6 +58,24 @@ def jacobian(arm: PinocchioArm, q: Configuration) -> Array:
     return pin.computeFrameJacobian(
         arm.model, arm.data, np.array(q), arm.flange, pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
     )
+
+
+def step_to(arm: PinocchioArm, X_BF: Pose, start: Configuration, most_steps: int = 30) -> bool:
+    """Return whether damped Newton steps with Pinocchio's Jacobian lead to a pose.
+
+    Numeric inverse kinematics as it is commonly written on top of Pinocchio, for comparison.
+    """
+    wanted = pin.SE3(np.array(X_BF.rotation).reshape(3, 3), np.array(X_BF.translation))
+    q: Array = np.array(start)
+    for _ in range(most_steps):
+        pin.framesForwardKinematics(arm.model, arm.data, q)
+        here: pin.SE3 = arm.data.oMf[arm.flange]
+        error = pin.log6(here.actInv(wanted)).vector
+        if float(np.linalg.norm(error)) < 1e-9:
+            return True
+        J = pin.computeFrameJacobian(arm.model, arm.data, q, arm.flange, pin.ReferenceFrame.LOCAL)
+        q = q + J.T @ np.linalg.solve(J @ J.T + 1e-9 * np.eye(6), error)
+    return False
 
 
 def _row(twist: float, a: float, d: float) -> pin.SE3:

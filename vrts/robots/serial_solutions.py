@@ -9,15 +9,16 @@ import math
 from itertools import product
 from typing import cast
 
-from vrts.base.pose import Pose, distance
+from vrts.base.pose import Pose, add, distance, dot, scale, subtract
 from vrts.robots.approach import Approach, approach
-from vrts.robots.chain import chain
+from vrts.robots.chain import chain, extent
 from vrts.robots.limits import limit_violations, turned
 from vrts.robots.model import Configuration, SerialArm
 
 MOST_STEPS = 30  # from one start; most need eight
 SAME = 1e-6  # [rad] two solutions that differ less are one
 HALVED = (0, 1, 2, 4)  # joints, from 0, whose range the grid halves; these tell solutions apart
+ORIENTATION_FIRST = 10.0  # extents of the arm that count as a radian when a pose is out of reach
 ASIDE = 0.2  # of half its range: how far the other joints start from their middle
 
 
@@ -47,20 +48,23 @@ def reach_error(arm: SerialArm, X_BF: Pose) -> tuple[str, float] | None:
     """Return why no start leads to a pose, and by how much.
 
     Returns:
-        ("too far" or "too close", seen from joint 2, and how far the flange stays away [m]), or
-        None when one does.
+        ("too far" or "too close", seen from the shoulder, and how far the flange stays away with
+        the orientation nearly kept [m]), or None when one does.
     """
     best: Approach | None = None
+    length = ORIENTATION_FIRST * extent(arm)
     for start in (arm.ready, *starts(arm)):
-        result = approach(arm, X_BF, start, MOST_STEPS)
+        result = approach(arm, X_BF, start, MOST_STEPS, length=length)
         if result.reached:
             return None
-        if best is None or result.gap_m + result.turn_rad < best.gap_m + best.turn_rad:
+        if best is None or _left(result, length) < _left(best, length):
             best = result
     assert best is not None
     at = chain(arm, best.configuration)
-    wanted = distance(X_BF.translation, at.points[1])
-    got = distance(at.X_BF.translation, at.points[1])
+    # on the axis of joint 1, at the height of joint 2
+    axis, point = at.axes[0], at.points[0]
+    centre = add(point, scale(axis, dot(subtract(at.points[1], point), axis)))
+    wanted, got = distance(X_BF.translation, centre), distance(at.X_BF.translation, centre)
     return ("too far" if wanted >= got else "too close", best.gap_m)
 
 
@@ -85,6 +89,10 @@ def nearest_turns(arm: SerialArm, q: Configuration, near: Configuration) -> Conf
             for angle, at, lower, upper in zip(q, near, arm.lower, arm.upper, strict=True)
         ),
     )
+
+
+def _left(result: Approach, length: float) -> float:
+    return result.gap_m / length + result.turn_rad
 
 
 def _change(q: Configuration, near: Configuration) -> float:

@@ -8,7 +8,7 @@ import pytest
 from vrts.base.pose import distance, translation
 from vrts.base.units import DEG
 from vrts.robots.branch import INITIAL_BRANCH, branch_of
-from vrts.robots.catalog import arm as arm_named
+from vrts.robots.catalog import puma as arm_named
 from vrts.robots.choice import Choice, OutOfLimits, OutOfReach, Request, choose
 from vrts.robots.kinematics import forward, limit_violations
 from vrts.robots.model import Configuration, Elbow, Shoulder, Wrist

@@ -23,7 +23,7 @@ from vrts.robots.branch import (
     elbow_reach,
     shoulder_reach,
 )
-from vrts.robots.catalog import arm as arm_named
+from vrts.robots.catalog import puma as arm_named
 from vrts.robots.kinematics import forward, limit_violations, link_poses, reach_error, solve
 from vrts.robots.model import Configuration, SphericalWristArm
 
