@@ -80,7 +80,7 @@ def solution(old: str = "", new: str = "") -> Run:
 
 RUNS = [
     ("", "", 10.0, 10.0),
-    ("SPEED 100 ALWAYS", "SPEED 40 ALWAYS", 8.0, 9.9),
+    ("SPEED 100 ALWAYS", "SPEED 30 ALWAYS", 8.0, 9.9),
     ("        CALL carry(can2_grip, base1_put)\n", "", 3.0, 6.0),
     ("        OPENI                           ; a run", "        ; a run", 0.0, 3.0),
     ("APPRO goal, 120\n        SPEED 20", "APPRO goal, 20\n        SPEED 20", 0.0, 10.0),

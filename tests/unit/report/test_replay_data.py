@@ -103,7 +103,7 @@ def test_the_line_at_work_is_that_of_the_motion(run: Run) -> None:
     lines = run_data(run, PROGRAM)["lines"]
     assert isinstance(lines, list)
     order = [line for _, line in lines]  # pyright: ignore[reportUnknownVariableType]
-    assert order == [2, 4, 6, 9]  # TYPE prints while the arm moves
+    assert order == [2, 4, 6]  # TYPE prints as the second motion starts
 
 
 def test_lines_of_another_file_are_not_lit(run: Run) -> None:
@@ -119,7 +119,9 @@ def test_a_whole_page_is_small(run: Run) -> None:
 
 
 def test_a_program_that_prints_without_end_still_gives_a_short_list() -> None:
-    source = SourceFile("a.v2", '.PROGRAM a()\n10 TYPE "x"\n WAIT\n GOTO 10\n.END\n')
+    source = SourceFile(
+        "a.v2", ".PROGRAM a()\n n = 0\n10 n = n+1\n TYPE n\n WAIT\n GOTO 10\n.END\n"
+    )
     compilation = compile_source(source)
     assert compilation.module is not None, compilation.diagnostics
     scenario = Scenario(limits=Limits(time_s=120.0))
