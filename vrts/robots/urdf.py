@@ -110,7 +110,7 @@ def read_urdf(data: bytes, flange: str | None = None) -> Description:
     if root.tag != "robot":
         raise UrdfFault(f"the file describes a `{root.tag}`, not a `robot`", root.line)
     links = _links(root)
-    joints = _joints(root, links)
+    joints = _root_first(_joints(root, links))
     name = flange or _flange(links, joints)
     if name not in links:
         raise UrdfFault(f"there is no link `{name}`")
@@ -201,7 +201,7 @@ def _flange(links: dict[str, Element], joints: tuple[_Joint, ...]) -> str:
         if name in links:
             return name
     depth = dict.fromkeys(links, 0)
-    for joint in _root_first(joints):
+    for joint in joints:
         depth[joint.child] = depth[joint.parent] + joint.turning
     turning = [joint for joint in joints if joint.turning]
     if not turning:
@@ -219,8 +219,6 @@ def _in_a_row(joints: tuple[_Joint, ...], flange: str) -> tuple[_Joint, ...]:
         if joint.turning:
             row.append(joint)
         link = joint.parent
-        if len(row) > len(joints):
-            raise UrdfFault("the links are not one tree")
     aside = [joint for joint in joints if joint.turning and joint not in row]
     if aside:
         raise UrdfFault(f"joint `{aside[0].name}` does not lead to `{flange}`", aside[0].line)
@@ -237,7 +235,7 @@ def _placed(
     root = next(link for link in links if link not in children)
     found = {root: _Placed(0, IDENTITY)}
     frames: dict[int, Pose] = {}
-    for joint in _root_first(joints):
+    for joint in joints:
         at = found[joint.parent]
         X_LC = at.X_LU @ joint.X_PC
         if not joint.turning:
