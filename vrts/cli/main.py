@@ -20,6 +20,8 @@ COMMANDS = {
     "verify": "run a program and check everything; mark it if there is a task",
     "grade": "mark many submissions",
     "view": "see a program move",
+    "monitor": "talk to the controller as its operator",
+    "teach": "move the arm by keys and record locations",
     "fmt": "write a program in the canonical layout",
     "scene": "list the scenes, or show where things are in one",
     "point": "ask what the arm can reach",

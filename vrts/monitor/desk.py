@@ -56,15 +56,16 @@ class Situation(NamedTuple):
 
     state: State
     calculate: Calculate
+    robot: ProgramState | None  # the robot program; a DO that is over does not count
 
     @property
     def executing(self) -> bool:
         """Whether a robot program executes."""
-        return executes(self.state.robot)
+        return executes(self.robot)
 
     def occupies(self, name: str) -> bool:
         """Return whether a program is being executed, also as a caller or process program."""
-        robot, process = self.state.robot, self.state.process
+        robot, process = self.robot, self.state.process
         found = {cause.program for cause in self.state.call_stack} if self.executing else set[str]()
         for running in (robot, process):
             if running is not None and executes(running):

@@ -1,19 +1,22 @@
 """A monitor over a controller, in simulated time: lines in, everything the terminal shows out."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from vrts.base.source import SourceFile
-from vrts.engine.controller import Controller, advance
-from vrts.engine.events import CommandRefused, Found, Printed
+from vrts.engine.controller import Controller, advance, truncate
+from vrts.engine.events import CommandRefused, Event, Found
+from vrts.engine.records import ProgramState
 from vrts.engine.run import State
 from vrts.ir.commands import Command, Do, Panic, TimedCommand
 from vrts.ir.module import Module
 from vrts.ir.values import Value
 from vrts.monitor import words
-from vrts.monitor.desk import Turn, executes
-from vrts.monitor.monitor import Monitor, told
+from vrts.monitor.desk import ALONE, Situation, Turn, executes
+from vrts.monitor.monitor import Monitor
+from vrts.monitor.teller import Teller
 
 REST = 20.0  # [s] longest time an arm takes to come to rest [assumed]
+_LATE = 100  # events among the last ones before which another may still come to stand
 TICK = 0.028  # [s] after which a command has taken effect
 
 
@@ -24,8 +27,9 @@ class Dialogue:
         """Go on from where the controller is."""
         self.controller = controller
         self.monitor = monitor
-        self._told = 0  # events of the run that have been shown
-        self._at_start = True  # of a line of the terminal
+        self._told: Sequence[Event] = ()  # events of the run that have been shown
+        self._teller = Teller()
+        self._robot: ProgramState | None = None  # that was last, DO aside
 
     @property
     def time_s(self) -> float:
@@ -40,23 +44,22 @@ class Dialogue:
     @property
     def prompt(self) -> str:
         """What stands before the line that is typed next."""
-        return self.monitor.prompt(self.state)
+        return self.monitor.prompt(self._now)
 
     @property
     def busy(self) -> bool:
         """Whether a robot program executes and waits for no answer."""
-        state = self.state
-        return executes(state.robot) and not state.awaits_answer
+        return executes(self.state.robot) and not self.state.awaits_answer
 
     def enter(self, line: str) -> str:
         """Take a line; return what the terminal shows until its commands have taken effect."""
-        self._at_start = True  # RETURN was typed
-        return self._carry_out(self.monitor.enter(line, self.state, self._calculate))
+        self._teller.typed()
+        return self._carry_out(self.monitor.enter(line, self._now))
 
     def interrupt(self) -> str:
         """Take Ctrl-C."""
-        self._at_start = True
-        return self._carry_out(self.monitor.interrupt(self.state, self._calculate))
+        self._teller.typed()
+        return self._carry_out(self.monitor.interrupt(self._now))
 
     def issue(self, command: Command) -> str:
         """Give a command that was not typed; return what the terminal shows."""
@@ -64,7 +67,7 @@ class Dialogue:
 
     def load(self, source: SourceFile) -> str:
         """Take what a file holds into memory."""
-        return self._carry_out(self.monitor.load(source, self.state, self._calculate))
+        return self._carry_out(self.monitor.load(source, self._now))
 
     def advance(self, until_s: float) -> str:
         """Let time pass; return what the terminal shows meanwhile."""
@@ -73,18 +76,29 @@ class Dialogue:
 
     def settle(self, most_s: float) -> str:
         """Let time pass until the program has stopped or asks something, but not longer."""
-        self.controller.advance_until_stopped(most_s)
+        if self.busy or self.state.robot is not None:
+            self.controller.advance_until_stopped(most_s)
+            self.controller.advance(self.time_s + 0.5 * TICK)  # what comes next comes after it all
         return self._news()
 
     def truncate(self, time_s: float) -> None:
         """Go back to an earlier time; what was typed since is forgotten by the controller."""
         run = self.controller.truncate(time_s)
-        self._told = len(run.events)
+        self._told = run.events
+
+    @property
+    def _now(self) -> Situation:
+        """Return the controller as commands see it."""
+        state = self.state
+        robot = state.robot
+        if robot is None or robot.program != ALONE:
+            self._robot = robot
+        return Situation(state, self._calculate, robot if executes(robot) else self._robot)
 
     # --- what the terminal shows ----------------------------------------------------------------
 
     def _carry_out(self, turn: Turn) -> str:
-        shown = self._on_a_line(turn.text)
+        shown = self._teller.words(turn.text)
         for command in turn.commands:
             self.controller.issue(command, self.time_s)
         if turn.commands:
@@ -94,21 +108,11 @@ class Dialogue:
     def _news(self) -> str:
         """Return what the events that have not been shown yet write."""
         events = self.controller.run.events
-        new, self._told = events[self._told :], len(events)
-        shown: list[str] = []
-        for event in new:
-            text = told(event)
-            shown.append(self._after(text) if isinstance(event, Printed) else self._on_a_line(text))
-        return "".join(shown)
-
-    def _on_a_line(self, text: str) -> str:
-        """Return words of the monitor: they begin on a line of their own."""
-        return self._after(text if self._at_start or not text else f"\n{text}")
-
-    def _after(self, text: str) -> str:
-        if text:
-            self._at_start = text.endswith("\n")
-        return text
+        first = max(0, len(self._told) - _LATE)
+        known = set(map(id, self._told[first:]))
+        new = [event for event in events[first:] if id(event) not in known]
+        self._told = events
+        return self._teller.told(new)
 
     # --- expressions ----------------------------------------------------------------------------
 
@@ -120,7 +124,7 @@ class Dialogue:
         if executes(run.at(at).robot):  # which excludes DO, so the fork stops it first
             commands = [TimedCommand(at, Panic()), TimedCommand(at + REST, Do(module))]
         until = commands[-1].time_s + 2 * TICK
-        fork = advance(run, until, commands)
+        fork = advance(truncate(run, at), until, commands)  # truncated: with a past of its own
         for event in fork.events[len(run.events) :]:
             if isinstance(event, CommandRefused):
                 return event.words

@@ -325,7 +325,7 @@ def _formals(written: str) -> str:
 
 
 def _last_one(desk: Desk, now: Situation) -> tuple[str, int]:
-    robot = now.state.robot
+    robot = now.robot
     if robot is not None and robot.status is ProgramStatus.STOPPED and robot.cause is not None:
         stopped = (robot.cause.program, robot.cause.step)
         if stopped[0] in desk.programs:

@@ -23,11 +23,22 @@ from vrts.ir.commands import (
     StartProcess,
 )
 from vrts.ir.system import PARAMETERS, SWITCHES
+from vrts.ir.values import Type
 from vrts.lang.commands import CommandLine
 from vrts.lang.entry import check_alone
 from vrts.lang.syntax import Element, Name
 from vrts.monitor import words
-from vrts.monitor.desk import Desk, Refused, Situation, Turn, one_step, program_name, real, whole
+from vrts.monitor.desk import (
+    Desk,
+    Refused,
+    Situation,
+    Turn,
+    evaluated,
+    one_step,
+    program_name,
+    real,
+    whole,
+)
 from vrts.monitor.listings import (
     parameters_text,
     signals_text,
@@ -189,7 +200,7 @@ def signals(line: CommandLine, desk: Desk, now: Situation) -> Turn:
 def status(line: CommandLine, desk: Desk, now: Situation) -> Turn:
     """STATUS, PCSTATUS."""
     process = line.word.text == "PCSTATUS"
-    program = now.state.process if process else now.state.robot
+    program = now.state.process if process else now.robot
     title = "PC program" if process else "Robot program"
     speeds = (now.state.monitor_speed, now.state.program_speed)
     if program is None:
@@ -233,14 +244,23 @@ def parameter(line: CommandLine, desk: Desk, now: Situation) -> Turn:
     """PARAMETER [name [= value]]."""
     if line.values is not None:
         return as_instruction(line, desk, now)
-    values = now.state.parameters
-    if not line.operands:
-        return Turn(parameters_text(values, PARAMETERS))
-    names = [_system_name(operand, "parameter") for operand in line.operands]
+    names = [_system_name(operand, "parameter") for operand in line.operands] or list(PARAMETERS)
     unknown = next((name for name in names if name not in PARAMETERS), None)
     if unknown is not None:
         raise Refused(words.starred("Invalid parameter", f"there is no parameter {unknown}"))
-    return Turn(parameters_text(values, names))
+    return Turn(parameters_text(_parameters(names, desk, now), names))
+
+
+def _parameters(names: list[str], desk: Desk, now: Situation) -> dict[str, float]:
+    """Return values as programs read them; those that have none are left out."""
+    found: dict[str, float] = {}
+    for name in names:
+        try:
+            value = evaluated(f"PARAMETER({name})", Type.REAL, desk, now)
+        except Refused:
+            continue
+        found.update({name: value} if isinstance(value, float) else {})
+    return found
 
 
 def _system_name(operand: object, what: str) -> str:

@@ -7,13 +7,11 @@ Terminal, browser and emulated controller drive the same one, through `dialogue.
 from collections.abc import Callable
 
 from vrts.base.source import SourceFile
-from vrts.engine.events import CommandRefused, Event, Found, Printed, ProgramEnded
-from vrts.engine.run import State
 from vrts.ir.commands import Abort, AbortProcess, Answer
 from vrts.lang.commands import CommandLine, read_command
 from vrts.lang.vocabulary.commands import IDLE_ONLY
 from vrts.monitor import editor, execution, files, teaching, texts, values, words
-from vrts.monitor.desk import ALONE, Calculate, Desk, Mode, Refused, Situation, Turn, executes
+from vrts.monitor.desk import Desk, Mode, Refused, Situation, Turn, executes
 from vrts.monitor.folder import CannotUse
 
 MAX_LINE = 1000  # characters that are looked at; no command or step is as long
@@ -94,19 +92,18 @@ class Monitor:
         """Whether the next line is a command, not an answer to a question or a step."""
         return self._mode is None
 
-    def prompt(self, state: State) -> str:
+    def prompt(self, now: Situation) -> str:
         """Return what stands before the line that is typed next."""
         if self._mode is not None:
             return self._mode.prompt
-        if state.awaits_answer:
+        if now.state.awaits_answer:
             return ""  # the program has asked
-        return "*" if executes(state.robot) else "."
+        return "*" if now.executing else "."
 
-    def enter(self, line: str, state: State, calculate: Calculate) -> Turn:
-        """Take a line. `calculate` executes one step beside the run, and changes nothing."""
+    def enter(self, line: str, now: Situation) -> Turn:
+        """Take a line."""
         line = line.rstrip("\r\n")[:MAX_LINE]
-        now = Situation(state, calculate)
-        if self._mode is None and state.awaits_answer:
+        if self._mode is None and now.state.awaits_answer:
             return Turn(commands=(Answer(line),))
         try:
             turn = self._taken(line, now)
@@ -117,20 +114,19 @@ class Monitor:
         self._mode = turn.mode
         return turn
 
-    def interrupt(self, state: State, calculate: Calculate) -> Turn:
+    def interrupt(self, now: Situation) -> Turn:
         """Take Ctrl-C: leave a question or the editor; at commands stop what executes."""
-        now = Situation(state, calculate)
         if self._mode is not None:
             turn = self._mode.interrupt(self.desk, now)
             self._mode = turn.mode
             return turn
         robot = (Abort(),) if now.executing else ()
-        process = (AbortProcess(),) if executes(state.process) else ()
+        process = (AbortProcess(),) if executes(now.state.process) else ()
         return Turn(commands=(*robot, *process))
 
-    def load(self, source: SourceFile, state: State, calculate: Calculate) -> Turn:
+    def load(self, source: SourceFile, now: Situation) -> Turn:
         """Take what a file holds into memory, as LOAD does."""
-        return files.load_source(source, self.desk, Situation(state, calculate))
+        return files.load_source(source, self.desk, now)
 
     def _taken(self, line: str, now: Situation) -> Turn:
         if self._mode is not None:
@@ -145,33 +141,3 @@ class Monitor:
         if handler is None:
             raise Refused(words.starred(words.NOT_INSTALLED, f"{word.text} is not simulated"))
         return handler(command, self.desk, now)
-
-
-def told(event: Event) -> str:
-    """Return what the terminal shows of an event of the run."""
-    match event:
-        case Printed():
-            return event.text.replace("\r\n", "\n")
-        case CommandRefused():
-            return words.starred(event.words)
-        case Found():
-            if event.diagnostic.is_error:
-                return words.refusal(event.diagnostic)
-            return f"{event.diagnostic.severity.value}: {event.diagnostic.headline}\n"
-        case ProgramEnded():
-            return _ended(event)
-        case _:
-            return ""
-
-
-_REASONS = {"paused": "(PAUSED)\n", "halted": "(HALTED)\n", "aborted": "(ABORTED)\n"}
-
-
-def _ended(event: ProgramEnded) -> str:
-    if event.cause is not None and event.cause.program == ALONE:
-        return ""  # a single instruction comes and goes
-    which = "Process control program" if event.process else "Program"
-    if event.ending == "completed":
-        return f"{which} completed\n"
-    where = f" at {event.cause.program}, step {event.cause.step}" if event.cause else ""
-    return f"{_REASONS.get(event.ending, '')}{which} stopped{where}\n"

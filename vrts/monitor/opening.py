@@ -13,6 +13,12 @@ from vrts.monitor.dialogue import Dialogue
 from vrts.monitor.folder import WorkingFolder
 from vrts.monitor.monitor import Monitor
 from vrts.pipeline import Refused, load_scene, read_bytes, robot_alone, shown
+from vrts.scene.model import Limits, Scenario
+
+DAY = 86_400.0  # [s]
+LIMITS = Limits(
+    time_s=30 * DAY, statements=1_000_000_000, motions=10_000_000
+)  # operators stay long
 
 
 def opened(
@@ -47,7 +53,8 @@ def opened(
         overwrite=overwrite,
         replace=replace,
     )
-    dialogue = Dialogue(Controller(Module({}, ()), setting.scene), Monitor(desk))
+    controller = Controller(Module({}, ()), setting.scene, Scenario(limits=LIMITS))
+    dialogue = Dialogue(controller, Monitor(desk))
     said: list[str] = []
     for name in files:
         path = Path(name)

@@ -21,7 +21,7 @@ from vrts.lang.names import key
 from vrts.lang.store import store_text
 from vrts.monitor.desk import is_name
 from vrts.monitor.teaching import successor
-from vrts.robots.model import SphericalWristArm
+from vrts.robots.model import Arm
 
 
 class Frame(Enum):
@@ -153,7 +153,7 @@ def points_text(pendant: Pendant) -> str:
     return store_text(span.source, Module({}, data), VAL2)
 
 
-def screen(pendant: Pendant, state: State, arm: SphericalWristArm, said: str = "") -> str:
+def screen(pendant: Pendant, state: State, arm: Arm, said: str = "") -> str:
     """Return everything the pendant shows; `said` is what the controller said last."""
     x, y, z, o, a, t = components(state.base @ state.X_WT)
     unit = "degrees" if pendant.frame is Frame.JOINT else "mm, degrees about an axis"
@@ -175,7 +175,7 @@ def screen(pendant: Pendant, state: State, arm: SphericalWristArm, said: str = "
     return "\n".join([*rows, "", KEYS])
 
 
-def _joint_rows(state: State, arm: SphericalWristArm) -> list[str]:
+def _joint_rows(state: State, arm: Arm) -> list[str]:
     rows: list[str] = []
     for n, q, lower, upper in zip(
         range(1, 7), state.configuration, arm.lower, arm.upper, strict=True

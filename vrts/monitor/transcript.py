@@ -24,7 +24,7 @@ def transcript(dialogue: Dialogue, lines: Iterable[str]) -> Iterator[str]:
             timed = True
             yield dialogue.advance(float(at[1]))
             continue
-        if not timed:
+        if not timed and dialogue.monitor.at_commands:
             yield dialogue.settle(LONGEST)
         timed = False
         yield f"{dialogue.prompt}{line}\n"

@@ -1,6 +1,6 @@
 """Commands on variables: HERE, POINT, LISTL, LISTR, LISTS, DELETEL and its like [val2.md 5.3]."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 
 from vrts.base.pose import IDENTITY, Pose
 from vrts.ir.commands import Command, DeleteVariables, SetVariable
@@ -191,23 +191,10 @@ def delete(line: CommandLine, desk: Desk, now: Situation) -> Turn:
 
 
 def _only(line: CommandLine) -> Operand:
-    if not line.operands or line.operands[0] is None:
-        raise Refused(words.starred(words.MISSING_ARGUMENT, f"write `{line.word.usage}`"))
-    if len(line.operands) > 1:
-        raise Refused(words.starred(words.UNEXPECTED_TEXT, f"write `{line.word.usage}`"))
-    return line.operands[0]
-
-
-Handler = Callable[[CommandLine, Desk, Situation], Turn]
-
-HANDLERS: dict[str, Handler] = {
-    "HERE": here,
-    "POINT": point,
-    "LISTL": list_locations,
-    "LISTR": list_reals,
-    "LISTS": list_strings,
-    "DELETEL": delete,
-    "DELETER": delete,
-    "DELETES": delete,
-    "DPOINT": delete,
-}
+    match line.operands:
+        case () | (None,):
+            raise Refused(words.starred(words.MISSING_ARGUMENT, f"write `{line.word.usage}`"))
+        case (operand,):
+            return operand
+        case _:
+            raise Refused(words.starred(words.UNEXPECTED_TEXT, f"write `{line.word.usage}`"))

@@ -46,7 +46,8 @@ def refusal(found: Diagnostic) -> str:
     words = val_words(found)
     if words is None:
         return starred(found.headline[:1].upper() + found.headline[1:], *found.help)
-    return starred(words, found.headline, *found.help)
+    said = () if found.headline.lower() == words.lower() else (found.headline,)
+    return starred(words, *said, *found.help)
 
 
 def first_refusal(found: Iterable[Diagnostic]) -> str | None:

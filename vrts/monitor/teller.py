@@ -1,0 +1,81 @@
+"""What the terminal shows of the events of a run."""
+
+from collections.abc import Iterable
+
+from vrts.engine.events import (
+    Answered,
+    CommandRefused,
+    Event,
+    Found,
+    Printed,
+    ProgramEnded,
+    ProgramStarted,
+)
+from vrts.monitor import words
+from vrts.monitor.desk import ALONE
+
+_REASONS = {"paused": "(PAUSED)\n", "halted": "(HALTED)\n", "aborted": "(ABORTED)\n"}
+
+
+class Teller:
+    """Turns events into text; knows where the terminal stands."""
+
+    def __init__(self) -> None:
+        """Begin at the start of a line."""
+        self._at_start = True
+        self._alone = False  # whether what executes is the instruction of a DO
+        self._typed = ""  # an answer, which the terminal has shown while it was typed
+
+    def typed(self) -> None:
+        """Note that RETURN was pressed."""
+        self._at_start = True
+
+    def words(self, text: str) -> str:
+        """Return words of the monitor: they begin on a line of their own."""
+        return self._after(text if self._at_start or not text else f"\n{text}")
+
+    def told(self, events: Iterable[Event]) -> str:
+        """Return what is shown of events, in their order."""
+        return "".join(map(self._told, events))
+
+    def _told(self, event: Event) -> str:
+        match event:
+            case Printed():
+                if self._typed and event.text == self._typed:
+                    self._typed = ""
+                    return ""
+                return self._after(event.text.replace("\r\n", "\n"))
+            case Answered():
+                self._typed = f"{event.text}\r\n"
+                return ""
+            case CommandRefused():
+                return self.words(words.starred(event.words))
+            case Found():
+                if event.diagnostic.is_error:
+                    return self.words(words.refusal(event.diagnostic))
+                return self.words(
+                    f"{event.diagnostic.severity.value}: {event.diagnostic.headline}\n"
+                )
+            case ProgramStarted():
+                if not event.process:
+                    self._alone = event.program == ALONE
+                return ""
+            case ProgramEnded():
+                return self.words(self._ended(event))
+            case _:
+                return ""
+
+    def _ended(self, event: ProgramEnded) -> str:
+        if self._alone and not event.process:
+            self._alone = False
+            return ""  # a single instruction comes and goes
+        which = "Process control program" if event.process else "Program"
+        if event.ending == "completed":
+            return f"{which} completed\n"
+        where = f" at {event.cause.program}, step {event.cause.step}" if event.cause else ""
+        return f"{_REASONS.get(event.ending, '')}{which} stopped{where}\n"
+
+    def _after(self, text: str) -> str:
+        if text:
+            self._at_start = text.endswith("\n")
+        return text
