@@ -12,6 +12,7 @@ from vrts.base.pose import Pose
 from vrts.check.task import Task
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
 from vrts.geometry.support import bounds
+from vrts.robots.chain import fixed_frames
 from vrts.robots.model import Robot
 from vrts.scene.model import Body, Mobility, Scene
 
@@ -44,7 +45,8 @@ def robot_data(robot: Robot) -> Json:
         "arm": {
             "name": arm.name,
             "title": arm.title,
-            **{key: getattr(arm, key) for key in ("a2", "a3", "d2", "d4", "d6")},
+            "joints": [pose_numbers(frame) for frame in fixed_frames(arm)],
+            "flange": pose_numbers(arm.X_LF),
             "shoulderHeight": arm.shoulder_height,
             "lower": _rounded(arm.lower, 9),
             "upper": _rounded(arm.upper, 9),
