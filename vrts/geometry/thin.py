@@ -9,6 +9,7 @@ import numpy.typing as npt
 Array: TypeAlias = npt.NDArray[np.float64]
 
 DIRECTIONS = 3000  # in which the two hulls are compared
+AT_ONCE = 1000  # points, so that meshes of any size fit into memory
 
 
 def thinned(points: Array, tolerance: float) -> Array:
@@ -25,16 +26,18 @@ def thinned(points: Array, tolerance: float) -> Array:
         Shape (m, 3), m <= n.
     """
     directions = sphere(DIRECTIONS)
-    heights = points @ directions.T
-    wanted = heights.max(axis=0)
-    kept = [int(heights[:, column].argmax()) for column in _axes(directions)]
-    reached = heights[kept].max(axis=0)
+    wanted = np.full(DIRECTIONS, -np.inf)
+    for first in range(0, len(points), AT_ONCE):
+        heights = points[first : first + AT_ONCE] @ directions.T
+        wanted = np.maximum(wanted, heights.max(axis=0))
+    kept = [int((points @ directions[column]).argmax()) for column in _axes(directions)]
+    reached = (points[kept] @ directions.T).max(axis=0)
     while True:
         worst = int((wanted - reached).argmax())
         if wanted[worst] - reached[worst] <= tolerance:
             return points[sorted(set(kept))]
-        kept.append(int(heights[:, worst].argmax()))
-        reached = np.maximum(reached, heights[kept[-1]])
+        kept.append(int((points @ directions[worst]).argmax()))
+        reached = np.maximum(reached, points[kept[-1]] @ directions.T)
 
 
 def sphere(count: int) -> Array:

@@ -12,7 +12,7 @@ from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.reach import BranchReach, Reach
 
 HOW_TO_READ = """\
-X points forward, Y to the left, Z up, from the robot's shoulder, {floor:.0f} mm above the floor.
+X points forward, Y to the left, Z up, from the robot's {origin}, {floor:.0f} mm above the floor.
 O, A, T turn the hand: A = 90 points it straight down; O then turns it about the vertical."""
 
 HOW_TO_USE = """\
@@ -31,7 +31,9 @@ def scene_text(scene: Scene) -> str:
         "",
         *(_aligned(row, widths) for row in rows),
         "",
-        HOW_TO_READ.format(floor=mm(arm.shoulder_height)),
+        HOW_TO_READ.format(
+            origin="shoulder" if has_branches(arm) else "foot", floor=mm(arm.shoulder_height)
+        ),
     ]
     if scene.locations:
         lines += ["", HOW_TO_USE + location_block(scene.locations).rstrip("\n")]

@@ -29,6 +29,7 @@ FULL_TURN = math.tau  # [rad] limit either way of a joint without limits [assume
 QUARTER = 1e-9  # [rad] an angle this near to quarter turns is one: files write 12 digits
 FLANGES = ("tool0", "flange", "tool_flange")  # links that are the flange unless another is named
 FARTHEST = 100.0  # [m] any length
+MOST_SHAPES = 100  # of all links
 
 
 class UrdfFault(Exception):  # noqa: N818 -- names what it is
@@ -274,6 +275,8 @@ def _parts(links: dict[str, Element], placed: dict[str, _Placed]) -> tuple[Part,
         )
         for name, link in links.items()
     ]
+    if sum(len(part.shapes) for part in found) > MOST_SHAPES:
+        raise UrdfFault(f"more than {MOST_SHAPES} shapes; simplify them")
     return tuple(sorted(found, key=lambda part: part.joint))
 
 

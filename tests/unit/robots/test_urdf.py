@@ -231,3 +231,9 @@ def test_what_is_no_small_xml_is_refused(data: bytes) -> None:
 def test_text_is_utf_8_whatever_it_says_of_itself() -> None:
     root = read_xml('<?xml version="1.0" encoding="utf-7"?><a name="é"/>'.encode())
     assert root.attributes == {"name": "é"}
+
+
+def test_too_many_shapes_are_refused() -> None:
+    shape = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
+    with pytest.raises(UrdfFault, match="more than 100 shapes"):
+        read_urdf(changed('<link name="tool0"/>', f'<link name="tool0">{100 * shape}</link>'))
