@@ -11,6 +11,7 @@ VOCABULARY = "tests/unit/lang/test_vocabulary.py"
 COLLISION = "tests/unit/check/test_collision.py"
 GEOMETRY = "tests/unit/geometry"
 COMMANDS = "tests/unit/cli/test_commands.py"
+ROBOTS = "tests/unit/robots"
 
 
 class Patch(NamedTuple):
@@ -318,5 +319,40 @@ PATCHES: tuple[Patch, ...] = (
         "_ENOUGH = 2",
         "_ENOUGH = 1",
         (LANG,),
+    ),
+    Patch(
+        "arms without branches take the farthest solution",
+        "vrts/robots/serial_solutions.py",
+        "(bool(limit_violations(arm, q)), _change(q, near))",
+        "(bool(limit_violations(arm, q)), -_change(q, near))",
+        (ROBOTS,),
+    ),
+    Patch(
+        "the axes of described joints are their x axes",
+        "vrts/robots/urdf.py",
+        "align = Pose(_from_z(joint.axis), (0.0, 0.0, 0.0))",
+        "align = Pose(_from_z(X_AXIS), (0.0, 0.0, 0.0))",
+        (ROBOTS, "tests/oracle/test_kinematics_oracle.py"),
+    ),
+    Patch(
+        "many poses at once ignore the wrist asked for",
+        "vrts/robots/batch_inverse.py",
+        "sign = -1.0 if branch.wrist is Wrist.FLIP else 1.0",
+        "sign = 1.0",
+        (ROBOTS,),
+    ),
+    Patch(
+        "links of a scene's folder lead anywhere",
+        "vrts/scene/files.py",
+        "if not place.is_relative_to(folder):",
+        "if not place:",
+        ("tests/unit/scene/test_robot_section.py",),
+    ),
+    Patch(
+        "entities of a description are expanded",
+        "vrts/robots/xml_tree.py",
+        "parser.StartDoctypeDeclHandler = document_type",
+        "parser.StartDoctypeDeclHandler = None",
+        (ROBOTS,),
     ),
 )
