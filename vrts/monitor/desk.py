@@ -26,7 +26,7 @@ _EXECUTING = frozenset({ProgramStatus.RUNNING, ProgramStatus.WAITING})
 
 Operand = Item | FileName | None
 Calculate = Callable[[Module], Mapping[str, Value] | str]
-"""Executes a module of one step beside the run; returns the variables then, or VAL's words."""
+"""Executes a module of one step beside the run; returns the variables then, or why it failed."""
 
 
 def executes(program: ProgramState | None) -> bool:
@@ -198,7 +198,7 @@ def evaluated(text: str, wanted: Type, desk: Desk, now: Situation) -> Value:
     module = one_step(f"{verb}{name} = {text}", desk, now)
     found = now.calculate(module)
     if isinstance(found, str):
-        raise Refused(words.starred(found))
+        raise Refused(found)
     return found[name]
 
 

@@ -117,7 +117,7 @@ class Dialogue:
     # --- expressions ----------------------------------------------------------------------------
 
     def _calculate(self, module: Module) -> Mapping[str, Value] | str:
-        """Execute a module of one step on a fork of the run; return its variables, or words."""
+        """Execute a module of one step on a fork of the run; return its variables, or why not."""
         run = self.controller.run
         at = run.until_s
         commands = [TimedCommand(at, Do(module))]
@@ -127,7 +127,7 @@ class Dialogue:
         fork = advance(truncate(run, at), until, commands)  # truncated: with a past of its own
         for event in fork.events[len(run.events) :]:
             if isinstance(event, CommandRefused):
-                return event.words
+                return words.starred(event.words)
             if isinstance(event, Found) and event.diagnostic.is_error:
-                return words.val_words(event.diagnostic) or event.diagnostic.headline
+                return words.refusal(event.diagnostic, help_too=False)
         return fork.at(until).variables

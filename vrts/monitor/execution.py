@@ -47,7 +47,7 @@ from vrts.monitor.listings import (
     where_of_as_text,
     where_text,
 )
-from vrts.monitor.programs import step_text
+from vrts.monitor.programs import StoredProgram, step_text
 from vrts.monitor.questions import sure
 from vrts.monitor.values import here_pose
 
@@ -98,13 +98,21 @@ def _program_and_counts(
         raise Refused(words.starred(words.MISSING_ARGUMENT, f"write `{line.word.usage}`"))
     program = desk.program(name)
     if program.program is None:
-        raise Refused(words.starred(words.NOT_EXECUTABLE, f"`LISTP {name}` shows its bad steps"))
+        raise Refused(words.starred(words.NOT_EXECUTABLE, _why(program)))
     cycles, step = (*(whole(line, c, 1, desk, now) for c in counts), 1, 1)[:2]
     if not -_MOST_CYCLES - 1 <= cycles <= _MOST_CYCLES:
         raise Refused(words.starred(words.ILLEGAL_VALUE, "cycles are from -32768 to 32767"))
     if not 1 <= step <= max(len(program.lines), 1):
         raise Refused(words.starred(words.ILLEGAL_VALUE, f"`{name}` has no step {step}"))
     return name, cycles, step
+
+
+def _why(program: StoredProgram) -> str:
+    """Return the first reason why a program is not executable."""
+    first = program.faults[0]
+    if first.primary is None:
+        return first.headline
+    return f"step {first.primary.span.line - 1}: {first.headline}"
 
 
 def steps(line: CommandLine, desk: Desk, now: Situation) -> Turn:

@@ -41,13 +41,14 @@ def val_words(found: Diagnostic) -> str | None:
     return None
 
 
-def refusal(found: Diagnostic) -> str:
+def refusal(found: Diagnostic, *, help_too: bool = True) -> str:
     """Return what the monitor prints for a finding: VAL's words, what is wrong, what to do."""
     words = val_words(found)
+    help_ = found.help if help_too else ()
     if words is None:
-        return starred(found.headline[:1].upper() + found.headline[1:], *found.help)
+        return starred(found.headline[:1].upper() + found.headline[1:], *help_)
     said = () if found.headline.lower() == words.lower() else (found.headline,)
-    return starred(words, *said, *found.help)
+    return starred(words, *said, *help_)
 
 
 def first_refusal(found: Iterable[Diagnostic]) -> str | None:
