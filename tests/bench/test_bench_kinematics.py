@@ -14,6 +14,7 @@ from time import perf_counter
 from typing import Any, cast
 
 import numpy as np
+import pytest
 
 from vrts.base.pose import distance
 from vrts.robots.batch import flange_frames
@@ -106,6 +107,7 @@ def test_numeric_inverse_kinematics() -> None:
     show("puma761: Pinocchio, from five degrees away", us, f"{sum(pinocchio())} of {NUMERIC} found")
 
 
+@pytest.mark.filterwarnings("ignore")
 def test_robotics_toolbox() -> None:
     """An extra: only where roboticstoolbox-python is installed."""
     if find_spec("roboticstoolbox") is None:
@@ -117,6 +119,6 @@ def test_robotics_toolbox() -> None:
     poses = [robot.fkine(q) for q in rows]
     us = timed(NUMERIC, lambda: [robot.ikine_a(T) for T in poses])
     show("puma560: roboticstoolbox, its closed form", us)
-    pairs = list(zip(poses, rows, strict=True))
-    us = timed(NUMERIC, lambda: [robot.ikine_LM(T, q0=q + AWAY) for T, q in pairs])
+    pairs = list(zip(poses, rows, strict=True))[:10]
+    us = timed(len(pairs), lambda: [robot.ikine_LM(T, q0=q + AWAY) for T, q in pairs])
     show("puma560: roboticstoolbox, Levenberg-Marquardt", us)
