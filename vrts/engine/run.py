@@ -8,14 +8,15 @@ from typing import TypeVar
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.pose import IDENTITY, Pose
 from vrts.base.source import Span
-from vrts.engine.cells import UNDEFINED, Array
-from vrts.engine.context import Context
+from vrts.engine.cells import UNDEFINED, Array, cells_of
 from vrts.engine.events import (
     AnalogChanged,
     Answered,
     Cause,
     Event,
     Found,
+    MotionEnded,
+    MotionStarted,
     Printed,
     ProgramEnded,
     ProgramStarted,
@@ -24,6 +25,7 @@ from vrts.engine.events import (
     SpeedChanged,
     SwitchChanged,
 )
+from vrts.engine.history import History, ProgramHistory, history_of
 from vrts.engine.machine import Machine
 from vrts.engine.records import (
     Ending,
@@ -62,94 +64,108 @@ class OutOfHorizon(ValueError):  # noqa: N818 -- names the situation, as the glo
 class Run:
     """One execution up to its horizon. Immutable; `controller.advance` makes longer ones."""
 
-    def __init__(self, machine: Machine, until_s: float, checkpoints: tuple[Machine, ...]) -> None:
-        """Take a machine that nobody changes any more, and earlier copies of it."""
-        self._machine = machine
+    def __init__(
+        self, origin: Machine | History, until_s: float, checkpoints: tuple[Machine, ...] = ()
+    ) -> None:
+        """Take a machine that nobody changes any more, and earlier copies of it.
+
+        A history alone, as it comes from a file, makes a run that can be asked but not advanced.
+        """
+        self.history = history_of(origin) if isinstance(origin, Machine) else origin
+        self._machine = origin if isinstance(origin, Machine) else None
         self._checkpoints = checkpoints
         self.until_s = until_s
-        ended = machine.ended_s
-        over = machine.closed and ended is not None
+        ended = self.history.ended_s
+        over = self.history.closed and ended is not None
         self.horizon_s = max(ended, min(until_s, self._last_s)) if over and ended else until_s
 
     @property
     def machine(self) -> Machine:
-        """State to continue from; copy it before use."""
+        """State to continue from; copy it before use.
+
+        Raises:
+            ValueError: The run comes from a file.
+        """
+        if self._machine is None:
+            raise ValueError("a run from a file can be asked, not advanced: execute it again first")
         return self._machine
 
     @property
     def checkpoints(self) -> tuple[Machine, ...]:
-        """Earlier states to continue from, in time order."""
-        return self._checkpoints
+        """Earlier states to continue from, in time order.
+
+        Raises:
+            ValueError: The run comes from a file.
+        """
+        return self._checkpoints if self._checkpoints else (self.machine,)
 
     @property
     def module(self) -> Module:
         """The programs."""
-        return self._machine.system.executable.module
+        return self.history.module
 
     @property
     def scene(self) -> Scene:
         """The workspace."""
-        return self._machine.scene
+        return self.history.scene
 
     @property
     def scenario(self) -> Scenario:
         """Initial state, inputs and limits."""
-        return self._machine.scenario
+        return self.history.scenario
 
     @property
     def ending(self) -> Ending:
         """How the robot program ended, or that it still runs."""
-        ended = self._machine.ended_s
+        ended = self.history.ended_s
         if ended is not None and ended > self.horizon_s:
             return Ending.RUNNING
-        return self._machine.robot.ending
+        return self.history.robot.ending
 
     @property
     def started_s(self) -> float:
         """When EXECUTE took effect [s]."""
-        return self._machine.started_s
+        return self.history.started_s
 
     @property
     def ended_s(self) -> float | None:
         """When the robot program was over and the arm stood still [s]."""
-        ended = self._machine.ended_s
+        ended = self.history.ended_s
         return None if ended is None or ended > self.horizon_s else ended
 
     @property
     def statements(self) -> int:
         """How many statements were executed, by both programs."""
-        return self._machine.finished
+        return self.history.finished
 
     @cached_property
     def motions(self) -> Sequence[Motion]:
         """Every motion issued, in run time."""
-        planner = self._machine.system.planner
-        if planner.scale.plain:
-            return planner.motions
-        time = planner.scale.time
+        arm = self.history.arm
+        if arm.scale.plain:
+            return arm.motions
+        time = arm.scale.time
         return [
             motion._replace(start_s=time(motion.start_s), end_s=time(motion.end_s))
-            for motion in planner.motions
+            for motion in arm.motions
         ]
 
     @cached_property
     def timeline(self) -> Timeline:
         """The trajectory of arm and hand."""
-        system = self._machine.system
+        arm, hand = self.history.arm, self.history.hand
         return Timeline(
-            system.planner.pieces,
-            system.planner.scale,
-            system.hand.strokes,
-            system.planner.initial,
-            self._machine.initial_opening,
-            self.horizon_s,
+            arm.pieces, arm.scale, hand.strokes, arm.configuration, hand.opening_m, self.horizon_s
         )
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
-        """What happened up to the horizon, in time order."""
-        known = (e for e in self._machine.system.events if e.time_s <= self.horizon_s)
-        return tuple(sorted(known, key=lambda event: event.time_s))
+        """What happened up to the horizon, in time order.
+
+        Of one instant, motions that end and begin come first, then what the programs did.
+        """
+        known = (e for e in self.history.events if e.time_s <= self.horizon_s)
+        return tuple(sorted(known, key=_order))
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:
@@ -161,7 +177,7 @@ class Run:
         """Where every movable body is, over time."""
         return {
             name: tuple(p for p in track if p.start_s <= self.horizon_s)
-            for name, track in self._machine.system.hand.placements.items()
+            for name, track in self.history.hand.placements.items()
         }
 
     @property
@@ -187,15 +203,20 @@ class Run:
         """
         if not 0 <= finished <= self.statements:
             raise OutOfHorizon(finished, self.statements)
-        return State(self, self._machine.time_of(finished), finished)
+        return State(self, self.history.time_of(finished), finished)
 
     @property
     def _last_s(self) -> float:
         """End of everything under way when the program ended [s]."""
-        hand = self._machine.system.hand
+        hand = self.history.hand
         strokes = [stroke.end_s for stroke in hand.strokes[-1:]]
         landings = [track[-1].start_s for track in hand.placements.values()]
         return max([0.0, *strokes, *landings])
+
+
+def _order(event: Event) -> tuple[int, int]:
+    rank = 0 if isinstance(event, MotionEnded) else 1 if isinstance(event, MotionStarted) else 2
+    return round(event.time_s * 1e9), rank
 
 
 class State:
@@ -213,7 +234,7 @@ class State:
     def finished(self) -> int:
         """Statements finished."""
         if self._finished is None:
-            self._finished = self._run.machine.finished_at(self.time_s)
+            self._finished = self._run.history.finished_at(self.time_s)
         return self._finished
 
     # --- the arm ------------------------------------------------------------------------------
@@ -241,13 +262,13 @@ class State:
     @property
     def X_FT(self) -> Pose:
         """The tool that TOOL set last."""
-        held = self._run.machine.system.held_tool.at(self.finished)
+        held = self._run.history.memory.tool.at(self.finished)
         return held if isinstance(held, Pose) else self._run.scene.X_FT
 
     @property
     def base(self) -> Pose:
         """X_VB: how BASE says that the robot was displaced."""
-        held = self._run.machine.system.held_base.at(self.finished)
+        held = self._run.history.memory.base.at(self.finished)
         return held if isinstance(held, Pose) else IDENTITY
 
     @property
@@ -307,7 +328,7 @@ class State:
     @property
     def parameters(self) -> Mapping[str, float]:
         """Parameters of the controller that were set."""
-        cells = self._run.machine.system.parameters
+        cells = self._run.history.memory.parameters
         values = {name: cell.at(self.finished) for name, cell in cells.items()}
         return {name: v for name, v in values.items() if isinstance(v, float)}
 
@@ -343,20 +364,21 @@ class State:
         """Global variables that have a value, array elements included."""
         finished = self.finished
         found: dict[str, Value] = {}
-        for cell in self._run.machine.system.memory.cells():
-            value = cell.at(finished)
-            if value is not UNDEFINED:
-                found[cell.name] = value  # type: ignore[assignment]
+        for bound in self._run.history.memory.bound:
+            for cell in cells_of(bound):
+                value = cell.at(finished)
+                if value is not UNDEFINED:
+                    found[cell.name] = value  # type: ignore[assignment]
         return found
 
     @property
     def locals(self) -> Mapping[str, Value]:
         """Arguments and automatic variables of the innermost program that have a value."""
-        activation = self._run.machine.robot.trace.activation(self.finished)
+        activation = self._run.history.robot.trace.activation(self.finished)
         found: dict[str, Value] = {}
         if activation is None:
             return found
-        program = self._run.machine.system.executable.programs[activation.program].program
+        program = self._run.history.code.programs[activation.program]
         slots = (*program.formals, *program.autos)
         for slot, bound in zip(slots, activation.slots, strict=True):
             cells = bound.elements.values() if isinstance(bound, Array) else (bound,)
@@ -364,32 +386,34 @@ class State:
                 value = cell.at(self.finished)
                 if value is not UNDEFINED:
                     _, bracket, subscripts = cell.name.partition("[")
-                    name = slot.name + bracket + subscripts if isinstance(bound, Array) else slot.name
+                    name = (
+                        slot.name + bracket + subscripts if isinstance(bound, Array) else slot.name
+                    )
                     found[name] = value  # type: ignore[assignment]
         return found
 
     @property
     def call_stack(self) -> tuple[Cause, ...]:
         """The step that every active program of the robot is at, outermost first."""
-        machine = self._run.machine
-        if machine.ended_s is not None and self.time_s >= machine.ended_s:
+        history = self._run.history
+        if history.ended_s is not None and self.time_s >= history.ended_s:
             return ()
-        return self._stack(machine.robot)
+        return self._stack(history.robot)
 
     @property
     def process_stack(self) -> tuple[Cause, ...]:
         """The same of the process control program."""
-        return self._stack(self._run.machine.process)
+        return self._stack(self._run.history.process)
 
     @property
     def robot(self) -> ProgramState | None:
         """The robot program; None when none was executed yet."""
-        return self._program(self._run.machine.robot)
+        return self._program(self._run.history.robot)
 
     @property
     def process(self) -> ProgramState | None:
         """The process control program; None when none was executed yet."""
-        return self._program(self._run.machine.process)
+        return self._program(self._run.history.process)
 
     @property
     def awaits_answer(self) -> bool:
@@ -449,46 +473,48 @@ class State:
             if event.time_s <= self.time_s and isinstance(event, kind)
         ]
 
-    def _stack(self, c: Context) -> tuple[Cause, ...]:
-        executable = self._run.machine.system.executable
-        activation = c.trace.activation(self.finished)
+    def _stack(self, program: ProgramHistory) -> tuple[Cause, ...]:
+        causes = self._run.history.code.causes
+        activation = program.trace.activation(self.finished)
         if activation is None:
             return ()
-        following = c.trace.following(self.finished)
-        if following is None and c.frames:
-            frame = c.frames[-1]
-            program = executable.programs[frame.program]
-            following = program.base + min(frame.index, len(program.causes) - 1)
+        following = program.trace.following(self.finished)
+        if following is None:
+            following = program.place
         if following is None:
             return ()
-        stack = [executable.causes[following]]
+        stack = [causes[following]]
         at: Activation | None = activation
         while at is not None and at.called_from is not None:
-            stack.append(executable.causes[at.called_from])
+            stack.append(causes[at.called_from])
             at = at.caller
         return tuple(reversed(stack))
 
-    def _program(self, c: Context) -> ProgramState | None:
+    def _program(self, program: ProgramHistory) -> ProgramState | None:
         started = ended = None
         for event in self._run.events:
             if event.time_s > self.time_s:
                 break
-            if isinstance(event, ProgramStarted) and event.process is not c.is_robot:
+            if isinstance(event, ProgramStarted) and event.process is not program.is_robot:
                 started, ended = event, None
-            elif isinstance(event, ProgramEnded) and event.process is not c.is_robot:
+            elif isinstance(event, ProgramEnded) and event.process is not program.is_robot:
                 ended = event
         if started is None:
             return None
-        stack = self._stack(c)
+        stack = self._stack(program)
         cause = stack[-1] if stack else None
         if ended is not None:
             done = ended.ending in (Ending.COMPLETED.value, Ending.HALTED.value)
             status = ProgramStatus.COMPLETED if done else ProgramStatus.STOPPED
             cause = ended.cause
         else:
-            at_horizon = self.time_s >= self._run.machine.now
-            waits = at_horizon and c.wake > self._run.machine.now
+            waits = program.waits and self.time_s >= self._run.history.now_s
             status = ProgramStatus.WAITING if waits else ProgramStatus.RUNNING
         return ProgramState(
-            started.program, status, c.cycles_done, c.cycles_left, c.priority, cause
+            started.program,
+            status,
+            program.cycles_done,
+            program.cycles_left,
+            program.priority,
+            cause,
         )
