@@ -2,6 +2,7 @@
 
 import ast
 import re
+from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
@@ -32,6 +33,7 @@ BYTES = {
 ALONG = {"V113": {"V106"}, "V114": {"V106"}, "V151": {"V120"}}
 
 
+@cache
 def rules() -> dict[str, list[str]]:
     """Return the slugs of every `Rule("Vnnn", "slug")` in the package, by code."""
     found: dict[str, list[str]] = {}
