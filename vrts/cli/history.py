@@ -9,11 +9,11 @@ PRIVATE = 0o700
 def history_file() -> Path | None:
     """Return the file; None when there is no folder that is the user's alone."""
     base = os.environ.get("XDG_CACHE_HOME")
-    folder = (Path(base) if base else Path.home() / ".cache") / "vrts"
     try:
+        folder = (Path(base) if base else Path.home() / ".cache") / "vrts"
         folder.mkdir(mode=PRIVATE, parents=True, exist_ok=True)
         status = folder.stat()
-    except OSError:
+    except (OSError, RuntimeError):  # the second: nobody knows where home is
         return None
     foreign = hasattr(os, "getuid") and status.st_uid != os.getuid()
     return None if foreign or status.st_mode & 0o022 else folder / "monitor-history"

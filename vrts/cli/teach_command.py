@@ -39,6 +39,7 @@ def command(scene: str, output: Path, terminal: bool, overwrite: bool) -> None:
     pendant = teach(dialogue, time.monotonic)
     if pendant.done == "write" and pendant.recorded:
         write_file(output, points_text(pendant).encode())
-        say(f"{len(pendant.recorded)} locations written to {output}")
+        count = len(pendant.recorded)
+        say(f"{count} location{'' if count == 1 else 's'} written to {output}")
     else:
         say("nothing is written")

@@ -9,7 +9,7 @@ from vrts.lang.vocabulary.commands import COMMANDS, look_up_command
 from vrts.lang.vocabulary.lookup import spellings
 from vrts.monitor.desk import Desk
 
-_WORD = re.compile(r"[$#]?[A-Za-z][\w.]*$", re.ASCII)
+_WORD = re.compile(r"(?:[$#]?[A-Za-z][\w.]*|[$#])$", re.ASCII)
 _PROGRAMS = frozenset(
     {"EXECUTE", "EDIT", "LISTP", "DIRECTORY", "DELETE", "DELETEP", "COPY", "RENAME", "PCEXECUTE"}
 )

@@ -161,10 +161,13 @@ class _PendantScreen:
             beat.cancel()
 
     async def _beat(self) -> None:
+        shown = ""
         while True:
             await asyncio.sleep(BEAT)
             self._said += self._pace.catch_up()
-            self._app.invalidate()
+            if self._text() != shown:
+                shown = self._text()
+                self._app.invalidate()
 
     def _text(self) -> str:
         arm = self._dialogue.controller.run.scene.robot.arm

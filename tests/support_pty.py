@@ -1,0 +1,80 @@
+"""A program at a terminal of its own: a pty, what it writes, and keys typed."""
+
+import fcntl
+import os
+import re
+import select
+import struct
+import subprocess
+import sys
+import termios
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+PATIENCE = 30.0  # [s] with a busy machine
+_SIZE = struct.pack("HHHH", 40, 110, 0, 0)  # rows, columns
+
+
+class Child:
+    """A command of vrts at a terminal."""
+
+    def __init__(self, arguments: Sequence[str], folder: Path) -> None:
+        self._master, slave = os.openpty()
+        fcntl.ioctl(slave, termios.TIOCSWINSZ, _SIZE)
+        environment = {
+            "TERM": "xterm",
+            "LANG": "C.UTF-8",
+            "XDG_CACHE_HOME": str(folder / "cache"),
+        }
+        self._process = subprocess.Popen(
+            [sys.executable, "-m", "vrts.cli.main", *arguments],
+            stdin=slave,
+            stdout=slave,
+            stderr=slave,
+            cwd=folder,
+            env=environment,
+            start_new_session=True,
+            preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0),
+        )
+        os.close(slave)
+        self._unread = ""
+
+    def send(self, keys: str) -> None:
+        """Type keys."""
+        os.write(self._master, keys.encode())
+
+    def expect(self, pattern: str) -> None:
+        """Wait until what is written and not yet looked at holds a pattern; go on behind it."""
+        until = time.monotonic() + PATIENCE
+        while True:
+            match = re.search(pattern, self._unread)
+            if match is not None:
+                self._unread = self._unread[match.end() :]
+                return
+            assert time.monotonic() < until, f"no {pattern!r} in {self._unread!r}"
+            assert self._read(), f"no {pattern!r} before the end: {self._unread!r}"
+
+    def status(self) -> int:
+        """Wait for the end and return the exit status."""
+        while self._read():
+            pass
+        return self._process.wait(PATIENCE)
+
+    def close(self) -> None:
+        """Take the terminal away."""
+        if self._process.poll() is None:
+            self._process.kill()
+            self._process.wait()
+        os.close(self._master)
+
+    def _read(self) -> bool:
+        """Read what is there; return False at the end."""
+        if not select.select([self._master], [], [], 1.0)[0]:
+            return True
+        try:
+            data = os.read(self._master, 65536)
+        except OSError:  # how Linux tells that the other side is closed
+            return False
+        self._unread += data.decode("utf-8", "replace")
+        return bool(data)
