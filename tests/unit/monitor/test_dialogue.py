@@ -10,6 +10,7 @@ from tests.unit.monitor.dialogues import dialogue, said
 from vrts.lang.dialect import VAL2_PLUS
 from vrts.lang.vocabulary.commands import COMMANDS
 from vrts.monitor.completion import completions
+from vrts.monitor.monitor import HANDLERS
 
 PIECES = st.sampled_from(
     [
@@ -37,6 +38,11 @@ def test_no_line_makes_the_monitor_fail(lines: list[str]) -> None:
         for _ in range(4):
             found.interrupt()
         assert found.monitor.at_commands
+
+
+def test_every_command_of_the_vocabulary_is_carried_out_or_known_as_opaque() -> None:
+    carried_out = {word.text for word in COMMANDS.values() if not word.opaque}
+    assert carried_out == HANDLERS.keys()
 
 
 def test_expressions_are_worked_out_beside_the_run(tmp_path: Path) -> None:
