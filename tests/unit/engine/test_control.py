@@ -89,7 +89,7 @@ def test_words_that_end_a_program(word: str, ending: Ending) -> None:
 
 
 LIMITS = [
-    ("n = 1\nWHILE n == 1 DO\nn = 1\nEND", Limits(statements=5000), "V510"),
+    ("n = 1\nWHILE n > 0 DO\nn = n+1\nEND", Limits(statements=5000), "V510"),
     ("10 DELAY 1\nGOTO 10", Limits(time_s=20.0), "V511"),
     ("10 DRIVE 1, 0, 100\nGOTO 10", Limits(motions=20), "V512"),
     ('10 TYPE "still here"\nGOTO 10', Limits(output_characters=500), "V513"),
