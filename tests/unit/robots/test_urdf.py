@@ -237,3 +237,11 @@ def test_too_many_shapes_are_refused() -> None:
     shape = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
     with pytest.raises(UrdfFault, match="more than 100 shapes"):
         read_urdf(changed('<link name="tool0"/>', f'<link name="tool0">{100 * shape}</link>'))
+
+
+def test_links_that_meet_at_ready_are_never_compared() -> None:
+    usual = serial_robot(read_urdf(TEXT.encode()), MANNER, no_mesh).arm
+    assert usual.skipped_pairs == frozenset()
+    long = changed('<box size="0.31 0.08 0.08"/>', '<box size="0.31 0.30 0.08"/>')
+    met = serial_robot(read_urdf(long), MANNER, no_mesh).arm
+    assert met.skipped_pairs == frozenset({frozenset(("upper arm", "forearm"))})
