@@ -57,6 +57,7 @@ class Situation(NamedTuple):
     state: State
     calculate: Calculate
     robot: ProgramState | None  # the robot program; a DO that is over does not count
+    asks: bool  # a PROMPT waits for a line
 
     @property
     def executing(self) -> bool:

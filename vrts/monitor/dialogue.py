@@ -6,7 +6,7 @@ from vrts.base.source import SourceFile
 from vrts.engine.controller import Controller, advance, truncate
 from vrts.engine.events import CommandRefused, Event, Found
 from vrts.engine.records import ProgramState
-from vrts.engine.run import State
+from vrts.engine.run import Run, State
 from vrts.ir.commands import Command, Do, Panic, TimedCommand
 from vrts.ir.module import Module
 from vrts.ir.values import Value
@@ -15,9 +15,7 @@ from vrts.monitor.desk import ALONE, Situation, Turn, executes
 from vrts.monitor.monitor import Monitor
 from vrts.monitor.teller import Teller
 
-REST = 20.0  # [s] longest time an arm takes to come to rest [assumed]
 _LATE = 100  # events among the last ones before which another may still come to stand
-TICK = 0.028  # [s] after which a command has taken effect
 
 
 class Dialogue:
@@ -30,6 +28,7 @@ class Dialogue:
         self._told: Sequence[Event] = ()  # events of the run that have been shown
         self._teller = Teller()
         self._robot: ProgramState | None = None  # that was last, DO aside
+        self._known: tuple[Run, Situation] | None = None  # of the run as it is
 
     @property
     def time_s(self) -> float:
@@ -49,7 +48,7 @@ class Dialogue:
     @property
     def busy(self) -> bool:
         """Whether a robot program executes and waits for no answer."""
-        return executes(self.state.robot) and not self.state.awaits_answer
+        return self._now.executing and not self._now.asks
 
     def enter(self, line: str) -> str:
         """Take a line; return what the terminal shows until its commands have taken effect."""
@@ -76,9 +75,9 @@ class Dialogue:
 
     def settle(self, most_s: float) -> str:
         """Let time pass until the program has stopped or asks something, but not longer."""
-        if self.busy or self.state.robot is not None:
+        if self.state.robot is not None:
             self.controller.advance_until_stopped(most_s)
-            self.controller.advance(self.time_s + 0.5 * TICK)  # what comes next comes after it all
+            self.controller.advance(self.time_s + 0.5 * self._tick)  # what comes next comes after
         return self._news()
 
     def truncate(self, time_s: float) -> None:
@@ -87,13 +86,23 @@ class Dialogue:
         self._told = run.events
 
     @property
+    def _tick(self) -> float:
+        """Time after which a command has taken effect [s]."""
+        return self.controller.run.scene.robot.arm.tick
+
+    @property
     def _now(self) -> Situation:
         """Return the controller as commands see it."""
-        state = self.state
-        robot = state.robot
-        if robot is None or robot.program != ALONE:
-            self._robot = robot
-        return Situation(state, self._calculate, robot if executes(robot) else self._robot)
+        run = self.controller.run
+        if self._known is None or self._known[0] is not run:
+            state = self.state
+            robot = state.robot
+            if robot is None or robot.program != ALONE:
+                self._robot = robot
+            shown = robot if executes(robot) else self._robot
+            asks = state.awaits_answer
+            self._known = (run, Situation(state, self._calculate, shown, asks))
+        return self._known[1]
 
     # --- what the terminal shows ----------------------------------------------------------------
 
@@ -102,7 +111,7 @@ class Dialogue:
         for command in turn.commands:
             self.controller.issue(command, self.time_s)
         if turn.commands:
-            self.controller.advance(self.time_s + TICK)
+            self.controller.advance(self.time_s + self._tick)
         return shown + self._news()
 
     def _news(self) -> str:
@@ -121,9 +130,9 @@ class Dialogue:
         run = self.controller.run
         at = run.until_s
         commands = [TimedCommand(at, Do(module))]
-        if executes(run.at(at).robot):  # which excludes DO, so the fork stops it first
-            commands = [TimedCommand(at, Panic()), TimedCommand(at + REST, Do(module))]
-        until = commands[-1].time_s + 2 * TICK
+        if self._now.executing:  # which excludes DO, so the fork stops it first
+            commands.insert(0, TimedCommand(at, Panic()))
+        until = at + 2 * self._tick
         fork = advance(truncate(run, at), until, commands)  # truncated: with a past of its own
         for event in fork.events[len(run.events) :]:
             if isinstance(event, CommandRefused):

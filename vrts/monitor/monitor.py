@@ -96,14 +96,14 @@ class Monitor:
         """Return what stands before the line that is typed next."""
         if self._mode is not None:
             return self._mode.prompt
-        if now.state.awaits_answer:
+        if now.asks:
             return ""  # the program has asked
         return "*" if now.executing else "."
 
     def enter(self, line: str, now: Situation) -> Turn:
         """Take a line."""
         line = line.rstrip("\r\n")[:MAX_LINE]
-        if self._mode is None and now.state.awaits_answer:
+        if self._mode is None and now.asks:
             return Turn(commands=(Answer(line),))
         try:
             turn = self._taken(line, now)

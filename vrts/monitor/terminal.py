@@ -24,7 +24,7 @@ from vrts.monitor.dialogue import Dialogue
 from vrts.monitor.pendant import Pendant, press, screen
 from vrts.report.plain import plain_text
 
-BEAT = 0.05  # [s] of real time between looks at the clock
+BEAT = 0.1  # [s] of real time between looks at the clock
 
 Clock = Callable[[], float]
 _KEYS = {"\r": "enter", "\n": "enter", "\x1b": "escape", "\x7f": "backspace", "\x08": "backspace"}
@@ -118,11 +118,12 @@ class _Conversation:
         return True
 
     async def _beat(self) -> None:
+        shown = ""
         while True:
             await asyncio.sleep(BEAT)
-            before = self._message()
             self._show(self._pace.catch_up())
-            if self._message() != before:
+            if self._message() != shown:
+                shown = self._message()
                 self._session.app.invalidate()
 
     def _show(self, text: str) -> None:

@@ -6,7 +6,7 @@ from tempfile import TemporaryDirectory
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.unit.monitor.dialogues import dialogue, said
+from tests.unit.monitor.dialogues import LONGEST, dialogue, said
 from vrts.lang.dialect import VAL2_PLUS
 from vrts.lang.vocabulary.commands import COMMANDS
 from vrts.monitor.completion import completions
@@ -53,6 +53,17 @@ def test_expressions_are_worked_out_beside_the_run(tmp_path: Path) -> None:
     assert found.controller.run.events == events
     assert "monitor.answer" not in found.state.variables
     assert found.state.robot is not None  # which the fork could have spoilt
+
+
+def test_expressions_are_worked_out_at_once_while_a_program_executes(tmp_path: Path) -> None:
+    found = dialogue(tmp_path)
+    said(found, "EDIT main", "TIMER 1 = 0", "DELAY 5", "BREAK", "n = 7", "E")
+    found.enter("EXECUTE main")
+    found.advance(found.time_s + 2.0)
+    seconds = float(found.enter("LISTR TIMER(1)").split()[-1])
+    assert 1.9 < seconds < 2.2
+    assert found.settle(LONGEST) == "Program completed\n"  # not disturbed
+    assert found.state.variables["n"] == 7.0
 
 
 def test_the_same_lines_do_the_same_twice(tmp_path: Path) -> None:
