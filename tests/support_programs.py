@@ -8,7 +8,8 @@ from vrts.engine.controller import execute
 from vrts.engine.events import Event, MotionEnded, MotionStarted, SignalChanged
 from vrts.engine.run import Run
 from vrts.ir.module import Module
-from vrts.lang.compiler import compile_source
+from vrts.lang.compiler import Options, compile_source
+from vrts.lang.dialect import DIALECTS
 from vrts.scene.default import robot_alone
 from vrts.scene.model import Scenario, Scene
 from vrts.scene.scene_file import read_scene
@@ -22,9 +23,9 @@ PLACES = {
 }
 
 
-def compiled(text: str) -> Module:
+def compiled(text: str, dialect: str = "val2") -> Module:
     """Return the module of a whole file."""
-    found = compile_source(SourceFile("main.v2", text))
+    found = compile_source(SourceFile("main.v2", text), Options(DIALECTS[dialect]))
     assert found.module is not None, [d.headline for d in found.diagnostics]
     return found.module
 

@@ -155,6 +155,3 @@ def _spacing(kept: Sequence[Machine]) -> float:
     while kept and kept[-1].now > spacing * MOST_CHECKPOINTS:
         spacing *= 2.0
     return spacing
-
-
-

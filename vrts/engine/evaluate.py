@@ -437,9 +437,7 @@ def _tool_now(c: Context) -> Pose:
 def _random(c: Context) -> float:
     system = c.system
     system.clock_reads += 1
-    system.random_state = (
-        RANDOM_MULTIPLIER * system.random_state + RANDOM_INCREMENT
-    ) & 0xFFFFFFFF
+    system.random_state = (RANDOM_MULTIPLIER * system.random_state + RANDOM_INCREMENT) & 0xFFFFFFFF
     return (system.random_state >> 8) / float(1 << 24)
 
 

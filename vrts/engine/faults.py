@@ -102,7 +102,9 @@ class RuntimeFault(Exception):  # noqa: N818 -- VAL's run-time errors are faults
     @property
     def number(self) -> int:
         """VAL's number of the error."""
-        return self.kind.value.number - self.joint * (self.kind is RuntimeErrorKind.JOINT_OUT_OF_RANGE)
+        return self.kind.value.number - self.joint * (
+            self.kind is RuntimeErrorKind.JOINT_OUT_OF_RANGE
+        )
 
     @property
     def words(self) -> str:

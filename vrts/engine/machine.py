@@ -173,17 +173,6 @@ class Machine:
         """Whether a program executes."""
         return self.robot.running or self.process.running
 
-    def finished_at(self, time_s: float) -> int:
-        """Return how many statements are finished at a time."""
-        tick = math.floor(time_s / self.tick + INSTANT / self.tick)
-        k = bisect_right(self.ticks, tick)
-        return min(self.counts[k - 1], self.finished) if k else 0
-
-    def time_of(self, finished: int) -> float:
-        """Return the time of the tick in which a number of statements was reached."""
-        k = bisect_right(self.counts, finished - 1)
-        return self.ticks[k] * self.tick if finished > 0 and k < len(self.ticks) else 0.0
-
     def signals_to_come(self) -> bool:
         """Return whether inputs, faults or commands may still change something."""
         system = self.system
@@ -198,7 +187,9 @@ class Machine:
         """Return which steps the robot program executed between two counts of statements."""
         trace, causes = self.robot.trace, self.system.executable.causes
         begin, stop = trace.executed(first), trace.executed(last)
-        steps = sorted({causes[k].step for k in trace.instructions[begin:stop][-STEPS_A_TICK * 50 :]})
+        steps = sorted(
+            {causes[k].step for k in trace.instructions[begin:stop][-STEPS_A_TICK * 50 :]}
+        )
         return f"{steps[0]} to {steps[-1]}" if len(steps) > 1 else str(steps[0])
 
     # --- commands -----------------------------------------------------------------------------
@@ -341,11 +332,10 @@ class Machine:
         while self.obeyed < len(self.issued) and self.issued[self.obeyed].time_s <= now + INSTANT:
             command = self.issued[self.obeyed].command
             self.obeyed += 1
-            before = self.finished
-            self.finished = obey(command, self, now)
-            if self.finished != before:
-                self.ticks.append(self.last_tick)
-                self.counts.append(self.finished)
+            self.finished += 1  # so that before and after can be told apart
+            obey(command, self, now)
+            self.ticks.append(self.last_tick)
+            self.counts.append(self.finished)
 
     def _bring_faults_about(self, now: float) -> None:
         faults, system = self.scenario.faults, self.system
@@ -409,6 +399,11 @@ class Machine:
                 self._catch(c, fault)
             if left > 0 and c.running:
                 self._react(c, look=False)
+        if c.frames:
+            frame = c.frames[-1]
+            program = self.system.executable.programs[frame.program]
+            following = program.base + min(frame.index, len(program.causes) - 1)
+            c.trace.rest(self.finished, following)
 
     def _run_frame(self, c: Context, left: int) -> int:
         """Execute statements of the innermost program; return how many more may follow."""
@@ -524,11 +519,20 @@ class Machine:
         if watch.program is not None:
             program = self.system.executable.programs[watch.program].program
             name = program.name
-            c.finished = self.finished
+            self._note_interruption(c)
             frame = self.system.executable.frame(watch.program)
             c.interrupt(frame, FrameKind.REACTION, watch.priority)
         c.wake = c.now
         c.events.append(Reacted(c.now, watch.signal, name, place(c)))
+
+    def _note_interruption(self, c: Context) -> None:
+        """Count being interrupted as a statement, so that before and after can be told apart."""
+        frame = c.frames[-1]
+        program = self.system.executable.programs[frame.program]
+        c.trace.begin_slice(self.finished)
+        c.trace.instructions.append(program.base + min(frame.index, len(program.causes) - 1))
+        self.finished += 1
+        c.finished = self.finished
 
     def _catch(self, c: Context, fault: RuntimeFault) -> None:
         """Call the program that catches errors, or end the program."""
@@ -539,7 +543,7 @@ class Machine:
             return
         cause = place(c)
         c.phase, c.operands, c.fault = 0, None, None
-        c.finished = self.finished
+        self._note_interruption(c)
         frame = self.system.executable.frame(c.error_program)
         c.interrupt(frame, FrameKind.ERROR, ERROR_PRIORITY)
         name = self.system.executable.programs[c.error_program].program.name
@@ -577,6 +581,7 @@ class Machine:
             self.kept_program
         )
         robot.slots = robot.frames[-1].slots if robot.frames else []
+        robot.trace.activate(self.finished, robot.activation)
         self.kept_program = None
 
     def abort(self, c: Context, ending: Ending = Ending.ABORTED) -> None:

@@ -40,9 +40,7 @@ from vrts.robots.model import Configuration
 # what a motion instruction that waits has come to
 JOINED, WAITED, CUT_SHORT = 1, 2, 3
 
-WORLD_AXES = tuple(
-    scale(axis, sign) for axis in (X_AXIS, Y_AXIS, Z_AXIS) for sign in (1.0, -1.0)
-)
+WORLD_AXES = tuple(scale(axis, sign) for axis in (X_AXIS, Y_AXIS, Z_AXIS) for sign in (1.0, -1.0))
 
 
 class Target(NamedTuple):
@@ -128,9 +126,7 @@ class MotionStepCompiler:
 
         return move
 
-    def _target(
-        self, instruction: MotionInstruction, cause: Cause
-    ) -> Callable[[Context], Target]:
+    def _target(self, instruction: MotionInstruction, cause: Cause) -> Callable[[Context], Target]:
         match instruction:
             case ir.Move():
                 return self._move(instruction, cause)

@@ -30,15 +30,14 @@ UNDEFINED = "Undefined program or variable name"
 CANNOT_PROCEED = "Program cannot be resumed"
 
 
-def obey(command: k.Command, machine: "Machine", now: float) -> int:
-    """Carry a command out at a tick; return the number of statements then finished."""
+def obey(command: k.Command, machine: "Machine", now: float) -> None:
+    """Carry a command out at a tick."""
     try:
         _obey(command, machine, now)
     except _Refused as refusal:
         machine.system.events.append(CommandRefused(now, str(refusal)))
     except RuntimeFault as fault:
         machine.system.events.append(CommandRefused(now, fault.words))
-    return machine.finished
 
 
 def _obey(command: k.Command, machine: "Machine", now: float) -> None:
@@ -94,11 +93,9 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
                     system.signals.turn(abs(number), on=on)
                     system.events.append(SignalChanged(now, abs(number), on, None))
         case k.SetVariable(name=name, subscripts=subscripts, value=value):
-            machine.finished += 1
             cell = system.executable.variable(system.memory, name, subscripts)
             cell.assign(UNSET if value is None else value, machine.finished)
         case k.DeleteVariables(names=names):
-            machine.finished += 1
             for name in names:
                 machine.forget(name)
         case k.Load(module=module):
@@ -171,7 +168,6 @@ def _load(machine: "Machine", module: Module) -> None:
     }
     if busy & set(module.programs):
         raise _Refused(EXECUTING)
-    machine.finished += 1
     system = machine.system
     system.executable = Executable(module, machine.scenario.limits.call_depth, system.executable)
     system.executable.extend(system.memory)
@@ -190,5 +186,3 @@ def _delete(machine: "Machine", names: tuple[str, ...]) -> None:
     if any(name not in executable.numbers for name in names):
         raise _Refused(UNDEFINED)
     machine.system.executable = executable.without(names)
-
-

@@ -185,6 +185,33 @@ class Run:
         """Everything written to the terminal."""
         return "".join(event.text for event in self.events if isinstance(event, Printed))
 
+    def spell(self, time_s: float, *, is_robot: bool) -> ProgramStarted | ProgramEnded | None:
+        """Return the event by which the robot program or the other last began or ended."""
+        times, events = self._spells[is_robot]
+        found = bisect_right(times, time_s)
+        return events[found - 1] if found else None
+
+    def executed(self, time_s: float, *, is_robot: bool) -> str:
+        """Return the name of the program that began last; empty when none has."""
+        times, events = self._spells[is_robot]
+        for event in reversed(events[: bisect_right(times, time_s)]):
+            if isinstance(event, ProgramStarted):
+                return event.program
+        return ""
+
+    @cached_property
+    def _spells(self) -> Mapping[bool, tuple[list[float], list[ProgramStarted | ProgramEnded]]]:
+        found: dict[bool, tuple[list[float], list[ProgramStarted | ProgramEnded]]] = {}
+        for is_robot in (True, False):
+            events = [
+                event
+                for event in self.events
+                if isinstance(event, ProgramStarted | ProgramEnded)
+                and event.process is not is_robot
+            ]
+            found[is_robot] = ([event.time_s for event in events], events)
+        return found
+
     def at(self, time_s: float) -> "State":
         """Return the state at a time, after all that happened in its tick; in any order of asking.
 
@@ -395,10 +422,7 @@ class State:
     @property
     def call_stack(self) -> tuple[Cause, ...]:
         """The step that every active program of the robot is at, outermost first."""
-        history = self._run.history
-        if history.ended_s is not None and self.time_s >= history.ended_s:
-            return ()
-        return self._stack(history.robot)
+        return self._stack(self._run.history.robot)
 
     @property
     def process_stack(self) -> tuple[Cause, ...]:
@@ -475,6 +499,9 @@ class State:
 
     def _stack(self, program: ProgramHistory) -> tuple[Cause, ...]:
         causes = self._run.history.code.causes
+        spell = self._run.spell(self.time_s, is_robot=program.is_robot)
+        if not isinstance(spell, ProgramStarted):
+            return ()
         activation = program.trace.activation(self.finished)
         if activation is None:
             return ()
@@ -491,27 +518,20 @@ class State:
         return tuple(reversed(stack))
 
     def _program(self, program: ProgramHistory) -> ProgramState | None:
-        started = ended = None
-        for event in self._run.events:
-            if event.time_s > self.time_s:
-                break
-            if isinstance(event, ProgramStarted) and event.process is not program.is_robot:
-                started, ended = event, None
-            elif isinstance(event, ProgramEnded) and event.process is not program.is_robot:
-                ended = event
-        if started is None:
+        spell = self._run.spell(self.time_s, is_robot=program.is_robot)
+        if spell is None:
             return None
         stack = self._stack(program)
         cause = stack[-1] if stack else None
-        if ended is not None:
-            done = ended.ending in (Ending.COMPLETED.value, Ending.HALTED.value)
+        if isinstance(spell, ProgramEnded):
+            done = spell.ending in (Ending.COMPLETED.value, Ending.HALTED.value)
             status = ProgramStatus.COMPLETED if done else ProgramStatus.STOPPED
-            cause = ended.cause
+            cause = spell.cause
         else:
             waits = program.waits and self.time_s >= self._run.history.now_s
             status = ProgramStatus.WAITING if waits else ProgramStatus.RUNNING
         return ProgramState(
-            started.program,
+            self._run.executed(self.time_s, is_robot=program.is_robot),
             status,
             program.cycles_done,
             program.cycles_left,

@@ -7,6 +7,7 @@ from vrts.robots.kinematics import forward
 from vrts.scene.model import Scenario, Scene
 from vrts.scene.sensors import is_on, movable_centres
 
+
 class Sensing:
     """Looks at the regions while anything moves. Holds no state."""
 

@@ -116,9 +116,7 @@ class SettingStepCompiler:
 
         return percent
 
-    def _monitor_speed(
-        self, instruction: ir.SetMonitorSpeed, following: int, cause: Cause
-    ) -> Step:
+    def _monitor_speed(self, instruction: ir.SetMonitorSpeed, following: int, cause: Cause) -> Step:
         value = self.expressions.real(instruction.value)
 
         def set_speed(c: Context) -> int:

@@ -159,17 +159,13 @@ class StepCompiler:
             case ir.Call() | ir.CallNamed() | ir.Return():
                 raise ValueError("calls and returns are compiled by `executable`")
 
-    def _jump_if(
-        self, condition: Expression, target: int, following: int, *, when: bool
-    ) -> Step:
+    def _jump_if(self, condition: Expression, target: int, following: int, *, when: bool) -> Step:
         test = self.expressions.real(condition)
         if when:
             return lambda c: target if test(c) != 0.0 else following
         return lambda c: following if test(c) != 0.0 else target
 
-    def _set_parameter(
-        self, instruction: ir.SetParameter, following: int, cause: Cause
-    ) -> Step:
+    def _set_parameter(self, instruction: ir.SetParameter, following: int, cause: Cause) -> Step:
         e = self.expressions
         value = e.real(instruction.value)
         index = e.real(instruction.subscript) if instruction.subscript is not None else None

@@ -128,9 +128,7 @@ class Timeline:
         return Segment(start, end, (*rows, hand), motion)
 
 
-def in_run_time(
-    pieces: Sequence[ArmPiece], scale: TimeScale, until_s: float
-) -> Sequence[ArmPiece]:
+def in_run_time(pieces: Sequence[ArmPiece], scale: TimeScale, until_s: float) -> Sequence[ArmPiece]:
     """Return pieces as polynomials of the run time, composed with a time scaling."""
     found: list[ArmPiece] = []
     for piece in pieces:

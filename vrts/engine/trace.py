@@ -24,57 +24,81 @@ class Activation(NamedTuple):
 class Trace:
     """Statements and calls of one program. Copies share them until `cut` parts them."""
 
-    __slots__ = ("_activations", "_begun", "_changed", "_counts", "instructions")
+    __slots__ = (
+        "activations",
+        "begun",
+        "changed",
+        "counts",
+        "instructions",
+        "rested",
+        "resting",
+    )
 
     def __init__(self) -> None:
         """Start empty."""
         self.instructions = array("I")  # one for every statement, in order
-        self._begun = array("I")  # statements finished when a slice began
-        self._counts = array("I")  # of them, those of this program
-        self._changed = array("I")  # statements finished when the innermost program changed
-        self._activations: list[Activation | None] = []  # beside `_changed`
+        self.begun = array("I")  # statements finished when a slice began
+        self.counts = array("I")  # of them, those of this program
+        self.rested = array("I")  # statements finished when the program rested: waited, or had
+        # used its share of a tick
+        self.resting = array("I")  # beside `rested`: the instruction that came next
+        self.changed = array("I")  # statements finished when the innermost program changed
+        self.activations: list[Activation | None] = []  # beside `changed`
 
     def begin_slice(self, finished: int) -> None:
         """Note that this program goes on after a number of finished statements."""
-        self._begun.append(finished)
-        self._counts.append(len(self.instructions))
+        self.begun.append(finished)
+        self.counts.append(len(self.instructions))
+
+    def rest(self, finished: int, instruction: int) -> None:
+        """Note which instruction comes next, where this program waits or the tick is over."""
+        if self.rested and self.rested[-1] == finished and self.resting[-1] == instruction:
+            return
+        self.rested.append(finished)
+        self.resting.append(instruction)
 
     def activate(self, finished: int, activation: Activation | None) -> None:
         """Note the innermost program from a number of finished statements on."""
-        self._changed.append(finished)
-        self._activations.append(activation)
+        self.changed.append(finished)
+        self.activations.append(activation)
 
     def executed(self, finished: int) -> int:
         """Return how many statements of this program are among the first so many."""
-        k = bisect_right(self._begun, finished) - 1
+        k = bisect_right(self.begun, finished) - 1
         if k < 0:
             return 0
-        count = self._counts[k] + finished - self._begun[k]
-        following = self._counts[k + 1] if k + 1 < len(self._counts) else len(self.instructions)
+        count = self.counts[k] + finished - self.begun[k]
+        following = self.counts[k + 1] if k + 1 < len(self.counts) else len(self.instructions)
         return min(count, following)
 
     def following(self, finished: int) -> int | None:
         """Return the instruction that comes next after so many statements, if it was reached."""
+        k = bisect_right(self.rested, finished) - 1
+        if k >= 0 and self.rested[k] == finished:
+            return self.resting[k]
         count = self.executed(finished)
         return self.instructions[count] if count < len(self.instructions) else None
 
     def activation(self, finished: int) -> Activation | None:
         """Return the innermost program after so many statements."""
-        k = bisect_right(self._changed, finished) - 1
-        return self._activations[k] if k >= 0 else None
+        k = bisect_right(self.changed, finished) - 1
+        return self.activations[k] if k >= 0 else None
 
     def copy(self) -> "Trace":
         """Return a trace that shares the past."""
         other = Trace.__new__(Trace)
         other.instructions = self.instructions
-        other._begun, other._counts = self._begun, self._counts
-        other._changed, other._activations = self._changed, self._activations
+        other.begun, other.counts = self.begun, self.counts
+        other.rested, other.resting = self.rested, self.resting
+        other.changed, other.activations = self.changed, self.activations
         return other
 
     def cut(self, finished: int) -> None:
         """Keep a past of its own, up to a number of finished statements."""
         self.instructions = self.instructions[: self.executed(finished)]
-        kept = bisect_right(self._begun, finished)
-        self._begun, self._counts = self._begun[:kept], self._counts[:kept]
-        kept = bisect_right(self._changed, finished)
-        self._changed, self._activations = self._changed[:kept], self._activations[:kept]
+        kept = bisect_right(self.begun, finished)
+        self.begun, self.counts = self.begun[:kept], self.counts[:kept]
+        kept = bisect_right(self.rested, finished)
+        self.rested, self.resting = self.rested[:kept], self.resting[:kept]
+        kept = bisect_right(self.changed, finished)
+        self.changed, self.activations = self.changed[:kept], self.activations[:kept]

@@ -105,7 +105,12 @@ def round_corner(
             return Offset(_scaled(second.change, u), _scaled(second.change, rate))
 
         points = follow(
-            arm, X_FT, times, lambda k: course_before(times[k]), (*state, intent.start_branch), joining
+            arm,
+            X_FT,
+            times,
+            lambda k: course_before(times[k]),
+            (*state, intent.start_branch),
+            joining,
         )
         return _into_joints(points, following, intent, rest)
     count = zone + round((after.end - half) / arm.tick)
@@ -156,9 +161,7 @@ def _into_joints(points: SetPoints, leg: Leg, intent: Intent, rest: list[Piece])
     return corner._replace(crossed_wrist=points.crossed_wrist)
 
 
-def _into_line(
-    arm: Arm, X_FT: Pose, points: SetPoints, leg: Leg, zone: int
-) -> Corner | None:
+def _into_line(arm: Arm, X_FT: Pose, points: SetPoints, leg: Leg, zone: int) -> Corner | None:
     """Return a motion that goes over into a line."""
     if points.obstacle is not None:
         return None
@@ -176,7 +179,12 @@ def _into_line(
 
 
 def _both(
-    first: JointPath, second: JointPath, before: Profile, after: Profile, start: float, length: float
+    first: JointPath,
+    second: JointPath,
+    before: Profile,
+    after: Profile,
+    start: float,
+    length: float,
 ) -> Piece:
     u, v = before.tail().coefficients, after.head().coefficients
     rows: list[Row] = []
@@ -193,5 +201,3 @@ def _times(start: float, count: int, tick: float) -> list[float]:
 
 def _scaled(change: Configuration, u: float) -> Configuration:
     return tuple(u * d for d in change)  # type: ignore[return-value]
-
-

@@ -140,9 +140,7 @@ def rounded(before: Course, corner: Pose, after: Course) -> Course:
         after: On the line that begins there.
     """
     turned = multiply(before.X_BT.rotation, transpose(corner.rotation))
-    position = subtract(
-        add(before.X_BT.translation, after.X_BT.translation), corner.translation
-    )
+    position = subtract(add(before.X_BT.translation, after.X_BT.translation), corner.translation)
     return Course(
         Pose(multiply(turned, after.X_BT.rotation), position),
         add(before.v, after.v),

@@ -59,7 +59,17 @@ def joint_intent(
     path = JointPath(start, goal)
     times = settings.acceleration_times(arm)
     scaling = profile(path.needed(arm.speed, fraction), *times, arm.tick, settings.duration)
-    return Intent(Interpolation.JOINT, path, scaling, start, branches[0], goal, branches[1], settings, fraction)
+    return Intent(
+        Interpolation.JOINT,
+        path,
+        scaling,
+        start,
+        branches[0],
+        goal,
+        branches[1],
+        settings,
+        fraction,
+    )
 
 
 def line_intent(
@@ -72,9 +82,7 @@ def line_intent(
 ) -> Intent:
     """Return a straight line."""
     scaling = line_profile(arm, path, settings, fraction)
-    return Intent(
-        Interpolation.LINEAR, path, scaling, *start, None, None, settings, fraction, span
-    )
+    return Intent(Interpolation.LINEAR, path, scaling, *start, None, None, settings, fraction, span)
 
 
 def line_profile(arm: Arm, path: LinePath, settings: Settings, fraction: float) -> Profile:
@@ -158,9 +166,7 @@ def joint_pieces(path: JointPath, phases: tuple[Phase, ...], offset: float) -> l
         (
             offset + phase.start,
             offset + phase.start + phase.length,
-            tuple(
-                _row(q, d, phase.coefficients) for q, d in zip(path.start, change, strict=True)
-            ),
+            tuple(_row(q, d, phase.coefficients) for q, d in zip(path.start, change, strict=True)),
         )
         for phase in phases
     ]

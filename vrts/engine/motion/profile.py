@@ -75,9 +75,7 @@ class Profile(NamedTuple):
         full, half = self.duration, self.fall
         start, speed = full - half, 1.0 / full
         if self.to_rest:
-            return Phase(
-                start, 2.0 * half, (1.0 - half * speed, speed, -1.0 / (4.0 * full * half))
-            )
+            return Phase(start, 2.0 * half, (1.0 - half * speed, speed, -1.0 / (4.0 * full * half)))
         zone = 2.0 * half
         c = half / full / zone**3
         return Phase(start, zone, (1.0 - half * speed, speed, 0.0, -2.0 * c, c / zone))

@@ -111,9 +111,7 @@ def follow(
 def joined(points: SetPoints) -> list[Piece]:
     """Return the cubics through set points; velocities are estimated where undefined."""
     times, q = points.times, points.q
-    rates = [
-        _estimated(points, k) if rate is None else rate for k, rate in enumerate(points.rates)
-    ]
+    rates = [_estimated(points, k) if rate is None else rate for k, rate in enumerate(points.rates)]
     pieces: list[Piece] = []
     for k in range(len(times) - 1):
         step = times[k + 1] - times[k]
@@ -150,9 +148,7 @@ def deviation(arm: Arm, X_FT: Pose, path: LinePath, pieces: Sequence[Piece]) -> 
 def _estimated(points: SetPoints, k: int) -> Configuration:
     before, after = max(k - 1, 0), min(k + 1, len(points.times) - 1)
     span = points.times[after] - points.times[before]
-    return tuple(
-        (b - a) / span for a, b in zip(points.q[before], points.q[after], strict=True)
-    )  # type: ignore[return-value]
+    return tuple((b - a) / span for a, b in zip(points.q[before], points.q[after], strict=True))  # type: ignore[return-value]
 
 
 def _jump(
