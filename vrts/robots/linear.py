@@ -1,5 +1,6 @@
 """Six linear equations, in plain Python: one system is too small for numpy to pay."""
 
+import math
 from collections.abc import Sequence
 
 SMALLEST_PIVOT = 1e-12  # below, equations count as dependent; coefficients are of the order of 1
@@ -42,34 +43,41 @@ def solve_linear(
 
 
 def solve_symmetric(
-    columns: Sequence[Sequence[float]], wanted: Sequence[float], damping: float
+    columns: Sequence[tuple[float, ...]], wanted: Sequence[float], damping: float
 ) -> list[float]:
     """Return x with (J^T J + damping I) x = J^T wanted, by Cholesky's factors.
 
+    Written out for six rows: this is most of what numeric inverse kinematics costs.
+
     Args:
-        columns: Of J.
+        columns: Of J, each of six numbers.
         wanted: The right-hand side before J^T.
         damping: Above zero, so that there is a solution.
     """
-    size = len(columns)
+    w0, w1, w2, w3, w4, w5 = wanted
     lower: list[list[float]] = []
     y: list[float] = []
-    for i in range(size):
-        a = columns[i]
+    for i, (a0, a1, a2, a3, a4, a5) in enumerate(columns):
         row: list[float] = []
         for j in range(i):
+            b0, b1, b2, b3, b4, b5 = columns[j]
+            value = a0 * b0 + a1 * b1 + a2 * b2 + a3 * b3 + a4 * b4 + a5 * b5
             other = lower[j]
-            value = sum([p * q for p, q in zip(a, columns[j], strict=True)])
-            value -= sum([row[k] * other[k] for k in range(j)])
+            for k in range(j):
+                value -= row[k] * other[k]
             row.append(value / other[j])
-        square = sum([p * p for p in a]) + damping - sum([p * p for p in row])
-        right = sum([p * q for p, q in zip(a, wanted, strict=True)])
-        right -= sum([row[k] * y[k] for k in range(i)])
-        root = max(square, 0.5 * damping) ** 0.5
+        square = a0 * a0 + a1 * a1 + a2 * a2 + a3 * a3 + a4 * a4 + a5 * a5 + damping
+        right = a0 * w0 + a1 * w1 + a2 * w2 + a3 * w3 + a4 * w4 + a5 * w5
+        for entry, known in zip(row, y, strict=True):
+            square -= entry * entry
+            right -= entry * known
+        root = math.sqrt(max(square, 0.5 * damping))
         row.append(root)
         lower.append(row)
         y.append(right / root)
-    x = [0.0] * size
-    for i in range(size - 1, -1, -1):
-        x[i] = (y[i] - sum([lower[k][i] * x[k] for k in range(i + 1, size)])) / lower[i][i]
+    x = y
+    for i in range(len(x) - 1, -1, -1):
+        x[i] /= lower[i][i]
+        for k in range(i):
+            x[k] -= lower[i][k] * x[i]
     return x
