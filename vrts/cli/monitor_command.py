@@ -2,6 +2,7 @@
 
 import sys
 import time
+from pathlib import Path
 
 import click
 
@@ -22,6 +23,9 @@ at that simulated time in s.
 @click.argument("files", metavar="[FILE]...", nargs=-1)
 @click.option("--scene", help="Name or path of a scene; without it the robot stands alone.")
 @click.option(
+    "--scenario", type=click.Path(path_type=Path), help="What happens in the cell: a scenario file."
+)
+@click.option(
     "--dialect",
     type=click.Choice(["val2", "val2+", "val", "vplus", "as"]),
     default="val2",
@@ -32,7 +36,12 @@ at that simulated time in s.
 @click.option("--overwrite", is_flag=True, help="STORE replaces files without asking.")
 @guarded
 def command(
-    files: tuple[str, ...], scene: str | None, dialect: str, replace: bool, overwrite: bool
+    files: tuple[str, ...],
+    scene: str | None,
+    scenario: Path | None,
+    dialect: str,
+    replace: bool,
+    overwrite: bool,
 ) -> None:
     """Talk to the controller as its operator does; FILEs are loaded first.
 
@@ -44,7 +53,13 @@ def command(
 
     at_terminal = sys.stdin.isatty() and sys.stdout.isatty()
     dialogue, said = opened(
-        files, scene, dialect, asks=at_terminal, replace=replace, overwrite=overwrite
+        files,
+        scene,
+        dialect,
+        scenario=scenario,
+        asks=at_terminal,
+        replace=replace,
+        overwrite=overwrite,
     )
     out(plain_text(said), end=False)
     if at_terminal:

@@ -7,7 +7,7 @@ from vrts.engine.controller import Controller, advance, truncate
 from vrts.engine.events import CommandRefused, Event, Found
 from vrts.engine.records import ProgramState
 from vrts.engine.run import Run, State
-from vrts.ir.commands import Command, Do, Panic, TimedCommand
+from vrts.ir.commands import Answer, Command, Do, Panic, TimedCommand
 from vrts.ir.module import Module
 from vrts.ir.values import Value
 from vrts.monitor import words
@@ -109,6 +109,8 @@ class Dialogue:
     def _carry_out(self, turn: Turn) -> str:
         shown = self._teller.words(turn.text)
         for command in turn.commands:
+            if isinstance(command, Answer):
+                self._teller.answered(command.text)
             self.controller.issue(command, self.time_s)
         if turn.commands:
             self.controller.advance(self.time_s + self._tick)

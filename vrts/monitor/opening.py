@@ -1,5 +1,6 @@
 """A dialogue ready to begin: scene, controller, monitor, and files loaded."""
 
+import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from vrts.monitor.desk import Desk
 from vrts.monitor.dialogue import Dialogue
 from vrts.monitor.folder import WorkingFolder
 from vrts.monitor.monitor import Monitor
-from vrts.pipeline import Refused, load_scene, read_bytes, robot_alone, shown
+from vrts.pipeline import Refused, load_scene, read_bytes, robot_alone, shown, with_scenario
 from vrts.scene.model import Limits, Scenario
 
 DAY = 86_400.0  # [s]
@@ -27,6 +28,7 @@ def opened(
     dialect: str,
     *,
     asks: bool,
+    scenario: Path | None = None,
     replace: bool = False,
     overwrite: bool = False,
 ) -> tuple[Dialogue, str]:
@@ -36,16 +38,20 @@ def opened(
         files: Read first, from anywhere: the user named them.
         scene: Name or path; None: the robot alone.
         dialect: Name of the dialect.
+        scenario: A file that says how the robot stands at first, and what happens in the cell.
         asks: Whether the monitor asks before what cannot be undone.
         replace: Whether LOAD replaces programs.
         overwrite: Whether STORE replaces files unasked.
 
     Raises:
-        CannotRead: A file or the scene is not there.
-        Refused: The scene has errors, or a file is no text.
+        CannotRead: A file, the scene or the scenario is not there.
+        Refused: Scene or scenario have errors, or a file is no text.
     """
     beside = Path(files[0]).parent if files else None
     setting = load_scene(scene, beside) if scene else robot_alone()
+    if scenario is not None:
+        setting = with_scenario(setting, scenario)
+    begins = setting.scenario.scenario if setting.scenario is not None else Scenario()
     desk = Desk(
         WorkingFolder(Path.cwd()),
         DIALECTS[dialect],
@@ -53,7 +59,9 @@ def opened(
         overwrite=overwrite,
         replace=replace,
     )
-    controller = Controller(Module({}, ()), setting.scene, Scenario(limits=LIMITS))
+    controller = Controller(
+        Module({}, ()), setting.scene, dataclasses.replace(begins, limits=LIMITS)
+    )
     dialogue = Dialogue(controller, Monitor(desk))
     said: list[str] = []
     for name in files:

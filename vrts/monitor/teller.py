@@ -24,11 +24,16 @@ class Teller:
         """Begin at the start of a line."""
         self._at_start = True
         self._alone = False  # whether what executes is the instruction of a DO
-        self._typed = ""  # an answer, which the terminal has shown while it was typed
+        self._answers: list[str] = []  # typed, and not yet read by the program
+        self._echo = ""  # of an answer, which the terminal has shown while it was typed
 
     def typed(self) -> None:
         """Note that RETURN was pressed."""
         self._at_start = True
+
+    def answered(self, text: str) -> None:
+        """Note an answer that was typed."""
+        self._answers.append(text)
 
     def words(self, text: str) -> str:
         """Return words of the monitor: they begin on a line of their own."""
@@ -41,12 +46,14 @@ class Teller:
     def _told(self, event: Event) -> str:
         match event:
             case Printed():
-                if self._typed and event.text == self._typed:
-                    self._typed = ""
+                if self._echo and event.text == self._echo:
+                    self._echo = ""
                     return ""
                 return self._after(event.text.replace("\r\n", "\n"))
             case Answered():
-                self._typed = f"{event.text}\r\n"
+                if self._answers and self._answers[0][: len(event.text)] == event.text:
+                    self._answers.pop(0)
+                    self._echo = f"{event.text}\r\n"
                 return ""
             case CommandRefused():
                 return self.words(words.starred(event.words))

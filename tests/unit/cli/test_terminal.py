@@ -74,6 +74,14 @@ def test_a_pipe_confirms_what_is_asked_but_overwrites_nothing(folder: Path) -> N
     assert "#far" not in (folder / "cell.v2").read_text()
 
 
+def test_answers_of_a_scenario_are_shown_and_typed_ones_follow(folder: Path) -> None:
+    (folder / "ask.v2").write_text('.PROGRAM main\nPROMPT "a ", a\nPROMPT "b ", b\n.END\n')
+    (folder / "cell.toml").write_text('[prompts]\nanswers = ["1"]\n')
+    shown = pipe(folder, "EXECUTE main\n2\nLISTR\n", "ask.v2", "--scenario", "cell.toml")
+    assert "a 1\nb 2\nProgram completed\n" in shown
+    assert shown.endswith("a         1\nb         2\n")
+
+
 def test_what_programs_write_cannot_steer_the_terminal(folder: Path) -> None:
     (folder / "bell.v2").write_text('.PROGRAM main\nTYPE /B, $CHR(27), "[2J"\n.END\n')
     shown = pipe(folder, "EXECUTE main\n", "bell.v2")
