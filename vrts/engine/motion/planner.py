@@ -328,10 +328,10 @@ class Planner:
         if path_s >= self.end_s - INSTANT or self.braking_until > now:
             return False
         motion = self.motions[-1]
-        if path_s <= motion.start_s:  # it has not begun
+        if path_s < motion.start_s - INSTANT:  # it has not begun
             self._cut(motion.start_s)
             self.motions.pop()
-            self._stop_at(motion.start_s, motion.start)
+            self._stop_at(path_s, motion.start)
             return True
         steady, rate = self.scale.rate, self.scale.rate_at(now)
         ramp = self.arm.acceleration_time / steady * (rate / steady)
