@@ -10,7 +10,7 @@ from vrts.engine.faults import RuntimeFault
 from vrts.engine.motion.settings import Speed
 from vrts.engine.motion_steps import positive
 from vrts.engine.outcomes import BLOCKED
-from vrts.engine.step import Step, place_of, reached
+from vrts.engine.step import Step, look_again, place_of, reached
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
 from vrts.ir.runtime_errors import RuntimeErrorKind
@@ -157,6 +157,7 @@ def change_monitor_speed(c: Context, percent: float, cause: Cause | None) -> Non
     percent = min(percent, 100.0)
     c.planner.set_rate(c.now, percent / 100.0)
     c.hand.path_changed(c.now)
+    look_again(c)
     c.events.append(SpeedChanged(c.now, percent, cause))
 
 

@@ -28,3 +28,9 @@ def parameter(c: Context, name: str, otherwise: float) -> float:
     """Return a parameter of the controller, or what it is at the start."""
     cell = c.system.parameters.get(name)
     return cell.value if cell is not None and isinstance(cell.value, float) else otherwise
+
+
+def look_again(c: Context) -> None:
+    """Let programs that wait for the arm look again: it may arrive earlier than they know."""
+    for program in (c.system.robot, c.system.process):
+        program.wake = min(program.wake, c.now)

@@ -19,7 +19,7 @@ from vrts.engine.outcomes import BLOCKED, CYCLE_ENDED, HALTED, PAUSED
 from vrts.engine.reaction_steps import ReactionStepCompiler
 from vrts.engine.setting_steps import SettingStepCompiler
 from vrts.engine.signal_steps import SignalStepCompiler
-from vrts.engine.step import Step, reached
+from vrts.engine.step import Step, look_again, reached
 from vrts.engine.terminal_steps import TerminalStepCompiler, put
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression, Place
@@ -74,6 +74,7 @@ class StepCompiler:
                 def brake(c: Context) -> int:
                     c.planner.brake(c.now)
                     c.hand.path_changed(c.now)
+                    look_again(c)
                     return following
 
                 return brake
@@ -317,6 +318,7 @@ def _switch(instruction: ir.Switch, following: int, cause: Cause) -> Step:
                 if not on:
                     c.planner.brake(c.now)
                     c.hand.path_changed(c.now)
+                    look_again(c)
         return following
 
     return switch

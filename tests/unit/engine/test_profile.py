@@ -52,7 +52,7 @@ def test_it_starts_and_ends_at_rest(shortest: float) -> None:
 
 @pytest.mark.parametrize("shortest", SHORTEST)
 @pytest.mark.parametrize("rounded", [False, True])
-def test_phases_join_in_place_and_speed(shortest: float, rounded: bool) -> None:  # noqa: FBT001
+def test_phases_join_in_place_and_speed(shortest: float, rounded: bool) -> None:
     found = profile(shortest, TACC, TACC, TICK)
     if rounded:
         found = corner(found.duration, TACC)
