@@ -33,7 +33,7 @@ def command(scene: str, output: Path, terminal: bool, overwrite: bool) -> None:
         fail("the pendant needs a terminal")
     if output.exists() and not overwrite:
         fail(f"`{output}` is there already", ("give another name, or `--overwrite`",))
-    from vrts.monitor.terminal import teach
+    from vrts.monitor.pendant_screen import teach
 
     dialogue, _ = opened((), scene, "val2", asks=False)
     pendant = teach(dialogue, time.monotonic)

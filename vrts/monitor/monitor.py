@@ -10,7 +10,7 @@ from vrts.base.source import SourceFile
 from vrts.ir.commands import Abort, AbortProcess, Answer
 from vrts.lang.commands import CommandLine, read_command
 from vrts.lang.vocabulary.commands import IDLE_ONLY
-from vrts.monitor import editor, execution, files, teaching, texts, values, words
+from vrts.monitor import editor, execution, files, showing, teaching, texts, values, words
 from vrts.monitor.desk import Desk, Mode, Refused, Situation, Turn, executes
 from vrts.monitor.folder import CannotUse
 
@@ -39,11 +39,11 @@ HANDLERS: dict[str, Handler] = {
     "FDELETE": files.delete_file,
     "FDIRECTORY": files.list_files,
     "FLIST": files.show_file,
-    "FREE": execution.free,
+    "FREE": showing.free,
     "FRENAME": files.rename_file,
     "HERE": values.here,
-    "ID": execution.identify,
-    "IO": execution.signals,
+    "ID": showing.identify,
+    "IO": showing.signals,
     "LISTF": files.list_files,
     "LISTL": values.list_locations,
     "LISTP": texts.list_programs,
@@ -53,27 +53,27 @@ HANDLERS: dict[str, Handler] = {
     "LOADL": files.load,
     "LOADP": files.load,
     "NEXT": execution.steps,
-    "PARAMETER": execution.parameter,
+    "PARAMETER": showing.parameter,
     "PCEND": execution.end_process,
     "PCEXECUTE": execution.execute_process,
-    "PCSTATUS": execution.status,
+    "PCSTATUS": showing.status,
     "POINT": values.point,
     "RENAME": texts.rename,
     "RESET": execution.reset,
     "SIGNAL": execution.signal,
     "SPEED": execution.speed,
     "SSTEP": execution.steps,
-    "STATUS": execution.status,
+    "STATUS": showing.status,
     "STORE": files.store,
     "STOREL": files.store,
     "STOREP": files.store,
     "STORER": files.store,
     "STORES": files.store,
-    "SWITCH": execution.switches,
+    "SWITCH": showing.switches,
     "TEACH": teaching.teach,
-    "TIME": execution.time,
+    "TIME": showing.time,
     "TOOL": execution.as_instruction,
-    "WHERE": execution.where,
+    "WHERE": showing.where,
     "XSTEP": execution.steps,
     "ZERO": texts.zero,
 }
