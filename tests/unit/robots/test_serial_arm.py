@@ -25,7 +25,7 @@ from vrts.robots.kinematics import (
 )
 from vrts.robots.levers import levers
 from vrts.robots.model import Arm, Configuration, SerialArm, Shoulder
-from vrts.robots.serial_solutions import solutions, starts
+from vrts.robots.serial_solutions import FINER, solutions, starts
 from vrts.robots.singular import singular_at
 from vrts.robots.tracking import track
 
@@ -221,8 +221,25 @@ def test_no_point_of_the_hand_is_farther_from_an_axis_than_its_lever() -> None:
 def test_starts_are_within_the_limits() -> None:
     assert isinstance(UR5, SerialArm)
     assert len(starts(UR5)) == 16
-    for q in starts(UR5):
+    for q in (*starts(UR5), *starts(UR5, FINER)):
         assert not limit_violations(UR5, q)
+
+
+def test_poses_the_coarse_grid_misses_are_found_by_the_finer_one() -> None:
+    assert isinstance(UR5, SerialArm)
+    for q, near in zip(some(UR5, 60, seed=9), some(UR5, 60, seed=10), strict=True):
+        found = solutions(UR5, forward(UR5, q), near)
+        assert found
+        assert not limit_violations(UR5, found[0])
+
+
+def test_far_away_there_are_no_solutions() -> None:
+    assert isinstance(UR5, SerialArm)
+    X_BF = Pose(forward(UR5, UR5.ready).rotation, (30.0, 0.0, 0.0))
+    assert solutions(UR5, X_BF, UR5.ready) == ()
+    found = reach_error(UR5, X_BF)
+    assert found is not None
+    assert found == ("too far", pytest.approx(30.0 - 0.83, abs=0.1))
 
 
 @pytest.mark.parametrize("angle", [0.0, 1e-9, 0.5, 3.0, math.pi - 1e-9, math.pi])
