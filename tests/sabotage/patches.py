@@ -12,6 +12,7 @@ COLLISION = "tests/unit/check/test_collision.py"
 GEOMETRY = "tests/unit/geometry"
 COMMANDS = "tests/unit/cli/test_commands.py"
 ROBOTS = "tests/unit/robots"
+MONITOR = "tests/spec/test_spec_monitor.py"
 
 
 class Patch(NamedTuple):
@@ -354,5 +355,61 @@ PATCHES: tuple[Patch, ...] = (
         "parser.StartDoctypeDeclHandler = document_type",
         "parser.StartDoctypeDeclHandler = None",
         (ROBOTS,),
+    ),
+    Patch(
+        "monitor forgets BASE",
+        "vrts/monitor/values.py",
+        "return now.state.base @ now.state.X_WT",
+        "return now.state.X_WT",
+        (MONITOR,),
+    ),
+    Patch(
+        "monitor takes every command while a program executes",
+        "vrts/monitor/monitor.py",
+        "if word.text in IDLE_ONLY and now.executing:",
+        "if word.text in IDLE_ONLY and False:",
+        (MONITOR,),
+    ),
+    Patch(
+        "monitor executes programs with bad lines",
+        "vrts/monitor/execution.py",
+        "if program.program is None:",
+        "if False:",
+        (MONITOR,),
+    ),
+    Patch(
+        "monitor deletes what others use",
+        "vrts/monitor/texts.py",
+        "if callers <= gone | {called} and not now.occupies(called):",
+        "if not now.occupies(called):",
+        (MONITOR,),
+    ),
+    Patch(
+        "monitor works expressions out in the run itself",
+        "vrts/monitor/dialogue.py",
+        "fork = advance(truncate(run, at), until, commands)",
+        "fork = self.controller.run = advance(run, until, commands)",
+        ("tests/unit/monitor/test_dialogue.py",),
+    ),
+    Patch(
+        "monitor follows links",
+        "vrts/monitor/folder.py",
+        "if path.is_symlink() or (path.exists() and not path.is_file()):",
+        "if path.exists() and not path.is_file():",
+        ("tests/unit/monitor/test_folder.py",),
+    ),
+    Patch(
+        "monitor overwrites files unasked",
+        "vrts/monitor/folder.py",
+        "            if not replace:",
+        "            if False:",
+        ("tests/unit/monitor/test_folder.py",),
+    ),
+    Patch(
+        "pendant mixes the frames of its axes up",
+        "vrts/monitor/pendant.py",
+        'return f"MOVES HERE:TRANS({',
+        'return f"MOVES SHIFT(HERE BY {',
+        ("tests/unit/monitor/test_pendant.py",),
     ),
 )
