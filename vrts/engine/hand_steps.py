@@ -1,12 +1,15 @@
 """Instructions of the hand, as closures."""
 
+import math
+
+from vrts.base.units import mm
 from vrts.engine.context import Context
 from vrts.engine.evaluate import Compiler
 from vrts.engine.events import Cause
 from vrts.engine.faults import RuntimeFault
+from vrts.engine.motion.profile import TICK_TOLERANCE
 from vrts.engine.outcomes import BLOCKED
 from vrts.engine.step import Step, parameter, reached
-from vrts.base.units import mm
 from vrts.ir import instructions as ir
 from vrts.ir.runtime_errors import RuntimeErrorKind
 
@@ -70,7 +73,9 @@ def acted(c: Context, action: ir.HandAction, cause: Cause, *, tested: bool = Fal
         if not reached(c, c.planner.settled_at):
             return False
         command_hand(c, action, c.now, cause, tested=tested)
-        c.until = c.now + parameter(c, HAND_TIME, c.hand.gripper.stroke_time)
+        tick = c.planner.arm.tick
+        seconds = max(parameter(c, HAND_TIME, c.hand.gripper.stroke_time), 0.0)
+        c.until = c.now + math.ceil(seconds / tick - TICK_TOLERANCE) * tick
         c.phase = 1
     if not reached(c, c.until):
         return False

@@ -53,6 +53,7 @@ class Target(NamedTuple):
     fraction: float
     span: Span
     opening: float | None = None  # of MOVET: above 0 opens, else closes
+    drive: tuple[int, float] | None = None  # of DRIVE: index of the joint, change [rad]
 
 
 MotionInstruction = ir.Move | ir.Depart | ir.Drive | ir.Draw | ir.Align | ir.Ready | ir.Nest
@@ -191,18 +192,19 @@ class MotionStepCompiler:
                     f"there is no joint {k}; joints are 1 to 6",
                     cause.span,
                 )
-            q = list(c.planner.dest)
-            q[k - 1] += by(c) * DEG
+            change = by(c) * DEG
             percent = own(c) if own is not None else 100.0
             speed = positive(Speed(percent, ir.SpeedUnit.PERCENT), cause.span)
             settings = c.planner.take_settings(but_speed=True)
+            fraction = speed.fraction(c.planner.arm, speed_max(c))
             return Target(
                 ir.Interpolation.JOINT,
                 None,
-                (q[0], q[1], q[2], q[3], q[4], q[5]),
+                None,
                 settings,
-                speed.fraction(c.planner.arm, speed_max(c)),
+                fraction,
                 cause.span,
+                drive=(k - 1, change),
             )
 
         return target
@@ -342,6 +344,11 @@ def _to_joints(c: Context, joints: Configuration, span: Span) -> Target:
 
 def _intent(c: Context, target: Target) -> Intent:
     planner = c.planner
+    if target.drive is not None:  # from where the arm will be then: other joints stand still
+        joint, change = target.drive
+        start = planner.dest if c.system.is_on("DRY.RUN") else planner.configuration
+        goal = (*start[:joint], start[joint] + change, *start[joint + 1 :])
+        return planner.to_joints(goal, target.settings, target.fraction, target.span)  # type: ignore[arg-type]
     if target.joints is not None:
         return planner.to_joints(target.joints, target.settings, target.fraction, target.span)
     assert target.pose is not None
