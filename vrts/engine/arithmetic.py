@@ -36,12 +36,17 @@ def rounded(value: float, span: Span | None) -> float:
     try:
         return single(value)
     except OverflowError:
-        raise RuntimeFault(
-            RuntimeErrorKind.ARITHMETIC_OVERFLOW,
-            "result is beyond the largest real number",
-            span,
-            label="larger than 3.4E38",
-        ) from None
+        raise overflow(span) from None
+
+
+def overflow(span: Span | None) -> RuntimeFault:
+    """Return the fault of a result beyond single precision."""
+    return RuntimeFault(
+        RuntimeErrorKind.ARITHMETIC_OVERFLOW,
+        "result is beyond the largest real number",
+        span,
+        label="larger than 3.4E38",
+    )
 
 
 def logical(truth: bool) -> float:

@@ -72,6 +72,8 @@ class Array:
 
     __slots__ = ("elements", "name")
 
+    value = UNDEFINED  # of an array as a whole
+
     def __init__(self, name: str) -> None:
         """Make an array without elements."""
         self.name = name

@@ -210,6 +210,7 @@ class Context:
         "planner",
         "priority",
         "program",
+        "reactions_wait",
         "signals",
         "slots",
         "started_s",
@@ -239,6 +240,7 @@ class Context:
         self.wake = 0.0  # [s] a blocked instruction need not be looked at before; inf: a condition
         self.priority = 0
         self.watches: list[Watch] = []
+        self.reactions_wait = False  # some have not been taken, for their priority
         self.error_program: int | None = None  # of REACTE
         self.last_error: RuntimeFault | None = None
         self.program = ""  # of EXECUTE or PCEXECUTE
@@ -271,6 +273,7 @@ class Context:
             "fault",
             "wake",
             "priority",
+            "reactions_wait",
             "error_program",
             "last_error",
             "program",

@@ -22,7 +22,7 @@ from vrts.ir.values import Value
 if TYPE_CHECKING:
     from vrts.engine.evaluate import Compiler, Evaluate
 
-POWERED_UP = datetime(1988, 1, 1)  # noqa: DTZ001 -- the controller's own clock at time 0 [assumed]
+POWERED_UP = datetime(1988, 1, 1)
 MONTHS = ("JAN", "FEB", "MAR", "APR", "MAY", "JUN", "JUL", "AUG", "SEP", "OCT", "NOV", "DEC")
 ANALOG_INPUTS = 8  # [assumed, val2.md 3.5]
 MEMORY_CELLS = 100_000  # of a controller that is empty; FREE tells the share left [assumed]

@@ -141,8 +141,10 @@ def _endless(machine: "Machine", kept: Kept, now: float) -> Diagnostic:
         "this loop never ends: it repeats its state",
         Label(cause.span, "reached again and again"),
         notes=(
-            f"from {kept.time_s:.3f} s to {now:.3f} s steps {lines} were executed,"
-            f" and everything is as it was {period:.3f} s before",
+            (
+                f"from {kept.time_s:.3f} s to {now:.3f} s steps {lines} were executed,"
+                f" and everything is as it was {period:.3f} s before"
+            ),
         ),
         help=("change something in the loop that its condition depends on",),
         data={"period_s": round(period, 3), "since_s": round(kept.time_s, 3)},

@@ -5,7 +5,6 @@ a run-time fault at its place in the text.
 """
 
 from collections.abc import Callable
-from difflib import get_close_matches
 from typing import cast
 
 from vrts.base.numbers import round_half_away
@@ -19,17 +18,18 @@ from vrts.engine.arithmetic import (
     joined,
     logical,
     rounded,
-    unary,
 )
-from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Undefined
+from vrts.engine.cells import UNDEFINED, Bound, Cell
 from vrts.engine.context import Context
 from vrts.engine.controller_functions import controller_function, hand_state, read_timer, speed
-from vrts.engine.evaluate_strings import HIGHEST_SUBSCRIPT, decoding, unpacking, written
+from vrts.engine.evaluate_strings import decoding, unpacking, written
 from vrts.engine.extent import evaluates
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.functions import PURE, bad
 from vrts.engine.motion.planner import half_turns
 from vrts.engine.operands import expression_of, span_of
+from vrts.engine.places import Numbering, Places, mismatch
+from vrts.engine.real_expressions import of_reals, real_binary, real_unary, static_type
 from vrts.ir.expressions import (
     Apply,
     Argument,
@@ -40,12 +40,9 @@ from vrts.ir.expressions import (
     Expression,
     Format,
     Function,
-    Global,
     Load,
     Place,
-    Slot,
     Unary,
-    Variable,
     WholeArray,
 )
 from vrts.ir.runtime_errors import RuntimeErrorKind
@@ -61,99 +58,15 @@ TOO_CLOSE, TOO_FAR = 8192.0, 16384.0  # bits of INRANGE
 RANDOM_MULTIPLIER, RANDOM_INCREMENT = 1664525, 1013904223  # linear congruential, 32 bits
 
 
-class Numbering:
-    """Gives every global variable its number in memory."""
-
-    def __init__(self) -> None:
-        """Start with no variable."""
-        self.numbers: dict[str, int] = {}
-        self.arrays: set[str] = set()
-
-    def copy(self) -> "Numbering":
-        """Return a numbering that goes on by itself."""
-        other = Numbering()
-        other.numbers, other.arrays = dict(self.numbers), set(self.arrays)
-        return other
-
-    def number(self, name: str) -> int:
-        """Return the number of a global variable, a new one at first."""
-        return self.numbers.setdefault(name, len(self.numbers))
-
-    def bound(self) -> list[Bound]:
-        """Return fresh memory for all of them."""
-        return [Array(name) if name in self.arrays else Cell(name) for name in self.numbers]
-
-
 class Compiler:
     """Compiles expressions of one module."""
 
     def __init__(self, numbering: Numbering) -> None:
         """Share the numbering of global variables."""
         self.numbering = numbering
-
-    # --- variables ----------------------------------------------------------------------------
-
-    def bound(self, variable: Variable, *, array: bool) -> Callable[[Context], Bound]:
-        """Return a closure that gives the cell or array behind a name."""
-        number = variable.number if isinstance(variable, Slot) else 0
-        if isinstance(variable, Global):
-            if array:
-                self.numbering.arrays.add(variable.name)
-            number = self.numbering.number(variable.name)
-            return lambda c: c.memory.bound[number]
-        return lambda c: c.slots[number]
-
-    def cell(self, place: Place) -> Find:
-        """Return a closure that finds the cell of a place, making array elements as needed."""
-        find = self.bound(place.variable, array=bool(place.subscripts))
-        name, span = place.variable.name, place.span
-        if not place.subscripts:
-
-            def scalar(c: Context) -> Cell:
-                found = find(c)
-                if isinstance(found, Array):
-                    raise _mismatch(f"`{name}` is an array", span)
-                return found
-
-            return scalar
-        subscripts = tuple(self.real(subscript) for subscript in place.subscripts)
-
-        def element(c: Context) -> Cell:
-            found = find(c)
-            if isinstance(found, Cell):
-                if found.value is not UNDEFINED:
-                    raise _mismatch(f"`{name}` is not an array", span)
-                raise _undefined(c, name, span)
-            return found.element(tuple(_subscript(s(c), name, span) for s in subscripts))
-
-        return element
-
-    def load(self, place: Place) -> Evaluate:
-        """Return a closure that reads a place."""
-        span, name = place.span, place.variable.name
-        wanted = place.variable.type
-        if isinstance(place.variable, Global) and not place.subscripts:
-            number = self.numbering.number(place.variable.name)
-
-            def fast(c: Context) -> Value:
-                value = c.memory.bound[number].value  # type: ignore[union-attr]
-                if value is UNDEFINED:
-                    raise _undefined(c, name, span)
-                return value  # type: ignore[return-value]
-
-            return fast
-        find = self.cell(place)
-
-        def read(c: Context) -> Value:
-            cell = find(c)
-            value = cell.value
-            if isinstance(value, Undefined):
-                raise _undefined(c, cell.name, span)
-            if wanted is not Type.DYNAMIC and type_of_value(value) is not wanted:
-                raise _mismatch(f"`{name}` holds a {type_of_value(value).value} here", span)
-            return value
-
-        return read
+        places = Places(numbering, self.real)
+        self.bound, self.cell = places.bound, places.cell
+        self.load, self.elements = places.load, places.elements
 
     # --- typed expressions --------------------------------------------------------------------
 
@@ -175,12 +88,14 @@ class Compiler:
 
     def _of_type(self, expression: Expression, wanted: type, words: str) -> Evaluate:
         evaluate = self.value(expression)
+        if wanted is float and static_type(expression) is Type.REAL:
+            return evaluate
         span = span_of(expression)
 
         def checked(c: Context) -> Value:
             value = evaluate(c)
             if not isinstance(value, wanted):
-                raise _mismatch(f"{type_of_value(value).value} where {words} is needed", span)
+                raise mismatch(f"{type_of_value(value).value} where {words} is needed", span)
             return value
 
         return checked
@@ -193,11 +108,14 @@ class Compiler:
                 return lambda c: constant
             case Load(place=place):
                 return self.load(place)
-            case Unary(operator=operator, operand=operand, span=span):
-                apply_one, inner = unary(operator, span), self.real(operand)
-                return lambda c: apply_one(inner(c))
+            case Unary():
+                return real_unary(self, expression)
             case Binary():
-                return self._binary(expression)
+                return (
+                    real_binary(self, expression)
+                    if of_reals(expression)
+                    else self._binary(expression)
+                )
             case Compose(parts=parts):
                 poses = tuple(self.pose(part) for part in parts)
 
@@ -227,7 +145,7 @@ class Compiler:
                 if operator is BinaryOperator.ADD:
                     return joined(a, b, span)
             words = f"{type_of_value(a).value} and {type_of_value(b).value}"
-            raise _mismatch(f"`{operator.value}` cannot join {words}", span)
+            raise mismatch(f"`{operator.value}` cannot join {words}", span)
 
         return apply_two
 
@@ -317,31 +235,6 @@ class Compiler:
             case _:
                 return controller_function(self, expression)
 
-    def elements(self, place: Place) -> Callable[[Context, int], Cell]:
-        """Return a closure that finds the k-th cell from a place on; a scalar has only one."""
-        if not place.subscripts:
-            find = self.cell(place)
-            name, span = place.variable.name, place.span
-
-            def scalar(c: Context, k: int) -> Cell:
-                if k:
-                    raise _mismatch(f"`{name}` is not an array", span)
-                return find(c)
-
-            return scalar
-        bound = self.bound(place.variable, array=True)
-        subscripts = tuple(self.real(subscript) for subscript in place.subscripts)
-        name, span = place.variable.name, place.span
-
-        def element(c: Context, k: int) -> Cell:
-            found = bound(c)
-            if isinstance(found, Cell):
-                raise _mismatch(f"`{name}` is not an array", span)
-            *outer, last = (_subscript(s(c), name, span) for s in subscripts)
-            return found.element((*outer, _subscript(float(last + k), name, span)))
-
-        return element
-
     def _test_and_set(self, expression: Apply) -> Evaluate:
         place, new = expression.arguments
         assert isinstance(place, Place)
@@ -400,33 +293,6 @@ def _has_value(found: Bound) -> bool:
     if isinstance(found, Cell):
         return found.value is not UNDEFINED
     return any(cell.value is not UNDEFINED for cell in found.elements.values())
-
-
-def _subscript(value: float, name: str, span: Span | None) -> int:
-    try:
-        return integer(value, span, 0, HIGHEST_SUBSCRIPT, "subscript")
-    except RuntimeFault as fault:
-        raise RuntimeFault(
-            RuntimeErrorKind.ILLEGAL_ARRAY_INDEX, f"{fault.headline} of `{name}`", span
-        ) from None
-
-
-def _undefined(c: Context, name: str, span: Span | None) -> RuntimeFault:
-    known = [cell.name for cell in c.memory.cells() if cell.value is not UNDEFINED]
-    near = get_close_matches(name, known, 1)
-    remedy = f"define `{name}` in `.LOCATIONS` or give it a value before this step"
-    return RuntimeFault(
-        RuntimeErrorKind.UNDEFINED_VALUE,
-        f"`{name}` has no value",
-        span,
-        label="never given a value",
-        help=(f"did you mean `{near[0]}`?" if near else remedy,),
-        data={"name": name},
-    )
-
-
-def _mismatch(headline: str, span: Span | None) -> RuntimeFault:
-    return RuntimeFault(RuntimeErrorKind.ARGUMENT_MISMATCH, headline, span)
 
 
 def _tool_now(c: Context) -> Pose:

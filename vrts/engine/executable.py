@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from vrts.base.source import Span
 from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Memory
 from vrts.engine.context import Context, Frame, FrameKind
-from vrts.engine.evaluate import Compiler, Evaluate, Numbering
+from vrts.engine.evaluate import Compiler, Evaluate
 from vrts.engine.events import Cause
 from vrts.engine.extent import robot_only, simulates
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.outcomes import CYCLE_ENDED, SWITCHED
+from vrts.engine.places import Numbering
 from vrts.engine.step import Step
 from vrts.engine.steps import StepCompiler
 from vrts.ir import instructions as ir
@@ -183,8 +184,12 @@ class Executable:
             slots: list[Bound] = []
             for k, formal in enumerate(callee.formals):
                 bind = actuals[k] if k < len(actuals) else None
-                found = _fresh(callee, formal) if bind is None else bind(c)
-                _check(found, formal, is_array=k in callee.array_formals, cause=cause)
+                if bind is None:
+                    slots.append(_fresh(callee, formal))
+                    continue
+                found = bind(c)
+                if found.value.__class__ is not float or formal.type is not Type.REAL:
+                    _check(found, formal, is_array=k in callee.array_formals, cause=cause)
                 slots.append(found)
             slots += [_fresh(callee, auto) for auto in callee.autos]
             c.frames[-1].index = following

@@ -44,6 +44,7 @@ from vrts.engine.reactions import ERROR_PRIORITY, Watch
 from vrts.engine.records import Ending
 from vrts.engine.sensing import Sensing
 from vrts.engine.signals import Signals
+from vrts.engine.step import look_again
 from vrts.engine.terminal import Terminal
 from vrts.engine.trace import Activation
 from vrts.ir.commands import TimedCommand
@@ -406,21 +407,19 @@ class Machine:
             c.trace.rest(self.finished, following)
 
     def _run_frame(self, c: Context, left: int) -> int:
-        """Execute statements of the innermost program; return how many more may follow."""
-        frame = c.frames[-1]
+        """Execute statements without a look at anything else; return how many more may follow."""
+        frame, trace, finished = c.frames[-1], c.trace, self.finished
         program = self.system.executable.programs[frame.program]
-        steps, base = program.steps, program.base
-        trace, index, finished = c.trace, frame.index, self.finished
+        steps, base, index = program.steps, program.base, frame.index
         note = trace.instructions.append
         trace.begin_slice(finished)
         if c.steps_left is not None:
-            left = min(left, 1)
-        traced = c.system.is_on("TRACE")
+            left = 1
+        if c.system.is_on("TRACE"):
+            self._list_step(c, program.causes[index])
+            left = 1
         try:
             while left > 0:
-                if traced:
-                    self._list_step(c, program.causes[index])
-                    left = min(left, 1)
                 finished += 1
                 c.finished = finished
                 note(base + index)
@@ -428,29 +427,33 @@ class Machine:
                 outcome = steps[index](c)
                 if outcome >= 0:
                     index = outcome
-                    continue
-                if outcome == BLOCKED:
+                elif outcome == SWITCHED:
+                    frame = c.frames[-1]
+                    program = self.system.executable.programs[frame.program]
+                    steps, base, index = program.steps, program.base, frame.index
+                    if c.reactions_wait:
+                        break  # one may be taken now
+                elif outcome == BLOCKED:
                     trace.instructions.pop()
                     finished -= 1
                     frame.index = index
                     return 0
-                self.finished = finished
-                return self._left(c, outcome, left)
+                else:
+                    self.finished = finished
+                    return self._left(c, outcome, left)
             frame.index = index
         except RuntimeFault:
             frame.index = index
             raise
         finally:
             self.finished = finished
-        return self._stepped(c, program.causes, index) if c.steps_left is not None else left
+        return self._stepped(c, program.causes[index]) if c.steps_left is not None else left
 
     def _left(self, c: Context, outcome: int, left: int) -> int:
-        """Go on after a statement that left the innermost program."""
-        if outcome == SWITCHED:
-            return self._stepped(c, None, 0) if c.steps_left is not None else left
+        """Go on after a statement that ended the cycle or the program."""
         if outcome == CYCLE_ENDED:
             if next_cycle(c):
-                return left
+                return left if c.steps_left is None else self._stepped(c, None)
             self._end(c, Ending.COMPLETED, None)
         elif outcome == HALTED:
             self._end(c, Ending.HALTED, None)
@@ -460,18 +463,12 @@ class Machine:
             self._end(c, Ending.PAUSED, None)
         return 0
 
-    def _stepped(self, c: Context, causes: tuple[Cause, ...] | None, index: int) -> int:
-        """Count a single step when another one comes next."""
+    def _stepped(self, c: Context, following: Cause | None) -> int:
+        """Count a single step when another one comes next; return how many more may follow."""
         assert c.steps_left is not None
         count, depth = c.steps_left
-        inside = depth is not None and len(c.frames) > depth
-        same_step = (
-            causes is not None
-            and c.trace.instructions
-            and self.system.executable.causes[c.trace.instructions[-1]].step == causes[index].step
-            and self.system.executable.causes[c.trace.instructions[-1]].span == causes[index].span
-        )
-        if inside or same_step:
+        last = self.system.executable.causes[c.trace.instructions[-1]]
+        if (depth is not None and len(c.frames) > depth) or last == following:
             return 1
         if count > 1:
             c.steps_left = (count - 1, depth)
@@ -487,11 +484,14 @@ class Machine:
     def _react(self, c: Context, *, look: bool) -> None:
         """Take reactions that may be taken now, the strongest first."""
         if not c.watches:
+            c.reactions_wait = False
             return
         if look:
             on = c.signals.on
             for watch in c.watches:
                 watch.look(watch.signal in on)
+        elif not c.reactions_wait:
+            return
         planner = self.system.planner
         while True:
             ready = [
@@ -502,6 +502,7 @@ class Machine:
                 and not (watch.after_motion and planner.under_way(c.now))
             ]
             if not ready:
+                c.reactions_wait = any(watch.pending for watch in c.watches)
                 return
             self._take(c, max(ready, key=lambda watch: watch.priority))
 
@@ -512,6 +513,7 @@ class Machine:
         planner = self.system.planner
         if watch.immediate:
             planner.brake(c.now)
+            look_again(c)
         elif c.is_robot:
             planner.take_back()
         self.system.hand.path_changed(c.now)

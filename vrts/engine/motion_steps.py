@@ -38,7 +38,7 @@ from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.robots.model import Configuration
 
 # what a motion instruction that waits has come to
-JOINED, WAITED, CUT_SHORT = 1, 2, 3
+JOINED, WAITED, CUT_SHORT, REACHED = 1, 2, 3, 4
 
 WORLD_AXES = tuple(scale(axis, sign) for axis in (X_AXIS, Y_AXIS, Z_AXIS) for sign in (1.0, -1.0))
 
@@ -90,13 +90,13 @@ class MotionStepCompiler:
                         return BLOCKED
                     planner.commit()
                     return begun(c, start)
-                c.phase = WAITED  # it was taken back
+                c.phase = REACHED  # it was taken back: a reaction came between
             if c.phase == 0:
-                c.operands = evaluate(c)
+                c.operands, c.phase = evaluate(c), REACHED
             target = c.operands
             assert isinstance(target, Target)
             if planner.under_way(c.now):
-                if c.phase == 0 and _joins(c, target, cause):
+                if c.phase == REACHED and _joins(c, target, cause):
                     assert planner.pending is not None
                     c.phase, c.wake = JOINED, planner.scale.time(planner.pending.start_s)
                     return BLOCKED

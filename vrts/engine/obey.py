@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 RESUMABLE = (Ending.PAUSED, Ending.ABORTED, Ending.STEPPED, Ending.ERROR, Ending.LIMIT)
 
 
-class _Refused(Exception):
+class _Refused(Exception):  # noqa: N818 -- names the situation
     """A command cannot be carried out now; the argument is VAL's words."""
 
 

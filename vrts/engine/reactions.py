@@ -21,7 +21,7 @@ class Watch:
     state: bool  # of the signal when last looked at
     pending: bool = False
 
-    def look(self, state: bool) -> None:  # noqa: FBT001 -- the state is the argument
+    def look(self, state: bool) -> None:
         """Take note of the signal's state at a tick."""
         if state is not self.state:
             self.state = state

@@ -77,7 +77,9 @@ class Run:
         self.until_s = until_s
         ended = self.history.ended_s
         over = self.history.closed and ended is not None
-        self.horizon_s = max(ended, min(until_s, self._last_s)) if over and ended else until_s
+        self.horizon_s = (
+            max(ended, min(until_s, self._last_s)) if over and ended is not None else until_s
+        )
 
     @property
     def machine(self) -> Machine:

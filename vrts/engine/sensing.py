@@ -22,7 +22,7 @@ class Sensing:
             return None
         moves = system.planner.motion_end > now
         falls = any(
-            track[-1].start_s > now - tick or len(track) > 1 and track[-1].start_s > now
+            track[-1].start_s > now - tick or (len(track) > 1 and track[-1].start_s > now)
             for track in system.hand.placements.values()
         )
         return now + tick if moves or falls or now == 0.0 else None

@@ -189,7 +189,7 @@ class SignalStepCompiler:
         return wait
 
 
-def turn(c: Context, signal: int, on: bool, cause: Cause | None) -> None:  # noqa: FBT001
+def turn(c: Context, signal: int, on: bool, cause: Cause | None) -> None:
     """Turn a signal on or off, and note it when that is a change."""
     if on is not (signal in c.signals.on):
         c.signals.turn(signal, on=on)
@@ -198,9 +198,9 @@ def turn(c: Context, signal: int, on: bool, cause: Cause | None) -> None:  # noq
 
 def _reset(c: Context, following: int, cause: Cause) -> int:
     for signal in OUTPUTS:
-        turn(c, signal, False, cause)  # noqa: FBT003 -- off
+        turn(c, signal, False, cause)
     return following
 
 
-def _schedule(c: Context, time_s: float, signal: int, on: bool) -> None:  # noqa: FBT001
+def _schedule(c: Context, time_s: float, signal: int, on: bool) -> None:
     c.system.scheduled = sorted([*c.system.scheduled, (time_s, signal, on)])

@@ -4,6 +4,8 @@ The result is the index of the next instruction, or a negative outcome of `outco
 that has to wait returns BLOCKED and is entered again; `Context.phase` remembers how far it came.
 """
 
+from collections.abc import Callable
+
 from vrts.base.numbers import round_half_away
 from vrts.base.pose import Pose
 from vrts.base.source import Span
@@ -17,6 +19,7 @@ from vrts.engine.hand_steps import HandStepCompiler
 from vrts.engine.motion_steps import MotionStepCompiler
 from vrts.engine.outcomes import BLOCKED, CYCLE_ENDED, HALTED, PAUSED
 from vrts.engine.reaction_steps import ReactionStepCompiler
+from vrts.engine.real_expressions import static_type, truth
 from vrts.engine.setting_steps import SettingStepCompiler
 from vrts.engine.signal_steps import SignalStepCompiler
 from vrts.engine.step import Step, look_again, reached
@@ -52,6 +55,8 @@ class StepCompiler:
             return refusal(f"`{cause.span.text}` is not simulated yet", cause)
         match instruction:
             case ir.Assign(place=place, value=value):
+                if place.variable.type is Type.REAL and static_type(value) is Type.REAL:
+                    return self._assign_real(place, e.real(value), following)
                 return self._assign(place, e.value(value), following)
             case ir.AssignHere(place=place, frame=frame):
                 return self._assign_here(place, frame, following)
@@ -161,10 +166,10 @@ class StepCompiler:
                 raise ValueError("calls and returns are compiled by `executable`")
 
     def _jump_if(self, condition: Expression, target: int, following: int, *, when: bool) -> Step:
-        test = self.expressions.real(condition)
+        holds = truth(self.expressions, condition)
         if when:
-            return lambda c: target if test(c) != 0.0 else following
-        return lambda c: following if test(c) != 0.0 else target
+            return lambda c: target if holds(c) else following
+        return lambda c: following if holds(c) else target
 
     def _set_parameter(self, instruction: ir.SetParameter, following: int, cause: Cause) -> Step:
         e = self.expressions
@@ -188,6 +193,20 @@ class StepCompiler:
         return set_parameter
 
     # --- assignment ---------------------------------------------------------------------------
+
+    def _assign_real(self, place: Place, value: Callable[[Context], float], following: int) -> Step:
+        """Return the assignment of what is known to be a real to what is known to hold one."""
+        cell = self.expressions.cell(place)
+
+        def assign(c: Context) -> int:
+            found = value(c)
+            target = cell(c)
+            target.value = found
+            target.values.append(found)
+            target.since.append(c.finished)
+            return following
+
+        return assign
 
     def _assign(self, place: Place, value: Evaluate, following: int) -> Step:
         cell, wanted, span = self.expressions.cell(place), place.variable.type, place.span

@@ -14,7 +14,7 @@ All numbers are [assumed, val2.md 7.3].
 import math
 from typing import NamedTuple
 
-TICK_TOLERANCE = 1e-9  # of a tick, so that an exact multiple is not rounded up
+TICK_TOLERANCE = 1e-6  # of a tick, so that a whole number of them in single precision stays one
 
 
 class Phase(NamedTuple):

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from vrts.base.pose import Pose, add, cross, dot, rotate, scale, subtract
 from vrts.engine.motion.paths import Course, LinePath
 from vrts.engine.motion.polynomials import Row
+from vrts.robots.branch import has_branches
 from vrts.robots.kinematics import (
     forward,
     joint_velocity,
@@ -154,9 +155,10 @@ def _estimated(points: SetPoints, k: int) -> Configuration:
 def _jump(
     arm: Arm, before: Configuration, after: Configuration, step_s: float
 ) -> tuple[int, float, float, float] | None:
-    """Return the joint that would have to jump between two set points, near a singularity.
+    """Return the joint that would have to jump between two set points.
 
-    Elsewhere a step above the joint's speed is a finding of the speed check, not a stop.
+    On arms of the PUMA family only near a singularity: elsewhere a step above the joint's speed is
+    a finding of the speed check, not a stop.
     """
     fast = None
     for joint in range(6):
@@ -164,7 +166,9 @@ def _jump(
         if step > arm.speed[joint] * step_s:
             fast = (joint + 1, step / step_s, 0.0, arm.speed[joint])
             break
-    if fast is None or (singular_at(arm, before) is None and singular_at(arm, after) is None):
+    if fast is None or not has_branches(arm):
+        return fast
+    if singular_at(arm, before) is None and singular_at(arm, after) is None:
         return None
     return fast
 

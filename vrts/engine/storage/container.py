@@ -6,9 +6,11 @@ array's header has to be the one that would be written here, so no header is eve
 
 import io
 import re
+import struct
 import zipfile
 import zlib
-from collections.abc import Mapping
+from collections.abc import Generator, Mapping
+from contextlib import contextmanager
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -23,6 +25,7 @@ MOST_BYTES = 256_000_000  # of all members, decompressed
 MOST_MANIFEST = 32_000_000  # bytes of `vrun.json`
 EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest time a zip can tell: the same run, the same bytes
 MAGIC = b"\x93NUMPY\x01\x00"
+FOREIGN = "it is packed in a way that saved runs are not"
 ALIGNMENT = 64  # of the numbers after a header
 _START = b"PK\x03\x04"
 _NAME_AT = 30  # offset of the first member's name
@@ -53,49 +56,74 @@ def pack(manifest: bytes, tables: Mapping[str, Table]) -> bytes:
     return buffer.getvalue()
 
 
-def unpack(data: bytes, layout: Mapping[str, tuple[str, int]]) -> tuple[bytes, dict[str, Table]]:
-    """Return the manifest and the arrays of a file.
+class Container:
+    """The members of a file, whose names and sizes are known to be sound."""
 
-    Args:
-        data: Its bytes.
-        layout: Kind of number and count of columns of every array, by name; 0 columns: flat.
+    def __init__(self, data: bytes) -> None:
+        """Look at the table of contents.
 
-    Raises:
-        Damaged: It is not sound, or has other members than these.
-    """
+        Raises:
+            Damaged: It is not sound, or promises too much.
+        """
+        self._data = data
+        with _opened(data) as archive:
+            infos = archive.infolist()
+        self._sizes = {info.filename: info.file_size for info in infos}
+        require(len(self._sizes) == len(infos), "a member is there twice")
+        require(MANIFEST in self._sizes, f"its member `{MANIFEST}` is missing")
+        for info in infos:
+            plain = info.compress_type in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+            require(plain and not info.flag_bits & 1, FOREIGN)
+        _check_sizes(self._sizes)
+
+    def manifest(self) -> bytes:
+        """Return the bytes of `vrun.json`.
+
+        Raises:
+            Damaged: They cannot be had.
+        """
+        with _opened(self._data) as archive:
+            return self._read(archive, MANIFEST)
+
+    def tables(self, layout: Mapping[str, tuple[str, int]]) -> dict[str, Table]:
+        """Return the arrays.
+
+        Args:
+            layout: Kind of number and count of columns of every array, by name; 0 columns: flat.
+
+        Raises:
+            Damaged: There are others, or they are not sound.
+        """
+        wanted = {MANIFEST, *(f"{name}.npy" for name in layout)}
+        strange = sorted(self._sizes.keys() - wanted)
+        require(not strange, f"it has a member `{''.join(strange[:1])}` that does not belong there")
+        missing = sorted(wanted - self._sizes.keys())
+        require(not missing, f"its member `{''.join(missing[:1])}` is missing")
+        with _opened(self._data) as archive:
+            return {
+                name: _table(self._read(archive, f"{name}.npy"), name, kind, columns)
+                for name, (kind, columns) in layout.items()
+            }
+
+    def _read(self, archive: zipfile.ZipFile, name: str) -> bytes:
+        with archive.open(name) as member:
+            found = member.read(self._sizes[name])
+            ended = not member.read(1)
+        whole = ended and len(found) == self._sizes[name]
+        require(whole, f"its member `{name}` has another length")
+        return found
+
+
+@contextmanager
+def _opened(data: bytes) -> Generator[zipfile.ZipFile]:
+    """Open a zip; whatever is wrong with it is damage."""
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
-            members = _members(archive, {MANIFEST, *(f"{name}.npy" for name in layout)})
-    except (zipfile.BadZipFile, zlib.error, EOFError) as problem:
+            yield archive
+    except (zipfile.BadZipFile, zlib.error, struct.error, EOFError) as problem:
         raise Damaged("it is incomplete, or was changed") from problem
     except (NotImplementedError, RuntimeError, ValueError, OSError) as problem:
-        raise Damaged("it is packed in a way that saved runs are not") from problem
-    tables = {
-        name: _table(members[f"{name}.npy"], name, kind, columns)
-        for name, (kind, columns) in layout.items()
-    }
-    return members[MANIFEST], tables
-
-
-def _members(archive: zipfile.ZipFile, wanted: set[str]) -> dict[str, bytes]:
-    infos = archive.infolist()
-    names = [info.filename for info in infos]
-    strange = next((name for name in names if name not in wanted), None)
-    require(strange is None, f"it has a member `{strange}` that saved runs do not have")
-    require(len(set(names)) == len(names), "a member is there twice")
-    missing = sorted(wanted.difference(names))
-    require(not missing, f"its member `{missing[0] if missing else ''}` is missing")
-    for info in infos:
-        plain = info.compress_type in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
-        require(plain and not info.flag_bits & 1, "it is packed in a way that saved runs are not")
-    _check_sizes({info.filename: info.file_size for info in infos})
-    found: dict[str, bytes] = {}
-    for info in infos:
-        with archive.open(info) as member:
-            found[info.filename] = member.read(info.file_size)
-        whole = len(found[info.filename]) == info.file_size
-        require(whole, f"its member `{info.filename}` is incomplete")
-    return found
+        raise Damaged(FOREIGN) from problem
 
 
 def _check_sizes(sizes: Mapping[str, int]) -> None:

@@ -37,7 +37,7 @@ class TooLarge(Damaged):
         )
 
 
-def require(held: bool, reason: str) -> None:  # noqa: FBT001 -- reads like an assertion
+def require(held: bool, reason: str) -> None:
     """Go on when something holds.
 
     Raises:

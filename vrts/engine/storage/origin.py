@@ -1,0 +1,80 @@
+"""What a run was made of, as far as a file has to tell it: texts of programs and scene."""
+
+import hashlib
+from typing import NamedTuple
+
+from vrts.base.source import SourceFile
+from vrts.engine.storage.damage import require
+from vrts.engine.storage.plain import Json, listed, named, text, truth
+from vrts.ir.dump import dump
+from vrts.ir.module import Module
+
+
+class Programs(NamedTuple):
+    """Program texts, and how they are to be read."""
+
+    sources: tuple[SourceFile, ...]  # compiled together, in this order
+    dialect: str
+    precedence: str | None = None  # None: as the dialect has it
+    replace: bool = False  # a program that comes again takes the place of the first
+
+
+class SceneText(NamedTuple):
+    """The scene's file."""
+
+    name: str  # under which it was read; of a robot alone: the robot
+    text: str | None  # None: a robot alone
+    digest: str  # of the file and those it names
+
+
+class Origin(NamedTuple):
+    """What a run was made of; its scenario and commands belong to the run itself."""
+
+    programs: Programs
+    scene: SceneText
+
+
+def module_digest(module: Module) -> str:
+    """Return the hash of what programs were compiled to, steps included."""
+    steps = [origin.step for program in module.programs.values() for origin in program.origins]
+    return hashlib.sha256(f"{dump(module)}\0{steps}".encode()).hexdigest()
+
+
+def write_origin(origin: Origin, module: Module) -> Json:
+    """Return an origin as JSON."""
+    programs, scene = origin
+    return {
+        "programs": {
+            "sources": [[source.name, source.text] for source in programs.sources],
+            "dialect": programs.dialect,
+            "precedence": programs.precedence,
+            "replace": programs.replace,
+            "sha256": module_digest(module),
+        },
+        "scene": {"name": scene.name, "text": scene.text, "sha256": scene.digest},
+    }
+
+
+def read_origin(data: Json) -> tuple[Origin, str]:
+    """Return an origin, and the digest that its module has to have.
+
+    Raises:
+        Damaged: JSON does not stand for one.
+    """
+    parts = named(data)
+    programs, scene = named(parts.get("programs")), named(parts.get("scene"))
+    sources: list[SourceFile] = []
+    for item in listed(programs.get("sources")):
+        name, content = listed(item, 2)
+        sources.append(SourceFile(text(name), text(content)))
+    require(bool(sources), "there is no program")
+    dialect, precedence = text(programs.get("dialect")), programs.get("precedence")
+    require(precedence in (None, "A", "B"), "there is no such precedence")
+    found = Programs(tuple(sources), dialect, precedence, truth(programs.get("replace")))
+    content = scene.get("text")
+    place = SceneText(
+        text(scene.get("name")),
+        None if content is None else text(content),
+        text(scene.get("sha256")),
+    )
+    return Origin(found, place), text(programs.get("sha256"))

@@ -1,0 +1,69 @@
+"""Whether the scenario of a saved run is one that a scenario file could have said."""
+
+from itertools import pairwise
+
+from vrts.engine.signals import INPUTS
+from vrts.engine.storage.damage import require
+from vrts.ir.system import PARAMETERS
+from vrts.robots.kinematics import limit_violations
+from vrts.scene.model import Scenario, Scene
+from vrts.scene.scenario_file import (
+    FASTEST,
+    LARGEST_PARAMETER,
+    LARGEST_SEED,
+    LONGEST_ANSWER,
+    LONGEST_RUN_S,
+    MOST_ANSWERS,
+    MOST_CALLS,
+    MOST_MOTIONS,
+    MOST_OUTPUT,
+    MOST_STATEMENTS,
+    SLOWEST,
+)
+from vrts.scene.scenario_signals import LATEST_S
+
+TOLERANCE = 1e-6  # [m] of the hand's opening
+
+
+def check_scenario(scenario: Scenario, scene: Scene) -> None:
+    """Check everything that executing a program under a scenario relies on.
+
+    Raises:
+        Damaged: Something is out of range.
+    """
+    limits, gripper = scenario.limits, scene.robot.gripper
+    bounded = (
+        (limits.statements, MOST_STATEMENTS),
+        (limits.time_s, LONGEST_RUN_S),
+        (limits.motions, MOST_MOTIONS),
+        (limits.call_depth, MOST_CALLS),
+        (limits.output_characters, MOST_OUTPUT),
+    )
+    require(all(0 < limit <= most for limit, most in bounded), "a limit is out of range")
+    q = scenario.configuration
+    reachable = q is None or not limit_violations(scene.robot.arm, q)
+    require(reachable, "the start of its arm is out of range")
+    opening = -TOLERANCE <= scenario.hand_opening <= gripper.opening_max + TOLERANCE
+    require(opening, "the start of its hand is out of range")
+    require(0 <= scenario.seed <= LARGEST_SEED, "its seed is out of range")
+    require(SLOWEST <= scenario.monitor_speed <= FASTEST, "its monitor speed is out of range")
+    answers = scenario.answers
+    short = len(answers) <= MOST_ANSWERS and all(len(line) <= LONGEST_ANSWER for line in answers)
+    require(short, "its answers are too long")
+    names = {name.lower() for name in PARAMETERS}
+    for name, value in scenario.parameters.items():
+        require(name.lower() in names, f"there is no parameter `{name}`")
+        require(0.0 <= value <= LARGEST_PARAMETER, f"its parameter `{name}` is out of range")
+    _check_signals(scenario)
+
+
+def _check_signals(scenario: Scenario) -> None:
+    times = [change[0] for change in scenario.inputs]
+    planned = [fault.time_s for fault in scenario.faults]
+    for when in (times, planned):
+        require(all(0.0 <= time_s <= LATEST_S for time_s in when), "a time is out of range")
+        require(all(a <= b for a, b in pairwise(when)), "what happens is not in order")
+    signals = [change[1] for change in scenario.inputs]
+    signals += [sensor.signal for sensor in scenario.sensors]
+    signals += [fault.signal for fault in scenario.faults if fault.signal]
+    require(all(signal in INPUTS for signal in signals), "an input does not exist")
