@@ -380,8 +380,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "monitor deletes what others use",
         "vrts/monitor/texts.py",
-        "if callers <= gone | {called} and not now.occupies(called):",
-        "if not now.occupies(called):",
+        "if callers <= gone | {called} and called not in kept:",
+        "if called not in kept:",
         (MONITOR,),
     ),
     Patch(

@@ -8,7 +8,7 @@ from vrts.base.numbers import round_half_away
 from vrts.base.source import SourceFile
 from vrts.engine.records import ProgramState, ProgramStatus
 from vrts.engine.run import State
-from vrts.ir.commands import Command, DeletePrograms, Load
+from vrts.ir.commands import Command, DeletePrograms, Kill, Load
 from vrts.ir.module import Module
 from vrts.ir.values import Type, Value
 from vrts.lang.commands import CommandLine, FileName
@@ -32,6 +32,14 @@ Calculate = Callable[[Module], Mapping[str, Value] | str]
 def executes(program: ProgramState | None) -> bool:
     """Return whether a program is under way."""
     return program is not None and program.status in _EXECUTING
+
+
+def stopped(program: ProgramState | None) -> frozenset[str]:
+    """Return the programs of one that can be resumed: the first, and the one it has stopped in."""
+    if program is None or program.status is not ProgramStatus.STOPPED:
+        return frozenset()
+    inner = program.cause.program if program.cause is not None else program.program
+    return frozenset({program.program, inner})
 
 
 class Refused(Exception):  # noqa: N818 -- names the situation
@@ -67,12 +75,12 @@ class Situation(NamedTuple):
     def occupies(self, name: str) -> bool:
         """Return whether a program is being executed, also as a caller or process program."""
         robot, process = self.robot, self.state.process
-        found = {cause.program for cause in self.state.call_stack} if self.executing else set[str]()
-        for running in (robot, process):
-            if running is not None and executes(running):
-                found.add(running.program)
-                found.update([running.cause.program] if running.cause is not None else ())
-        return name in found
+        running: set[str] = set()
+        if robot is not None and executes(robot):
+            running |= {robot.program, *(cause.program for cause in self.state.call_stack)}
+        if process is not None and executes(process):
+            running |= {process.program, *(cause.program for cause in self.state.process_stack)}
+        return name in running
 
 
 class Mode(Protocol):
@@ -114,13 +122,18 @@ class Desk:
             raise Refused(words.starred(words.UNDEFINED, f"there is no program `{name}`"))
         return found
 
-    def install(self, program: StoredProgram, now: Situation) -> tuple[Command, ...]:
-        """Put a program in memory; return what tells the controller."""
+    def install(self, program: StoredProgram, now: Situation) -> Turn:
+        """Put a program in memory; one of this name that has stopped cannot go on."""
         found = compiled(program, self.programs, now.state.variables, self.dialect)
         self.programs[found.name] = found
+        kill: tuple[Command, ...] = ()
+        text = ""
+        if found.name in stopped(now.robot):
+            kill = (Kill(),)
+            text = f"`{found.name}` has changed: what had stopped cannot be resumed\n"
         if found.program is not None:
-            return (Load(Module({found.name: found.program}, ())),)
-        return self._gone(found.name, now)
+            return Turn(text, (*kill, Load(Module({found.name: found.program}, ()))))
+        return Turn(text, (*kill, *self._gone(found.name, now)))
 
     def remove(self, name: str, now: Situation) -> tuple[Command, ...]:
         """Take a program out of memory; return what tells the controller."""

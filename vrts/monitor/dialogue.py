@@ -4,10 +4,10 @@ from collections.abc import Mapping, Sequence
 
 from vrts.base.source import SourceFile
 from vrts.engine.controller import Controller, advance, truncate
-from vrts.engine.events import CommandRefused, Event, Found
+from vrts.engine.events import CommandRefused, Event, Found, ProgramStarted
 from vrts.engine.records import ProgramState
 from vrts.engine.run import Run, State
-from vrts.ir.commands import Answer, Command, Do, Panic, TimedCommand
+from vrts.ir.commands import Answer, Command, Do, Kill, Panic, TimedCommand
 from vrts.ir.module import Module
 from vrts.ir.values import Value
 from vrts.monitor import words
@@ -28,6 +28,7 @@ class Dialogue:
         self._told: Sequence[Event] = ()  # events of the run that have been shown
         self._teller = Teller()
         self._robot: ProgramState | None = None  # that was last, DO aside
+        self._killed = False  # it was cleared
         self._known: tuple[Run, Situation] | None = None  # of the run as it is
 
     @property
@@ -99,7 +100,7 @@ class Dialogue:
             robot = state.robot
             if robot is None or robot.program != ALONE:
                 self._robot = robot
-            shown = robot if executes(robot) else self._robot
+            shown = robot if executes(robot) else None if self._killed else self._robot
             asks = state.awaits_answer
             self._known = (run, Situation(state, self._calculate, shown, asks))
         return self._known[1]
@@ -111,6 +112,7 @@ class Dialogue:
         for command in turn.commands:
             if isinstance(command, Answer):
                 self._teller.answered(command.text)
+            self._killed = self._killed or isinstance(command, Kill)
             self.controller.issue(command, self.time_s)
         if turn.commands:
             self.controller.advance(self.time_s + self._tick)
@@ -123,6 +125,8 @@ class Dialogue:
         known = set(map(id, self._told[first:]))
         new = [event for event in events[first:] if id(event) not in known]
         self._told = events
+        if any(isinstance(event, ProgramStarted) and not event.process for event in new):
+            self._killed = False
         return self._teller.told(new)
 
     # --- expressions ----------------------------------------------------------------------------

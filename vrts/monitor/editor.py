@@ -244,8 +244,9 @@ class Editing(NamedTuple):
             return Turn()  # nothing was typed
         if known is not None and not self.program.modified and known.lines == self.program.lines:
             return Turn("".join(problems_of(known, desk)))
-        commands = desk.install(self.program, now)
-        return Turn("".join(problems_of(desk.programs[name], desk)), commands)
+        installed = desk.install(self.program, now)
+        problems = "".join(problems_of(desk.programs[name], desk))
+        return Turn(problems + installed.text, installed.commands)
 
 
 class TeachingSteps(NamedTuple):

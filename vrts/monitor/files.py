@@ -55,8 +55,9 @@ def load_source(
             desk.programs[lines.name] = StoredProgram(lines.name, lines.header, lines.lines)
             taken.append(lines.name)
     for name in taken:  # when all are known: they may call each other
-        commands += desk.install(desk.programs[name], now)
-        rows.append(f"{desk.programs[name].header}\n")
+        installed = desk.install(desk.programs[name], now)
+        commands += installed.commands
+        rows += [f"{desk.programs[name].header}\n", installed.text]
         rows += problems_of(desk.programs[name], desk)
     return Turn("".join(rows), tuple(commands))
 

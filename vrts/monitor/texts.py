@@ -1,10 +1,12 @@
 """Commands on programs in memory: LISTP, DIRECTORY, COPY, RENAME, DELETE, ZERO [val2.md 5.4]."""
 
-from vrts.ir.commands import Command, DeleteVariables
+from collections.abc import Iterable
+
+from vrts.ir.commands import Command, DeleteVariables, Kill
 from vrts.lang.commands import CommandLine
 from vrts.lang.entry import references
 from vrts.monitor import words
-from vrts.monitor.desk import Desk, Refused, Situation, Turn, program_name
+from vrts.monitor.desk import Desk, Refused, Situation, Turn, program_name, stopped
 from vrts.monitor.listings import directory_text
 from vrts.monitor.programs import StoredProgram, listing
 from vrts.monitor.questions import sure
@@ -24,14 +26,15 @@ def directory(line: CommandLine, desk: Desk, now: Situation) -> Turn:
 def copy(line: CommandLine, desk: Desk, now: Situation) -> Turn:
     """COPY new = old."""
     new, old = _new_and_old(line, desk)
-    return Turn(commands=desk.install(_renamed(old, new), now))
+    return desk.install(_renamed(old, new), now)
 
 
 def rename(line: CommandLine, desk: Desk, now: Situation) -> Turn:
     """RENAME new = old."""
     new, old = _new_and_old(line, desk)
+    _refuse_in_use([old.name], desk, now)
     gone = desk.remove(old.name, now)
-    return Turn(commands=(*gone, *desk.install(_renamed(old, new), now)))
+    return Turn(commands=(*gone, *desk.install(_renamed(old, new), now).commands))
 
 
 def delete_programs(line: CommandLine, desk: Desk, now: Situation) -> Turn:
@@ -52,27 +55,44 @@ def zero(line: CommandLine, desk: Desk, now: Situation) -> Turn:
 
 
 def _zeroed(desk: Desk, now: Situation) -> Turn:
-    commands = _removed(tuple(desk.programs), desk, now)
+    kill = (Kill(),) if stopped(now.robot) else ()
+    kept = _reachable(stopped(now.state.process), desk)
+    gone = tuple(name for name in desk.programs if name not in kept)
+    commands = _removed(gone, desk, now)
     desk.last_edited = desk.last_executed = desk.last_process = desk.last_do = None
     variables = sorted({name.partition("[")[0] for name in now.state.variables})
-    return Turn(commands=(*commands, *_forgotten(variables)))
+    text = words.starred(words.IN_USE, f"kept: {', '.join(sorted(kept))}") if kept else ""
+    return Turn(text, (*kill, *commands, *_forgotten(variables)))
 
 
 def _with_what_they_use(names: tuple[str, ...], desk: Desk, now: Situation) -> Turn:
     used = {name: references(p.lines, desk.dialect) for name, p in desk.programs.items()}
-    gone = set(names)
+    gone, kept = set(names), _resumable(desk, now)
     waiting = list(names)
     while waiting:
         for called in sorted(used[waiting.pop()].programs & desk.programs.keys() - gone):
             callers = {name for name, found in used.items() if called in found.programs}
-            if callers <= gone | {called} and not now.occupies(called):
+            if callers <= gone | {called} and called not in kept:
                 gone.add(called)
                 waiting.append(called)
-    kept = {v for name, found in used.items() if name not in gone for v in found.variables}
-    alone = {v for name in gone for v in used[name].variables} - kept
+    others = {v for name, found in used.items() if name not in gone for v in found.variables}
+    alone = {v for name in gone for v in used[name].variables} - others
     present = {name.partition("[")[0] for name in now.state.variables}
     commands = _removed(tuple(sorted(gone)), desk, now)
     return Turn(commands=(*commands, *_forgotten(sorted(alone & present))))
+
+
+def _reachable(names: Iterable[str], desk: Desk) -> set[str]:
+    """Return programs with all they may call."""
+    found: set[str] = set()
+    waiting = [name for name in names if name in desk.programs]
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.add(name)
+            called = references(desk.programs[name].lines, desk.dialect).programs
+            waiting += called & desk.programs.keys()
+    return found
 
 
 def _forgotten(variables: list[str]) -> tuple[Command, ...]:
@@ -94,10 +114,27 @@ def _free(line: CommandLine, desk: Desk, now: Situation) -> tuple[str, ...]:
     if not line.operands:
         raise Refused(words.starred(words.MISSING_ARGUMENT, f"write `{line.word.usage}`"))
     found = dict.fromkeys(program.name for program in _named(line, desk))
-    busy = next((name for name in found if now.occupies(name)), None)
-    if busy is not None:
-        raise Refused(words.starred(words.ILLEGAL_NOW, f"`{busy}` is being executed"))
+    _refuse_in_use(found, desk, now)
     return tuple(found)
+
+
+def _refuse_in_use(names: Iterable[str], desk: Desk, now: Situation) -> None:
+    kept = _resumable(desk, now)
+    for name in names:
+        if now.occupies(name):
+            raise Refused(words.starred(words.ILLEGAL_NOW, f"`{name}` is being executed"))
+        if name in kept:
+            raise Refused(
+                words.starred(
+                    words.IN_USE,
+                    f"`{name}` has stopped and may go on",
+                    "let it come to its end, or clear it: KILL",
+                )
+            )
+
+
+def _resumable(desk: Desk, now: Situation) -> set[str]:
+    return _reachable(stopped(now.robot) | stopped(now.state.process), desk)
 
 
 def _new_and_old(line: CommandLine, desk: Desk) -> tuple[str, StoredProgram]:
