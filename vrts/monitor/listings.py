@@ -108,7 +108,7 @@ def status_text(
             remaining,
             "Program name      Prio   Step",
             *(
-                f"{name:<16}{priority:6d}{step:7d}   {text}"
+                f"{name:<16}{priority:6d}{step:7d}   {text}".rstrip()
                 for name, priority, step, text in frames
             ),
         )
