@@ -197,5 +197,6 @@ def _return_error(c: Context, cause: Cause) -> int:
     frame = c.frames[-1]
     program = c.system.executable.programs[frame.program].program
     failed = program.origins[frame.index].step
-    frame.index = program.steps[min(failed + 1, len(program.steps)) - 1]
+    is_last = failed >= len(program.steps)  # what follows is the end of the program
+    frame.index = len(program.instructions) - 1 if is_last else program.steps[failed]
     return SWITCHED
