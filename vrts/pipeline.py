@@ -16,6 +16,7 @@ from vrts.base.source import SourceFile
 
 if TYPE_CHECKING:
     from vrts.check.task import Task
+    from vrts.ir.module import Module
     from vrts.lang.compiler import Compilation
     from vrts.report.assessment import Assessment
     from vrts.scene.model import Scenario, Scene
@@ -68,6 +69,7 @@ class Setting:
     task: "Task | None"
     diagnostics: tuple[Diagnostic, ...]  # warnings
     scenario: "ScenarioFile | None" = None
+    scene_source: SourceFile | None = None  # None: a robot alone
 
 
 # --- files ----------------------------------------------------------------------------------------
@@ -176,8 +178,9 @@ def load_scene(name: str, beside: Path | None = None) -> Setting:
     from vrts.scene.scene_file import read_scene
 
     path = find_scene(name, beside)
-    scene, found = read_scene(read_toml_source(path), path.parent)
-    return Setting(_accepted(scene, found), None, found)
+    source = read_toml_source(path)
+    scene, found = read_scene(source, path.parent)
+    return Setting(_accepted(scene, found), None, found, scene_source=source)
 
 
 def load_task(path: Path, scene: str | None = None, scenario: Path | None = None) -> Setting:
@@ -197,7 +200,9 @@ def load_task(path: Path, scene: str | None = None, scenario: Path | None = None
     folder = path if path.is_dir() else path.parent
     setting = load_scene(wanted, folder)
     task, found = read_task(source, setting.scene)
-    setting = Setting(setting.scene, _accepted(task, found), (*setting.diagnostics, *found))
+    setting = replace(
+        setting, task=_accepted(task, found), diagnostics=(*setting.diagnostics, *found)
+    )
     if scenario is None and (folder / SCENARIO_FILE).is_file():
         scenario = folder / SCENARIO_FILE
     return setting if scenario is None else with_scenario(setting, scenario)
@@ -220,7 +225,9 @@ def with_scenario(setting: Setting, path: Path) -> Setting:
     if task is not None:
         both = hashlib.sha256(f"{task.digest} {accepted.digest}".encode()).hexdigest()
         task = replace(task, digest=both)
-    return Setting(setting.scene, task, (*setting.diagnostics, *found), accepted)
+    return replace(
+        setting, task=task, diagnostics=(*setting.diagnostics, *found), scenario=accepted
+    )
 
 
 def setting_for(
@@ -446,11 +453,12 @@ def _run(
     assert a.scene is not None
     name = entry or (a.task.program if a.task else None)
     if name is not None and name.lower() not in a.module.programs:
-        return _ungraded(replace(a, diagnostics=(*a.diagnostics, _no_program(a, name))))
+        missing = no_program(a.module, name)
+        return _ungraded(replace(a, diagnostics=(*a.diagnostics, missing)))
     run = execute(a.module, a.scene, scenario, name.lower() if name else None)
     step_done("simulate")
     scene, task = a.scene, a.task
-    a = replace(a, run=run, diagnostics=_without_repeats(a.diagnostics, run.findings))
+    a = replace(a, run=run, diagnostics=without_repeats(a.diagnostics, run.findings))
     if not judged:
         return a
     from vrts.check.judge import judge
@@ -500,16 +508,16 @@ def _ungraded(a: "Assessment") -> "Assessment":
     return replace(a, grade=ungraded(status, a.diagnostics))
 
 
-def _no_program(a: "Assessment", name: str) -> Diagnostic:
-    assert a.module is not None
+def no_program(module: "Module", name: str) -> Diagnostic:
+    """Return what to say when a program to execute is not among those of a module."""
     return error(
         NO_SUCH_PROGRAM,
         f"there is no program `{name}` to execute",
-        help=(f"programs in the file: {', '.join(a.module.programs)}",),
+        help=(f"programs in the file: {', '.join(module.programs)}",),
     )
 
 
-def _without_repeats(
+def without_repeats(
     compiled: tuple[Diagnostic, ...], run: tuple[Diagnostic, ...]
 ) -> tuple[Diagnostic, ...]:
     """Drop warnings of the compiler about a name whose run-time error says the same."""

@@ -7,10 +7,18 @@ import numpy as np
 from vrts.engine.history import ArmHistory
 from vrts.engine.motion.time_scale import Knot, TimeScale
 from vrts.engine.records import ArmPiece, Motion
-from vrts.engine.storage.columns import ascending, check_below, column
+from vrts.engine.storage.columns import (
+    ascending,
+    check_below,
+    column,
+    real_rows,
+    reals,
+    whole_rows,
+    wholes,
+)
 from vrts.engine.storage.container import Table
 from vrts.engine.storage.damage import require
-from vrts.engine.storage.plain import Plain, pose_of_numbers
+from vrts.engine.storage.plain import Plain, joints_of_numbers, pose_of_numbers
 from vrts.ir.instructions import Interpolation
 from vrts.robots.model import Configuration
 
@@ -121,15 +129,15 @@ def _read_motions(tables: Mapping[str, Table], plain: Plain) -> list[Motion]:
     check_below(causes, len(plain.causes), "the steps of motions")
     found: list[Motion] = []
     for row, (kind, blended, cut), cause in zip(
-        numbers.tolist(), kinds.tolist(), causes.tolist(), strict=True
+        real_rows(numbers), whole_rows(kinds), wholes(causes), strict=True
     ):
         found.append(
             Motion(
                 INTERPOLATIONS[kind],
                 row[0],
                 row[1],
-                tuple(row[2:8]),
-                tuple(row[8:14]),
+                joints_of_numbers(row[2:8]),
+                joints_of_numbers(row[8:14]),
                 pose_of_numbers(row[14:26]),
                 pose_of_numbers(row[26:38]),
                 row[38],
@@ -156,10 +164,10 @@ def _read_pieces(tables: Mapping[str, Table], motions: int) -> list[ArmPiece]:
     small = bool((np.abs(coefficients) < LARGEST_COEFFICIENT).all())
     require(small, "a coefficient of a piece is too large")
     found: list[ArmPiece] = []
-    numbers = coefficients.tolist()
+    numbers = reals(coefficients)
     at = 0
     for (start, end), counts, number in zip(
-        times.tolist(), lengths.tolist(), motion.tolist(), strict=True
+        real_rows(times), whole_rows(lengths), wholes(motion), strict=True
     ):
         rows: list[tuple[float, ...]] = []
         for count in counts:

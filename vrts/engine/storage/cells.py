@@ -9,10 +9,18 @@ import numpy as np
 
 from vrts.base.pose import Pose
 from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Content
-from vrts.engine.storage.columns import check_below, check_firsts, column, firsts
+from vrts.engine.storage.columns import (
+    check_below,
+    check_firsts,
+    column,
+    firsts,
+    real_rows,
+    reals,
+    wholes,
+)
 from vrts.engine.storage.container import Table
 from vrts.engine.storage.damage import require
-from vrts.engine.storage.plain import pose_of_numbers
+from vrts.engine.storage.plain import joints_of_numbers, pose_of_numbers
 from vrts.ir.values import Joints
 
 REAL, NOTHING, STRING, POSE, JOINTS = range(5)  # kinds of values
@@ -124,9 +132,9 @@ class ReadCells:
             Damaged: The columns do not fit together.
         """
         self._tables = tables
-        self._texts = texts
-        self._poses = [pose_of_numbers(row) for row in tables["values.poses"].tolist()]
-        self._joints: list[Joints] = [tuple(row) for row in tables["values.joints"].tolist()]
+        self._texts = list(texts)
+        self._poses = [pose_of_numbers(row) for row in real_rows(tables["values.poses"])]
+        self._joints = [joints_of_numbers(row) for row in real_rows(tables["values.joints"])]
         self.cells = self._read_cells(finished)
         self.bounds = self._read_names()
 
@@ -147,7 +155,7 @@ class ReadCells:
         require(bool(rising.all()), "values of a variable are not in order")
         plain = np.concatenate(([0], np.cumsum(kinds != REAL)))
         found: list[Cell] = []
-        for name, begin, end in zip(names.tolist(), first[:-1], first[1:], strict=True):
+        for name, begin, end in zip(wholes(names), first[:-1], first[1:], strict=True):
             cell = Cell(self._texts[name])
             cell.since.frombytes(since[begin:end].astype(np.uint32).tobytes())
             if plain[begin] == plain[end]:
@@ -155,7 +163,7 @@ class ReadCells:
                 numbers.frombytes(values[begin:end].astype(np.float64).tobytes())
                 cell.values = numbers
             else:
-                pairs = zip(kinds[begin:end].tolist(), values[begin:end].tolist(), strict=True)
+                pairs = zip(wholes(kinds[begin:end]), reals(values[begin:end]), strict=True)
                 cell.values = [self._value(kind, value) for kind, value in pairs]
             if begin < end:
                 cell.value = cell.values[-1]
@@ -187,9 +195,9 @@ class ReadCells:
         )
         check_below(texts, len(self._texts), "the texts of names")
         check_below(cells, len(self.cells), "the cells of names")
-        numbers = cells.tolist()
+        numbers = wholes(cells)
         found: list[Bound] = []
-        rows = zip(texts.tolist(), arrays.tolist(), first[:-1], first[1:], strict=True)
+        rows = zip(wholes(texts), wholes(arrays), first[:-1], first[1:], strict=True)
         for name, is_array, begin, end in rows:
             own = [self.cells[number] for number in numbers[begin:end]]
             if is_array:

@@ -23,6 +23,26 @@ def firsts(lengths: Iterable[int]) -> Table:
     return np.concatenate(([0], np.cumsum(list(lengths), dtype=np.int64))).astype("<u4")
 
 
+def wholes(table: Table) -> list[int]:
+    """Return the numbers of a flat column of whole numbers."""
+    return table.tolist()
+
+
+def reals(table: Table) -> list[float]:
+    """Return the numbers of a flat column."""
+    return table.tolist()
+
+
+def whole_rows(table: Table) -> list[list[int]]:
+    """Return the rows of a table of whole numbers."""
+    return table.tolist()
+
+
+def real_rows(table: Table) -> list[list[float]]:
+    """Return the rows of a table."""
+    return table.tolist()
+
+
 def counts_of(table: Table) -> "array[int]":
     """Return a column of counts as the engine keeps it."""
     found = array("I")
@@ -37,7 +57,7 @@ def check_firsts(table: Table, total: int, what: str) -> list[int]:
     Raises:
         Damaged: They do not.
     """
-    found = table.tolist()
+    found = wholes(table)
     fills = bool(found) and found[0] == 0 and found[-1] == total
     require(fills and ascending(table), f"the rows of {what} are not told apart")
     return found

@@ -37,6 +37,18 @@ class TooLarge(Damaged):
         )
 
 
+def not_remade(name: str, what: str, *notes: str) -> Diagnostic:
+    """Return what to tell when a sound file cannot become a run here and now.
+
+    Args:
+        name: Of the file, as shown.
+        what: Is not as it was, as a sentence.
+        notes: What is known about it.
+    """
+    headline = f"the saved run `{name}` cannot be made again: {what}"
+    return error(NOT_REMADE, headline, notes=notes, help=(RUN_AGAIN,))
+
+
 def require(held: bool, reason: str) -> None:
     """Go on when something holds.
 

@@ -35,9 +35,9 @@ from vrts.engine.motion.time_scale import Knot
 from vrts.engine.records import Ending, Lie, Placement
 from vrts.engine.run import Run
 from vrts.engine.storage import arm, cells, traces
-from vrts.engine.storage.columns import ascending, check_below, counts_of
+from vrts.engine.storage.columns import ascending, check_below, counts_of, wholes
 from vrts.engine.storage.container import Container, Table
-from vrts.engine.storage.damage import NOT_REMADE, OTHER_FORMAT, RUN_AGAIN, Damaged, require
+from vrts.engine.storage.damage import OTHER_FORMAT, RUN_AGAIN, Damaged, not_remade, require
 from vrts.engine.storage.origin import Origin, module_digest, read_origin
 from vrts.engine.storage.plain import Json, Plain, listed, named, number, text, truth, whole
 from vrts.engine.storage.save import FORMAT, MAIN_LAYOUT
@@ -91,19 +91,14 @@ def restored(saved: SavedRun, module: Module, scene: Scene) -> Run | Diagnostic:
     """
     if module_digest(module) != saved.module_digest:
         made_by = saved.manifest.get("vrts")
-        return error(
-            NOT_REMADE,
-            f"the programs of the saved run `{saved.name}` compile to something else now",
-            notes=(f"it was saved by vrts {made_by}, this is vrts {__version__}",),
-            help=(RUN_AGAIN,),
+        return not_remade(
+            saved.name,
+            "its programs compile to something else now",
+            f"it was saved by vrts {made_by}, this is vrts {__version__}",
         )
     if scene.digest != saved.origin.scene.digest:
-        return error(
-            NOT_REMADE,
-            f"the scene of the saved run `{saved.name}` is not the one that it was made in",
-            notes=(f"files that the scene `{scene.name}` names have changed",),
-            help=(f"{RUN_AGAIN}, or put the files back",),
-        )
+        what = "files that its scene names are missing, or were changed"
+        return not_remade(saved.name, what, f"the scene is `{scene.name}`")
     try:
         return _run(saved, module, scene)
     except Damaged as damage:
@@ -169,7 +164,7 @@ def _run(saved: SavedRun, module: Module, scene: Scene) -> Run:
         arm=_arm(said.get("arm"), tables, plain),
         hand=_hand(said.get("hand"), plain, scene),
         memory=MemoryHistory(
-            [known.bounds[row] for row in tables["memory"].tolist()],
+            [known.bounds[row] for row in wholes(tables["memory"])],
             _cell(known, system.get("tool")),
             _cell(known, system.get("base")),
             {name: _cell(known, row) for name, row in named(system.get("parameters")).items()},
@@ -216,9 +211,11 @@ def _checked_counts(tables: Mapping[str, Table], finished: int) -> "array[int]":
 def _commands(commands: tuple[TimedCommand, ...], module: Module) -> tuple[TimedCommand, ...]:
     for timed in commands:
         require(0.0 <= timed.time_s <= LONGEST_S, "a command comes at no time")
-        executes = isinstance(timed.command, Execute)
-        known = not executes or timed.command.program in module.programs
-        require(known, "a command executes a program that is not there")
+        match timed.command:
+            case Execute(program=program):
+                require(program in module.programs, "it executes a program that is not there")
+            case _:
+                pass
     require(all(a.time_s <= b.time_s for a, b in pairwise(commands)), "commands are not in order")
     return commands
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from enum import Enum
 from functools import cached_property
 from types import MappingProxyType, NoneType
-from typing import Any, NamedTuple, TypeAlias, get_args, get_origin
+from typing import Any, NamedTuple, TypeAlias, cast, get_args, get_origin
 
 from vrts.base.diagnostic import Rule
 from vrts.base.pose import Pose
@@ -32,7 +32,7 @@ class Pair(NamedTuple):
     read: Callable[[Json], Any]
 
 
-class Unwritable(ValueError):
+class Unwritable(ValueError):  # noqa: N818 -- names the situation
     """A value has no plain form."""
 
 
@@ -118,25 +118,33 @@ class Plain:
     def _tuple(self, arguments: tuple[Any, ...]) -> Pair:
         if arguments[1:] == (...,):
             item = self._pair(arguments[0])
-            return Pair(
-                lambda values: [item.write(value) for value in values],
-                lambda data: tuple([item.read(value) for value in listed(data)]),
-            )
+
+            def write_all(values: tuple[Any, ...]) -> Json:
+                return [item.write(value) for value in values]
+
+            def read_all(data: Json) -> tuple[Any, ...]:
+                return tuple([item.read(value) for value in listed(data)])
+
+            return Pair(write_all, read_all)
         items = [self._pair(argument) for argument in arguments]
-        return Pair(
-            lambda values: [item.write(v) for item, v in zip(items, values, strict=True)],
-            lambda data: tuple(
-                [item.read(v) for item, v in zip(items, listed(data, len(items)), strict=True)]
-            ),
-        )
+
+        def write(values: tuple[Any, ...]) -> Json:
+            return [pair.write(value) for pair, value in zip(items, values, strict=True)]
+
+        def read(data: Json) -> tuple[Any, ...]:
+            values = listed(data, len(items))
+            return tuple([pair.read(value) for pair, value in zip(items, values, strict=True)])
+
+        return Pair(write, read)
 
     def _mapping(self, values: Pair) -> Pair:
-        return Pair(
-            lambda mapping: {name: values.write(value) for name, value in mapping.items()},
-            lambda data: MappingProxyType(
-                {name: values.read(value) for name, value in named(data).items()}
-            ),
-        )
+        def write(mapping: Mapping[str, Any]) -> Json:
+            return {name: values.write(value) for name, value in mapping.items()}
+
+        def read(data: Json) -> Mapping[str, Any]:
+            return MappingProxyType({k: values.read(value) for k, value in named(data).items()})
+
+        return Pair(write, read)
 
     def _union(self, arguments: tuple[Any, ...]) -> Pair:
         kinds = [kind for kind in arguments if kind is not NoneType]
@@ -146,17 +154,21 @@ class Plain:
             inner = self._pair(kinds[0]) if len(kinds) == 1 else self._tagged(kinds)
         if len(kinds) == len(arguments):
             return inner
-        return Pair(
-            lambda value: None if value is None else inner.write(value),
-            lambda data: None if data is None else inner.read(data),
-        )
+
+        def write(value: Any) -> Json:
+            return None if value is None else inner.write(value)
+
+        def read(data: Json) -> Any:
+            return None if data is None else inner.read(data)
+
+        return Pair(write, read)
 
     def _tagged(self, kinds: list[type]) -> Pair:
         by_name = {kind.__name__: kind for kind in kinds}
 
         def write(value: Any) -> Json:
-            kind = type(value)
-            return [kind.__name__, self._pair(kind).write(value)]
+            name = value.__class__.__name__
+            return [name, self._pair(by_name[name]).write(value)]
 
         def read(data: Json) -> Any:
             name, fields = listed(data, 2)
@@ -167,11 +179,11 @@ class Plain:
         return Pair(write, read)
 
     def _record(self, kind: Any) -> Pair:
-        if dataclasses.is_dataclass(kind):
-            hints = {field.name: field.type for field in dataclasses.fields(kind)}
-        else:
-            hints = {name: kind.__annotations__[name] for name in kind._fields}
+        hints: dict[str, Any] = kind.__annotations__
         fields = [(name, self._pair(hint)) for name, hint in hints.items()]
+
+        def write(value: Any) -> Json:
+            return [pair.write(getattr(value, name)) for name, pair in fields]
 
         def read(data: Json) -> Any:
             values = listed(data, len(fields))
@@ -179,7 +191,7 @@ class Plain:
                 *[pair.read(value) for (_, pair), value in zip(fields, values, strict=True)]
             )
 
-        return Pair(lambda value: [pair.write(getattr(value, name)) for name, pair in fields], read)
+        return Pair(write, read)
 
     # --- places -------------------------------------------------------------------------------
 
@@ -270,6 +282,11 @@ def pose_of_numbers(numbers: Sequence[float]) -> Pose:
     return Pose(tuple(numbers[:9]), tuple(numbers[9:]))  # type: ignore[arg-type]
 
 
+def joints_of_numbers(numbers: Sequence[float]) -> Joints:
+    """Return the configuration of six numbers [rad]."""
+    return tuple(numbers)  # type: ignore[return-value]
+
+
 def _read_rule(data: Json) -> Rule:
     code, slug = (text(part) for part in listed(data, 2))
     known = re.fullmatch(r"V\d{3}", code) and re.fullmatch(r"[a-z0-9-]{1,40}", slug)
@@ -285,7 +302,10 @@ def _enumerated(kind: type[Enum]) -> Pair:
         require(known, f"there is no {kind.__name__} `{data}`")
         return values[data]
 
-    return Pair(lambda member: member.value, read)
+    def write(member: Enum) -> Json:
+        return member.value
+
+    return Pair(write, read)
 
 
 def _write_value(value: "float | str | Pose | Joints") -> Json:
@@ -305,14 +325,12 @@ def _read_value(data: Json) -> "float | str | Pose | Joints":
     if "pose" in parts:
         return _read_pose(parts["pose"])
     require("joints" in parts, "a value is missing")
-    numbers = [number(part) for part in listed(parts["joints"], 6)]
-    return tuple(numbers)  # type: ignore[return-value]
+    return joints_of_numbers([number(part) for part in listed(parts["joints"], 6)])
 
 
 def _write_datum(value: Any) -> Json:
     if isinstance(value, tuple):
-        parts: tuple[Any, ...] = value
-        return [_write_datum(part) for part in parts]
+        return [_write_datum(part) for part in cast(tuple[Any, ...], value)]
     if isinstance(value, float) and not math.isfinite(value):
         return {"number": repr(value)}
     return value
@@ -320,8 +338,7 @@ def _write_datum(value: Any) -> Json:
 
 def _read_datum(data: Json) -> Any:
     if isinstance(data, list):
-        parts: list[Json] = data
-        return tuple([_read_datum(part) for part in parts])
+        return tuple([_read_datum(part) for part in cast(list[Json], data)])
     if isinstance(data, dict):
         said = named(data).get("number")
         require(said in ("inf", "-inf", "nan"), "a number is missing")

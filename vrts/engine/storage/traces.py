@@ -13,6 +13,7 @@ from vrts.engine.storage.columns import (
     column,
     counts_of,
     firsts,
+    wholes,
 )
 from vrts.engine.storage.container import Table
 from vrts.engine.storage.damage import require
@@ -94,10 +95,10 @@ def _read_calls(
     check_below(places, len(code.causes), "the steps of calls", NONE)
     check_below(callers, len(programs), "the callers of calls", NONE)
     check_below(slots, len(bounds), "the arguments of calls")
-    own = slots.tolist()
+    own = wholes(slots)
     found: list[Activation] = []
     for row, (program, place, caller) in enumerate(
-        zip(programs.tolist(), places.tolist(), callers.tolist(), strict=True)
+        zip(wholes(programs), wholes(places), wholes(callers), strict=True)
     ):
         require(caller < row, "a call comes before its caller")
         given = [bounds[number] for number in own[first[row] : first[row + 1]]]
@@ -139,5 +140,5 @@ def _read_trace(
     trace = Trace()
     for part in COUNTS:
         setattr(trace, part, counts_of(columns[part]))
-    trace.activations = [None if row == NONE else calls[row] for row in columns["calls"].tolist()]
+    trace.activations = [None if row == NONE else calls[row] for row in wholes(columns["calls"])]
     return trace
