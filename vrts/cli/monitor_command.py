@@ -71,3 +71,5 @@ def command(
     else:
         for piece in transcript(dialogue, sys.stdin):
             out(plain_text(piece), end=False)
+        if dialogue.busy:
+            say(f"the program still executes, after {dialogue.time_s:.0f} s of simulated time")

@@ -1,5 +1,6 @@
 """Single steps, as they are typed at the editor or after DO, and what programs refer to."""
 
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule
@@ -44,7 +45,8 @@ def check_step(
 ) -> tuple[Diagnostic, ...]:
     """Return what is wrong with the form of one step; names and structure are not looked at."""
     problems = Problems(SourceFile("step", text), dialect)
-    _step(problems, text, program_names)
+    _step(_parser(problems, program_names), text, 0)
+    report_pasted_characters(problems)
     return problems.in_order()
 
 
@@ -52,7 +54,8 @@ def check_step(
 def check_alone(text: str, dialect: Dialect) -> tuple[Diagnostic, ...]:
     """Return what is wrong with the form of an instruction that is carried out by itself."""
     problems = Problems(SourceFile("DO", text), dialect)
-    step = _step(problems, text, frozenset())
+    step = _step(_parser(problems, frozenset()), text, 0)
+    report_pasted_characters(problems)
     if step is None or problems.any_error:
         return problems.in_order()
     node = step.statement
@@ -71,12 +74,35 @@ def check_alone(text: str, dialect: Dialect) -> tuple[Diagnostic, ...]:
 
 
 @deep_stack()
+def bad_steps(
+    lines: tuple[str, ...], dialect: Dialect, program_names: frozenset[str]
+) -> frozenset[int]:
+    """Return the numbers, from 1, of the steps whose form is wrong."""
+    bad: set[int] = set()
+    problems = Problems(SourceFile("steps", "\n".join(lines)), dialect)
+    parser = _parser(problems, program_names)
+    at = 0
+    for number, text in enumerate(lines, 1):
+        before = len(problems.found), len(problems.look_alikes)
+        _step(parser, text, at)
+        fresh = problems.found[before[0] :]
+        if any(d.is_error for d in fresh) or len(problems.look_alikes) > before[1]:
+            bad.add(number)
+        at += len(text) + 1
+    return frozenset(bad)
+
+
+@lru_cache(256)
+@deep_stack()
 def references(lines: tuple[str, ...], dialect: Dialect) -> References:
     """Return the variables and programs that the lines of a program name."""
     variables: set[str] = set()
     programs: set[str] = set()
+    parser = _parser(Problems(SourceFile("steps", "\n".join(lines)), dialect), frozenset())
+    at = 0
     for text in lines:
-        step = _step(Problems(SourceFile("step", text), dialect), text, frozenset())
+        step = _step(parser, text, at)
+        at += len(text) + 1
         node = step.statement if step is not None else None
         if isinstance(node, Bad | Rest):
             variables.update(node.names)
@@ -96,23 +122,30 @@ def references(lines: tuple[str, ...], dialect: Dialect) -> References:
     return References(frozenset(variables), frozenset(programs))
 
 
-def _step(problems: Problems, text: str, program_names: frozenset[str]) -> Step | None:
+def _parser(problems: Problems, program_names: frozenset[str]) -> StepParser:
+    parser = StepParser(problems)
+    parser.program_names = program_names
+    return parser
+
+
+def _step(parser: StepParser, text: str, at: int) -> Step | None:
+    """Return the step of a line that begins at an offset; None when there is none, or a bad one."""
+    problems, dialect = parser.problems, parser.dialect
     cut = comment_start(text)
     body = text if cut < 0 else text[:cut]
     bare = body.strip()
-    start = len(body) - len(body.lstrip())
-    if len(bare) > problems.dialect.max_line:
+    start = at + len(body) - len(body.lstrip())
+    if len(bare) > dialect.max_line:
         problems.error(
             LINE_TOO_LONG,
-            f"this line has {len(bare):,} characters; a line has at most "
-            f"{problems.dialect.max_line}",
+            f"this line has {len(bare):,} characters; a line has at most {dialect.max_line}",
             start,
             start + 40,
         )
         return None
     if not bare:
         return None
-    if bare.startswith(".") and not problems.dialect.has("a"):
+    if bare.startswith(".") and not dialect.has("a"):
         problems.error(
             NOT_ALONE,
             "a step begins with no period",
@@ -122,11 +155,7 @@ def _step(problems: Problems, text: str, program_names: frozenset[str]) -> Step 
             help=("the editor writes `.PROGRAM` and `.END` itself; E leaves it",),
         )
         return None
-    parser = StepParser(problems)
-    parser.program_names = program_names
-    step = parser.step(Line(1, bare, start, start + len(bare)))
-    report_pasted_characters(problems)
-    return step
+    return parser.step(Line(1, bare, start, start + len(bare)))
 
 
 def _names(node: Any) -> set[str]:

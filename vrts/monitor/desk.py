@@ -219,8 +219,7 @@ def evaluated(text: str, wanted: Type, desk: Desk, now: Situation) -> Value:
 def one_step(text: str, desk: Desk, now: Situation) -> Module:
     """Return an instruction as a program of its own, or refuse."""
     source = SourceFile("DO", f".PROGRAM {ALONE}\n{text}\n.END\n")
-    executable = [p for p in desk.programs.values() if p.program is not None and p.name != ALONE]
-    found = in_view(source, executable, now.state.variables, desk.dialect)
+    found = in_view(source, (text,), desk.programs, now.state.variables, desk.dialect)
     refused = words.first_refusal(found.diagnostics)
     if refused is not None or found.module is None:
         raise Refused(refused or words.starred(words.ILLEGAL_COMMAND))

@@ -13,7 +13,7 @@ from vrts.lang.store import store_text
 from vrts.monitor import words
 from vrts.monitor.desk import Desk, Refused, Situation, Turn, cell, program_name
 from vrts.monitor.folder import CannotUse
-from vrts.monitor.programs import StoredProgram, listed
+from vrts.monitor.programs import StoredProgram, listed, reachable
 from vrts.monitor.questions import Sure
 
 _SUFFIX = {"P": ".pg", "L": ".lc", "R": ".rv", "S": ".st"}
@@ -121,17 +121,10 @@ def stored_text(desk: Desk, now: Situation, kind: str, wanted: tuple[str, ...] |
 
 def _reached(wanted: tuple[str, ...], desk: Desk) -> tuple[list[str], set[str]]:
     """Return programs with all they call, and every variable that they name."""
-    found: set[str] = set()
-    variables: set[str] = set()
-    waiting = [desk.program(name).name for name in wanted]
-    while waiting:
-        name = waiting.pop()
-        if name not in found:
-            found.add(name)
-            refers = references(desk.programs[name].lines, desk.dialect)
-            variables |= refers.variables
-            waiting += refers.programs & desk.programs.keys()
-    return sorted(found), variables
+    names = [desk.program(name).name for name in wanted]
+    found = sorted(reachable(names, desk.programs, desk.dialect))
+    used = [references(desk.programs[name].lines, desk.dialect).variables for name in found]
+    return found, set[str]().union(*used)
 
 
 def _datum(name: str, value: Value, source: SourceFile) -> Datum:

@@ -6,6 +6,7 @@ line is kept and listed, and is not executable.
 
 import re
 from collections.abc import Iterable, Mapping
+from functools import lru_cache
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
@@ -15,10 +16,11 @@ from vrts.ir.module import Program
 from vrts.ir.values import Value
 from vrts.lang.compiler import Compilation, Options, compile_sources
 from vrts.lang.dialect import Dialect
-from vrts.lang.entry import check_step
+from vrts.lang.entry import bad_steps, references
 from vrts.lang.layout import GUTTER, program_text
 
 _ROW = re.compile(r"(?P<label>\d{1,5}(?![\w.])|[a-z][\w.]*:)?(?P<blanks>[ \t]*)(?P<code>.*)", re.S)
+_WORD = re.compile(r"[A-Za-z][\w.]{0,14}", re.ASCII)
 _LABEL = 7  # columns of a label in a listing
 _DATA = "memory.lc"  # name under which variables in memory are shown to the compiler
 
@@ -46,15 +48,10 @@ Programs = Mapping[str, StoredProgram]
 def compiled(
     program: StoredProgram, others: Programs, variables: Mapping[str, Value], dialect: Dialect
 ) -> StoredProgram:
-    """Return a program checked and translated, with what else is in memory in view."""
-    bad = frozenset(
-        number
-        for number, line in enumerate(program.lines, 1)
-        if any(d.is_error for d in check_step(line, dialect, frozenset(others)))
-    )
+    """Return a program checked and translated, with what it refers to in view."""
+    bad = bad_steps(program.lines, dialect, frozenset(others))
     source = SourceFile(program.name, program.text)
-    beside = [other for other in others.values() if other.name != program.name and other.program]
-    found = in_view(source, beside, variables, dialect)
+    found = in_view(source, program.lines, others, variables, dialect)
     own = found.module.programs.get(program.name) if found.module is not None else None
     faults = tuple(d for d in found.diagnostics if d.is_error)
     return program._replace(bad=bad, faults=faults if own is None else (), program=own)
@@ -62,14 +59,18 @@ def compiled(
 
 def in_view(
     source: SourceFile,
-    programs: Iterable[StoredProgram],
+    lines: tuple[str, ...],
+    programs: Programs,
     variables: Mapping[str, Value],
     dialect: Dialect,
 ) -> Compilation:
-    """Return a source compiled beside programs and variables, or alone if they disagree."""
+    """Return a source compiled with what its lines refer to, or alone if that disagrees."""
     options = Options(dialect)
-    beside = [SourceFile(other.name, other.text) for other in programs]
-    data = _declarations(variables)
+    called = reachable(references(lines, dialect).programs, programs, dialect)
+    others = [programs[name] for name in sorted(called) if name != source.name]
+    beside = [SourceFile(other.name, other.text) for other in others if other.program is not None]
+    words = {word.lower() for file in (source, *beside) for word in _WORD.findall(file.text)}
+    data = _declarations({n: v for n, v in variables.items() if n.partition("[")[0] in words})
     if data:
         beside.append(SourceFile(_DATA, data))
     found = compile_sources([source, *beside], options)
@@ -77,6 +78,18 @@ def in_view(
         return compile_sources([source], options)
     own = tuple(d for d in found.diagnostics if _concerns(d, source))
     return Compilation(found.module, own, found.dialect, source)
+
+
+def reachable(names: Iterable[str], programs: Programs, dialect: Dialect) -> set[str]:
+    """Return the programs of some names, with all that they may call."""
+    found: set[str] = set()
+    waiting = [name for name in names if name in programs]
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.add(name)
+            waiting += references(programs[name].lines, dialect).programs & programs.keys()
+    return found
 
 
 def listed(program: StoredProgram, dialect: Dialect, numbers: Iterable[int]) -> str:
@@ -97,11 +110,13 @@ def listing(program: StoredProgram, dialect: Dialect) -> str:
 
 def canonical(program: StoredProgram, dialect: Dialect) -> tuple[str, ...]:
     """Return the steps of a program in the layout of files, bad ones as they are."""
-    source = SourceFile(program.name, program.text)
-    text = program_text(source, dialect).get(program.name)
-    if text is None:
-        return program.lines
-    return tuple(text.split("\n")[1 : len(program.lines) + 1])
+    return _canonical(program.name, program.header, program.lines, dialect)
+
+
+@lru_cache(64)
+def _canonical(name: str, header: str, lines: tuple[str, ...], dialect: Dialect) -> tuple[str, ...]:
+    text = program_text(SourceFile(name, StoredProgram(name, header, lines).text), dialect)
+    return tuple(text[name].split("\n")[1 : len(lines) + 1]) if name in text else lines
 
 
 def step_text(program: StoredProgram, number: int, dialect: Dialect) -> str:

@@ -8,7 +8,7 @@ from vrts.lang.entry import references
 from vrts.monitor import words
 from vrts.monitor.desk import Desk, Refused, Situation, Turn, program_name, stopped
 from vrts.monitor.listings import directory_text
-from vrts.monitor.programs import StoredProgram, listing
+from vrts.monitor.programs import StoredProgram, listing, reachable
 from vrts.monitor.questions import sure
 
 
@@ -56,7 +56,7 @@ def zero(line: CommandLine, desk: Desk, now: Situation) -> Turn:
 
 def _zeroed(desk: Desk, now: Situation) -> Turn:
     kill = (Kill(),) if stopped(now.robot) else ()
-    kept = _reachable(stopped(now.state.process), desk)
+    kept = reachable(stopped(now.state.process), desk.programs, desk.dialect)
     gone = tuple(name for name in desk.programs if name not in kept)
     commands = _removed(gone, desk, now)
     desk.last_edited = desk.last_executed = desk.last_process = desk.last_do = None
@@ -80,19 +80,6 @@ def _with_what_they_use(names: tuple[str, ...], desk: Desk, now: Situation) -> T
     present = {name.partition("[")[0] for name in now.state.variables}
     commands = _removed(tuple(sorted(gone)), desk, now)
     return Turn(commands=(*commands, *_forgotten(sorted(alone & present))))
-
-
-def _reachable(names: Iterable[str], desk: Desk) -> set[str]:
-    """Return programs with all they may call."""
-    found: set[str] = set()
-    waiting = [name for name in names if name in desk.programs]
-    while waiting:
-        name = waiting.pop()
-        if name not in found:
-            found.add(name)
-            called = references(desk.programs[name].lines, desk.dialect).programs
-            waiting += called & desk.programs.keys()
-    return found
 
 
 def _forgotten(variables: list[str]) -> tuple[Command, ...]:
@@ -134,7 +121,8 @@ def _refuse_in_use(names: Iterable[str], desk: Desk, now: Situation) -> None:
 
 
 def _resumable(desk: Desk, now: Situation) -> set[str]:
-    return _reachable(stopped(now.robot) | stopped(now.state.process), desk)
+    stopped_ones = stopped(now.robot) | stopped(now.state.process)
+    return reachable(stopped_ones, desk.programs, desk.dialect)
 
 
 def _new_and_old(line: CommandLine, desk: Desk) -> tuple[str, StoredProgram]:

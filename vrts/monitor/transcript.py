@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 
 from vrts.monitor.dialogue import Dialogue
 
-LONGEST = 3600.0  # [s] of simulated time that one command may take
+LONGEST = 600.0  # [s] of simulated time that one command may take
 
 _AT = re.compile(r"[ \t]*;@[ \t]*(\d{1,6}(?:\.\d*)?|\.\d+)[ \t]*")
 

@@ -74,6 +74,19 @@ def test_a_pipe_confirms_what_is_asked_but_overwrites_nothing(folder: Path) -> N
     assert "#far" not in (folder / "cell.v2").read_text()
 
 
+def test_a_program_without_end_is_followed_for_a_while(folder: Path) -> None:
+    found = subprocess.run(
+        [sys.executable, "-m", "vrts.cli.main", "monitor", "cell.v2"],
+        input="EXECUTE forever\n",
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=folder,
+    )
+    assert found.returncode == 0
+    assert found.stderr == "the program still executes, after 600 s of simulated time\n"
+
+
 def test_answers_of_a_scenario_are_shown_and_typed_ones_follow(folder: Path) -> None:
     (folder / "ask.v2").write_text('.PROGRAM main\nPROMPT "a ", a\nPROMPT "b ", b\n.END\n')
     (folder / "cell.toml").write_text('[prompts]\nanswers = ["1"]\n')
