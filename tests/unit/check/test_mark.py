@@ -164,7 +164,7 @@ FAULTS = [
     ('object = "can1"', 'object = "base1"', "V651", '"base1"'),
     ('on = "base2"', 'on = "can1"', "V652", '"can1"'),
     ('object = "can2"', 'object = "can1"', "V653", '"can1"'),
-    ("reference_s = 12.6", "t_par_s = 20\nt_max_s = 10", "V654", "10"),
+    ("reference_s = 10.6", "t_par_s = 20\nt_max_s = 10", "V654", "10"),
     ("reference_s", "referenc_s", "V602", "referenc_s"),
     ("position_mm = 10", "position_mm = -1", "V605", "-1"),
     ('object = "can1"', 'object = "can7"', "V606", '"can7"'),
