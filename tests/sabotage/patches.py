@@ -387,7 +387,7 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "monitor works expressions out in the run itself",
         "vrts/monitor/dialogue.py",
-        "fork = advance(truncate(run, at), until, commands)",
+        "fork = advance(run, until, commands)",
         "fork = self.controller.run = advance(run, until, commands)",
         ("tests/unit/monitor/test_dialogue.py",),
     ),

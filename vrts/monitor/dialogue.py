@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from vrts.base.source import SourceFile
-from vrts.engine.controller import Controller, advance, truncate
+from vrts.engine.controller import Controller, advance
 from vrts.engine.events import CommandRefused, Event, Found, ProgramStarted
 from vrts.engine.records import ProgramState
 from vrts.engine.run import Run, State
@@ -139,7 +139,7 @@ class Dialogue:
         if self._now.executing:  # which excludes DO, so the fork stops it first
             commands.insert(0, TimedCommand(at, Panic()))
         until = at + 2 * self._tick
-        fork = advance(truncate(run, at), until, commands)  # truncated: with a past of its own
+        fork = advance(run, until, commands)
         for event in fork.events[len(run.events) :]:
             if isinstance(event, CommandRefused):
                 return words.starred(event.words)
