@@ -141,6 +141,8 @@ class Compiler:
                 return numeric(a, b)
             if isinstance(a, str) and isinstance(b, str):
                 if compare is not None:
+                    if c.system.is_on("UPPER"):
+                        a, b = a.upper(), b.upper()
                     return logical(compare(a, b))
                 if operator is BinaryOperator.ADD:
                     return joined(a, b, span)
