@@ -28,9 +28,22 @@ class Batch:
 
         Before the first segment and after the last the arm stands still.
         """
-        at = np.maximum(np.searchsorted(self._starts, times, side="right") - 1, 0)
-        t = np.clip(times - self._starts[at], 0.0, (self._ends - self._starts)[at])[:, None]
+        at, t = self._places(times)
         result = self._powers[-1, at]
         for c in self._powers[-2::-1]:
             result = result * t + c[at]
         return result
+
+    def rates(self, times: Array) -> Array:
+        """Return the derivatives of `values` [rad/s, m/s], shape (m, 7)."""
+        at, t = self._places(times)
+        result = np.zeros((len(times), COORDINATES))
+        for k in range(len(self._powers) - 1, 0, -1):
+            result = result * t + k * self._powers[k, at]
+        result[(times < self._starts[0]) | (times >= self._ends[-1])] = 0.0
+        return result
+
+    def _places(self, times: Array) -> tuple[npt.NDArray[np.intp], Array]:
+        """Return the segment of every time, and how far into it the time is [s], as a column."""
+        at = np.maximum(np.searchsorted(self._starts, times, side="right") - 1, 0)
+        return at, np.clip(times - self._starts[at], 0.0, (self._ends - self._starts)[at])[:, None]

@@ -92,13 +92,6 @@ def test_what_a_program_types_goes_to_stdout_and_words_to_stderr() -> None:
     assert b"completed after" in result.stderr
 
 
-def test_the_state_at_a_time_names_line_and_held_object() -> None:
-    result = vrts("run", SOLUTION, "--scene", "cans-on-bases", "--at", "5")
-    text = result.stdout.decode()
-    assert text.startswith("at 5.000 s\n  line ")
-    assert "holds can1" in text
-
-
 def test_verify_takes_the_task_beside_the_program() -> None:
     result = vrts("verify", SOLUTION)
     assert result.returncode == 0

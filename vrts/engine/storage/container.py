@@ -17,23 +17,16 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.engine.storage.damage import Damaged, TooLarge, require
+from vrts.engine.storage.recognise import MANIFEST
 
 Table: TypeAlias = npt.NDArray[Any]
 
-MANIFEST = "vrun.json"
 MOST_BYTES = 256_000_000  # of all members, decompressed
 MOST_MANIFEST = 32_000_000  # bytes of `vrun.json`
 EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest time a zip can tell: the same run, the same bytes
 MAGIC = b"\x93NUMPY\x01\x00"
 FOREIGN = "it is packed in a way that saved runs are not"
 ALIGNMENT = 64  # of the numbers after a header
-_START = b"PK\x03\x04"
-_NAME_AT = 30  # offset of the first member's name
-
-
-def is_saved_run(data: bytes) -> bool:
-    """Return whether bytes begin as a saved run does, sound or not."""
-    return data.startswith(_START) and data[_NAME_AT:].startswith(MANIFEST.encode())
 
 
 def pack(manifest: bytes, tables: Mapping[str, Table]) -> bytes:
