@@ -105,6 +105,7 @@ class System:
         "switches",
         "terminal",
         "timers",
+        "tracing",
         "warned",
     )
 
@@ -141,6 +142,7 @@ class System:
         self.held_tool = Cell("TOOL")
         self.held_base = Cell("BASE")
         self.powered = True
+        self.tracing = False  # the switch TRACE, for speed
         self.warned: frozenset[str] = frozenset()
 
     def copy(self, copies: dict[int, Bound]) -> "System":
@@ -163,7 +165,7 @@ class System:
         other.answers, other.answers_read = self.answers.copy(), self.answers_read
         other.clock_reads = self.clock_reads
         other.held_tool, other.held_base = self.held_tool.copy(), self.held_base.copy()
-        other.powered, other.warned = self.powered, self.warned
+        other.powered, other.tracing, other.warned = self.powered, self.tracing, self.warned
         return other
 
     def cells(self) -> list[Cell]:
@@ -202,6 +204,7 @@ class Context:
         "kept_cycles",
         "last_error",
         "last_program",
+        "listed",
         "memory",
         "next_hand",
         "now",
@@ -243,6 +246,7 @@ class Context:
         self.reactions_wait = False  # some have not been taken, for their priority
         self.error_program: int | None = None  # of REACTE
         self.last_error: RuntimeFault | None = None
+        self.listed: tuple[Cause, int] | None = None  # step that TRACE wrote last
         self.program = ""  # of EXECUTE or PCEXECUTE
         self.last_program = ""  # the one run last
         self.cycles_left = 0  # the present one included; negative is endless
@@ -276,6 +280,7 @@ class Context:
             "reactions_wait",
             "error_program",
             "last_error",
+            "listed",
             "program",
             "last_program",
             "cycles_left",

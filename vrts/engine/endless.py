@@ -96,7 +96,10 @@ def _state(machine: "Machine", now: float) -> Kept:
             values += [getattr(slot, "value", None) for slot in frame.slots]  # type: ignore[misc]
             values += [*frame.limits, *frame.increments, *frame.cases]  # type: ignore[list-item]
             values.append(tuple((w.signal, w.on, w.pending, w.state) for w in c.watches))  # type: ignore[arg-type]
+        values.append(c.last_error.number if c.last_error is not None else None)  # type: ignore[arg-type]
+    values += [cell.value for cell in system.cells()]
     values.append((planner.branch, planner.request, planner.always, tuple(planner.next)))  # type: ignore[arg-type]
+    values.append((planner.tool, planner.base, planner.scale.rate, system.answers_read))  # type: ignore[arg-type]
     return Kept(
         (_place(robot), _place(process)),
         _arm(machine, now),

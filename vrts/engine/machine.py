@@ -46,6 +46,7 @@ from vrts.engine.sensing import Sensing
 from vrts.engine.signals import Signals
 from vrts.engine.step import look_again
 from vrts.engine.terminal import Terminal
+from vrts.engine.terminal_steps import put
 from vrts.engine.trace import Activation
 from vrts.ir.commands import TimedCommand
 from vrts.ir.instructions import Interpolation
@@ -272,9 +273,9 @@ class Machine:
         programs = [c for c in (self.robot, self.process) if c.running]
         if any(c.wake <= now for c in programs):
             return  # some program goes on at the next tick
-        if (progress and len(programs) > 1) or (stirred and any(c.watches for c in programs)):
-            return  # what one has changed the other may wait for
-        if progress and any(c.wake == math.inf for c in programs) and stirred:
+        if progress and any(c.wake == math.inf for c in programs):
+            return  # what one program has changed another may wait for
+        if stirred and any(c.watches for c in programs):
             return
         waking = min(c.wake for c in programs)
         following = self._future()
@@ -282,8 +283,8 @@ class Machine:
             waking = following
         if waking < math.inf:
             self._skip_to(waking)
-        elif self.closed:
-            self._end_stuck(now)
+        elif self.closed and self.robot.running:
+            self._end(self.robot, Ending.LIMIT, stuck(self.robot, now))
 
     def _skip_to(self, time_s: float) -> None:
         self.next_tick = max(self.next_tick, self._tick_of(time_s))
@@ -370,8 +371,7 @@ class Machine:
         changed = system.signals.sample(now)
         while system.scheduled and system.scheduled[0][0] <= now + INSTANT:
             _, number, state = system.scheduled.pop(0)
-            if state is not (number in system.signals.on):
-                system.signals.turn(number, on=state)
+            if system.signals.turn(number, on=state):
                 changed.append((number, state))
         changed += self.sensing.sample(system, now)
         for signal, on in changed:
@@ -415,11 +415,11 @@ class Machine:
         trace.begin_slice(finished)
         if c.steps_left is not None:
             left = 1
-        if c.system.is_on("TRACE"):
-            self._list_step(c, program.causes[index])
-            left = 1
+        traced = self.system.tracing
         try:
             while left > 0:
+                if traced:
+                    self._list_step(c, program.causes[index], finished)
                 finished += 1
                 c.finished = finished
                 note(base + index)
@@ -431,6 +431,7 @@ class Machine:
                     frame = c.frames[-1]
                     program = self.system.executable.programs[frame.program]
                     steps, base, index = program.steps, program.base, frame.index
+                    traced = self.system.tracing
                     if c.reactions_wait:
                         break  # one may be taken now
                 elif outcome == BLOCKED:
@@ -476,9 +477,11 @@ class Machine:
         self._end(c, Ending.STEPPED, None)
         return 0
 
-    def _list_step(self, c: Context, cause: Cause) -> None:
-        from vrts.engine.terminal_steps import put
-
+    def _list_step(self, c: Context, cause: Cause, finished: int) -> None:
+        """Write the step that is executed next, as TRACE asks; one that waits only once."""
+        if c.listed == (cause, finished):
+            return
+        c.listed = (cause, finished)
         put(c, f"{cause.program} {cause.step:5d}.  {cause.span.text}\r\n", cause)
 
     def _react(self, c: Context, *, look: bool) -> None:
@@ -515,7 +518,7 @@ class Machine:
             planner.brake(c.now)
             look_again(c)
         elif c.is_robot:
-            planner.take_back()
+            planner.take_back(c.now)
         self.system.hand.path_changed(c.now)
         name = ""
         if watch.program is not None:
@@ -566,9 +569,9 @@ class Machine:
             if ending in (Ending.ERROR, Ending.LIMIT, Ending.ABORTED):
                 planner.brake(c.now)
             else:
-                planner.take_back()
+                planner.take_back(c.now)
             self.system.hand.path_changed(c.now)
-            self.ended_s = max(c.now, planner.settled_at)
+            self.ended_s = max(c.now, self._tick_of(planner.settled_at) * self.tick)
             end(c, ending, self.ended_s)
             self._give_back()
         else:
@@ -634,7 +637,3 @@ class Machine:
             finding = self.watcher.look(self, now)
             if finding is not None:
                 self._end(self.robot, Ending.LIMIT, finding)
-
-    def _end_stuck(self, now: float) -> None:
-        c = self.robot if self.robot.running else self.process
-        self._end(c, Ending.LIMIT, stuck(c, now))

@@ -90,6 +90,9 @@ class MotionStepCompiler:
                         return BLOCKED
                     planner.commit()
                     return begun(c, start)
+                if planner.overdue:
+                    planner.overdue = False
+                    return begun(c, c.now)
                 c.phase = REACHED  # it was taken back: a reaction came between
             if c.phase == 0:
                 c.operands, c.phase = evaluate(c), REACHED

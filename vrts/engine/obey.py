@@ -7,7 +7,7 @@ from vrts.engine.context import Context
 from vrts.engine.events import CommandRefused, SignalChanged
 from vrts.engine.executable import Executable
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.process import begin, end_cycle, end_later
+from vrts.engine.process import after_step, begin, end_cycle, end_later
 from vrts.engine.records import Ending
 from vrts.engine.setting_steps import change_monitor_speed
 from vrts.engine.signals import known
@@ -60,7 +60,7 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
         case k.Retry():
             _resume(machine, robot, now, retry=True)
         case k.RunSteps(count=count, over_calls=over):
-            _resume(machine, robot, now, retry=True)
+            _resume(machine, robot, now, retry=robot.ending is Ending.ERROR)
             robot.steps_left = (max(count, 1), len(robot.frames) if over else None)
         case k.EndCycle():
             _needs_running(robot)
@@ -89,8 +89,7 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
             for number in signals:
                 known(number, None)
                 on = number > 0
-                if number and on is not (abs(number) in system.signals.on):
-                    system.signals.turn(abs(number), on=on)
+                if number and system.signals.turn(abs(number), on=on):
                     system.events.append(SignalChanged(now, abs(number), on, None))
         case k.SetVariable(name=name, subscripts=subscripts, value=value):
             cell = system.executable.variable(system.memory, name, subscripts)
@@ -133,8 +132,7 @@ def _resume(machine: "Machine", c: Context, now: float, *, retry: bool) -> None:
     if not retry and c.ending is Ending.ERROR:  # go on after the step that failed
         frame = c.frames[-1]
         program = machine.system.executable.programs[frame.program].program
-        failed = program.origins[min(frame.index, len(program.origins) - 1)].step
-        frame.index = program.steps[min(failed + 1, len(program.steps)) - 1]
+        frame.index = after_step(program, frame.index)
     c.now = now
     if retry and c.is_robot and c.ending is Ending.ABORTED:
         machine.repeat_motion(now)
@@ -176,6 +174,8 @@ def _load(machine: "Machine", module: Module) -> None:
 
 def _delete(machine: "Machine", names: tuple[str, ...]) -> None:
     executable = machine.system.executable
+    if not machine.process.running:  # where it stopped is forgotten
+        machine.process.clear()
     used = {
         executable.programs[frame.program].program.name
         for c in (machine.robot, machine.process)

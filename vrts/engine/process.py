@@ -3,6 +3,7 @@
 from vrts.engine.context import Context
 from vrts.engine.events import Cause, ProgramEnded, ProgramStarted
 from vrts.engine.records import Ending
+from vrts.ir.module import Program
 
 
 def begin(c: Context, name: str, cycles: int, step: int, now: float) -> None:
@@ -59,6 +60,13 @@ def place(c: Context) -> Cause | None:
     frame = c.frames[-1]
     causes = c.system.executable.programs[frame.program].causes
     return causes[min(frame.index, len(causes) - 1)]
+
+
+def after_step(program: Program, index: int) -> int:
+    """Return the first instruction of the step after that of an instruction."""
+    step = program.origins[min(index, len(program.origins) - 1)].step
+    is_last = step >= len(program.steps)  # what follows is the end of the program
+    return len(program.instructions) - 1 if is_last else program.steps[step]
 
 
 def _begin_cycle(c: Context, step: int) -> None:

@@ -9,7 +9,7 @@ from vrts.engine.evaluate import Compiler
 from vrts.engine.events import Cause
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.outcomes import SWITCHED
-from vrts.engine.process import begin, end_cycle, end_later
+from vrts.engine.process import after_step, begin, end_cycle, end_later
 from vrts.engine.reactions import HIGHEST_PRIORITY, MOST_WATCHES, Watch
 from vrts.engine.signals import OUTPUTS, known
 from vrts.engine.step import Step
@@ -196,7 +196,5 @@ def _return_error(c: Context, cause: Cause) -> int:
     c.phase, c.operands, c.fault = 0, None, None
     frame = c.frames[-1]
     program = c.system.executable.programs[frame.program].program
-    failed = program.origins[frame.index].step
-    is_last = failed >= len(program.steps)  # what follows is the end of the program
-    frame.index = len(program.instructions) - 1 if is_last else program.steps[failed]
+    frame.index = after_step(program, frame.index)
     return SWITCHED

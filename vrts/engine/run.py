@@ -51,6 +51,9 @@ __all__ = ["OutOfHorizon", "Run", "State", "pose_of"]
 E = TypeVar("E", bound=Event)
 
 
+FINISHED = (Ending.COMPLETED.value, Ending.HALTED.value)  # nothing is left to go on with
+
+
 class OutOfHorizon(ValueError):  # noqa: N818 -- names the situation, as the glossary does
     """A time or a statement was asked for at which the run is not known."""
 
@@ -502,7 +505,8 @@ class State:
     def _stack(self, program: ProgramHistory) -> tuple[Cause, ...]:
         causes = self._run.history.code.causes
         spell = self._run.spell(self.time_s, is_robot=program.is_robot)
-        if not isinstance(spell, ProgramStarted):
+        over = isinstance(spell, ProgramEnded) and spell.ending in FINISHED
+        if spell is None or over:
             return ()
         activation = program.trace.activation(self.finished)
         if activation is None:
@@ -526,7 +530,7 @@ class State:
         stack = self._stack(program)
         cause = stack[-1] if stack else None
         if isinstance(spell, ProgramEnded):
-            done = spell.ending in (Ending.COMPLETED.value, Ending.HALTED.value)
+            done = spell.ending in FINISHED
             status = ProgramStatus.COMPLETED if done else ProgramStatus.STOPPED
             cause = spell.cause
         else:

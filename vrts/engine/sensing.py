@@ -40,9 +40,6 @@ class Sensing:
         changed: list[tuple[int, bool]] = []
         for sensor in self.sensors:
             on = is_on(sensor, where, self._centres, X_WF @ planner.tool)
-            if on is not (sensor.signal in system.signals.on):
-                before = system.signals.changes
-                system.signals.turn(sensor.signal, on=on)
-                if system.signals.changes != before:
-                    changed.append((sensor.signal, on))
+            if system.signals.turn(sensor.signal, on=on):
+                changed.append((sensor.signal, on))
         return changed

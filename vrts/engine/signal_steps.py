@@ -191,8 +191,7 @@ class SignalStepCompiler:
 
 def turn(c: Context, signal: int, on: bool, cause: Cause | None) -> None:
     """Turn a signal on or off, and note it when that is a change."""
-    if on is not (signal in c.signals.on):
-        c.signals.turn(signal, on=on)
+    if c.signals.turn(signal, on=on):
         c.events.append(SignalChanged(c.now, signal, on, cause))
 
 

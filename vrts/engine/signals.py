@@ -30,15 +30,13 @@ class Signals:
         while self._next < len(self._inputs) and self._inputs[self._next][0] <= time_s:
             _, number, state = self._inputs[self._next]
             self._next += 1
-            if state is not (number in self.on) and number not in self._stuck:
-                self.turn(number, on=state)
+            if self.turn(number, on=state):
                 changed.append((number, state))
         return changed
 
     def stick(self, number: int, *, on: bool) -> bool:
         """Keep an input in a state from now on; return whether that changes it."""
-        changes = on is not (number in self.on)
-        self.turn(number, on=on)
+        changes = self.turn(number, on=on)
         self._stuck |= {number}
         return changes
 
@@ -49,15 +47,16 @@ class Signals:
             return None
         return self._inputs[self._next][0]
 
-    def turn(self, number: int, *, on: bool) -> None:
-        """Turn a signal on or off; one that is stuck stays as it is."""
-        if number in self._stuck:
-            return
+    def turn(self, number: int, *, on: bool) -> bool:
+        """Turn a signal on or off, unless it is stuck; return whether that changes it."""
+        if on is (number in self.on) or number in self._stuck:
+            return False
         self.changes += 1
         if on:
             self.on.add(number)
         else:
             self.on.discard(number)
+        return True
 
     def holds(self, number: int, span: Span | None) -> bool:
         """Return whether a signal is in the state its sign asks for; 0 always is.

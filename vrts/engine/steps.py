@@ -17,7 +17,7 @@ from vrts.engine.extent import simulates
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.hand_steps import HandStepCompiler
 from vrts.engine.motion_steps import MotionStepCompiler
-from vrts.engine.outcomes import BLOCKED, CYCLE_ENDED, HALTED, PAUSED
+from vrts.engine.outcomes import BLOCKED, CYCLE_ENDED, HALTED, PAUSED, SWITCHED
 from vrts.engine.reaction_steps import ReactionStepCompiler
 from vrts.engine.real_expressions import static_type, truth
 from vrts.engine.setting_steps import SettingStepCompiler
@@ -338,7 +338,12 @@ def _switch(instruction: ir.Switch, following: int, cause: Cause) -> Step:
                     c.planner.brake(c.now)
                     c.hand.path_changed(c.now)
                     look_again(c)
-        return following
+            elif name == "TRACE":
+                c.system.tracing = on
+            elif name == "DRY.RUN" and not on:
+                c.planner.end_dry_run()
+        c.frames[-1].index = following
+        return SWITCHED  # TRACE acts from the next step on
 
     return switch
 

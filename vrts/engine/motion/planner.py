@@ -33,6 +33,7 @@ from vrts.robots.choice import NOTHING_REQUESTED, OutOfLimits, OutOfReach, choos
 from vrts.robots.kinematics import forward, limit_violations
 from vrts.robots.model import (
     Arm,
+    ArmBranch,
     Configuration,
     Elbow,
     Shoulder,
@@ -76,7 +77,9 @@ class Planner:
         self.motions: list[Motion] = []  # in path time
         self.leg: Leg | None = None  # None: nothing can be joined to the last motion
         self.pending: Pending | None = None
+        self.overdue = False  # a motion has begun before its instruction could see to it
         self.scale = TimeScale(rate)
+        self.ghost: tuple[Configuration, ArmBranch] | None = None  # in a dry run: where it would be
         self.braking_until = 0.0  # run time at which a stop under way is complete
 
     def copy(self) -> "Planner":
@@ -137,6 +140,15 @@ class Planner:
         """DEST: where the last motion goes, as a program sees it."""
         return self.base @ self.tool_at_dest
 
+    @property
+    def origin(self) -> tuple[Configuration, ArmBranch]:
+        """Where the next motion starts, and on which arm branch; in a dry run where it would."""
+        return self.ghost if self.ghost is not None else (self.configuration, self.branch)
+
+    def end_dry_run(self) -> None:
+        """Go on from where the arm really is."""
+        self.ghost = None
+
     # --- times --------------------------------------------------------------------------------
 
     @property
@@ -181,8 +193,9 @@ class Planner:
         violations = limit_violations(self.arm, goal)
         if violations:
             raise limit_fault(violations[0], span, "the location")
-        branches = (self.branch, branch_of(self.arm, goal, self.branch))
-        return joint_intent(self.arm, self.configuration, goal, branches, settings, fraction)
+        start, branch = self.origin
+        branches = (branch, branch_of(self.arm, goal, branch))
+        return joint_intent(self.arm, start, goal, branches, settings, fraction)
 
     def to_pose(
         self, target: Pose, settings: Settings, fraction: float, span: Span | None
@@ -193,16 +206,15 @@ class Planner:
             RuntimeFault: It is out of reach, or outside the joint limits on the arm branch.
         """
         arm = self.arm if settings.multiple else half_turns(self.arm)
+        start, branch = self.origin
         X_BF = self.base.inverse() @ target @ self.tool.inverse()
-        found = choose(arm, X_BF, self.branch, self.configuration, self.request)
+        found = choose(arm, X_BF, branch, start, self.request)
         if isinstance(found, OutOfReach):
             raise reach_fault(found.kind, found.excess_m, span, "the location")
         if isinstance(found, OutOfLimits):
             raise limit_fault(found.violations[0], span, "the location", found.elsewhere)
-        branches = (self.branch, found.branch)
-        return joint_intent(
-            self.arm, self.configuration, found.configuration, branches, settings, fraction
-        )
+        branches = (branch, found.branch)
+        return joint_intent(self.arm, start, found.configuration, branches, settings, fraction)
 
     def to_line(
         self, target: Pose, settings: Settings, fraction: float, span: Span | None
@@ -213,11 +225,9 @@ class Planner:
             RuntimeFault: It cannot be started.
         """
         self._refuse_line(span)
-        start = forward(self.arm, self.configuration) @ self.tool
+        start = forward(self.arm, self.origin[0]) @ self.tool
         path = line(start, self.base.inverse() @ target)
-        return line_intent(
-            self.arm, path, (self.configuration, self.branch), settings, fraction, span
-        )
+        return line_intent(self.arm, path, self.origin, settings, fraction, span)
 
     # --- the timeline -------------------------------------------------------------------------
 
@@ -245,6 +255,7 @@ class Planner:
             stop = end if b == pieces[-1][1] else start + b
             self.pieces.append(ArmPiece(start + a, stop, rows, number))
         goal = self.configuration if dry else planned.goal
+        self.ghost = (planned.goal, planned.branch) if dry else None
         self._record(intent, start, end, goal, planned.deviation_m, cause)
         self.configuration = goal
         self.dest = planned.goal
@@ -301,10 +312,17 @@ class Planner:
         if pending.intent.goal is not None:
             self.request = NOTHING_REQUESTED
 
-    def take_back(self) -> None:
-        """Forget the motion that waits its turn: the one under way ends at its own target."""
+    def take_back(self, now: float) -> None:
+        """Forget the motion that waits its turn: the one under way ends at its own target.
+
+        A motion whose turn has come since the last tick is not taken back, but begins.
+        """
         pending = self.pending
         if pending is None:
+            return
+        if pending.start_s < self.scale.path(now) - INSTANT:
+            self.commit()
+            self.overdue = True
             return
         self.pending = None
         self._cut(pending.start_s)
@@ -322,7 +340,7 @@ class Planner:
 
     def brake(self, now: float) -> bool:
         """Slow down to rest along the path and give the motion up; return whether one was cut."""
-        self.take_back()
+        self.take_back(now)
         self.hold_until = min(self.hold_until, now)
         path_s = self.scale.path(now)
         if path_s >= self.end_s - INSTANT or self.braking_until > now:
@@ -341,7 +359,8 @@ class Planner:
         self.braking_until = self.scale.stop(now, ramp)
         stopped = self._at(stop_s)
         self._cut(stop_s)
-        self.motions[-1] = motion._replace(end_s=stop_s, goal=stopped, cut=True)
+        X_WT = forward(self.arm, stopped) @ motion.X_FT
+        self.motions[-1] = motion._replace(end_s=stop_s, goal=stopped, X_WT=X_WT, cut=True)
         self._stop_at(stop_s, stopped)
         return True
 
@@ -413,7 +432,8 @@ class Planner:
         return tuple(rate_of(row, t) for row in piece.rows)  # type: ignore[return-value]
 
     def _refuse_line(self, span: Span | None) -> None:
-        present, wanted = self.branch, self.request
+        start, present = self.origin
+        wanted = self.request
         changes = [
             word.value.upper()
             for word, now in ((wanted.shoulder, present.shoulder), (wanted.elbow, present.elbow))
@@ -428,7 +448,7 @@ class Planner:
                 span,
                 help=("use MOVE or APPRO for the motion that changes the branch",),
             )
-        where = singular_at(self.arm, self.configuration)
+        where = singular_at(self.arm, start)
         if where in ("shoulder", "elbow"):
             stretched = "straight up" if where == "shoulder" else "out"
             raise RuntimeFault(
