@@ -70,6 +70,7 @@ class Hand:
         self.strokes: list[Stroke] = []
         self.closing: Closing | None = None
         self.held: str | None = None
+        self.slips = False  # what is grasped next drops out of the hand
         self.planner: Planner  # where the arm goes: set by the machine
         self.placements: dict[str, list[Placement]] = {
             body.name: [Placement(body.name, 0.0, math.inf, Lie.RESTING, body.X_WO, body.rests_on)]
@@ -107,6 +108,9 @@ class Hand:
             X_WO = self.placements[name][-1].X
             self._place(name, closing.end_s, Lie.HELD, X_FW @ X_WO, support)
         events.append(Grasped(closing.end_s, closing.body, closing.X_FO, closing.cause))
+        if self.slips:
+            self.slips = False
+            self._release(closing.end_s, None, events)
 
     @property
     def next_s(self) -> float | None:
@@ -122,8 +126,10 @@ class Hand:
         self._close(closing.start_m, closing.begin_s, closing.cause, tested=closing.tested)
 
     def let_slip(self, time_s: float, cause: Cause | None, events: EventLog) -> None:
-        """Lose what the hand holds, although it stays closed."""
-        if self.held is not None:
+        """Lose what the hand holds, or else what it grasps next, although it stays closed."""
+        if self.held is None:
+            self.slips = True
+        else:
             self._release(time_s, cause, events)
 
     def _flange_at(self, time_s: float) -> Pose:

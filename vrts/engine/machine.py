@@ -418,7 +418,7 @@ class Machine:
         traced = self.system.tracing
         try:
             while left > 0:
-                if traced:
+                if traced and index < len(steps) - 1:  # the last one is the end of the program
                     self._list_step(c, program.causes[index], finished)
                 finished += 1
                 c.finished = finished

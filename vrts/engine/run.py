@@ -511,7 +511,7 @@ class State:
         activation = program.trace.activation(self.finished)
         if activation is None:
             return ()
-        following = program.trace.following(self.finished)
+        following = program.trace.following(self.finished, self._run.history.finished)
         if following is None:
             following = program.place
         if following is None:

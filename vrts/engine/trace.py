@@ -71,13 +71,18 @@ class Trace:
         following = self.counts[k + 1] if k + 1 < len(self.counts) else len(self.instructions)
         return min(count, following)
 
-    def following(self, finished: int) -> int | None:
-        """Return the instruction that comes next after so many statements, if it was reached."""
+    def following(self, finished: int, known: int) -> int | None:
+        """Return the instruction that comes next after so many statements, if it was reached.
+
+        Args:
+            finished: Number of finished statements.
+            known: How many there are; what comes later belongs to another future.
+        """
         k = bisect_right(self.rested, finished) - 1
         if k >= 0 and self.rested[k] == finished:
             return self.resting[k]
         count = self.executed(finished)
-        return self.instructions[count] if count < len(self.instructions) else None
+        return self.instructions[count] if count < self.executed(known) else None
 
     def activation(self, finished: int) -> Activation | None:
         """Return the innermost program after so many statements."""
