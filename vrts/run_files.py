@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 
 Value = TypeVar("Value")
 
+MOST_NOTES = 3
+
 
 class Simulated(NamedTuple):
     """A program that was executed, as far as it could be."""
@@ -190,7 +192,8 @@ def _scene(saved: "SavedRun", folder: Path | None) -> "Scene":
         if scene is not None and scene.digest == said.digest:
             return scene
     if scene is None:
-        raise Refused((not_remade(saved.name, "its scene cannot be read"), *found))
+        errors = [problem.headline for problem in found if problem.is_error]
+        raise Refused((not_remade(saved.name, "its scene cannot be read", *errors[:MOST_NOTES]),))
     return scene
 
 
