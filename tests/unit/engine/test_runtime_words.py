@@ -17,7 +17,7 @@ RAISED = [
     (Kind.ILLEGAL_SIGNAL, "SIGNAL 1001", "val2"),
     (Kind.UNDEFINED_PROGRAM, "CALL nosuch", "val2"),
     (Kind.INVALID_ARGUMENT, "TYPE PARAMETER(NOSUCH)", "vplus"),
-    (Kind.ARGUMENT_MISMATCH, "$n = \"p\"\nCALLS $n(1,2,3)", "vplus"),
+    (Kind.ARGUMENT_MISMATCH, '$n = "p"\nCALLS $n(1,2,3)', "vplus"),
     (Kind.ARITHMETIC_OVERFLOW, "x = 1E30*1E30", "val2"),
     (Kind.NEGATIVE_SQUARE_ROOT, "x = SQRT(-1)", "val2"),
     (Kind.STACK_FULL, "CALL deep", "val2"),
