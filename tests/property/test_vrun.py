@@ -1,7 +1,7 @@
 """Whatever is done to a saved run: it is refused in one diagnostic, or it answers everything."""
 
 import json
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -135,6 +135,13 @@ JUNK: tuple[object, ...] = (
 )
 
 
+def keys_of(node: Any) -> list[Any]:
+    """Return what leads further down in JSON."""
+    if isinstance(node, dict):
+        return list(cast(dict[str, Any], node))
+    return list(range(len(cast(list[Any], node)))) if isinstance(node, list) else []
+
+
 @settings(max_examples=300)
 @given(
     st.sampled_from(FILES),
@@ -145,11 +152,11 @@ def test_changed_descriptions(data: bytes, way: list[int], new: object) -> None:
     """Go down into the description, some way, and put something else there."""
     parts = members(data)
     manifest = json.loads(parts["vrun.json"])
-    inside = manifest
-    for step in way:
-        keys: list[Any] = [*inside] if isinstance(inside, dict) else [*range(len(inside))]
+    inside: Any = manifest
+    for k, step in enumerate(way):
+        keys = keys_of(inside)
         key = keys[step % len(keys)]
-        if not isinstance(inside[key], dict | list) or not inside[key] or step == way[-1]:
+        if not keys_of(inside[key]) or k == len(way) - 1:
             inside[key] = new
             break
         inside = inside[key]

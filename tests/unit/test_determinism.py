@@ -5,8 +5,42 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).parent.parent.parent
 PROGRAM = ROOT / "examples" / "01-cans-on-bases" / "submissions" / "hits-base.v2"
+
+# Events and segments of two runs, each executed twice, and the bytes of their files.
+TOLD = """
+import hashlib, json
+from tests.support_saved import BUSY, TRAFFIC, SOLUTION, plain, with_scenario
+from vrts.pipeline import Reading, load_scene, robot_alone
+from vrts.run_files import saved_bytes, simulate
+
+def told(value):
+    return getattr(value, "value", None) or repr(value)
+
+alone = with_scenario(robot_alone(), TRAFFIC)
+for _ in range(2):
+    for text, setting in ((BUSY, alone), (SOLUTION, load_scene("cans-on-bases"))):
+        found = simulate(text, "main.v2", setting, reading=Reading("val2+"))
+        run = found.run
+        events = [[type(event).__name__, plain(event)] for event in run.events]
+        print(json.dumps([events, plain(run.timeline.segments)], default=told))
+        print(hashlib.sha256(saved_bytes(found)).hexdigest())
+"""
+
+
+def run(words: "list[str | Path]", seed: str) -> bytes:
+    result = subprocess.run(
+        [sys.executable, *words],
+        capture_output=True,
+        cwd=ROOT,
+        env={**os.environ, "PYTHONHASHSEED": seed},
+        check=False,
+    )
+    assert not result.stderr, result.stderr.decode()
+    return result.stdout
 
 
 def test_results_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
@@ -28,3 +62,23 @@ def test_results_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
         pages.append(page.read_bytes())
     assert outputs[0] == outputs[1]
     assert pages[0] == pages[1]
+
+
+@pytest.fixture(scope="module")
+def first() -> list[bytes]:
+    """Return what the first process told, line by line."""
+    return run(["-c", TOLD], "0").splitlines()
+
+
+def test_a_repetition_gives_the_same_events_and_segments(first: list[bytes]) -> None:
+    assert len(first) == 8
+    assert first[:4] == first[4:]
+    assert first[0] != first[2]
+    for name in (b"Printed", b"Reacted", b"MotionStarted", b"SignalChanged", b"Found"):
+        assert name in first[0]
+    assert b"Grasped" in first[2]
+
+
+@pytest.mark.parametrize("seed", ["1", "4711", "random"])
+def test_events_and_segments_do_not_depend_on_the_hash_seed(first: list[bytes], seed: str) -> None:
+    assert run(["-c", TOLD], seed).splitlines() == first
