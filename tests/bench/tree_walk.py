@@ -1,5 +1,6 @@
 """The plainest way to execute the IR: walk the trees, dispatch on types, keep nothing."""
 
+from collections.abc import Callable
 from typing import Any
 
 from vrts.base.numbers import single
@@ -7,7 +8,7 @@ from vrts.ir import expressions as x
 from vrts.ir import instructions as ir
 from vrts.ir.module import Module, Program
 
-OPERATORS = {
+OPERATORS: dict[x.BinaryOperator, Callable[[float, float], float]] = {
     x.BinaryOperator.ADD: lambda a, b: single(a + b),
     x.BinaryOperator.SUBTRACT: lambda a, b: single(a - b),
     x.BinaryOperator.MULTIPLY: lambda a, b: single(a * b),
@@ -71,16 +72,16 @@ def _program(
                 raise ValueError(f"{type(instruction).__name__} is not walked")
 
 
-def _key(place: x.Place, memory: dict[Any, Any], slots: dict[int, Any]) -> Any:  # noqa: ANN401
+def _key(place: x.Place, memory: dict[Any, Any], slots: dict[int, Any]) -> Any:
     variable = place.variable
     name = slots[variable.number] if isinstance(variable, x.Slot) else variable.name
     if not place.subscripts:
         return name if isinstance(name, tuple) else (name,)
-    subscripts = (int(_value(s, memory, slots)) for s in place.subscripts)
-    return (name, *subscripts)
+    subscripts = [int(_value(s, memory, slots)) for s in place.subscripts]
+    return (str(name), *subscripts)
 
 
-def _value(expression: x.Expression, memory: dict[Any, Any], slots: dict[int, Any]) -> Any:  # noqa: ANN401
+def _value(expression: x.Expression, memory: dict[Any, Any], slots: dict[int, Any]) -> Any:
     match expression:
         case x.Constant(value=value):
             return value

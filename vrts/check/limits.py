@@ -15,6 +15,7 @@ from vrts.check.verdict import Answer, Verdict
 from vrts.engine.records import Motion, Segment
 from vrts.engine.run import Run
 from vrts.ir.instructions import Interpolation
+from vrts.robots.singular import singular_at
 
 JOINT_SPEED = Rule("V302", "joint-speed")
 JOINT_POSITION = Rule("V430", "joint-position")
@@ -93,6 +94,9 @@ def _too_fast(run: Run, found: _Fastest) -> Diagnostic:
     remedy = f"lower SPEED to {percent} or less" if percent >= 1 else "go round the singularity"
     if motion.interpolation is Interpolation.LINEAR:
         remedy += ", or use MOVE instead of MOVES"
+    q = moment.configuration[:6]
+    near = singular_at(run.scene.robot.arm, q)  # type: ignore[arg-type]
+    where = "a singularity" if near == "singular" else f"the {near} singularity"
     return Diagnostic(
         JOINT_SPEED,
         Severity.ERROR,
@@ -100,6 +104,7 @@ def _too_fast(run: Run, found: _Fastest) -> Diagnostic:
         Label(
             motion.cause.span, f"needs {deg(speed):.0f} deg/s; the limit is {deg(limit):.0f} deg/s"
         ),
+        notes=(f"the arm is near {where} there",) if near is not None else (),
         help=(remedy,),
         moment=moment,
         data={"joint": joint + 1, "speed_deg_s": deg(speed), "limit_deg_s": deg(limit)},

@@ -41,7 +41,7 @@ class Executable:
     ) -> None:
         """Compile every program; those of an earlier executable stay unless they are replaced."""
         self.call_depth = call_depth
-        self._numbering = Numbering() if earlier is None else earlier._numbering.copy()
+        self._numbering: Numbering = Numbering() if earlier is None else earlier._numbering.copy()
         self._expressions = Compiler(self._numbering)
         self._steps = StepCompiler(self._expressions)
         self.programs: tuple[ExecutableProgram, ...] = () if earlier is None else earlier.programs

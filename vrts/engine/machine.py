@@ -29,6 +29,7 @@ from vrts.engine.faults import RuntimeFault
 from vrts.engine.hand import Hand
 from vrts.engine.limits import check_limits, stuck
 from vrts.engine.motion.planner import Planner
+from vrts.engine.motion.remarks import worded
 from vrts.engine.obey import obey
 from vrts.engine.outcomes import (
     BLOCKED,
@@ -129,8 +130,9 @@ class Machine:
         other.process = self.process.copy(other.system, copies)
         other.watcher = self.watcher.copy()
         if self.kept_program is not None:
-            frames, *rest = self.kept_program
-            other.kept_program = ([frame.copy(copies) for frame in frames], *rest)
+            frames, program, last, ending, activation = self.kept_program
+            copied = [frame.copy(copies) for frame in frames]
+            other.kept_program = (copied, program, last, ending, activation)
         other._wire()
         return other
 
@@ -322,6 +324,9 @@ class Machine:
                 if start > until_s + INSTANT:
                     return
                 events.append(MotionStarted(start, self.moved, motion.cause))
+                for remark in planner.remarks.pop(self.moved, ()):
+                    finding = worded(remark, motion.cause.span)
+                    events.append(Found(start, finding, motion.cause))
                 self.moved += 1
             finish = planner.scale.time(motion.end_s)
             open_end = self.arrived == committed - 1 and planner.pending is not None

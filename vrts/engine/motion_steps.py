@@ -175,6 +175,8 @@ class MotionStepCompiler:
                 found = _to_joints(c, joints, span)  # type: ignore[arg-type]
             else:
                 pose = goal if isinstance(goal, Pose) else c.planner.pose_of(joints)  # type: ignore[arg-type]
+                if joints is not None and interpolation is ir.Interpolation.LINEAR and back is None:
+                    c.planner.needs_branch_of(joints, span)  # type: ignore[arg-type]
                 if back is not None:
                     pose = backed_off(pose, back(c))
                 found = _to_pose(c, interpolation, pose, span)

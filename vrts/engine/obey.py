@@ -59,7 +59,7 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
             _resume(machine, robot, now, retry=False)
         case k.Retry():
             _resume(machine, robot, now, retry=True)
-        case k.RunSteps(count=count, over_calls=over):
+        case k.RunSteps(steps=count, over_calls=over):
             _resume(machine, robot, now, retry=robot.ending is Ending.ERROR)
             robot.steps_left = (max(count, 1), len(robot.frames) if over else None)
         case k.EndCycle():

@@ -143,9 +143,13 @@ class Run:
         """How many statements were executed, by both programs."""
         return self.history.finished
 
-    @cached_property
+    @property
     def motions(self) -> Sequence[Motion]:
         """Every motion issued, in run time."""
+        return self._motions
+
+    @cached_property
+    def _motions(self) -> Sequence[Motion]:
         arm = self.history.arm
         if arm.scale.plain:
             return arm.motions
@@ -155,20 +159,28 @@ class Run:
             for motion in arm.motions
         ]
 
-    @cached_property
+    @property
     def timeline(self) -> Timeline:
         """The trajectory of arm and hand."""
+        return self._timeline
+
+    @cached_property
+    def _timeline(self) -> Timeline:
         arm, hand = self.history.arm, self.history.hand
         return Timeline(
             arm.pieces, arm.scale, hand.strokes, arm.configuration, hand.opening_m, self.horizon_s
         )
 
-    @cached_property
+    @property
     def events(self) -> tuple[Event, ...]:
         """What happened up to the horizon, in time order.
 
         Of one instant, motions that end and begin come first, then what the programs did.
         """
+        return self._events
+
+    @cached_property
+    def _events(self) -> tuple[Event, ...]:
         known = (e for e in self.history.events if e.time_s <= self.horizon_s)
         return tuple(sorted(known, key=_order))
 
@@ -177,9 +189,13 @@ class Run:
         """Diagnostics of the engine, in time order."""
         return tuple(event.diagnostic for event in self.events if isinstance(event, Found))
 
-    @cached_property
+    @property
     def placements(self) -> Mapping[str, Sequence[Placement]]:
         """Where every movable body is, over time."""
+        return self._placements
+
+    @cached_property
+    def _placements(self) -> Mapping[str, Sequence[Placement]]:
         return {
             name: tuple(p for p in track if p.start_s <= self.horizon_s)
             for name, track in self.history.hand.placements.items()
@@ -308,10 +324,8 @@ class State:
         """Pose of the tool in force at the motion under way or just done."""
         motions = self._run.motions
         found = bisect_right(motions, self.time_s, key=lambda motion: motion.start_s)
-        X_FT = motions[found - 1].X_FT if found else self._run.scene.X_FT
-        if not found or self.time_s > motions[found - 1].end_s:
-            X_FT = self.X_FT
-        return self.X_WF @ X_FT
+        under_way = found and self.time_s <= motions[found - 1].end_s
+        return self.X_WF @ (motions[found - 1].X_FT if under_way else self.X_FT)
 
     @property
     def placements(self) -> Mapping[str, Placement]:

@@ -37,7 +37,7 @@ class Retry(NamedTuple):
 class RunSteps(NamedTuple):
     """NEXT, SSTEP, XSTEP: execute some steps of the stopped program, then stop again."""
 
-    count: int = 1
+    steps: int = 1
     over_calls: bool = False  # a CALL with all it leads to counts as one step
 
 

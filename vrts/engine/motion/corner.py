@@ -12,6 +12,7 @@ from vrts.engine.motion.paths import Course, JointPath, LinePath, Path, rounded
 from vrts.engine.motion.plan import STILL, Intent, joint_pieces, parameter
 from vrts.engine.motion.polynomials import Row, added
 from vrts.engine.motion.profile import Profile, at
+from vrts.engine.motion.remarks import Remark, remarks_on
 from vrts.engine.motion.set_points import Offset, Piece, SetPoints, deviation, follow, joined
 from vrts.robots.branch import branch_of
 from vrts.robots.model import Arm, ArmBranch, Configuration
@@ -42,7 +43,7 @@ class Corner(NamedTuple):
     goal: Configuration
     branch: ArmBranch
     deviation_m: float
-    crossed_wrist: bool
+    remarks: tuple[Remark, ...]
 
 
 def half_width(leg: Leg, intent: Intent, arm: Arm) -> float:
@@ -147,7 +148,7 @@ def round_corner(
 def _corner(start: float, pieces: list[Piece], leg: Leg, intent: Intent) -> Corner:
     assert intent.goal is not None
     assert intent.goal_branch is not None
-    return Corner(start, pieces, leg, intent.goal, intent.goal_branch, 0.0, crossed_wrist=False)
+    return Corner(start, pieces, leg, intent.goal, intent.goal_branch, 0.0, ())
 
 
 def _into_joints(points: SetPoints, leg: Leg, intent: Intent, rest: list[Piece]) -> Corner | None:
@@ -157,8 +158,7 @@ def _into_joints(points: SetPoints, leg: Leg, intent: Intent, rest: list[Piece])
     after = rest[0][2]  # the joint motion goes on exactly where the zone ends
     points.q[-1] = tuple(row[0] for row in after)  # type: ignore[call-overload]
     points.rates[-1] = tuple(row[1] if len(row) > 1 else 0.0 for row in after)  # type: ignore[call-overload]
-    corner = _corner(points.times[0], [*joined(points), *rest], leg, intent)
-    return corner._replace(crossed_wrist=points.crossed_wrist)
+    return _corner(points.times[0], [*joined(points), *rest], leg, intent)
 
 
 def _into_line(arm: Arm, X_FT: Pose, points: SetPoints, leg: Leg, zone: int) -> Corner | None:
@@ -174,7 +174,7 @@ def _into_line(arm: Arm, X_FT: Pose, points: SetPoints, leg: Leg, zone: int) -> 
         goal,
         branch_of(arm, goal, points.branch),
         deviation(arm, X_FT, leg.path, pieces[zone:]),
-        points.crossed_wrist,
+        remarks_on(leg.path, points),
     )
 
 

@@ -10,6 +10,7 @@ from vrts.engine.motion.paths import Course, JointPath, LinePath, Path
 from vrts.engine.motion.polynomials import Row
 from vrts.engine.motion.profile import Phase, Profile, at, profile
 from vrts.engine.motion.set_points import Piece, SetPoints, deviation, follow, joined
+from vrts.engine.motion.remarks import Remark, remarks_on
 from vrts.engine.motion.settings import Settings
 from vrts.ir.instructions import Interpolation
 from vrts.robots.branch import branch_of
@@ -43,7 +44,7 @@ class Planned(NamedTuple):
     goal: Configuration
     branch: ArmBranch
     deviation_m: float = 0.0
-    crossed_wrist: bool = False
+    remarks: tuple[Remark, ...] = ()
     fault: RuntimeFault | None = None  # it ends before its target, for this reason
 
 
@@ -125,7 +126,7 @@ def from_rest(arm: Arm, X_FT: Pose, intent: Intent) -> Planned:
         goal,
         branch_of(arm, goal, points.branch),
         deviation(arm, X_FT, part, pieces),
-        points.crossed_wrist,
+        remarks_on(path, points),
         fault,
     )
 

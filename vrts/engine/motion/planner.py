@@ -23,6 +23,7 @@ from vrts.engine.motion.plan import Intent, Planned, from_rest, joint_intent, li
 from vrts.engine.motion.polynomials import rate as rate_of
 from vrts.engine.motion.polynomials import value
 from vrts.engine.motion.profile import TICK_TOLERANCE
+from vrts.engine.motion.remarks import Remark
 from vrts.engine.motion.settings import Settings
 from vrts.engine.motion.time_scale import TimeScale
 from vrts.engine.records import ArmPiece, Motion
@@ -68,13 +69,14 @@ class Planner:
         self.base: Pose = IDENTITY  # X_VB
         self.always = Settings()
         self.next: dict[str, object] = {}  # settings of the next motion only
-        self.tool_at_dest = forward(arm, configuration) @ X_FT  # X_BT at the destination
+        self.tool_at_dest: Pose = forward(arm, configuration) @ X_FT  # X_BT at the destination
         self.dest: Configuration = configuration
         self.end_s = 0.0  # of the last motion, in path time
         self.settling_s = 0.0  # after it
         self.hold_until = 0.0  # end of a DELAY, in run time
         self.pieces: list[ArmPiece] = []
         self.motions: list[Motion] = []  # in path time
+        self.remarks: dict[int, tuple[Remark, ...]] = {}  # by motion
         self.leg: Leg | None = None  # None: nothing can be joined to the last motion
         self.pending: Pending | None = None
         self.overdue = False  # a motion has begun before its instruction could see to it
@@ -88,6 +90,7 @@ class Planner:
         other.__dict__.update(self.__dict__)
         other.pieces = self.pieces.copy()
         other.motions = self.motions.copy()
+        other.remarks = self.remarks.copy()
         other.next = self.next.copy()
         other.scale = self.scale.copy()
         return other
@@ -229,6 +232,17 @@ class Planner:
         path = line(start, self.base.inverse() @ target)
         return line_intent(self.arm, path, self.origin, settings, fraction, span)
 
+    def needs_branch_of(self, joints: Configuration, span: Span | None) -> None:
+        """Check that a straight line can end in a configuration.
+
+        Raises:
+            RuntimeFault: It lies on another arm branch.
+        """
+        present = self.origin[1]
+        wanted = branch_of(self.arm, joints, present)
+        if wanted[:2] != present[:2]:
+            raise self._cannot_change([word.value.upper() for word in wanted[:2]], span)
+
     # --- the timeline -------------------------------------------------------------------------
 
     def begin(
@@ -257,6 +271,7 @@ class Planner:
         goal = self.configuration if dry else planned.goal
         self.ghost = (planned.goal, planned.branch) if dry else None
         self._record(intent, start, end, goal, planned.deviation_m, cause)
+        self.remarks[number] = planned.remarks
         self.configuration = goal
         self.dest = planned.goal
         self.branch = self.branch if dry else planned.branch
@@ -293,6 +308,7 @@ class Planner:
         self.motions[-1] = self.motions[-1]._replace(end_s=start, blended=True)
         end = corner.pieces[-1][1]
         self._record(intent, start, end, corner.goal, corner.deviation_m, cause)
+        self.remarks[number] = corner.remarks
         self.pending = Pending(start, corner, target, intent, replaced)
         return True
 
@@ -431,6 +447,14 @@ class Planner:
         t = path_s - piece.start_s
         return tuple(rate_of(row, t) for row in piece.rows)  # type: ignore[return-value]
 
+    def _cannot_change(self, branch: list[str], span: Span | None) -> RuntimeFault:
+        return RuntimeFault(
+            RuntimeErrorKind.CANNOT_ALTER_CONFIGURATION,
+            f"a straight line cannot change the arm branch to {' '.join(branch)}",
+            span,
+            help=("use MOVE or APPRO for the motion that changes the branch",),
+        )
+
     def _refuse_line(self, span: Span | None) -> None:
         start, present = self.origin
         wanted = self.request
@@ -442,12 +466,7 @@ class Planner:
         if wanted.wrist is not None and wanted.wrist is not present.wrist:
             changes.append(wanted.wrist.value.upper())
         if changes:
-            raise RuntimeFault(
-                RuntimeErrorKind.CANNOT_ALTER_CONFIGURATION,
-                f"a straight line cannot change the arm branch to {' '.join(changes)}",
-                span,
-                help=("use MOVE or APPRO for the motion that changes the branch",),
-            )
+            raise self._cannot_change(changes, span)
         where = singular_at(self.arm, start)
         if where in ("shoulder", "elbow"):
             stretched = "straight up" if where == "shoulder" else "out"

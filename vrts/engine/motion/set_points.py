@@ -49,6 +49,7 @@ class SetPoints(NamedTuple):
     rates: list[Configuration | None]  # None at a singularity
     branch: ArmBranch  # at the end
     crossed_wrist: bool  # joint 5 passed through zero
+    near: str | None  # the singularity it came near to
     obstacle: Obstacle | None
 
 
@@ -76,11 +77,11 @@ def follow(
     first = branch
     points: list[Configuration] = [_plus(q, offsets(0).q) if offsets else q]
     rates: list[Configuration | None] = [_plus(rate, offsets(0).rate) if offsets else rate]
-    crossed = False
+    crossed, near = False, None
 
     def stopped(kind: str, k: int, detail: tuple[int, float, float, float]) -> SetPoints:
         obstacle = Obstacle(kind, k - 1, detail)
-        return SetPoints(list(times[:k]), points, rates, branch, crossed, obstacle)
+        return SetPoints(list(times[:k]), points, rates, branch, crossed, near, obstacle)
 
     for k in range(1, len(times)):
         X_BT, v, w = courses(k)
@@ -99,6 +100,7 @@ def follow(
         if jump is not None:
             return stopped("singular", k, jump)
         crossed = crossed or branch.wrist is not first.wrist
+        near = near or singular_at(arm, following)
         q = following
         points.append(point)
         velocity = add(v, cross(w, rotate(X_BT.rotation, lever)))
@@ -106,7 +108,7 @@ def follow(
         if found_rate is not None and offset is not None:
             found_rate = _plus(found_rate, offset.rate)
         rates.append(found_rate)
-    return SetPoints(list(times), points, rates, branch, crossed, None)
+    return SetPoints(list(times), points, rates, branch, crossed, near, None)
 
 
 def joined(points: SetPoints) -> list[Piece]:

@@ -76,21 +76,26 @@ class CellWriter:
     def tables(self) -> dict[str, Table]:
         """Return the columns."""
         owned = [[self.cell_number(cell) for cell in _cells_of(bound)] for bound in self._bounds]
-        since: list[Table] = []
-        kinds: list[Table] = []
-        values: list[Table] = []
+        since, kinds, values = array("I"), bytearray(), array("d")
+        lengths: list[int] = []
         for cell in self._cell_list:
             kept = bisect_right(cell.since, self._finished)
-            since.append(column(cell.since[:kept], "<u4"))
-            kind, value = self._encoded(cell.values[:kept])
-            kinds.append(kind)
-            values.append(value)
+            since.extend(cell.since[:kept])
+            lengths.append(kept)
+            if isinstance(cell.values, array):
+                values.extend(cell.values[:kept])
+                kinds.extend(bytes(kept))
+                continue
+            for content in cell.values[:kept]:
+                kind, value = self._encoded(content)
+                kinds.append(kind)
+                values.append(value)
         return {
             "cells.name": column([_put(self._texts, cell.name) for cell in self._cell_list], "<u4"),
-            "cells.first": firsts(len(part) for part in since),
-            "cells.since": _joined(since, "<u4"),
-            "cells.kind": _joined(kinds, "|u1"),
-            "cells.value": _joined(values, "<f8"),
+            "cells.first": firsts(lengths),
+            "cells.since": column(since, "<u4"),
+            "cells.kind": np.frombuffer(bytes(kinds), "|u1"),
+            "cells.value": column(values, "<f8"),
             "values.poses": column([[*X.rotation, *X.translation] for X in self._poses], "<f8", 12),
             "values.joints": column(list(self._joints), "<f8", 6),
             "names.text": column([_put(self._texts, bound.name) for bound in self._bounds], "<u4"),
@@ -104,13 +109,7 @@ class CellWriter:
         """Every name and string, by number; complete once the columns are made."""
         return list(self._texts)
 
-    def _encoded(self, values: "array[float] | list[Content]") -> tuple[Table, Table]:
-        if isinstance(values, array):
-            return np.zeros(len(values), "|u1"), column(values, "<f8")
-        pairs = [self._encoded_value(value) for value in values]
-        return column([kind for kind, _ in pairs], "|u1"), column([n for _, n in pairs], "<f8")
-
-    def _encoded_value(self, value: Content) -> tuple[int, float]:
+    def _encoded(self, value: Content) -> tuple[int, float]:
         if isinstance(value, float | int):
             return REAL, value
         if isinstance(value, str):
@@ -230,7 +229,3 @@ def _cells_of(bound: Bound) -> list[Cell]:
 def _put(pool: dict[Item, int], item: Item) -> int:
     """Return the number of an item, giving it one."""
     return pool.setdefault(item, len(pool))
-
-
-def _joined(parts: Sequence[Table], kind: str) -> Table:
-    return np.concatenate([np.empty(0, kind), *parts]).astype(kind)
