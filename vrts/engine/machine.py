@@ -620,7 +620,8 @@ class Machine:
             intent = planner.to_line(planner.destination, settings, cut.speed_fraction, None)
         else:
             intent = planner.to_joints(planner.dest, settings, cut.speed_fraction, None)
-        planner.begin(intent, now + self.tick, planner.destination, cut.cause)
+        start = max(now + self.tick, planner.motion_end)
+        planner.begin(intent, start, planner.destination, cut.cause)
 
     def load_do(self, module: Module) -> None:
         """Take the one instruction of the monitor's DO into the memory of programs."""
