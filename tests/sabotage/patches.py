@@ -13,6 +13,7 @@ GEOMETRY = "tests/unit/geometry"
 COMMANDS = "tests/unit/cli/test_commands.py"
 ROBOTS = "tests/unit/robots"
 MONITOR = "tests/spec/test_spec_monitor.py"
+SAVED = "tests/unit/engine/test_vrun.py"
 
 
 class Patch(NamedTuple):
@@ -28,25 +29,23 @@ class Patch(NamedTuple):
 PATCHES: tuple[Patch, ...] = (
     Patch(
         "APPRO goes beyond the target",
-        "vrts/engine/planner.py",
+        "vrts/engine/motion/planner.py",
         "return target @ translation(0.0, 0.0, -distance_mm * MM)",
         "return target @ translation(0.0, 0.0, distance_mm * MM)",
         (EXAMPLE,),
     ),
     Patch(
         "ALWAYS is ignored",
-        "vrts/engine/motion_steps.py",
+        "vrts/engine/setting_steps.py",
         "if scope is ir.Scope.ALWAYS:",
         "if scope is None:",
         (EXAMPLE,),
     ),
     Patch(
         "OPENI does not wait for the arm",
-        "vrts/engine/motion_steps.py",
-        "                if not reached(c, c.planner.settled_at):\n"
-        "                    return BLOCKED\n"
-        "                command_hand(c, action, c.now, cause)",
-        "                command_hand(c, action, c.now, cause)",
+        "vrts/engine/hand_steps.py",
+        "        if not reached(c, c.planner.settled_at):\n            return False\n",
+        "",
         (EXAMPLE,),
     ),
     Patch(
@@ -76,10 +75,10 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "motions need not be whole ticks",
-        "vrts/engine/profile.py",
-        "math.ceil(least / tick - TICK_TOLERANCE) * tick",
-        "least",
-        (EXAMPLE,),
+        "vrts/engine/motion/profile.py",
+        "duration = math.ceil(needed / tick - TICK_TOLERANCE) * tick",
+        "duration = needed",
+        (ENGINE,),
     ),
     Patch(
         "no single precision",
@@ -132,11 +131,10 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "WAIT looks only once",
-        "vrts/engine/steps.py",
-        "            if test(c) != 0.0:\n                return following\n            if changes:",
-        "            if test(c) is not None:\n"
-        "                return following\n            if changes:",
-        (RUNS,),
+        "vrts/engine/signal_steps.py",
+        "            if test(c) != 0.0:\n                return following\n            if volatile:",
+        "            if test(c) is not None:\n                return following\n            if volatile:",
+        (ENGINE,),
     ),
     Patch(
         "frames compose the wrong way round",
@@ -211,9 +209,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "DRIVE uses up the pending speed",
         "vrts/engine/motion_steps.py",
-        "fraction = _fraction(c, Speed(percent, ir.SpeedUnit.PERCENT), cause)",
-        "c.planner.take_speed()\n"
-        "                    fraction = _fraction(c, Speed(percent, ir.SpeedUnit.PERCENT), cause)",
+        "take_settings(but_speed=True)",
+        "take_settings()",
         (ENGINE,),
     ),
     Patch(
@@ -411,5 +408,181 @@ PATCHES: tuple[Patch, ...] = (
         'return f"MOVES HERE:TRANS({',
         'return f"MOVES SHIFT(HERE BY {',
         ("tests/unit/monitor/test_pendant.py",),
+    ),
+    Patch(
+        "saved runs are unpacked before sizes are looked at",
+        "vrts/engine/storage/container.py",
+        "    if total > MOST_BYTES:",
+        "    if False:",
+        (SAVED,),
+    ),
+    Patch(
+        "saved runs take strange members",
+        "vrts/engine/storage/container.py",
+        "        require(not strange,",
+        "        require(True,",
+        (SAVED,),
+    ),
+    Patch(
+        "saved runs take numbers that are none",
+        "vrts/engine/storage/container.py",
+        "bool(np.isfinite(found).all())",
+        "bool(len(found) >= 0)",
+        (SAVED,),
+    ),
+    Patch(
+        "saved runs keep what came later",
+        "vrts/engine/storage/cells.py",
+        "kept = bisect_right(cell.since, self._finished)",
+        "kept = len(cell.since)",
+        (SAVED,),
+    ),
+    Patch(
+        "saved runs forget the operator's speed",
+        "vrts/engine/storage/arm.py",
+        "found.knots = list(knots)",
+        "found.rate = 1.0",
+        (SAVED,),
+    ),
+    Patch(
+        "saved runs take any program for theirs",
+        "vrts/engine/storage/load.py",
+        "if module_digest(module) != saved.module_digest:",
+        "if False:",
+        (SAVED,),
+    ),
+    Patch(
+        "a check of a saved run overlooks the arm",
+        "vrts/engine/storage/compare.py",
+        "abs(x - y) > SAME_ANGLE for x, y",
+        "abs(x - y) > 10.0 for x, y",
+        (SAVED,),
+    ),
+    Patch(
+        "a replay backward goes forward",
+        "vrts/report/replay_text.py",
+        "return iter(list(lines)[::-1]) if backward else lines",
+        "return iter(list(lines)) if backward else lines",
+        ("tests/unit/report/test_replay_text.py",),
+    ),
+    Patch(
+        "a replay does not wait",
+        "vrts/cli/pacing.py",
+        "abs((line.time_s - start_s) / speed)",
+        "0.0 * speed",
+        ("tests/unit/cli/test_run.py",),
+    ),
+    Patch(
+        "a table knows no tool but the scene's",
+        "vrts/report/run_csv.py",
+        "    return run.at(time_s).X_FT",
+        "    return run.scene.X_FT",
+        ("tests/unit/report/test_run_csv.py",),
+    ),
+    Patch(
+        "a table gives velocities of one degree too low",
+        "vrts/engine/batch.py",
+        "result = result * t + k * self._powers[k, at]",
+        "result = result * t + (k - 1) * self._powers[k, at]",
+        ("tests/unit/report/test_run_csv.py",),
+    ),
+    Patch(
+        "corners are never rounded",
+        "vrts/engine/motion_steps.py",
+        "if not c.planner.join(intent, c.now, target.pose, cause):",
+        "if intent:",
+        (ENGINE,),
+    ),
+    Patch(
+        "the second half of a corner starts late",
+        "vrts/engine/motion/profile.py",
+        "return Phase(-half, zone, (0.0, 0.0, 0.0, 2.0 * c, -c / zone))",
+        "return Phase(-half, zone, (0.0, 0.0, 0.0, 1.9 * c, -0.9 * c / zone))",
+        ("tests/property/test_motion_laws.py",),
+    ),
+    Patch(
+        "a corner of two lines forgets to turn the hand",
+        "vrts/engine/motion/paths.py",
+        "add(before.w, rotate(turned, after.w))",
+        "before.w",
+        ("tests/property/test_motion_laws.py", ENGINE),
+    ),
+    Patch(
+        "the operator's speed changes at once",
+        "vrts/engine/motion/time_scale.py",
+        "self.knots.append(Knot(time_s, path_s, now, slope))",
+        "self.knots.append(Knot(time_s, path_s, rate))",
+        ("tests/property/test_motion_laws.py",),
+    ),
+    Patch(
+        "BRAKE stops dead",
+        "vrts/engine/motion/planner.py",
+        "stop_s = path_s + 0.5 * rate * ramp",
+        "stop_s = path_s",
+        ("tests/property/test_motion_laws.py",),
+    ),
+    Patch(
+        "a fork writes into the other future",
+        "vrts/engine/machine.py",
+        "if self.written != self.lineage.writes:",
+        "if self.written > self.lineage.writes:",
+        ("tests/property/test_engine.py",),
+    ),
+    Patch(
+        "a cell tells what it holds later",
+        "vrts/engine/cells.py",
+        "found = bisect_right(self.since, finished)\n        return",
+        "found = len(self.since)\n        return",
+        ("tests/property/test_engine.py", ENGINE),
+    ),
+    Patch(
+        "reactions ignore priorities",
+        "vrts/engine/machine.py",
+        "                and watch.priority > c.priority\n",
+        "",
+        (ENGINE,),
+    ),
+    Patch(
+        "a signal that is on already triggers",
+        "vrts/engine/reactions.py",
+        "if state is not self.state:",
+        "if state is self.on:",
+        (ENGINE,),
+    ),
+    Patch(
+        "the process control program may move the arm",
+        "vrts/engine/executable.py",
+        "if not c.is_robot:",
+        "if c.is_robot is None:",
+        (ENGINE,),
+    ),
+    Patch(
+        "endless loops are not seen",
+        "vrts/engine/endless.py",
+        "if state[:6] == kept[:6]:",
+        "if state == kept:",
+        (ENGINE,),
+    ),
+    Patch(
+        "loops that read the clock are called endless",
+        "vrts/engine/controller_functions.py",
+        '    """Return the seconds of a timer; one never set reads as TIMER(0), the time since power-up."""\n'
+        "    c.system.clock_reads += 1\n",
+        '    """Return the seconds of a timer; one never set reads as TIMER(0), the time since power-up."""\n',
+        (ENGINE,),
+    ),
+    Patch(
+        "sums are not rounded to single precision",
+        "vrts/engine/real_expressions.py",
+        "                    return _unpack(_pack(left(c) + right(c)))[0]",
+        "                    return left(c) + right(c)",
+        (ENGINE, RUNS),
+    ),
+    Patch(
+        "an error lets the motion finish",
+        "vrts/engine/machine.py",
+        "if ending in (Ending.ERROR, Ending.LIMIT, Ending.ABORTED):",
+        "if ending in (Ending.LIMIT, Ending.ABORTED):",
+        (ENGINE,),
     ),
 )

@@ -94,7 +94,7 @@ def _tool_at(run: Run, time_s: float) -> Pose:
     found = bisect_right(motions, time_s, key=lambda motion: motion.start_s)
     if found and time_s <= motions[found - 1].end_s:
         return motions[found - 1].X_FT
-    return run.at(time_s).X_FT if found else run.scene.X_FT
+    return run.at(time_s).X_FT
 
 
 def _oat(rotations: Array) -> Array:

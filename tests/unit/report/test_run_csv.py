@@ -95,3 +95,12 @@ def test_a_vertical_tool_has_t_zero() -> None:
     assert found.run is not None
     assert {row["t_deg"] for row in rows_of(found.run, 10.0)} == {"0.000"}
     assert {row["a_deg"] for row in rows_of(found.run, 10.0)} == {"-90.000"}
+
+
+def test_a_tool_counts_from_when_it_is_set() -> None:
+    text = b".PROGRAM a\nDELAY 1\nTOOL TRANS(0, 0, 100, 90, -90, 0)\nDELAY 1\n.END\n"
+    found = simulate(text, "a.v2", robot_alone())
+    assert found.run is not None
+    heights = [float(row["z_mm"]) for row in rows_of(found.run, 10.0)]
+    assert heights[-1] - heights[0] == pytest.approx(100.0)
+    assert heights == sorted(heights)
