@@ -81,6 +81,8 @@ class MotionStepCompiler:
                     return BLOCKED
                 fault, c.fault, c.phase = c.fault, None, 0
                 assert fault is not None
+                if _given_up(c, cause):
+                    return following  # it never came to where it would have failed
                 raise fault
             if c.phase == JOINED:
                 pending = planner.pending
@@ -111,6 +113,7 @@ class MotionStepCompiler:
             c.fault = planner.begin(intent, start, target.pose, cause, dry=dry)
             if c.fault is not None:
                 c.phase, c.wake = CUT_SHORT, planner.settled_at
+                c.until = float(len(planner.motions) - 1)
                 return BLOCKED
             return begun(c, start)
 
@@ -360,6 +363,12 @@ def _intent(c: Context, target: Target) -> Intent:
     if target.interpolation is ir.Interpolation.LINEAR:
         return planner.to_line(target.pose, target.settings, target.fraction, target.span)
     return planner.to_pose(target.pose, target.settings, target.fraction, target.span)
+
+
+def _given_up(c: Context, cause: Cause) -> bool:
+    """Return whether the motion of a step, whose number `until` keeps, was given up on its way."""
+    motions, number = c.planner.motions, int(c.until)
+    return number >= len(motions) or motions[number].cut or motions[number].cause != cause
 
 
 def _joins(c: Context, target: Target, cause: Cause) -> bool:
