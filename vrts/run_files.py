@@ -117,17 +117,23 @@ def load_run(data: bytes, name: str, folder: Path | None = None) -> Simulated:
     return Simulated(run, saved.origin, run.findings)
 
 
-def check_again(loaded: Simulated) -> Diagnostic | None:
-    """Execute the programs of a saved run again; return how that differs, if it does."""
+def executed_again(loaded: Simulated) -> "Run":
+    """Return a saved run as executing everything makes it now: one that can be advanced."""
     from vrts.engine.controller import advance, start
-    from vrts.engine.storage.compare import difference
 
     run = loaded.run
     assert run is not None
     begun = start(run.module, run.scene, run.scenario)
     history = run.history
-    again = advance(begun, run.until_s, history.issued, closed=history.closed)
-    return difference(run, again)
+    return advance(begun, run.until_s, history.issued, closed=history.closed)
+
+
+def check_again(loaded: Simulated) -> Diagnostic | None:
+    """Execute the programs of a saved run again; return how that differs, if it does."""
+    from vrts.engine.storage.compare import difference
+
+    assert loaded.run is not None
+    return difference(loaded.run, executed_again(loaded))
 
 
 def _accepted(found: "Value | Diagnostic") -> "Value":

@@ -22,17 +22,26 @@ from tests.support_saved import (
     loaded,
     members,
     packed,
+    plain,
     state_answers,
     with_manifest,
     with_table,
 )
 from vrts.base.diagnostic import Diagnostic
 from vrts.engine.controller import Controller, advance, truncate
+from vrts.engine.records import Ending
 from vrts.engine.storage.recognise import is_saved_run
 from vrts.engine.storage.save import run_bytes
-from vrts.ir.commands import Execute, Load
-from vrts.pipeline import Refused, load_scene, robot_alone
-from vrts.run_files import Simulated, check_again, load_run, saved_bytes, simulate
+from vrts.ir.commands import Abort, Execute, Load, TimedCommand
+from vrts.pipeline import Refused, load_scene, robot_alone, scene_names
+from vrts.run_files import (
+    Simulated,
+    check_again,
+    executed_again,
+    load_run,
+    saved_bytes,
+    simulate,
+)
 
 RUNS = (busy, carrying)
 
@@ -109,6 +118,24 @@ def test_a_loaded_run_can_be_asked_but_not_advanced() -> None:
 @pytest.mark.parametrize("which", RUNS)
 def test_executed_again_it_is_the_same(which: Callable[[], Simulated]) -> None:
     assert check_again(load_run(file_of(which), "out.vrun")) is None
+
+
+def test_a_fork_of_a_saved_run_begins_with_executing_it_again() -> None:
+    before = busy().run
+    assert before is not None
+    again = executed_again(load_run(file_of(busy), "out.vrun"))
+    assert answers(again) == answers(before)
+    fork = advance(truncate(again, 3.0), 20.0, [TimedCommand(3.0, Abort())], closed=True)
+    assert fork.ending is Ending.ABORTED
+    assert plain(fork.at(2.9).call_stack) == plain(before.at(2.9).call_stack)
+
+
+@pytest.mark.parametrize("name", scene_names())
+def test_every_scene_of_the_library_comes_back(name: str) -> None:
+    found = simulate(b".PROGRAM a\nDELAY 0.1\n.END\n", "a.v2", load_scene(name))
+    scene = loaded(saved_bytes(found)).scene
+    assert (scene.name, scene.digest) == (name, load_scene(name).scene.digest)
+    assert [body.name for body in scene.bodies] == [b.name for b in load_scene(name).scene.bodies]
 
 
 def test_only_what_belongs_to_the_run_is_saved() -> None:
@@ -332,6 +359,15 @@ def test_a_damaged_array_is_told(name: str, change: Callable[[Any], Any], words:
     assert words in found.headline
 
 
+def nest_a_finding(manifest: dict[str, Any]) -> None:
+    """Put a warning among the events, whose exact values are lists in lists."""
+    deep: list[Any] = []
+    for _ in range(400):
+        deep = [deep]
+    warning = [["V310", "slug"], "warning", "headline", None, [], [], [], None, None, {"x": deep}]
+    manifest["events"].append(["Found", [1.0, warning, None]])
+
+
 MANIFESTS: list[tuple[Callable[[dict[str, Any]], None], str]] = [
     (lambda m: m.pop("events"), "a list is missing"),
     (lambda m: m.update(statements=-1), "a count is out of range"),
@@ -350,6 +386,7 @@ MANIFESTS: list[tuple[Callable[[dict[str, Any]], None], str]] = [
     (lambda m: m["arm"].update(knots=[]), "the operator's speed is none"),
     (lambda m: m["arm"].update(rate=0.0), "the operator's speed is none"),
     (lambda m: m["arm"]["knots"][0].__setitem__(2, 0.0), "does not begin at 0 s"),
+    (nest_a_finding, "a finding is nested too deep"),
     (lambda m: m["robot"].update(next=1000), "a count is out of range"),
     (lambda m: m["robot"].update(ending="vanished"), "there is no ending `vanished`"),
     (lambda m: m["system"].update(tool=5000), "a count is out of range"),
@@ -357,6 +394,9 @@ MANIFESTS: list[tuple[Callable[[dict[str, Any]], None], str]] = [
     (lambda m: m["scenario"][4].__setitem__(0, 10**12), "a limit is out of range"),
     (lambda m: m["origin"]["programs"].update(sources=[]), "there is no program"),
     (lambda m: m["origin"].update(scene=5), "named parts are missing"),
+    (lambda m: m["origin"]["scene"].update(name="a\0b"), "a file has no proper name"),
+    (lambda m: m["origin"]["scene"].update(text="\ud800"), "a text has half a character"),
+    (lambda m: m["events"][0][1].__setitem__(1, "\ud800"), "a text has half a character"),
 ]
 
 

@@ -9,6 +9,8 @@ from vrts.engine.storage.plain import Json, listed, named, text, truth
 from vrts.ir.dump import dump
 from vrts.ir.module import Module
 
+LONGEST_NAME = 4096  # characters of the name of a file, with its folders
+
 
 class Programs(NamedTuple):
     """Program texts, and how they are to be read."""
@@ -71,6 +73,8 @@ def read_origin(data: Json) -> tuple[Origin, str]:
     dialect, precedence = text(programs.get("dialect")), programs.get("precedence")
     require(precedence in (None, "A", "B"), "there is no such precedence")
     found = Programs(tuple(sources), dialect, precedence, truth(programs.get("replace")))
+    for name in (text(scene.get("name")), *(source.name for source in sources)):
+        require(name.isprintable() and len(name) <= LONGEST_NAME, "a file has no proper name")
     content = scene.get("text")
     place = SceneText(
         text(scene.get("name")),

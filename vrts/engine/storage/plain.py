@@ -23,6 +23,8 @@ from vrts.ir.values import Joints
 Json: TypeAlias = Any
 LARGEST = 1e100  # of any number: nothing computed from a few of them overflows
 LARGEST_WHOLE = 2**53
+_HALF = re.compile("[\ud800-\udfff]")  # surrogates, which no text file can hold
+DEEPEST = 10  # lists in each other in the exact values of a finding
 
 
 class Pair(NamedTuple):
@@ -237,6 +239,7 @@ def whole(data: Json) -> int:
 def text(data: Json) -> str:
     """Return characters."""
     require(isinstance(data, str), "a text is missing")
+    require(_HALF.search(data) is None, "a text has half a character")
     return data
 
 
@@ -256,6 +259,8 @@ def listed(data: Json, count: int | None = None) -> list[Json]:
 def named(data: Json) -> dict[str, Json]:
     """Return named parts."""
     require(isinstance(data, dict), "named parts are missing")
+    for name in data:
+        text(name)
     return data
 
 
@@ -318,7 +323,7 @@ def _write_value(value: "float | str | Pose | Joints") -> Json:
 
 def _read_value(data: Json) -> "float | str | Pose | Joints":
     if isinstance(data, str):
-        return data
+        return text(data)
     if not isinstance(data, dict):
         return number(data)
     parts = named(data)
@@ -336,16 +341,17 @@ def _write_datum(value: Any) -> Json:
     return value
 
 
-def _read_datum(data: Json) -> Any:
+def _read_datum(data: Json, depth: int = 0) -> Any:
     if isinstance(data, list):
-        return tuple([_read_datum(part) for part in cast(list[Json], data)])
+        require(depth < DEEPEST, "a finding is nested too deep")
+        return tuple([_read_datum(part, depth + 1) for part in cast(list[Json], data)])
     if isinstance(data, dict):
         said = named(data).get("number")
         require(said in ("inf", "-inf", "nan"), "a number is missing")
         return float(said)  # type: ignore[arg-type]
     if isinstance(data, float):
         return number(data)
-    return data
+    return text(data) if isinstance(data, str) else data
 
 
 DATUM = Pair(_write_datum, _read_datum)
