@@ -186,6 +186,44 @@ class System:
         return self.switches.get(switch, SWITCHES[switch].on)
 
 
+STOPPED = (
+    "frames",
+    "activation",
+    "phase",
+    "until",
+    "operands",
+    "fault",
+    "priority",
+    "watches",
+    "reactions_wait",
+    "error_program",
+    "last_error",
+    "program",
+    "last_program",
+    "cycles_left",
+    "cycles_done",
+    "kept_cycles",
+    "ending",
+    "started_s",
+    "step_was_cut",
+)  # attributes of a Context that belong to the program it executes
+
+
+class Stopped(NamedTuple):
+    """A program that stopped and may go on, while another is executed in its place."""
+
+    values: dict[str, object]
+
+    def copy(self, copies: dict[int, Bound]) -> "Stopped":
+        """Return an independent copy over copied cells."""
+        values = dict(self.values)
+        frames: list[Frame] = [frame.copy(copies) for frame in values["frames"]]  # type: ignore[attr-defined]
+        values["frames"] = frames
+        values["watches"] = [watch.copy() for watch in values["watches"]]  # type: ignore[attr-defined]
+        values["activation"] = _activations(values["activation"], frames)  # type: ignore[arg-type]
+        return Stopped(values)
+
+
 class Context:
     """One program in execution. Everything in it is plain data."""
 
@@ -217,6 +255,7 @@ class Context:
         "signals",
         "slots",
         "started_s",
+        "step_was_cut",
         "steps_left",
         "system",
         "trace",
@@ -254,6 +293,7 @@ class Context:
         self.kept_cycles: int | None = None  # that PCEND took away
         self.ending = Ending.NOT_STARTED
         self.started_s = 0.0
+        self.step_was_cut = False  # stopped at a motion that was given, and would have failed
         self.steps_left: tuple[int, int | None] | None = None  # single steps, depth for whole calls
 
     def attach(self, system: System) -> None:
@@ -288,6 +328,7 @@ class Context:
             "kept_cycles",
             "ending",
             "started_s",
+            "step_was_cut",
             "steps_left",
         ):
             setattr(other, name, getattr(self, name))
@@ -309,11 +350,25 @@ class Context:
         called_from = None
         if self.frames:
             caller = self.frames[-1]
-            base = self.system.executable.programs[caller.program].base
-            called_from = base + max(caller.index - 1, 0)
+            program = self.system.executable.programs[caller.program]
+            at = caller.index - (frame.kind is FrameKind.CALL)  # a call is done, a wait is not
+            called_from = program.base + min(max(at, 0), len(program.causes) - 1)
         self.frames.append(frame)
         self.slots = frame.slots
         self.activation = Activation(frame.program, frame.slots, called_from, self.activation)
+        self.trace.activate(self.finished, self.activation)
+
+    def stop(self) -> "Stopped":
+        """Return all that going on needs, and forget it."""
+        kept = Stopped({name: getattr(self, name) for name in STOPPED})
+        self.frames, self.watches = [], []
+        return kept
+
+    def restore(self, kept: "Stopped") -> None:
+        """Be again where a stopped program was."""
+        for name, value in kept.values.items():
+            setattr(self, name, value)
+        self.slots = self.frames[-1].slots if self.frames else []
         self.trace.activate(self.finished, self.activation)
 
     def leave(self) -> Frame:

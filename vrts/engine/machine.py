@@ -9,11 +9,10 @@ Ticks in which nothing can happen are skipped.
 import math
 from array import array
 from bisect import bisect_right
-from typing import TypeAlias
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.engine.cells import UNDEFINED, Bound, cells_of
-from vrts.engine.context import Context, Frame, FrameKind, System
+from vrts.engine.context import Context, FrameKind, Stopped, System
 from vrts.engine.endless import Watcher
 from vrts.engine.events import (
     Cause,
@@ -30,6 +29,7 @@ from vrts.engine.hand import Hand
 from vrts.engine.limits import check_limits, stuck
 from vrts.engine.motion.planner import Planner
 from vrts.engine.motion.remarks import worded
+from vrts.engine.motion_steps import CUT_SHORT
 from vrts.engine.obey import obey
 from vrts.engine.outcomes import (
     BLOCKED,
@@ -48,7 +48,6 @@ from vrts.engine.signals import Signals
 from vrts.engine.step import look_again
 from vrts.engine.terminal import Terminal
 from vrts.engine.terminal_steps import put
-from vrts.engine.trace import Activation
 from vrts.ir.commands import TimedCommand
 from vrts.ir.instructions import Interpolation
 from vrts.ir.module import Module
@@ -56,9 +55,6 @@ from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.scene.model import FaultKind, Scenario, Scene
 
 STEPS_A_TICK = 100  # of each program [assumed, val2.md 3.7]
-
-
-KeptProgram: TypeAlias = tuple[list[Frame], str, str, Ending, Activation | None]
 
 
 class Lineage:
@@ -113,7 +109,7 @@ class Machine:
         self.moved = 0  # motions whose start was noted
         self.arrived = 0  # motions whose end was noted
         self.faults_done = 0
-        self.kept_program: KeptProgram | None = None  # that stopped before a DO
+        self.stopped: Stopped | None = None  # the program that stopped before a DO
         self.watcher = Watcher()
         self.lineage = Lineage()
         self.written = 0
@@ -129,10 +125,8 @@ class Machine:
         other.robot = self.robot.copy(other.system, copies)
         other.process = self.process.copy(other.system, copies)
         other.watcher = self.watcher.copy()
-        if self.kept_program is not None:
-            frames, program, last, ending, activation = self.kept_program
-            copied = [frame.copy(copies) for frame in frames]
-            other.kept_program = (copied, program, last, ending, activation)
+        if self.stopped is not None:
+            other.stopped = self.stopped.copy(copies)
         other._wire()
         return other
 
@@ -584,18 +578,15 @@ class Machine:
 
     def _give_back(self) -> None:
         """After the monitor's DO, put the program that stopped before it back in its place."""
-        if self.kept_program is None:
+        if self.stopped is None:
             return
-        robot = self.robot
-        robot.frames, robot.program, robot.last_program, robot.ending, robot.activation = (
-            self.kept_program
-        )
-        robot.slots = robot.frames[-1].slots if robot.frames else []
-        robot.trace.activate(self.finished, robot.activation)
-        self.kept_program = None
+        self.robot.finished = self.finished
+        self.robot.restore(self.stopped)
+        self.stopped = None
 
     def abort(self, c: Context, ending: Ending = Ending.ABORTED) -> None:
         """End a program from outside."""
+        c.step_was_cut = c.phase == CUT_SHORT
         self._end(c, ending, None)
 
     def abort_all(self) -> None:

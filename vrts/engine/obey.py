@@ -129,14 +129,16 @@ def _resume(machine: "Machine", c: Context, now: float, *, retry: bool) -> None:
         raise _Refused(EXECUTING)
     if not c.frames or c.ending not in RESUMABLE:
         raise _Refused(CANNOT_PROCEED)
-    if not retry and c.ending is Ending.ERROR:  # go on after the step that failed
+    if not retry and (c.ending is Ending.ERROR or c.step_was_cut):  # go on with the next step
         frame = c.frames[-1]
         program = machine.system.executable.programs[frame.program].program
         frame.index = after_step(program, frame.index)
     c.now = now
-    if retry and c.is_robot and c.ending is Ending.ABORTED:
+    for watch in c.watches:  # what changed meanwhile is lost
+        watch.state = watch.signal in c.signals.on
+    if retry and c.is_robot and c.ending is Ending.ABORTED and not c.step_was_cut:
         machine.repeat_motion(now)
-    c.ending, c.wake, c.steps_left = Ending.RUNNING, now, None
+    c.ending, c.wake, c.steps_left, c.step_was_cut = Ending.RUNNING, now, None, False
     if c.is_robot:
         machine.ended_s = None
 
@@ -147,13 +149,12 @@ def _do(machine: "Machine", module: Module, now: float) -> None:
     assert name is not None
     machine.load_do(module)
     robot = machine.robot
-    kept = (robot.frames, robot.program, robot.last_program, robot.ending, robot.activation)
-    machine.kept_program = machine.kept_program or (kept if robot.frames else None)
-    robot.frames = []
+    machine.stopped = robot.stop() if robot.frames else None
     robot.finished = machine.finished
-    always, following = machine.system.planner.always, machine.system.planner.next
+    planner, next_hand = machine.system.planner, robot.next_hand
+    always, following = planner.always, planner.next
     begin(robot, name, 1, 1, now)
-    machine.system.planner.always, machine.system.planner.next = always, following
+    planner.always, planner.next, robot.next_hand = always, following, next_hand
     machine.ended_s = None
 
 

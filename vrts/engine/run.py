@@ -518,10 +518,6 @@ class State:
 
     def _stack(self, program: ProgramHistory) -> tuple[Cause, ...]:
         causes = self._run.history.code.causes
-        spell = self._run.spell(self.time_s, is_robot=program.is_robot)
-        over = isinstance(spell, ProgramEnded) and spell.ending in FINISHED
-        if spell is None or over:
-            return ()
         activation = program.trace.activation(self.finished)
         if activation is None:
             return ()

@@ -52,7 +52,8 @@ def _differences(first: Run, second: Run) -> Iterator[tuple[float, str, Label | 
         what = f"{first.statements:,} statements were saved, now there are {second.statements:,}"
         yield end, what, None
     for k in range(SAMPLES + 1):
-        before, after = first.at(end * k / SAMPLES), second.at(end * k / SAMPLES)
+        time_s = min(end * k / SAMPLES, end)  # which rounding may miss by a last digit
+        before, after = first.at(time_s), second.at(time_s)
         label = Label(before.span) if before.span else None
         for what in _state_differences(before, after):
             yield before.time_s, what, label
