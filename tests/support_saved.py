@@ -203,7 +203,7 @@ def ask_everything(run: Run, times: int = 12) -> None:
     """Ask a run everything, at some times and after some statements."""
     answers(run)
     for k in range(times + 1):
-        state_answers(run.at(run.horizon_s * k / times))
+        state_answers(run.at(min(run.horizon_s * k / times, run.horizon_s)))
         state_answers(run.at_statement(run.statements * k // times))
 
 

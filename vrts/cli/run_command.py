@@ -37,6 +37,8 @@ Examples:
   vrts run prog.v2 --save out.vrun
   vrts run out.vrun --at 3.2
 """
+ROUNDED_S = 0.0005  # half of the last decimal of a time that is printed
+SLOWEST, FASTEST = 0.001, 1e6  # seconds of the run a second
 SLOWEST_HZ, FASTEST_HZ = 0.001, 1000.0  # rows of a table: their times have three decimals
 
 
@@ -101,6 +103,8 @@ def command(
         fail("one of --at, --statement, --from/--to/--speed and --csv - is shown at a time")
     if table is not None and not SLOWEST_HZ <= rate <= FASTEST_HZ:
         fail(f"--rate goes from {SLOWEST_HZ:g} to {FASTEST_HZ:g} Hz")
+    if speed and not SLOWEST <= abs(speed) <= FASTEST:
+        fail(f"--speed is 0, or from {SLOWEST:g} to {FASTEST:g}, or the same backward")
     written = [path for path in (save, Path(table) if table not in (None, "-") else None) if path]
     for path in written:
         if path.exists() and not overwrite:
@@ -197,8 +201,7 @@ def _show_state(run: "Run", time_s: float | None, statement: int | None) -> None
     from vrts.report.state_text import state_text
 
     if time_s is not None:
-        _check_time(run, time_s)
-        state = run.at(time_s)
+        state = run.at(_inside(run, time_s))
     else:
         assert statement is not None
         if not 0 <= statement <= run.statements:
@@ -207,18 +210,18 @@ def _show_state(run: "Run", time_s: float | None, statement: int | None) -> None
     out(state_text(run, state))
 
 
-def _check_time(run: "Run", time_s: float) -> None:
-    if not 0.0 <= time_s <= run.horizon_s:
+def _inside(run: "Run", time_s: float) -> float:
+    """Return a time of the run; its end may be given rounded, as it is printed."""
+    if not 0.0 <= time_s <= run.horizon_s + ROUNDED_S:
         fail(f"the run goes from 0 to {run.horizon_s:.3f} s")
+    return min(time_s, run.horizon_s)
 
 
 def _span(run: "Run", from_s: float | None, to_s: float | None, speed: float | None) -> _Span:
     """Return what to tell; a negative speed goes from the later time to the earlier."""
     backward = speed is not None and speed < 0.0
-    begin = from_s if from_s is not None else run.horizon_s if backward else 0.0
-    end = to_s if to_s is not None else 0.0 if backward else run.horizon_s
-    for time_s in (begin, end):
-        _check_time(run, time_s)
+    begin = _inside(run, from_s if from_s is not None else run.horizon_s if backward else 0.0)
+    end = _inside(run, to_s if to_s is not None else 0.0 if backward else run.horizon_s)
     if backward and begin < end:
         begin, end = end, begin
     if speed is not None and speed > 0.0 and begin > end:

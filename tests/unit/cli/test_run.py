@@ -72,6 +72,12 @@ def test_a_run_that_failed_is_saved_and_still_fails(tmp_path: Path) -> None:
     assert b"MOVE nowhere" in again.stderr
 
 
+def test_the_end_may_be_given_as_it_is_printed(saved: Path) -> None:
+    end = vrts("run", saved).stderr.split(b"completed after ")[1].split()[0].decode()
+    for words in (("--at", end), ("--from", end, "--to", "9"), ("--to", end)):
+        assert vrts("run", saved, *words).returncode == 0
+
+
 def test_wrong_calls_say_what_is_wrong(saved: Path, tmp_path: Path) -> None:
     program = tmp_path / "fails.v2"
     program.write_text(FAILS)
@@ -80,6 +86,9 @@ def test_wrong_calls_say_what_is_wrong(saved: Path, tmp_path: Path) -> None:
         ((program, "--check"), "only a saved run can be checked"),
         ((saved, "--at", "1", "--statement", "2"), "is shown at a time"),
         ((saved, "--at", "99"), "the run goes from 0 to "),
+        ((saved, "--speed", "nan"), "--speed is 0, or from 0.001 to 1e+06"),
+        ((saved, "--speed", "1e-300"), "--speed is 0, or from 0.001 to 1e+06"),
+        ((saved, "--at", "inf"), "the run goes from 0 to "),
         ((saved, "--at", "nan"), "the run goes from 0 to "),
         ((saved, "--from", "-1"), "the run goes from 0 to "),
         ((saved, "--statement", "3200"), "the run has "),

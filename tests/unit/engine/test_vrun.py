@@ -64,7 +64,7 @@ def test_a_loaded_run_answers_everything_as_before(which: Callable[[], Simulated
     after = loaded(file_of(which))
     assert answers(after) == answers(before)
     for k in range(41):
-        time_s = before.horizon_s * k / 40
+        time_s = min(before.horizon_s * k / 40, before.horizon_s)
         assert state_answers(after.at(time_s)) == state_answers(before.at(time_s))
     for finished in range(before.statements + 1):
         assert state_answers(after.at_statement(finished)) == state_answers(
