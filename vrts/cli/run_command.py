@@ -58,7 +58,9 @@ class _Span(NamedTuple):
 )
 @click.option("--program", "entry", help="Program of the file to execute; the first, if not given.")
 @click.option("--at", "time_s", type=float, help="Print the state at a time in s, not the output.")
-@click.option("--statement", type=int, help="Print the state after so many statements.")
+@click.option(
+    "--statement", type=int, help="Print the state after so many statements; EXECUTE is the first."
+)
 @click.option("--from", "from_s", type=float, help="Tell what happens, from a time in s.")
 @click.option("--to", "to_s", type=float, help="Tell what happens, up to a time in s.")
 @click.option("--speed", type=float, help="Times as fast; negative is backward, 0 does not wait.")
