@@ -11,46 +11,35 @@ from array import array
 from bisect import bisect_right
 
 from vrts.base.diagnostic import Diagnostic
-from vrts.engine.cells import UNDEFINED, Bound, cells_of
-from vrts.engine.context import Context, FrameKind, Stopped, System
+from vrts.engine.cells import Bound, cells_of
+from vrts.engine.context import Context, Stopped, System
 from vrts.engine.endless import Watcher
 from vrts.engine.events import (
-    Cause,
     Found,
     MotionEnded,
     MotionStarted,
-    Reacted,
     SignalChanged,
     SwitchChanged,
 )
 from vrts.engine.executable import Executable
+from vrts.engine.execution import execute, fail
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.hand import Hand
-from vrts.engine.limits import check_limits, stuck
+from vrts.engine.limits import stuck
 from vrts.engine.motion.planner import Planner
 from vrts.engine.motion.remarks import worded
 from vrts.engine.motion_steps import CUT_SHORT
 from vrts.engine.obey import obey
 from vrts.engine.outcomes import (
-    BLOCKED,
-    CYCLE_ENDED,
-    HALTED,
     INSTANT,
-    PAUSED,
-    SWITCHED,
-    LimitReached,
 )
-from vrts.engine.process import end, next_cycle, place
-from vrts.engine.reactions import ERROR_PRIORITY, Watch
+from vrts.engine.process import end as end_program
+from vrts.engine.process import place
 from vrts.engine.records import Ending
 from vrts.engine.sensing import Sensing
 from vrts.engine.signals import Signals
-from vrts.engine.step import look_again
 from vrts.engine.terminal import Terminal
-from vrts.engine.terminal_steps import put
 from vrts.ir.commands import TimedCommand
-from vrts.ir.instructions import Interpolation
-from vrts.ir.module import Module
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.scene.model import FaultKind, Scenario, Scene
 
@@ -252,7 +241,7 @@ class Machine:
         on = system.signals.changes
         for c in (self.robot, self.process):
             if c.running:
-                self._run_program(c, now)
+                execute(self, c, now)
         progress = self.finished != before
         if progress:
             self.ticks.append(tick)
@@ -280,7 +269,7 @@ class Machine:
         if waking < math.inf:
             self._skip_to(waking)
         elif self.closed and self.robot.running:
-            self._end(self.robot, Ending.LIMIT, stuck(self.robot, now))
+            self.end(self.robot, Ending.LIMIT, stuck(self.robot, now))
 
     def _skip_to(self, time_s: float) -> None:
         self.next_tick = max(self.next_tick, self._tick_of(time_s))
@@ -363,7 +352,7 @@ class Machine:
             fault = RuntimeFault(
                 RuntimeErrorKind.ROBOT_POWER_OFF, "the emergency stop was pressed", None
             )
-            self._fail(self.robot, fault)
+            fail(self, self.robot, fault)
 
     def _sample(self, now: float) -> None:
         system = self.system
@@ -378,188 +367,7 @@ class Machine:
 
     # --- programs -----------------------------------------------------------------------------
 
-    def _run_program(self, c: Context, now: float) -> None:
-        try:
-            self._react(c, look=True)
-            if c.wake == math.inf or c.wake <= now + INSTANT:
-                c.wake = now
-                self._run_steps(c, STEPS_A_TICK)
-            check_limits(self, c)
-        except LimitReached as limit:
-            self._end(c, Ending.LIMIT, limit.diagnostic)
-
-    def _run_steps(self, c: Context, most: int) -> None:
-        """Execute statements until the program waits, ends, or has used its share of the tick."""
-        left = most
-        while left > 0 and c.running:
-            try:
-                left = self._run_frame(c, left)
-            except RuntimeFault as fault:
-                left -= 1
-                self._catch(c, fault)
-            if left > 0 and c.running:
-                self._react(c, look=False)
-        if c.frames:
-            frame = c.frames[-1]
-            program = self.system.executable.programs[frame.program]
-            following = program.base + min(frame.index, len(program.causes) - 1)
-            c.trace.rest(self.finished, following)
-
-    def _run_frame(self, c: Context, left: int) -> int:
-        """Execute statements without a look at anything else; return how many more may follow."""
-        frame, trace, finished = c.frames[-1], c.trace, self.finished
-        program = self.system.executable.programs[frame.program]
-        steps, base, index = program.steps, program.base, frame.index
-        note = trace.instructions.append
-        trace.begin_slice(finished)
-        if c.steps_left is not None:
-            left = 1
-        traced = self.system.tracing
-        try:
-            while left > 0:
-                if traced and index < len(steps) - 1:  # the last one is the end of the program
-                    self._list_step(c, program.causes[index], finished)
-                finished += 1
-                c.finished = finished
-                note(base + index)
-                left -= 1
-                outcome = steps[index](c)
-                if outcome >= 0:
-                    index = outcome
-                elif outcome == SWITCHED:
-                    frame = c.frames[-1]
-                    program = self.system.executable.programs[frame.program]
-                    steps, base, index = program.steps, program.base, frame.index
-                    traced = self.system.tracing
-                    if c.reactions_wait:
-                        break  # one may be taken now
-                elif outcome == BLOCKED:
-                    trace.instructions.pop()
-                    finished -= 1
-                    frame.index = index
-                    return 0
-                else:
-                    self.finished = finished
-                    return self._left(c, outcome, left)
-            frame.index = index
-        except RuntimeFault:
-            frame.index = index
-            raise
-        finally:
-            self.finished = finished
-        return self._stepped(c, program.causes[index]) if c.steps_left is not None else left
-
-    def _left(self, c: Context, outcome: int, left: int) -> int:
-        """Go on after a statement that ended the cycle or the program."""
-        if outcome == CYCLE_ENDED:
-            if next_cycle(c):
-                return left if c.steps_left is None else self._stepped(c, None)
-            self._end(c, Ending.COMPLETED, None)
-        elif outcome == HALTED:
-            self._end(c, Ending.HALTED, None)
-            c.clear()
-        else:
-            assert outcome == PAUSED
-            self._end(c, Ending.PAUSED, None)
-        return 0
-
-    def _stepped(self, c: Context, following: Cause | None) -> int:
-        """Count a single step when another one comes next; return how many more may follow."""
-        assert c.steps_left is not None
-        count, depth = c.steps_left
-        last = self.system.executable.causes[c.trace.instructions[-1]]
-        if (depth is not None and len(c.frames) > depth) or last == following:
-            return 1
-        if count > 1:
-            c.steps_left = (count - 1, depth)
-            return 1
-        self._end(c, Ending.STEPPED, None)
-        return 0
-
-    def _list_step(self, c: Context, cause: Cause, finished: int) -> None:
-        """Write the step that is executed next, as TRACE asks; one that waits only once."""
-        if c.listed == (cause, finished):
-            return
-        c.listed = (cause, finished)
-        put(c, f"{cause.program} {cause.step:5d}.  {cause.span.text}\r\n", cause)
-
-    def _react(self, c: Context, *, look: bool) -> None:
-        """Take reactions that may be taken now, the strongest first."""
-        if not c.watches:
-            c.reactions_wait = False
-            return
-        if look:
-            on = c.signals.on
-            for watch in c.watches:
-                watch.look(watch.signal in on)
-        elif not c.reactions_wait:
-            return
-        planner = self.system.planner
-        while True:
-            ready = [
-                watch
-                for watch in c.watches
-                if watch.pending
-                and watch.priority > c.priority
-                and not (watch.after_motion and planner.under_way(c.now))
-            ]
-            if not ready:
-                c.reactions_wait = any(watch.pending for watch in c.watches)
-                return
-            self._take(c, max(ready, key=lambda watch: watch.priority))
-
-    def _take(self, c: Context, watch: Watch) -> None:
-        watch.pending = False
-        if not watch.always:
-            c.watches = [w for w in c.watches if w is not watch]
-        planner = self.system.planner
-        if watch.immediate:
-            planner.brake(c.now)
-            look_again(c)
-        elif c.is_robot:
-            planner.take_back(c.now)
-        self.system.hand.path_changed(c.now)
-        name = ""
-        if watch.program is not None:
-            program = self.system.executable.programs[watch.program].program
-            name = program.name
-            self._note_interruption(c)
-            frame = self.system.executable.frame(watch.program)
-            c.interrupt(frame, FrameKind.REACTION, watch.priority)
-        c.wake = c.now
-        c.events.append(Reacted(c.now, watch.signal, name, place(c)))
-
-    def _note_interruption(self, c: Context) -> None:
-        """Count being interrupted as a statement, so that before and after can be told apart."""
-        frame = c.frames[-1]
-        program = self.system.executable.programs[frame.program]
-        c.trace.begin_slice(self.finished)
-        c.trace.instructions.append(program.base + min(frame.index, len(program.causes) - 1))
-        self.finished += 1
-        c.finished = self.finished
-
-    def _catch(self, c: Context, fault: RuntimeFault) -> None:
-        """Call the program that catches errors, or end the program."""
-        c.last_error = fault
-        caught = any(frame.kind is FrameKind.ERROR for frame in c.frames)
-        if c.error_program is None or caught:
-            self._fail(c, fault)
-            return
-        cause = place(c)
-        c.phase, c.operands, c.fault = 0, None, None
-        self._note_interruption(c)
-        frame = self.system.executable.frame(c.error_program)
-        c.interrupt(frame, FrameKind.ERROR, ERROR_PRIORITY)
-        name = self.system.executable.programs[c.error_program].program.name
-        c.events.append(Reacted(c.now, 0, name, cause))
-        c.wake = c.now
-
-    def _fail(self, c: Context, fault: RuntimeFault) -> None:
-        cause = place(c)
-        assert cause is not None
-        self._end(c, Ending.ERROR, fault.diagnostic(cause.span))
-
-    def _end(self, c: Context, ending: Ending, diagnostic: Diagnostic | None) -> None:
+    def end(self, c: Context, ending: Ending, diagnostic: Diagnostic | None) -> None:
         """End a program; after an error the arm slows down along its path."""
         planner = self.system.planner
         if diagnostic is not None:
@@ -571,10 +379,10 @@ class Machine:
                 planner.take_back(c.now)
             self.system.hand.path_changed(c.now)
             self.ended_s = max(c.now, self._tick_of(planner.settled_at) * self.tick)
-            end(c, ending, self.ended_s)
+            end_program(c, ending, self.ended_s)
             self._give_back()
         else:
-            end(c, ending, c.now)
+            end_program(c, ending, c.now)
 
     def _give_back(self) -> None:
         """After the monitor's DO, put the program that stopped before it back in its place."""
@@ -587,50 +395,10 @@ class Machine:
     def abort(self, c: Context, ending: Ending = Ending.ABORTED) -> None:
         """End a program from outside."""
         c.step_was_cut = c.phase == CUT_SHORT
-        self._end(c, ending, None)
-
-    def abort_all(self) -> None:
-        """Stop both programs and the arm."""
-        planner = self.system.planner
-        if self.process.running:
-            self._end(self.process, Ending.ABORTED, None)
-        if self.robot.running:
-            self._end(self.robot, Ending.ABORTED, None)
-        else:
-            planner.brake(self.now)
-            self.system.hand.path_changed(self.now)
-
-    def repeat_motion(self, now: float) -> None:
-        """Give the motion that was cut once more, as RETRY does."""
-        planner = self.system.planner
-        if not planner.motions or not planner.motions[-1].cut:
-            return
-        cut = planner.motions[-1]
-        settings = planner.always
-        if cut.interpolation is Interpolation.LINEAR:
-            intent = planner.to_line(planner.destination, settings, cut.speed_fraction, None)
-        else:
-            intent = planner.to_joints(planner.dest, settings, cut.speed_fraction, None)
-        start = max(now + self.tick, planner.motion_end)
-        planner.begin(intent, start, planner.destination, cut.cause)
-
-    def load_do(self, module: Module) -> None:
-        """Take the one instruction of the monitor's DO into the memory of programs."""
-        system = self.system
-        system.executable = Executable(
-            Module(module.programs, ()), self.scenario.limits.call_depth, system.executable
-        )
-        system.executable.extend(system.memory)
-
-    def forget(self, name: str) -> None:
-        """Delete a variable, or all elements of an array."""
-        bound = self.system.executable.bound(self.system.memory, name)
-        if bound is not None:
-            for cell in cells_of(bound):
-                cell.assign(UNDEFINED, self.finished)
+        self.end(c, ending, None)
 
     def _note_end(self, now: float) -> None:
         if self.closed and self.robot.running:
             finding = self.watcher.look(self, now)
             if finding is not None:
-                self._end(self.robot, Ending.LIMIT, finding)
+                self.end(self.robot, Ending.LIMIT, finding)

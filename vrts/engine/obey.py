@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from vrts.engine.cells import UNDEFINED as UNSET
+from vrts.engine.cells import UNDEFINED, cells_of
 from vrts.engine.context import Context
 from vrts.engine.events import CommandRefused, SignalChanged
 from vrts.engine.executable import Executable
@@ -12,6 +12,7 @@ from vrts.engine.records import Ending
 from vrts.engine.setting_steps import change_monitor_speed
 from vrts.engine.signals import known
 from vrts.ir import commands as k
+from vrts.ir.instructions import Interpolation
 from vrts.ir.module import Module
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ class _Refused(Exception):  # noqa: N818 -- names the situation
 
 EXECUTING = "Illegal when program executing"
 NOT_EXECUTING = "No program is executing"
-UNDEFINED = "Undefined program or variable name"
+UNKNOWN = "Undefined program or variable name"
 CANNOT_PROCEED = "Program cannot be resumed"
 
 
@@ -54,7 +55,7 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
             _needs_running(robot)
             machine.abort(robot)
         case k.Panic():
-            machine.abort_all()
+            _panic(machine)
         case k.Proceed():
             _resume(machine, robot, now, retry=False)
         case k.Retry():
@@ -93,10 +94,10 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
                     system.events.append(SignalChanged(now, abs(number), on, None))
         case k.SetVariable(name=name, subscripts=subscripts, value=value):
             cell = system.executable.variable(system.memory, name, subscripts)
-            cell.assign(UNSET if value is None else value, machine.finished)
+            cell.assign(UNDEFINED if value is None else value, machine.finished)
         case k.DeleteVariables(names=names):
             for name in names:
-                machine.forget(name)
+                _forget(machine, name)
         case k.Load(module=module):
             _load(machine, module)
         case k.DeletePrograms(names=names):
@@ -117,7 +118,7 @@ def _start(
     machine: "Machine", c: Context, program: str, cycles: int, step: int, now: float
 ) -> None:
     if program not in machine.system.executable.numbers:
-        raise _Refused(UNDEFINED)
+        raise _Refused(UNKNOWN)
     c.finished = machine.finished
     begin(c, program, cycles, step, now)
     if c.is_robot:
@@ -137,7 +138,7 @@ def _resume(machine: "Machine", c: Context, now: float, *, retry: bool) -> None:
     for watch in c.watches:  # what changed meanwhile is lost
         watch.state = watch.signal in c.signals.on
     if retry and c.is_robot and c.ending is Ending.ABORTED and not c.step_was_cut:
-        machine.repeat_motion(now)
+        _repeat_motion(machine, now)
     c.ending, c.wake, c.steps_left, c.step_was_cut = Ending.RUNNING, now, None, False
     if c.is_robot:
         machine.ended_s = None
@@ -147,7 +148,11 @@ def _do(machine: "Machine", module: Module, now: float) -> None:
     """Execute an instruction beside the program that stopped, which keeps its place."""
     name = module.main
     assert name is not None
-    machine.load_do(module)
+    system = machine.system
+    system.executable = Executable(
+        Module(module.programs, ()), machine.scenario.limits.call_depth, system.executable
+    )
+    system.executable.extend(system.memory)
     robot = machine.robot
     machine.stopped = robot.stop() if robot.frames else None
     robot.finished = machine.finished
@@ -185,5 +190,40 @@ def _delete(machine: "Machine", names: tuple[str, ...]) -> None:
     if used & set(names):
         raise _Refused("Program is in use")
     if any(name not in executable.numbers for name in names):
-        raise _Refused(UNDEFINED)
+        raise _Refused(UNKNOWN)
     machine.system.executable = executable.without(names)
+
+
+def _panic(machine: "Machine") -> None:
+    """Stop both programs and the arm."""
+    planner = machine.system.planner
+    if machine.process.running:
+        machine.end(machine.process, Ending.ABORTED, None)
+    if machine.robot.running:
+        machine.end(machine.robot, Ending.ABORTED, None)
+    else:
+        planner.brake(machine.now)
+        machine.system.hand.path_changed(machine.now)
+
+
+def _repeat_motion(machine: "Machine", now: float) -> None:
+    """Give the motion that was cut once more, as RETRY does."""
+    planner = machine.system.planner
+    if not planner.motions or not planner.motions[-1].cut:
+        return
+    cut = planner.motions[-1]
+    settings = planner.always
+    if cut.interpolation is Interpolation.LINEAR:
+        intent = planner.to_line(planner.destination, settings, cut.speed_fraction, None)
+    else:
+        intent = planner.to_joints(planner.dest, settings, cut.speed_fraction, None)
+    start = max(now + machine.tick, planner.motion_end)
+    planner.begin(intent, start, planner.destination, cut.cause)
+
+
+def _forget(machine: "Machine", name: str) -> None:
+    """Delete a variable, or all elements of an array."""
+    bound = machine.system.executable.bound(machine.system.memory, name)
+    if bound is not None:
+        for cell in cells_of(bound):
+            cell.assign(UNDEFINED, machine.finished)

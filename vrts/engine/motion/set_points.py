@@ -104,7 +104,8 @@ def follow(
         q = following
         points.append(point)
         velocity = add(v, cross(w, rotate(X_BT.rotation, lever)))
-        found_rate = joint_velocity(arm, q, velocity, w)
+        stands = velocity == w == (0.0, 0.0, 0.0)
+        found_rate = (0.0,) * 6 if stands else joint_velocity(arm, q, velocity, w)
         if found_rate is not None and offset is not None:
             found_rate = _plus(found_rate, offset.rate)
         rates.append(found_rate)

@@ -1,0 +1,333 @@
+"""A run at one instant: all that can be asked."""
+
+from bisect import bisect_right
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, TypeVar
+
+from vrts.base.pose import IDENTITY, Pose
+from vrts.base.source import Span
+from vrts.engine.cells import UNDEFINED, Array, cells_of
+from vrts.engine.events import (
+    AnalogChanged,
+    Answered,
+    Cause,
+    Event,
+    Printed,
+    ProgramEnded,
+    Prompted,
+    SignalChanged,
+    SpeedChanged,
+    SwitchChanged,
+)
+from vrts.engine.history import ProgramHistory
+from vrts.engine.records import (
+    Ending,
+    Lie,
+    Placement,
+    ProgramState,
+    ProgramStatus,
+    pose_of,
+)
+from vrts.engine.trace import Activation
+from vrts.ir.module import Module
+from vrts.ir.system import SWITCHES
+from vrts.ir.values import Value
+from vrts.robots.kinematics import forward
+from vrts.robots.model import Configuration
+
+if TYPE_CHECKING:
+    from vrts.engine.run import Run
+
+E = TypeVar("E", bound=Event)
+
+
+FINISHED = (Ending.COMPLETED.value, Ending.HALTED.value)  # nothing is left to go on with
+
+
+class State:
+    """A run at one instant; parts are worked out when they are asked for."""
+
+    __slots__ = ("_finished", "_run", "time_s")
+
+    def __init__(self, run: "Run", time_s: float, finished: int | None) -> None:
+        """Remember the run and the instant; None is after all that happened in its tick."""
+        self._run = run
+        self._finished = finished
+        self.time_s = time_s
+
+    @property
+    def finished(self) -> int:
+        """Statements finished."""
+        if self._finished is None:
+            self._finished = self._run.history.finished_at(self.time_s)
+        return self._finished
+
+    # --- the arm ------------------------------------------------------------------------------
+
+    @property
+    def configuration(self) -> Configuration:
+        """Joint positions [rad]."""
+        return self._run.timeline.configuration(self.time_s)
+
+    @property
+    def velocity(self) -> Configuration:
+        """Joint velocities [rad/s]."""
+        return self._run.timeline.velocity(self.time_s)
+
+    @property
+    def hand_opening(self) -> float:
+        """Opening of the hand [m]."""
+        return self._run.timeline.opening(self.time_s)
+
+    @property
+    def X_WF(self) -> Pose:
+        """Pose of the flange."""
+        return forward(self._run.scene.robot.arm, self.configuration)
+
+    @property
+    def X_FT(self) -> Pose:
+        """The tool that TOOL set last."""
+        held = self._run.history.memory.tool.at(self.finished)
+        return held if isinstance(held, Pose) else self._run.scene.X_FT
+
+    @property
+    def base(self) -> Pose:
+        """X_VB: how BASE says that the robot was displaced."""
+        held = self._run.history.memory.base.at(self.finished)
+        return held if isinstance(held, Pose) else IDENTITY
+
+    @property
+    def X_WT(self) -> Pose:
+        """Pose of the tool in force at the motion under way or just done."""
+        motions = self._run.motions
+        found = bisect_right(motions, self.time_s, key=lambda motion: motion.start_s)
+        under_way = found and self.time_s <= motions[found - 1].end_s
+        return self.X_WF @ (motions[found - 1].X_FT if under_way else self.X_FT)
+
+    @property
+    def placements(self) -> Mapping[str, Placement]:
+        """How every movable body lies."""
+        return {
+            name: next(p for p in reversed(track) if p.start_s <= self.time_s)
+            for name, track in self._run.placements.items()
+        }
+
+    @property
+    def poses(self) -> Mapping[str, Pose]:
+        """X_WO of every body of the scene."""
+        found = {body.name: body.X_WO for body in self._run.scene.bodies}
+        X_WF = self.X_WF
+        for name, placement in self.placements.items():
+            found[name] = pose_of(placement, self.time_s, X_WF)
+        return found
+
+    @property
+    def held(self) -> str | None:
+        """The body in the hand."""
+        for name, placement in self.placements.items():
+            if placement.lie is Lie.HELD and placement.support is None:
+                return name
+        return None
+
+    @property
+    def signals(self) -> frozenset[int]:
+        """Signals that are on."""
+        on: set[int] = set()
+        for event in self._run.events:
+            if event.time_s > self.time_s:
+                break
+            if isinstance(event, SignalChanged):
+                (on.add if event.on else on.discard)(event.signal)
+        return frozenset(on)
+
+    @property
+    def switches(self) -> Mapping[str, bool]:
+        """System switches."""
+        found = {name: switch.on for name, switch in SWITCHES.items()}
+        for event in self._events(SwitchChanged):
+            found[event.switch] = event.on
+        return found
+
+    @property
+    def parameters(self) -> Mapping[str, float]:
+        """Parameters of the controller that were set."""
+        cells = self._run.history.memory.parameters
+        values = {name: cell.at(self.finished) for name, cell in cells.items()}
+        return {name: v for name, v in values.items() if isinstance(v, float)}
+
+    @property
+    def analog(self) -> Mapping[int, float]:
+        """Analog outputs that were set [counts]."""
+        return {event.channel: event.value for event in self._events(AnalogChanged)}
+
+    @property
+    def monitor_speed(self) -> float:
+        """The operator's speed [%]."""
+        percent = self._run.scenario.monitor_speed
+        for event in self._events(SpeedChanged):
+            percent = event.percent
+        return percent
+
+    @property
+    def program_speed(self) -> float:
+        """Speed of the motion under way or just done [%]."""
+        motions = self._run.motions
+        found = bisect_right(motions, self.time_s, key=lambda motion: motion.start_s)
+        return 100.0 * motions[found - 1].speed_fraction if found else 100.0
+
+    # --- programs -----------------------------------------------------------------------------
+
+    @property
+    def module(self) -> Module:
+        """The programs in memory at the horizon."""
+        return self._run.module
+
+    @property
+    def variables(self) -> Mapping[str, Value]:
+        """Global variables that have a value, array elements included."""
+        finished = self.finished
+        found: dict[str, Value] = {}
+        for bound in self._run.history.memory.bound:
+            for cell in cells_of(bound):
+                value = cell.at(finished)
+                if value is not UNDEFINED:
+                    found[cell.name] = value  # type: ignore[assignment]
+        return found
+
+    @property
+    def locals(self) -> Mapping[str, Value]:
+        """Arguments and automatic variables of the innermost program that have a value."""
+        activation = self._run.history.robot.trace.activation(self.finished)
+        found: dict[str, Value] = {}
+        if activation is None:
+            return found
+        program = self._run.history.code.programs[activation.program]
+        slots = (*program.formals, *program.autos)
+        for slot, bound in zip(slots, activation.slots, strict=True):
+            cells = bound.elements.values() if isinstance(bound, Array) else (bound,)
+            for cell in cells:
+                value = cell.at(self.finished)
+                if value is not UNDEFINED:
+                    _, bracket, subscripts = cell.name.partition("[")
+                    name = (
+                        slot.name + bracket + subscripts if isinstance(bound, Array) else slot.name
+                    )
+                    found[name] = value  # type: ignore[assignment]
+        return found
+
+    @property
+    def call_stack(self) -> tuple[Cause, ...]:
+        """The step that every active program of the robot is at, outermost first."""
+        return self._stack(self._run.history.robot)
+
+    @property
+    def process_stack(self) -> tuple[Cause, ...]:
+        """The same of the process control program."""
+        return self._stack(self._run.history.process)
+
+    @property
+    def robot(self) -> ProgramState | None:
+        """The robot program; None when none was executed yet."""
+        return self._program(self._run.history.robot)
+
+    @property
+    def process(self) -> ProgramState | None:
+        """The process control program; None when none was executed yet."""
+        return self._program(self._run.history.process)
+
+    @property
+    def awaits_answer(self) -> bool:
+        """Whether a PROMPT waits for a line."""
+        asked = False
+        for event in self._run.events:
+            if event.time_s > self.time_s:
+                break
+            if isinstance(event, Prompted):
+                asked = True
+            elif isinstance(event, Answered | ProgramEnded):
+                asked = False
+        return asked
+
+    @property
+    def cause(self) -> Cause | None:
+        """The instruction of the motion under way, else the one the program is at."""
+        motions = self._run.motions
+        found = bisect_right(motions, self.time_s, key=lambda motion: motion.start_s)
+        if found and self.time_s < motions[found - 1].end_s:
+            return motions[found - 1].cause
+        stack = self.call_stack
+        return stack[-1] if stack else None
+
+    @property
+    def instruction(self) -> Cause | None:
+        """The step that the robot program executes next, or waits at."""
+        stack = self.call_stack
+        return stack[-1] if stack else None
+
+    @property
+    def program(self) -> str | None:
+        """Name of the program of `cause`."""
+        return self.cause.program if self.cause else None
+
+    @property
+    def step(self) -> int | None:
+        """Step of `cause`."""
+        return self.cause.step if self.cause else None
+
+    @property
+    def span(self) -> Span | None:
+        """Source of `cause`."""
+        return self.cause.span if self.cause else None
+
+    @property
+    def output(self) -> str:
+        """What the program has written so far."""
+        return "".join(event.text for event in self._events(Printed))
+
+    # --- parts --------------------------------------------------------------------------------
+
+    def _events(self, kind: type[E]) -> list[E]:
+        return [
+            event
+            for event in self._run.events
+            if event.time_s <= self.time_s and isinstance(event, kind)
+        ]
+
+    def _stack(self, program: ProgramHistory) -> tuple[Cause, ...]:
+        causes = self._run.history.code.causes
+        activation = program.trace.activation(self.finished)
+        if activation is None:
+            return ()
+        following = program.trace.following(self.finished, self._run.history.finished)
+        if following is None:
+            following = program.place
+        if following is None:
+            return ()
+        stack = [causes[following]]
+        at: Activation | None = activation
+        while at is not None and at.called_from is not None:
+            stack.append(causes[at.called_from])
+            at = at.caller
+        return tuple(reversed(stack))
+
+    def _program(self, program: ProgramHistory) -> ProgramState | None:
+        spell = self._run.spell(self.time_s, is_robot=program.is_robot)
+        if spell is None:
+            return None
+        stack = self._stack(program)
+        cause = stack[-1] if stack else None
+        if isinstance(spell, ProgramEnded):
+            done = spell.ending in FINISHED
+            status = ProgramStatus.COMPLETED if done else ProgramStatus.STOPPED
+            cause = spell.cause
+        else:
+            waits = program.waits and self.time_s >= self._run.history.now_s
+            status = ProgramStatus.WAITING if waits else ProgramStatus.RUNNING
+        return ProgramState(
+            self._run.executed(self.time_s, is_robot=program.is_robot),
+            status,
+            program.cycles_done,
+            program.cycles_left,
+            program.priority,
+            cause,
+        )
