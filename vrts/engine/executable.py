@@ -238,8 +238,9 @@ def _skip(c: Context, steps: int) -> None:
     frame = c.frames[-1]
     program = c.system.executable.programs[frame.program].program
     called = program.origins[frame.index - 1].step
-    wanted = min(called + 1 + steps, len(program.steps))
-    frame.index = program.steps[wanted - 1]
+    wanted = called + 1 + steps
+    is_over = wanted > len(program.steps)  # there are not so many: the end of the program
+    frame.index = len(program.instructions) - 1 if is_over else program.steps[wanted - 1]
 
 
 def _for_robot(step: Step, cause: Cause) -> Step:
