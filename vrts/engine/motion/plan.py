@@ -10,14 +10,13 @@ from vrts.engine.motion.paths import Course, JointPath, LinePath, Path
 from vrts.engine.motion.polynomials import Row
 from vrts.engine.motion.profile import Phase, Profile, at, profile
 from vrts.engine.motion.remarks import Remark, remarks_on
-from vrts.engine.motion.set_points import Piece, SetPoints, deviation, follow, joined
+from vrts.engine.motion.set_points import STILL, Piece, SetPoints, deviation, follow, joined
 from vrts.engine.motion.settings import Settings
 from vrts.ir.instructions import Interpolation
 from vrts.robots.branch import branch_of
 from vrts.robots.model import Arm, ArmBranch, Configuration
 
 SHORTEST_LINE = 1e-6  # [m] or [rad]: less is no motion at all
-STILL: Configuration = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 class Intent(NamedTuple):

@@ -26,6 +26,9 @@ Piece = tuple[float, float, tuple[Row, ...]]
 """Start and end in path time [s]; six rows of coefficients from the piece's start."""
 
 
+STILL: Configuration = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
 class Offset(NamedTuple):
     """What a joint motion adds to the joints of a line while one goes over into the other."""
 
@@ -105,7 +108,7 @@ def follow(
         points.append(point)
         velocity = add(v, cross(w, rotate(X_BT.rotation, lever)))
         stands = velocity == w == (0.0, 0.0, 0.0)
-        found_rate = (0.0,) * 6 if stands else joint_velocity(arm, q, velocity, w)
+        found_rate = STILL if stands else joint_velocity(arm, q, velocity, w)
         if found_rate is not None and offset is not None:
             found_rate = _plus(found_rate, offset.rate)
         rates.append(found_rate)
