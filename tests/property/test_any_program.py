@@ -53,7 +53,9 @@ PCEXECUTE pc, 2 | PCABORT | PCEND | TYPE n | PROMPT n | n = n+1 | x = 1/n | SET 
 MOVE p | MOVES p | SET #q = #DEST | MOVE #q | CALL sub | ENABLE CP | DISABLE CP | ENABLE DRY.RUN |
 DISABLE DRY.RUN | DISABLE POWER | ENABLE POWER | ENABLE TRACE | DISABLE TRACE |
 PARAMETER SPEED.MAX = 60 | TIMER 1 = 0 | WAIT TIMER(1) > 0.5 | STOP | PAUSE | HALT | GOTO 99 |
-DAC 1 = 5 | HERE p | SET p = DEST | m[n] = n
+DAC 1 = 5 | HERE p | SET p = DEST | m[n] = n | DURATION 1 | DURATION 0.5 ALWAYS | ACCEL 50, 25 |
+ACCEL 300 ALWAYS | SPEED 100, 20 | NEST | DRAW ,,-30 | MOVE p:RX(20) | MOVES p:RY(-30) |
+APPROS p, 0.01 | SPEED 40 MONITOR | WAIT TAS(n,1)
 """
 SUB_STEPS = """
 MOVE a | MOVES b | n = n+2 | TYPE n | BREAK | RETURN | REACT 1001, sub | SPEED 20 | x = 1/0 |
@@ -175,7 +177,7 @@ def can_be_asked(run: Run) -> None:
 @given(PROGRAMS, SCENARIOS)
 @settings(max_examples=80, deadline=None)
 def test_any_program_ends_and_moves_smoothly(text: str, happens: Scenario) -> None:
-    run = execute(compiled(text), ALONE, happens)
+    run = execute(compiled(text, "val2+"), ALONE, happens)
     assert run.ending not in (Ending.RUNNING, Ending.NOT_STARTED)
     is_smooth(run)
     can_be_asked(run)
@@ -186,7 +188,7 @@ def test_any_program_ends_and_moves_smoothly(text: str, happens: Scenario) -> No
 def test_any_operated_program_can_be_cut_and_continued(
     text: str, happens: Scenario, commands: list[TimedCommand], cut: int
 ) -> None:
-    begin = start(compiled(text), ALONE, happens)
+    begin = start(compiled(text, "val2+"), ALONE, happens)
     first = TimedCommand(0.0, Execute("main"))
     run = advance(begin, UNTIL, [first, *commands])
     is_smooth(run)
