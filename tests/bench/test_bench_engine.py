@@ -111,7 +111,8 @@ def test_statements() -> None:
         print(
             f"\n{name}: {rates['engine'] / 1e6:.2f} million statements/s of {statements:,}"
             f" (a plain tree walk, without ticks, limits, history: "
-            f"{rates['tree walk'] / 1e6:.2f} million; ratio {rates['engine'] / rates['tree walk']:.1f})"
+            f"{rates['tree walk'] / 1e6:.2f} million;"
+            f" ratio {rates['engine'] / rates['tree walk']:.1f})"
         )
 
 
@@ -144,7 +145,8 @@ def test_an_hour_of_motions() -> None:
     laps = 143
     text = (
         f".PROGRAM main()\nSPEED 8 ALWAYS\nFOR i = 1 TO {laps}\n{body}\nEND\n.END\n.LOCATIONS\n"
-        "a 900 400 -100 90 90 0\nb 800 -400 -200 90 90 0\nc 900 0 200 80 80 10\nd 700 500 200 90 90 0\n.END\n"
+        "a 900 400 -100 90 90 0\nb 800 -400 -200 90 90 0\n"
+        "c 900 0 200 80 80 10\nd 700 500 200 90 90 0\n.END\n"
     )
     module = compiled(text)
     run = run_of(module)
@@ -153,8 +155,8 @@ def test_an_hour_of_motions() -> None:
     blended = sum(motion.blended for motion in run.motions)
     seconds = timed(lambda: run_of(module), 3)
     print(
-        f"\n{len(run.motions)} motions, {blended} corners rounded, {run.ended_s / 60:.0f} min of robot"
-        f" time, {len(run.timeline.segments):,} segments: {seconds:.2f} s"
+        f"\n{len(run.motions)} motions, {blended} corners rounded, {run.ended_s / 60:.0f} min of"
+        f" robot time, {len(run.timeline.segments):,} segments: {seconds:.2f} s"
     )
 
 

@@ -1,7 +1,7 @@
 """The plainest way to execute the IR: walk the trees, dispatch on types, keep nothing."""
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, cast
 
 from vrts.base.numbers import single
 from vrts.ir import expressions as x
@@ -74,10 +74,12 @@ def _program(
 
 def _key(place: x.Place, memory: dict[Any, Any], slots: dict[int, Any]) -> Any:
     variable = place.variable
-    name = slots[variable.number] if isinstance(variable, x.Slot) else variable.name
+    name: Any = slots[variable.number] if isinstance(variable, x.Slot) else variable.name
     if not place.subscripts:
-        return name if isinstance(name, tuple) else (name,)
-    subscripts = [int(_value(s, memory, slots)) for s in place.subscripts]
+        if isinstance(name, tuple):
+            return cast("Any", name)
+        return (name,)
+    subscripts: list[int] = [int(_value(s, memory, slots)) for s in place.subscripts]
     return (str(name), *subscripts)
 
 

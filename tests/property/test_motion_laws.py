@@ -1,4 +1,4 @@
-"""Laws of motion: no gaps, smooth velocities, bounded accelerations, straight lines, exact stops."""
+"""Laws of motion: no gaps, smooth velocities, bounded accelerations, straight lines, stops."""
 
 import math
 from itertools import pairwise

@@ -132,8 +132,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "WAIT looks only once",
         "vrts/engine/signal_steps.py",
-        "            if test(c) != 0.0:\n                return following\n            if volatile:",
-        "            if test(c) is not None:\n                return following\n            if volatile:",
+        "if test(c) != 0.0:",
+        "if test(c) is not None:",
         (ENGINE,),
     ),
     Patch(
@@ -566,9 +566,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "loops that read the clock are called endless",
         "vrts/engine/controller_functions.py",
-        '    """Return the seconds of a timer; one never set reads as TIMER(0), the time since power-up."""\n'
-        "    c.system.clock_reads += 1\n",
-        '    """Return the seconds of a timer; one never set reads as TIMER(0), the time since power-up."""\n',
+        "    c.system.clock_reads += 1\n    return c.now - c.system.timers",
+        "    return c.now - c.system.timers",
         (ENGINE,),
     ),
     Patch(
