@@ -59,6 +59,13 @@ class Problems:
             severity=Severity.WARNING,
         )
 
+    def withdraw(self, diagnostic: Diagnostic) -> None:
+        """Take back a diagnostic, most likely one of the last."""
+        for k in range(len(self.found) - 1, -1, -1):
+            if self.found[k] is diagnostic:
+                del self.found[k]
+                return
+
     @property
     def any_error(self) -> bool:
         """Whether an error was found."""

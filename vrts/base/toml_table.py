@@ -360,7 +360,7 @@ class Table:
             )
             free = bool(close) and close[0] in others
             if close and close[0] in self._missing:  # misspelt, not missing: one cause
-                self.problems.found.remove(self._missing.pop(close[0]))
+                self.problems.withdraw(self._missing.pop(close[0]))
             known = ", ".join(f"`{name}`" for name in sorted(set(self._asked)))
             self.problems.error(
                 UNKNOWN_KEY,
