@@ -12,6 +12,18 @@ HALF_TURN_BIAS = 1e-9  # [turns] of two turns equally near, the smaller angle is
 
 def limit_violations(arm: Arm, q: Configuration) -> tuple[tuple[int, float, float, float], ...]:
     """Return (joint from 1, position, lower, upper) [rad] of every joint outside its limits."""
+    q1, q2, q3, q4, q5, q6 = q
+    a1, a2, a3, a4, a5, a6 = arm.lower
+    b1, b2, b3, b4, b5, b6 = arm.upper
+    if (  # the usual case, at every set point
+        a1 <= q1 <= b1
+        and a2 <= q2 <= b2
+        and a3 <= q3 <= b3
+        and a4 <= q4 <= b4
+        and a5 <= q5 <= b5
+        and a6 <= q6 <= b6
+    ):
+        return ()
     return tuple(
         (joint, value, lower, upper)
         for joint, value, lower, upper in zip(range(1, 7), q, arm.lower, arm.upper, strict=True)

@@ -26,6 +26,9 @@ from vrts.base.pose import (
 from vrts.robots.model import Configuration
 
 
+NO_TURN = 1e-12  # [rad] less is rounding
+
+
 class JointPath(NamedTuple):
     """From one configuration to another."""
 
@@ -124,8 +127,9 @@ def turning(start: Rotation, goal: Rotation) -> Turning:
     """Return the two rotations that carry one orientation into another."""
     d = multiply(transpose(start), goal)
     theta = math.atan2(math.hypot(d[2], d[5]), d[8])
-    if theta < 1e-12:
-        return Turning(0.0, 0.0, math.atan2(d[3], d[0]))
+    if theta < NO_TURN:
+        phi = math.atan2(d[3], d[0])
+        return Turning(0.0, 0.0, phi if abs(phi) > NO_TURN else 0.0)
     psi = math.atan2(d[5], d[2])
     phi = math.atan2(d[7], -d[6]) + psi
     return Turning(psi, theta, math.remainder(phi, math.tau))
