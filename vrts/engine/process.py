@@ -53,6 +53,19 @@ def end_later(c: Context, *, on: bool) -> None:
         c.cycles_left, c.kept_cycles = c.kept_cycles, None
 
 
+def go_on(c: Context, now: float) -> bool:
+    """Begin the cycles that PCEND or CYCLE.END kept; return whether there are any."""
+    if c.ending is not Ending.COMPLETED or c.kept_cycles is None:
+        return False
+    left = c.kept_cycles - 1 if c.kept_cycles > 0 else c.kept_cycles
+    if left == 0:
+        return False
+    c.now = c.wake = now
+    c.cycles_left, c.ending = left, Ending.RUNNING
+    _begin_cycle(c, 1)
+    return True
+
+
 def place(c: Context) -> Cause | None:
     """Return the step that comes next, or that failed."""
     if not c.frames:
