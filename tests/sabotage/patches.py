@@ -537,8 +537,8 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "reactions ignore priorities",
-        "vrts/engine/machine.py",
-        "                and watch.priority > c.priority\n",
+        "vrts/engine/execution.py",
+        "            and watch.priority > c.priority\n",
         "",
         (ENGINE,),
     ),
