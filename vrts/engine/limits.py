@@ -22,11 +22,13 @@ NO_ANSWER = Rule("V504", "no-answer")
 
 
 def check_limits(machine: "Machine", c: "Context") -> None:
-    """Check the limits of a run.
+    """Check the limits of a run, once in a tick; a program that is over keeps them.
 
     Raises:
         LimitReached: One is exceeded.
     """
+    if not c.running:
+        return
     limits = machine.scenario.limits
     elapsed = c.now - c.started_s
     system = machine.system
