@@ -33,6 +33,19 @@ class ProgramEnded(NamedTuple):
     process: bool = False  # the process control program
 
 
+class ProgramProgressed(NamedTuple):
+    """A program was resumed, began another cycle, or changed its priority."""
+
+    time_s: float
+    program: str
+    cycles_done: int
+    cycles_left: int  # the present one included; negative is endless
+    priority: int
+    running: bool
+    cause: Cause | None = None
+    process: bool = False  # the process control program
+
+
 class MotionStarted(NamedTuple):
     """A motion began; `motion` indexes Run.motions."""
 
@@ -187,6 +200,7 @@ class Found(NamedTuple):
 Event: TypeAlias = (
     ProgramStarted
     | ProgramEnded
+    | ProgramProgressed
     | MotionStarted
     | MotionEnded
     | HandCommanded

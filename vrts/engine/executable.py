@@ -12,6 +12,7 @@ from vrts.engine.extent import robot_only, simulates
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.outcomes import CYCLE_ENDED, SWITCHED
 from vrts.engine.places import Numbering
+from vrts.engine.process import note_progress
 from vrts.engine.step import Step
 from vrts.engine.steps import StepCompiler
 from vrts.ir import instructions as ir
@@ -225,7 +226,9 @@ def _return(skip: Callable[[Context], float] | None, *, implicit: bool) -> Step:
         if frame.kind is FrameKind.ERROR and implicit:
             return CYCLE_ENDED  # an error program has to say how it goes on [assumed, val2.md 3.6]
         steps = int(skip(c)) if skip is not None else 0
-        c.leave()
+        left = c.leave()
+        if left.kind is not FrameKind.CALL:
+            note_progress(c)
         if steps > 0:
             _skip(c, steps)
         return SWITCHED

@@ -16,7 +16,7 @@ from vrts.engine.outcomes import (
     SWITCHED,
     LimitReached,
 )
-from vrts.engine.process import next_cycle, place
+from vrts.engine.process import next_cycle, note_progress, place
 from vrts.engine.reactions import ERROR_PRIORITY, Watch
 from vrts.engine.records import Ending
 from vrts.engine.step import look_again
@@ -184,6 +184,7 @@ def _take(machine: "Machine", c: Context, watch: Watch) -> None:
         _note_interruption(machine, c)
         frame = machine.system.executable.frame(watch.program)
         c.interrupt(frame, FrameKind.REACTION, watch.priority)
+        note_progress(c)
     c.wake = c.now
     c.events.append(Reacted(c.now, watch.signal, name, place(c)))
 
@@ -210,6 +211,7 @@ def _catch(machine: "Machine", c: Context, fault: RuntimeFault) -> None:
     _note_interruption(machine, c)
     frame = machine.system.executable.frame(c.error_program)
     c.interrupt(frame, FrameKind.ERROR, ERROR_PRIORITY)
+    note_progress(c)
     name = machine.system.executable.programs[c.error_program].program.name
     c.events.append(Reacted(c.now, 0, name, cause))
     c.wake = c.now

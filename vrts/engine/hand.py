@@ -88,7 +88,10 @@ class Hand:
 
     def opening(self, time_s: float) -> float:
         """Return the opening at a time not before the last stroke [m]."""
-        return stroke_at(self.strokes[-1], time_s) if self.strokes else self.opening_m
+        for stroke in reversed(self.strokes):
+            if time_s >= stroke.start_s:
+                return stroke_at(stroke, time_s)
+        return self.opening_m
 
     def settle_until(self, time_s: float, events: EventLog) -> None:
         """Carry out what comes of closing, if its instant has come."""

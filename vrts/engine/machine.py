@@ -34,7 +34,7 @@ from vrts.engine.outcomes import (
     INSTANT,
 )
 from vrts.engine.process import end as end_program
-from vrts.engine.process import place
+from vrts.engine.process import note_progress, place
 from vrts.engine.records import Ending
 from vrts.engine.sensing import Sensing
 from vrts.engine.signals import Signals
@@ -391,6 +391,7 @@ class Machine:
         self.robot.finished = self.finished
         self.robot.restore(self.stopped)
         self.stopped = None
+        note_progress(self.robot, self.ended_s)
 
     def abort(self, c: Context, ending: Ending = Ending.ABORTED) -> None:
         """End a program from outside."""

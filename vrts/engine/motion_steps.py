@@ -356,7 +356,8 @@ def _intent(c: Context, target: Target) -> Intent:
         joint, change = target.drive
         start = planner.dest if c.system.is_on("DRY.RUN") else planner.configuration
         goal = (*start[:joint], start[joint] + change, *start[joint + 1 :])
-        return planner.to_joints(goal, target.settings, target.fraction, target.span)  # type: ignore[arg-type]
+        intent = planner.to_joints(goal, target.settings, target.fraction, target.span)  # type: ignore[arg-type]
+        return intent._replace(keeps_request=True)
     if target.joints is not None:
         return planner.to_joints(target.joints, target.settings, target.fraction, target.span)
     assert target.pose is not None

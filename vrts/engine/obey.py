@@ -7,7 +7,7 @@ from vrts.engine.context import Context
 from vrts.engine.events import CommandRefused, SignalChanged
 from vrts.engine.executable import Executable
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.process import after_step, begin, end_cycle, end_later
+from vrts.engine.process import after_step, begin, end_cycle, end_later, go_on, note_progress
 from vrts.engine.records import Ending
 from vrts.engine.setting_steps import change_monitor_speed
 from vrts.engine.signals import known
@@ -70,6 +70,7 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
             _needs_idle(robot)
             robot.clear()
             robot.ending = Ending.NOT_STARTED
+            note_progress(robot)
         case k.Do(module=module):
             _needs_idle(robot)
             _do(machine, module, now)
@@ -128,6 +129,11 @@ def _start(
 def _resume(machine: "Machine", c: Context, now: float, *, retry: bool) -> None:
     if c.running:
         raise _Refused(EXECUTING)
+    c.finished = machine.finished
+    if not retry and go_on(c, now):
+        if c.is_robot:
+            machine.ended_s = None
+        return
     if not c.frames or c.ending not in RESUMABLE:
         raise _Refused(CANNOT_PROCEED)
     if not retry and (c.ending is Ending.ERROR or c.step_was_cut):  # go on with the next step
@@ -140,6 +146,7 @@ def _resume(machine: "Machine", c: Context, now: float, *, retry: bool) -> None:
     if retry and c.is_robot and c.ending is Ending.ABORTED and not c.step_was_cut:
         _repeat_motion(machine, now)
     c.ending, c.wake, c.steps_left, c.step_was_cut = Ending.RUNNING, now, None, False
+    note_progress(c)
     if c.is_robot:
         machine.ended_s = None
 

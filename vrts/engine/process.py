@@ -1,7 +1,7 @@
 """Programs begin and end: the robot program and the process control program alike."""
 
 from vrts.engine.context import Context
-from vrts.engine.events import Cause, ProgramEnded, ProgramStarted
+from vrts.engine.events import Cause, ProgramEnded, ProgramProgressed, ProgramStarted
 from vrts.engine.records import Ending
 from vrts.ir.module import Program
 
@@ -17,6 +17,22 @@ def begin(c: Context, name: str, cycles: int, step: int, now: float) -> None:
     _begin_cycle(c, step)
     c.wake = now
     c.events.append(ProgramStarted(now, name, process=not c.is_robot))
+    note_progress(c)
+
+
+def note_progress(c: Context, time_s: float | None = None) -> None:
+    """Note cycles and priority of a program, where they change; by default now."""
+    c.events.append(
+        ProgramProgressed(
+            c.now if time_s is None else time_s,
+            c.program,
+            c.cycles_done,
+            c.cycles_left,
+            c.priority,
+            c.running,
+            process=not c.is_robot,
+        )
+    )
 
 
 def next_cycle(c: Context) -> bool:
@@ -25,10 +41,10 @@ def next_cycle(c: Context) -> bool:
     if c.cycles_left > 0:
         c.cycles_left -= 1
     c.clear()
-    if c.cycles_left == 0:
-        return False
-    _begin_cycle(c, 1)
-    return True
+    if c.cycles_left != 0:
+        _begin_cycle(c, 1)
+    note_progress(c)
+    return c.cycles_left != 0
 
 
 def end(c: Context, ending: Ending, time_s: float) -> None:
@@ -63,6 +79,7 @@ def go_on(c: Context, now: float) -> bool:
     c.now = c.wake = now
     c.cycles_left, c.ending = left, Ending.RUNNING
     _begin_cycle(c, 1)
+    note_progress(c)
     return True
 
 

@@ -9,7 +9,7 @@ from vrts.engine.evaluate import Compiler
 from vrts.engine.events import Cause
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.outcomes import SWITCHED
-from vrts.engine.process import after_step, begin, end_cycle, end_later
+from vrts.engine.process import after_step, begin, end_cycle, end_later, note_progress
 from vrts.engine.reactions import HIGHEST_PRIORITY, MOST_WATCHES, Watch
 from vrts.engine.signals import OUTPUTS, known
 from vrts.engine.step import Step
@@ -60,6 +60,7 @@ class ReactionStepCompiler:
                     wanted = 0.0 if level is None else level(c)
                     c.priority = integer(wanted, cause.span, 0, HIGHEST_PRIORITY, "priority")
                     c.frames[-1].index = following
+                    note_progress(c)
                     return SWITCHED  # reactions that waited are looked at before the next step
 
                 return lock

@@ -3,6 +3,7 @@
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from typing import TypeAlias
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.engine.events import (
@@ -12,6 +13,7 @@ from vrts.engine.events import (
     MotionStarted,
     Printed,
     ProgramEnded,
+    ProgramProgressed,
     ProgramStarted,
 )
 from vrts.engine.history import History, history_of
@@ -28,6 +30,9 @@ from vrts.ir.module import Module
 from vrts.scene.model import Scenario, Scene
 
 __all__ = ["OutOfHorizon", "Run", "State", "pose_of"]
+
+
+Progress: TypeAlias = ProgramStarted | ProgramProgressed | ProgramEnded
 
 
 class OutOfHorizon(ValueError):  # noqa: N818 -- names the situation, as the glossary does
@@ -182,28 +187,28 @@ class Run:
         """Everything written to the terminal."""
         return "".join(event.text for event in self.events if isinstance(event, Printed))
 
-    def spell(self, time_s: float, *, is_robot: bool) -> ProgramStarted | ProgramEnded | None:
-        """Return the event by which the robot program or the other last began or ended."""
+    def spell(self, time_s: float, *, is_robot: bool) -> Progress | None:
+        """Return the event by which the robot program or the other last began, went on or ended."""
         times, events = self._spells[is_robot]
         found = bisect_right(times, time_s)
         return events[found - 1] if found else None
 
-    def executed(self, time_s: float, *, is_robot: bool) -> str:
-        """Return the name of the program that began last; empty when none has."""
+    def progress(self, time_s: float, *, is_robot: bool) -> ProgramProgressed | None:
+        """Return cycles and priority of the robot program or the other; None before the first."""
         times, events = self._spells[is_robot]
         for event in reversed(events[: bisect_right(times, time_s)]):
-            if isinstance(event, ProgramStarted):
-                return event.program
-        return ""
+            if isinstance(event, ProgramProgressed):
+                return event
+        return None
 
     @cached_property
-    def _spells(self) -> Mapping[bool, tuple[list[float], list[ProgramStarted | ProgramEnded]]]:
-        found: dict[bool, tuple[list[float], list[ProgramStarted | ProgramEnded]]] = {}
+    def _spells(self) -> Mapping[bool, tuple[list[float], list[Progress]]]:
+        found: dict[bool, tuple[list[float], list[Progress]]] = {}
         for is_robot in (True, False):
             events = [
                 event
                 for event in self.events
-                if isinstance(event, ProgramStarted | ProgramEnded)
+                if isinstance(event, ProgramStarted | ProgramProgressed | ProgramEnded)
                 and event.process is not is_robot
             ]
             found[is_robot] = ([event.time_s for event in events], events)

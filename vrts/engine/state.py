@@ -14,6 +14,7 @@ from vrts.engine.events import (
     Event,
     Printed,
     ProgramEnded,
+    ProgramProgressed,
     Prompted,
     SignalChanged,
     SpeedChanged,
@@ -316,18 +317,15 @@ class State:
             return None
         stack = self._stack(program)
         cause = stack[-1] if stack else None
+        at = self._run.progress(self.time_s, is_robot=program.is_robot)
+        assert at is not None  # one comes with the beginning
         if isinstance(spell, ProgramEnded):
             done = spell.ending in FINISHED
             status = ProgramStatus.COMPLETED if done else ProgramStatus.STOPPED
             cause = spell.cause
+        elif isinstance(spell, ProgramProgressed) and not spell.running:
+            status = ProgramStatus.STOPPED if stack else ProgramStatus.NOT_RUNNING
         else:
             waits = program.waits and self.time_s >= self._run.history.now_s
             status = ProgramStatus.WAITING if waits else ProgramStatus.RUNNING
-        return ProgramState(
-            self._run.executed(self.time_s, is_robot=program.is_robot),
-            status,
-            program.cycles_done,
-            program.cycles_left,
-            program.priority,
-            cause,
-        )
+        return ProgramState(at.program, status, at.cycles_done, at.cycles_left, at.priority, cause)

@@ -14,6 +14,7 @@ from vrts.engine.events import (
     MotionStarted,
     Printed,
     ProgramEnded,
+    ProgramProgressed,
     ProgramStarted,
     Prompted,
     Reacted,
@@ -34,6 +35,8 @@ def event_text(event: Event) -> tuple[str, str] | None:
             return ("program", f"{'process ' if process else ''}program {program} starts")
         case ProgramEnded(ending=ending, process=process):
             return ("program", f"{'process ' if process else ''}program over: {ending}")
+        case ProgramProgressed():
+            return None
         case MotionStarted(cause=cause):
             return ("motion", one_line(cause.span.text))
         case MotionEnded():

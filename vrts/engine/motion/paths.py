@@ -25,7 +25,6 @@ from vrts.base.pose import (
 )
 from vrts.robots.model import Configuration
 
-
 NO_TURN = 1e-12  # [rad] less is rounding
 
 

@@ -32,6 +32,7 @@ class Intent(NamedTuple):
     settings: Settings
     fraction: float  # program speed as a share of full speed
     span: Span | None = None  # of the target, for what is wrong with it
+    keeps_request: bool = False  # an arm branch that was asked for is left to a later motion
 
 
 class Planned(NamedTuple):

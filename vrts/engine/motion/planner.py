@@ -280,8 +280,7 @@ class Planner:
         self.tool_at_dest = reached if early else self.base.inverse() @ target  # type: ignore[operator]
         self._end(end, intent.settings)
         self.leg = self._leg(planned, intent, start) if pieces and planned.fault is None else None
-        if intent.goal is not None:
-            self.request = NOTHING_REQUESTED
+        self._carry_out_request(intent)
         return planned.fault
 
     def join(self, intent: Intent, now: float, target: Pose | None, cause: Cause) -> bool:
@@ -325,8 +324,7 @@ class Planner:
         self.tool_at_dest = reached if target is None else self.base.inverse() @ target
         self.leg = corner.leg
         self._end(corner.pieces[-1][1], pending.intent.settings)
-        if pending.intent.goal is not None:
-            self.request = NOTHING_REQUESTED
+        self._carry_out_request(pending.intent)
 
     def take_back(self, now: float) -> None:
         """Forget the motion that waits its turn: the one under way ends at its own target.
@@ -389,6 +387,10 @@ class Planner:
             self.scale.change(now, rate, self.arm.acceleration_time)
 
     # --- parts --------------------------------------------------------------------------------
+
+    def _carry_out_request(self, intent: Intent) -> None:
+        if intent.goal is not None and not intent.keeps_request:
+            self.request = NOTHING_REQUESTED
 
     def _stop_at(self, path_s: float, q: Configuration) -> None:
         self.end_s = path_s
