@@ -2,17 +2,9 @@
 
 import pytest
 
-from tests.support_engine import TICK, driven, lines, main, refused, runs, words
+from tests.support_engine import TICK, driven, lines, main, runs, words
 from tests.support_programs import codes, ended, switched
 from vrts.engine.run import Run
-from vrts.ir.commands import (
-    AbortProcess,
-    EndProcess,
-    ForceSignals,
-    ProceedProcess,
-    RetryProcess,
-    StartProcess,
-)
 from vrts.scene.model import Scenario
 
 TICKER = ".PROGRAM tick\nn = n+1\nWAIT\n.END\n"
@@ -130,26 +122,6 @@ def test_pcend_stops_it_at_the_end_of_its_cycle() -> None:
     assert texts(run)[:3] == ["begin", "end", "begin"]
 
 
-def test_tas_is_one_step() -> None:
-    """Of two programs that test and set in a loop, one at a time is inside."""
-    enter = "WHILE TAS(lock, -1) <> 0 DO\nWAIT\nEND\ninside = inside+1\nmost = MAX(most, inside)\n"
-    leave = "WAIT\ninside = inside-1\nlock = 0\n"
-    run = runs(
-        "lock = 0\ninside = 0\nmost = 0\nPCEXECUTE watch\nFOR i = 1 TO 20\n"
-        + enter
-        + leave
-        + "END\nWAIT done\nTYPE most, inside",
-        pc("done = 0\nFOR k = 1 TO 20\n" + enter + leave + "END\ndone = -1"),
-        dialect="val2+",
-    )
-    assert run.output.split() == ["1", "0"]
-
-
-def test_tas_returns_the_old_value_and_zero_at_first() -> None:
-    run = runs("TYPE TAS(x, 3)\nTYPE TAS(x, 4)\nTYPE x", dialect="vplus")
-    assert run.output.split() == ["0", "3", "4"]
-
-
 def test_reactions_of_the_process_program() -> None:
     run = runs(
         "PCEXECUTE watch\nMOVE a\nBREAK",
@@ -167,38 +139,6 @@ def test_reacti_of_the_process_program_cuts_the_motion() -> None:
     )
     assert run.motions[0].cut
     assert switched(run)[1] == pytest.approx(run.motions[0].end_s + 3 * TICK, abs=TICK)
-
-
-def test_the_operator_starts_and_stops_it() -> None:
-    watch = main("DELAY 1", ".PROGRAM watch\nn = 0\nDO\nn = n+1\nWAIT\nUNTIL SIG(2001)\n.END\n")
-    run = driven(
-        watch,
-        9.0,
-        (1.0, StartProcess("watch")),
-        (1.5, StartProcess("watch")),
-        (2.0, AbortProcess()),
-        (3.0, AbortProcess()),
-        (4.0, ProceedProcess()),
-        (5.0, EndProcess()),
-        (6.0, ForceSignals((2001,))),
-    )
-    assert refused(run) == [
-        "Process control program executing",
-        "No program is executing",
-    ]
-    counts = [count(run, t) for t in (1.9, 2.5, 3.9, 5.5, 7.0, 8.0)]
-    assert counts[1] == counts[2] > counts[0]
-    assert counts[3] > counts[2]
-    assert counts[4] == counts[5] > counts[3]
-    state = run.at(9.0).process
-    assert state is not None
-    assert state.status.value == "completed"
-
-
-def test_the_operator_may_retry_a_step_that_failed() -> None:
-    text = main("x = 0\nPCEXECUTE watch\nWAIT TIMER(0) > 1\nx = 2\nDELAY 3", pc("TYPE 6/x"))
-    run = driven(text, 5.0, (2.0, RetryProcess()))
-    assert texts(run) == ["3"]
 
 
 def test_a_process_program_goes_on_when_the_robot_program_has_ended() -> None:
