@@ -110,6 +110,11 @@ class Memory:
         """Return every cell, array elements included."""
         return [cell for item in self.bound for cell in cells_of(item)]
 
+    @property
+    def size(self) -> int:
+        """Number of cells."""
+        return sum(len(b.elements) if isinstance(b, Array) else 1 for b in self.bound)
+
     def copy(self, copies: dict[int, Bound]) -> "Memory":
         """Return an independent memory; `copies` maps id of the old to the new cells and arrays."""
         return Memory([copy_bound(item, copies) for item in self.bound])

@@ -13,6 +13,8 @@ from vrts.scene.model import Scenario, Scene
 
 CHECKPOINT = 5.0  # [s] of simulated time between states kept for `truncate`, at first
 MOST_CHECKPOINTS = 64  # beyond, every other one is given up
+FEW_CELLS = 1000  # of which a copy costs nothing worth mentioning
+STATEMENTS_A_CELL = 10  # with more, a state is kept after so many statements for each of them
 AFTERWARDS = 10.0  # [s] longest time anything may move after the program has ended
 
 
@@ -137,13 +139,20 @@ def _grown(
     boundary = (math.floor(from_s / step) + 1) * step
     while boundary < until_s and machine.has_work():
         machine.advance(boundary)
-        kept.append(machine.copy())
+        if _worth(machine, kept[-1]):
+            kept.append(machine.copy())
         if len(kept) > MOST_CHECKPOINTS:
             kept = [kept[0], *kept[2::2]]
             step *= 2.0
         boundary = (math.floor(boundary / step) + 1) * step
     machine.advance(until_s)
     return Run(machine, until_s, tuple(kept))
+
+
+def _worth(machine: Machine, last: Machine) -> bool:
+    """Return whether a state is worth keeping: a copy costs as much as there are variables."""
+    size = machine.system.memory.size
+    return size < FEW_CELLS or machine.finished - last.finished >= STATEMENTS_A_CELL * size
 
 
 def _spacing(kept: Sequence[Machine]) -> float:

@@ -8,7 +8,7 @@ still to change may end, is never called endless.
 from typing import TYPE_CHECKING, NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
-from vrts.engine.cells import Content
+from vrts.engine.cells import Cell, Content
 from vrts.engine.process import place
 from vrts.engine.records import Lie, Placement
 from vrts.robots.model import Configuration
@@ -49,13 +49,14 @@ class Kept(NamedTuple):
 class Watcher:
     """Looks at the state of a machine after each tick that was run."""
 
-    __slots__ = ("_kept", "_left", "_power")
+    __slots__ = ("_kept", "_left", "_power", "_witness")
 
     def __init__(self) -> None:
         """Start with nothing kept."""
         self._kept: Kept | None = None
         self._power = FIRST_LOOK
         self._left = FIRST_LOOK
+        self._witness: tuple[Cell, Content] | None = None  # a cell, and its value that is kept
 
     def copy(self) -> "Watcher":
         """Return an independent copy."""
@@ -72,15 +73,25 @@ class Watcher:
         if kept is not None and kept.clock_reads == machine.system.clock_reads:
             robot, process = machine.robot, machine.process
             if kept.places == (_place(robot), _place(process)) and kept.finished < machine.finished:
-                state = _state(machine, now)
-                if state[:6] == kept[:6]:
-                    return _endless(machine, kept, now)
+                if self._witness is None or self._witness[0].value == self._witness[1]:
+                    state = _state(machine, now)
+                    if state[:6] == kept[:6]:
+                        return _endless(machine, kept, now)
+                    self._witness = _difference(machine, kept)
         self._left -= 1
         if self._left <= 0:
             self._power *= 2
             self._left = self._power
-            self._kept = _state(machine, now)
+            self._kept, self._witness = _state(machine, now), None
         return None
+
+
+def _difference(machine: "Machine", kept: Kept) -> tuple[Cell, Content] | None:
+    """Return a variable that has changed, most likely not for the last time, and what it was."""
+    for cell, value in zip(machine.system.memory.cells(), kept.values, strict=False):
+        if cell.value != value:
+            return cell, value
+    return None
 
 
 def _place(c: "Context") -> tuple[object, ...]:
