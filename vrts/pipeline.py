@@ -30,6 +30,8 @@ CHECKOUT = PACKAGE.parent  # the same in a checkout
 
 SCENE_FILE = "scene.toml"
 TASK_FILE = "task.toml"
+STAFF = "staff"  # folder beside a task: what students do not get
+MANIFEST_FILE = "manifest.json"  # of a packed task, also after unpacking
 SCENARIO_FILE = "scenario.toml"  # beside a task: how its runs begin, and what happens in them
 MAX_TOML = 1_000_000  # bytes
 CURVE_STEP = 0.1  # [s] between samples of the clearance, for charts
@@ -70,6 +72,9 @@ class Setting:
     diagnostics: tuple[Diagnostic, ...]  # warnings
     scenario: "ScenarioFile | None" = None
     scene_source: SourceFile | None = None  # None: a robot alone
+    stamps: tuple[Diagnostic, ...] = ()  # why marks do not count; part of every assessment
+    hidden: int = 0  # checks that are in `task` for marking only
+    more: int = 0  # checks that are not in `task` but will be at marking
 
 
 # --- files ----------------------------------------------------------------------------------------
@@ -135,8 +140,12 @@ def read_bytes(path: Path) -> bytes:
         raise CannotRead(f"cannot read `{path}`: {reason}") from problem
 
 
-def read_toml_source(path: Path) -> SourceFile:
+def read_toml_source(path: Path, home: Path | None = None) -> SourceFile:
     """Return the text of a TOML file.
+
+    Args:
+        path: Of the file.
+        home: Folder from which names are shown; None: the working folder.
 
     Raises:
         CannotRead: It is not there, is too large, or is not UTF-8.
@@ -145,15 +154,15 @@ def read_toml_source(path: Path) -> SourceFile:
     if len(data) > MAX_TOML:
         raise CannotRead(f"`{path}` is too large: {len(data):,} bytes")
     try:
-        return SourceFile(shown(path), data.decode("utf-8-sig").replace("\r\n", "\n"))
+        return SourceFile(shown(path, home), data.decode("utf-8-sig").replace("\r\n", "\n"))
     except UnicodeDecodeError as problem:
         raise CannotRead(f"`{path}` is not UTF-8 text") from problem
 
 
-def shown(path: Path) -> str:
+def shown(path: Path, home: Path | None = None) -> str:
     """Return a path as diagnostics show it: relative to the working folder where it is inside."""
     try:
-        return str(path.resolve().relative_to(Path.cwd()))
+        return str(path.resolve().relative_to(Path.cwd() if home is None else home.resolve()))
     except ValueError:
         return str(path)
 
@@ -168,8 +177,8 @@ def robot_alone() -> Setting:
     return Setting(alone(), None, ())
 
 
-def load_scene(name: str, beside: Path | None = None) -> Setting:
-    """Return a scene without a task.
+def load_scene(name: str, beside: Path | None = None, home: Path | None = None) -> Setting:
+    """Return a scene without a task; `home` as for `read_toml_source`.
 
     Raises:
         CannotRead: There is no such scene.
@@ -178,38 +187,84 @@ def load_scene(name: str, beside: Path | None = None) -> Setting:
     from vrts.scene.scene_file import read_scene
 
     path = find_scene(name, beside)
-    source = read_toml_source(path)
+    source = read_toml_source(path, home)
     scene, found = read_scene(source, path.parent)
     return Setting(_accepted(scene, found), None, found, scene_source=source)
 
 
-def load_task(path: Path, scene: str | None = None, scenario: Path | None = None) -> Setting:
-    """Return a task in its scene, or in another one.
+def load_task(
+    path: Path,
+    scene: str | None = None,
+    scenario: Path | None = None,
+    *,
+    staff: bool = False,
+    home: Path | None = None,
+) -> Setting:
+    """Return a task in its scene, or in another one, which is stamped: its marks do not count.
 
     The scenario is the one given, else `scenario.toml` beside the task if there is one.
+
+    Args:
+        path: `task.toml`, or its folder.
+        scene: Name or path of another scene than the task's.
+        scenario: A scenario file.
+        staff: Whether to add the hidden part in `staff/task.toml`, if there is one.
+        home: As for `read_toml_source`.
 
     Raises:
         CannotRead: The task, its scene or the scenario is not there.
         Refused: One of the files has errors.
     """
+    from vrts.check.manifest import altered, announced, other_scene
+    from vrts.check.staff import read_whole_task
     from vrts.check.task_file import read_task, scene_name
 
-    source = read_toml_source(path / TASK_FILE if path.is_dir() else path)
-    named, found = scene_name(source)
-    wanted = scene or _accepted(named, found)
     folder = path if path.is_dir() else path.parent
-    setting = load_scene(wanted, folder)
-    task, found = read_task(source, setting.scene)
+    source = read_toml_source(folder / TASK_FILE if path.is_dir() else path, home)
+    named, found = scene_name(source)
+    setting = load_scene(scene or _accepted(named, found), folder, home)
+    stamps: tuple[Diagnostic, ...] = ()
+    more = 0
+    if (folder / MANIFEST_FILE).is_file():
+        packed = _packed_files(folder)
+        stamps, more = altered(packed), announced(packed[MANIFEST_FILE])
+    if scene is not None and named is not None and scene != named:
+        stamps += other_scene(load_scene(named, folder, home).scene, setting.scene)
+    hidden = 0
+    if staff and (folder / STAFF / TASK_FILE).is_file():
+        staff_source = read_toml_source(folder / STAFF / TASK_FILE, home)
+        task, counts, found = read_whole_task(source, staff_source, setting.scene)
+        hidden = sum(counts.values())
+    else:
+        task, found = read_task(source, setting.scene)
     setting = replace(
-        setting, task=_accepted(task, found), diagnostics=(*setting.diagnostics, *found)
+        setting,
+        task=_accepted(task, found),
+        diagnostics=(*setting.diagnostics, *found),
+        stamps=stamps,
+        hidden=hidden,
+        more=0 if hidden else more,
     )
     if scenario is None and (folder / SCENARIO_FILE).is_file():
         scenario = folder / SCENARIO_FILE
-    return setting if scenario is None else with_scenario(setting, scenario)
+    return setting if scenario is None else with_scenario(setting, scenario, home)
 
 
-def with_scenario(setting: Setting, path: Path) -> Setting:
-    """Return a setting in which runs go as a scenario file says.
+def _packed_files(folder: Path) -> dict[str, bytes]:
+    """Return the files that the manifest of an unpacked task names, as far as they are there."""
+    from vrts.check.manifest import listed
+
+    manifest = read_bytes(folder / MANIFEST_FILE)[: MAX_TOML + 1]
+    found = {MANIFEST_FILE: manifest}
+    for name in listed(manifest):
+        place = folder / name
+        if place.resolve().is_relative_to(folder.resolve()) and place.is_file():
+            found[name] = read_bytes(place)
+    return found
+
+
+def with_scenario(setting: Setting, path: Path, home: Path | None = None) -> Setting:
+    """Return a setting in which runs go as a scenario file says; `home` as for `load_task`.
 
     Raises:
         CannotRead: The file is not there.
@@ -219,7 +274,7 @@ def with_scenario(setting: Setting, path: Path) -> Setting:
     from vrts.scene.scenario_file import read_scenario
 
     numbers = PARAMETERS.keys() - {"NEST.POS"}  # which is six of them
-    scenario, found = read_scenario(read_toml_source(path), setting.scene, sorted(numbers))
+    scenario, found = read_scenario(read_toml_source(path, home), setting.scene, sorted(numbers))
     accepted = _accepted(scenario, found)
     task = setting.task
     if task is not None:
@@ -420,7 +475,7 @@ def assess(
         identifier or (path.stem if path is not None else "program"),
         name if title or path is None else path.name,
         source,
-        diagnostics,
+        (*setting.stamps, *diagnostics),
         scene=setting.scene,
         task=setting.task,
     )

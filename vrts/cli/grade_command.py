@@ -6,7 +6,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.console import FAULT, HOLDS, color_option, fail, guarded, out, say
+from vrts.cli.console import (
+    FAULT,
+    HOLDS,
+    color_option,
+    fail,
+    guarded,
+    out,
+    say,
+    show_diagnostics,
+)
 
 if TYPE_CHECKING:
     from vrts.marking.grade import Marked
@@ -18,6 +27,8 @@ Examples:
   vrts grade examples/01-cans-on-bases -o out
   vrts grade task.toml submissions/ -o out
   vrts grade task.toml anna.v2 ben.v2 --format json
+  vrts grade lab1-student.zip mine.v2
+  vrts grade lab1-staff.zip submissions/ -o out
 """
 
 
@@ -39,17 +50,24 @@ def command(
 ) -> None:
     """Mark SUBMISSIONS (files or folders) by TASK.
 
-    TASK is a task.toml, its folder, or the name of an example; an example without submissions marks
-    its own solution and submissions. Exit status 0 when every row has a result.
+    TASK is a task.toml, its folder, a zip of `vrts task pack`, or the name of an example; an
+    example without submissions marks its own solution and submissions. A task with a folder `staff`
+    is marked with its hidden checks: then the marks are in the folder `staff` of the output, and
+    the reports in `students` tell of the public checks only. Exit status 0 when every row has a
+    result.
     """
-    setting, found = _what(task, submissions)
-    rows = _mark(setting, found, folder, recordings=recordings, quiet=form == "json")
-    if folder is not None:
+    setting, public, found = _what(task, submissions)
+    marks = folder if folder is None or public is None else folder / "staff"
+    rows = _mark(setting, found, marks, recordings=recordings, quiet=form == "json")
+    show_diagnostics(setting.stamps, color)
+    if marks is not None:
         from vrts.marking.outputs import write_class
 
         assert setting.task is not None
-        write_class(rows, folder, setting.task.title)
-        say(f"wrote {folder / 'index.html'}")
+        write_class(rows, marks, setting.task.title)
+        say(f"wrote {marks / 'index.html'}")
+    if folder is not None and public is not None:
+        _for_students(public, found, folder, recordings=recordings)
     if form == "json":
         from vrts.report.json_form import results_json
         from vrts.report.json_text import json_text
@@ -59,21 +77,45 @@ def command(
     sys.exit(FAULT if any(row.fault for row in rows) else HOLDS)
 
 
-def _what(task: str, submissions: tuple[Path, ...]) -> "tuple[Setting, list[Submission]]":
+def _for_students(
+    public: "Setting", found: "list[Submission]", folder: Path, *, recordings: bool
+) -> None:
+    """Write reports that know nothing of hidden checks."""
+    from vrts.marking.grade import mark_all
+    from vrts.marking.outputs import write_student
+
+    for row in mark_all(found, public):
+        write_student(row, folder, recordings=recordings)
+    say(f"wrote {folder / 'students'}, without the hidden checks")
+
+
+def _settings(task: str, folder: Path | None) -> "tuple[Setting, Setting | None]":
+    """Return what is marked by, and the same without hidden checks; None where there are none."""
+    from vrts.marking.packed import is_packed, load_zip
+    from vrts.pipeline import TASK_FILE, load_task
+
+    path = folder / TASK_FILE if folder is not None else Path(task)
+    load = load_zip if is_packed(path) else load_task
+    whole = load(path, staff=True)
+    return whole, load(path, staff=False) if whole.hidden else None
+
+
+def _what(
+    task: str, submissions: tuple[Path, ...]
+) -> "tuple[Setting, Setting | None, list[Submission]]":
     from vrts.marking.submissions import of_example, of_paths
-    from vrts.pipeline import TASK_FILE, find_example, load_task
+    from vrts.pipeline import find_example
 
     folder = find_example(task)
-    path = folder / TASK_FILE if folder is not None else Path(task)
-    setting = load_task(path)
+    setting, public = _settings(task, folder)
     if submissions:
         missing = [str(p) for p in submissions if not p.exists()]
         if missing:
             fail(f"there is no `{missing[0]}`")
-        return setting, of_paths(submissions)
+        return setting, public, of_paths(submissions)
     if folder is None:
         fail("no submissions given", ("name files or folders after the task",))
-    return setting, of_example(folder)
+    return setting, public, of_example(folder)
 
 
 def _mark(
@@ -85,6 +127,7 @@ def _mark(
     quiet: bool,
 ) -> "list[Marked]":
     from vrts.marking.grade import mark_all
+    from vrts.marking.packed import public_answer
     from vrts.report.row_text import row_text
 
     count = 0
@@ -98,6 +141,9 @@ def _mark(
             write_student(row, folder, recordings=recordings)
         if not quiet:
             out(row_text(row.assessment))
+            answer = public_answer(row.assessment, setting)
+            if answer is not None:
+                out(f"      {answer}")
         if sys.stderr.isatty():
             click.echo(f"\r{count} of {len(found)}\r", nl=False, err=True)
 

@@ -1,22 +1,39 @@
 """`vrts scene`."""
 
+import sys
+import time
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.console import color_option, guarded, out, say, write_file
+from vrts.cli.console import (
+    HOLDS,
+    WRONG,
+    color_option,
+    guarded,
+    out,
+    say,
+    show_diagnostics,
+    write_file,
+)
+
+if TYPE_CHECKING:
+    from vrts.pipeline import Setting
 
 EPILOG = """\b
 Examples:
   vrts scene list
   vrts scene show cans-on-bases
   vrts scene show cans-on-bases --svg map.svg
+  vrts scene check lab1
+  vrts scene watch lab1 --svg map.svg
 """
 
 
 @click.group(name="scene", epilog=EPILOG)
 def command() -> None:
-    """List the scenes, or show where things are in one."""
+    """List the scenes; show where things are in one; find mistakes; redraw while you edit."""
 
 
 @command.command(name="list")
@@ -45,4 +62,84 @@ def show(name: str, svg: Path | None, color: str) -> None:
         from vrts.report.scene_drawing import scene_svg
 
         write_file(svg, scene_svg(scene).encode())
+        say(f"wrote {svg}")
+
+
+@command.command(name="check", epilog=EPILOG)
+@click.argument("name")
+@color_option
+@guarded
+def check(name: str, color: str) -> None:
+    """Look for what cannot be meant in scene NAME, or in the folder of a task.
+
+    Finds overlaps, floating objects, objects too wide for the hand, locations out of reach on every
+    arm branch or inside bodies; and in a task goals out of reach, in the air or inside bodies, and
+    via points out of reach. Exit status 1 when something is wrong; warnings are no errors.
+    """
+    from vrts.check.feasible import task_findings
+    from vrts.scene.checks import scene_findings
+
+    setting = _setting(name)
+    scene, task = setting.scene, setting.task
+    found = [*setting.diagnostics, *scene_findings(scene)]
+    if task is not None:
+        found += task_findings(scene, task)
+    show_diagnostics(found, color)
+    goals = f", {len(task.goals)} goals" if task is not None else ""
+    what = f"{len(scene.bodies) - 1} objects, {len(scene.locations)} locations{goals}"
+    out(f"{scene.title}: {what}: " + ("see above" if found else "nothing found"))
+    sys.exit(WRONG if any(d.is_error for d in found) else HOLDS)
+
+
+def _setting(name: str) -> "Setting":
+    """Return a scene, with the task where NAME is the folder of one."""
+    from vrts.pipeline import TASK_FILE, load_scene, load_task
+
+    path = Path(name)
+    if (path / TASK_FILE).is_file() or (path.name == TASK_FILE and path.is_file()):
+        return load_task(path, staff=True)
+    return load_scene(name)
+
+
+@command.command(name="watch", epilog=EPILOG)
+@click.argument("name")
+@click.option("--svg", type=click.Path(path_type=Path), help="Write a drawing on every change.")
+@click.option("--for", "seconds", type=float, help="End after so many seconds; otherwise never.")
+@color_option
+@guarded
+def watch_scene(name: str, svg: Path | None, seconds: float | None, color: str) -> None:
+    """Show scene NAME, and again whenever its file is saved. Control-C ends it."""
+    from vrts.cli.watching import watch
+    from vrts.pipeline import find_scene
+
+    place = find_scene(name)
+    until = None if seconds is None else time.monotonic() + seconds
+
+    def redraw() -> None:
+        draw(place, svg, color)
+
+    watch([place], redraw, clock=time.monotonic, sleep=time.sleep, until=until)
+
+
+def draw(place: Path, svg: Path | None, color: str) -> None:
+    """Show a scene as it is now, with a drawing; or what is wrong with it."""
+    from vrts.pipeline import CannotRead, Refused, load_scene
+    from vrts.report.scene_drawing import scene_svg
+    from vrts.report.scene_text import scene_text
+    from vrts.scene.checks import scene_findings
+
+    if sys.stdout.isatty():
+        click.clear()
+    try:
+        setting = load_scene(str(place.resolve()))
+    except Refused as problem:
+        show_diagnostics(problem.diagnostics, color)
+        return
+    except CannotRead as problem:  # in the middle of being saved
+        say(problem.message)
+        return
+    out(scene_text(setting.scene))
+    show_diagnostics([*setting.diagnostics, *scene_findings(setting.scene)], color)
+    if svg is not None:
+        write_file(svg, scene_svg(setting.scene).encode())
         say(f"wrote {svg}")

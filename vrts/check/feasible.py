@@ -1,0 +1,130 @@
+"""Whether what a task asks for can be had at all: goals and via points, before any program runs."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import product
+
+from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
+from vrts.base.oat import rotation_from_oat
+from vrts.base.pose import Pose, add
+from vrts.base.source import Span
+from vrts.base.units import mm
+from vrts.check.task import Goal, Task, ViaPoint
+from vrts.scene.clearance import clearance, overlap_is_within, placed_body
+from vrts.scene.model import Body, Mobility, Scene
+from vrts.scene.places import down_pose, grip_height
+from vrts.scene.reach import branches
+from vrts.scene.standing import DEEPEST, TOUCHING, find_support
+
+GOAL_INSIDE = Rule("V667", "goal-inside")
+GOAL_FLOATS = Rule("V668", "goal-floats")
+GOAL_UNREACHABLE = Rule("V669", "goal-unreachable")
+VIA_UNREACHABLE = Rule("V670", "via-unreachable")
+
+LEVEL = 0.9999  # cosine of the inclination up to which a body counts as upright
+TURNS = range(-180, 180, 15)  # [degrees] of the hand about the vertical
+PITCHES = (90, 45, 0, -45, -90)  # [degrees] A: straight down, .. level, .. straight up
+HEADINGS = range(-180, 180, 45)  # [degrees] O
+
+
+def task_findings(scene: Scene, task: Task) -> tuple[Diagnostic, ...]:
+    """Return what speaks against the goals and via points of a task in its scene."""
+    found: list[Diagnostic] = []
+    for goal in task.goals:
+        found += _goal(scene, task, goal)
+    return (*found, *_vias(scene, task.vias))
+
+
+def _goal(scene: Scene, task: Task, goal: Goal) -> Iterator[Diagnostic]:
+    body = replace(scene.body(goal.body), X_WO=goal.X_WG)
+    others = at_the_end(scene, task, goal.body)
+    yield from _inside(goal, body, others)
+    if not _stands(body, others):
+        yield _finding(
+            GOAL_FLOATS,
+            f"at its goal `{goal.body}` stands on nothing",
+            goal.span,
+            (f"its underside would be at z = {mm(goal.X_WG.translation[2]):.1f} mm",),
+            ('write on = "NAME" of what it is to stand on',),
+        )
+    height = grip_height(scene.robot.gripper, scene.body(goal.body))
+    if height is not None and not _hand_reaches(scene, goal.X_WG, height):
+        yield _finding(
+            GOAL_UNREACHABLE,
+            f"the robot cannot set `{goal.body}` down at its goal",
+            goal.span,
+            ("with the hand straight down, turned in any direction, on any arm branch",),
+            ("move the goal nearer to the robot",),
+        )
+
+
+def _stands(body: Body, others: Sequence[Body]) -> bool:
+    """Return whether something holds a body up; if it lies inclined, whether it touches anything."""
+    upward = body.X_WO.apply((0.0, 0.0, 1.0))[2] - body.X_WO.translation[2]
+    if upward > LEVEL:
+        return find_support(body, others).body is not None
+    placed = placed_body(body)
+    return any(clearance(placed, placed_body(other), TOUCHING) < TOUCHING for other in others)
+
+
+def at_the_end(scene: Scene, task: Task, besides: str) -> tuple[Body, ...]:
+    """Return the other bodies where the task wants them; those without a goal where they start."""
+    wanted = {goal.body: goal.X_WG for goal in task.goals}
+    return tuple(
+        replace(body, X_WO=wanted.get(body.name, body.X_WO))
+        for body in scene.bodies
+        if body.name != besides
+    )
+
+
+def _inside(goal: Goal, body: Body, others: Sequence[Body]) -> Iterator[Diagnostic]:
+    placed = placed_body(body)
+    for other in others:
+        if overlap_is_within(placed, placed_body(other), DEEPEST):
+            continue
+        depth = -clearance(placed, placed_body(other), 0.0)
+        movable = other.mobility is Mobility.MOVABLE
+        where = ", where that is at the end" if movable else ""
+        yield _finding(
+            GOAL_INSIDE,
+            f"the goal of `{goal.body}` is inside `{other.name}`{where}",
+            goal.span,
+            (f"{mm(depth):.1f} mm deep",),
+            ("move the goal or the body",),
+        )
+
+
+def _hand_reaches(scene: Scene, X_WG: Pose, height: float) -> bool:
+    x, y, z = (mm(value) for value in add(X_WG.translation, (0.0, 0.0, height)))
+    return any(
+        _reaches(scene, down_pose(x, y, z, turn) @ scene.robot.gripper.X_FP.inverse())
+        for turn in TURNS
+    )
+
+
+def _vias(scene: Scene, vias: Sequence[ViaPoint]) -> Iterator[Diagnostic]:
+    for via in vias:
+        poses = (
+            Pose(rotation_from_oat(o, a, 0.0), via.point) for a, o in product(PITCHES, HEADINGS)
+        )
+        if any(_reaches(scene, X_WT @ scene.X_FT.inverse()) for X_WT in poses):
+            continue
+        yield Diagnostic(
+            VIA_UNREACHABLE,
+            Severity.WARNING,
+            f"the tool cannot be brought to `{via.name}`",
+            None if via.span is None else Label(via.span),
+            notes=(f"tried: {len(PITCHES) * len(HEADINGS)} directions of the hand, all branches",),
+            help=("move the via point nearer to the robot",),
+        )
+
+
+def _reaches(scene: Scene, X_WF: Pose) -> bool:
+    return any(way.within_limits for way in branches(scene.robot, X_WF))
+
+
+def _finding(
+    rule: Rule, headline: str, span: Span | None, notes: tuple[str, ...], remedy: tuple[str, ...]
+) -> Diagnostic:
+    primary = None if span is None else Label(span)
+    return Diagnostic(rule, Severity.ERROR, headline, primary, notes=notes, help=remedy)

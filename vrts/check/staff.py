@@ -1,0 +1,104 @@
+"""The hidden part of a task: further goals, via points and the like, added for marking only.
+
+`staff/task.toml` is read as if it stood at the end of `task.toml`, so whatever a task may ask for
+can be hidden, and is checked in the same way, also against the public part. It cannot change what
+students are told: title, scene, times and weights stay as they are.
+"""
+
+from collections.abc import Mapping
+from dataclasses import fields, replace
+from typing import Any, NamedTuple, cast
+
+from vrts.base.diagnostic import Diagnostic, Label, Rule
+from vrts.base.source import SourceFile, Span
+from vrts.base.toml import Table, read_toml
+from vrts.check.task import Task
+from vrts.check.task_file import read_task
+from vrts.scene.model import Scene
+
+STAFF_PART = Rule("V664", "staff-part")
+
+PUBLIC_ONLY = ("task", "time", "mark")  # sections
+
+
+class WholeTask(NamedTuple):
+    """A task with its hidden part."""
+
+    task: Task | None  # None: something is wrong
+    hidden: Mapping[str, int]  # how many are hidden of what: "goal", "via", ...
+    diagnostics: tuple[Diagnostic, ...]
+
+    @property
+    def number(self) -> int:
+        """How many checks are hidden."""
+        return sum(self.hidden.values())
+
+
+def read_whole_task(public: SourceFile, staff: SourceFile, scene: Scene) -> WholeTask:
+    """Return a task with its hidden part; spans and diagnostics point into the right file."""
+    open_part, found = read_task(public, scene)
+    if open_part is None:
+        return WholeTask(None, {}, found)
+    top, problems = read_toml(staff)
+    if top is None:
+        return WholeTask(None, {}, problems.in_order())
+    for key in top.keys:
+        if key in PUBLIC_ONLY or not _header(top, key):
+            problems.error(
+                STAFF_PART,
+                f"`{key}` cannot be hidden from students",
+                top.span_of(key),
+                help=("write it in the public `task.toml`; hide `[[goal]]`, `[[via]]` and others",),
+            )
+    hidden = {
+        key: len(top.tables(key)) if _header(top, key).startswith("[[") else 1 for key in top.keys
+    }
+    if problems.any_error:
+        return WholeTask(None, {}, problems.in_order())
+    home = _Home(SourceFile(public.name, f"{public.text}\n{staff.text}"), public, staff)
+    task, told = read_task(home.joined, scene)
+    moved = tuple(home.diagnostic(d) for d in told)
+    return WholeTask(None if task is None else home.task(task), hidden if task else {}, moved)
+
+
+def _header(top: Table, key: str) -> str:
+    """Return the header of a table, as `[[goal]]`; "" for a plain key."""
+    span = top.span_of(key)
+    line = span.source.line_text(span.line).strip()
+    return line if line.startswith("[") else ""
+
+
+class _Home(NamedTuple):
+    """Finds, for places in the joined text, the file that they are in."""
+
+    joined: SourceFile
+    public: SourceFile
+    staff: SourceFile
+
+    def span(self, span: Span) -> Span:
+        if span.source is not self.joined:
+            return span
+        start = len(self.public.text) + 1  # of the hidden part
+        if span.start >= start:
+            return Span(self.staff, span.start - start, span.end - start)
+        return Span(self.public, span.start, min(span.end, start - 1))
+
+    def label(self, label: Label) -> Label:
+        return label._replace(span=self.span(label.span))
+
+    def diagnostic(self, d: Diagnostic) -> Diagnostic:
+        primary = None if d.primary is None else self.label(d.primary)
+        return replace(d, primary=primary, secondary=tuple(map(self.label, d.secondary)))
+
+    def task(self, task: Task) -> Task:
+        """Move the spans of whatever a task asks for."""
+        changes: dict[str, Any] = {}
+        for field in fields(task):
+            value: Any = getattr(task, field.name)
+            if isinstance(value, tuple):
+                changes[field.name] = tuple(map(self._item, cast("tuple[Any, ...]", value)))
+        return replace(task, **changes)
+
+    def _item(self, item: Any) -> Any:
+        span = getattr(item, "span", None)
+        return item._replace(span=self.span(span)) if isinstance(span, Span) else item

@@ -1,0 +1,162 @@
+"""`vrts new`."""
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from pathlib import Path
+
+import click
+
+from vrts.cli.console import color_option, fail, guarded, say, show_diagnostics, write_file
+
+EPILOG = """\b
+Examples:
+  vrts new scene lab1
+  vrts new task lab1 --from cans-on-bases
+  vrts new program mine.v2 --from cans-on-bases
+"""
+
+from_option = click.option(
+    "--from", "origin", metavar="SCENE", help="Begin with this scene, or with that of an example."
+)
+
+
+@click.group(name="new", epilog=EPILOG)
+def command() -> None:
+    """Write a scene, a task or a program to begin with. Nothing is overwritten."""
+
+
+@command.command(name="scene", epilog=EPILOG)
+@click.argument("name", type=click.Path(path_type=Path))
+@from_option
+@color_option
+@guarded
+def scene(name: Path, origin: str | None, color: str) -> None:
+    """Write the folder NAME with a scene in it."""
+    _write(name, scene_files(name, origin))
+    say(f"look at it with `vrts scene show {name}`, check it with `vrts scene check {name}`")
+
+
+@command.command(name="program", epilog=EPILOG)
+@click.argument("name", type=click.Path(path_type=Path))
+@from_option
+@color_option
+@guarded
+def program(name: Path, origin: str | None, color: str) -> None:
+    """Write the program NAME with all locations of a scene."""
+    from vrts.marking.new_files import new_program
+    from vrts.pipeline import load_scene
+
+    file = name if name.suffix else name.with_suffix(".v2")
+    taken = origin or "cans-on-bases"
+    setting = load_scene(_scene_of(taken))
+    text = new_program(f"vrts verify {file.name} --scene {taken}", setting.scene)
+    _write(file.parent, {file.name: text.encode()})
+    say(f"check it with `vrts verify {file} --scene {taken}`")
+
+
+@command.command(name="task", epilog=EPILOG)
+@click.argument("name", type=click.Path(path_type=Path))
+@from_option
+@click.option("--title", help="Of the task; otherwise its name.")
+@color_option
+@guarded
+def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
+    """Write the folder NAME with a task, its scene and its reference solution.
+
+    A scene.toml that is there already is taken as the scene.
+    """
+    from vrts.marking.new_files import (
+        STAFF_TASK,
+        carryings,
+        new_program,
+        new_readme,
+        new_solution,
+        new_task,
+    )
+    from vrts.marking.task_check import times_of
+    from vrts.pipeline import SCENE_FILE, STAFF, TASK_FILE, assess, load_scene
+
+    made: dict[str, bytes] = {}
+    if not (name / SCENE_FILE).is_file():
+        made = scene_files(name, origin)
+    elif origin is not None:
+        fail(f"`{name / SCENE_FILE}` is there already", ("leave out `--from`",))
+    _refuse_existing(name, (TASK_FILE, "start.v2", "README.md", f"{STAFF}/solution.v2"))
+    _write(name, made)
+    setting = load_scene(SCENE_FILE, name)
+    show_diagnostics(setting.diagnostics, color)
+    work = carryings(setting.scene)
+    if not work:
+        fail(
+            "the scene has nothing to carry to a base",
+            ("give it a can and a base within reach", f"see `vrts scene check {name}`"),
+        )
+    words = title or _words(name)
+    solution = new_solution(words, setting.scene, work).encode()
+    run = assess(solution, setting=setting, title="solution.v2")
+    times = times_of(run)
+    if times is None:
+        fail("the reference solution does not come to its end in this scene")
+    label = name.resolve().name
+    started = new_program(f"vrts grade {label}-student.zip start.v2", setting.scene)
+    readme = new_readme(words, label, work, times.t_par_s)
+    _write(
+        name,
+        {
+            TASK_FILE: new_task(words, label, work, Fraction(times.reference_s)).encode(),
+            "README.md": readme.encode(),
+            "start.v2": started.encode(),
+            f"{STAFF}/solution.v2": solution,
+            f"{STAFF}/{TASK_FILE}": STAFF_TASK.encode(),
+        },
+    )
+    say(f"check it with `vrts task check {name}`")
+
+
+def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:
+    """Return the files of a new scene: a simple one, or a copy."""
+    from vrts.marking.new_files import new_scene
+    from vrts.pipeline import SCENE_FILE, find_scene, read_bytes
+
+    if origin is None:
+        return {SCENE_FILE: new_scene(name.resolve().name, _words(name)).encode()}
+    place = find_scene(_scene_of(origin))
+    found = {SCENE_FILE: read_bytes(place)}
+    for path in sorted(place.parent.iterdir()):
+        if path.suffix.lower() in (".urdf", ".stl", ".obj", ".dae"):
+            found[path.name] = read_bytes(path)
+    return found
+
+
+def _scene_of(origin: str) -> str:
+    """Return the scene of an example, or a scene as it is."""
+    from vrts.check.task_file import scene_name
+    from vrts.pipeline import TASK_FILE, find_example, find_scene, read_toml_source
+
+    folder = find_example(origin)
+    if folder is None or not (folder / TASK_FILE).is_file():
+        return origin
+    named, _ = scene_name(read_toml_source(folder / TASK_FILE))
+    return origin if named is None else str(find_scene(named, folder))
+
+
+def _words(name: Path) -> str:
+    """Return a name in words: "cans-on-bases" is "Cans on bases"."""
+    words = re.sub(r"[^\w]+|_+", " ", name.resolve().name).strip() or "A task"
+    return words[:1].upper() + words[1:]
+
+
+def _refuse_existing(folder: Path, names: "tuple[str, ...] | Mapping[str, bytes]") -> None:
+    for name in names:
+        if (folder / name).exists():
+            fail(f"`{folder / name}` is there already", ("give another name, or move it away",))
+
+
+def _write(folder: Path, files: Mapping[str, bytes]) -> None:
+    _refuse_existing(folder, files)
+    for name, data in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_file(path, data)
+        say(f"wrote {path}")

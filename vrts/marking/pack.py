@@ -1,0 +1,143 @@
+"""Tasks as zip files: one for students, one for the staff. The same content, the same bytes.
+
+A zip that is read may come from anybody: names, kinds and sizes are checked before anything is
+decompressed, and nothing is written outside a folder of our own.
+"""
+
+import io
+import re
+import struct
+import zipfile
+import zlib
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from vrts import __version__
+from vrts.base.diagnostic import Diagnostic, Rule, error
+from vrts.check.manifest import NAME as MANIFEST
+from vrts.check.manifest import Manifest, altered, manifest_bytes, read_manifest, sha256
+from vrts.marking.task_folder import TaskFiles
+from vrts.pipeline import Refused
+
+BAD_ARCHIVE = Rule("V677", "bad-task-archive")
+
+EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest time a zip can tell
+MOST_FILES = 200
+MOST_BYTES = 40_000_000  # of all files, decompressed
+MOST_OF_ZIP = 40_000_000  # bytes of the zip itself
+LONGEST_NAME = 160
+
+_PART = r"[A-Za-z0-9_+-][A-Za-z0-9_+. -]*(?<![. ])"
+_NAME = re.compile(rf"{_PART}(/{_PART})*")
+_DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
+
+
+class Bundle(NamedTuple):
+    """A packed task."""
+
+    manifest: Manifest
+    files: Mapping[str, bytes]  # by name, without the manifest
+    stamps: tuple[Diagnostic, ...]  # why its marks do not count
+
+
+def student_zip(files: TaskFiles, hidden: int, versions: tuple[str, ...] = ()) -> bytes:
+    """Return what students get: the public files, and how many checks are hidden."""
+    return _zip(files, files.public, hidden, versions, staff=False)
+
+
+def staff_zip(files: TaskFiles, hidden: int, versions: tuple[str, ...] = ()) -> bytes:
+    """Return everything: what marks are given by."""
+    return _zip(files, {**files.public, **files.staff}, hidden, versions, staff=True)
+
+
+def _zip(
+    files: TaskFiles,
+    members: Mapping[str, bytes],
+    hidden: int,
+    versions: tuple[str, ...],
+    *,
+    staff: bool,
+) -> bytes:
+    hashes = {name: sha256(data) for name, data in members.items()}
+    allowed = versions or (__version__,)
+    manifest = Manifest(files.name, staff, hidden, allowed, files.scene, hashes)
+    contents = {MANIFEST: manifest_bytes(manifest), **members}
+    _check({name: len(data) for name, data in contents.items()})
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        for name in sorted(contents):
+            info = zipfile.ZipInfo(f"{files.name}/{name}", EPOCH)
+            info.compress_type = zipfile.ZIP_DEFLATED
+            info.external_attr = 0o644 << 16
+            archive.writestr(info, contents[name])
+    return buffer.getvalue()
+
+
+def read_zip(data: bytes) -> Bundle:
+    """Return a packed task.
+
+    Raises:
+        Refused: It is none, is damaged, or promises too much; the diagnostic says what.
+    """
+    if len(data) > MOST_OF_ZIP:
+        raise _bad(f"it has more than {MOST_OF_ZIP:,} bytes")
+    try:
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+            contents = _contents(archive)
+    except (zipfile.BadZipFile, zlib.error, struct.error, EOFError) as problem:
+        raise _bad("it is incomplete, or is no zip file") from problem
+    except (NotImplementedError, RuntimeError, ValueError, OSError) as problem:
+        raise _bad("it is packed in a way that tasks are not") from problem
+    manifest = read_manifest(contents.get(MANIFEST, b""))
+    if manifest is None:
+        raise _bad(f"its `{MANIFEST}` is missing, or is not as vrts writes it")
+    stamps = altered(contents)
+    strange = sorted(contents.keys() - manifest.files.keys() - {MANIFEST})
+    if strange:
+        raise _bad(f"its `{MANIFEST}` does not name `{strange[0]}`")
+    del contents[MANIFEST]
+    return Bundle(manifest, contents, stamps)
+
+
+def _contents(archive: zipfile.ZipFile) -> dict[str, bytes]:
+    """Return the members by name, without the folder that holds them all."""
+    infos = [info for info in archive.infolist() if not info.is_dir()]
+    folders = {info.filename.split("/", 1)[0] for info in infos}
+    if len(folders) != 1 or any("/" not in info.filename for info in infos):
+        raise _bad("its files are not in one folder")
+    start = len(folders.pop()) + 1
+    sizes = {info.filename[start:]: info.file_size for info in infos}
+    if len({name.casefold() for name in sizes}) != len(infos):
+        raise _bad("a file is in it twice")
+    _check({**sizes, infos[0].filename[: start - 1]: 0})
+    found: dict[str, bytes] = {}
+    for info in infos:
+        if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+            raise _bad("it is packed in a way that tasks are not")
+        if info.flag_bits & 1:
+            raise _bad("it is encrypted")
+        with archive.open(info) as member:
+            data = member.read(info.file_size)
+            if len(data) != info.file_size or member.read(1):
+                raise _bad(f"`{info.filename[start:]}` has another length than it says")
+        found[info.filename[start:]] = data
+    return found
+
+
+def _check(sizes: Mapping[str, int]) -> None:
+    """Refuse names that lead elsewhere, and more than a task needs."""
+    for name in sizes:
+        parts = name.split("/")
+        sound = _NAME.fullmatch(name) is not None and len(name) <= LONGEST_NAME
+        if not sound or any(_DEVICE.fullmatch(part) for part in parts):
+            raise _bad(f"`{name}` is no name of a file in a task")
+    if len(sizes) > MOST_FILES:
+        raise _bad(f"it has more than {MOST_FILES} files")
+    if sum(sizes.values()) > MOST_BYTES:
+        raise _bad(f"its files have more than {MOST_BYTES:,} bytes")
+
+
+def _bad(why: str) -> Refused:
+    headline = f"this is no task that vrts has packed: {why}"
+    remedy = "get the file again from where it was handed out, or pack it with `vrts task pack`"
+    return Refused((error(BAD_ARCHIVE, headline, help=(remedy,)),))

@@ -1,0 +1,79 @@
+"""The setting of a packed task, read from its zip."""
+
+from dataclasses import replace
+from pathlib import Path
+from posixpath import normpath
+from tempfile import TemporaryDirectory
+
+from vrts.base.diagnostic import error
+from vrts.marking.pack import BAD_ARCHIVE, Bundle, read_zip
+from vrts.pipeline import (
+    SCENE_FILE,
+    TASK_FILE,
+    Refused,
+    Setting,
+    load_task,
+    read_bytes,
+    read_toml_source,
+)
+from vrts.report.assessment import Assessment
+
+SUFFIX = ".zip"
+
+
+def is_packed(path: Path) -> bool:
+    """Return whether a path is meant to be a packed task."""
+    return path.suffix.lower() == SUFFIX
+
+
+def public_answer(a: Assessment, setting: Setting) -> str | None:
+    """Return what students are told about checks they cannot see; None where there are none."""
+    if not setting.more or a.grade is None:
+        return None
+    passed = "all public checks passed" if a.grade.ready else "not all public checks passed"
+    return f"{passed}; {setting.more} more at marking"
+
+
+def load_zip(path: Path, *, staff: bool = True) -> Setting:
+    """Return the setting of a packed task, with the hidden part if that is in it and wanted.
+
+    Raises:
+        CannotRead: The file is not there.
+        Refused: It is no packed task, or its task or scene have errors.
+    """
+    return setting_of(read_zip(read_bytes(path)), staff=staff)
+
+
+def setting_of(bundle: Bundle, *, staff: bool = True) -> Setting:
+    """Return the setting of a packed task; see `load_zip`."""
+    with TemporaryDirectory(prefix="vrts-") as temporary:
+        home = Path(temporary)
+        folder = home / "task"
+        for name, data in bundle.files.items():
+            place = folder / name
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_bytes(data)
+        _require_own_scene(bundle, folder, home)
+        setting = load_task(folder / TASK_FILE, staff=staff, home=home)
+    hidden = bundle.manifest.hidden
+    task = setting.task
+    assert task is not None
+    return replace(
+        setting,
+        task=replace(task, name=bundle.manifest.name),
+        stamps=bundle.stamps,
+        more=0 if setting.hidden else hidden,
+    )
+
+
+def _require_own_scene(bundle: Bundle, folder: Path, home: Path) -> None:
+    """Refuse a task that names a scene outside its zip, or none."""
+    from vrts.check.task_file import scene_name
+
+    named, found = None, ()
+    if TASK_FILE in bundle.files:
+        named, found = scene_name(read_toml_source(folder / TASK_FILE, home))
+    places = {normpath(f"{named}/{end}") for end in ("", SCENE_FILE)}
+    inside = places & bundle.files.keys()
+    if named is None or not inside:
+        raise Refused(found or (error(BAD_ARCHIVE, "the packed task has no scene of its own"),))

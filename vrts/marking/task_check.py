@@ -1,0 +1,154 @@
+"""Whether a task is ready to be handed out: its reference, the empty program, its times.
+
+Answers with findings, with times proposed from the reference, and with what every goal, via point
+and contact is worth.
+"""
+
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Diagnostic, Rule, error
+from vrts.base.units import mm
+from vrts.check.duration import duration
+from vrts.check.feasible import task_findings
+from vrts.check.manifest import NOT_COUNTING
+from vrts.check.score import FULL
+from vrts.check.task import Task
+from vrts.check.task_file import MAX_SHARE, PAR_SHARE
+from vrts.pipeline import Setting, assess, read_bytes
+from vrts.report.assessment import Assessment
+from vrts.scene.checks import scene_findings
+
+BELOW_FULL = Rule("V674", "reference-below-full")
+EMPTY_SCORES = Rule("V675", "empty-program-scores")
+NO_REFERENCE = Rule("V676", "no-reference")
+
+EMPTY = b".PROGRAM main()\n        ; does nothing\n.END\n"
+STEP_S = Fraction(1, 10)  # to which times are proposed, rounded up
+
+
+class Times(NamedTuple):
+    """Times proposed from a reference [s]."""
+
+    reference_s: Fraction
+    t_par_s: Fraction
+    t_max_s: Fraction
+
+
+class Worth(NamedTuple):
+    """What not meeting something costs, with everything else met."""
+
+    points: Fraction
+    what: str  # "`can1` not on base2"
+
+
+class TaskCheck(NamedTuple):
+    """What was found out about a task."""
+
+    reference: Assessment | None
+    empty: Assessment
+    times: Times | None  # None: there is no reference that comes to its end
+    worths: tuple[Worth, ...]
+    findings: tuple[Diagnostic, ...]
+
+    @property
+    def ready(self) -> bool:
+        """Whether the task can be handed out."""
+        return not any(d.is_error for d in self.findings)
+
+
+def check_task(setting: Setting, reference: Path | None) -> TaskCheck:
+    """Run the reference and the empty program, and look at every goal.
+
+    Args:
+        setting: The task with its hidden part.
+        reference: The program that is to score 10; None: there is none.
+    """
+    task = setting.task
+    assert task is not None
+    findings = [*setting.diagnostics, *scene_findings(setting.scene)]
+    findings += task_findings(setting.scene, task)
+    empty = assess(EMPTY, setting=setting, identifier="empty", title="the empty program")
+    findings += _about_empty(empty, task)
+    if reference is None:
+        remedy = "write `staff/solution.v2` in the folder of the task"
+        findings.append(error(NO_REFERENCE, "the task has no reference solution", help=(remedy,)))
+        return TaskCheck(None, empty, None, worths(task), tuple(findings))
+    longest = replace(task, t_max=max(task.t_max, setting_limit(task)))
+    found = assess(read_bytes(reference), setting=setting, title=reference.name)
+    free = assess(read_bytes(reference), setting=replace(setting, task=longest), title="reference")
+    findings += _about_reference(found)
+    return TaskCheck(found, empty, times_of(free), worths(task), tuple(findings))
+
+
+def setting_limit(task: Task) -> float:
+    """Return how long a reference may run while its time is taken [s]."""
+    return 10.0 * task.t_max
+
+
+def times_of(reference: Assessment) -> Times | None:
+    """Return the times that follow from a reference that is free of faults, whatever it takes."""
+    took = None if reference.run is None else duration(reference.run)
+    if took is None or not took:
+        return None
+    length = _rounded_up(took)
+    par = _rounded_up(PAR_SHARE * length)
+    return Times(length, par, MAX_SHARE * par)
+
+
+def _rounded_up(time_s: Fraction) -> Fraction:
+    return -((-time_s) // STEP_S) * STEP_S
+
+
+def worths(task: Task) -> tuple[Worth, ...]:
+    """Return what every goal, via point and contact costs, each alone."""
+    scheme = task.mark
+    targets = scheme.targets + (Fraction(0) if task.vias else scheme.vias)
+    total = sum((goal.weight for goal in task.goals), Fraction(0)) or Fraction(1)
+    found = [
+        Worth(
+            targets * goal.weight / total,
+            f"`{goal.body}` not at its goal: {goal.title}; nothing is earned from"
+            f" {mm(goal.position_tolerance) * float(scheme.zero_at):.0f} mm off",
+        )
+        for goal in task.goals
+    ]
+    found += [
+        Worth(
+            scheme.vias / len(task.vias), f"`{via.name}` not passed within {mm(via.radius):.0f} mm"
+        )
+        for via in task.vias
+    ]
+    return (
+        *found,
+        Worth(scheme.first_contact, "the first contact, or object dropped"),
+        Worth(scheme.further_contact, "each further one"),
+        Worth(scheme.contact_cap, "contacts and drops, at most"),
+        Worth(scheme.time_bonus, "any of these, as no points are given for speed then"),
+    )
+
+
+def _about_empty(empty: Assessment, task: Task) -> tuple[Diagnostic, ...]:
+    assert empty.grade is not None
+    if not empty.grade.mark:
+        return ()
+    headline = f"a program that does nothing gets {float(empty.grade.mark):g} of 10"
+    missed = {loss.sentence.split("`")[1] for loss in empty.grade.losses if loss.kind == "target"}
+    there = [f"`{goal.body}` is at its goal from the start" for goal in task.goals]
+    notes = tuple(text for text in there if text.split("`")[1] not in missed)
+    remedy = "move what starts at its goal, or make tolerances smaller"
+    return (error(EMPTY_SCORES, headline, notes=notes, help=(remedy,)),)
+
+
+def _about_reference(found: Assessment) -> tuple[Diagnostic, ...]:
+    assert found.grade is not None
+    if found.grade.mark == FULL and found.grade.ready:
+        return ()
+    losses = [loss for loss in found.grade.losses if loss.points]
+    notes = tuple(f"{float(loss.points):.1f} lost by: {loss.sentence}" for loss in losses[:5])
+    headline = f"the reference `{found.title}` gets {float(found.grade.mark):g} of 10"
+    errors = tuple(d for d in found.diagnostics if d.is_error and NOT_COUNTING not in d.headline)
+    remedy = "mend the solution, or the times and tolerances of the task"
+    return (*errors, error(BELOW_FULL, headline, notes=notes, help=(remedy,)))

@@ -1,0 +1,105 @@
+"""The folder of a task: which of its files students get, and which only the staff.
+
+Students get what is on the list and nothing else, so a file that was forgotten stays at home.
+"""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
+
+from vrts.pipeline import (
+    MAX_TOML,
+    SCENARIO_FILE,
+    SCENE_FILE,
+    STAFF,
+    TASK_FILE,
+    CannotRead,
+    Refused,
+    find_scene,
+    load_task,
+    read_bytes,
+    read_toml_source,
+)
+
+PUBLIC = (TASK_FILE, SCENARIO_FILE, "README.md", "start.v2")  # names in the folder itself
+PUBLIC_FOLDERS = ("pictures", "handout")
+SOLUTION = "solution.v2"  # the reference, in `staff`, or beside the task where it is no secret
+LARGEST = 4_000_000  # bytes of a file
+
+
+class TaskFiles(NamedTuple):
+    """The files of a task, by the name they have in its folder."""
+
+    name: str
+    scene: str  # which of the public files is the scene's
+    public: dict[str, bytes]
+    staff: dict[str, bytes]
+
+
+def read_folder(folder: Path) -> TaskFiles:
+    """Return the files of a task's folder, with the scene also where it comes with vrts.
+
+    Raises:
+        CannotRead: There is no task, or a file is too large.
+        Refused: Task or scene have errors.
+    """
+    load_task(folder / TASK_FILE, staff=True)  # everything must be right
+    public = {name: _bytes(folder / name) for name in PUBLIC if (folder / name).is_file()}
+    for part in PUBLIC_FOLDERS:
+        public.update(_inside(folder, part))
+    name = folder.resolve().name
+    scene = _add_scene(folder, public)
+    return TaskFiles(name, scene, public, dict(_inside(folder, STAFF)))
+
+
+def reference_of(folder: Path) -> Path | None:
+    """Return the reference solution of a task: in `staff`, else beside the task; or None."""
+    places = (folder / STAFF / SOLUTION, folder / SOLUTION)
+    return next((place for place in places if place.is_file()), None)
+
+
+def _add_scene(folder: Path, public: dict[str, bytes]) -> str:
+    """Add the scene and the files beside it; return the name it gets."""
+    from vrts.check.task_file import scene_name
+
+    named, found = scene_name(read_toml_source(folder / TASK_FILE))
+    if named is None:
+        raise Refused(found)
+    place = find_scene(named, folder)
+    if place.resolve().is_relative_to(folder.resolve()):
+        name = PurePosixPath(place.resolve().relative_to(folder.resolve())).as_posix()
+        if name.startswith(f"{STAFF}/"):
+            raise CannotRead(f"the scene of the task is in `{STAFF}`, which students do not get")
+    elif re.fullmatch(r"[\w.-]+", named):
+        name = f"{named}/{SCENE_FILE}"
+    else:
+        raise CannotRead(
+            f"the scene `{named}` is outside the task's folder",
+            ("copy it into the folder, and name it from there",),
+        )
+    public[name] = _bytes(place)
+    beside = str(PurePosixPath(name).parent)
+    for other in sorted(place.parent.iterdir()):
+        if other.suffix.lower() in (".urdf", ".stl", ".obj", ".dae") and other.is_file():
+            inside = other.name if beside == "." else f"{beside}/{other.name}"
+            public[inside] = _bytes(other)
+    return name
+
+
+def _inside(folder: Path, part: str) -> Iterator[tuple[str, bytes]]:
+    root = folder / part
+    if not root.is_dir():
+        return
+    for path in sorted(root.rglob("*")):
+        inside = path.relative_to(folder)
+        hidden = any(name.startswith((".", "__")) for name in inside.parts)
+        if path.is_file() and not hidden and path.resolve().is_relative_to(folder.resolve()):
+            yield inside.as_posix(), _bytes(path)
+
+
+def _bytes(path: Path) -> bytes:
+    most = MAX_TOML if path.suffix == ".toml" else LARGEST
+    if path.stat().st_size > most:
+        raise CannotRead(f"`{path.name}` is too large: more than {most:,} bytes")
+    return read_bytes(path)
