@@ -59,7 +59,7 @@ def _goal(scene: Scene, task: Task, goal: Goal) -> Iterator[Diagnostic]:
 
 
 def _stands(body: Body, others: Sequence[Body]) -> bool:
-    """Return whether something holds a body up; if it lies inclined, whether it touches anything."""
+    """Return whether something holds a body up; if inclined, whether it touches anything."""
     upward = body.X_WO.apply((0.0, 0.0, 1.0))[2] - body.X_WO.translation[2]
     if upward > LEVEL:
         return find_support(body, others).body is not None

@@ -28,11 +28,6 @@ class WholeTask(NamedTuple):
     hidden: Mapping[str, int]  # how many are hidden of what: "goal", "via", ...
     diagnostics: tuple[Diagnostic, ...]
 
-    @property
-    def number(self) -> int:
-        """How many checks are hidden."""
-        return sum(self.hidden.values())
-
 
 def read_whole_task(public: SourceFile, staff: SourceFile, scene: Scene) -> WholeTask:
     """Return a task with its hidden part; spans and diagnostics point into the right file."""

@@ -36,6 +36,7 @@ Examples:
   vrts verify examples/01-cans-on-bases/solution.v2
   vrts verify prog.v2 --scene cans-on-bases
   vrts verify prog.v2 --task task.toml --html page.html --record run.rrd
+  vrts verify prog.v2 --task lab1-student.zip
   vrts verify prog.v2 --scenario gripper-slips.toml
   vrts verify prog.v2 --format json
 """
@@ -44,7 +45,7 @@ Examples:
 @click.command(name="verify", epilog=EPILOG)
 @click.argument("program")
 @click.option("--scene", help="Name or path of a scene: verify in it, without a mark.")
-@click.option("--task", type=click.Path(path_type=Path), help="Task file, or its folder.")
+@click.option("--task", type=click.Path(path_type=Path), help="Task file, its folder, or a zip.")
 @click.option(
     "--scenario", type=click.Path(path_type=Path), help="What happens in the run: a scenario file."
 )
@@ -76,10 +77,14 @@ def command(
     beside the task unless a scenario is given. Exit status 1 when something is wrong, 3 when a
     check cannot tell.
     """
+    from vrts.marking.packed import is_packed, load_zip, public_answer
     from vrts.pipeline import assess, setting_for
 
     data, name, path = program_bytes(program)
-    setting = setting_for(path, scene=scene, task=task, scenario=scenario)
+    if task is not None and is_packed(task):
+        setting = load_zip(task, scene=scene, scenario=scenario, staff=False)
+    else:
+        setting = setting_for(path, scene=scene, task=task, scenario=scenario)
     if setting is None:
         _no_setting()
     if scenario is not None and setting.scenario is not None:
@@ -103,6 +108,9 @@ def command(
         from vrts.report.text import assessment_text
 
         out(assessment_text(found, color=use_color(color)))
+        answer = public_answer(found, setting)
+        if answer is not None:
+            out(f"\n{answer}")
     if html is not None:
         write_page(found, html)
     if record is not None:

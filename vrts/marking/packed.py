@@ -34,17 +34,36 @@ def public_answer(a: Assessment, setting: Setting) -> str | None:
     return f"{passed}; {setting.more} more at marking"
 
 
-def load_zip(path: Path, *, staff: bool = True) -> Setting:
+def load_zip(
+    path: Path,
+    *,
+    staff: bool = True,
+    scene: str | None = None,
+    scenario: Path | None = None,
+) -> Setting:
     """Return the setting of a packed task, with the hidden part if that is in it and wanted.
 
+    Args:
+        path: The zip.
+        staff: Whether to add the hidden part.
+        scene: Name or path of another scene; marks in it do not count.
+        scenario: A scenario file in place of the task's.
+
     Raises:
-        CannotRead: The file is not there.
+        CannotRead: A file is not there.
         Refused: It is no packed task, or its task or scene have errors.
     """
-    return setting_of(read_zip(read_bytes(path)), staff=staff)
+    bundle = read_zip(read_bytes(path))
+    return setting_of(bundle, staff=staff, scene=scene, scenario=scenario)
 
 
-def setting_of(bundle: Bundle, *, staff: bool = True) -> Setting:
+def setting_of(
+    bundle: Bundle,
+    *,
+    staff: bool = True,
+    scene: str | None = None,
+    scenario: Path | None = None,
+) -> Setting:
     """Return the setting of a packed task; see `load_zip`."""
     with TemporaryDirectory(prefix="vrts-") as temporary:
         home = Path(temporary)
@@ -54,14 +73,15 @@ def setting_of(bundle: Bundle, *, staff: bool = True) -> Setting:
             place.parent.mkdir(parents=True, exist_ok=True)
             place.write_bytes(data)
         _require_own_scene(bundle, folder, home)
-        setting = load_task(folder / TASK_FILE, staff=staff, home=home)
+        task_file = folder / TASK_FILE
+        setting = load_task(task_file, scene, scenario, staff=staff, home=home)
     hidden = bundle.manifest.hidden
     task = setting.task
     assert task is not None
     return replace(
         setting,
         task=replace(task, name=bundle.manifest.name),
-        stamps=bundle.stamps,
+        stamps=(*bundle.stamps, *setting.stamps),
         more=0 if setting.hidden else hidden,
     )
 
