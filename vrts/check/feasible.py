@@ -38,8 +38,9 @@ def task_findings(scene: Scene, task: Task) -> tuple[Diagnostic, ...]:
 def _goal(scene: Scene, task: Task, goal: Goal) -> Iterator[Diagnostic]:
     body = replace(scene.body(goal.body), X_WO=goal.X_WG)
     others = at_the_end(scene, task, goal.body)
-    yield from _inside(goal, body, others)
-    if not _stands(body, others):
+    inside = tuple(_inside(goal, body, others))
+    yield from inside
+    if not inside and not _stands(body, others):
         yield _finding(
             GOAL_FLOATS,
             f"at its goal `{goal.body}` stands on nothing",

@@ -1,0 +1,91 @@
+"""Goals and via points that nobody could meet are found before a program runs; see the pages."""
+
+import re
+from importlib.resources import files
+
+import pytest
+
+from vrts.base.source import SourceFile
+from vrts.check.feasible import task_findings
+from vrts.check.staff import read_whole_task
+from vrts.check.task_file import read_task
+from vrts.pipeline import CHECKOUT, load_scene, load_task
+from vrts.scene.checks import scene_findings
+from vrts.scene.scene_file import read_scene
+
+CANS = load_scene("cans-on-bases").scene
+
+
+def example(code: str) -> SourceFile:
+    page = files("vrts").joinpath("pages", f"{code}.md").read_text("utf-8")
+    found = re.search(r"```toml\n(.*?)\n```", page, re.DOTALL)
+    assert found is not None
+    return SourceFile("example/task.toml", found[1] + "\n")
+
+
+@pytest.mark.parametrize("code", ["V667", "V668", "V669", "V670"])
+def test_example_of_a_page_triggers_its_code_alone(code: str) -> None:
+    task, problems = read_task(example(code), CANS)
+    assert task is not None, problems
+    found = task_findings(CANS, task)
+    assert [d.rule.code for d in found] == [code]
+    assert found[0].primary is not None
+
+
+@pytest.mark.parametrize("code", ["V665", "V666"])
+def test_example_of_a_scene_page_triggers_its_code_alone(code: str) -> None:
+    scene, problems = read_scene(example(code))
+    assert scene is not None, problems
+    assert problems == ()
+    assert [d.rule.code for d in scene_findings(scene)] == [code]
+
+
+def test_example_of_the_page_on_hidden_parts_triggers_its_code() -> None:
+    public = SourceFile("task.toml", example("V668").text.replace("at_mm = [900, 0, -100]", ""))
+    public = SourceFile("task.toml", public.text.replace('"can1"', '"can1"\non = "base1"'))
+    whole = read_whole_task(public, example("V664"), CANS)
+    assert [d.rule.code for d in whole.diagnostics] == ["V664"]
+
+
+@pytest.mark.parametrize(("height", "codes"), [(-149.9, []), (-150.3, ["V667"])])
+def test_a_goal_counts_as_inside_from_two_tenths_of_a_millimetre(
+    height: float, codes: list[str]
+) -> None:
+    text = f"""[task]
+scene = "cans-on-bases"
+[[goal]]
+object = "can1"
+at_mm = [950, -130, {height}]
+[time]
+reference_s = 9
+"""
+    task, _ = read_task(SourceFile("task.toml", text), CANS)
+    assert task is not None
+    assert [d.rule.code for d in task_findings(CANS, task)] == codes
+
+
+def test_what_is_carried_away_is_not_in_the_way() -> None:
+    """Where can1 starts is free at the end, when can1 has its goal elsewhere."""
+    text = """[task]
+scene = "cans-on-bases"
+[[goal]]
+object = "can2"
+at_mm = [800, -450]
+on = "table"
+{}
+[time]
+reference_s = 9
+"""
+    other = '[[goal]]\nobject = "can1"\non = "base1"\n'
+    for more, codes in ((other, []), ("", ["V667"])):
+        task, _ = read_task(SourceFile("task.toml", text.format(more)), CANS)
+        assert task is not None
+        assert [d.rule.code for d in task_findings(CANS, task)] == codes
+
+
+def test_nothing_speaks_against_the_tasks_that_come_with_vrts() -> None:
+    for path in sorted((CHECKOUT / "examples").glob("01-*/task.toml")):
+        setting = load_task(path)
+        assert setting.task is not None
+        assert scene_findings(setting.scene) == ()
+        assert task_findings(setting.scene, setting.task) == (), path
