@@ -428,6 +428,7 @@ def assess(
     identifier: str | None = None,
     title: str | None = None,
     collisions: bool = True,
+    engine: str | None = None,
     judged: bool = True,
     entry: str | None = None,
     curve: bool = False,
@@ -444,6 +445,7 @@ def assess(
         identifier: Safe for file names; None: the stem of the file.
         title: As shown; None: the name of the file.
         collisions: Whether to check them.
+        engine: Name of what measures distances; None: the most exact there is.
         judged: Whether to check and mark at all.
         entry: Program to execute; None: the task's, else the first.
         curve: Whether to sample the clearance over time, for charts.
@@ -487,6 +489,7 @@ def assess(
         scenario_for(setting.task, setting.scenario),
         judged=judged,
         collisions=collisions,
+        engine=engine,
         entry=entry,
         step_done=step_done,
     )
@@ -499,6 +502,7 @@ def _run(
     *,
     judged: bool,
     collisions: bool,
+    engine: str | None,
     entry: str | None,
     step_done: Callable[[str], None],
 ) -> "Assessment":
@@ -518,7 +522,7 @@ def _run(
         return a
     from vrts.check.judge import judge
 
-    judgement = judge(scene, run, task, collisions=collisions)
+    judgement = judge(scene, run, task, collisions=collisions, engine=engine)
     step_done("check")
     a = replace(a, judgement=judgement)
     if task is None:

@@ -5,7 +5,8 @@ import math
 import numpy as np
 
 from vrts.base.pose import IDENTITY, Pose, Vector, rotation_about
-from vrts.geometry import narrow, second
+from vrts.geometry import first as narrow
+from vrts.geometry import second
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 from vrts.robots.catalog import robot
 

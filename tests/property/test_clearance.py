@@ -16,7 +16,7 @@ from vrts.check.collision_pairs import plan
 from vrts.check.collision_state import Prober
 from vrts.check.curves import curves
 from vrts.engine.records import Segment
-from vrts.geometry.narrow import distance, nearest
+from vrts.geometry.narrow import distance, engine, nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 from vrts.geometry.support import extent
 
@@ -183,7 +183,7 @@ def test_no_sample_is_nearer_than_the_certified_clearance(seed: int) -> None:
     report = check_collisions(told.scene, record)
     motion = curves(record.timeline.segments)
     todo = plan(told.scene, record, motion)
-    prober = Prober(told.scene.robot.arm, motion, todo.solids)
+    prober = Prober(told.scene.robot.arm, motion, todo.solids, engine())
     random = np.random.default_rng(seed)
     pairs = todo.pairs
     rows = np.arange(len(pairs.first)).repeat(40)

@@ -13,39 +13,46 @@ import numpy.typing as npt
 
 from vrts.check.collision_events import Teller, apart_from, episodes
 from vrts.check.collision_findings import (
-    BAND,
-    CLEARANCE_TOLERANCE,
     GRAZE,
     Closest,
     Findings,
     Touch,
+    margin_of,
+    slack_of,
 )
 from vrts.check.collision_pairs import Pairs, Plan, plan
 from vrts.check.collision_search import search
 from vrts.check.collision_state import Prober, RunRecord
 from vrts.check.curves import curves
 from vrts.check.verdict import Clearance, CollisionReport
+from vrts.geometry.narrow import engine as engine_by_name
 from vrts.scene.model import Scene
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
 
-def check_collisions(scene: Scene, run: RunRecord, *, clearance: bool = True) -> CollisionReport:
+def check_collisions(
+    scene: Scene, run: RunRecord, *, clearance: bool = True, engine: str | None = None
+) -> CollisionReport:
     """Return every contact event and graze of a run, and its smallest clearance.
 
     Args:
         scene: What stands where; its robot moves.
         run: The record of an execution in that scene.
         clearance: Whether to find the smallest distance too, at some cost.
+        engine: Name of what measures distances; None: the most exact there is.
     """
     if all(segment.end_s <= segment.start_s for segment in run.timeline.segments):
         return CollisionReport((), (), (), None, certified=True, statistics=MappingProxyType({}))
     motion = curves(run.timeline.segments)
-    todo = plan(scene, run, motion)
+    by = engine_by_name(engine)
+    todo = plan(scene, run, motion, by)
     interval = (motion.start_s, max(motion.end_s, float(todo.pairs.end_s.max(initial=0.0))))
-    prober = Prober(scene.robot.arm, motion, todo.solids)
+    prober = Prober(scene.robot.arm, motion, todo.solids, by)
     pairs = _joined(todo.pairs, todo.rigid)
-    found = search(scene.robot.arm, motion, todo.solids, todo.pairs, interval, clearance=clearance)
+    found = search(
+        scene.robot.arm, motion, todo.solids, todo.pairs, interval, by, clearance=clearance
+    )
     _look_once(todo, prober, found)
     teller = Teller(run, motion, prober, pairs, todo.groups)
     contacts = episodes(found.contacts, pairs)
@@ -65,21 +72,23 @@ def check_collisions(scene: Scene, run: RunRecord, *, clearance: bool = True) ->
                 "exact distances": found.exact,
             }
         ),
+        engine=by.name,
     )
 
 
 def _look_once(todo: Plan, prober: Prober, found: Findings) -> None:
     """Add what pairs that do not move one against the other have to say."""
     rigid = todo.rigid
+    margin = margin_of(prober.engine)
     offset = len(todo.pairs.first)
     distances = prober.distances(rigid.first, rigid.second, rigid.start_s)
     for k, distance in enumerate(distances.tolist()):
         start_s, end_s = float(rigid.start_s[k]), float(rigid.end_s[k])
         touch = Touch(offset + k, start_s, end_s, start_s, distance)
         beyond = distance + float(rigid.tolerance[k])
-        if beyond < -BAND:
+        if beyond < -margin:
             found.contacts.append(touch)
-        elif beyond < BAND:
+        elif beyond < margin:
             found.open.append(touch)
         elif rigid.grazes[k] and distance < -GRAZE:
             found.grazes.append(touch)
@@ -95,7 +104,7 @@ def _clearance(closest: Closest, pairs: Pairs, prober: Prober) -> Clearance | No
     parts = prober.solids.parts
     return Clearance(
         distance_m=nearest.distance,
-        tolerance_m=CLEARANCE_TOLERANCE,
+        tolerance_m=slack_of(prober.engine),
         time_s=closest.time_s,
         bodies=(parts[int(i[0])], parts[int(j[0])]),
         witnesses=(nearest.first, nearest.second),

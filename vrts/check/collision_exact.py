@@ -6,8 +6,8 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from vrts.check.collision_findings import CLEARANCE_TOLERANCE, Closest, Findings
-from vrts.geometry.narrow import Pair, Transform, transform
+from vrts.check.collision_findings import Closest, Findings, slack_of
+from vrts.geometry.nearest import Engine, Pair, Transform
 from vrts.geometry.solids import Places
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -23,6 +23,7 @@ class Exact:
 
     def __init__(
         self,
+        engine: Engine,
         functions: Sequence[Pair],
         counts: Flags,
         floor: Array,
@@ -33,6 +34,7 @@ class Exact:
         """Prepare for one level.
 
         Args:
+            engine: What measures.
             functions: One for each pair of solids.
             counts: Whether a pair enters minimum clearance, shape (p,).
             floor: At this least distance a pair is settled, clearance apart, shape (p,), in m.
@@ -40,6 +42,8 @@ class Exact:
             middle: Middles of the intervals, shape (n,), in s.
             places: Where solids are then; their rows are `outer` and `inner` below.
         """
+        self.engine = engine
+        self.slack = slack_of(engine)
         self.functions = functions
         self.counts = counts
         self.floor = floor
@@ -83,7 +87,7 @@ class Exact:
         )
         functions = self.functions
         for k, low, bottom, r, n, a, b in columns:
-            if low >= bottom and low >= self.found.closest.distance - CLEARANCE_TOLERANCE:
+            if low >= bottom and low >= self.found.closest.distance - self.slack:
                 continue
             distance[k] = self._distance(r, n, a, b)
             normal[k] = functions[int(r)].normal
@@ -99,7 +103,7 @@ class Exact:
     def _transform(self, at: int) -> Transform:
         known = self.transforms[at]
         if known is None:
-            known = transform(self.places.rotations[at], self.places.origins[at])
+            known = self.engine.transform(self.places.rotations[at], self.places.origins[at])
             self.transforms[at] = known
         return known
 

@@ -7,6 +7,8 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from vrts.geometry.nearest import Engine
+
 Array: TypeAlias = npt.NDArray[np.float64]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
@@ -15,7 +17,23 @@ BAND = 1e-5  # [m] this near to the tolerance a depth is undetermined
 REPORTED = 1e-3  # [s] times of contact
 COVERED = 0.016  # [s] inside a contact event shorter intervals are not looked into
 EVENT_GAP = 0.5  # [s] contacts of one pair of names less than this apart are one event
-CLEARANCE_TOLERANCE = 1e-4  # [m]
+CLEARANCE_TOLERANCE = 1e-4  # [m] of an engine that is exact enough
+ROUNDING = 2e-6  # [m] of double precision in bounds
+
+
+def pad_of(engine: Engine) -> float:
+    """Return what is added to every bound: rounding and the error of the exact distance [m]."""
+    return ROUNDING + engine.error
+
+
+def slack_of(engine: Engine) -> float:
+    """Return how exactly the smallest distance is certified [m]."""
+    return max(CLEARANCE_TOLERANCE, 2.0 * pad_of(engine))
+
+
+def margin_of(engine: Engine) -> float:
+    """Return how near to a tolerance a measured depth is undetermined [m]."""
+    return max(BAND, engine.error)
 
 
 class Touch(NamedTuple):

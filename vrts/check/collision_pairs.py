@@ -22,6 +22,8 @@ from vrts.check.collision_grips import (
 from vrts.check.collision_state import Prober, RunRecord
 from vrts.check.curves import Curves
 from vrts.engine.records import Lie, Placement
+from vrts.geometry.narrow import engine
+from vrts.geometry.nearest import Engine
 from vrts.geometry.shapes import Piece
 from vrts.geometry.solids import Solid, Solids, solids
 from vrts.robots.model import Robot
@@ -97,8 +99,11 @@ class Stay(NamedTuple):
         return self.lie in (Lie.RESTING, Lie.TOPPLED)
 
 
-def plan(scene: Scene, run: RunRecord, curves: Curves) -> Plan:
-    """Return every pair of pieces that can touch while the run lasts, with its rules."""
+def plan(scene: Scene, run: RunRecord, curves: Curves, by: Engine | None = None) -> Plan:
+    """Return every pair of pieces that can touch while the run lasts, with its rules.
+
+    `by` measures the distances that rules depend on; None: the most exact engine there is.
+    """
     placements = {body.name: _placements(body, run) for body in scene.bodies}
     ends = [p.end_s for own in placements.values() for p in own if np.isfinite(p.end_s)]
     interval = (curves.start_s, max([curves.end_s, *ends]))
@@ -116,7 +121,7 @@ def plan(scene: Scene, run: RunRecord, curves: Curves) -> Plan:
         for stay in _stays(cast, body, placements[body.name], supports)
     ]
     arrays = solids(cast.members)
-    prober = Prober(scene.robot.arm, curves, arrays)
+    prober = Prober(scene.robot.arm, curves, arrays, engine() if by is None else by)
     table = _Table()
     _self_pairs(table, scene.robot, arm, interval)
     _arm_pairs(table, arm, stays, run, prober)

@@ -22,20 +22,22 @@ import numpy.typing as npt
 from vrts.check.collision_exact import Exact, outside
 from vrts.check.collision_findings import (
     BAND,
-    CLEARANCE_TOLERANCE,
     COVERED,
     GRAZE,
     REPORTED,
     Closest,
     Findings,
     Touch,
+    margin_of,
+    pad_of,
+    slack_of,
     spans,
 )
 from vrts.check.collision_pairs import Pairs
 from vrts.check.collision_state import instants_of
 from vrts.check.curves import Curves, Spread
 from vrts.engine.records import GRAVITY
-from vrts.geometry.narrow import ERROR, pair
+from vrts.geometry.nearest import Engine
 from vrts.geometry.solids import Instants, Motion, Places, Solids
 from vrts.robots.model import Arm
 
@@ -43,12 +45,9 @@ Array: TypeAlias = npt.NDArray[np.float64]
 Flags: TypeAlias = npt.NDArray[np.bool_]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
-PAD = 5e-6  # [m] added to every bound: rounding and the error of the exact distance
 FINEST = 1e-5  # [s] to which intervals still open are halved
 FIRST_NODE = 0.3  # [s] length of the first intervals
 BUDGET = 600_000  # exact distances; what is open then is undetermined
-
-assert ERROR < PAD
 
 
 class _Level(NamedTuple):
@@ -67,6 +66,7 @@ def search(
     solids: Solids,
     pairs: Pairs,
     interval: tuple[float, float],
+    engine: Engine,
     *,
     clearance: bool = True,
 ) -> Findings:
@@ -78,9 +78,10 @@ def search(
         solids: The convex pieces.
         pairs: Which are tested when, by which rule.
         interval: Start and end of the time to look at, in s.
+        engine: What measures distances; its error widens every bound.
         clearance: Whether to look for the smallest distance.
     """
-    return _Search(arm, curves, solids, pairs, interval, clearance=clearance).run()
+    return _Search(arm, curves, solids, pairs, interval, engine, clearance=clearance).run()
 
 
 class _Search:
@@ -93,6 +94,7 @@ class _Search:
         solids: Solids,
         pairs: Pairs,
         interval: tuple[float, float],
+        engine: Engine,
         *,
         clearance: bool,
     ) -> None:
@@ -100,6 +102,8 @@ class _Search:
         self.curves = curves
         self.solids = solids
         self.pairs = pairs
+        self.engine = engine
+        self.pad, self.slack, self.margin = pad_of(engine), slack_of(engine), margin_of(engine)
         self.found = Findings()
         self.counts = pairs.counts & clearance
         if not clearance:
@@ -117,7 +121,8 @@ class _Search:
         outer: list[int] = self.outer.tolist()
         inner: list[int] = self.inner.tolist()
         self.functions = [
-            pair(solids.shapes[i], solids.shapes[j]) for i, j in zip(outer, inner, strict=True)
+            engine.pair(solids.shapes[i], solids.shapes[j])
+            for i, j in zip(outer, inner, strict=True)
         ]
         self.spans: dict[int, tuple[Array, Array]] = {}
         self.start, self.end, self.node, self.row = self._first_nodes(interval)
@@ -166,11 +171,13 @@ class _Search:
         at_outer, at_inner = place_of[key_outer], place_of[key_inner]
         places = self.solids.places(level.state, solid, instant, GRAVITY)
         bound, arms = self._travel(level, solid, instant, places)
-        reach = bound[self.inner_frame[row], at_outer] + PAD
+        reach = bound[self.inner_frame[row], at_outer] + self.pad
         if self.falls:
             reach += self._drop(level, inner, node) + self._drop(level, outer, node)
         gap = outside(places, at_outer, at_inner)
-        exact = Exact(self.functions, self.counts, self.floor, self.found, level.middle, places)
+        exact = Exact(
+            self.engine, self.functions, self.counts, self.floor, self.found, level.middle, places
+        )
         if self.found.closest.distance > -np.inf:
             exact.probe(row, node, at_outer, at_inner, gap)
         keep = np.nonzero(gap - reach < self._bar(row))[0]
@@ -207,7 +214,7 @@ class _Search:
 
     def _bar(self, row: Indices) -> Array:
         """Return what the least distance of rows must reach for them to be settled."""
-        sought = self.found.closest.distance - CLEARANCE_TOLERANCE
+        sought = self.found.closest.distance - self.slack
         return np.where(
             self.pairs.counts[row], np.maximum(self.floor[row], sought), self.floor[row]
         )
@@ -273,7 +280,7 @@ class _Search:
                 curve += np.where(falling, GRAVITY, 0.0)
         along = np.abs(np.einsum("ri,ri->r", v, normal))
         turning = np.linalg.norm(np.cross(normal, w), axis=1) * self.solids.ball[outer]
-        return (along + turning) * h + 0.5 * curve * h * h + PAD
+        return (along + turning) * h + 0.5 * curve * h * h + self.pad
 
     def _decide(
         self,
@@ -292,8 +299,8 @@ class _Search:
         length = 2.0 * level.half[node]
         tolerance = pairs.tolerance[row]
         measured = ~np.isnan(distance)
-        deep = measured & (distance < -tolerance - BAND)
-        whole = deep & (distance + reach < -tolerance - BAND) & (length <= COVERED)
+        deep = measured & (distance < -tolerance - self.margin)
+        whole = deep & (distance + reach < -tolerance - self.margin) & (length <= COVERED)
         middle = level.middle[node]
         for k in np.nonzero(deep)[0].tolist():
             t, d = float(middle[k]), float(distance[k])
@@ -314,7 +321,7 @@ class _Search:
         touching = (short | grazing) & measured & pairs.grazes[row] & (distance < -GRAZE) & ~done
         found.grazes += self._touches(np.nonzero(touching)[0], row, node, middle, distance)
         done |= short | grazing
-        sharp = np.where(measured, distance - least <= 2.0 * PAD, length <= 0.1 * FINEST)
+        sharp = np.where(measured, distance - least <= 2.0 * self.pad, length <= 0.1 * FINEST)
         finest = ~harmless & (length <= FINEST) & sharp & ~done
         found.open += self._touches(np.nonzero(finest)[0], row, node, middle, distance)
         done |= finest
@@ -329,7 +336,7 @@ class _Search:
         ]
 
     def _sought(self, row: Indices) -> Array:
-        sought = self.found.closest.distance - CLEARANCE_TOLERANCE
+        sought = self.found.closest.distance - self.slack
         return np.where(self.pairs.counts[row], sought, -np.inf)
 
     def _covered(self, row: Indices, node: Indices) -> Flags:

@@ -10,7 +10,7 @@ import numpy.typing as npt
 from vrts.check.curves import Curves
 from vrts.engine.events import Event
 from vrts.engine.records import GRAVITY, Motion, Placement, Segment
-from vrts.geometry.narrow import Nearest, Pair, Transform, pair, transform
+from vrts.geometry.nearest import Engine, Nearest, Pair, Transform
 from vrts.geometry.solids import Frames, Instants, Solids
 from vrts.robots.batch import link_frames
 from vrts.robots.model import Arm
@@ -70,6 +70,7 @@ class Prober:
     arm: Arm
     curves: Curves
     solids: Solids
+    engine: Engine
 
     def distances(self, first: Indices, second: Indices, time_s: Array) -> Array:
         """Return signed distances [m]; all arguments have shape (m,)."""
@@ -91,7 +92,7 @@ class Prober:
         keys = [s * len(times) + np.where(still[s], 0, at) for s in (first, second)]
         known, place = np.unique(np.concatenate(keys), return_inverse=True)
         places = self.solids.places(state, *np.divmod(known, len(times)), GRAVITY)
-        transforms = list(map(transform, places.rotations, places.origins))
+        transforms = list(map(self.engine.transform, places.rotations, places.origins))
         shapes = self.solids.shapes
         count = len(first)
         i: list[int] = first.tolist()
@@ -99,7 +100,7 @@ class Prober:
         a: list[int] = place[:count].tolist()
         b: list[int] = place[count:].tolist()
         for k in range(count):
-            yield pair(shapes[i[k]], shapes[j[k]]), transforms[a[k]], transforms[b[k]]
+            yield self.engine.pair(shapes[i[k]], shapes[j[k]]), transforms[a[k]], transforms[b[k]]
 
     def gap(self, first: Sequence[int], second: Sequence[int], time_s: Array) -> Array:
         """Return the distance [m] between two unions of solids at times of shape (m,)."""

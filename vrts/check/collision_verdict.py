@@ -6,11 +6,13 @@ from types import MappingProxyType
 
 from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, Severity
 from vrts.base.units import mm
+from vrts.check.collision_findings import BAND
 from vrts.check.collision_pairs import ROBOT, TOLERANCE
 from vrts.check.collision_state import RunRecord
 from vrts.check.rounding import exact_mm, exact_s
 from vrts.check.verdict import Answer, CollisionReport, ContactEvent, Verdict
 from vrts.engine.records import Segment
+from vrts.geometry.narrow import engine
 
 CONTACT = Rule("V400", "contact")
 SELF_CONTACT = Rule("V401", "self-contact")
@@ -32,7 +34,7 @@ def verdict(report: CollisionReport, run: RunRecord | None = None) -> Verdict:
         *(_undetermined(event, run) for event in report.undetermined),
     )
     evidence = {
-        "method": "certified",
+        "method": _method(report),
         "tolerance_mm": mm(TOLERANCE),
         "contacts": len(report.contacts),
         "grazes": len(report.grazes),
@@ -43,6 +45,13 @@ def verdict(report: CollisionReport, run: RunRecord | None = None) -> Verdict:
         evidence["clearance_mm"] = _mm(report.clearance.distance_m)
         evidence["clearance_at_s"] = _s(report.clearance.time_s)
     return Verdict("collision", _answer(report), _summary(report), findings, _frozen(evidence))
+
+
+def _method(report: CollisionReport) -> str:
+    by = engine(report.engine)
+    if by.error < BAND:
+        return "certified"
+    return f"certified, by {by.name} with an error of {mm(by.error):.1f} mm"
 
 
 def _mm(length_m: float) -> float:

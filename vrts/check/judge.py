@@ -11,12 +11,17 @@ from vrts.engine.run import Run
 from vrts.scene.model import Scene
 
 
-def judge(scene: Scene, run: Run, task: Task | None, *, collisions: bool = True) -> Judgement:
-    """Return all verdicts: the program's ending, collisions, limits, and what the task asks for."""
+def judge(
+    scene: Scene, run: Run, task: Task | None, *, collisions: bool = True, engine: str | None = None
+) -> Judgement:
+    """Return all verdicts: the program's ending, collisions, limits, and what the task asks for.
+
+    `engine` measures the distances of collisions: "coal", "fcl", or None for the better there is.
+    """
     found: list[Verdict] = [_program(run)]
     report: CollisionReport | None = None
     if collisions:
-        report = check_collisions(scene, run)
+        report = check_collisions(scene, run, engine=engine)
         found.append(collision_verdict(report, run))
     found.append(limits.check_limits(run))
     if task is not None:

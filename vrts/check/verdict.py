@@ -65,3 +65,4 @@ class CollisionReport:
     clearance: Clearance | None  # None when there is contact
     certified: bool  # every instant is covered: nothing undetermined
     statistics: Mapping[str, int]  # nodes, narrow-phase calls, ...: the method as evidence
+    engine: str = "coal"  # what measured distances

@@ -38,6 +38,7 @@ Examples:
   vrts verify prog.v2 --task task.toml --html page.html --record run.rrd
   vrts verify prog.v2 --task lab1-student.zip
   vrts verify prog.v2 --scenario gripper-slips.toml
+  vrts verify prog.v2 --engine fcl
   vrts verify prog.v2 --format json
 """
 
@@ -53,6 +54,11 @@ Examples:
 @click.option("--record", type=click.Path(path_type=Path), help="Write a Rerun recording (.rrd).")
 @click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
 @click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
+@click.option(
+    "--engine",
+    type=click.Choice(["coal", "fcl"]),
+    help="What measures distances; without it coal, or fcl where coal is not installed.",
+)
 @language_options
 @color_option
 @guarded
@@ -65,6 +71,7 @@ def command(
     record: Path | None,
     form: str,
     no_collisions: bool,
+    engine: str | None,
     others: tuple[str, ...],
     dialect: str | None,
     prec: str | None,
@@ -96,6 +103,7 @@ def command(
         identifier=identifier,
         title=None if path else name,
         collisions=not no_collisions,
+        engine=engine,
         curve=html is not None or record is not None,
         reading=reading_of(others, dialect or "val2", prec, replace=replace),
     )

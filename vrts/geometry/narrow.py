@@ -1,123 +1,63 @@
-"""Exact distance between two convex pieces, by coal.
+"""Exact distance between two convex pieces, by the engine there is.
 
-The first of two engines with one interface; `second` is the other. Signed distances come from GJK
-and EPA: positive is the gap, negative the depth of penetration. Error at most `ERROR`.
+`first` is coal, `second` python-fcl. Coal is a hundred times more exact and is taken where it can
+be imported; where it has no wheel, python-fcl answers.
 """
 
-from functools import lru_cache
-from typing import NamedTuple, TypeAlias
+from functools import cache
+from importlib.util import find_spec
 
-import coal
 import numpy as np
-import numpy.typing as npt
 
-from vrts.base.pose import Pose, Vector
-from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
+from vrts.base.pose import Pose
+from vrts.geometry.nearest import Array, Engine, Nearest, Pair, Transform
+from vrts.geometry.shapes import Piece, Shape
 
-Array: TypeAlias = npt.NDArray[np.float64]
-
-NAME = "coal"
-ERROR = 3e-6  # [m]; largest difference seen from closed forms and other engines is 1.3e-6 m
-
-Transform: TypeAlias = coal.Transform3s
+COAL, FCL = "coal", "fcl"
+ENGINES = (COAL, FCL)
 
 
-class Nearest(NamedTuple):
-    """The nearest points of two shapes, or the deepest ones where they overlap."""
+@cache
+def engine(name: str | None = None) -> Engine:
+    """Return an engine by its name; None: coal where there is one, else python-fcl.
 
-    distance: float  # [m]; negative is the depth of penetration
-    first: Vector  # on the first shape, in the frame of the transforms [m]
-    second: Vector  # on the second shape [m]
-    normal: Vector  # unit vector along which moving the second shape away parts them
+    Raises:
+        ImportError: The engine asked for is not installed.
+    """
+    if name is None:
+        name = COAL if find_spec("coal") is not None else FCL
+    if name == COAL:
+        from vrts.geometry import first
+
+        return Engine(first.NAME, first.ERROR, first.pair, first.transform)
+    from vrts.geometry import second
+
+    return Engine(second.NAME, second.ERROR, second.pair, second.transform)
 
 
-@lru_cache(maxsize=4096)
-def solid(shape: Shape) -> coal.CollisionGeometry:
-    """Return coal's form of a shape; equal shapes share one."""
-    match shape:
-        case Box(half_extents=(a, b, c)):
-            return coal.Box(2 * a, 2 * b, 2 * c)
-        case Cylinder(radius=radius, half_length=half_length):
-            return coal.Cylinder(radius, 2 * half_length)
-        case Hull(points=points):
-            vectors = coal.StdVec_Vec3s()
-            vectors.extend([np.array(point) for point in points])
-            return coal.Convex.convexHull(vectors, False, "Qt")
+def pair(first: Shape, second: Shape) -> Pair:
+    """Return the `Pair` of two shapes; equal shapes share one."""
+    return engine().pair(first, second)
 
 
 def transform(rotation: Array, translation: Array) -> Transform:
     """Return a placement from arrays of shape (3, 3) and (3,)."""
-    return coal.Transform3s(rotation, translation)
-
-
-def placed(X_WP: Pose) -> Transform:
-    """Return a placement from a pose."""
-    return coal.Transform3s(
-        np.array(X_WP.rotation).reshape(3, 3), np.array(X_WP.translation, dtype=np.float64)
-    )
-
-
-_REQUEST = coal.DistanceRequest()
-_REQUEST.enable_signed_distance = True
-
-
-class Pair:
-    """Two shapes whose distance is asked for again and again."""
-
-    __slots__ = ("_compute", "_result", "_solids")
-
-    def __init__(self, first: Shape, second: Shape) -> None:
-        """Choose the algorithm for two shapes once."""
-        self._solids = (solid(first), solid(second))  # coal keeps bare pointers to them
-        self._compute = coal.ComputeDistance(*self._solids)
-        self._result = coal.DistanceResult()
-
-    def distance(self, first: Transform, second: Transform) -> float:
-        """Return the signed distance [m] of the shapes at two placements in one frame."""
-        self._result.clear()
-        return self._compute(first, second, _REQUEST, self._result)
-
-    @property
-    def normal(self) -> Array:
-        """Unit normal of the last query, first to second, (3,). The next query overwrites it."""
-        return self._result.normal
-
-    def nearest(self, first: Transform, second: Transform) -> Nearest:
-        """Return the signed distance with the points between which it is measured."""
-        distance = self.distance(first, second)
-        result = self._result
-        return Nearest(
-            distance,
-            _vector(result.getNearestPoint1()),
-            _vector(result.getNearestPoint2()),
-            _vector(result.normal),
-        )
-
-    def closer_than(self, first: Transform, second: Transform, margin: float) -> bool:
-        """Return whether the signed distance is below a margin [m]."""
-        return self.distance(first, second) < margin
-
-
-@lru_cache(maxsize=65536)
-def pair(first: Shape, second: Shape) -> Pair:
-    """Return the `Pair` of two shapes; equal shapes share one."""
-    return Pair(first, second)
+    return engine().transform(rotation, translation)
 
 
 def nearest(first: Piece, X_WA: Pose, second: Piece, X_WB: Pose) -> Nearest:
     """Return the signed distance of two pieces of bodies A and B, and its points in W."""
     return pair(first.shape, second.shape).nearest(
-        placed(X_WA @ first.X_OP), placed(X_WB @ second.X_OP)
+        _placed(X_WA @ first.X_OP), _placed(X_WB @ second.X_OP)
     )
 
 
 def distance(first: Piece, X_WA: Pose, second: Piece, X_WB: Pose) -> float:
     """Return the signed distance [m] of two pieces of bodies A and B."""
     return pair(first.shape, second.shape).distance(
-        placed(X_WA @ first.X_OP), placed(X_WB @ second.X_OP)
+        _placed(X_WA @ first.X_OP), _placed(X_WB @ second.X_OP)
     )
 
 
-def _vector(values: Array) -> Vector:
-    x, y, z = values.tolist()
-    return (x, y, z)
+def _placed(X_WP: Pose) -> Transform:
+    return transform(np.array(X_WP.rotation).reshape(3, 3), np.array(X_WP.translation))

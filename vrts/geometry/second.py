@@ -1,6 +1,6 @@
 """Exact distance between two convex pieces, by python-fcl: a second opinion.
 
-The same interface as `narrow`, from another code base. Discrete questions only: fcl's continuous
+The same interface as `first`, from another code base. Discrete questions only: fcl's continuous
 collision gives different answers in identical runs. Error at most `ERROR` on curved shapes.
 """
 
@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from vrts.base.pose import Pose, Vector
 from vrts.geometry.hull import faces
-from vrts.geometry.narrow import Nearest
+from vrts.geometry.nearest import Nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -51,12 +51,13 @@ _REQUEST = fcl.DistanceRequest(enable_nearest_points=True, enable_signed_distanc
 class Pair:
     """Two shapes whose distance is asked for again and again."""
 
-    __slots__ = ("_first", "_second")
+    __slots__ = ("_first", "_normal", "_second")
 
     def __init__(self, first: Shape, second: Shape) -> None:
         """Make the two objects once."""
         self._first = fcl.CollisionObject(solid(first), fcl.Transform())
         self._second = fcl.CollisionObject(solid(second), fcl.Transform())
+        self._normal = np.zeros(3)
 
     def distance(self, first: fcl.Transform, second: fcl.Transform) -> float:
         """Return the signed distance [m] of the shapes at two placements in one frame."""
@@ -74,8 +75,13 @@ class Pair:
         a, b = result.nearest_points
         between = b - a if distance >= 0.0 else a - b
         length = float(np.linalg.norm(between))
-        normal = between / length if length > 0.0 else np.zeros(3)
-        return Nearest(distance, _vector(a), _vector(b), _vector(normal))
+        self._normal = between / length if length > 0.0 else np.zeros(3)
+        return Nearest(distance, _vector(a), _vector(b), _vector(self._normal))
+
+    @property
+    def normal(self) -> Array:
+        """Unit normal of the last query, first to second, (3,); zero where there is none."""
+        return self._normal
 
     def closer_than(self, first: fcl.Transform, second: fcl.Transform, margin: float) -> bool:
         """Return whether the signed distance is below a margin [m]."""

@@ -254,7 +254,7 @@ def test_hostile_program_text_reaches_no_terminal() -> None:
 @pytest.mark.parametrize(
     ("library", "words", "said"),
     [
-        ("coal", ["verify", SOLUTION], b"no wheel for this machine (Windows)"),
+        ("coal", ["verify", SOLUTION, "--engine", "coal"], b"no wheel for this machine (Windows)"),
         ("rerun", ["verify", SOLUTION, "--record", "never.rrd"], b"rerun-sdk"),
     ],
 )

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vrts.base.pose import IDENTITY, translation
-from vrts.geometry.narrow import ERROR, Pair, distance, nearest, pair, placed, solid, transform
+from vrts.geometry.first import ERROR, Pair, distance, nearest, pair, placed, solid, transform
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
 
 BOX = Box((0.1, 0.1, 0.1))
