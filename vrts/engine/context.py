@@ -229,6 +229,7 @@ class Context:
 
     __slots__ = (
         "activation",
+        "at_once",
         "cycles_done",
         "cycles_left",
         "ending",
@@ -236,6 +237,7 @@ class Context:
         "events",
         "fault",
         "finished",
+        "finishing",
         "frames",
         "hand",
         "is_robot",
@@ -293,6 +295,8 @@ class Context:
         self.kept_cycles: int | None = None  # that PCEND took away
         self.ending = Ending.NOT_STARTED
         self.started_s = 0.0
+        self.finishing = False  # the last step is done, the arm still moves
+        self.at_once = False  # it ends although the arm still moves: the monitor's DO
         self.step_was_cut = False  # stopped at a motion that was given, and would have failed
         self.steps_left: tuple[int, int | None] | None = None  # single steps, depth for whole calls
 
@@ -330,6 +334,8 @@ class Context:
             "started_s",
             "step_was_cut",
             "steps_left",
+            "finishing",
+            "at_once",
         ):
             setattr(other, name, getattr(self, name))
         other.trace = self.trace.copy()

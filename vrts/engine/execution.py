@@ -30,6 +30,9 @@ STEPS_A_TICK = 100  # of each program [assumed, val2.md 3.7]
 
 def execute(machine: "Machine", c: Context, now: float) -> None:
     """Let a program react, and go on for its share of a tick."""
+    if c.finishing:
+        _finish(machine, c)
+        return
     try:
         _react(machine, c, look=True)
         if c.wake == math.inf or c.wake <= now + INSTANT:
@@ -108,7 +111,7 @@ def _left(machine: "Machine", c: Context, outcome: int, left: int) -> int:
     if outcome == CYCLE_ENDED:
         if next_cycle(c):
             return left if c.steps_left is None else _stepped(machine, c, None)
-        machine.end(c, Ending.COMPLETED, None)
+        _finish(machine, c)
     elif outcome == HALTED:
         machine.end(c, Ending.HALTED, None)
         c.clear()
@@ -116,6 +119,15 @@ def _left(machine: "Machine", c: Context, outcome: int, left: int) -> int:
         assert outcome == PAUSED
         machine.end(c, Ending.PAUSED, None)
     return 0
+
+
+def _finish(machine: "Machine", c: Context) -> None:
+    """End a program that has done its last step, once the arm stands still."""
+    settled = machine.system.planner.settled_at
+    if c.is_robot and not c.at_once and settled > c.now + INSTANT:
+        c.finishing, c.wake, c.watches = True, settled, []
+    else:
+        machine.end(c, Ending.COMPLETED, None)
 
 
 def _stepped(machine: "Machine", c: Context, following: Cause | None) -> int:

@@ -166,6 +166,7 @@ def _do(machine: "Machine", module: Module, now: float) -> None:
     planner, next_hand = machine.system.planner, robot.next_hand
     always, following = planner.always, planner.next
     begin(robot, name, 1, 1, now)
+    robot.at_once = True
     planner.always, planner.next, robot.next_hand = always, following, next_hand
     machine.ended_s = None
 

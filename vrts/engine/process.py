@@ -13,6 +13,7 @@ def begin(c: Context, name: str, cycles: int, step: int, now: float) -> None:
     c.cycles_left, c.cycles_done = cycles or 1, 0
     c.started_s, c.ending = now, Ending.RUNNING
     c.steps_left = None
+    c.finishing = c.at_once = False
     c.clear()
     _begin_cycle(c, step)
     c.wake = now
@@ -49,7 +50,7 @@ def next_cycle(c: Context) -> bool:
 
 def end(c: Context, ending: Ending, time_s: float) -> None:
     """End a program; what it waits for is forgotten, its place is kept."""
-    c.ending = ending
+    c.ending, c.finishing = ending, False
     c.phase, c.operands, c.fault = 0, None, None
     c.steps_left = None
     c.events.append(ProgramEnded(time_s, ending.value, place(c), process=not c.is_robot))
@@ -84,9 +85,10 @@ def go_on(c: Context, now: float) -> bool:
 
 
 def place(c: Context) -> Cause | None:
-    """Return the step that comes next, or that failed."""
+    """Return the step that comes next, or that failed; of a program that is over its last motion."""
     if not c.frames:
-        return None
+        motions = c.planner.motions
+        return motions[-1].cause if c.finishing and motions else None
     frame = c.frames[-1]
     causes = c.system.executable.programs[frame.program].causes
     return causes[min(frame.index, len(causes) - 1)]
