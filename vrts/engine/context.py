@@ -244,6 +244,7 @@ class Context:
         "kept_cycles",
         "last_error",
         "last_program",
+        "last_step",
         "listed",
         "memory",
         "next_hand",
@@ -296,6 +297,7 @@ class Context:
         self.ending = Ending.NOT_STARTED
         self.started_s = 0.0
         self.finishing = False  # the last step is done, the arm still moves
+        self.last_step: Cause | None = None  # before the end of the cycle
         self.at_once = False  # it ends although the arm still moves: the monitor's DO
         self.step_was_cut = False  # stopped at a motion that was given, and would have failed
         self.steps_left: tuple[int, int | None] | None = None  # single steps, depth for whole calls
@@ -335,6 +337,7 @@ class Context:
             "step_was_cut",
             "steps_left",
             "finishing",
+            "last_step",
             "at_once",
         ):
             setattr(other, name, getattr(self, name))

@@ -30,14 +30,14 @@ STEPS_A_TICK = 100  # of each program [assumed, val2.md 3.7]
 
 def execute(machine: "Machine", c: Context, now: float) -> None:
     """Let a program react, and go on for its share of a tick."""
-    if c.finishing:
-        _finish(machine, c)
-        return
     try:
-        _react(machine, c, look=True)
-        if c.wake == math.inf or c.wake <= now + INSTANT:
-            c.wake = now
-            _run_steps(machine, c, STEPS_A_TICK)
+        if c.finishing:
+            _finish(machine, c)
+        else:
+            _react(machine, c, look=True)
+            if c.wake == math.inf or c.wake <= now + INSTANT:
+                c.wake = now
+                _run_steps(machine, c, STEPS_A_TICK)
         check_limits(machine, c)
     except LimitReached as limit:
         machine.end(c, Ending.LIMIT, limit.diagnostic)

@@ -263,6 +263,9 @@ class Machine:
         if stirred and any(c.watches for c in programs):
             return
         waking = min(c.wake for c in programs)
+        if self.closed and waking < math.inf:  # the limit is noticed when it is reached
+            latest = min(c.started_s for c in programs) + self.scenario.limits.time_s
+            waking = min(waking, latest + self.tick)
         following = self._future()
         if following is not None and following < waking:
             waking = following

@@ -41,6 +41,9 @@ def next_cycle(c: Context) -> bool:
     c.cycles_done += 1
     if c.cycles_left > 0:
         c.cycles_left -= 1
+    frame = c.frames[-1]
+    causes = c.system.executable.programs[frame.program].causes
+    c.last_step = causes[max(min(frame.index, len(causes) - 1) - 1, 0)]
     c.clear()
     if c.cycles_left != 0:
         _begin_cycle(c, 1)
@@ -85,10 +88,9 @@ def go_on(c: Context, now: float) -> bool:
 
 
 def place(c: Context) -> Cause | None:
-    """Return the step that comes next, or that failed; of a program that is over its last motion."""
+    """Return the step that comes next, or that failed; of a program that is over its last one."""
     if not c.frames:
-        motions = c.planner.motions
-        return motions[-1].cause if c.finishing and motions else None
+        return c.last_step if c.finishing else None
     frame = c.frames[-1]
     causes = c.system.executable.programs[frame.program].causes
     return causes[min(frame.index, len(causes) - 1)]
