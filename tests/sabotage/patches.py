@@ -559,8 +559,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "endless loops are not seen",
         "vrts/engine/endless.py",
-        "if state[:6] == kept[:6]:",
-        "if state == kept:",
+        "if _state(machine, now)[:6] == kept[:6]:",
+        "if _state(machine, now) == kept:",
         (ENGINE,),
     ),
     Patch(

@@ -70,20 +70,25 @@ class Watcher:
             self._kept, self._left = None, self._power
             return None
         kept = self._kept
-        if kept is not None and kept.clock_reads == machine.system.clock_reads:
-            robot, process = machine.robot, machine.process
-            if kept.places == (_place(robot), _place(process)) and kept.finished < machine.finished:
-                if self._witness is None or self._witness[0].value == self._witness[1]:
-                    state = _state(machine, now)
-                    if state[:6] == kept[:6]:
-                        return _endless(machine, kept, now)
-                    self._witness = _difference(machine, kept)
+        if kept is not None and self._may_repeat(machine, kept):
+            if _state(machine, now)[:6] == kept[:6]:
+                return _endless(machine, kept, now)
+            self._witness = _difference(machine, kept)
         self._left -= 1
         if self._left <= 0:
             self._power *= 2
             self._left = self._power
             self._kept, self._witness = _state(machine, now), None
         return None
+
+    def _may_repeat(self, machine: "Machine", kept: Kept) -> bool:
+        """Return whether a quick look finds no difference to a state that was kept."""
+        return (
+            kept.clock_reads == machine.system.clock_reads
+            and kept.finished < machine.finished
+            and kept.places == (_place(machine.robot), _place(machine.process))
+            and (self._witness is None or self._witness[0].value == self._witness[1])
+        )
 
 
 def _difference(machine: "Machine", kept: Kept) -> tuple[Cell, Content] | None:
