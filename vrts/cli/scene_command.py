@@ -77,6 +77,7 @@ def check(name: str, color: str) -> None:
     via points out of reach. Exit status 1 when something is wrong; warnings are no errors.
     """
     from vrts.check.feasible import task_findings
+    from vrts.report.plain import one_line
     from vrts.scene.checks import scene_findings
 
     setting = _setting(name)
@@ -85,9 +86,10 @@ def check(name: str, color: str) -> None:
     if task is not None:
         found += task_findings(scene, task)
     show_diagnostics(found, color)
-    goals = f", {len(task.goals)} goals" if task is not None else ""
-    what = f"{len(scene.bodies) - 1} objects, {len(scene.locations)} locations{goals}"
-    out(f"{scene.title}: {what}: " + ("see above" if found else "nothing found"))
+    counts = [("object", len(scene.bodies) - 1), ("location", len(scene.locations))]
+    counts += [("goal", len(task.goals))] if task is not None else []
+    what = ", ".join(f"{n} {word}{'' if n == 1 else 's'}" for word, n in counts)
+    out(f"{one_line(scene.title)}: {what}: " + ("see above" if found else "nothing found"))
     sys.exit(WRONG if any(d.is_error for d in found) else HOLDS)
 
 
