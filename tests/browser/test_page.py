@@ -151,6 +151,26 @@ def test_line_events_and_contact_follow_the_time(report: Opened) -> None:
     assert report.page.inner_text("#overlay") == ""
 
 
+def test_the_lanes_show_the_run_and_go_where_they_are_clicked(report: Opened) -> None:
+    names = report.page.locator("#lanes .name").all_inner_texts()
+    assert names[0] == "Line"
+    assert {"Gripper", "Contacts"} <= set(names)
+    hit = report.page.locator("#lanes i.contact")
+    assert "can1 touches base1" in (hit.get_attribute("title") or "")
+    band = report.page.locator("#lanes .band").first.bounding_box()
+    where = hit.bounding_box()
+    assert band is not None
+    assert where is not None
+    assert where["x"] == pytest.approx(band["x"] + CONTACT_S[0] / RUN_S * band["width"], abs=2)
+    assert report.page.locator("#lanes i.held").inner_text() == "can1"
+    report.page.mouse.click(band["x"] + 0.25 * band["width"], band["y"] + 5)
+    assert clock(report) == pytest.approx(0.25 * RUN_S, abs=0.02)
+    report.page.mouse.down()
+    report.page.mouse.move(band["x"] + 0.75 * band["width"], band["y"] + 5)
+    report.page.mouse.up()
+    assert clock(report) == pytest.approx(0.75 * RUN_S, abs=0.02)
+
+
 def test_an_event_row_and_a_loss_jump_to_their_time(report: Opened) -> None:
     report.page.click("#events >> text=can1 grasped")
     assert clock(report) == pytest.approx(GRASP_S, abs=1e-3)

@@ -9,17 +9,24 @@ import base64
 import sys
 import zlib
 from array import array
-from bisect import bisect_right
 from collections.abc import Iterable, Sequence
 
-from vrts.base.source import SourceFile, Span
+from vrts.base.source import SourceFile
 from vrts.check.verdict import ContactEvent
-from vrts.engine.events import Cause, Event, Landed, MotionEnded, MotionStarted, Toppled
+from vrts.engine.events import Cause
 from vrts.engine.records import COORDINATES, GRAVITY, Placement, Segment
 from vrts.engine.run import Run
 from vrts.report.event_words import event_text
 from vrts.report.plain import one_line
 from vrts.report.quantities import millimetres, seconds
+from vrts.report.replay_lanes import (
+    by_process,
+    line_of,
+    process_lines,
+    process_programs,
+    robot_lines,
+    signal_spans,
+)
 from vrts.report.viewer_data import Json, pose_numbers
 
 MOST_EVENTS = 2000  # rows of the list
@@ -37,8 +44,10 @@ def run_data(run: Run, source: SourceFile | None) -> Json:
         "placements": {
             body: [_placement(p) for p in placements] for body, placements in run.placements.items()
         },
-        "lines": _lines(run, source),
-        "events": _event_rows(run.events, source),
+        "lines": robot_lines(run, source),
+        "processLines": process_lines(run, source),
+        "signals": [{"signal": n, "on": on} for n, on in signal_spans(run).items()],
+        "events": _event_rows(run, source),
     }
 
 
@@ -66,11 +75,6 @@ def contact_sentence(c: ContactEvent) -> str:
     """Return `left finger touches base1, 3.1 mm deep`."""
     first, second = (one_line(part) for part in c.parts)
     return f"{first} touches {second}, {millimetres(c.depth_m):g} mm deep"
-
-
-def line_of(span: Span | None, source: SourceFile | None) -> int:
-    """Return the line, from 1, of a span in the program shown; 0 when it lies elsewhere."""
-    return span.line if span is not None and span.source is source else 0
 
 
 def _end(run: Run) -> float:
@@ -146,38 +150,14 @@ def _placement(p: Placement) -> Json:
     }
 
 
-def _lines(run: Run, source: SourceFile | None) -> list[tuple[float, int]]:
-    """Return which line is at work from when on: the motion under way, else the last event."""
-    marks = [(m.start_s, 1, _line(m.cause, source)) for m in run.motions]
-    busy = [(m.start_s, m.end_s) for m in run.motions]
-    marks += [
-        (event.time_s, 0, _line(event.cause, source))
-        for event in run.events
-        if not isinstance(event, (MotionStarted, MotionEnded, Landed, Toppled))
-        and not _under_way(busy, event.time_s)
-    ]
-    rows: list[tuple[float, int]] = []
-    for exact, _, line in sorted(marks):
-        time_s = seconds(exact)
-        if rows and rows[-1][0] == time_s:
-            rows.pop()  # of steps without duration only the last shows
-        if line and (not rows or rows[-1][1] != line):
-            rows.append((time_s, line))
-    return rows
-
-
-def _under_way(busy: list[tuple[float, float]], time_s: float) -> bool:
-    at = bisect_right(busy, time_s, key=lambda motion: motion[0]) - 1
-    return at >= 0 and time_s < busy[at][1]
-
-
 def _line(cause: Cause | None, source: SourceFile | None) -> int:
     return line_of(cause.span if cause else None, source)
 
 
-def _event_rows(events: Sequence[Event], source: SourceFile | None) -> list[Json]:
+def _event_rows(run: Run, source: SourceFile | None) -> list[Json]:
     """Return rows for the first events, and one that counts the rest (programs print at will)."""
     rows: list[Json] = []
+    events, of_process = run.events, process_programs(run)
     for number, event in enumerate(events):
         if len(rows) == MOST_EVENTS:
             rest = f"{len(events) - number} more events are not listed"
@@ -186,5 +166,8 @@ def _event_rows(events: Sequence[Event], source: SourceFile | None) -> list[Json
         if (row := event_text(event)) is not None:
             kind, text = row
             line = _line(event.cause, source)
-            rows.append({"t": seconds(event.time_s), "kind": kind, "text": text, "line": line})
+            fact: Json = {"t": seconds(event.time_s), "kind": kind, "text": text, "line": line}
+            if by_process(event, of_process):
+                fact["process"] = True
+            rows.append(fact)
     return rows

@@ -27,10 +27,12 @@ export class EventList {
     while (index + 1 < this.rows.length && this.rows[index + 1].t <= t + 5e-4) index++;
     if (index === this.current) return;
     this.buttons[this.current]?.classList.remove("now");
+    this.buttons[this.current]?.removeAttribute("aria-current");
     this.current = index;
     const entry = this.buttons[index];
     if (!entry) return;
     entry.classList.add("now");
+    entry.setAttribute("aria-current", "true");
     const above = entry.offsetTop - this.list.scrollTop;
     if (above < 0 || above > this.list.clientHeight - 30) this.list.scrollTop = entry.offsetTop - this.list.clientHeight / 2;
   }
@@ -46,15 +48,20 @@ export class EventList {
   }
 }
 
-/** @typedef {{t: number, kind: string, text: string, line: number}} Row */
+/** @typedef {{t: number, kind: string, text: string, line: number, process?: boolean}} Row */
 /** @typedef {{start: number, text: string, line: number}} Contact */
+
+/** Return the line of a row; PC stands for the process control program. @param {Row} row */
+function where(row) {
+  return row.line ? `${row.process ? "PC " : ""}line ${row.line}` : "";
+}
 
 /** @param {Row} row @param {() => void} click */
 function button(row, click) {
   const element = document.createElement("button");
   element.type = "button";
   element.className = row.kind;
-  for (const [name, text] of [["t", `${row.t.toFixed(2)} s`], ["words", row.text], ["line", row.line ? `line ${row.line}` : ""]]) {
+  for (const [name, text] of [["t", `${row.t.toFixed(2)} s`], ["words", row.text], ["line", where(row)]]) {
     const part = document.createElement("span");
     part.className = name;
     part.textContent = text;

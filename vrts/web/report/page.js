@@ -7,6 +7,7 @@ import { Viewer } from "../viewer/viewer.js";
 import { Charts } from "./charts.js";
 import { charts, sampleTimes, speed, toolPath } from "./curves.js";
 import { EventList } from "./events.js";
+import { Lanes, lanesOf } from "./lanes.js";
 import { bindKeys, bindControls, showPlaying } from "./controls.js";
 
 const byId = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -23,14 +24,14 @@ const events = new EventList(byId("events"), data, (t) => jump(t));
 const times = sampleTimes(replay);
 const path = toolPath(replay, times);
 const plots = new Charts(byId("chart-list"), times, charts(replay, times, path, data.clearance), data.contacts, (t) => jump(t));
-/** @type {Element | null} */
-let lit = null;
+const lanes = new Lanes(byId("lanes"), lanesOf(replay, data), replay.end, (t) => jump(t));
+/** @type {Record<string, HTMLElement | null>} */
+const lit = { lit: null, "lit-process": null };
 
 slider.max = String(replay.end);
 viewer?.setTrace(path, (i) => data.contacts.some((/** @type {Contact} */ c) => c.start <= times[i] && times[i] <= c.end));
 byId("goals-check").hidden = !data.scene.goals.length && !data.scene.vias.length;
 dark.addEventListener("change", () => viewer?.setTheme(theme()));
-drawTracks();
 bindControls(player, viewer, events, jump);
 bindKeys(player, events, jump);
 for (const button of document.querySelectorAll("button.seek")) {
@@ -80,7 +81,9 @@ function show(/** @type {number} */ t) {
   byId("clock").textContent = `${t.toFixed(3).padStart(7)} / ${replay.end.toFixed(1)} s`;
   showOverlay(state, touching, grazing);
   showStatus(state);
-  lightLine(replay.line(t));
+  lightLine("lit-process", replay.line(t, data.run.processLines));
+  lightLine("lit", replay.line(t));
+  lanes.show(t);
   events.show(t);
   plots.show(t);
   showPlaying(player);
@@ -129,38 +132,24 @@ function showStatus(state) {
     ` tool at ${number(speed(replay, state.t), 1, 0)} mm/s`;
 }
 
-/** @param {number} line */
-function lightLine(line) {
+/**
+ * Light the line at work; the process control program has a colour of its own.
+ * @param {string} kind @param {number} line
+ */
+function lightLine(kind, line) {
+  const before = lit[kind];
   const next = line ? document.getElementById(`L${line}`) : null;
-  if (next === lit) return;
-  lit?.classList.remove("lit");
-  lit?.removeAttribute("aria-current");
-  lit = next;
+  if (next === before) return;
+  before?.classList.remove(kind);
+  if (kind === "lit") before?.removeAttribute("aria-current");
+  lit[kind] = next;
   if (!next) return;
-  next.classList.add("lit");
+  next.classList.add(kind);
+  if (kind !== "lit") return;
   next.setAttribute("aria-current", "step");
   const box = /** @type {HTMLElement} */ (next.parentElement);
   const above = next.offsetTop - box.scrollTop;
   if (above < 40 || above > box.clientHeight - 60) box.scrollTop = next.offsetTop - box.clientHeight / 2;
-}
-
-/** Draw motions, contacts and the cause above the slider. */
-function drawTracks() {
-  const share = (/** @type {number} */ t) => `${(100 * t) / (replay.end || 1)}%`;
-  const bars = [
-    ...data.run.motions.map((/** @type {{start: number, end: number}} */ m) => ["motion", m.start, m.end, ""]),
-    ...data.grazes.map((/** @type {Contact} */ c) => ["graze", c.start, c.end, c.text]),
-    ...data.contacts.map((/** @type {Contact} */ c) => ["contact", c.start, c.end, c.text]),
-  ];
-  byId("tracks").replaceChildren(...bars.map(([kind, start, end, text]) => {
-    const bar = document.createElement("i");
-    bar.className = kind;
-    bar.title = text;
-    bar.style.left = share(start);
-    bar.style.width = share(end - start);
-    bar.addEventListener("click", () => jump(start));
-    return bar;
-  }));
 }
 
 // For tests and for the curious: the replay and what shows it.

@@ -35,6 +35,8 @@ import { Timeline } from "./timeline.js";
  * @property {Record<string, PlacementData[]>} placements by body
  * @property {{start: number, X: number[]}[]} tools the tool in force, by time
  * @property {[number, number][]} lines (time [s], source line), by time
+ * @property {[number, number][]} processLines the same of the process control program
+ * @property {{signal: number, on: [number, number][]}[]} signals when each was on [s]
  */
 
 /**
@@ -123,8 +125,7 @@ export class Replay {
    * Return the source line at work at a time, or 0.
    * @param {number} t [s]
    */
-  line(t) {
-    const { lines } = this.run;
+  line(t, lines = this.run.lines) {
     if (!lines.length || t < lines[0][0]) return 0;
     return latest(lines, (entry) => entry[0], t)[1];
   }
