@@ -36,14 +36,14 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "ALWAYS is ignored",
-        "vrts/engine/setting_steps.py",
+        "vrts/engine/code/setting_steps.py",
         "if scope is ir.Scope.ALWAYS:",
         "if scope is None:",
         (EXAMPLE,),
     ),
     Patch(
         "OPENI does not wait for the arm",
-        "vrts/engine/hand_steps.py",
+        "vrts/engine/code/hand_steps.py",
         "        if not reached(c, c.planner.settled_at):\n            return False\n",
         "",
         (EXAMPLE,),
@@ -117,21 +117,21 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "by-reference arguments are copies",
-        "vrts/engine/executable.py",
+        "vrts/engine/code/executable.py",
         "return self._expressions.cell(argument)",
         "find = self._expressions.cell(argument)\n                return lambda c: find(c).copy()",
         (RUNS,),
     ),
     Patch(
         "FOR stops one too early",
-        "vrts/engine/steps.py",
+        "vrts/engine/code/steps.py",
         "past = value > limit if",
         "past = value >= limit if",
         (RUNS,),
     ),
     Patch(
         "WAIT looks only once",
-        "vrts/engine/signal_steps.py",
+        "vrts/engine/code/signal_steps.py",
         "if test(c) != 0.0:",
         "if test(c) is not None:",
         (ENGINE,),
@@ -208,7 +208,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "DRIVE uses up the pending speed",
-        "vrts/engine/motion_steps.py",
+        "vrts/engine/code/motion_steps.py",
         "take_settings(but_speed=True)",
         "take_settings()",
         (ENGINE,),
@@ -257,7 +257,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "AUTO variables are shared by all calls",
-        "vrts/engine/executable.py",
+        "vrts/engine/code/executable.py",
         "slots += [_fresh(callee, auto) for auto in callee.autos]",
         "slots += self.fresh_slots(number)[len(slots) :] if not c.frames else c.slots[:0]",
         (RUNS, LANG),
@@ -299,7 +299,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "$DECODE leaves its piece in the variable",
-        "vrts/engine/pieces.py",
+        "vrts/engine/code/pieces.py",
         "return text[:end], text[end:]",
         "return text[:end], text",
         (RUNS,),
@@ -488,7 +488,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "corners are never rounded",
-        "vrts/engine/motion_steps.py",
+        "vrts/engine/code/motion_steps.py",
         "if not c.planner.join(intent, c.now, target.pose, cause):",
         "if intent:",
         (ENGINE,),
@@ -551,7 +551,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "the process control program may move the arm",
-        "vrts/engine/executable.py",
+        "vrts/engine/code/executable.py",
         "if not c.is_robot:",
         "if c.is_robot is None:",
         (ENGINE,),
@@ -565,14 +565,14 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "loops that read the clock are called endless",
-        "vrts/engine/controller_functions.py",
+        "vrts/engine/code/controller_functions.py",
         "    c.system.clock_reads += 1\n    return c.now - c.system.timers",
         "    return c.now - c.system.timers",
         (ENGINE,),
     ),
     Patch(
         "sums are not rounded to single precision",
-        "vrts/engine/real_expressions.py",
+        "vrts/engine/code/real_expressions.py",
         "                    return _unpack(_pack(left(c) + right(c)))[0]",
         "                    return left(c) + right(c)",
         (ENGINE, RUNS),

@@ -19,7 +19,7 @@ from vrts.ir.instructions import HandAction
 
 if TYPE_CHECKING:
     from vrts.base.diagnostic import Diagnostic
-    from vrts.engine.executable import Executable
+    from vrts.engine.code.executable import Executable
     from vrts.engine.hand import Hand
     from vrts.engine.motion.planner import Planner
     from vrts.engine.signals import Signals

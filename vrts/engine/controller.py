@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 
 from vrts.base.stack import deep_stack
-from vrts.engine.executable import Executable
+from vrts.engine.code.executable import Executable
 from vrts.engine.machine import Machine
 from vrts.engine.run import OutOfHorizon, Run
 from vrts.ir.commands import Command, Execute, TimedCommand

@@ -3,6 +3,8 @@
 import math
 from typing import TYPE_CHECKING
 
+from vrts.engine.code.step import look_again
+from vrts.engine.code.terminal_steps import put
 from vrts.engine.context import Context, FrameKind
 from vrts.engine.events import Cause, Reacted
 from vrts.engine.faults import RuntimeFault
@@ -19,8 +21,6 @@ from vrts.engine.outcomes import (
 from vrts.engine.process import next_cycle, note_progress, place
 from vrts.engine.reactions import ERROR_PRIORITY, Watch
 from vrts.engine.records import Ending
-from vrts.engine.step import look_again
-from vrts.engine.terminal_steps import put
 
 if TYPE_CHECKING:
     from vrts.engine.machine import Machine

@@ -12,6 +12,8 @@ from bisect import bisect_right
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.engine.cells import Bound, cells_of
+from vrts.engine.code.executable import Executable
+from vrts.engine.code.motion_steps import CUT_SHORT
 from vrts.engine.context import Context, Stopped, System
 from vrts.engine.endless import Watcher
 from vrts.engine.events import (
@@ -21,14 +23,12 @@ from vrts.engine.events import (
     SignalChanged,
     SwitchChanged,
 )
-from vrts.engine.executable import Executable
 from vrts.engine.execution import execute, fail
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.hand import Hand
 from vrts.engine.limits import stuck
 from vrts.engine.motion.planner import Planner
 from vrts.engine.motion.remarks import worded
-from vrts.engine.motion_steps import CUT_SHORT
 from vrts.engine.obey import obey
 from vrts.engine.outcomes import (
     INSTANT,

@@ -3,13 +3,13 @@
 from typing import TYPE_CHECKING
 
 from vrts.engine.cells import UNDEFINED, cells_of
+from vrts.engine.code.executable import Executable
+from vrts.engine.code.setting_steps import change_monitor_speed
 from vrts.engine.context import Context
 from vrts.engine.events import CommandRefused, SignalChanged
-from vrts.engine.executable import Executable
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.process import after_step, begin, end_cycle, end_later, go_on, note_progress
 from vrts.engine.records import Ending
-from vrts.engine.setting_steps import change_monitor_speed
 from vrts.engine.signals import known
 from vrts.ir import commands as k
 from vrts.ir.instructions import Interpolation

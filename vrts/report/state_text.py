@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from vrts.base.oat import components
 from vrts.base.pose import IDENTITY, Pose
 from vrts.base.units import deg, mm
+from vrts.engine.code.formats import free
 from vrts.engine.events import Cause
-from vrts.engine.formats import free
 from vrts.engine.records import Lie, Placement, ProgramState, ProgramStatus
 from vrts.engine.run import Run, State
 from vrts.ir.system import SWITCHES

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from vrts.base.source import Span
-from vrts.engine.arithmetic import FALSE, TRUE, binary, overflow, unary
+from vrts.engine.code.arithmetic import FALSE, TRUE, binary, overflow, unary
 from vrts.engine.context import Context
 from vrts.engine.faults import RuntimeFault
 from vrts.ir.expressions import (
@@ -28,7 +28,7 @@ from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Type, type_of_value
 
 if TYPE_CHECKING:
-    from vrts.engine.evaluate import Compiler
+    from vrts.engine.code.evaluate import Compiler
 
 Real = Callable[[Context], float]
 

@@ -27,7 +27,7 @@ from vrts.base.pose import (
 )
 from vrts.base.source import Span
 from vrts.base.units import DEG, MM, deg, mm
-from vrts.engine.arithmetic import checked_string, integer, logical, rounded
+from vrts.engine.code.arithmetic import checked_string, integer, logical, rounded
 from vrts.engine.faults import RuntimeFault
 from vrts.ir.expressions import Function
 from vrts.ir.runtime_errors import RuntimeErrorKind

@@ -3,13 +3,13 @@
 import math
 
 from vrts.base.units import mm
+from vrts.engine.code.evaluate import Compiler
+from vrts.engine.code.step import Step, parameter, reached
 from vrts.engine.context import Context
-from vrts.engine.evaluate import Compiler
 from vrts.engine.events import Cause
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.motion.profile import TICK_TOLERANCE
 from vrts.engine.outcomes import BLOCKED
-from vrts.engine.step import Step, parameter, reached
 from vrts.ir import instructions as ir
 from vrts.ir.runtime_errors import RuntimeErrorKind
 

@@ -9,21 +9,21 @@ from collections.abc import Callable
 from vrts.base.numbers import round_half_away
 from vrts.base.pose import Pose
 from vrts.base.source import Span
-from vrts.engine.arithmetic import checked_string, rounded
+from vrts.engine.code.arithmetic import checked_string, rounded
+from vrts.engine.code.evaluate import Compiler, Evaluate
+from vrts.engine.code.extent import simulates
+from vrts.engine.code.hand_steps import HandStepCompiler
+from vrts.engine.code.motion_steps import MotionStepCompiler
+from vrts.engine.code.reaction_steps import ReactionStepCompiler
+from vrts.engine.code.real_expressions import static_type, truth
+from vrts.engine.code.setting_steps import SettingStepCompiler
+from vrts.engine.code.signal_steps import SignalStepCompiler
+from vrts.engine.code.step import Step, look_again, reached
+from vrts.engine.code.terminal_steps import TerminalStepCompiler, put
 from vrts.engine.context import Context
-from vrts.engine.evaluate import Compiler, Evaluate
 from vrts.engine.events import Cause, SwitchChanged
-from vrts.engine.extent import simulates
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.hand_steps import HandStepCompiler
-from vrts.engine.motion_steps import MotionStepCompiler
 from vrts.engine.outcomes import BLOCKED, CYCLE_ENDED, HALTED, PAUSED, SWITCHED
-from vrts.engine.reaction_steps import ReactionStepCompiler
-from vrts.engine.real_expressions import static_type, truth
-from vrts.engine.setting_steps import SettingStepCompiler
-from vrts.engine.signal_steps import SignalStepCompiler
-from vrts.engine.step import Step, look_again, reached
-from vrts.engine.terminal_steps import TerminalStepCompiler, put
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression, Place
 from vrts.ir.runtime_errors import RuntimeErrorKind

@@ -3,16 +3,16 @@
 from collections.abc import Callable
 
 from vrts.base.numbers import round_half_away
-from vrts.engine.arithmetic import integer
+from vrts.engine.code.arithmetic import integer
+from vrts.engine.code.evaluate import Compiler
+from vrts.engine.code.step import Step
 from vrts.engine.context import Context, FrameKind
-from vrts.engine.evaluate import Compiler
 from vrts.engine.events import Cause
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.outcomes import SWITCHED
 from vrts.engine.process import after_step, begin, end_cycle, end_later, note_progress
 from vrts.engine.reactions import HIGHEST_PRIORITY, MOST_WATCHES, Watch
 from vrts.engine.signals import OUTPUTS, known
-from vrts.engine.step import Step
 from vrts.ir import instructions as ir
 from vrts.ir.runtime_errors import RuntimeErrorKind
 

@@ -9,18 +9,18 @@ from typing import TYPE_CHECKING
 
 from vrts.base.numbers import round_half_away
 from vrts.base.source import Span
-from vrts.engine.arithmetic import integer, logical, rounded
+from vrts.engine.code.arithmetic import integer, logical, rounded
+from vrts.engine.code.step import parameter
 from vrts.engine.context import Context
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.records import Ending
-from vrts.engine.step import parameter
 from vrts.ir.expressions import Apply, Constant, Function
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Value
 
 if TYPE_CHECKING:
-    from vrts.engine.evaluate import Compiler, Evaluate
+    from vrts.engine.code.evaluate import Compiler, Evaluate
 
 POWERED_UP = datetime(1988, 1, 1)
 MONTHS = ("JAN", "FEB", "MAR", "APR", "MAY", "JUN", "JUL", "AUG", "SEP", "OCT", "NOV", "DEC")

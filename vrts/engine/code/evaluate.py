@@ -10,7 +10,8 @@ from typing import cast
 from vrts.base.numbers import round_half_away
 from vrts.base.pose import Pose
 from vrts.base.source import Span
-from vrts.engine.arithmetic import (
+from vrts.engine.cells import UNDEFINED, Bound, Cell
+from vrts.engine.code.arithmetic import (
     COMPARISONS,
     binary,
     checked_string,
@@ -19,17 +20,16 @@ from vrts.engine.arithmetic import (
     logical,
     rounded,
 )
-from vrts.engine.cells import UNDEFINED, Bound, Cell
+from vrts.engine.code.controller_functions import controller_function, hand_state, read_timer, speed
+from vrts.engine.code.evaluate_strings import decoding, unpacking, written
+from vrts.engine.code.extent import evaluates
+from vrts.engine.code.functions import PURE, bad
+from vrts.engine.code.operands import expression_of, span_of
+from vrts.engine.code.places import Numbering, Places, mismatch
+from vrts.engine.code.real_expressions import of_reals, real_binary, real_unary, static_type
 from vrts.engine.context import Context
-from vrts.engine.controller_functions import controller_function, hand_state, read_timer, speed
-from vrts.engine.evaluate_strings import decoding, unpacking, written
-from vrts.engine.extent import evaluates
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.functions import PURE, bad
 from vrts.engine.motion.planner import half_turns
-from vrts.engine.operands import expression_of, span_of
-from vrts.engine.places import Numbering, Places, mismatch
-from vrts.engine.real_expressions import of_reals, real_binary, real_unary, static_type
 from vrts.ir.expressions import (
     Apply,
     Argument,

@@ -4,18 +4,18 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from vrts.base.numbers import round_half_away
-from vrts.engine.arithmetic import integer
+from vrts.engine.code.arithmetic import integer
+from vrts.engine.code.formats import FREE, NUMBER_KINDS, control, number
+from vrts.engine.code.operands import expression_of, span_of
+from vrts.engine.code.pieces import ELEMENT, decode, spread
 from vrts.engine.context import Context
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.formats import FREE, NUMBER_KINDS, control, number
-from vrts.engine.operands import expression_of, span_of
-from vrts.engine.pieces import ELEMENT, decode, spread
 from vrts.ir.expressions import Apply, Constant, Expression, Format, Load, Place, WholeArray
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Value
 
 if TYPE_CHECKING:
-    from vrts.engine.evaluate import Compiler, Evaluate
+    from vrts.engine.code.evaluate import Compiler, Evaluate
 
 HIGHEST_SUBSCRIPT = 32767  # [assumed, val2.md 1.10]
 

@@ -6,16 +6,16 @@ from vrts.base.numbers import single
 from vrts.base.oat import components
 from vrts.base.pose import Pose
 from vrts.base.units import deg
-from vrts.engine.arithmetic import LONGEST_STRING, checked_string, integer, rounded
+from vrts.engine.code.arithmetic import LONGEST_STRING, checked_string, integer, rounded
+from vrts.engine.code.evaluate import Compiler
+from vrts.engine.code.evaluate_strings import written
+from vrts.engine.code.functions import number_at_start
+from vrts.engine.code.pieces import packed, spread
+from vrts.engine.code.step import Step
 from vrts.engine.context import Context
-from vrts.engine.evaluate import Compiler
-from vrts.engine.evaluate_strings import written
 from vrts.engine.events import Answered, Cause, Printed, Prompted
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.functions import number_at_start
 from vrts.engine.outcomes import BLOCKED
-from vrts.engine.pieces import packed, spread
-from vrts.engine.step import Step
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression, Format, FormatKind
 from vrts.ir.runtime_errors import RuntimeErrorKind

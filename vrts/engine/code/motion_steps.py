@@ -22,16 +22,16 @@ from vrts.base.pose import (
 )
 from vrts.base.source import Span
 from vrts.base.units import DEG, MM
+from vrts.engine.code.evaluate import Compiler
+from vrts.engine.code.hand_steps import command_hand
+from vrts.engine.code.step import Step, parameter, place_of, reached
 from vrts.engine.context import Context
-from vrts.engine.evaluate import Compiler
 from vrts.engine.events import Cause
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.hand_steps import command_hand
 from vrts.engine.motion.plan import Intent
 from vrts.engine.motion.planner import backed_off
 from vrts.engine.motion.settings import SPEED_MAX, Settings, Speed
 from vrts.engine.outcomes import BLOCKED
-from vrts.engine.step import Step, parameter, place_of, reached
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
 from vrts.ir.runtime_errors import RuntimeErrorKind

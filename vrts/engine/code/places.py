@@ -5,17 +5,17 @@ from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 from vrts.base.source import Span
-from vrts.engine.arithmetic import integer
 from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Undefined
+from vrts.engine.code.arithmetic import integer
+from vrts.engine.code.evaluate_strings import HIGHEST_SUBSCRIPT
 from vrts.engine.context import Context
-from vrts.engine.evaluate_strings import HIGHEST_SUBSCRIPT
 from vrts.engine.faults import RuntimeFault
 from vrts.ir.expressions import Expression, Global, Place, Slot, Variable
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Type, Value, type_of_value
 
 if TYPE_CHECKING:
-    from vrts.engine.evaluate import Evaluate
+    from vrts.engine.code.evaluate import Evaluate
 
 Find = Callable[[Context], Cell]
 RealOf = Callable[[Expression], Callable[[Context], float]]

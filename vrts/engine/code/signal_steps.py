@@ -3,15 +3,15 @@
 import math
 
 from vrts.base.numbers import round_half_away
-from vrts.engine.arithmetic import integer
+from vrts.engine.code.arithmetic import integer
+from vrts.engine.code.evaluate import Compiler
+from vrts.engine.code.step import Step, place_of, reached
+from vrts.engine.code.volatile import changes_by_itself
 from vrts.engine.context import Context
-from vrts.engine.evaluate import Compiler
 from vrts.engine.events import AnalogChanged, Cause, SignalChanged
 from vrts.engine.motion.profile import TICK_TOLERANCE
 from vrts.engine.outcomes import BLOCKED
 from vrts.engine.signals import OUTPUTS, known
-from vrts.engine.step import Step, place_of, reached
-from vrts.engine.volatile import changes_by_itself
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
 

@@ -5,16 +5,16 @@ from dataclasses import dataclass
 
 from vrts.base.source import Span
 from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Memory
+from vrts.engine.code.evaluate import Compiler, Evaluate
+from vrts.engine.code.extent import robot_only, simulates
+from vrts.engine.code.places import Numbering
+from vrts.engine.code.step import Step
+from vrts.engine.code.steps import StepCompiler
 from vrts.engine.context import Context, Frame, FrameKind
-from vrts.engine.evaluate import Compiler, Evaluate
 from vrts.engine.events import Cause
-from vrts.engine.extent import robot_only, simulates
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.outcomes import CYCLE_ENDED, SWITCHED
-from vrts.engine.places import Numbering
 from vrts.engine.process import note_progress
-from vrts.engine.step import Step
-from vrts.engine.steps import StepCompiler
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression, Place, Slot, WholeArray
 from vrts.ir.module import Module, Program

@@ -1,6 +1,6 @@
 """What of the language the engine carries out; the rest stops a run where it is reached."""
 
-from vrts.engine.functions import PURE
+from vrts.engine.code.functions import PURE
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Function
 

@@ -3,14 +3,14 @@
 from collections.abc import Callable
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
+from vrts.engine.code.evaluate import Compiler
+from vrts.engine.code.motion_steps import positive
+from vrts.engine.code.step import Step, look_again, place_of, reached
 from vrts.engine.context import Context
-from vrts.engine.evaluate import Compiler
 from vrts.engine.events import Cause, SpeedChanged
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.motion.settings import Speed
-from vrts.engine.motion_steps import positive
 from vrts.engine.outcomes import BLOCKED
-from vrts.engine.step import Step, look_again, place_of, reached
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
 from vrts.ir.runtime_errors import RuntimeErrorKind
