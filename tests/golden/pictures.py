@@ -1,14 +1,16 @@
-"""Draw the stills of the first example anew: `python -m tests.golden.pictures`.
+"""Draw the stills of the examples anew: `python -m tests.golden.pictures`.
 
-The moments are found in the runs of `solution.v2` and `submissions/hits-base.v2`, so the pictures
-stay true when times change.
+The moments are found in the runs of the solutions and of one submission each, so the pictures stay
+true when times change.
 """
 
 from collections.abc import Callable, Collection
 from pathlib import Path
 
-from tests.golden.example_01 import EXAMPLE
+from tests.golden.examples import ROOT
 from vrts.base.pose import Vector
+from vrts.check.verdict import ContactEvent
+from vrts.check.vias import visits_of
 from vrts.engine.events import Event, Grasped, Released
 from vrts.engine.run import Run
 from vrts.pipeline import assess
@@ -16,39 +18,78 @@ from vrts.report.assessment import Assessment
 from vrts.report.camera import Camera
 from vrts.report.still import still
 
-PICTURES = EXAMPLE / "pictures"
+CANS = ROOT / "examples" / "01-cans-on-bases"
+OBSTACLES = ROOT / "examples" / "03-around-obstacles"
 SIZE = (1200, 760)
 ROOM = Camera(eye=(3.35, -2.75, 1.2), look_at=(0.5, -0.02, 0.1))
 TABLE = Camera(eye=(2.6, -1.75, 0.75), look_at=(0.88, -0.16, -0.13))
+ABOVE = Camera(eye=(2.75, -1.5, 1.75), look_at=(0.72, 0.02, -0.12))
+FAR_END = Camera(eye=(2.55, -1.35, 1.1), look_at=(0.86, 0.0, -0.17))
 BEFORE_S = 0.05  # an instant before the fingers open
 
 
 def main() -> None:
     """Draw every picture."""
-    solution = _assessed(EXAMPLE / "solution.v2")
-    fetched = _time(solution, lambda e: isinstance(e, Grasped) and e.body == "can1")
-    let_go = _time(solution, lambda e: isinstance(e, Released) and e.body == "can1")
-    placed = _time(solution, lambda e: isinstance(e, Released) and e.body == "can2")
-    _draw("put.png", solution, placed - BEFORE_S, ROOM)
-    _draw("grip.png", solution, fetched + BEFORE_S, TABLE)
-    _draw("carry.png", solution, (fetched + let_go) / 2, TABLE)
-    touching = _assessed(EXAMPLE / "submissions" / "hits-base.v2")
-    assert touching.judgement is not None
-    collisions = touching.judgement.collisions
-    assert collisions is not None
-    contact = collisions.contacts[0]
+    _draw_cans()
+    _draw_obstacles()
+
+
+def _draw_cans() -> None:
+    pictures = CANS / "pictures"
+    solution = _assessed(CANS / "solution.v2")
+    fetched = _grasped(solution, "can1")
+    let_go = _released(solution, "can1")
+    placed = _released(solution, "can2")
+    _draw(pictures / "put.png", solution, placed - BEFORE_S, ROOM)
+    _draw(pictures / "grip.png", solution, fetched + BEFORE_S, TABLE)
+    _draw(pictures / "carry.png", solution, (fetched + let_go) / 2, TABLE)
+    _draw_contact(pictures / "touch.png", CANS / "submissions" / "hits-base.v2", TABLE)
+
+
+def _draw_obstacles() -> None:
+    pictures = OBSTACLES / "pictures"
+    solution = _assessed(OBSTACLES / "solution.v2")
+    assert solution.task is not None
+    visits = visits_of(_run(solution), solution.task.vias)
+    first, second = (visit.intervals[0][0] for visit in visits)
+    _draw(pictures / "setting.png", solution, 0.0, ABOVE)
+    _draw(pictures / "gap1.png", solution, first, FAR_END)
+    _draw(pictures / "gap2.png", solution, second, FAR_END)
+    _draw_contact(pictures / "touch.png", OBSTACLES / "submissions" / "hits-post.v2", FAR_END)
+
+
+def _draw_contact(path: Path, program: Path, camera: Camera) -> None:
+    """Draw the first contact of a program, where it is deepest."""
+    touching = _assessed(program)
+    contact = _first_contact(touching)
     _draw(
-        "touch.png",
+        path,
         touching,
         contact.deepest_s,
-        TABLE,
+        camera,
         highlight=contact.parts,
         marker=contact.point,
     )
 
 
-def _assessed(path: Path) -> Assessment:
-    return assess(path, task=EXAMPLE / "task.toml")
+def _first_contact(a: Assessment) -> ContactEvent:
+    assert a.judgement is not None
+    collisions = a.judgement.collisions
+    assert collisions is not None
+    return collisions.contacts[0]
+
+
+def _grasped(a: Assessment, body: str) -> float:
+    return _time(a, lambda e: isinstance(e, Grasped) and e.body == body)
+
+
+def _released(a: Assessment, body: str) -> float:
+    return _time(a, lambda e: isinstance(e, Released) and e.body == body)
+
+
+def _assessed(program: Path) -> Assessment:
+    folder = program.parent.parent if program.parent.name == "submissions" else program.parent
+    return assess(program, task=folder / "task.toml")
 
 
 def _run(a: Assessment) -> Run:
@@ -61,7 +102,7 @@ def _time(a: Assessment, wanted: Callable[[Event], bool]) -> float:
 
 
 def _draw(
-    name: str,
+    path: Path,
     a: Assessment,
     time_s: float,
     camera: Camera,
@@ -81,8 +122,9 @@ def _draw(
         highlight=highlight,
         marker=marker,
     )
-    (PICTURES / name).write_bytes(picture)
-    print(f"{name}  {a.title} at {time_s:.3f} s  {len(picture) / 1000:.0f} kB")
+    path.parent.mkdir(exist_ok=True)
+    path.write_bytes(picture)
+    print(f"{path.relative_to(ROOT)}  {a.title} at {time_s:.3f} s  {len(picture) / 1000:.0f} kB")
 
 
 if __name__ == "__main__":

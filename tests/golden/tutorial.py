@@ -1,4 +1,4 @@
-"""Follow the tutorial of the first example as a reader does, and compare what it shows.
+"""Follow the tutorial of an example as a reader does, and compare what it shows.
 
 A comment `<!-- file: NAME -->` before a fenced block means that the reader writes this file, and
 `<!-- file: NAME above LINE -->` that what begins with this line is kept below it. A block `console`
@@ -16,9 +16,6 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
-from tests.golden.example_01 import EXAMPLE
-
-README = EXAMPLE / "README.md"
 ELLIPSIS = "…"
 
 _BLOCK = re.compile(
@@ -55,15 +52,16 @@ def matches(shown: str, real: str) -> bool:
     return re.fullmatch(pattern, text) is not None
 
 
-def follow(tutorial: str) -> Iterator[Shown]:
-    """Follow the tutorial in a copy of the example's folder.
+def follow(tutorial: str, example: Path) -> Iterator[Shown]:
+    """Follow a tutorial in a copy of its example's folder.
 
     Args:
         tutorial: Text of the tutorial.
+        example: The folder.
     """
     with TemporaryDirectory() as temporary:
-        folder = Path(temporary) / EXAMPLE.name
-        shutil.copytree(EXAMPLE, folder)
+        folder = Path(temporary) / example.name
+        shutil.copytree(example, folder)
         for block in _BLOCK.finditer(tutorial):
             if block["file"]:
                 _write(folder / block["file"], block["body"], block["kept"])
@@ -71,9 +69,9 @@ def follow(tutorial: str) -> Iterator[Shown]:
                 yield from _commands(tutorial, block, folder)
 
 
-def rewritten(tutorial: str) -> str:
+def rewritten(tutorial: str, example: Path) -> str:
     """Return the tutorial with every output that is not true any more replaced by the real one."""
-    for shown in reversed(list(follow(tutorial))):
+    for shown in reversed(list(follow(tutorial, example))):
         if not shown.fits:
             tutorial = tutorial[: shown.start] + shortened(shown.real) + tutorial[shown.end :]
     return tutorial
@@ -95,6 +93,7 @@ def _write(path: Path, text: str, kept: str | None) -> None:
     if kept is not None:
         present = path.read_text(encoding="utf-8").splitlines(keepends=True)
         text += "".join(present[[line.strip() for line in present].index(kept) :])
+    path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
 
 

@@ -1,4 +1,4 @@
-"""What vrts says about the programs of the first example, short enough to be read by a person."""
+"""What vrts says about the programs of the examples, short enough to be read by a person."""
 
 import json
 from collections.abc import Iterable
@@ -10,15 +10,24 @@ from vrts.report.assessment import Assessment
 from vrts.report.first_screen import first_screen, status
 
 ROOT = Path(__file__).parent.parent.parent
-EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
-EXPECTED = EXAMPLE / "expected.json"
+EXAMPLES = sorted(task.parent for task in (ROOT / "examples").glob("*/task.toml"))
 
 Row: TypeAlias = dict[str, object]
 
 
-def programs() -> list[Path]:
+def programs(example: Path) -> list[Path]:
     """Return the solution and every submission, in the order of the file of expected results."""
-    return [EXAMPLE / "solution.v2", *sorted((EXAMPLE / "submissions").glob("*.v2"))]
+    return [example / "solution.v2", *sorted((example / "submissions").glob("*.v2"))]
+
+
+def example_of(path: Path) -> Path:
+    """Return the folder of the example that a program belongs to."""
+    return next(example for example in EXAMPLES if example in path.parents)
+
+
+def expected(example: Path) -> dict[str, Row]:
+    """Return the rows of the file of expected results."""
+    return json.loads((example / "expected.json").read_text(encoding="utf-8"))
 
 
 def row(a: Assessment) -> Row:
@@ -36,13 +45,18 @@ def row(a: Assessment) -> Row:
 
 
 def mark(path: Path) -> Row:
-    """Return the row of one program of the example."""
-    return row(assess(path, task=EXAMPLE / "task.toml"))
+    """Return the row of one program of an example."""
+    return row(assess(path, task=example_of(path) / "task.toml"))
 
 
 def name(path: Path) -> str:
     """Return how a program is called in the file of expected results."""
-    return path.relative_to(EXAMPLE).as_posix()
+    return path.relative_to(example_of(path)).as_posix()
+
+
+def long_name(path: Path) -> str:
+    """Return how a program is called among those of all examples."""
+    return path.relative_to(ROOT / "examples").as_posix()
 
 
 def text(rows: Iterable[tuple[str, Row]]) -> str:
