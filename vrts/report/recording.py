@@ -13,21 +13,16 @@ import rerun as rr
 import rerun.blueprint as rrb
 
 from vrts.base.pose import Pose
-from vrts.engine.events import (
-    Found,
-    Grasped,
-    Landed,
-    MissedOffCentre,
-    MotionStarted,
-    Printed,
-    Released,
-    SignalChanged,
-    Toppled,
-)
+from vrts.engine.batch import Batch
+from vrts.engine.events import Printed
 from vrts.engine.records import GRAVITY, Lie, Placement
 from vrts.geometry.mesh import tessellate
 from vrts.geometry.shapes import Piece
 from vrts.report.assessment import Assessment
+from vrts.report.event_words import event_text
+from vrts.report.plain import one_line
+from vrts.report.replay_data import contact_sentence
+from vrts.report.replay_lanes import process_lines, robot_lines, signal_spans
 from vrts.robots.batch import flange_of, link_frames
 
 Array = npt.NDArray[np.float64]
@@ -35,9 +30,12 @@ Array = npt.NDArray[np.float64]
 EYE, TARGET = (3.4, -2.4, 1.3), (0.5, 0.0, -0.2)  # [m] in W
 RATE = 50.0  # poses a second, as the original system broadcast them
 TIMELINE = "t"
-_OF_A_BODY = (Grasped, MissedOffCentre, Released, Landed, Toppled)
 ARM_COLOR = (214, 205, 190)
 HAND_COLOR = (70, 74, 80)
+PATH_COLOR = (24, 100, 171)
+ALARM_COLOR = (225, 29, 42)
+LEVELS = {"fault": "ERROR", "note": "WARN", "motion": "INFO", "output": "INFO", "signal": "INFO"}
+MOST_CONTACTS = 100  # markers
 
 
 def write_recording(a: Assessment, path: Path) -> None:
@@ -53,9 +51,11 @@ def write_recording(a: Assessment, path: Path) -> None:
         stream.save(path, default_blueprint=_blueprint())
         _static(a)
         times = times_of(a)
-        coordinates = _coordinates(a, times)
+        coordinates, rates = _coordinates(a, times)
         _moving(a, times, coordinates)
-        _plots(a, times, coordinates)
+        _contacts(a)
+        _plots(a, times, coordinates, rates)
+        _lanes(a)
         _texts(a)
     stream.flush()
     stream.disconnect()
@@ -78,11 +78,15 @@ def _blueprint() -> rrb.Blueprint:
                     name="Scene",
                     eye_controls=rrb.EyeControls3D(position=EYE, look_target=TARGET),
                 ),
+                rrb.StateTimelineView(origin="/lanes", name="Lines, gripper and signals"),
                 rrb.TextLogView(origin="/log", name="Program"),
-                row_shares=[3, 1],
+                row_shares=[5, 2, 2],
             ),
             rrb.Vertical(
-                rrb.TimeSeriesView(origin="/joints", name="Joints [deg]"),
+                rrb.Tabs(
+                    rrb.TimeSeriesView(origin="/range", name="Joints [% of half the range]"),
+                    rrb.TimeSeriesView(origin="/joints", name="Joints [deg]"),
+                ),
                 rrb.TimeSeriesView(origin="/speed", name="Joint speed [% of limit]"),
                 rrb.TimeSeriesView(origin="/clearance", name="Clearance [mm]"),
                 rrb.TimeSeriesView(origin="/hand", name="Hand opening [mm]"),
@@ -157,12 +161,47 @@ def _moving(a: Assessment, times: Array, states: Array) -> None:
         shift = 0.5 * finger.side * states[:, 6:7] * flange_r[:, :, 1]
         at = (flange_p + shift)[moving]
         _send(finger.name, "robot/", times[moving], flange_r[moving], at)
+    _tool_path(a, times, flange_r, flange_p)
     for name, track in a.run.placements.items():
         turn, at = _track(track, times, flange_r, flange_p)
         changes = np.any(turn[1:] != turn[:-1], axis=(1, 2)) | np.any(at[1:] != at[:-1], axis=1)
         keep = np.concatenate([[True], changes])
         keep[:-1] |= keep[1:]
         _send(name, "", times[keep], turn[keep], at[keep])
+
+
+def _tool_path(a: Assessment, times: Array, flange_r: Array, flange_p: Array) -> None:
+    """Draw the way of the tool's tip, with the tool in force at every instant."""
+    assert a.run is not None
+    tools = [a.run.scene.X_FT, *(m.X_FT for m in a.run.motions)]
+    starts = np.array([m.start_s for m in a.run.motions])
+    tip = np.array([tool.translation for tool in tools])
+    at = tip[np.searchsorted(starts, times, side="right")]
+    points = flange_p + np.einsum("nij,nj->ni", flange_r, at)
+    strip = rr.LineStrips3D([points.astype(np.float32)], colors=[PATH_COLOR], radii=[0.0015])
+    rr.log("world/tool_path", strip, static=True)
+
+
+def _contacts(a: Assessment) -> None:
+    """Mark where contacts are deepest, from their first to their last moment."""
+    report = a.judgement.collisions if a.judgement else None
+    for number, c in enumerate(report.contacts[:MOST_CONTACTS] if report else (), start=1):
+        path = f"world/contacts/{number}"
+        rr.send_columns(
+            path,
+            [rr.TimeColumn(TIMELINE, duration=[c.start_s])],
+            rr.Points3D.columns(
+                positions=[c.point],
+                radii=[0.02],
+                colors=[ALARM_COLOR],
+                labels=[contact_sentence(c)],
+            ),
+        )
+        rr.send_columns(
+            path,
+            [rr.TimeColumn(TIMELINE, duration=[max(c.end_s, c.start_s + 1e-3)])],
+            rr.Clear.columns(is_recursive=[False]),
+        )
 
 
 def _track(
@@ -205,10 +244,15 @@ def _quaternions(rotations: Array) -> npt.NDArray[np.float32]:
     return (q / np.linalg.norm(q, axis=1, keepdims=True)).astype(np.float32)
 
 
-def _coordinates(a: Assessment, times: Array) -> Array:
+def _coordinates(a: Assessment, times: Array) -> tuple[Array, Array]:
+    """Return joints [rad] and hand opening [m], shape (n, 7), and their rates."""
     assert a.run is not None
-    timeline = a.run.timeline
-    return np.array([(*timeline.configuration(t), timeline.opening(t)) for t in times.tolist()])
+    if not a.run.timeline.segments:
+        state = a.run.at(0.0)
+        still = np.array([(*state.configuration, state.hand_opening)])
+        return np.repeat(still, len(times), axis=0), np.zeros((len(times), 7))
+    batch = Batch(a.run.timeline.segments)
+    return batch.values(times), batch.rates(times)
 
 
 def _send(name: str, folder: str, times: Array, rotations: Array, origins: Array) -> None:
@@ -221,17 +265,19 @@ def _send(name: str, folder: str, times: Array, rotations: Array, origins: Array
     )
 
 
-def _plots(a: Assessment, times: Array, states: Array) -> None:
+def _plots(a: Assessment, times: Array, states: Array, rates: Array) -> None:
     assert a.run is not None
     assert a.scene is not None
     arm = a.scene.robot.arm
-    rates = np.array([a.run.timeline.velocity(t) for t in times.tolist()])
+    lower, upper = np.array(arm.lower), np.array(arm.upper)
+    share = (2.0 * states[:, :6] - lower - upper) / (upper - lower)
     names = [f"JT{k}" for k in range(1, 7)]
     column = [rr.TimeColumn(TIMELINE, duration=times)]
     count = np.full(len(times), 6)
     for path, values in (
         ("joints", np.degrees(states[:, :6])),
-        ("speed", 100.0 * rates / np.array(arm.speed)),
+        ("range", 100.0 * share),
+        ("speed", 100.0 * rates[:, :6] / np.array(arm.speed)),
     ):
         rr.log(path, rr.SeriesLines(names=names), static=True)
         rr.send_columns(path, column, rr.Scalars.columns(scalars=values.ravel()).partition(count))
@@ -246,40 +292,69 @@ def _plots(a: Assessment, times: Array, states: Array) -> None:
             rr.Scalars.columns(scalars=1000.0 * rows[:, 1]),
         )
     limits = np.array([100.0, -100.0])
-    rr.log("speed/limit", rr.SeriesLines(names=["limit", "limit"]), static=True)
-    rr.send_columns(
-        "speed/limit",
-        [rr.TimeColumn(TIMELINE, duration=times[[0, -1]])],
-        rr.Scalars.columns(scalars=np.tile(limits, 2)).partition(np.array([2, 2])),
-    )
+    for path in ("speed/limit", "range/limit"):
+        rr.log(path, rr.SeriesLines(names=["limit", "limit"]), static=True)
+        rr.send_columns(
+            path,
+            [rr.TimeColumn(TIMELINE, duration=times[[0, -1]])],
+            rr.Scalars.columns(scalars=np.tile(limits, 2)).partition(np.array([2, 2])),
+        )
+
+
+def _lanes(a: Assessment) -> None:
+    """Send lines at work, what is held, and signals, as states that follow one another."""
+    assert a.run is not None
+    rows = [(t, f"line {line}") for t, line in robot_lines(a.run, a.source)]
+    _lane("program", rows)
+    _lane("process", [(t, f"line {line}") for t, line in process_lines(a.run, a.source)])
+    held = [
+        (p.start_s, p.end_s, one_line(body))
+        for body, track in a.run.placements.items()
+        for p in track
+        if p.lie is Lie.HELD
+    ]
+    _lane("gripper", _states(held, "empty", a.run.horizon_s))
+    for number, on in signal_spans(a.run).items():
+        spans = [(start, end, "on") for start, end in on]
+        _lane(f"signal_{number}", _states(spans, "off", a.run.horizon_s))
+
+
+def _states(
+    spans: Sequence[tuple[float, float, str]], otherwise: str, end_s: float
+) -> list[tuple[float, str]]:
+    """Return the changes of state: the words of every span, and another word between them."""
+    changes = {0.0: otherwise}
+    for start, end, words in sorted(spans):
+        changes[start] = words
+        if end < end_s:
+            changes[end] = otherwise
+    return sorted(changes.items())
+
+
+def _lane(name: str, rows: Sequence[tuple[float, str]]) -> None:
+    if rows:
+        rr.send_columns(
+            f"lanes/{name}",
+            [rr.TimeColumn(TIMELINE, duration=np.array([t for t, _ in rows]))],
+            rr.StateChange.columns(state=[words for _, words in rows]),
+        )
 
 
 def _texts(a: Assessment) -> None:
     assert a.run is not None
     rows: list[tuple[float, str, str]] = []
     for event in a.run.events:
-        cause = event.cause
-        where = f"line {cause.span.line}  " if cause else ""
-        match event:
-            case MotionStarted(cause=by):
-                rows.append((event.time_s, f"{where}{' '.join(by.span.text.split())}", "INFO"))
-            case Printed(text=text):
-                rows.append((event.time_s, f"{where}TYPE: {text.rstrip()}", "INFO"))
-            case SignalChanged(signal=signal, on=on):
-                rows.append(
-                    (event.time_s, f"{where}signal {signal} {'on' if on else 'off'}", "INFO")
-                )
-            case Found(diagnostic=found):
-                level = "ERROR" if found.is_error else "WARN"
-                rows.append((event.time_s, f"{where}{found.headline}", level))
-            case _:
-                name = type(event).__name__
-                body = f" {event.body}" if isinstance(event, _OF_A_BODY) else ""
-                rows.append((event.time_s, f"{where}{name}{body}", "DEBUG"))
+        words = event_text(event)
+        if words is None:
+            continue
+        kind, text = words
+        where = f"line {event.cause.span.line}  " if event.cause else ""
+        said = "TYPE: " if isinstance(event, Printed) else ""
+        level = LEVELS.get(kind, "DEBUG")
+        rows.append((event.time_s, f"{where}{said}{text}", level))
     if a.judgement is not None and a.judgement.collisions is not None:
         for contact in a.judgement.collisions.contacts:
-            words = f"contact: {contact.parts[0]} and {contact.parts[1]}"
-            rows.append((contact.start_s, words, "ERROR"))
+            rows.append((contact.start_s, f"contact: {contact_sentence(contact)}", "ERROR"))
     rows.sort(key=lambda row: row[0])
     if not rows:
         return
@@ -306,7 +381,7 @@ def _transform(X: Pose) -> rr.Transform3D:
 
 
 def _path(name: str) -> str:
-    return name.replace(" ", "_")
+    return rr.escape_entity_path_part(name.replace(" ", "_"))
 
 
 def _srgb(linear: float) -> float:

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from vrts.base.pose import rotation_about
-from vrts.pipeline import assess
+from vrts.pipeline import assess, setting_for
 from vrts.report import recording
 
 ROOT = Path(__file__).parent.parent.parent.parent
@@ -29,6 +29,29 @@ def test_quaternions_turn_like_their_matrices() -> None:
         ]
     ).transpose(2, 0, 1)
     assert np.abs(again - matrices).max() < 1e-6
+
+
+HITS = SOLUTION.parent / "submissions" / "hits-base.v2"
+
+
+def test_a_contact_is_marked_and_lines_gripper_and_path_are_there(tmp_path: Path) -> None:
+    path = tmp_path / "run.rrd"
+    setting = setting_for(HITS, scene=None, task=SOLUTION.parent)
+    recording.write_recording(assess(HITS, setting=setting), path)
+    shown = subprocess.run(
+        [RERUN, "rrd", "print", "-vvv", path], capture_output=True, text=True, check=True
+    ).stdout
+    assert "can1 touches base1" in shown
+    for entity in ("/world/contacts/1", "/world/tool_path", "/lanes/program", "/lanes/gripper"):
+        assert entity in shown
+    assert "/range/limit" in shown
+    checked = subprocess.run([RERUN, "rrd", "verify", path], capture_output=True, check=False)
+    assert checked.returncode == 0, checked.stderr
+
+
+def test_states_follow_one_another_without_overlap() -> None:
+    states = recording._states([(2.0, 3.0, "b"), (1.0, 2.0, "a")], "empty", 3.0)  # pyright: ignore[reportPrivateUsage]
+    assert states == [(0.0, "empty"), (1.0, "a"), (2.0, "b")]
 
 
 def test_a_recording_has_scene_robot_plots_and_log(tmp_path: Path) -> None:
