@@ -75,6 +75,7 @@ class Setting:
     stamps: tuple[Diagnostic, ...] = ()  # why marks do not count; part of every assessment
     hidden: int = 0  # checks that are in `task` for marking only
     more: int = 0  # checks that are not in `task` but will be at marking
+    variants: tuple["Setting", ...] = ()  # the task in hidden scenes; the lowest mark counts
 
 
 # --- files ----------------------------------------------------------------------------------------
@@ -208,7 +209,7 @@ def load_task(
         path: `task.toml`, or its folder.
         scene: Name or path of another scene than the task's.
         scenario: A scenario file.
-        staff: Whether to add the hidden part in `staff/task.toml`, if there is one.
+        staff: Whether to add the hidden parts in `staff/task.toml` and `staff/scenes`.
         home: As for `read_toml_source`.
 
     Raises:
@@ -247,7 +248,29 @@ def load_task(
     )
     if scenario is None and (folder / SCENARIO_FILE).is_file():
         scenario = folder / SCENARIO_FILE
-    return setting if scenario is None else with_scenario(setting, scenario, home)
+    if scenario is not None:
+        setting = with_scenario(setting, scenario, home)
+    return _with_variants(setting, path, scenario, home) if staff and scene is None else setting
+
+
+def _with_variants(
+    setting: Setting, path: Path, scenario: Path | None, home: Path | None
+) -> Setting:
+    """Add the task in every scene of `staff/scenes`; each counts as one hidden check."""
+    from vrts.check.manifest import hidden_scene
+
+    folder = path if path.is_dir() else path.parent
+    variants = [
+        load_task(path, str(place.resolve()), scenario, staff=True, home=home)
+        for place in sorted((folder / STAFF / "scenes").glob("*.toml"))
+    ]
+    told = tuple(replace(variant, stamps=hidden_scene(variant.scene)) for variant in variants)
+    return replace(
+        setting,
+        variants=told,
+        hidden=setting.hidden + len(told),
+        more=0 if told else setting.more,
+    )
 
 
 def _packed_files(folder: Path) -> dict[str, bytes]:

@@ -10,12 +10,13 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple, cast
 
 from vrts import __version__
-from vrts.base.diagnostic import Diagnostic, Rule, warning
+from vrts.base.diagnostic import Diagnostic, Rule, Severity, warning
 from vrts.scene.model import Scene
 
 MODIFIED_SCENE = Rule("V671", "modified-scene")
 MODIFIED_TASK = Rule("V672", "modified-task")
 OTHER_VERSION = Rule("V673", "other-version")
+HIDDEN_SCENE = Rule("V678", "hidden-scene")
 
 NAME = "manifest.json"
 SCHEMA = "vrts.task/1"
@@ -142,3 +143,9 @@ def other_scene(own: Scene, taken: Scene) -> tuple[Diagnostic, ...]:
     headline = f"modified scene: {NOT_COUNTING}"
     note = f"the task is set in `{own.name}`; this is `{taken.name}`, or a changed copy"
     return (warning(MODIFIED_SCENE, headline, notes=(note,)),)
+
+
+def hidden_scene(scene: Scene) -> tuple[Diagnostic, ...]:
+    """Return what tells that a result is that of a hidden scene."""
+    headline = f"marked in the hidden scene `{scene.name}`, where the mark is lowest"
+    return (Diagnostic(HIDDEN_SCENE, Severity.NOTE, headline),)

@@ -3,6 +3,7 @@
 import traceback
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
@@ -42,19 +43,17 @@ def mark_all(
 
 
 def mark(submission: Submission, setting: Setting, *, collisions: bool = True) -> Marked:
-    """Mark one submission.
+    """Mark one submission; where there are hidden scenes, the lowest mark counts.
 
     The one place where any exception is caught: a fault of ours in one submission must not cost the
     others their marks. The row says so, and the traceback is kept.
     """
     try:
-        found = assess(
-            submission.path,
-            setting=setting,
-            identifier=submission.identifier,
-            title=submission.title,
-            collisions=collisions,
-        )
+        found = _assessed(submission, setting, collisions=collisions)
+        for variant in setting.variants:
+            other = _assessed(submission, variant, collisions=collisions)
+            if _mark_of(other) < _mark_of(found):
+                found = other
     except CannotRead as problem:
         why = error(UNREADABLE, problem.message, help=problem.hints)
         return Marked(submission, _nothing(submission, setting, why), None)
@@ -66,6 +65,20 @@ def mark(submission: Submission, setting: Setting, *, collisions: bool = True) -
         )
         return Marked(submission, _nothing(submission, setting, why), traceback.format_exc())
     return Marked(submission, found, None)
+
+
+def _assessed(submission: Submission, setting: Setting, *, collisions: bool) -> Assessment:
+    return assess(
+        submission.path,
+        setting=setting,
+        identifier=submission.identifier,
+        title=submission.title,
+        collisions=collisions,
+    )
+
+
+def _mark_of(a: Assessment) -> Fraction:
+    return Fraction(0) if a.grade is None else a.grade.mark
 
 
 def _nothing(submission: Submission, setting: Setting, why: Diagnostic) -> Assessment:

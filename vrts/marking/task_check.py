@@ -80,6 +80,13 @@ def check_task(setting: Setting, reference: Path | None) -> TaskCheck:
     found = assess(read_bytes(reference), setting=setting, title=reference.name)
     free = assess(read_bytes(reference), setting=replace(setting, task=longest), title="reference")
     findings += _about_reference(found)
+    for variant in setting.variants:
+        assert variant.task is not None
+        findings += (*variant.diagnostics, *scene_findings(variant.scene))
+        findings += task_findings(variant.scene, variant.task)
+        name = f"{reference.name} in {variant.scene.name}"
+        there = assess(read_bytes(reference), setting=variant, title=name)
+        findings += _about_reference(there)
     return TaskCheck(found, empty, times_of(free), worths(task), tuple(findings))
 
 
