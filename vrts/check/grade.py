@@ -23,7 +23,7 @@ class Loss(NamedTuple):
     """Points lost to one cause."""
 
     points: Fraction
-    kind: str  # "target", "via", "contact", "drop", "time", "program", "rounding"
+    kind: str  # "target", "via", "contact", "drop", "demand", "time", "program", "rounding"
     sentence: str  # "at 12.4 s, line 17 `MOVES base2_put`, the held can1 hits base1"
     hint: str  # what to look at; never the solution
     span: Span | None
@@ -44,3 +44,4 @@ class Grade:
     ready: bool  # for the real robot
     obstacles: tuple[str, ...]  # why it is not ready, most serious first
     duration_s: float | None  # EXECUTE to program end
+    demands: Fraction = Fraction(0)  # E, lost by zones, limits and rules of the task

@@ -3,6 +3,7 @@
 from vrts.check import duration, limits, targets, vias
 from vrts.check.collision import check_collisions
 from vrts.check.collision_verdict import verdict as collision_verdict
+from vrts.check.demand_check import check_demands
 from vrts.check.judgement import Judgement
 from vrts.check.task import Task
 from vrts.check.verdict import Answer, CollisionReport, Verdict
@@ -28,6 +29,7 @@ def judge(
         found += targets.verdicts(targets.reached(run, task))
         found += vias.verdicts(vias.passed(run, task))
         found.append(duration.verdict(run, task))
+        found += check_demands(run, task.demands, engine)
     return Judgement(tuple(found), report)
 
 

@@ -6,6 +6,7 @@ from fractions import Fraction
 from vrts.base.diagnostic import Diagnostic, Moment
 from vrts.base.source import Span
 from vrts.check.collision_verdict import subject, target
+from vrts.check.demand_check import DEMAND
 from vrts.check.duration import duration
 from vrts.check.grade import Grade, Loss, Status
 from vrts.check.judgement import Judgement
@@ -40,6 +41,7 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
     points = passed(run, task)
     mishaps = _mishaps(run, judgement)
     took = duration(run)
+    demands = _broken_demands(task, judgement)
     achieved = Achieved(
         goals=tuple((result.goal.weight, result.share) for result in results),
         vias=len(task.vias),
@@ -47,10 +49,12 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
         contacts=len(mishaps),
         completed=run.ending in PROGRAM_ENDS,
         duration_s=took,
+        broken=sum((loss.points for loss in demands), NOTHING),
+        kept=not demands,
     )
     parts = score(achieved, task.mark, exact_s(task.t_par), exact_s(task.t_max))
     mark = rounded_mark(parts)
-    losses = _losses(task, run, results, points, mishaps, achieved, parts, mark)
+    losses = _losses(task, run, results, points, mishaps, demands, achieved, parts, mark)
     obstacles = _obstacles(run, results, points, mishaps, judgement)
     return Grade(
         mark,
@@ -63,6 +67,7 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
         not obstacles,
         obstacles,
         None if took is None else float(took),
+        parts.demands,
     )
 
 
@@ -124,6 +129,7 @@ def _losses(
     results: tuple[Reached, ...],
     points: Passed,
     mishaps: list[_Mishap],
+    demands: list[Loss],
     achieved: Achieved,
     parts: Parts,
     mark: Fraction,
@@ -147,6 +153,7 @@ def _losses(
         so_far = contact_loss(count, scheme)
         causes.append(mishap.loss._replace(points=so_far - spent))
         spent = so_far
+    causes += demands
     _forgive(causes, parts)
     time = scheme.time_bonus - parts.time
     if stopped is not None:
@@ -168,12 +175,12 @@ def _losses(
 
 
 def _forgive(causes: list[Loss], parts: Parts) -> None:
-    """Take back what contacts cost beyond zero, from the last one on."""
-    excess = parts.contacts - parts.targets - parts.vias
+    """Take back what contacts and demands cost beyond zero, from the last one on."""
+    excess = parts.contacts + parts.demands - parts.targets - parts.vias
     for k in range(len(causes) - 1, -1, -1):
         if excess <= 0:
             return
-        if causes[k].kind in ("contact", "drop"):
+        if causes[k].kind in ("contact", "drop", "demand"):
             back = min(excess, causes[k].points)
             causes[k] = causes[k]._replace(points=causes[k].points - back)
             excess -= back
@@ -211,6 +218,25 @@ def _via_losses(run: Run, task: Task, points: Passed) -> list[Loss]:
                 None,
             )
         )
+    return found
+
+
+def _broken_demands(task: Task, judgement: Judgement) -> list[Loss]:
+    verdicts = [v for v in judgement.verdicts if v.check.startswith(DEMAND)]
+    found: list[Loss] = []
+    for demand, verdict in zip(task.demands, verdicts, strict=True):
+        if verdict.answer is not Answer.VIOLATED:
+            continue
+        (finding,) = verdict.findings
+        span = finding.primary.span if finding.primary else None
+        line = "" if span is None else f", line {span.line} `{' '.join(span.text.split())}`"
+        sentence = verdict.summary
+        if finding.moment is not None:
+            sentence = f"at {finding.moment.time_s:.1f} s{line}, {sentence}"
+        elif line:
+            sentence = f"{line[2:]}: {sentence}"
+        hint = finding.help[0] if finding.help else ""
+        found.append(Loss(demand.points, "demand", sentence, hint, span, finding.moment))
     return found
 
 
@@ -286,7 +312,8 @@ def _obstacles(
     if stopped is not None:
         found.append(stopped.sentence)
     for verdict in judgement.verdicts:
-        if verdict.check == "limits" and verdict.answer is Answer.VIOLATED:
+        asked = verdict.check == "limits" or verdict.check.startswith(DEMAND)
+        if asked and verdict.answer is Answer.VIOLATED:
             found.append(verdict.summary)
         if verdict.answer is Answer.UNDETERMINED:
             found.append(f"{verdict.check}: {verdict.summary}")

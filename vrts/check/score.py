@@ -1,7 +1,7 @@
 """The mark as a function of what was achieved, in exact arithmetic.
 
-mark = round(max(0, T + V - C) + D), once, half up, to a tenth. Knows nothing of runs, so its laws
-can be tested by themselves.
+mark = round(max(0, T + V - C - E) + D), once, half up, to a tenth. Knows nothing of runs, so its
+laws can be tested by themselves.
 """
 
 from collections.abc import Sequence
@@ -24,6 +24,8 @@ class Achieved:
     contacts: int  # contact events and dropped objects
     completed: bool  # the program came to its own end
     duration_s: Fraction | None  # EXECUTE to program end
+    broken: Fraction = Fraction(0)  # points of the demands that are not kept
+    kept: bool = True  # all of them are, also those without points
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,11 +36,12 @@ class Parts:
     vias: Fraction  # V
     contacts: Fraction  # C
     time: Fraction  # D
+    demands: Fraction = Fraction(0)  # E
 
     @property
     def unrounded(self) -> Fraction:
         """The mark before rounding."""
-        return max(Fraction(0), self.targets + self.vias - self.contacts) + self.time
+        return max(Fraction(0), self.targets + self.vias - self.contacts - self.demands) + self.time
 
 
 def score(achieved: Achieved, scheme: MarkScheme, t_par: Fraction, t_max: Fraction) -> Parts:
@@ -50,6 +53,7 @@ def score(achieved: Achieved, scheme: MarkScheme, t_par: Fraction, t_max: Fracti
         vias,
         contact_loss(achieved.contacts, scheme),
         scheme.time_bonus * _time_share(achieved, t_par, t_max),
+        achieved.broken,
     )
 
 
@@ -73,6 +77,7 @@ def faultless(achieved: Achieved) -> bool:
     """Return whether every goal and via point is met without any event, to the program's end."""
     return (
         achieved.completed
+        and achieved.kept
         and not achieved.contacts
         and achieved.vias_met == achieved.vias
         and all(share == 1 for _, share in achieved.goals)

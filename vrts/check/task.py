@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from vrts.base.pose import Pose, Vector
 from vrts.base.source import Span
+from vrts.check.demands import Demand
 
 
 class Goal(NamedTuple):
@@ -57,3 +58,4 @@ class Task:
     t_max: float  # [s]
     mark: MarkScheme
     digest: str  # sha256 of the file
+    demands: tuple[Demand, ...] = ()  # zones, limits, rules

@@ -10,6 +10,7 @@ from vrts.base.pose import Pose, Vector
 from vrts.base.source import SourceFile
 from vrts.base.toml import Problems, Table, read_toml
 from vrts.base.units import DEG, MM, mm
+from vrts.check.demand_file import read_demands
 from vrts.check.task import Goal, MarkScheme, Task, ViaPoint
 from vrts.geometry.support import bounds
 from vrts.scene.model import Body, Mobility, Scene
@@ -60,6 +61,7 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
     section.finish()
     goals = _goals(top, problems, scene)
     vias = tuple(_via(table, number) for number, table in enumerate(top.tables("via"), 1))
+    demands = read_demands(top, problems, scene)
     t_par, t_max = _times(top, problems)
     mark = _mark(top, problems)
     top.finish()
@@ -75,6 +77,7 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
         t_max,
         mark,
         hashlib.sha256(source.text.encode()).hexdigest(),
+        demands,
     )
 
 

@@ -1,0 +1,191 @@
+"""Zones, upright objects, speed limits, singularities and program rules: judged and marked."""
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from tests.support_programs import cans, program, ran, run_body
+from vrts.base.pose import IDENTITY
+from vrts.base.source import SourceFile
+from vrts.check.certified import Array, peak
+from vrts.check.curves import curves
+from vrts.check.demand_check import check_demands
+from vrts.check.demand_values import tilt
+from vrts.check.demands import Demand, Keeps
+from vrts.check.judge import judge
+from vrts.check.mark import grade
+from vrts.check.task import Task
+from vrts.check.task_file import read_task
+from vrts.check.verdict import Answer, Verdict
+from vrts.engine.run import Run
+from vrts.pipeline import CHECKOUT
+
+BODY = " MOVE a\n BREAK\n MOVES b"
+POINT = Fraction(1)
+SOLUTION = (CHECKOUT / "examples" / "01-cans-on-bases" / "solution.v2").read_text("utf-8")
+HEAD = '[task]\nscene = "cans-on-bases"\n[[goal]]\nobject = "can1"\non = "base2"\n'
+TAIL = "[time]\nreference_s = 12\n"
+
+
+@pytest.fixture(scope="module")
+def line() -> Run:
+    return run_body(BODY)
+
+
+def one(run: Run, demand: Demand) -> Verdict:
+    (found,) = check_demands(run, (demand,))
+    return found
+
+
+def task(text: str) -> Task:
+    found, problems = read_task(SourceFile("task.toml", HEAD + text + TAIL), cans())
+    assert found is not None, problems
+    return found
+
+
+def samples(run: Run) -> Array:
+    return np.linspace(0.0, run.horizon_s, 4001)
+
+
+def tips(run: Run) -> Array:
+    found = [(run.at(t).X_WF @ run.scene.X_FT).translation for t in samples(run).tolist()]
+    return np.array(found)
+
+
+@pytest.mark.parametrize(("beside", "answer"), [(2e-4, Answer.HOLDS), (-2e-4, Answer.VIOLATED)])
+def test_a_zone_beside_the_way_of_the_tool(line: Run, beside: float, answer: Answer) -> None:
+    x = float(tips(line)[:, 0].max()) + beside
+    zone = Demand(
+        Keeps.TOOL_OUT, "glass", POINT, None, lower=(x, -9.0, -9.0), upper=(x + 1.0, 9.0, 9.0)
+    )
+    assert one(line, zone).answer is answer
+
+
+def test_a_thin_zone_across_a_fast_motion_is_seen_where_it_is_met(line: Run) -> None:
+    wall = Demand(
+        Keeps.TOOL_OUT, "wall", POINT, None, lower=(0.8, 0.0, -1.0), upper=(1.0, 1e-4, 1.0)
+    )
+    found = one(line, wall)
+    assert found.answer is Answer.VIOLATED
+    (finding,) = found.findings
+    assert finding.rule.code == "V432"
+    assert finding.primary is not None
+    assert finding.primary.span.text == "MOVES b"
+    assert finding.moment is not None
+    tip = (line.at(finding.moment.time_s).X_WF @ line.scene.X_FT).translation
+    assert tip[1] == pytest.approx(0.0, abs=1e-3)
+
+
+@pytest.mark.parametrize(("factor", "answer"), [(1.001, Answer.HOLDS), (0.999, Answer.VIOLATED)])
+def test_the_speed_of_the_tool_against_dense_samples(
+    line: Run, factor: float, answer: Answer
+) -> None:
+    where, times = tips(line), samples(line)
+    fastest = float((np.linalg.norm(np.diff(where, axis=0), axis=1) / np.diff(times)).max())
+    assert one(line, Demand(Keeps.TOOL_SPEED, "", POINT, None, fastest * factor)).answer is answer
+
+
+@pytest.mark.parametrize(("factor", "answer"), [(1.001, Answer.HOLDS), (0.999, Answer.VIOLATED)])
+def test_the_speed_of_joints_against_dense_samples(
+    line: Run, factor: float, answer: Answer
+) -> None:
+    q = np.array([line.at(t).configuration for t in samples(line).tolist()])
+    rates = np.abs(np.diff(q, axis=0)) / np.diff(samples(line))[:, None]
+    share = float((rates / np.array(line.scene.robot.arm.speed)).max())
+    assert one(line, Demand(Keeps.JOINT_SPEED, "", POINT, None, share * factor)).answer is answer
+
+
+@pytest.mark.parametrize(("keeps", "joint"), [(Keeps.WRIST, 4), (Keeps.ELBOW, 2)])
+def test_singularities_are_kept_away_from(line: Run, keeps: Keeps, joint: int) -> None:
+    arm = line.scene.robot.arm
+    zero = 0.0 if joint == 4 else math.atan2(arm.d4, arm.a3)  # type: ignore[union-attr]
+    q = np.array([line.at(t).configuration[joint] for t in samples(line).tolist()]) - zero
+    nearest = float(np.abs(q - np.pi * np.round(q / np.pi)).min())
+    for change, answer in ((-1e-3, Answer.HOLDS), (1e-3, Answer.VIOLATED)):
+        assert one(line, Demand(keeps, "", POINT, None, nearest + change)).answer is answer
+
+
+@pytest.mark.parametrize(
+    ("text", "answer"),
+    [
+        ('must_use = "MOVES"', Answer.HOLDS),
+        ('must_use = "APPRO"', Answer.VIOLATED),
+        ('must_not_use = "MOVES"', Answer.VIOLATED),
+        ('must_not_use = "GOTO"', Answer.HOLDS),
+        ("most_steps = 3", Answer.HOLDS),
+        ("most_steps = 2", Answer.VIOLATED),
+    ],
+)
+def test_rules_about_the_program(text: str, answer: Answer) -> None:
+    run = ran(program(" ; MOVES and GOTO in a comment\n" + BODY))
+    assert one(run, task(f"[[rule]]\n{text}\n").demands[0]).answer is answer
+
+
+def test_what_is_held_stays_upright_and_the_robot_out_of_zones() -> None:
+    run = ran(SOLUTION, cans())
+    asked = task(
+        '[[upright]]\nobject = "can1"\nwithin_deg = 2\n'
+        "[[zone]]\nname = 'sky'\nkeeps_out = 'robot'\nfrom_mm = [-900, -900, 3000]\n"
+        "to_mm = [900, 900, 3100]\n"
+        "[[zone]]\nname = 'all'\nkeeps_out = 'robot'\nfrom_mm = [-900, -900, 0]\n"
+        "to_mm = [900, 900, 900]\npoints = 2\n"
+    )
+    verdicts = check_demands(run, asked.demands)
+    assert [v.answer for v in verdicts] == [Answer.HOLDS, Answer.VIOLATED, Answer.HOLDS]
+    assert verdicts[2].evidence["method"] == "certified on the polynomials"
+
+
+def test_the_largest_tilt_is_that_of_dense_samples() -> None:
+    run = run_body(" MOVE a\n READY")
+    motion = curves(run.timeline.segments)
+    poses = [run.at(t).X_WF for t in samples(run).tolist()]
+    largest = max(math.acos(min(1.0, max(-1.0, pose.rotation[8]))) for pose in poses)
+    angle = tilt(run.scene.robot.arm, IDENTITY, motion)
+    below = peak(angle, motion.starts, motion.ends, largest - 1e-3)
+    above = peak(angle, motion.starts, motion.ends, largest + 1e-3)
+    assert below.above_s is not None
+    assert (above.above_s, above.open_s) == (None, None)
+
+
+def test_a_bound_that_never_closes_is_undetermined() -> None:
+    def vague(start: Array, middle: Array, end: Array) -> tuple[Array, Array]:
+        return np.zeros_like(middle), np.where(end > 0.5, 2.0, 0.0)
+
+    found = peak(vague, np.array([0.0]), np.array([0.6]), 1.0)
+    assert found.above_s is None
+    assert found.open_s == pytest.approx(0.5, abs=2e-5)
+
+
+def test_what_is_not_kept_costs_its_points_and_the_time_bonus() -> None:
+    scene = cans()
+    run = ran(SOLUTION, scene)
+    free = task("")
+    asked = task("[[limit]]\ntool_mm_s = 10\npoints = 2.5\n")
+    before = grade(free, run, judge(scene, run, free))
+    after = grade(asked, run, judge(scene, run, asked))
+    assert before.mark == 10
+    assert after.mark == Fraction(6)
+    assert after.demands == Fraction(5, 2)
+    assert not after.ready
+    assert sum(loss.points for loss in after.losses) == 10 - after.mark
+    assert [loss.kind for loss in after.losses] == ["demand", "time"]
+    assert "line " in after.losses[0].sentence
+
+
+@pytest.mark.parametrize(
+    ("text", "at"),
+    [
+        ("[[zone]]\nfrom_mm = [0, 0, 0]\nto_mm = [1, 0, 1]\n", "[1, 0, 1]"),
+        ("[[limit]]\n", "[[limit]]"),
+        ("[[limit]]\ntool_mm_s = 5\nwrist_deg = 5\n", "[[limit]]"),
+        ('[[rule]]\nmust_use = "QQQ"\n', '"QQQ"'),
+    ],
+)
+def test_errors_point_into_the_file(text: str, at: str) -> None:
+    found, (problem,) = read_task(SourceFile("task.toml", HEAD + text + TAIL), cans())
+    assert found is None
+    assert problem.rule.code == "V431"
+    assert problem.primary is not None
+    assert problem.primary.span.text == at
