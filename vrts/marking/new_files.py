@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from vrts.base.pose import Pose
+from vrts.report.plain import one_line
 from vrts.scene.block import location_block
 from vrts.scene.model import Mobility, Scene
 
@@ -100,7 +101,7 @@ TASK_HEAD = """\
 # What students must not see stands in the folder `staff`.
 
 [task]
-title = "{title}"
+title = {quoted}
 scene = "scene.toml"
 
 # An object counts in full when it stands upright within position_mm and orientation_deg of its
@@ -187,7 +188,7 @@ def new_program(command: str, scene: Scene) -> str:
         scene: The workspace.
     """
     motion = "        MOVE safe\n" if "safe" in scene.locations else ""
-    text = PROGRAM.format(title=scene.title, command=command, motion=motion)
+    text = PROGRAM.format(title=one_line(scene.title), command=command, motion=motion)
     return text + _locations(scene.locations)
 
 
@@ -211,20 +212,26 @@ def carryings(scene: Scene) -> tuple[Carrying, ...]:
 def new_solution(title: str, scene: Scene, work: Sequence[Carrying]) -> str:
     """Return a program that carries everything to its base."""
     calls = "".join(f"        CALL carry({one.start}, {one.goal})\n" for one in work)
-    return SOLUTION_HEAD.format(title=title) + calls + CARRY + _locations(scene.locations)
+    return SOLUTION_HEAD.format(title=one_line(title)) + calls + CARRY + _locations(scene.locations)
 
 
 def new_task(title: str, folder: str, work: Sequence[Carrying], reference_s: Fraction) -> str:
     """Return a task that asks for what `new_solution` does."""
     goals = "".join(GOAL.format(body=one.body, base=one.base) for one in work)
-    head = TASK_HEAD.format(title=title, folder=folder)
+    head = TASK_HEAD.format(title=one_line(title), quoted=_quoted(title), folder=folder)
     return head + goals + TASK_TAIL.format(reference=f"{float(reference_s):g}")
 
 
 def new_readme(title: str, name: str, work: Sequence[Carrying], par_s: Fraction) -> str:
     """Return the page for students."""
     goals = "\n".join(f"- stand `{one.body}` on `{one.base}`" for one in work)
-    return README.format(title=title, name=name, goals=goals, par=f"{float(par_s):.1f}")
+    return README.format(title=one_line(title), name=name, goals=goals, par=f"{float(par_s):.1f}")
+
+
+def _quoted(text: str) -> str:
+    """Return a text as a TOML string."""
+    escaped = one_line(text).replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'
 
 
 def _locations(locations: Mapping[str, Pose]) -> str:

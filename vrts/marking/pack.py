@@ -27,7 +27,7 @@ MOST_BYTES = 40_000_000  # of all files, decompressed
 MOST_OF_ZIP = 40_000_000  # bytes of the zip itself
 LONGEST_NAME = 160
 
-_PART = r"[A-Za-z0-9_+-][A-Za-z0-9_+. -]*(?<![. ])"
+_PART = r"[\w+-][\w+. -]*(?<![. ])"
 _NAME = re.compile(rf"{_PART}(/{_PART})*")
 _DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 
@@ -62,7 +62,7 @@ def _zip(
     allowed = versions or (__version__,)
     manifest = Manifest(files.name, staff, hidden, allowed, files.scene, hashes)
     contents = {MANIFEST: manifest_bytes(manifest), **members}
-    _check({name: len(data) for name, data in contents.items()})
+    _check({files.name: 0, **{name: len(data) for name, data in contents.items()}})
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
         for name in sorted(contents):

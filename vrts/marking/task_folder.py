@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
+from vrts.marking.submissions import safe
 from vrts.pipeline import (
     MAX_TOML,
     SCENARIO_FILE,
@@ -48,7 +49,7 @@ def read_folder(folder: Path) -> TaskFiles:
     public = {name: _bytes(folder / name) for name in PUBLIC if (folder / name).is_file()}
     for part in PUBLIC_FOLDERS:
         public.update(_inside(folder, part))
-    name = folder.resolve().name
+    name = safe(folder.resolve().name)
     scene = _add_scene(folder, public)
     return TaskFiles(name, scene, public, dict(_inside(folder, STAFF)))
 

@@ -72,6 +72,17 @@ def test_a_task_can_be_made_of_a_scene_that_is_there(tmp_path: Path) -> None:
     assert vrts("task", "check", "lab", cwd=tmp_path).returncode == 0
 
 
+def test_odd_names_and_titles_do_no_harm(tmp_path: Path) -> None:
+    title = 'A "can"\\n{x}\n[task]'
+    made = vrts("new", "task", "Übung (1)", "--title", title, cwd=tmp_path)
+    assert made.returncode == 0, made.stderr
+    packed = vrts("task", "pack", "Übung (1)", cwd=tmp_path)
+    assert packed.returncode == 0, packed.stderr
+    words = ("Übung-1-student.zip", "Übung (1)/staff/solution.v2")
+    marked = vrts("grade", *words, cwd=tmp_path)
+    assert marked.stdout.startswith("10.0  solution.v2"), marked.stderr
+
+
 @pytest.mark.parametrize("words", [("scene", "lab"), ("task", "lab"), ("program", "lab/start.v2")])
 def test_nothing_is_overwritten(words: tuple[str, str], lab: Path) -> None:
     before = {path: path.read_bytes() for path in lab.rglob("*") if path.is_file()}
