@@ -45,3 +45,4 @@ class Grade:
     obstacles: tuple[str, ...]  # why it is not ready, most serious first
     duration_s: float | None  # EXECUTE to program end
     demands: Fraction = Fraction(0)  # E, lost by zones, limits and rules of the task
+    lowest: Fraction | None = None  # mark if all that is undetermined went wrong; None: nothing is

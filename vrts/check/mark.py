@@ -1,6 +1,7 @@
 """From verdicts to a mark, with every lost point explained."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from vrts.base.diagnostic import Diagnostic, Moment
@@ -55,7 +56,10 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
     parts = score(achieved, task.mark, exact_s(task.t_par), exact_s(task.t_max))
     mark = rounded_mark(parts)
     losses = _losses(task, run, results, points, mishaps, demands, achieved, parts, mark)
+    lowest = _lowest(task, achieved, judgement)
     obstacles = _obstacles(run, results, points, mishaps, judgement)
+    if lowest is not None and lowest < mark:
+        obstacles += (f"to be reviewed: the mark is between {float(lowest)} and {float(mark)}",)
     return Grade(
         mark,
         _status(run),
@@ -68,6 +72,7 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
         obstacles,
         None if took is None else float(took),
         parts.demands,
+        lowest,
     )
 
 
@@ -238,6 +243,26 @@ def _broken_demands(task: Task, judgement: Judgement) -> list[Loss]:
         hint = finding.help[0] if finding.help else ""
         found.append(Loss(demand.points, "demand", sentence, hint, span, finding.moment))
     return found
+
+
+def _lowest(task: Task, achieved: Achieved, judgement: Judgement) -> Fraction | None:
+    """Return the mark if everything that cannot be told went wrong; None when all can be told."""
+    asked = [v for v in judgement.verdicts if v.check.startswith(DEMAND)]
+    doubtful = [
+        demand.points
+        for demand, verdict in zip(task.demands, asked, strict=True)
+        if verdict.answer is Answer.UNDETERMINED
+    ]
+    contacts = 0 if judgement.collisions is None else len(judgement.collisions.undetermined)
+    if not doubtful and not contacts:
+        return None
+    worst = replace(
+        achieved,
+        contacts=achieved.contacts + contacts,
+        broken=achieved.broken + sum(doubtful, NOTHING),
+        kept=achieved.kept and not doubtful,
+    )
+    return rounded_mark(score(worst, task.mark, exact_s(task.t_par), exact_s(task.t_max)))
 
 
 def _time_loss(task: Task, achieved: Achieved, lost: Fraction) -> Loss:

@@ -1,6 +1,7 @@
 """Zones, upright objects, speed limits, singularities and program rules: judged and marked."""
 
 import math
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -172,6 +173,20 @@ def test_what_is_not_kept_costs_its_points_and_the_time_bonus() -> None:
     assert sum(loss.points for loss in after.losses) == 10 - after.mark
     assert [loss.kind for loss in after.losses] == ["demand", "time"]
     assert "line " in after.losses[0].sentence
+
+
+def test_what_cannot_be_told_costs_nothing_and_gives_the_lowest_mark() -> None:
+    scene = cans()
+    run = ran(SOLUTION, scene)
+    asked = task("[[limit]]\ntool_mm_s = 9000\npoints = 2.5\n")
+    found = judge(scene, run, asked)
+    (kept,) = [v for v in found.verdicts if v.check == "demand tool speed"]
+    doubt = replace(kept, answer=Answer.UNDETERMINED)
+    open_one = replace(found, verdicts=(*(v for v in found.verdicts if v is not kept), doubt))
+    sure, unsure = grade(asked, run, found), grade(asked, run, open_one)
+    assert (sure.mark, sure.lowest, sure.ready) == (10, None, True)
+    assert (unsure.mark, unsure.lowest, unsure.ready) == (10, Fraction(6), False)
+    assert "to be reviewed: the mark is between 6.0 and 10.0" in unsure.obstacles
 
 
 @pytest.mark.parametrize(
