@@ -110,7 +110,7 @@ def _rounded_up(time_s: Fraction) -> Fraction:
 
 
 def worths(task: Task) -> tuple[Worth, ...]:
-    """Return what every goal, via point and contact costs, each alone."""
+    """Return what every goal, via point, demand and contact costs, each alone."""
     scheme = task.mark
     targets = scheme.targets + (Fraction(0) if task.vias else scheme.vias)
     total = sum((goal.weight for goal in task.goals), Fraction(0)) or Fraction(1)
@@ -128,6 +128,7 @@ def worths(task: Task) -> tuple[Worth, ...]:
         )
         for via in task.vias
     ]
+    found += [Worth(demand.points, f"`{demand.name}` not kept") for demand in task.demands]
     return (
         *found,
         Worth(scheme.first_contact, "the first contact, or object dropped"),

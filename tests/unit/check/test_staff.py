@@ -40,6 +40,16 @@ def test_hidden_goals_and_via_points_are_added_for_marking() -> None:
     assert whole.task.name == "lab"
 
 
+def test_other_demands_can_be_hidden_too() -> None:
+    rule = '[[rule]]\nmust_use = "MOVES"\n'
+    whole = read_whole_task(PUBLIC, staff(rule), SCENE)
+    assert whole.task is not None, whole.diagnostics
+    (demand,) = whole.task.demands
+    assert demand.span is not None
+    assert (demand.word, demand.span.source.name) == ("MOVES", "lab/staff/task.toml")
+    assert whole.hidden == {"rule": 1}
+
+
 def test_every_goal_points_into_the_file_that_asks_for_it() -> None:
     whole = read_whole_task(PUBLIC, staff(f"# hidden\n{HIDDEN_GOAL}"), SCENE)
     assert whole.task is not None

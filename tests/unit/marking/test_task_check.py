@@ -66,3 +66,15 @@ def test_hidden_scenes_are_packed_for_the_staff_only(folder: Path) -> None:
     assert (student.variants, student.more) == ((), 1)
     assert [variant.scene.name for variant in staff.variants] == ["post"]
     assert staff.stamps == ()
+
+
+def test_what_everything_is_worth_is_listed(folder: Path) -> None:
+    with (folder / "staff" / "task.toml").open("w") as file:
+        file.write('[[via]]\nname = "high"\nat_mm = [900, 30, 100]\n')
+        file.write('[[rule]]\nmust_use = "MOVES"\npoints = 0.7\n')
+    setting = load_task(folder, staff=True)
+    listed = check_task(setting, None).worths
+    points = [(float(worth.points), worth.what.split("`")[1]) for worth in listed[:4]]
+    assert points[:3] == [(3.0, "can1"), (3.0, "can2"), (2.5, "high")]
+    assert points[3][0] == 0.7
+    assert [float(worth.points) for worth in listed[4:]] == [1.5, 1.0, 5.0, 1.5]
