@@ -130,9 +130,9 @@ def _text(setting: "Setting", found: "TaskCheck") -> str:
     if found.times is not None:
         lines += ["", "times [s]        now   from the reference"]
         times = found.times
-        lines.append(f"  reference_s      -   {float(times.reference_s):6.1f}")
-        lines.append(f"  t_par_s     {task.t_par:6.1f}   {float(times.t_par_s):6.1f}")
-        lines.append(f"  t_max_s     {task.t_max:6.1f}   {float(times.t_max_s):6.1f}")
+        lines.append(f"  reference_s      -   {float(times.reference_s):6.2f}")
+        lines.append(f"  t_par_s     {task.t_par:6.2f}   {float(times.t_par_s):6.2f}")
+        lines.append(f"  t_max_s     {task.t_max:6.2f}   {float(times.t_max_s):6.2f}")
     lines += ["", "points  lost by"]
-    lines += [f"  {float(worth.points):4.1f}  {worth.what}" for worth in found.worths]
+    lines += [f"  {float(worth.points):5.2f}  {worth.what}" for worth in found.worths]
     return plain_text("\n".join(lines))

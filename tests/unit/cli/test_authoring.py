@@ -112,8 +112,8 @@ def test_times_are_proposed_from_the_reference_also_when_it_is_too_slow(lab: Pat
     result = vrts("task", "check", "lab", cwd=lab.parent)
     assert result.returncode == 1
     assert "V674" in result.stderr
-    assert "  reference_s      -      6.9\n" in result.stdout
-    assert "  t_par_s        2.5      8.7\n" in result.stdout
+    assert "  reference_s      -     6.90\n" in result.stdout
+    assert "  t_par_s       2.50     8.70\n" in result.stdout
 
 
 def test_points_for_nothing_are_an_error(lab: Path) -> None:
