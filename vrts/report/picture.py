@@ -6,7 +6,7 @@ from vrts.base.pose import Vector
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import first_screen
 
-SIZE = (720, 480)
+SIZE = (480, 360)
 
 
 def moment_picture(
