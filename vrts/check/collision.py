@@ -5,13 +5,15 @@ of double precision and the error of the exact distance, for which every bound i
 nothing about what is not modelled: contacts push nothing and stop nothing.
 """
 
+from collections.abc import Sequence
+from dataclasses import replace
 from types import MappingProxyType
 from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from vrts.check.collision_events import Teller, apart_from, episodes
+from vrts.check.collision_events import Episode, Teller, apart_from, episodes
 from vrts.check.collision_findings import (
     GRAZE,
     Closest,
@@ -24,7 +26,9 @@ from vrts.check.collision_pairs import Pairs, Plan, plan
 from vrts.check.collision_search import search
 from vrts.check.collision_state import Prober, RunRecord
 from vrts.check.curves import curves
+from vrts.check.second_opinion import Witness, disagreements
 from vrts.check.verdict import Clearance, CollisionReport
+from vrts.geometry.narrow import FCL
 from vrts.geometry.narrow import engine as engine_by_name
 from vrts.scene.model import Scene
 
@@ -73,6 +77,7 @@ def check_collisions(
             }
         ),
         engine=by.name,
+        disagreements=_asked_again(prober, pairs, contacts, found.closest),
     )
 
 
@@ -94,6 +99,21 @@ def _look_once(todo: Plan, prober: Prober, found: Findings) -> None:
             found.grazes.append(touch)
         if rigid.counts[k] and distance < found.closest.distance:
             found.closest = Closest(distance, offset + k, start_s)
+
+
+def _asked_again(
+    prober: Prober, pairs: Pairs, contacts: Sequence[Episode], closest: Closest
+) -> tuple[str, ...]:
+    """Ask python-fcl about the deepest touch of every contact, and about the smallest distance."""
+    if prober.engine.name == FCL:
+        return ()
+    deepest = [min(episode.touches, key=lambda touch: touch.distance) for episode in contacts]
+    witnesses = [Witness(touch.pair, touch.time_s) for touch in deepest]
+    if not contacts and np.isfinite(closest.distance):
+        witnesses.append(Witness(closest.pair, closest.time_s))
+    if not witnesses:
+        return ()
+    return disagreements(prober, replace(prober, engine=engine_by_name(FCL)), pairs, witnesses)
 
 
 def _clearance(closest: Closest, pairs: Pairs, prober: Prober) -> Clearance | None:

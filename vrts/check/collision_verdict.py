@@ -41,6 +41,8 @@ def verdict(report: CollisionReport, run: RunRecord | None = None) -> Verdict:
         "undetermined": len(report.undetermined),
         **report.statistics,
     }
+    if report.disagreements:
+        evidence["disagreements"] = "; ".join(report.disagreements)
     if report.clearance is not None:
         evidence["clearance_mm"] = _mm(report.clearance.distance_m)
         evidence["clearance_at_s"] = _s(report.clearance.time_s)

@@ -346,6 +346,8 @@ def _obstacles(
     missed = len(points.met) - points.number
     if missed:
         found.append(f"{missed} via points are not passed")
+    disputed = () if judgement.collisions is None else judgement.collisions.disagreements
+    found += [f"to be reviewed: two engines disagree: {words}" for words in disputed]
     if judgement.collisions is None:
         found.append("collisions were not checked")
     return tuple(found)

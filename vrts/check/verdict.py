@@ -66,3 +66,4 @@ class CollisionReport:
     certified: bool  # every instant is covered: nothing undetermined
     statistics: Mapping[str, int]  # nodes, narrow-phase calls, ...: the method as evidence
     engine: str = "coal"  # what measured distances
+    disagreements: tuple[str, ...] = ()  # with the second engine, at contacts and clearance
