@@ -19,11 +19,14 @@ from vrts.report.camera import Camera
 from vrts.report.still import still
 
 CANS = ROOT / "examples" / "01-cans-on-bases"
+DISH = ROOT / "examples" / "02-dish-on-stand"
 OBSTACLES = ROOT / "examples" / "03-around-obstacles"
 SIZE = (1200, 760)
 ROOM = Camera(eye=(3.35, -2.75, 1.2), look_at=(0.5, -0.02, 0.1))
 TABLE = Camera(eye=(2.6, -1.75, 0.75), look_at=(0.88, -0.16, -0.13))
 ABOVE = Camera(eye=(2.75, -1.5, 1.75), look_at=(0.72, 0.02, -0.12))
+STAND = Camera(eye=(2.2, -0.7, 0.75), look_at=(0.9, 0.2, -0.12))
+RIM = Camera(eye=(1.75, -1.35, 0.45), look_at=(0.86, -0.25, -0.14))
 FAR_END = Camera(eye=(2.55, -1.35, 1.1), look_at=(0.86, 0.0, -0.17))
 BEFORE_S = 0.05  # an instant before the fingers open
 
@@ -31,6 +34,7 @@ BEFORE_S = 0.05  # an instant before the fingers open
 def main() -> None:
     """Draw every picture."""
     _draw_cans()
+    _draw_dish()
     _draw_obstacles()
 
 
@@ -44,6 +48,13 @@ def _draw_cans() -> None:
     _draw(pictures / "grip.png", solution, fetched + BEFORE_S, TABLE)
     _draw(pictures / "carry.png", solution, (fetched + let_go) / 2, TABLE)
     _draw_contact(pictures / "touch.png", CANS / "submissions" / "hits-base.v2", TABLE)
+
+
+def _draw_dish() -> None:
+    pictures = DISH / "pictures"
+    solution = _assessed(DISH / "solution.v2")
+    _draw(pictures / "grip.png", solution, _grasped(solution, "dish") + BEFORE_S, RIM)
+    _draw(pictures / "put.png", solution, _released(solution, "dish") - BEFORE_S, STAND)
 
 
 def _draw_obstacles() -> None:

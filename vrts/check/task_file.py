@@ -14,6 +14,7 @@ from vrts.check.demand_file import read_demands
 from vrts.check.task import Goal, MarkScheme, Task, ViaPoint
 from vrts.geometry.support import bounds
 from vrts.scene.model import Body, Mobility, Scene
+from vrts.scene.seat import seat
 
 NOT_MOVABLE = Rule("V651", "not-movable")
 GOAL_PLACE = Rule("V652", "goal-place")
@@ -133,9 +134,12 @@ def _goal(table: Table, problems: Problems, scene: Scene) -> Goal | None:
 
 
 def _goal_pose(body: Body, support: Body | None, at: tuple[float, ...] | None, turn: float) -> Pose:
-    """Return X_WG: upright, its underside on the support's upper side or at the given height."""
+    """Return X_WG: its underside on the support's seat or upper side, or at the given height."""
     upright = pose_from_components(0.0, 0.0, 0.0, 90.0 + turn, -90.0, 0.0)
     underside = bounds(body.pieces, upright).lower[2]
+    X_WS = None if support is None or at is not None else seat(support)
+    if X_WS is not None:
+        return X_WS @ Pose(upright.rotation, (0.0, 0.0, -underside))
     if support is None:
         assert at is not None
         x, y, z = at[0] * MM, at[1] * MM, at[2] * MM

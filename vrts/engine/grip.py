@@ -39,6 +39,7 @@ class Between(NamedTuple):
 def between(gripper: Gripper, pieces: Sequence[Piece], X_PO: Pose) -> Between | None:
     """Return how a body lies between the pads; None when no part of it does."""
     half_width, half_length = gripper.pad_width / 2.0, gripper.pad_length / 2.0
+    half_opening = gripper.opening_max / 2.0
     found: list[Interval] = []
     overlap = 0.0
     for piece in pieces:
@@ -50,6 +51,8 @@ def between(gripper: Gripper, pieces: Sequence[Piece], X_PO: Pose) -> Between | 
         lower = -_slab_reach(piece, X_PO, -1.0, half_width, half_length)
         if upper < lower:
             continue  # the piece passes the slab by, past one of its edges
+        if lower > half_opening or upper < -half_opening:
+            continue  # behind a finger, even with the hand wide open: the far wall of a dish
         found.append(Interval(lower, upper))
         overlap = max(overlap, min(x, z))
     if not found:

@@ -23,6 +23,7 @@ from vrts.robots.model import Robot
 from vrts.scene.colors import NAMED, Color, color
 from vrts.scene.default import floor_body
 from vrts.scene.files import SceneFolder
+from vrts.scene.form_section import CARRIED, COLORS, FARTHEST, MAY_BE_FIXED, read_form
 from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.places import find_places
 from vrts.scene.robot_section import read_robot
@@ -33,7 +34,7 @@ from vrts.scene.standing import (
     find_support,
     must_stand,
 )
-from vrts.scene.things import Form, table, upright_box, upright_cylinder
+from vrts.scene.things import Form
 
 NAME_CLASH = Rule("V611", "name-clash")
 INVALID_NAME = Rule("V612", "invalid-name")
@@ -42,9 +43,7 @@ CIRCULAR_SUPPORT = Rule("V617", "circular-support")
 HEIGHT = Rule("V610", "height-of-object")
 UNKNOWN_COLOR = Rule("V607", "unknown-color")
 
-KINDS = {"can": "red", "base": "steel", "box": "orange", "table": "wood"}  # usual colours
 LONGEST_NAME = 10  # letters; with "_grip" it fills VAL's 15 [val2.md 1.4]
-FARTHEST = 10_000.0  # [mm] any position or size
 
 _NAME = re.compile(r"[a-z][a-z0-9_]*", re.IGNORECASE)
 
@@ -152,17 +151,17 @@ def _locations(section: Table) -> Mapping[str, Pose]:
 
 
 def _draft(name: str, section: Table, chosen: Robot) -> _Draft | None:
-    kind = section.string("kind", choices=KINDS, required=True)
+    kind = section.string("kind", choices=COLORS, required=True)
     if kind is None:
         return None
     title = section.string("title", name)
-    form = _form(kind, section, chosen)
+    form = read_form(kind, section, chosen)
     heights = (2,) if kind == "table" else (2, 3)
     at = section.numbers("at_mm", count=heights, minimum=-FARTHEST, maximum=FARTHEST, required=True)
     turn = section.number("turn_deg", 0.0, minimum=-360.0, maximum=360.0) * DEG
     on = "floor" if kind == "table" else section.string("on")
-    fixed = section.boolean("fixed", kind != "can") if kind in ("can", "box") else True
-    paint = _color(section, KINDS[kind])
+    fixed = section.boolean("fixed", kind not in CARRIED) if kind in MAY_BE_FIXED else True
+    paint = _color(section, COLORS[kind])
     section.finish()
     if form is None or at is None:
         return None
@@ -185,38 +184,6 @@ def _draft(name: str, section: Table, chosen: Robot) -> _Draft | None:
         )
         return None
     return _Draft(name, section, kind, title, form, at, turn, on, fixed, paint)
-
-
-def _form(kind: str, section: Table, chosen: Robot) -> Form | None:
-    problems_before = len(section.problems.found)
-    match kind:
-        case "can":
-            return _cylinder(section)
-        case "base" if "radius_mm" in section:
-            return _cylinder(section)
-        case "base" | "box":
-            size = section.numbers("size_mm", count=3, above=0.0, maximum=FARTHEST, required=True)
-            return None if size is None else upright_box(*(length * MM for length in size))
-        case _:
-            size = section.numbers("size_mm", count=2, above=0.0, maximum=FARTHEST, required=True)
-            floor_mm = -chosen.arm.shoulder_height / MM
-            top_mm = section.number("top_z_mm", required=True, above=floor_mm, maximum=FARTHEST)
-            legs = section.boolean("legs", default=True)
-            height = ((top_mm or 0.0) - floor_mm) * MM
-            thickness = section.number(
-                "thickness_mm", min(40.0, height / MM), above=0.0, maximum=height / MM
-            )
-            if size is None or top_mm is None or len(section.problems.found) > problems_before:
-                return None
-            return table(size[0] * MM, size[1] * MM, height, thickness * MM, legs=legs)
-
-
-def _cylinder(section: Table) -> Form | None:
-    radius = section.number("radius_mm", required=True, above=0.0, maximum=FARTHEST)
-    height = section.number("height_mm", required=True, above=0.0, maximum=FARTHEST)
-    if radius is None or height is None:
-        return None
-    return upright_cylinder(radius * MM, height * MM)
 
 
 def _color(section: Table, usual: str) -> Color:
