@@ -4,16 +4,13 @@ A zip that is read may come from anybody: names, kinds and sizes are checked bef
 decompressed, and nothing is written outside a folder of our own.
 """
 
-import io
 import re
-import struct
-import zipfile
-import zlib
 from collections.abc import Mapping
 from typing import NamedTuple
 
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic, Rule, error
+from vrts.base.zips import BadZip, Flaw, Unpacker, packed
 from vrts.check.manifest import NAME as MANIFEST
 from vrts.check.manifest import Manifest, altered, manifest_bytes, read_manifest, sha256
 from vrts.marking.task_folder import TaskFiles
@@ -21,7 +18,7 @@ from vrts.pipeline import Refused
 
 BAD_ARCHIVE = Rule("V677", "bad-task-archive")
 
-EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest time a zip can tell
+MODE = 0o644  # of members
 MOST_FILES = 200
 MOST_BYTES = 40_000_000  # of all files, decompressed
 MOST_OF_ZIP = 40_000_000  # bytes of the zip itself
@@ -63,14 +60,7 @@ def _zip(
     manifest = Manifest(files.name, staff, hidden, allowed, files.scene, hashes)
     contents = {MANIFEST: manifest_bytes(manifest), **members}
     _check({files.name: 0, **{name: len(data) for name, data in contents.items()}})
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w") as archive:
-        for name in sorted(contents):
-            info = zipfile.ZipInfo(f"{files.name}/{name}", EPOCH)
-            info.compress_type = zipfile.ZIP_DEFLATED
-            info.external_attr = 0o644 << 16
-            archive.writestr(info, contents[name])
-    return buffer.getvalue()
+    return packed({f"{files.name}/{name}": contents[name] for name in sorted(contents)}, MODE)
 
 
 def read_zip(data: bytes) -> Bundle:
@@ -82,12 +72,9 @@ def read_zip(data: bytes) -> Bundle:
     if len(data) > MOST_OF_ZIP:
         raise _bad(f"it has more than {MOST_OF_ZIP:,} bytes")
     try:
-        with zipfile.ZipFile(io.BytesIO(data)) as archive:
-            contents = _contents(archive)
-    except (zipfile.BadZipFile, zlib.error, struct.error, EOFError) as problem:
-        raise _bad("it is incomplete, or is no zip file") from problem
-    except (NotImplementedError, RuntimeError, ValueError, OSError) as problem:
-        raise _bad("it is packed in a way that tasks are not") from problem
+        contents = _contents(Unpacker(data))
+    except BadZip as problem:
+        raise _flaw(problem) from problem
     manifest = read_manifest(contents.get(MANIFEST, b""))
     if manifest is None:
         raise _bad(f"its `{MANIFEST}` is missing, or is not as vrts writes it")
@@ -99,29 +86,32 @@ def read_zip(data: bytes) -> Bundle:
     return Bundle(manifest, contents, stamps)
 
 
-def _contents(archive: zipfile.ZipFile) -> dict[str, bytes]:
+def _contents(archive: Unpacker) -> dict[str, bytes]:
     """Return the members by name, without the folder that holds them all."""
-    infos = [info for info in archive.infolist() if not info.is_dir()]
-    folders = {info.filename.split("/", 1)[0] for info in infos}
-    if len(folders) != 1 or any("/" not in info.filename for info in infos):
+    files = {name: size for name, size in archive.sizes.items() if not name.endswith("/")}
+    folders = {name.split("/", 1)[0] for name in files}
+    if len(folders) != 1 or any("/" not in name for name in files):
         raise _bad("its files are not in one folder")
-    start = len(folders.pop()) + 1
-    sizes = {info.filename[start:]: info.file_size for info in infos}
-    if len({name.casefold() for name in sizes}) != len(infos):
+    folder = folders.pop()
+    start = len(folder) + 1
+    sizes = {name[start:]: size for name, size in files.items()}
+    if len({name.casefold() for name in sizes}) != len(sizes):
         raise _bad("a file is in it twice")
-    _check({**sizes, infos[0].filename[: start - 1]: 0})
-    found: dict[str, bytes] = {}
-    for info in infos:
-        if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-            raise _bad("it is packed in a way that tasks are not")
-        if info.flag_bits & 1:
-            raise _bad("it is encrypted")
-        with archive.open(info) as member:
-            data = member.read(info.file_size)
-            if len(data) != info.file_size or member.read(1):
-                raise _bad(f"`{info.filename[start:]}` has another length than it says")
-        found[info.filename[start:]] = data
-    return found
+    _check({**sizes, folder: 0})
+    return {name: archive.read(f"{folder}/{name}") for name in sizes}
+
+
+def _flaw(problem: BadZip) -> Refused:
+    match problem.flaw:
+        case Flaw.INCOMPLETE:
+            return _bad("it is incomplete, or is no zip file")
+        case Flaw.FOREIGN:
+            return _bad("it is packed in a way that tasks are not")
+        case Flaw.TWICE:
+            return _bad("a file is in it twice")
+        case Flaw.LENGTH:
+            name = problem.member.split("/", 1)[-1]
+            return _bad(f"`{name}` has another length than it says")
 
 
 def _check(sizes: Mapping[str, int]) -> None:

@@ -4,18 +4,14 @@ Nothing is believed: names, kinds and sizes are checked before anything is decom
 array's header has to be the one that would be written here, so no header is ever interpreted.
 """
 
-import io
 import re
-import struct
-import zipfile
-import zlib
-from collections.abc import Generator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
+from vrts.base.zips import BadZip, Flaw, Unpacker, packed
 from vrts.engine.storage.damage import Damaged, TooLarge, require
 from vrts.engine.storage.recognise import MANIFEST
 
@@ -23,9 +19,8 @@ Table: TypeAlias = npt.NDArray[Any]
 
 MOST_BYTES = 256_000_000  # of all members, decompressed
 MOST_MANIFEST = 32_000_000  # bytes of `vrun.json`
-EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest time a zip can tell: the same run, the same bytes
+MODE = 0o600  # of members
 MAGIC = b"\x93NUMPY\x01\x00"
-FOREIGN = "it is packed in a way that saved runs are not"
 ALIGNMENT = 64  # of the numbers after a header
 
 
@@ -39,14 +34,7 @@ def pack(manifest: bytes, tables: Mapping[str, Table]) -> bytes:
     for name, table in tables.items():
         members[f"{name}.npy"] = _header(table.dtype, table.shape) + table.tobytes()
     _check_sizes({name: len(data) for name, data in members.items()})
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w") as archive:
-        for name, data in members.items():
-            info = zipfile.ZipInfo(name, EPOCH)
-            info.compress_type = zipfile.ZIP_DEFLATED
-            info.external_attr = 0o600 << 16
-            archive.writestr(info, data)
-    return buffer.getvalue()
+    return packed(members, MODE)
 
 
 class Container:
@@ -58,15 +46,12 @@ class Container:
         Raises:
             Damaged: It is not sound, or promises too much.
         """
-        self._data = data
-        with _opened(data) as archive:
-            infos = archive.infolist()
-        self._sizes = {info.filename: info.file_size for info in infos}
-        require(len(self._sizes) == len(infos), "a member is there twice")
+        try:
+            self._zip = Unpacker(data)
+        except BadZip as problem:
+            raise _damage(problem) from problem
+        self._sizes = self._zip.sizes
         require(MANIFEST in self._sizes, f"its member `{MANIFEST}` is missing")
-        for info in infos:
-            plain = info.compress_type in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
-            require(plain and not info.flag_bits & 1, FOREIGN)
         _check_sizes(self._sizes)
 
     def manifest(self) -> bytes:
@@ -75,8 +60,7 @@ class Container:
         Raises:
             Damaged: They cannot be had.
         """
-        with _opened(self._data) as archive:
-            return self._read(archive, MANIFEST)
+        return self._read(MANIFEST)
 
     def tables(self, layout: Mapping[str, tuple[str, int]]) -> dict[str, Table]:
         """Return the arrays.
@@ -92,31 +76,28 @@ class Container:
         require(not strange, f"it has a member `{''.join(strange[:1])}` that does not belong there")
         missing = sorted(wanted - self._sizes.keys())
         require(not missing, f"its member `{''.join(missing[:1])}` is missing")
-        with _opened(self._data) as archive:
-            return {
-                name: _table(self._read(archive, f"{name}.npy"), name, kind, columns)
-                for name, (kind, columns) in layout.items()
-            }
+        return {
+            name: _table(self._read(f"{name}.npy"), name, kind, columns)
+            for name, (kind, columns) in layout.items()
+        }
 
-    def _read(self, archive: zipfile.ZipFile, name: str) -> bytes:
-        with archive.open(name) as member:
-            found = member.read(self._sizes[name])
-            ended = not member.read(1)
-        whole = ended and len(found) == self._sizes[name]
-        require(whole, f"its member `{name}` has another length")
-        return found
+    def _read(self, name: str) -> bytes:
+        try:
+            return self._zip.read(name)
+        except BadZip as problem:
+            raise _damage(problem) from problem
 
 
-@contextmanager
-def _opened(data: bytes) -> Generator[zipfile.ZipFile]:
-    """Open a zip; whatever is wrong with it is damage."""
-    try:
-        with zipfile.ZipFile(io.BytesIO(data)) as archive:
-            yield archive
-    except (zipfile.BadZipFile, zlib.error, struct.error, EOFError) as problem:
-        raise Damaged("it is incomplete, or was changed") from problem
-    except (NotImplementedError, RuntimeError, ValueError, OSError) as problem:
-        raise Damaged(FOREIGN) from problem
+def _damage(problem: BadZip) -> Damaged:
+    match problem.flaw:
+        case Flaw.INCOMPLETE:
+            return Damaged("it is incomplete, or was changed")
+        case Flaw.FOREIGN:
+            return Damaged("it is packed in a way that saved runs are not")
+        case Flaw.TWICE:
+            return Damaged("a member is there twice")
+        case Flaw.LENGTH:
+            return Damaged(f"its member `{problem.member}` has another length")
 
 
 def _check_sizes(sizes: Mapping[str, int]) -> None:
