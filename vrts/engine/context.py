@@ -199,7 +199,6 @@ STOPPED = (
     "error_program",
     "last_error",
     "program",
-    "last_program",
     "cycles_left",
     "cycles_done",
     "kept_cycles",
@@ -243,7 +242,6 @@ class Context:
         "is_robot",
         "kept_cycles",
         "last_error",
-        "last_program",
         "last_step",
         "listed",
         "memory",
@@ -289,8 +287,7 @@ class Context:
         self.error_program: int | None = None  # of REACTE
         self.last_error: RuntimeFault | None = None
         self.listed: tuple[Cause, int] | None = None  # step that TRACE wrote last
-        self.program = ""  # of EXECUTE or PCEXECUTE
-        self.last_program = ""  # the one run last
+        self.program = ""  # of EXECUTE or PCEXECUTE: the one run last
         self.cycles_left = 0  # the present one included; negative is endless
         self.cycles_done = 0
         self.kept_cycles: int | None = None  # that PCEND took away
@@ -328,7 +325,6 @@ class Context:
             "last_error",
             "listed",
             "program",
-            "last_program",
             "cycles_left",
             "cycles_done",
             "kept_cycles",

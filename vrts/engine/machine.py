@@ -246,7 +246,7 @@ class Machine:
         if progress:
             self.ticks.append(tick)
             self.counts.append(self.finished)
-        self._note_end(now)
+        self._look_for_loops(now)
         if self.running:
             self._plan_next(now, progress=progress, stirred=on != system.signals.changes)
         else:
@@ -396,12 +396,12 @@ class Machine:
         self.stopped = None
         note_progress(self.robot, self.ended_s)
 
-    def abort(self, c: Context, ending: Ending = Ending.ABORTED) -> None:
+    def abort(self, c: Context) -> None:
         """End a program from outside."""
         c.step_was_cut = c.phase == CUT_SHORT
-        self.end(c, ending, None)
+        self.end(c, Ending.ABORTED, None)
 
-    def _note_end(self, now: float) -> None:
+    def _look_for_loops(self, now: float) -> None:
         if self.closed and self.robot.running:
             finding = self.watcher.look(self, now)
             if finding is not None:

@@ -8,7 +8,7 @@ from vrts.engine.code.setting_steps import change_monitor_speed
 from vrts.engine.context import Context
 from vrts.engine.events import CommandRefused, SignalChanged
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.process import after_step, begin, end_cycle, end_later, go_on, note_progress
+from vrts.engine.process import abort, after_step, begin, end_later, go_on, note_progress
 from vrts.engine.records import Ending
 from vrts.engine.signals import known
 from vrts.ir import commands as k
@@ -50,7 +50,7 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
         case k.StartProcess(program=program, cycles=cycles, step=step):
             if process.running:
                 raise _Refused("Process control program executing")
-            _start(machine, process, program or process.last_program, cycles, step, now)
+            _start(machine, process, program or process.program, cycles, step, now)
         case k.Abort():
             _needs_running(robot)
             machine.abort(robot)
@@ -76,7 +76,7 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
             _do(machine, module, now)
         case k.AbortProcess():
             _needs_running(process)
-            end_cycle(process, now, aborted=True)
+            abort(process, now)
         case k.EndProcess(on=on):
             end_later(process, on=on)
         case k.ProceedProcess():

@@ -9,7 +9,7 @@ from vrts.ir.module import Program
 def begin(c: Context, name: str, cycles: int, step: int, now: float) -> None:
     """Begin a program at a step of its first cycle."""
     c.now = now
-    c.program = c.last_program = name
+    c.program = name
     c.cycles_left, c.cycles_done = cycles or 1, 0
     c.started_s, c.ending = now, Ending.RUNNING
     c.steps_left = None
@@ -59,10 +59,10 @@ def end(c: Context, ending: Ending, time_s: float) -> None:
     c.events.append(ProgramEnded(time_s, ending.value, place(c), process=not c.is_robot))
 
 
-def end_cycle(c: Context, now: float, *, aborted: bool) -> None:
+def abort(c: Context, now: float) -> None:
     """Stop a process control program where it is."""
     if c.running:
-        end(c, Ending.ABORTED if aborted else Ending.COMPLETED, now)
+        end(c, Ending.ABORTED, now)
 
 
 def end_later(c: Context, *, on: bool) -> None:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from vrts.engine.motion.polynomials import composed, rate, shifted, value
 from vrts.engine.motion.time_scale import TimeScale
+from vrts.engine.outcomes import INSTANT
 from vrts.engine.records import ArmPiece, Segment
 from vrts.robots.model import Configuration
 
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 __all__ = ["Stroke", "Timeline", "in_run_time", "rate", "shifted", "stroke_at", "value"]
 
 STILL: Configuration = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-SHORTEST = 1e-9  # [s] of a segment
 
 
 class Stroke(NamedTuple):
@@ -100,7 +100,7 @@ class Timeline:
                 cuts.add(item.end_s)
             times: list[float] = []
             for cut in sorted(cuts):
-                if cut <= self.horizon_s and (not times or cut > times[-1] + SHORTEST):
+                if cut <= self.horizon_s and (not times or cut > times[-1] + INSTANT):
                     times.append(cut)
             self._segments = tuple(self._segment(start, end) for start, end in pairwise(times))
         return self._segments
@@ -111,10 +111,10 @@ class Timeline:
         return tuple(segment.start_s for segment in self.segments)
 
     def _segment(self, start: float, end: float) -> Segment:
-        found = bisect_right(self._piece_starts, start + SHORTEST)
+        found = bisect_right(self._piece_starts, start + INSTANT)
         piece = self._pieces[found - 1] if found else None
         motion = None
-        if piece is not None and start < piece.end_s - SHORTEST:
+        if piece is not None and start < piece.end_s - INSTANT:
             motion = piece.motion
             rows = tuple([shifted(row, start - piece.start_s) for row in piece.rows])
         else:

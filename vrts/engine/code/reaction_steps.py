@@ -10,7 +10,7 @@ from vrts.engine.context import Context, FrameKind
 from vrts.engine.events import Cause
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.outcomes import SWITCHED
-from vrts.engine.process import after_step, begin, end_cycle, end_later, note_progress
+from vrts.engine.process import abort, after_step, begin, end_later, note_progress
 from vrts.engine.reactions import HIGHEST_PRIORITY, MOST_WATCHES, Watch
 from vrts.engine.signals import OUTPUTS, known
 from vrts.ir import instructions as ir
@@ -68,11 +68,11 @@ class ReactionStepCompiler:
                 return self._start(instruction, following, cause)
             case ir.AbortProcess():
 
-                def abort(c: Context) -> int:
-                    end_cycle(c.system.process, c.now, aborted=True)
+                def stop(c: Context) -> int:
+                    abort(c.system.process, c.now)
                     return following
 
-                return abort
+                return stop
             case ir.EndProcess(mode=mode):
                 chosen = self.expressions.real(mode) if mode is not None else None
 
@@ -151,7 +151,7 @@ class ReactionStepCompiler:
 
         def execute(c: Context) -> int:
             process = c.system.process
-            name = start.program or process.last_program
+            name = start.program or process.program
             if process.running:
                 raise RuntimeFault(
                     RuntimeErrorKind.PROCESS_EXECUTING,

@@ -14,10 +14,9 @@ from vrts.engine.motion.polynomials import Row, added
 from vrts.engine.motion.profile import Profile, at
 from vrts.engine.motion.remarks import Remark, remarks_on
 from vrts.engine.motion.set_points import STILL, Offset, Piece, SetPoints, deviation, follow, joined
+from vrts.engine.outcomes import INSTANT
 from vrts.robots.branch import branch_of
 from vrts.robots.model import Arm, ArmBranch, Configuration
-
-EPSILON = 1e-9  # [s]
 
 
 class Leg(NamedTuple):
@@ -54,8 +53,8 @@ def half_width(leg: Leg, intent: Intent, arm: Arm) -> float:
 def fits(leg: Leg, intent: Intent, half: float) -> bool:
     """Return whether the zone leaves room for the zones at the other ends."""
     return (
-        leg.profile.rise <= leg.profile.duration - half + EPSILON
-        and half + intent.profile.fall <= intent.profile.duration + EPSILON
+        leg.profile.rise <= leg.profile.duration - half + INSTANT
+        and half + intent.profile.fall <= intent.profile.duration + INSTANT
     )
 
 
@@ -90,7 +89,7 @@ def round_corner(
     def course_after(t: float) -> Course:
         assert isinstance(second, LinePath)
         x = t - arrival
-        return second.course(*((1.0, 0.0) if x >= after.end - EPSILON else parameter(after, x)))
+        return second.course(*((1.0, 0.0) if x >= after.end - INSTANT else parameter(after, x)))
 
     zone = round(2.0 * half / arm.tick)
     if isinstance(second, JointPath):

@@ -26,6 +26,7 @@ from vrts.engine.motion.profile import TICK_TOLERANCE
 from vrts.engine.motion.remarks import Remark
 from vrts.engine.motion.settings import Settings
 from vrts.engine.motion.time_scale import TimeScale
+from vrts.engine.outcomes import INSTANT
 from vrts.engine.records import ArmPiece, Motion
 from vrts.ir.instructions import BranchRequest
 from vrts.ir.runtime_errors import RuntimeErrorKind
@@ -41,8 +42,6 @@ from vrts.robots.model import (
     Wrist,
 )
 from vrts.robots.singular import singular_at
-
-INSTANT = 1e-9  # [s]
 
 
 class Pending(NamedTuple):
@@ -381,8 +380,7 @@ class Planner:
     def set_rate(self, now: float, rate: float) -> None:
         """Go over to another monitor speed, given as a share of full speed."""
         if self.braking_until > now:
-            self.scale.rate = rate
-            self.scale.knots[-1] = self.scale.knots[-1]._replace(rate=rate)
+            self.scale.change_after_stop(rate)
         else:
             self.scale.change(now, rate, self.arm.acceleration_time)
 

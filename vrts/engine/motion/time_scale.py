@@ -59,12 +59,10 @@ class TimeScale:
     def time(self, path_s: float) -> float:
         """Return the first run time at which a path time is reached; inf when it never is."""
         knots = self.knots
-        knot = knots[max(bisect_right(knots, path_s, key=_path) - 1, 0)]
-        if len(knots) > 1:  # of knots at the same path time the first counts
-            k = max(bisect_right(knots, path_s, key=_path) - 1, 0)
-            while k and knots[k].path_s == path_s == knots[k - 1].path_s:
-                k -= 1
-            knot = knots[k]
+        k = max(bisect_right(knots, path_s, key=_path) - 1, 0)
+        while k and knots[k].path_s == path_s == knots[k - 1].path_s:
+            k -= 1  # of knots at the same path time the first counts
+        knot = knots[k]
         ahead = path_s - knot.path_s
         if knot.slope == 0.0:
             return knot.time_s + ahead / knot.rate if knot.rate else math.inf
@@ -82,6 +80,11 @@ class TimeScale:
         last = self.knots.pop()
         self.knots.append(Knot(last.time_s, last.path_s, self.rate))
         return last.time_s
+
+    def change_after_stop(self, rate: float) -> None:
+        """Go on at another steady rate once the stop under way is complete."""
+        self.rate = rate
+        self.knots[-1] = self.knots[-1]._replace(rate=rate)
 
     def pieces(self, start_s: float, end_s: float) -> list[tuple[float, float, Row]]:
         """Return path time as polynomials of (time - start) that together span an interval."""
@@ -104,7 +107,7 @@ class TimeScale:
 
     def _ramp(self, time_s: float, rate: float, ramp: float) -> None:
         now, path_s = self.rate_at(time_s), self.path(time_s)
-        self.knots = [knot for knot in self.knots if knot.time_s < time_s] or []
+        self.knots = [knot for knot in self.knots if knot.time_s < time_s]
         slope = (rate - now) / ramp
         self.knots.append(Knot(time_s, path_s, now, slope))
         self.knots.append(Knot(time_s + ramp, path_s + 0.5 * (now + rate) * ramp, rate))
