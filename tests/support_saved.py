@@ -14,7 +14,8 @@ from tests.support_programs import ROOT
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile, Span
 from vrts.engine.run import Run, State
-from vrts.pipeline import Reading, Setting, load_scene, robot_alone
+from vrts.pipeline.programs import Reading
+from vrts.pipeline.settings import Setting, load_scene, robot_alone
 from vrts.run_files import Simulated, load_run, saved_bytes, simulate
 from vrts.scene.model import FaultKind, Limits, PlannedFault, Region, Scenario, Sensor
 from vrts.scene.scenario_file import ScenarioFile

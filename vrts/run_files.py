@@ -8,18 +8,10 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
-from vrts.pipeline import (
-    STRICT,
-    CannotRead,
-    Reading,
-    Refused,
-    Setting,
-    compile_bytes,
-    find_scene,
-    no_program,
-    scenario_for,
-    without_repeats,
-)
+from vrts.pipeline.assess import no_program, scenario_for, without_repeats
+from vrts.pipeline.files import CannotRead, find_scene
+from vrts.pipeline.programs import STRICT, Reading, compile_bytes
+from vrts.pipeline.settings import Refused, Setting
 
 if TYPE_CHECKING:
     from vrts.engine.run import Run

@@ -58,7 +58,8 @@ def test_cold_processes(tmp_path: Path) -> None:
 def test_stages_in_a_warm_process(tmp_path: Path) -> None:
     from vrts.check.judge import judge
     from vrts.engine.controller import execute
-    from vrts.pipeline import assess, load_scene
+    from vrts.pipeline.assess import assess
+    from vrts.pipeline.settings import load_scene
     from vrts.report.page import page
     from vrts.report.picture import moment_picture
     from vrts.report.recording import write_recording

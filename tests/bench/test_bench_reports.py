@@ -5,7 +5,8 @@ from pathlib import Path
 from statistics import median
 from time import process_time
 
-from vrts.pipeline import assess, setting_for
+from vrts.pipeline.assess import assess
+from vrts.pipeline.settings import setting_for
 from vrts.report.page import page
 from vrts.report.picture import moment_picture
 from vrts.report.recording import write_recording

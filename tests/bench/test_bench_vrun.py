@@ -4,7 +4,8 @@ from statistics import median
 from time import perf_counter
 
 from tests.support_saved import SOLUTION, ask_everything
-from vrts.pipeline import Reading, Setting, load_scene, robot_alone
+from vrts.pipeline.programs import Reading
+from vrts.pipeline.settings import Setting, load_scene, robot_alone
 from vrts.report.run_csv import run_csv
 from vrts.run_files import Simulated, check_again, load_run, saved_bytes, simulate
 

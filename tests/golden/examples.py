@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TypeAlias
 
-from vrts.pipeline import assess
+from vrts.pipeline.assess import assess
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import first_screen, status
 

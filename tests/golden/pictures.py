@@ -13,7 +13,7 @@ from vrts.check.verdict import ContactEvent
 from vrts.check.vias import visits_of
 from vrts.engine.events import Event, Grasped, Released
 from vrts.engine.run import Run
-from vrts.pipeline import assess
+from vrts.pipeline.assess import assess
 from vrts.report.assessment import Assessment
 from vrts.report.camera import Camera
 from vrts.report.still import still

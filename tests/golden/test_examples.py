@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.golden.examples import EXAMPLES, example_of, expected, long_name, mark, name, programs
-from vrts.pipeline import assess
+from vrts.pipeline.assess import assess
 
 FURTHER = [path for example in EXAMPLES[1:] for path in programs(example)]
 

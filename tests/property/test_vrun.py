@@ -24,7 +24,7 @@ from tests.support_saved import (
 from vrts.base.diagnostic import Diagnostic
 from vrts.engine.run import Run
 from vrts.engine.storage.load import LAYOUT
-from vrts.pipeline import Refused, robot_alone
+from vrts.pipeline.settings import Refused, robot_alone
 from vrts.run_files import check_again, load_run, saved_bytes, simulate
 
 FILES = (file_of(busy), file_of(carrying))

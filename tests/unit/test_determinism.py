@@ -14,7 +14,8 @@ PROGRAM = ROOT / "examples" / "01-cans-on-bases" / "submissions" / "hits-base.v2
 TOLD = """
 import hashlib, json
 from tests.support_saved import BUSY, TRAFFIC, SOLUTION, plain, with_scenario
-from vrts.pipeline import Reading, load_scene, robot_alone
+from vrts.pipeline.programs import Reading
+from vrts.pipeline.settings import load_scene, robot_alone
 from vrts.run_files import saved_bytes, simulate
 
 def told(value):

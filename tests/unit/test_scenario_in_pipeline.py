@@ -7,14 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from vrts.pipeline import (
-    CannotRead,
+from vrts.pipeline.assess import assess, scenario_for
+from vrts.pipeline.files import CannotRead
+from vrts.pipeline.settings import (
     Refused,
-    assess,
     load_scene,
     load_task,
     robot_alone,
-    scenario_for,
     setting_for,
     with_scenario,
 )

@@ -22,7 +22,7 @@ from vrts.cli.console import (
 from vrts.report.diagnostics_output import FORMS, Checked, Form, render
 
 if TYPE_CHECKING:
-    from vrts.pipeline import Compiled
+    from vrts.pipeline.programs import Compiled
 
 EPILOG = """\b
 Examples:
@@ -66,7 +66,7 @@ def command(
     color: str,
 ) -> None:
     """Check each PROGRAM (a file, or - for stdin) for mistakes, without running it."""
-    from vrts.pipeline import compile_bytes
+    from vrts.pipeline.programs import compile_bytes
 
     if emit != "nothing" and form != "full":
         fail(
@@ -97,7 +97,7 @@ def _show(name: str, found: "Compiled", emit: str, color: str, *, exact: bool) -
 
         out(dump(module), end=False)
     elif emit == "store":
-        from vrts.pipeline import store
+        from vrts.pipeline.programs import store
 
         assert found.compilation is not None
         out(store(found.compilation, exact=exact), end=False)

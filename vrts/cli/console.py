@@ -10,7 +10,9 @@ from typing import Any, NoReturn, TypeVar
 import click
 
 from vrts.base.diagnostic import Diagnostic, Severity
-from vrts.pipeline import CannotRead, ProgramFile, Reading, Refused
+from vrts.pipeline.files import CannotRead
+from vrts.pipeline.programs import ProgramFile, Reading
+from vrts.pipeline.settings import Refused
 
 HOLDS, WRONG, WRONG_CALL, UNDETERMINED, FAULT = 0, 1, 2, 3, 70
 
@@ -143,7 +145,7 @@ def guarded(function: Command) -> Command:
 
 def program_bytes(name: str) -> tuple[bytes, str, Path | None]:
     """Return the bytes of a program, its name as shown, and its file; `-` is stdin."""
-    from vrts.pipeline import read_bytes, shown
+    from vrts.pipeline.files import read_bytes, shown
 
     if name == "-":
         return sys.stdin.buffer.read(), "stdin", None

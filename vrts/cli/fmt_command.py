@@ -45,7 +45,7 @@ def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, co
     Keywords upper case, names lower case, structures indented; comments, blank lines and the
     numbers of the steps stay, and so does what the program means.
     """
-    from vrts.pipeline import format_bytes
+    from vrts.pipeline.programs import format_bytes
 
     status = HOLDS
     for program in programs:

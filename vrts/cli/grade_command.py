@@ -20,7 +20,7 @@ from vrts.cli.console import (
 if TYPE_CHECKING:
     from vrts.marking.grade import Marked
     from vrts.marking.submissions import Submission
-    from vrts.pipeline import Setting
+    from vrts.pipeline.settings import Setting
 
 EPILOG = """\b
 Examples:
@@ -92,7 +92,7 @@ def _for_students(
 def _settings(task: str, folder: Path | None) -> "tuple[Setting, Setting | None]":
     """Return what is marked by, and the same without hidden checks; None where there are none."""
     from vrts.marking.packed import is_packed, load_zip
-    from vrts.pipeline import TASK_FILE, load_task
+    from vrts.pipeline.settings import TASK_FILE, load_task
 
     path = folder / TASK_FILE if folder is not None else Path(task)
     load = load_zip if is_packed(path) else load_task
@@ -104,7 +104,7 @@ def _what(
     task: str, submissions: tuple[Path, ...]
 ) -> "tuple[Setting, Setting | None, list[Submission]]":
     from vrts.marking.submissions import of_example, of_paths
-    from vrts.pipeline import find_example
+    from vrts.pipeline.files import find_example
 
     folder = find_example(task)
     setting, public = _settings(task, folder)

@@ -45,7 +45,7 @@ def scene(name: Path, origin: str | None, color: str) -> None:
 def program(name: Path, origin: str | None, color: str) -> None:
     """Write the program NAME with all locations of a scene."""
     from vrts.marking.new_files import new_program
-    from vrts.pipeline import load_scene
+    from vrts.pipeline.settings import load_scene
 
     file = name if name.suffix else name.with_suffix(".v2")
     taken = origin or "cans-on-bases"
@@ -75,7 +75,9 @@ def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
         new_task,
     )
     from vrts.marking.task_check import times_of
-    from vrts.pipeline import SCENE_FILE, STAFF, TASK_FILE, assess, load_scene
+    from vrts.pipeline.assess import assess
+    from vrts.pipeline.files import SCENE_FILE
+    from vrts.pipeline.settings import STAFF, TASK_FILE, load_scene
 
     made: dict[str, bytes] = {}
     if not (name / SCENE_FILE).is_file():
@@ -117,7 +119,7 @@ def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
 def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:
     """Return the files of a new scene: a simple one, or a copy."""
     from vrts.marking.new_files import new_scene
-    from vrts.pipeline import SCENE_FILE, find_scene, read_bytes
+    from vrts.pipeline.files import SCENE_FILE, find_scene, read_bytes
 
     if origin is None:
         return {SCENE_FILE: new_scene(name.resolve().name, _words(name)).encode()}
@@ -132,7 +134,8 @@ def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:
 def _scene_of(origin: str) -> str:
     """Return the scene of an example, or a scene as it is."""
     from vrts.check.task_file import scene_name
-    from vrts.pipeline import TASK_FILE, find_example, find_scene, read_toml_source
+    from vrts.pipeline.files import find_example, find_scene, read_toml_source
+    from vrts.pipeline.settings import TASK_FILE
 
     folder = find_example(origin)
     if folder is None or not (folder / TASK_FILE).is_file():

@@ -51,7 +51,7 @@ def command(
 ) -> None:
     """Tell whether the tool reaches X Y Z (mm) [O A T (degrees)] in SCENE, and how."""
     from vrts.base.oat import pose_from_components
-    from vrts.pipeline import load_scene
+    from vrts.pipeline.settings import load_scene
     from vrts.report.scene_text import point_text
     from vrts.scene.places import down_pose
     from vrts.scene.reach import reach

@@ -24,7 +24,7 @@ from vrts.cli.console import (
 
 if TYPE_CHECKING:
     from vrts.engine.run import Run
-    from vrts.pipeline import Reading
+    from vrts.pipeline.programs import Reading
     from vrts.run_files import Simulated
 
 EPILOG = """\b
@@ -148,7 +148,7 @@ def _simulated(
     reading: "Reading",
     color: str,
 ) -> "Simulated":
-    from vrts.pipeline import load_scene, robot_alone, with_scenario
+    from vrts.pipeline.settings import load_scene, robot_alone, with_scenario
     from vrts.run_files import simulate
 
     scene, scenario, entry = wanted

@@ -19,7 +19,7 @@ from vrts.cli.console import (
 )
 
 if TYPE_CHECKING:
-    from vrts.pipeline import Setting
+    from vrts.pipeline.settings import Setting
 
 EPILOG = """\b
 Examples:
@@ -40,7 +40,8 @@ def command() -> None:
 @guarded
 def list_scenes() -> None:
     """List the scenes that come with vrts."""
-    from vrts.pipeline import load_scene, scene_names
+    from vrts.pipeline.files import scene_names
+    from vrts.pipeline.settings import load_scene
 
     for name in scene_names():
         out(f"{name:<20} {load_scene(name).scene.title}")
@@ -53,7 +54,7 @@ def list_scenes() -> None:
 @guarded
 def show(name: str, svg: Path | None, color: str) -> None:
     """Print every object of scene NAME, and its locations ready to paste into a program."""
-    from vrts.pipeline import load_scene
+    from vrts.pipeline.settings import load_scene
     from vrts.report.scene_text import scene_text
 
     scene = load_scene(name).scene
@@ -95,7 +96,7 @@ def check(name: str, color: str) -> None:
 
 def _setting(name: str) -> "Setting":
     """Return a scene, with the task where NAME is the folder of one."""
-    from vrts.pipeline import TASK_FILE, load_scene, load_task
+    from vrts.pipeline.settings import TASK_FILE, load_scene, load_task
 
     path = Path(name)
     if (path / TASK_FILE).is_file() or (path.name == TASK_FILE and path.is_file()):
@@ -112,7 +113,7 @@ def _setting(name: str) -> "Setting":
 def watch_scene(name: str, svg: Path | None, seconds: float | None, color: str) -> None:
     """Show scene NAME, and again whenever its file is saved. Control-C ends it."""
     from vrts.cli.watching import watch
-    from vrts.pipeline import find_scene
+    from vrts.pipeline.files import find_scene
 
     place = find_scene(name)
     until = None if seconds is None else time.monotonic() + seconds
@@ -125,7 +126,8 @@ def watch_scene(name: str, svg: Path | None, seconds: float | None, color: str) 
 
 def draw(place: Path, svg: Path | None, color: str) -> None:
     """Show a scene as it is now, with a drawing; or what is wrong with it."""
-    from vrts.pipeline import CannotRead, Refused, load_scene
+    from vrts.pipeline.files import CannotRead
+    from vrts.pipeline.settings import Refused, load_scene
     from vrts.report.scene_drawing import scene_svg
     from vrts.report.scene_text import scene_text
     from vrts.scene.checks import scene_findings

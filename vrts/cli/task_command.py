@@ -19,7 +19,7 @@ from vrts.cli.console import (
 
 if TYPE_CHECKING:
     from vrts.marking.task_check import TaskCheck
-    from vrts.pipeline import Setting
+    from vrts.pipeline.settings import Setting
 
 EPILOG = """\b
 Examples:
@@ -108,7 +108,7 @@ def _folder(path: Path) -> Path:
 
 
 def _setting(folder: Path) -> "Setting":
-    from vrts.pipeline import TASK_FILE, load_task
+    from vrts.pipeline.settings import TASK_FILE, load_task
 
     if folder.is_dir() and not (folder / TASK_FILE).is_file():
         fail(f"there is no `{TASK_FILE}` in `{folder}`", (f"begin with `vrts new task {folder}`",))

@@ -85,7 +85,8 @@ def command(
     check cannot tell.
     """
     from vrts.marking.packed import is_packed, load_zip, public_answer
-    from vrts.pipeline import assess, setting_for
+    from vrts.pipeline.assess import assess
+    from vrts.pipeline.settings import setting_for
 
     data, name, path = program_bytes(program)
     if task is not None and is_packed(task):
@@ -161,7 +162,7 @@ def status_of(found: "Assessment") -> int:
 
 
 def _no_setting() -> NoReturn:
-    from vrts.pipeline import scene_names
+    from vrts.pipeline.files import scene_names
 
     fail(
         "nothing says in which scene to verify the program: there is no task.toml beside it",

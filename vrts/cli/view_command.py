@@ -42,7 +42,8 @@ def command(
     color: str,
 ) -> None:
     """See PROGRAM move: as a page with a replay, or in the Rerun viewer."""
-    from vrts.pipeline import assess, robot_alone, setting_for
+    from vrts.pipeline.assess import assess
+    from vrts.pipeline.settings import robot_alone, setting_for
 
     setting = setting_for(program, scene=scene, task=task) or robot_alone()
     found = assess(program, setting=setting, curve=still is None)

@@ -10,7 +10,9 @@ from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.check.grade import Status
 from vrts.check.mark import ungraded
 from vrts.marking.submissions import Submission
-from vrts.pipeline import CannotRead, Setting, assess
+from vrts.pipeline.assess import assess
+from vrts.pipeline.files import CannotRead
+from vrts.pipeline.settings import Setting
 from vrts.report.assessment import Assessment
 
 UNREADABLE = Rule("V191", "unreadable-file")

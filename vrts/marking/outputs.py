@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from vrts.marking.grade import Marked, write_atomically
-from vrts.pipeline import with_curve
+from vrts.pipeline.assess import with_curve
 from vrts.report.json_form import Json, assessment_json, results_json
 from vrts.report.json_text import json_text
 from vrts.report.overview import overview

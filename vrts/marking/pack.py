@@ -14,7 +14,7 @@ from vrts.base.zips import BadZip, Flaw, Unpacker, packed
 from vrts.check.manifest import NAME as MANIFEST
 from vrts.check.manifest import Manifest, altered, manifest_bytes, read_manifest, sha256
 from vrts.marking.task_folder import TaskFiles
-from vrts.pipeline import Refused
+from vrts.pipeline.settings import Refused
 
 BAD_ARCHIVE = Rule("V677", "bad-task-archive")
 

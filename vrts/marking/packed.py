@@ -7,15 +7,8 @@ from tempfile import TemporaryDirectory
 
 from vrts.base.diagnostic import error
 from vrts.marking.pack import BAD_ARCHIVE, Bundle, read_zip
-from vrts.pipeline import (
-    SCENE_FILE,
-    TASK_FILE,
-    Refused,
-    Setting,
-    load_task,
-    read_bytes,
-    read_toml_source,
-)
+from vrts.pipeline.files import SCENE_FILE, read_bytes, read_toml_source
+from vrts.pipeline.settings import TASK_FILE, Refused, Setting, load_task
 from vrts.report.assessment import Assessment
 
 SUFFIX = ".zip"

@@ -17,7 +17,9 @@ from vrts.check.manifest import NOT_COUNTING
 from vrts.check.score import FULL
 from vrts.check.task import Task
 from vrts.check.task_file import MAX_SHARE, PAR_SHARE
-from vrts.pipeline import Setting, assess, read_bytes
+from vrts.pipeline.assess import assess
+from vrts.pipeline.files import read_bytes
+from vrts.pipeline.settings import Setting
 from vrts.report.assessment import Assessment
 from vrts.scene.checks import scene_findings
 

@@ -9,19 +9,15 @@ from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from vrts.marking.submissions import safe
-from vrts.pipeline import (
+from vrts.pipeline.files import (
     MAX_TOML,
-    SCENARIO_FILE,
     SCENE_FILE,
-    STAFF,
-    TASK_FILE,
     CannotRead,
-    Refused,
     find_scene,
-    load_task,
     read_bytes,
     read_toml_source,
 )
+from vrts.pipeline.settings import SCENARIO_FILE, STAFF, TASK_FILE, Refused, load_task
 
 PUBLIC = (TASK_FILE, SCENARIO_FILE, "README.md", "start.v2")  # names in the folder itself
 PUBLIC_FOLDERS = ("pictures", "handout")

@@ -13,7 +13,8 @@ from vrts.monitor.desk import Desk
 from vrts.monitor.dialogue import Dialogue
 from vrts.monitor.folder import WorkingFolder
 from vrts.monitor.monitor import Monitor
-from vrts.pipeline import Refused, load_scene, read_bytes, robot_alone, shown, with_scenario
+from vrts.pipeline.files import read_bytes, shown
+from vrts.pipeline.settings import Refused, load_scene, robot_alone, with_scenario
 from vrts.scene.model import Limits, Scenario
 
 DAY = 86_400.0  # [s]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vrts.check.clearance_curve import FAR, clearance_curve
-from vrts.pipeline import assess
+from vrts.pipeline.assess import assess
 
 ROOT = Path(__file__).parent.parent.parent.parent
 SOLUTION = ROOT / "examples" / "01-cans-on-bases" / "solution.v2"

@@ -21,7 +21,7 @@ from vrts.check.task import Task
 from vrts.check.task_file import read_task
 from vrts.check.verdict import Answer, Verdict
 from vrts.engine.run import Run
-from vrts.pipeline import CHECKOUT
+from vrts.pipeline.files import CHECKOUT
 
 BODY = " MOVE a\n BREAK\n MOVES b"
 POINT = Fraction(1)

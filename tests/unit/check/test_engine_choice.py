@@ -26,7 +26,7 @@ importlib.util.find_spec = lambda name, *a: None if name in gone else known(name
 sys.meta_path.insert(0, Missing())
 import json
 from pathlib import Path
-from vrts.pipeline import assess
+from vrts.pipeline.assess import assess
 found = assess(Path(sys.argv[1]))
 assert not {"coal", "pinocchio"} & set(sys.modules)
 engine = found.judgement.collisions.engine
@@ -36,7 +36,7 @@ print(json.dumps([engine, str(found.grade.mark), [loss.kind for loss in found.gr
 
 @pytest.mark.parametrize("name", ["solution.v2", "submissions/hits-base.v2"])
 def test_example_01_has_the_same_mark_without_coal_and_pinocchio(name: str) -> None:
-    from vrts.pipeline import assess
+    from vrts.pipeline.assess import assess
 
     path = EXAMPLE / name
     called = [sys.executable, "-c", WITHOUT, str(path)]

@@ -9,7 +9,8 @@ from vrts.base.source import SourceFile
 from vrts.check.feasible import task_findings
 from vrts.check.staff import read_whole_task
 from vrts.check.task_file import read_task
-from vrts.pipeline import CHECKOUT, load_scene, load_task
+from vrts.pipeline.files import CHECKOUT
+from vrts.pipeline.settings import load_scene, load_task
 from vrts.scene.checks import scene_findings
 from vrts.scene.scene_file import read_scene
 

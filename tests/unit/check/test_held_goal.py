@@ -3,7 +3,8 @@
 from pathlib import Path
 
 from vrts.check.targets import reached
-from vrts.pipeline import assess, load_task
+from vrts.pipeline.assess import assess
+from vrts.pipeline.settings import load_task
 
 ROOT = Path(__file__).parent.parent.parent.parent
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"

@@ -6,7 +6,7 @@ import pytest
 
 from vrts.base.source import SourceFile
 from vrts.check.staff import read_whole_task
-from vrts.pipeline import load_scene, load_task
+from vrts.pipeline.settings import load_scene, load_task
 
 SCENE = load_scene("cans-on-bases").scene
 PUBLIC = SourceFile(

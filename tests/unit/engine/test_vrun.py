@@ -33,7 +33,8 @@ from vrts.engine.records import Ending
 from vrts.engine.storage.recognise import is_saved_run
 from vrts.engine.storage.save import run_bytes
 from vrts.ir.commands import Abort, Execute, Load, TimedCommand
-from vrts.pipeline import Refused, load_scene, robot_alone, scene_names
+from vrts.pipeline.files import scene_names
+from vrts.pipeline.settings import Refused, load_scene, robot_alone
 from vrts.run_files import (
     Simulated,
     check_again,

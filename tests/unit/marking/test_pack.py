@@ -12,7 +12,8 @@ from vrts.check import manifest as manifests
 from vrts.marking.pack import MOST_BYTES, read_zip, staff_zip, student_zip
 from vrts.marking.packed import load_zip, setting_of
 from vrts.marking.task_folder import TaskFiles, read_folder
-from vrts.pipeline import CannotRead, Refused, load_task
+from vrts.pipeline.files import CannotRead
+from vrts.pipeline.settings import Refused, load_task
 
 SECRET = "behind the second base"
 TASK = """[task]

@@ -11,7 +11,8 @@ from vrts.marking.packed import setting_of
 from vrts.marking.submissions import Submission
 from vrts.marking.task_check import check_task
 from vrts.marking.task_folder import read_folder
-from vrts.pipeline import CHECKOUT, load_task
+from vrts.pipeline.files import CHECKOUT
+from vrts.pipeline.settings import load_task
 
 EXAMPLE = CHECKOUT / "examples" / "01-cans-on-bases"
 SCENE = (CHECKOUT / "scenes" / "cans-on-bases" / "scene.toml").read_text()

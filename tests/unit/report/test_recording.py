@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from vrts.base.pose import rotation_about
-from vrts.pipeline import assess, setting_for
+from vrts.pipeline.assess import assess
+from vrts.pipeline.settings import setting_for
 from vrts.report import recording
 
 ROOT = Path(__file__).parent.parent.parent.parent

@@ -8,7 +8,7 @@ import pytest
 from tests.support_saved import busy
 from vrts.engine.run import Run
 from vrts.engine.statements import statements
-from vrts.pipeline import robot_alone
+from vrts.pipeline.settings import robot_alone
 from vrts.report.replay_text import MOST_STEPS, replay
 from vrts.run_files import simulate
 

@@ -11,7 +11,7 @@ from tests.support_saved import busy, carrying
 from vrts.base.oat import components
 from vrts.base.units import deg, mm
 from vrts.engine.run import Run
-from vrts.pipeline import robot_alone
+from vrts.pipeline.settings import robot_alone
 from vrts.report.run_csv import run_csv
 from vrts.run_files import Simulated, simulate
 

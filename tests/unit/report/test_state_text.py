@@ -4,7 +4,7 @@ from tests.support_saved import busy, carrying
 from vrts.base.units import deg
 from vrts.engine.events import Grasped, Released
 from vrts.engine.run import Run
-from vrts.pipeline import robot_alone
+from vrts.pipeline.settings import robot_alone
 from vrts.report.state_text import MOST_OUTPUT, state_text
 from vrts.run_files import simulate
 

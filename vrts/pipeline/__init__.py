@@ -1,0 +1,1 @@
+"""The stages for one request, composed; and the files they need. Writes nothing."""

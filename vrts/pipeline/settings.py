@@ -1,0 +1,219 @@
+"""What a program is verified in: scene, task and scenario, read and found right."""
+
+import hashlib
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import SourceFile
+from vrts.pipeline.files import MAX_TOML, find_scene, read_bytes, read_toml_source
+
+if TYPE_CHECKING:
+    from vrts.check.task import Task
+    from vrts.scene.model import Scene
+    from vrts.scene.scenario_file import ScenarioFile
+
+TASK_FILE = "task.toml"
+STAFF = "staff"  # folder beside a task: what students do not get
+MANIFEST_FILE = "manifest.json"  # of a packed task, also after unpacking
+SCENARIO_FILE = "scenario.toml"  # beside a task: how its runs begin, and what happens in them
+
+Value = TypeVar("Value")
+
+
+class Refused(Exception):  # noqa: N818 -- names the situation
+    """A scene or task file has errors; the diagnostics say which."""
+
+    def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
+        """Keep everything that was found."""
+        super().__init__("errors in a scene or task file")
+        self.diagnostics = diagnostics
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A scene, and the task and scenario set in it if there are, read and found right.
+
+    Where a task has a scenario, the digest of the task covers both: marks are valid for this
+    scenario only, as they are for this scene only.
+    """
+
+    scene: "Scene"
+    task: "Task | None"
+    diagnostics: tuple[Diagnostic, ...]  # warnings
+    scenario: "ScenarioFile | None" = None
+    scene_source: SourceFile | None = None  # None: a robot alone
+    stamps: tuple[Diagnostic, ...] = ()  # why marks do not count; part of every assessment
+    hidden: int = 0  # checks that are in `task` for marking only
+    more: int = 0  # checks that are not in `task` but will be at marking
+    variants: tuple["Setting", ...] = ()  # the task in hidden scenes; the lowest mark counts
+
+
+def robot_alone() -> Setting:
+    """Return the scene of a robot by itself."""
+    from vrts.scene.default import robot_alone as alone
+
+    return Setting(alone(), None, ())
+
+
+def load_scene(name: str, beside: Path | None = None, home: Path | None = None) -> Setting:
+    """Return a scene without a task; `home` as for `read_toml_source`.
+
+    Raises:
+        CannotRead: There is no such scene.
+        Refused: Its file has errors.
+    """
+    from vrts.scene.scene_file import read_scene
+
+    path = find_scene(name, beside)
+    source = read_toml_source(path, home)
+    scene, found = read_scene(source, path.parent)
+    return Setting(_accepted(scene, found), None, found, scene_source=source)
+
+
+def load_task(
+    path: Path,
+    scene: str | None = None,
+    scenario: Path | None = None,
+    *,
+    staff: bool = False,
+    home: Path | None = None,
+) -> Setting:
+    """Return a task in its scene, or in another one, which is stamped: its marks do not count.
+
+    The scenario is the one given, else `scenario.toml` beside the task if there is one.
+
+    Args:
+        path: `task.toml`, or its folder.
+        scene: Name or path of another scene than the task's.
+        scenario: A scenario file.
+        staff: Whether to add the hidden parts in `staff/task.toml` and `staff/scenes`.
+        home: As for `read_toml_source`.
+
+    Raises:
+        CannotRead: The task, its scene or the scenario is not there.
+        Refused: One of the files has errors.
+    """
+    from vrts.check.manifest import altered, announced, other_scene
+    from vrts.check.staff import read_whole_task
+    from vrts.check.task_file import read_task, scene_name
+
+    folder = path if path.is_dir() else path.parent
+    source = read_toml_source(folder / TASK_FILE if path.is_dir() else path, home)
+    named, found = scene_name(source)
+    setting = load_scene(scene or _accepted(named, found), folder, home)
+    stamps: tuple[Diagnostic, ...] = ()
+    more = 0
+    if (folder / MANIFEST_FILE).is_file():
+        packed = _packed_files(folder)
+        stamps, more = altered(packed), announced(packed[MANIFEST_FILE])
+    if scene is not None and named is not None and scene != named:
+        stamps += other_scene(load_scene(named, folder, home).scene, setting.scene)
+    hidden = 0
+    if staff and (folder / STAFF / TASK_FILE).is_file():
+        staff_source = read_toml_source(folder / STAFF / TASK_FILE, home)
+        task, counts, found = read_whole_task(source, staff_source, setting.scene)
+        hidden = sum(counts.values())
+    else:
+        task, found = read_task(source, setting.scene)
+    setting = replace(
+        setting,
+        task=_accepted(task, found),
+        diagnostics=(*setting.diagnostics, *found),
+        stamps=stamps,
+        hidden=hidden,
+        more=0 if hidden else more,
+    )
+    if scenario is None and (folder / SCENARIO_FILE).is_file():
+        scenario = folder / SCENARIO_FILE
+    if scenario is not None:
+        setting = with_scenario(setting, scenario, home)
+    return _with_variants(setting, path, scenario, home) if staff and scene is None else setting
+
+
+def _with_variants(
+    setting: Setting, path: Path, scenario: Path | None, home: Path | None
+) -> Setting:
+    """Add the task in every scene of `staff/scenes`; each counts as one hidden check."""
+    from vrts.check.manifest import hidden_scene
+
+    folder = path if path.is_dir() else path.parent
+    variants = [
+        load_task(path, str(place.resolve()), scenario, staff=True, home=home)
+        for place in sorted((folder / STAFF / "scenes").glob("*.toml"))
+    ]
+    told = tuple(replace(variant, stamps=hidden_scene(variant.scene)) for variant in variants)
+    return replace(
+        setting,
+        variants=told,
+        hidden=setting.hidden + len(told),
+        more=0 if told else setting.more,
+    )
+
+
+def _packed_files(folder: Path) -> dict[str, bytes]:
+    """Return the files that the manifest of an unpacked task names, as far as they are there."""
+    from vrts.check.manifest import listed
+
+    manifest = read_bytes(folder / MANIFEST_FILE)[: MAX_TOML + 1]
+    found = {MANIFEST_FILE: manifest}
+    for name in listed(manifest):
+        place = folder / name
+        if place.resolve().is_relative_to(folder.resolve()) and place.is_file():
+            found[name] = read_bytes(place)
+    return found
+
+
+def with_scenario(setting: Setting, path: Path, home: Path | None = None) -> Setting:
+    """Return a setting in which runs go as a scenario file says; `home` as for `load_task`.
+
+    Raises:
+        CannotRead: The file is not there.
+        Refused: It has errors.
+    """
+    from vrts.ir.system import PARAMETERS
+    from vrts.scene.scenario_file import read_scenario
+
+    numbers = PARAMETERS.keys() - {"NEST.POS"}  # which is six of them
+    scenario, found = read_scenario(read_toml_source(path, home), setting.scene, sorted(numbers))
+    accepted = _accepted(scenario, found)
+    task = setting.task
+    if task is not None:
+        both = hashlib.sha256(f"{task.digest} {accepted.digest}".encode()).hexdigest()
+        task = replace(task, digest=both)
+    return replace(
+        setting, task=task, diagnostics=(*setting.diagnostics, *found), scenario=accepted
+    )
+
+
+def setting_for(
+    program: Path | None,
+    *,
+    scene: str | None = None,
+    task: Path | None = None,
+    scenario: Path | None = None,
+) -> Setting | None:
+    """Return the setting that a program is verified in; None when nothing tells which.
+
+    The task is the one given, else `task.toml` beside the program, unless a scene is asked for.
+    The scenario is the one given, else the task's.
+    """
+    if task is not None:
+        return load_task(task, scene, scenario)
+    beside = program.parent if program is not None else None
+    if scene is not None:
+        setting = load_scene(scene, beside)
+        return setting if scenario is None else with_scenario(setting, scenario)
+    if beside is None:
+        return None
+    for folder in (beside, beside.parent if beside.name == "submissions" else beside):
+        if (folder / TASK_FILE).is_file():
+            return load_task(folder / TASK_FILE, scenario=scenario)
+    return None
+
+
+def _accepted(value: Value | None, found: tuple[Diagnostic, ...]) -> Value:
+    if value is None:
+        raise Refused(found)
+    return value
