@@ -69,6 +69,7 @@ def search(
     engine: Engine,
     *,
     clearance: bool = True,
+    band: float = BAND,
 ) -> Findings:
     """Return every contact and graze, and the smallest distance.
 
@@ -80,8 +81,12 @@ def search(
         interval: Start and end of the time to look at, in s.
         engine: What measures distances; its error widens every bound.
         clearance: Whether to look for the smallest distance.
+        band: A pair is settled when it stays this far from its tolerance, in m; below zero,
+            touches deeper than its tolerance by less than that may be missed.
     """
-    return _Search(arm, curves, solids, pairs, interval, engine, clearance=clearance).run()
+    return _Search(
+        arm, curves, solids, pairs, interval, engine, clearance=clearance, band=band
+    ).run()
 
 
 class _Search:
@@ -97,6 +102,7 @@ class _Search:
         engine: Engine,
         *,
         clearance: bool,
+        band: float,
     ) -> None:
         self.arm = arm
         self.curves = curves
@@ -104,6 +110,7 @@ class _Search:
         self.pairs = pairs
         self.engine = engine
         self.pad, self.slack, self.margin = pad_of(engine), slack_of(engine), margin_of(engine)
+        self.band = band
         self.found = Findings()
         self.counts = pairs.counts & clearance
         if not clearance:
@@ -117,7 +124,7 @@ class _Search:
         self.static = (solids.frame == 0) & ~solids.falls
         self.falls = bool(solids.falls.any())
         # below this a row is not decided: a touch, or for pads what may be too deep
-        self.floor = np.where(pairs.grazes, -GRAZE, BAND - pairs.tolerance)
+        self.floor = np.where(pairs.grazes, -GRAZE, band - pairs.tolerance)
         outer: list[int] = self.outer.tolist()
         inner: list[int] = self.inner.tolist()
         self.functions = [
@@ -315,7 +322,7 @@ class _Search:
         done = whole
         if self.spans:
             done |= (length <= COVERED) & self._covered(row, node)
-        harmless = least > BAND - tolerance  # cannot be a contact any more
+        harmless = least > self.band - tolerance  # cannot be a contact any more
         short = harmless & (length <= REPORTED) & (least >= self._sought(row))
         grazing = measured & harmless & (distance + reach < -GRAZE) & pairs.grazes[row]
         touching = (short | grazing) & measured & pairs.grazes[row] & (distance < -GRAZE) & ~done
