@@ -78,6 +78,12 @@ class Table:
             return self.value_span(key)
         return self._span(place.items[index].value)
 
+    def overlaid(self, upper: "Table") -> "Table":
+        """Return this table with the keys of another one of the same file in place of its own."""
+        place = Place(self._place.key, self._place.value)
+        place.fields = {**(self._place.fields or {}), **(upper._place.fields or {})}
+        return Table(self.problems, self.path, {**self._fields, **upper._fields}, place)
+
     # plain values
 
     @overload

@@ -9,7 +9,8 @@ from collections.abc import Mapping
 from dataclasses import fields, replace
 from typing import Any, NamedTuple, cast
 
-from vrts.base.diagnostic import Diagnostic, Label, Rule
+from vrts.base.appended import Appended
+from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.source import SourceFile, Span
 from vrts.base.toml import Table, read_toml
 from vrts.check.task import Task
@@ -50,10 +51,10 @@ def read_whole_task(public: SourceFile, staff: SourceFile, scene: Scene) -> Whol
     }
     if problems.any_error:
         return WholeTask(None, {}, problems.in_order())
-    home = _Home(SourceFile(public.name, f"{public.text}\n{staff.text}"), public, staff)
+    home = Appended(public, staff)
     task, told = read_task(home.joined, scene)
     moved = tuple(home.diagnostic(d) for d in told)
-    return WholeTask(None if task is None else home.task(task), hidden if task else {}, moved)
+    return WholeTask(None if task is None else _task(task, home), hidden if task else {}, moved)
 
 
 def _header(top: Table, key: str) -> str:
@@ -63,37 +64,17 @@ def _header(top: Table, key: str) -> str:
     return line if line.startswith("[") else ""
 
 
-class _Home(NamedTuple):
-    """Finds, for places in the joined text, the file that they are in."""
+def _task(task: Task, home: Appended) -> Task:
+    """Return a task with the places of whatever it asks for in the right file."""
+    changes: dict[str, Any] = {}
+    for field in fields(task):
+        value: Any = getattr(task, field.name)
+        if isinstance(value, tuple):
+            items = cast("tuple[Any, ...]", value)
+            changes[field.name] = tuple(_item(item, home) for item in items)
+    return replace(task, **changes)
 
-    joined: SourceFile
-    public: SourceFile
-    staff: SourceFile
 
-    def span(self, span: Span) -> Span:
-        if span.source is not self.joined:
-            return span
-        start = len(self.public.text) + 1  # of the hidden part
-        if span.start >= start:
-            return Span(self.staff, span.start - start, span.end - start)
-        return Span(self.public, span.start, min(span.end, start - 1))
-
-    def label(self, label: Label) -> Label:
-        return label._replace(span=self.span(label.span))
-
-    def diagnostic(self, d: Diagnostic) -> Diagnostic:
-        primary = None if d.primary is None else self.label(d.primary)
-        return replace(d, primary=primary, secondary=tuple(map(self.label, d.secondary)))
-
-    def task(self, task: Task) -> Task:
-        """Move the spans of whatever a task asks for."""
-        changes: dict[str, Any] = {}
-        for field in fields(task):
-            value: Any = getattr(task, field.name)
-            if isinstance(value, tuple):
-                changes[field.name] = tuple(map(self._item, cast("tuple[Any, ...]", value)))
-        return replace(task, **changes)
-
-    def _item(self, item: Any) -> Any:
-        span = getattr(item, "span", None)
-        return item._replace(span=self.span(span)) if isinstance(span, Span) else item
+def _item(item: Any, home: Appended) -> Any:
+    span = getattr(item, "span", None)
+    return item._replace(span=home.span(span)) if isinstance(span, Span) else item
