@@ -8,6 +8,7 @@ from vrts.engine.code.setting_steps import change_monitor_speed
 from vrts.engine.context import Context
 from vrts.engine.events import CommandRefused, SignalChanged
 from vrts.engine.faults import RuntimeFault
+from vrts.engine.motion.requests import to_joints, to_line
 from vrts.engine.process import abort, after_step, begin, end_later, go_on, note_progress
 from vrts.engine.records import Ending
 from vrts.engine.signals import known
@@ -222,9 +223,9 @@ def _repeat_motion(machine: "Machine", now: float) -> None:
     cut = planner.motions[-1]
     settings = planner.always
     if cut.interpolation is Interpolation.LINEAR:
-        intent = planner.to_line(planner.destination, settings, cut.speed_fraction, None)
+        intent = to_line(planner.stance, planner.destination, settings, cut.speed_fraction, None)
     else:
-        intent = planner.to_joints(planner.dest, settings, cut.speed_fraction, None)
+        intent = to_joints(planner.stance, planner.dest, settings, cut.speed_fraction, None)
     start = max(now + machine.tick, planner.motion_end)
     planner.begin(intent, start, planner.destination, cut.cause)
 

@@ -29,7 +29,7 @@ from vrts.engine.code.places import Numbering, Places, mismatch
 from vrts.engine.code.real_expressions import of_reals, real_binary, real_unary, static_type
 from vrts.engine.context import Context
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.motion.planner import half_turns
+from vrts.engine.motion.requests import half_turns
 from vrts.ir.expressions import (
     Apply,
     Argument,

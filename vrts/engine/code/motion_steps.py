@@ -29,7 +29,7 @@ from vrts.engine.context import Context
 from vrts.engine.events import Cause
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.motion.plan import Intent
-from vrts.engine.motion.planner import backed_off
+from vrts.engine.motion.requests import backed_off, needs_branch_of, to_joints, to_line, to_pose
 from vrts.engine.motion.settings import SPEED_MAX, Settings, Speed
 from vrts.engine.outcomes import BLOCKED
 from vrts.ir import instructions as ir
@@ -179,7 +179,7 @@ class MotionStepCompiler:
             else:
                 pose = goal if isinstance(goal, Pose) else c.planner.pose_of(joints)  # type: ignore[arg-type]
                 if joints is not None and interpolation is ir.Interpolation.LINEAR and back is None:
-                    c.planner.needs_branch_of(joints, span)  # type: ignore[arg-type]
+                    needs_branch_of(c.planner.stance, joints, span)  # type: ignore[arg-type]
                 if back is not None:
                     pose = backed_off(pose, back(c))
                 found = _to_pose(c, interpolation, pose, span)
@@ -356,14 +356,16 @@ def _intent(c: Context, target: Target) -> Intent:
         joint, change = target.drive
         start = planner.dest if c.system.is_on("DRY.RUN") else planner.configuration
         goal = (*start[:joint], start[joint] + change, *start[joint + 1 :])
-        intent = planner.to_joints(goal, target.settings, target.fraction, target.span)  # type: ignore[arg-type]
+        intent = to_joints(planner.stance, goal, target.settings, target.fraction, target.span)  # type: ignore[arg-type]
         return intent._replace(keeps_request=True)
     if target.joints is not None:
-        return planner.to_joints(target.joints, target.settings, target.fraction, target.span)
+        return to_joints(
+            planner.stance, target.joints, target.settings, target.fraction, target.span
+        )
     assert target.pose is not None
     if target.interpolation is ir.Interpolation.LINEAR:
-        return planner.to_line(target.pose, target.settings, target.fraction, target.span)
-    return planner.to_pose(target.pose, target.settings, target.fraction, target.span)
+        return to_line(planner.stance, target.pose, target.settings, target.fraction, target.span)
+    return to_pose(planner.stance, target.pose, target.settings, target.fraction, target.span)
 
 
 def _given_up(c: Context, cause: Cause) -> bool:

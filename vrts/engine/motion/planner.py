@@ -7,41 +7,31 @@ are kept in path time; `scale` maps it to run time.
 
 import math
 from bisect import bisect_right
-from dataclasses import replace
-from functools import lru_cache
 from typing import NamedTuple
 
-from vrts.base.pose import IDENTITY, Pose, translation
-from vrts.base.source import Span
-from vrts.base.units import MM
+from vrts.base.pose import IDENTITY, Pose
 from vrts.engine.events import Cause
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.motion.corner import Corner, Leg, fits, half_width, round_corner
-from vrts.engine.motion.faults import limit_fault, reach_fault
-from vrts.engine.motion.paths import line
-from vrts.engine.motion.plan import Intent, Planned, from_rest, joint_intent, line_intent
+from vrts.engine.motion.plan import Intent, Planned, from_rest
 from vrts.engine.motion.polynomials import rate as rate_of
 from vrts.engine.motion.polynomials import value
 from vrts.engine.motion.profile import TICK_TOLERANCE
 from vrts.engine.motion.remarks import Remark
+from vrts.engine.motion.requests import Stance, with_request
 from vrts.engine.motion.settings import Settings
 from vrts.engine.motion.time_scale import TimeScale
 from vrts.engine.outcomes import INSTANT
 from vrts.engine.records import ArmPiece, Motion
 from vrts.ir.instructions import BranchRequest
-from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.robots.branch import INITIAL_BRANCH, branch_of
-from vrts.robots.choice import NOTHING_REQUESTED, OutOfLimits, OutOfReach, choose
-from vrts.robots.kinematics import forward, limit_violations
+from vrts.robots.choice import NOTHING_REQUESTED
+from vrts.robots.kinematics import forward
 from vrts.robots.model import (
     Arm,
     ArmBranch,
     Configuration,
-    Elbow,
-    Shoulder,
-    Wrist,
 )
-from vrts.robots.singular import singular_at
 
 
 class Pending(NamedTuple):
@@ -112,19 +102,7 @@ class Planner:
 
     def ask(self, branch: BranchRequest) -> None:
         """Remember a requested branch until a joint-interpolated motion carries it out."""
-        match branch:
-            case BranchRequest.RIGHTY:
-                self.request = self.request._replace(shoulder=Shoulder.RIGHTY)
-            case BranchRequest.LEFTY:
-                self.request = self.request._replace(shoulder=Shoulder.LEFTY)
-            case BranchRequest.ABOVE:
-                self.request = self.request._replace(elbow=Elbow.ABOVE)
-            case BranchRequest.BELOW:
-                self.request = self.request._replace(elbow=Elbow.BELOW)
-            case BranchRequest.FLIP:
-                self.request = self.request._replace(wrist=Wrist.FLIP)
-            case BranchRequest.NOFLIP:
-                self.request = self.request._replace(wrist=Wrist.NOFLIP)
+        self.request = with_request(self.request, branch)
 
     def set_tool(self, X_FT: Pose) -> None:
         """Change the tool; the destination becomes where the new tool is."""
@@ -146,6 +124,12 @@ class Planner:
     def origin(self) -> tuple[Configuration, ArmBranch]:
         """Where the next motion starts, and on which arm branch; in a dry run where it would."""
         return self.ghost if self.ghost is not None else (self.configuration, self.branch)
+
+    @property
+    def stance(self) -> Stance:
+        """From where the next motion is asked for."""
+        q, branch = self.origin
+        return Stance(self.arm, q, branch, self.request, self.base, self.tool)
 
     def end_dry_run(self) -> None:
         """Go on from where the arm really is."""
@@ -181,66 +165,6 @@ class Planner:
             piece = pieces[bisect_right(pieces, path_s, key=_start) - 1]
         t = min(path_s, piece.end_s) - piece.start_s
         return tuple(value(row, t) for row in piece.rows)  # type: ignore[return-value]
-
-    # --- what is asked for --------------------------------------------------------------------
-
-    def to_joints(
-        self, goal: Configuration, settings: Settings, fraction: float, span: Span | None
-    ) -> Intent:
-        """Return a joint-interpolated motion to a configuration.
-
-        Raises:
-            RuntimeFault: A joint is outside its limits.
-        """
-        violations = limit_violations(self.arm, goal)
-        if violations:
-            raise limit_fault(violations[0], span, "the location")
-        start, branch = self.origin
-        branches = (branch, branch_of(self.arm, goal, branch))
-        return joint_intent(self.arm, start, goal, branches, settings, fraction)
-
-    def to_pose(
-        self, target: Pose, settings: Settings, fraction: float, span: Span | None
-    ) -> Intent:
-        """Return a joint-interpolated motion of the tool to a location of the program.
-
-        Raises:
-            RuntimeFault: It is out of reach, or outside the joint limits on the arm branch.
-        """
-        arm = self.arm if settings.multiple else half_turns(self.arm)
-        start, branch = self.origin
-        X_BF = self.base.inverse() @ target @ self.tool.inverse()
-        found = choose(arm, X_BF, branch, start, self.request)
-        if isinstance(found, OutOfReach):
-            raise reach_fault(found.kind, found.excess_m, span, "the location")
-        if isinstance(found, OutOfLimits):
-            raise limit_fault(found.violations[0], span, "the location", found.elsewhere)
-        branches = (branch, found.branch)
-        return joint_intent(self.arm, start, found.configuration, branches, settings, fraction)
-
-    def to_line(
-        self, target: Pose, settings: Settings, fraction: float, span: Span | None
-    ) -> Intent:
-        """Return a straight line of the tool to a location of the program.
-
-        Raises:
-            RuntimeFault: It cannot be started.
-        """
-        self._refuse_line(span)
-        start = forward(self.arm, self.origin[0]) @ self.tool
-        path = line(start, self.base.inverse() @ target)
-        return line_intent(self.arm, path, self.origin, settings, fraction, span)
-
-    def needs_branch_of(self, joints: Configuration, span: Span | None) -> None:
-        """Check that a straight line can end in a configuration.
-
-        Raises:
-            RuntimeFault: It lies on another arm branch.
-        """
-        present = self.origin[1]
-        wanted = branch_of(self.arm, joints, present)
-        if wanted[:2] != present[:2]:
-            raise self._cannot_change([word.value.upper() for word in wanted[:2]], span)
 
     # --- the timeline -------------------------------------------------------------------------
 
@@ -446,51 +370,6 @@ class Planner:
         piece = self.pieces[k]
         t = path_s - piece.start_s
         return tuple(rate_of(row, t) for row in piece.rows)  # type: ignore[return-value]
-
-    def _cannot_change(self, branch: list[str], span: Span | None) -> RuntimeFault:
-        return RuntimeFault(
-            RuntimeErrorKind.CANNOT_ALTER_CONFIGURATION,
-            f"a straight line cannot change the arm branch to {' '.join(branch)}",
-            span,
-            help=("use MOVE or APPRO for the motion that changes the branch",),
-        )
-
-    def _refuse_line(self, span: Span | None) -> None:
-        start, present = self.origin
-        wanted = self.request
-        changes = [
-            word.value.upper()
-            for word, now in ((wanted.shoulder, present.shoulder), (wanted.elbow, present.elbow))
-            if word is not None and word is not now
-        ]
-        if wanted.wrist is not None and wanted.wrist is not present.wrist:
-            changes.append(wanted.wrist.value.upper())
-        if changes:
-            raise self._cannot_change(changes, span)
-        where = singular_at(self.arm, start)
-        if where in ("shoulder", "elbow"):
-            stretched = "straight up" if where == "shoulder" else "out"
-            raise RuntimeFault(
-                RuntimeErrorKind.ILLEGAL_MOTION_FROM_HERE,
-                f"no straight line can start from here: the arm is stretched {stretched}",
-                span,
-                notes=(f"the {where} is singular here, as it is at READY",),
-                help=("begin with MOVE",),
-            )
-
-
-def backed_off(target: Pose, distance_mm: float) -> Pose:
-    """Return the location a distance back along the tool's z axis."""
-    return target @ translation(0.0, 0.0, -distance_mm * MM)
-
-
-@lru_cache(maxsize=8)
-def half_turns(arm: Arm) -> Arm:
-    """Return an arm whose joints 4 and 6 stay within half a turn, as SINGLE asks."""
-    lower, upper = list(arm.lower), list(arm.upper)
-    for k in (3, 5):
-        lower[k], upper[k] = max(lower[k], -math.pi), min(upper[k], math.pi)
-    return replace(arm, lower=tuple(lower), upper=tuple(upper))
 
 
 def _start(piece: ArmPiece) -> float:
