@@ -16,6 +16,7 @@ from vrts.base.units import DEG, MM
 from vrts.engine.events import SignalChanged
 from vrts.engine.records import Lie
 from vrts.engine.run import Run
+from vrts.report.csv_field import text_field
 from vrts.robots.batch import flange_frames
 
 Array = npt.NDArray[np.float64]
@@ -73,9 +74,9 @@ def _rows(run: Run, times: Array, changes: dict[int, tuple[list[float], list[boo
     rows: list[str] = []
     for time_s, row in zip(times.tolist(), numbers.tolist(), strict=True):
         cause = run.at(time_s).cause
-        place = f"{_quoted(cause.program)},{cause.step}" if cause is not None else ","
+        place = f"{text_field(cause.program)},{cause.step}" if cause is not None else ","
         signals = "".join(f",{int(_is_on(change, time_s))}" for change in changes.values())
-        rows.append(f"{form % tuple(row)},{_quoted(_holds(held, time_s))},{place}{signals}{END}")
+        rows.append(f"{form % tuple(row)},{text_field(_holds(held, time_s))},{place}{signals}{END}")
     return "".join(rows)
 
 
@@ -142,10 +143,3 @@ def _held(run: Run) -> list[tuple[float, float, str]]:
 def _holds(held: list[tuple[float, float, str]], time_s: float) -> str:
     found = bisect_right(held, time_s, key=lambda interval: interval[0])
     return held[found - 1][2] if found and time_s < held[found - 1][1] else ""
-
-
-def _quoted(text: str) -> str:
-    """Return a text as a field [RFC 4180]."""
-    if any(character in text for character in '",\r\n'):
-        return '"' + text.replace('"', '""') + '"'
-    return text
