@@ -29,7 +29,7 @@ class Patch(NamedTuple):
 PATCHES: tuple[Patch, ...] = (
     Patch(
         "APPRO goes beyond the target",
-        "vrts/engine/motion/planner.py",
+        "vrts/engine/motion/requests.py",
         "return target @ translation(0.0, 0.0, -distance_mm * MM)",
         "return target @ translation(0.0, 0.0, distance_mm * MM)",
         (EXAMPLE,),
