@@ -3,8 +3,8 @@
 *Pads and grasped object*: from the close command until first separated after opening. *Object and
 support*: tested against the support lowered by 1 mm, which is no matter of time; but both kinds of
 pairs are near each other on purpose when grasping, lifting and setting down. They enter minimum
-clearance only once they have been farther apart than `NEAR_MISS` and come nearer again, and an
-object that is set down leaves it with the final approach.
+clearance and near misses only once they have been farther apart than the near-miss threshold and
+come nearer again, and an object that is set down leaves them with the final approach.
 """
 
 from collections.abc import Callable, Sequence
@@ -18,7 +18,7 @@ from vrts.ir.instructions import HandAction
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
-NEAR_MISS = 5e-3  # [m] nearer than this is a near miss [assumed]
+NEAR_MISS = 5e-3  # [m] nearer than this is a near miss, unless the task says otherwise [assumed]
 SEPARATED = 2e-4  # [m] pads farther than this from the object have let go of it [assumed]
 FINE = 14e-3  # [s] between instants at which separation is looked for: half a tick [assumed]
 COARSE = 56e-3  # [s] between instants at which the way apart and back is followed [assumed]
@@ -63,7 +63,11 @@ def grips(events: Sequence[Event]) -> tuple[Grip, ...]:
 
 
 def finger_windows(
-    held: Sequence[Grip], gap: Callable[[Array], Array], start_s: float, end_s: float
+    held: Sequence[Grip],
+    gap: Callable[[Array], Array],
+    start_s: float,
+    end_s: float,
+    near_miss: float = NEAR_MISS,
 ) -> tuple[Window, ...]:
     """Return the rules between one finger and one object over a run.
 
@@ -72,6 +76,7 @@ def finger_windows(
         gap: Returns distances [m] of the finger from the object at times after an opening.
         start_s: Start of the run.
         end_s: End of the run.
+        near_miss: Nearer than this is a near miss [m].
     """
     windows: list[Window] = []
     at = start_s
@@ -81,7 +86,7 @@ def finger_windows(
         windows.append(Window(at, close_s, allowed=False, counts=True))
         apart, away = until, until
         if grip.open_s < until:
-            apart, away = _parting(gap, grip.open_s, until, SEPARATED)
+            apart, away = _parting(gap, grip.open_s, until, SEPARATED, near_miss)
         windows.append(Window(close_s, apart, allowed=True, counts=False))
         windows.append(Window(apart, away, allowed=False, counts=False))
         at = away
@@ -89,26 +94,30 @@ def finger_windows(
     return tuple(window for window in windows if window.end_s > window.start_s)
 
 
-def counted_from(gap: Callable[[Array], Array], start_s: float, end_s: float) -> float:
+def counted_from(
+    gap: Callable[[Array], Array], start_s: float, end_s: float, near_miss: float = NEAR_MISS
+) -> float:
     """Return when a pair that starts together comes nearer after it was apart; `end_s` if never."""
-    return _parting(gap, start_s, end_s, NEAR_MISS)[1]
+    return _parting(gap, start_s, end_s, near_miss, near_miss)[1]
 
 
-def counted_until(gap: Callable[[Array], Array], start_s: float, end_s: float) -> float:
+def counted_until(
+    gap: Callable[[Array], Array], start_s: float, end_s: float, near_miss: float = NEAR_MISS
+) -> float:
     """Return when a pair that ends together begins its final approach; `start_s` if at once."""
 
     def backward(times: Array) -> Array:
         return gap(start_s + end_s - times)
 
-    return start_s + end_s - _parting(backward, start_s, end_s, NEAR_MISS)[1]
+    return start_s + end_s - _parting(backward, start_s, end_s, near_miss, near_miss)[1]
 
 
 def _parting(
-    gap: Callable[[Array], Array], start_s: float, end_s: float, apart: float
+    gap: Callable[[Array], Array], start_s: float, end_s: float, apart: float, near_miss: float
 ) -> tuple[float, float]:
     """Return when a gap first exceeds `apart`, and when it is no longer that of parting.
 
-    Parting is over when, beyond `NEAR_MISS`, the gap first shrinks, or when it exceeds `AWAY`.
+    Parting is over when, beyond `near_miss`, the gap first shrinks, or when it exceeds `AWAY`.
     """
     separated: float | None = None
     before = -np.inf
@@ -119,7 +128,7 @@ def _parting(
         for t, distance in zip(times.tolist(), gap(times).tolist(), strict=True):
             if separated is None and distance > apart:
                 separated = t
-            shrinks = before > NEAR_MISS and distance < before - 1e-6
+            shrinks = before > near_miss and distance < before - 1e-6
             if shrinks or distance > AWAY:
                 return (t if separated is None else separated), t
             before = distance

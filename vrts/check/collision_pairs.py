@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from vrts.base.pose import Pose, Vector, rotate, translation
 from vrts.check.collision_grips import (
+    NEAR_MISS,
     counted_from,
     counted_until,
     finger_windows,
@@ -99,10 +100,17 @@ class Stay(NamedTuple):
         return self.lie in (Lie.RESTING, Lie.TOPPLED)
 
 
-def plan(scene: Scene, run: RunRecord, curves: Curves, by: Engine | None = None) -> Plan:
+def plan(
+    scene: Scene,
+    run: RunRecord,
+    curves: Curves,
+    by: Engine | None = None,
+    near_miss: float = NEAR_MISS,
+) -> Plan:
     """Return every pair of pieces that can touch while the run lasts, with its rules.
 
-    `by` measures the distances that rules depend on; None: the most exact engine there is.
+    `by` measures the distances that rules depend on; None: the most exact engine there is. Nearer
+    than `near_miss` [m] is a near miss.
     """
     placements = {body.name: _placements(body, run) for body in scene.bodies}
     ends = [p.end_s for own in placements.values() for p in own if np.isfinite(p.end_s)]
@@ -124,8 +132,8 @@ def plan(scene: Scene, run: RunRecord, curves: Curves, by: Engine | None = None)
     prober = Prober(scene.robot.arm, curves, arrays, engine() if by is None else by)
     table = _Table()
     _self_pairs(table, scene.robot, arm, interval)
-    _arm_pairs(table, arm, stays, run, prober)
-    _body_pairs(table, stays, prober)
+    _arm_pairs(table, arm, stays, run, prober, near_miss)
+    _body_pairs(table, stays, prober, near_miss)
     return Plan(arrays, table.pairs(rigid=False), table.pairs(rigid=True), tuple(table.groups))
 
 
@@ -278,7 +286,12 @@ def _self_pairs(table: _Table, robot: Robot, arm: _Arm, interval: tuple[float, f
 
 
 def _arm_pairs(
-    table: _Table, arm: _Arm, stays: Sequence[Stay], run: RunRecord, prober: Prober
+    table: _Table,
+    arm: _Arm,
+    stays: Sequence[Stay],
+    run: RunRecord,
+    prober: Prober,
+    near_miss: float,
 ) -> None:
     """The arm against every body, wherever the body is."""
     moving = [i for _, joint, members in arm.links if 0 < joint < HAND for i in members]
@@ -300,14 +313,15 @@ def _arm_pairs(
         on_this = [grip for grip in held if grip.body == body]
         for finger in arm.fingers:
             gap = _gap(prober, finger, own)
-            for window in finger_windows(on_this, gap, own[0].start_s, own[-1].end_s):
+            span = own[0].start_s, own[-1].end_s
+            for window in finger_windows(on_this, gap, *span, near_miss):
                 rule = PADS if window.allowed else STRICT if window.counts else NEAR
                 for stay in own:
                     interval = _common((window.start_s, window.end_s), (stay.start_s, stay.end_s))
                     table.add(group, finger, stay.members, interval, rule)
 
 
-def _body_pairs(table: _Table, stays: Sequence[Stay], prober: Prober) -> None:
+def _body_pairs(table: _Table, stays: Sequence[Stay], prober: Prober, near_miss: float) -> None:
     """Held and falling bodies against all others."""
     for stay in stays:
         if stay.still:
@@ -317,7 +331,7 @@ def _body_pairs(table: _Table, stays: Sequence[Stay], prober: Prober) -> None:
             if other.body == stay.body or interval[1] <= interval[0]:
                 continue
             if other.still:
-                _moving_against_still(table, stay, other, interval, prober)
+                _moving_against_still(table, stay, other, interval, prober, near_miss)
             elif stay.lie is Lie.FALLING and other.lie is Lie.HELD:
                 # from the hand, or met by what the hand carries
                 rule = NEAR if stay.before == other.body else STRICT
@@ -325,7 +339,12 @@ def _body_pairs(table: _Table, stays: Sequence[Stay], prober: Prober) -> None:
 
 
 def _moving_against_still(
-    table: _Table, stay: Stay, other: Stay, interval: tuple[float, float], prober: Prober
+    table: _Table,
+    stay: Stay,
+    other: Stay,
+    interval: tuple[float, float],
+    prober: Prober,
+    near_miss: float,
 ) -> None:
     group = (ROBOT if stay.lie is Lie.HELD else stay.body, other.body)
     if other.body not in (stay.before, stay.after):
@@ -339,9 +358,9 @@ def _moving_against_still(
             return prober.gap(stay.members, other.members, times)
 
         if other.body == stay.before:
-            counts_s = counted_from(gap, start_s, end_s)
+            counts_s = counted_from(gap, start_s, end_s, near_miss)
         if other.body == stay.after:
-            ceases_s = counted_until(gap, start_s, end_s)
+            ceases_s = counted_until(gap, start_s, end_s, near_miss)
     else:
         counts_s = end_s
     counts_s = min(counts_s, end_s)
