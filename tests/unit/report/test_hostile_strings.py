@@ -17,7 +17,6 @@ from tests.support_reports import SYNTAX
 from tests.support_runs import assessment
 from vrts.base.diagnostic import Label, error
 from vrts.base.source import SourceFile, Span
-from vrts.report import recording
 from vrts.report.assessment import Assessment
 from vrts.report.csv_field import text_field
 from vrts.report.first_screen_text import first_screen_text
@@ -27,6 +26,7 @@ from vrts.report.json_text import json_text
 from vrts.report.overview import overview
 from vrts.report.page import page
 from vrts.report.palette import Palette
+from vrts.report.recording.names import of_body
 from vrts.report.sarif import sarif
 from vrts.report.text import assessment_text
 
@@ -141,8 +141,7 @@ def test_every_name_is_one_entity_of_a_recording(tmp_path: Path) -> None:
     with stream:
         stream.save(path)
         for name in names:
-            part = recording._path(name)  # pyright: ignore[reportPrivateUsage]
-            rr.log(f"world/{part}", rr.TextDocument("x"), static=True)
+            rr.log(of_body(name), rr.TextDocument("x"), static=True)
     stream.flush()
     stream.disconnect()
     shown = subprocess.run(

@@ -10,7 +10,9 @@ import numpy as np
 from vrts.base.pose import rotation_about
 from vrts.pipeline.assess import assess
 from vrts.pipeline.settings import setting_for
-from vrts.report import recording
+from vrts.report.recording import write_recording
+from vrts.report.recording.lanes import states
+from vrts.report.recording.motion import quaternions
 
 ROOT = Path(__file__).parent.parent.parent.parent
 SOLUTION = ROOT / "examples" / "01-cans-on-bases" / "solution.v2"
@@ -21,7 +23,7 @@ def test_quaternions_turn_like_their_matrices() -> None:
     turns = [rotation_about((0.6, 0.0, 0.8), math.pi * k / 7) for k in range(-7, 8)]
     turns += [rotation_about(axis, math.pi) for axis in ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0))]
     matrices = np.array(turns).reshape(-1, 3, 3)
-    x, y, z, w = recording._quaternions(matrices).astype(float).T  # pyright: ignore[reportPrivateUsage]
+    x, y, z, w = quaternions(matrices).astype(float).T
     again = np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
@@ -38,7 +40,7 @@ HITS = SOLUTION.parent / "submissions" / "hits-base.v2"
 def test_a_contact_is_marked_and_lines_gripper_and_path_are_there(tmp_path: Path) -> None:
     path = tmp_path / "run.rrd"
     setting = setting_for(HITS, scene=None, task=SOLUTION.parent)
-    recording.write_recording(assess(HITS, setting=setting), path)
+    write_recording(assess(HITS, setting=setting), path)
     shown = subprocess.run(
         [RERUN, "rrd", "print", "-vvv", path], capture_output=True, text=True, check=True
     ).stdout
@@ -51,17 +53,24 @@ def test_a_contact_is_marked_and_lines_gripper_and_path_are_there(tmp_path: Path
 
 
 def test_states_follow_one_another_without_overlap() -> None:
-    states = recording._states([(2.0, 3.0, "b"), (1.0, 2.0, "a")], "empty", 3.0)  # pyright: ignore[reportPrivateUsage]
-    assert states == [(0.0, "empty"), (1.0, "a"), (2.0, "b")]
+    changes = states([(2.0, 3.0, "b"), (1.0, 2.0, "a")], "empty", 3.0)
+    assert changes == [(0.0, "empty"), (1.0, "a"), (2.0, "b")]
 
 
 def test_a_recording_has_scene_robot_plots_and_log(tmp_path: Path) -> None:
     path = tmp_path / "run.rrd"
-    recording.write_recording(assess(SOLUTION), path)
+    write_recording(assess(SOLUTION), path)
     shown = subprocess.run(
         [RERUN, "rrd", "print", "-v", path], capture_output=True, text=True, check=True
     ).stdout
-    for entity in ("/world/robot/forearm", "/world/can1", "/joints", "/hand", "/log", "/summary"):
+    for entity in (
+        "/world/robot/forearm",
+        "/world/bodies/can1",
+        "/joints",
+        "/hand",
+        "/log",
+        "/summary",
+    ):
         assert entity in shown
     assert "Mesh3D" in shown
     checked = subprocess.run(

@@ -1,0 +1,124 @@
+"""Where links, hand and bodies are: poses only while they move, and the way of the tool."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import numpy.typing as npt
+import rerun as rr
+
+from vrts.engine.records import GRAVITY, Lie, Placement
+from vrts.report.assessment import Assessment
+from vrts.report.recording.names import Array, at_times, of_body, of_robot
+from vrts.robots.batch import flange_of, link_frames
+
+PATH_COLOR = (24, 100, 171)
+PATH_RADIUS_M = 0.0015
+STILL = 1e-9  # [rad, m] less is no movement
+
+
+def send_motion(a: Assessment, times: Array, states: Array) -> None:
+    """Send poses.
+
+    Args:
+        a: With run and scene.
+        times: Shape (n,) [s].
+        states: Joints [rad] and hand opening [m] at the times, shape (n, 7).
+    """
+    assert a.run is not None
+    assert a.scene is not None
+    robot = a.scene.robot
+    rotations, origins = link_frames(robot.arm, states[:, :6])
+    changes = np.abs(np.diff(states, axis=0)) > STILL
+    first = np.ones(1, bool)
+    for link in robot.arm.links:
+        k = link.joint
+        if link.pieces:
+            moving = np.concatenate([first, changes[:, :k].any(axis=1)])
+            _send(of_robot(link.name), times, rotations[k], origins[k], moving)
+    flange_r, flange_p = flange_of(robot.arm, rotations[6], origins[6])
+    carried = np.concatenate([first, changes[:, :6].any(axis=1)])
+    _send(of_robot("hand"), times, flange_r, flange_p, carried)
+    moving = np.concatenate([first, changes.any(axis=1)])
+    for finger in robot.gripper.fingers:
+        shift = 0.5 * finger.side * states[:, 6:7] * flange_r[:, :, 1]
+        _send(of_robot(finger.name), times, flange_r, flange_p + shift, moving)
+    _tool_path(a, times, flange_r, flange_p, carried)
+    for name, track in a.run.placements.items():
+        turn, at = followed(track, times, flange_r, flange_p)
+        moving = (turn[1:] != turn[:-1]).any(axis=(1, 2)) | (at[1:] != at[:-1]).any(axis=1)
+        _send(of_body(name), times, turn, at, np.concatenate([first, moving]))
+
+
+def followed(
+    track: Sequence[Placement], times: Array, flange_r: Array, flange_p: Array
+) -> tuple[Array, Array]:
+    """Return where a body is: rotations, shape (n, 3, 3), and origins, shape (n, 3) [m]."""
+    turn, at = np.empty((len(times), 3, 3)), np.empty((len(times), 3))
+    begins = [int(np.searchsorted(times, placement.start_s)) for placement in track]
+    for placement, begin, end in zip(track, begins, [*begins[1:], len(times)], strict=True):
+        now = slice(begin, end)
+        R, p = np.array(placement.X.rotation).reshape(3, 3), np.array(placement.X.translation)
+        if placement.lie is Lie.HELD:
+            turn[now] = flange_r[now] @ R
+            at[now] = flange_p[now] + flange_r[now] @ p
+            continue
+        turn[now], at[now] = R, p
+        if placement.lie is Lie.FALLING:
+            at[now, 2] -= 0.5 * GRAVITY * (times[now] - placement.start_s) ** 2
+    return turn, at
+
+
+def quaternions(rotations: Array) -> npt.NDArray[np.float32]:
+    """Return unit quaternions x, y, z, w, shape (n, 4), from the largest part of each."""
+    r = rotations
+    trace = np.einsum("nii->n", r)
+    parts = np.stack([r[:, 0, 0], r[:, 1, 1], r[:, 2, 2], trace], axis=1)
+    chosen = np.argmax(parts, axis=1)
+    q = np.empty((len(r), 4))
+    for k in range(3):
+        rows, i, j = chosen == k, (k + 1) % 3, (k + 2) % 3
+        m = r[rows]
+        q[rows, k] = 1.0 + m[:, k, k] - m[:, i, i] - m[:, j, j]
+        q[rows, i] = m[:, i, k] + m[:, k, i]
+        q[rows, j] = m[:, j, k] + m[:, k, j]
+        q[rows, 3] = m[:, j, i] - m[:, i, j]
+    rows, m = chosen == 3, r[chosen == 3]
+    q[rows, 3] = 1.0 + trace[rows]
+    for k in range(3):
+        i, j = (k + 1) % 3, (k + 2) % 3
+        q[rows, k] = m[:, j, i] - m[:, i, j]
+    return (q / np.linalg.norm(q, axis=1, keepdims=True)).astype(np.float32)
+
+
+def _send(
+    path: str, times: Array, rotations: Array, origins: Array, moving: npt.NDArray[np.bool_]
+) -> None:
+    rr.send_columns(
+        path,
+        at_times(times[moving]),
+        rr.Transform3D.columns(
+            translation=origins[moving].astype(np.float32),
+            quaternion=quaternions(rotations[moving]),
+        ),
+    )
+
+
+def _tool_path(
+    a: Assessment,
+    times: Array,
+    flange_r: Array,
+    flange_p: Array,
+    carried: npt.NDArray[np.bool_],
+) -> None:
+    """Draw the way of the tool's tip, with the tool in force at every instant."""
+    assert a.run is not None
+    tools = [a.run.scene.X_FT, *(m.X_FT for m in a.run.motions)]
+    starts = np.array([m.start_s for m in a.run.motions])
+    tip = np.array([tool.translation for tool in tools])
+    at = tip[np.searchsorted(starts, times, side="right")]
+    points = flange_p + np.einsum("nij,nj->ni", flange_r, at)
+    keep = carried | np.concatenate([[True], (at[1:] != at[:-1]).any(axis=1)])
+    strip = rr.LineStrips3D(
+        [points[keep].astype(np.float32)], colors=[PATH_COLOR], radii=[PATH_RADIUS_M]
+    )
+    rr.log("world/tool_path", strip, static=True)
