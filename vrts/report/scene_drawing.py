@@ -170,10 +170,10 @@ def _robot(scene: Scene, view: View, *, above: bool) -> str:
 
 
 def _body(view: View, body: Body) -> str:
-    fill = hex_code(body.color)
     return "".join(
-        f'<polygon class="body" fill="{fill}" points="{view.polygon((piece,), body.X_WO)}"/>'
-        for piece in body.pieces
+        f'<polygon class="body" fill="{hex_code(color)}" '
+        f'points="{view.polygon((piece,), body.X_WO)}"/>'
+        for piece, color in body.painted
     )
 
 

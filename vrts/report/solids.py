@@ -12,7 +12,7 @@ import numpy.typing as npt
 from vrts.geometry.mesh import tessellate
 from vrts.geometry.shapes import Piece
 from vrts.robots.model import Robot
-from vrts.scene.model import Scene
+from vrts.scene.model import Body, Scene
 
 Array: TypeAlias = npt.NDArray[np.float64]
 Indices: TypeAlias = npt.NDArray[np.int32]
@@ -64,10 +64,18 @@ def surface(pieces: tuple[Piece, ...]) -> Surface:
 
 
 def body_solids(scene: Scene) -> tuple[Solid, ...]:
-    """Return the bodies of a scene, in its order."""
+    """Return the bodies of a scene, in its order: one solid for every colour of a body."""
     return tuple(
-        Solid(body.name, body.name, surface(body.pieces), body.color) for body in scene.bodies
+        Solid(body.name, body.name, surface(pieces), color)
+        for body in scene.bodies
+        for color, pieces in by_color(body)
     )
+
+
+def by_color(body: Body) -> list[tuple[Color, tuple[Piece, ...]]]:
+    """Return every colour of a body with its pieces, in the order of the body."""
+    colors = dict.fromkeys(color for _, color in body.painted)
+    return [(c, tuple(piece for piece, own in body.painted if own == c)) for c in colors]
 
 
 def link_solids(robot: Robot) -> tuple[Solid, ...]:

@@ -98,7 +98,9 @@ def place(
     """Return the triangles of robot and bodies in W; the floor, which is ground, is left out."""
     solids: list[Solid] = []
     where: list[tuple[Array, Array]] = []
-    for body, solid in zip(scene.bodies, body_solids(scene), strict=True):
+    bodies = {body.name: body for body in scene.bodies}
+    for solid in body_solids(scene):
+        body = bodies[solid.group]
         if body.kind != "floor":
             X_WO = poses.get(body.name, body.X_WO)
             solids.append(solid)

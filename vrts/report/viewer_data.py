@@ -81,13 +81,22 @@ def _body(body: Body) -> Json:
         "kind": body.kind,
         "movable": body.mobility is Mobility.MOVABLE,
         "color": _rounded(body.color, 4),
-        "pieces": _pieces(body.pieces),
+        "pieces": _painted(body),
         "X": pose_numbers(body.X_WO),
     }
 
 
 def _pieces(pieces: Sequence[Piece]) -> list[Json]:
     return [{**_shape(piece), "X": pose_numbers(piece.X_OP)} for piece in pieces]
+
+
+def _painted(body: Body) -> list[Json]:
+    """Return the pieces of a body; those of another colour than the body's have it with them."""
+    found = _pieces(body.pieces)
+    for piece, (_, color) in zip(found, body.painted, strict=True):
+        if color != body.color:
+            piece["color"] = _rounded(color, 4)
+    return found
 
 
 def _shape(piece: Piece) -> Json:

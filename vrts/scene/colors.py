@@ -32,6 +32,18 @@ def color(text: str) -> Color | None:
     return (_linear(red), _linear(green), _linear(blue))
 
 
+def known_color(code: str) -> Color:
+    """Return the colour of a #rrggbb or a name that is known to be right.
+
+    Raises:
+        ValueError: It is not.
+    """
+    found = color(code)
+    if found is None:
+        raise ValueError(code)
+    return found
+
+
 def hex_code(linear: Color) -> str:
     """Return the #rrggbb of a colour."""
     return "#" + "".join(f"{round(255 * _encoded(part)):02x}" for part in linear)

@@ -6,9 +6,13 @@ from vrts.base.diagnostic import Rule
 from vrts.base.toml import Table
 from vrts.base.units import DEG, MM
 from vrts.robots.model import Robot
+from vrts.scene.colors import Color
+from vrts.scene.oven import BELOW, Oven, oven
+from vrts.scene.pizza import ARM, pizza
 from vrts.scene.things import Form, dish, stand, table, upright_box, upright_cylinder
 
 PLATE_TOO_LOW = Rule("V485", "stand-too-low")
+MOUTH_TOO_LOW = Rule("V486", "oven-mouth-too-low")
 
 COLORS = {  # usual colours of the kinds
     "can": "red",
@@ -17,22 +21,31 @@ COLORS = {  # usual colours of the kinds
     "table": "wood",
     "dish": "white",
     "stand": "wood",
+    "oven": "steel",
+    "pizza": "#f0cf73",
 }
-CARRIED = ("can", "dish")  # unless the file says otherwise
+CARRIED = ("can", "dish", "pizza")  # unless the file says otherwise
 MAY_BE_FIXED = (*CARRIED, "box")
 FARTHEST = 10_000.0  # [mm] any position or size
 STEEPEST = 25.0  # [degrees] of a stand: steeper, nothing would stay on it
 WALL = 5.0  # [mm] of a dish
 PLATE = 16.0  # [mm] of a stand
+STONE = 80.0  # [mm] height of the baking stone in an oven
+LEAST_MOUTH = 50.0  # [mm] height of an oven's mouth: less, and no hand gets in
+NARROWEST = 150.0  # [mm] depth and width of an oven
+SMALLEST = 60.0  # [mm] radius of a pizza
+HANDLE = 100.0  # [mm]
+SHORTEST = ARM / MM + 30.0  # [mm] handle that leaves room for the fingers
 
 
-def read_form(kind: str, section: Table, chosen: Robot) -> Form | None:
+def read_form(kind: str, section: Table, chosen: Robot, paint: Color) -> Form | None:
     """Return the shape of an object, or None after saying what is wrong.
 
     Args:
         kind: One of `COLORS`.
         section: The object's.
         chosen: The robot, whose shoulder's height tells where the floor is.
+        paint: The object's colour.
     """
     match kind:
         case "can":
@@ -46,6 +59,10 @@ def read_form(kind: str, section: Table, chosen: Robot) -> Form | None:
             return _dish(section)
         case "stand":
             return _stand(section)
+        case "oven":
+            return _oven(section, paint)
+        case "pizza":
+            return _pizza(section, paint)
         case _:
             return _table(section, chosen)
 
@@ -102,3 +119,31 @@ def _stand(section: Table) -> Form | None:
         )
         return None
     return stand(x * MM, y * MM, height * MM, PLATE * MM, slope * DEG)
+
+
+def _oven(section: Table, paint: Color) -> Form | None:
+    size = section.numbers("size_mm", count=3, minimum=NARROWEST, maximum=FARTHEST, required=True)
+    lowest = math.ceil(BELOW / MM)
+    stone = section.number("stone_mm", STONE, minimum=lowest, maximum=FARTHEST)
+    if size is None:
+        return None
+    depth, width, height = size
+    measures = Oven(depth * MM, width * MM, height * MM, stone * MM)
+    mouth = measures.mouth / MM
+    if mouth < LEAST_MOUTH:
+        section.problems.error(
+            MOUTH_TOO_LOW,
+            "the mouth of the oven is too low",
+            section.value_span("size_mm"),
+            f"{max(0.0, mouth):.0f} mm is left above the stone, {LEAST_MOUTH:.0f} mm is needed",
+            help=("make the oven higher, or its stone lower (`stone_mm`)",),
+            data={"mouth_mm": mouth},
+        )
+        return None
+    return oven(measures, paint)
+
+
+def _pizza(section: Table, paint: Color) -> Form | None:
+    radius = section.number("radius_mm", required=True, minimum=SMALLEST, maximum=FARTHEST)
+    handle = section.number("handle_mm", HANDLE, minimum=SHORTEST, maximum=FARTHEST)
+    return None if radius is None else pizza(radius * MM, handle * MM, paint)

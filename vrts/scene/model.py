@@ -13,6 +13,7 @@ from vrts.base.pose import Pose, Vector
 from vrts.base.source import Span
 from vrts.geometry.shapes import Piece
 from vrts.robots.model import Configuration, Robot
+from vrts.scene.colors import Color
 
 
 class Mobility(Enum):
@@ -32,11 +33,18 @@ class Body:
     mobility: Mobility
     pieces: tuple[Piece, ...]  # in the body's frame O
     X_WO: Pose  # at the start of a run
-    color: tuple[float, float, float]  # linear RGB 0..1
+    color: Color
     centre_of_mass: Vector  # in O [m]
     symmetry_axis: Vector | None = None  # in O: turning about it changes nothing (a can's z)
     rests_on: str | None = None  # name of the support at the start; None for fixed bodies
     span: Span | None = None  # of its name in the file
+    paint: tuple[Color, ...] = ()  # of each piece; empty: all are of `color`
+
+    @property
+    def painted(self) -> tuple[tuple[Piece, Color], ...]:
+        """Every piece with its colour."""
+        colors = self.paint or (self.color,) * len(self.pieces)
+        return tuple(zip(self.pieces, colors, strict=True))
 
 
 @dataclass(frozen=True, slots=True)

@@ -155,13 +155,13 @@ def _draft(name: str, section: Table, chosen: Robot) -> _Draft | None:
     if kind is None:
         return None
     title = section.string("title", name)
-    form = read_form(kind, section, chosen)
+    paint = _color(section, COLORS[kind])
+    form = read_form(kind, section, chosen, paint)
     heights = (2,) if kind == "table" else (2, 3)
     at = section.numbers("at_mm", count=heights, minimum=-FARTHEST, maximum=FARTHEST, required=True)
     turn = section.number("turn_deg", 0.0, minimum=-360.0, maximum=360.0) * DEG
     on = "floor" if kind == "table" else section.string("on")
     fixed = section.boolean("fixed", kind not in CARRIED) if kind in MAY_BE_FIXED else True
-    paint = _color(section, COLORS[kind])
     section.finish()
     if form is None or at is None:
         return None
@@ -292,6 +292,7 @@ class _Placer:
             form.symmetry_axis,
             None,
             draft.section.name_span,
+            form.paint,
         )
         self.bodies[draft.name] = body
         return body

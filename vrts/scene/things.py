@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from vrts.base.pose import Y_AXIS, Pose, Vector, rotation_about, translation
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
+from vrts.scene.colors import Color
 
 LEG = 0.06  # [m] thickness of a table's legs
 INSET = 0.04  # [m] of a table's legs from the edge of its top
@@ -27,6 +28,7 @@ class Form(NamedTuple):
     centre_of_mass: Vector  # [m]
     symmetry_axis: Vector | None  # turning about it changes nothing
     height: float  # [m]
+    paint: tuple[Color, ...] = ()  # of each piece; empty: all have the object's colour
 
 
 def upright_cylinder(radius: float, height: float) -> Form:

@@ -73,7 +73,7 @@ export class BodyFigure {
     this.name = data.name;
     this.group = new Group();
     for (const piece of data.pieces) {
-      this.group.add(solid(piece, bodyMaterial(data.kind, data.color)));
+      this.group.add(solid(piece, bodyMaterial(data.kind, piece.color ?? data.color)));
       if (data.kind === "can" && piece.shape === "cylinder") this.group.add(...lids(piece));
     }
   }

@@ -14,6 +14,7 @@ import { poseFrom } from "./poses.js";
  * @property {number} [halfLength] cylinder, along z [m]
  * @property {number[]} [vertices] hull: x y z of every corner [m]
  * @property {number[]} [triangles] hull: three corners each, seen counter-clockwise from outside
+ * @property {number[]} [color] linear RGB, where it is not the body's
  * @property {number[]} X pose of the piece in its body, twelve numbers
  */
 
