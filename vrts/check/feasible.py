@@ -1,12 +1,13 @@
 """Whether what a task asks for can be had at all: goals and via points, before any program runs."""
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.oat import rotation_from_oat
-from vrts.base.pose import Pose, add
+from vrts.base.pose import Pose, Rotation, add, cross, dot, multiply, rotation_about
 from vrts.base.source import Span
 from vrts.base.units import mm
 from vrts.check.task import Goal, Task, ViaPoint
@@ -25,6 +26,7 @@ LEVEL = 0.9999  # cosine of the inclination up to which a body counts as upright
 TURNS = range(-180, 180, 15)  # [degrees] of the hand about the vertical
 PITCHES = (90, 45, 0, -45, -90)  # [degrees] A: straight down, .. level, .. straight up
 HEADINGS = range(-180, 180, 45)  # [degrees] O
+STEEP = 1e-6  # level part of a direction below which it is up or down
 
 
 def task_findings(scene: Scene, task: Task) -> tuple[Diagnostic, ...]:
@@ -105,9 +107,7 @@ def _hand_reaches(scene: Scene, X_WG: Pose, height: float) -> bool:
 
 def _vias(scene: Scene, vias: Sequence[ViaPoint]) -> Iterator[Diagnostic]:
     for via in vias:
-        poses = (
-            Pose(rotation_from_oat(o, a, 0.0), via.point) for a, o in product(PITCHES, HEADINGS)
-        )
+        poses = [Pose(rotation, via.point) for rotation in _rotations(via)]
         if any(_reaches(scene, X_WT @ scene.X_FT.inverse()) for X_WT in poses):
             continue
         yield Diagnostic(
@@ -115,9 +115,28 @@ def _vias(scene: Scene, vias: Sequence[ViaPoint]) -> Iterator[Diagnostic]:
             Severity.WARNING,
             f"the tool cannot be brought to `{via.name}`",
             None if via.span is None else Label(via.span),
-            notes=(f"tried: {len(PITCHES) * len(HEADINGS)} directions of the hand, all branches",),
+            notes=(f"tried: {len(poses)} directions of the hand, all branches",),
             help=("move the via point nearer to the robot",),
         )
+
+
+def _rotations(via: ViaPoint) -> Iterator[Rotation]:
+    """Return orientations of the tool that a via point allows."""
+    wanted = via.approach
+    if wanted is not None:  # with y level, or along Y where the tool points up or down
+        x, y, z = wanted
+        across = math.hypot(x, y)
+        side = (-y / across, x / across, 0.0) if across > STEEP else (0.0, 1.0, 0.0)
+        (a, b, c), (d, e, f) = cross(side, wanted), side
+        length = math.hypot(a, b, c)
+        exact = (a / length, d, x, b / length, e, y, c / length, f, z)
+        for turn in TURNS:
+            yield multiply(exact, rotation_about((0.0, 0.0, 1.0), math.radians(turn)))
+    for a, o in product(PITCHES, HEADINGS):
+        rotation = rotation_from_oat(o, a, 0.0)
+        approach = (rotation[2], rotation[5], rotation[8])
+        if wanted is None or dot(approach, wanted) >= math.cos(via.cone):
+            yield rotation
 
 
 def _reaches(scene: Scene, X_WF: Pose) -> bool:

@@ -1,6 +1,6 @@
 """Every check that applies to a run."""
 
-from vrts.check import duration, limits, targets, vias
+from vrts.check import duration, limits, targets, via_verdict, vias
 from vrts.check.collision import check_collisions
 from vrts.check.collision_verdict import verdict as collision_verdict
 from vrts.check.demand_check import check_demands
@@ -27,7 +27,7 @@ def judge(
     found.append(limits.check_limits(run))
     if task is not None:
         found += targets.verdicts(targets.reached(run, task))
-        found += vias.verdicts(vias.passed(run, task))
+        found += via_verdict.verdicts(run, vias.passed(run, task))
         found.append(duration.verdict(run, task))
         found += check_demands(run, task.demands, engine)
     return Judgement(tuple(found), report)

@@ -24,7 +24,7 @@ from vrts.check.score import (
 from vrts.check.targets import Reached, describe, judged_at, reached
 from vrts.check.task import Task
 from vrts.check.verdict import Answer, ContactEvent
-from vrts.check.vias import Passed, passed
+from vrts.check.vias import Lack, Passed, passed
 from vrts.engine.events import Cause, Found, Grasped, Released
 from vrts.engine.hand import CLOSED_ON_NOTHING, DROP_HEIGHT, DROPPED, OFF_CENTRE, TOPPLED
 from vrts.engine.records import Ending
@@ -56,7 +56,7 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
     parts = score(achieved, task.mark, exact_s(task.t_par), exact_s(task.t_max))
     mark = rounded_mark(parts)
     losses = _losses(task, run, results, points, mishaps, demands, achieved, parts, mark)
-    lowest = _lowest(task, achieved, judgement)
+    lowest = _lowest(task, achieved, judgement, sum(points.certain))
     obstacles = _obstacles(run, results, points, mishaps, judgement)
     if lowest is not None and lowest < mark:
         obstacles += (f"to be reviewed: the mark is between {float(lowest)} and {float(mark)}",)
@@ -209,21 +209,28 @@ def _target_loss(run: Run, task: Task, result: Reached, lost: Fraction) -> Loss:
 
 def _via_losses(run: Run, task: Task, points: Passed) -> list[Loss]:
     found: list[Loss] = []
-    for visits, met in zip(points.visits, points.met, strict=True):
-        if met:
+    for visits, lack in zip(points.visits, points.lacks, strict=True):
+        if lack is None:
             continue
-        late = "in the order asked for" if visits.intervals else "near enough"
+        instant = None if lack is Lack.ORDER else moment(run, visits.best_s, ())
         found.append(
             Loss(
                 task.mark.vias / len(task.vias),
                 "via",
-                f"the tool does not pass `{visits.via.name}` {late}",
-                "look at the path of the tool in the replay",
+                f"the tool does not pass `{visits.via.name}` {lack.value}",
+                VIA_HINTS.get(lack, "look at the path of the tool in the replay"),
                 None,
-                None,
+                instant,
             )
         )
     return found
+
+
+VIA_HINTS = {
+    Lack.DIRECTION: "compare the hand's direction there with the one that is asked for",
+    Lack.TOO_FAST: "look at the speed of this motion",
+    Lack.TOO_SLOW: "look at the speed of this motion, and whether the arm stops there",
+}
 
 
 def _broken_demands(task: Task, judgement: Judgement) -> list[Loss]:
@@ -245,8 +252,11 @@ def _broken_demands(task: Task, judgement: Judgement) -> list[Loss]:
     return found
 
 
-def _lowest(task: Task, achieved: Achieved, judgement: Judgement) -> Fraction | None:
-    """Return the mark if everything that cannot be told went wrong; None when all can be told."""
+def _lowest(task: Task, achieved: Achieved, judgement: Judgement, vias: int) -> Fraction | None:
+    """Return the mark if everything that cannot be told went wrong; None when all can be told.
+
+    `vias` points are passed for certain.
+    """
     asked = [v for v in judgement.verdicts if v.check.startswith(DEMAND)]
     doubtful = [
         demand.points
@@ -254,10 +264,11 @@ def _lowest(task: Task, achieved: Achieved, judgement: Judgement) -> Fraction | 
         if verdict.answer is Answer.UNDETERMINED
     ]
     contacts = 0 if judgement.collisions is None else len(judgement.collisions.undetermined)
-    if not doubtful and not contacts:
+    if not doubtful and not contacts and vias == achieved.vias_met:
         return None
     worst = replace(
         achieved,
+        vias_met=vias,
         contacts=achieved.contacts + contacts,
         broken=achieved.broken + sum(doubtful, NOTHING),
         kept=achieved.kept and not doubtful,

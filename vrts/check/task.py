@@ -1,5 +1,6 @@
 """What an assignment asks for."""
 
+import math
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
@@ -22,12 +23,16 @@ class Goal(NamedTuple):
 
 
 class ViaPoint(NamedTuple):
-    """A point the tool must pass."""
+    """A point the tool must pass; all that is asked for has to be true at one instant."""
 
     name: str
     point: Vector  # in W [m]
     radius: float  # [m]
     span: Span | None
+    approach: Vector | None = None  # where the tool is to point, in W, of length 1; None: anywhere
+    cone: float = math.pi  # angle [rad] from there that is allowed
+    slowest: float = 0.0  # [m/s] of the tool, at an instant within the radius
+    fastest: float = math.inf
 
 
 @dataclass(frozen=True, slots=True)

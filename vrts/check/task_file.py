@@ -6,12 +6,13 @@ from fractions import Fraction
 
 from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.oat import pose_from_components
-from vrts.base.pose import Pose, Vector
+from vrts.base.pose import Pose
 from vrts.base.source import SourceFile
 from vrts.base.toml import Problems, Table, read_toml
 from vrts.base.units import DEG, MM, mm
 from vrts.check.demand_file import read_demands
-from vrts.check.task import Goal, MarkScheme, Task, ViaPoint
+from vrts.check.task import Goal, MarkScheme, Task
+from vrts.check.via_file import read_via
 from vrts.geometry.support import bounds
 from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.seat import seat
@@ -26,7 +27,6 @@ POSITION_MM, ORIENTATION_DEG = 10.0, 5.0  # tolerances of a goal when the file g
 PAR_SHARE = Fraction(5, 4)  # t_par is this times the reference solution
 FULL = 10  # points
 MAX_SHARE = 2  # t_max is this times t_par
-RADIUS_MM = 20.0  # of a via point when the file gives none
 FARTHEST = 10_000.0  # [mm] any position
 
 
@@ -57,11 +57,12 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
     name = folder[-2] if len(folder) > 1 else "task"
     title = section.string("title", name)
     scene_name = section.string("scene", required=True) or ""
+    section.string("lab")  # for `lab_name`
     program = section.string("program")
     ordered = section.boolean("ordered", default=False)
     section.finish()
     goals = _goals(top, problems, scene)
-    vias = tuple(_via(table, number) for number, table in enumerate(top.tables("via"), 1))
+    vias = tuple(read_via(t, problems, number) for number, t in enumerate(top.tables("via"), 1))
     demands = read_demands(top, problems, scene)
     t_par, t_max = _times(top, problems)
     mark = _mark(top, problems)
@@ -149,16 +150,6 @@ def _goal_pose(body: Body, support: Body | None, at: tuple[float, ...] | None, t
         if at is not None:
             x, y = at[0] * MM, at[1] * MM
     return Pose(upright.rotation, (x, y, z - underside))
-
-
-def _via(table: Table, number: int) -> ViaPoint:
-    name = table.string("name", f"via {number}")
-    at = table.numbers("at_mm", count=3, minimum=-FARTHEST, maximum=FARTHEST, required=True)
-    radius = table.number("radius_mm", RADIUS_MM, above=0.0, maximum=FARTHEST)
-    table.finish()
-    x, y, z = at or (0.0, 0.0, 0.0)
-    point: Vector = (x * MM, y * MM, z * MM)
-    return ViaPoint(name, point, radius * MM, table.span)
 
 
 def _times(top: Table, problems: Problems) -> tuple[float, float]:

@@ -1,63 +1,82 @@
-"""Whether the tool passed the via points, decided on the polynomials.
+"""Whether the tool passed the via points: near enough, turned and as fast as the task asks.
 
-The distance of tool and point changes by no more than the tool can move, so an interval in which it
-cannot come within the radius is closed at once; others are halved [Schwarzer2005]_. All intervals
-are handled together, level by level.
+Decided on the polynomials, for every instant; all that is asked for must be true at the same one.
 """
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple, TypeAlias
+from enum import Enum
+from typing import NamedTuple
 
-import numpy as np
-import numpy.typing as npt
-
-from vrts.base.diagnostic import Diagnostic, Rule, Severity
-from vrts.base.pose import distance
-from vrts.base.units import mm
+from vrts.base.units import DEG, MM
 from vrts.check.curves import Curves, curves, lasting_of
 from vrts.check.task import Task, ViaPoint
-from vrts.check.verdict import Answer, Verdict
+from vrts.check.tool_motion import Bounded, tool_angle, tool_distance, tool_speed
+from vrts.check.via_search import Array, Interval, Wanted, search
+from vrts.engine.records import Segment
 from vrts.engine.run import Run
-from vrts.robots.batch import flange_frames
-from vrts.robots.levers import levers
 
-Array: TypeAlias = npt.NDArray[np.float64]
+LENGTH = 5e-6  # [m], [m/s] half of what a measurement is rounded to
+ANGLE = math.radians(0.005)
+CLOSE = 0.5 * MM  # of a point that is missed the smallest distance is known to this
+CLOSE_ANGLE = 0.1 * DEG
+CLOSE_SPEED = 0.5 * MM  # [m/s]
 
-VIA_MISSED = Rule("V662", "via-point-missed")
-VIA_ORDER = Rule("V663", "via-point-order")
 
-SHORTEST = 1e-4  # [s] intervals are not halved below this
-CLOSE = 5e-4  # [m] of a point that is missed the smallest distance is known to this
+class Lack(Enum):
+    """What is missing from a passage."""
+
+    PLACE = "near enough"
+    DIRECTION = "in the direction asked for"
+    TOO_FAST = "slowly enough"
+    TOO_SLOW = "fast enough"
+    ORDER = "in the order asked for"
 
 
 class Visits(NamedTuple):
-    """When the tool was within reach of a via point."""
+    """When the tool was within reach of a via point, and all that is asked for was true."""
 
     via: ViaPoint
-    intervals: tuple[tuple[float, float], ...]  # [s], in time order
+    intervals: tuple[Interval, ...]  # [s], in time order
     nearest_m: float  # smallest distance seen; where it is missed, within 0.5 mm of the smallest
+    doubtful: tuple[Interval, ...] = ()  # it cannot be told
+    lack: Lack | None = None  # what is never true, while all before it is
+    best: float = 0.0  # nearest to it [m], [rad] or [m/s]
+    best_s: float = 0.0  # when [s]
 
 
 class Passed(NamedTuple):
     """Which via points count as met."""
 
     visits: tuple[Visits, ...]
-    met: tuple[bool, ...]  # beside visits
+    met: tuple[bool, ...]  # beside visits; what cannot be told counts
+    certain: tuple[bool, ...]  # beside visits; what cannot be told does not count
 
     @property
     def number(self) -> int:
         """How many are met."""
         return sum(self.met)
 
+    @property
+    def lacks(self) -> tuple[Lack | None, ...]:
+        """Why points are not met, beside visits; None where they are."""
+        return tuple(
+            None if met else visits.lack or Lack.ORDER
+            for visits, met in zip(self.visits, self.met, strict=True)
+        )
+
 
 def passed(run: Run, task: Task) -> Passed:
     """Return which via points the tool passed, in order if the task wants that."""
     visits = visits_of(run, task.vias)
-    met = [bool(visit.intervals) for visit in visits]
-    if task.ordered:
-        met = in_order([visit.intervals for visit in visits])
-    return Passed(visits, tuple(met))
+    sure = [visit.intervals for visit in visits]
+    either = [tuple(sorted((*visit.intervals, *visit.doubtful))) for visit in visits]
+    match = in_order if task.ordered else _anyhow
+    return Passed(visits, tuple(match(either)), tuple(match(sure)))
+
+
+def _anyhow(visits: Sequence[Sequence[Interval]]) -> list[bool]:
+    return [bool(intervals) for intervals in visits]
 
 
 def in_order(visits: Sequence[Sequence[tuple[float, float]]]) -> list[bool]:
@@ -83,73 +102,54 @@ def in_order(visits: Sequence[Sequence[tuple[float, float]]]) -> list[bool]:
 
 
 def visits_of(run: Run, vias: Sequence[ViaPoint]) -> tuple[Visits, ...]:
-    """Return when the tool of the scene is within the radius of points, to 0.1 ms."""
-    if not lasting_of(run.timeline.segments):
-        return tuple(_standing(run, via) for via in vias)
-    motion = curves(run.timeline.segments)
-    return tuple(_passing(run, motion, via) for via in vias)
+    """Return when the tool of the scene passes points as they ask for, to 0.1 ms."""
+    if not vias:
+        return ()
+    segments: Sequence[Segment] = lasting_of(run.timeline.segments)
+    if not segments:  # no time passes
+        state = run.at(0.0)
+        rows = tuple((value,) for value in (*state.configuration, state.hand_opening))
+        segments = (Segment(0.0, 1.0, rows, None),)
+    motion = curves(segments)
+    return tuple(_visits(run, motion, via) for via in vias)
 
 
-def _standing(run: Run, via: ViaPoint) -> Visits:
-    """Return the visits of a run in which no time passes."""
-    X_WT = run.at(0.0).X_WF @ run.scene.X_FT
-    gap = distance(X_WT.translation, via.point)
-    return Visits(via, ((0.0, 0.0),) if gap <= via.radius else (), gap)
+def _visits(run: Run, motion: Curves, via: ViaPoint) -> Visits:
+    """Ask for one thing more at a time, so that it is known which of them is missing."""
+    wanted: list[Wanted] = []
+    found = Visits(via, (), math.inf)
+    for lack, one in _wishes(run, motion, via):
+        wanted.append(one)
+        seen = search(wanted, motion.starts, motion.ends)
+        if lack is Lack.PLACE:
+            found = found._replace(nearest_m=seen.least)
+        if math.isfinite(seen.least):
+            found = found._replace(lack=lack, best=abs(seen.least), best_s=seen.least_s)
+        found = found._replace(intervals=seen.sure, doubtful=seen.open)
+        if not seen.sure and not seen.open:
+            return found
+    return found._replace(lack=None)
 
 
-def _passing(run: Run, motion: Curves, via: ViaPoint) -> Visits:
-    """Halve the pieces of the motion until every part is decided."""
-    start, end = motion.starts, motion.ends
-    found: list[tuple[float, float]] = []
-    nearest = math.inf
-    while len(start):
-        middle = 0.5 * (start + end)
-        gap, travel = _gap_and_travel(run, motion, via, start, middle, end)
-        nearest = min(nearest, float(gap.min()))
-        short = end - start <= SHORTEST
-        inside = (gap + travel <= via.radius) | (short & (gap <= via.radius))
-        found += zip(start[inside].tolist(), end[inside].tolist(), strict=True)
-        unsure = (gap - travel <= max(via.radius, nearest - CLOSE)) & ~inside & ~short
-        start, middle, end = start[unsure], middle[unsure], end[unsure]
-        start, end = np.concatenate([start, middle]), np.concatenate([middle, end])
-    merged: list[tuple[float, float]] = []
-    for begin, finish in sorted(found):
-        if merged and begin <= merged[-1][1] + 2 * SHORTEST:
-            merged[-1] = (merged[-1][0], max(merged[-1][1], finish))
-        else:
-            merged.append((begin, finish))
-    return Visits(via, tuple(merged), nearest)
+def _wishes(run: Run, motion: Curves, via: ViaPoint) -> list[tuple[Lack, Wanted]]:
+    """Return what has to be true at one instant."""
+    gap = tool_distance(run.scene, motion, via.point)
+    found = [(Lack.PLACE, Wanted(gap, via.radius + LENGTH, CLOSE))]
+    if via.approach is not None:
+        angle = tool_angle(run.scene, motion, via.approach)
+        found.append((Lack.DIRECTION, Wanted(angle, via.cone + ANGLE, CLOSE_ANGLE)))
+    speed = tool_speed(run.scene, motion)
+    if math.isfinite(via.fastest):
+        found.append((Lack.TOO_FAST, Wanted(speed, via.fastest + LENGTH, CLOSE_SPEED)))
+    if via.slowest:
+        slowness = _negative(speed)
+        found.append((Lack.TOO_SLOW, Wanted(slowness, LENGTH - via.slowest, CLOSE_SPEED)))
+    return found
 
 
-def _gap_and_travel(
-    run: Run, motion: Curves, via: ViaPoint, start: Array, middle: Array, end: Array
-) -> tuple[Array, Array]:
-    """Return distances to a point at middles, and how far the tool can be from there, all (m,)."""
-    arm, X_FT = run.scene.robot.arm, run.scene.X_FT  # whatever TOOL the program sets
-    values = motion.values(middle)
-    rotations, origins = flange_frames(arm, values[:, :6])
-    tips = origins + rotations @ np.array(X_FT.translation)
-    gap: Array = np.linalg.norm(tips - np.array(via.point), axis=1)
-    spread = motion.spread(start, end)
-    turn = np.maximum(spread.upper - values, values - spread.lower)[:, :6]
-    return gap, turn @ np.array(levers(arm, X_FT.translation))
+def _negative(quantity: Bounded) -> Bounded:
+    def negative(start: Array, middle: Array, end: Array) -> tuple[Array, Array]:
+        value, change = quantity(start, middle, end)
+        return -value, change
 
-
-def verdicts(result: Passed) -> tuple[Verdict, ...]:
-    """Return a verdict for every via point."""
-    found: list[Verdict] = []
-    for visits, met in zip(result.visits, result.met, strict=True):
-        name = visits.via.name
-        if met:
-            found.append(Verdict(f"via {name}", Answer.HOLDS, f"`{name}` is passed"))
-            continue
-        late = bool(visits.intervals)
-        summary = (
-            f"`{name}` is passed, but not in the order of the task"
-            if late
-            else f"the tool never comes nearer than {mm(visits.nearest_m):.0f} mm to `{name}`;"
-            f" {mm(visits.via.radius):.0f} mm is wanted"
-        )
-        finding = Diagnostic(VIA_ORDER if late else VIA_MISSED, Severity.ERROR, summary)
-        found.append(Verdict(f"via {name}", Answer.VIOLATED, summary, (finding,)))
-    return tuple(found)
+    return negative

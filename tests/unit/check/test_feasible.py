@@ -90,3 +90,26 @@ def test_nothing_speaks_against_the_tasks_that_come_with_vrts() -> None:
         assert setting.task is not None
         assert scene_findings(setting.scene) == ()
         assert task_findings(setting.scene, setting.task) == (), path
+
+
+@pytest.mark.parametrize(
+    ("approach", "codes"), [("", []), ("[1, 0, 0.2]", []), ("[0, 0, -1]", ["V670"])]
+)
+def test_a_via_point_is_tried_in_the_direction_that_it_asks_for(
+    approach: str, codes: list[str]
+) -> None:
+    wish = f"approach = {approach}\ncone_deg = 2\n" if approach else ""
+    text = f"""[task]
+scene = "cans-on-bases"
+[[goal]]
+object = "can1"
+on = "base1"
+[[via]]
+at_mm = [1500, 0, 0]
+{wish}
+[time]
+reference_s = 9
+"""
+    task, _ = read_task(SourceFile("task.toml", text), CANS)
+    assert task is not None
+    assert [d.rule.code for d in task_findings(CANS, task)] == codes
