@@ -13,7 +13,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from vrts.check.collision_events import Episode, Teller, apart_from, episodes
+from vrts.check.collision_events import Teller, Told, apart_from, episodes
 from vrts.check.collision_findings import (
     GRAZE,
     Closest,
@@ -22,12 +22,15 @@ from vrts.check.collision_findings import (
     margin_of,
     slack_of,
 )
+from vrts.check.collision_grips import NEAR_MISS
 from vrts.check.collision_pairs import Pairs, Plan, plan
 from vrts.check.collision_search import search
 from vrts.check.collision_state import Prober, RunRecord
 from vrts.check.curves import curves
+from vrts.check.near_misses import Within, near_misses
+from vrts.check.pair_rows import joined
 from vrts.check.second_opinion import Witness, disagreements
-from vrts.check.verdict import Clearance, CollisionReport
+from vrts.check.verdict import Clearance, CollisionReport, NearMiss
 from vrts.geometry.narrow import FCL
 from vrts.geometry.narrow import engine as engine_by_name
 from vrts.scene.model import Scene
@@ -36,24 +39,31 @@ Array: TypeAlias = npt.NDArray[np.float64]
 
 
 def check_collisions(
-    scene: Scene, run: RunRecord, *, clearance: bool = True, engine: str | None = None
+    scene: Scene,
+    run: RunRecord,
+    *,
+    clearance: bool = True,
+    engine: str | None = None,
+    near_miss: float | None = None,
 ) -> CollisionReport:
-    """Return every contact event and graze of a run, and its smallest clearance.
+    """Return every contact event, graze and near miss of a run, and its smallest clearance.
 
     Args:
         scene: What stands where; its robot moves.
         run: The record of an execution in that scene.
-        clearance: Whether to find the smallest distance too, at some cost.
+        clearance: Whether to find the smallest distance and near misses too, at some cost.
         engine: Name of what measures distances; None: the most exact there is.
+        near_miss: Nearer than this is a near miss [m]; None: nobody says, so `NEAR_MISS`.
     """
     if all(segment.end_s <= segment.start_s for segment in run.timeline.segments):
         return CollisionReport((), (), (), None, certified=True, statistics=MappingProxyType({}))
     motion = curves(run.timeline.segments)
     by = engine_by_name(engine)
-    todo = plan(scene, run, motion, by)
+    threshold = NEAR_MISS if near_miss is None else near_miss
+    todo = plan(scene, run, motion, by, threshold)
     interval = (motion.start_s, max(motion.end_s, float(todo.pairs.end_s.max(initial=0.0))))
     prober = Prober(scene.robot.arm, motion, todo.solids, by)
-    pairs = _joined(todo.pairs, todo.rigid)
+    pairs = joined(todo.pairs, todo.rigid)
     found = search(
         scene.robot.arm, motion, todo.solids, todo.pairs, interval, by, clearance=clearance
     )
@@ -62,8 +72,19 @@ def check_collisions(
     contacts = episodes(found.contacts, pairs)
     doubtful = apart_from(episodes(found.open, pairs), contacts)
     grazes = apart_from(episodes(found.grazes, pairs), [*contacts, *doubtful])
+    hits = [teller.contact(episode) for episode in contacts]
+    misses: list[Told[NearMiss]] = []
+    if clearance:
+        look = Within(run, todo, prober, interval)
+        misses = near_misses(look, found, [*contacts, *doubtful, *grazes], threshold)
+    witnesses = [told.witness for told in (*hits, *misses)]
+    if not contacts and np.isfinite(found.closest.distance):
+        row = found.closest.pair
+        witnesses.append(
+            Witness(int(pairs.first[row]), int(pairs.second[row]), found.closest.time_s)
+        )
     return CollisionReport(
-        contacts=tuple(teller.contact(episode) for episode in contacts),
+        contacts=tuple(told.event for told in hits),
         grazes=tuple(teller.touch(episode) for episode in grazes),
         undetermined=tuple(teller.touch(episode) for episode in doubtful),
         clearance=None if contacts else _clearance(found.closest, pairs, prober),
@@ -77,7 +98,10 @@ def check_collisions(
             }
         ),
         engine=by.name,
-        disagreements=_asked_again(prober, pairs, contacts, found.closest),
+        disagreements=_asked_again(prober, witnesses),
+        near_misses=tuple(told.event for told in misses),
+        near_miss_m=threshold if clearance else None,
+        near_miss_assumed=near_miss is None,
     )
 
 
@@ -101,19 +125,11 @@ def _look_once(todo: Plan, prober: Prober, found: Findings) -> None:
             found.closest = Closest(distance, offset + k, start_s)
 
 
-def _asked_again(
-    prober: Prober, pairs: Pairs, contacts: Sequence[Episode], closest: Closest
-) -> tuple[str, ...]:
-    """Ask python-fcl about the deepest touch of every contact, and about the smallest distance."""
+def _asked_again(prober: Prober, witnesses: Sequence[Witness]) -> tuple[str, ...]:
+    """Ask python-fcl about two solids at the instants on which the report rests."""
     if prober.engine.name == FCL:
         return ()
-    deepest = [min(episode.touches, key=lambda touch: touch.distance) for episode in contacts]
-    witnesses = [Witness(touch.pair, touch.time_s) for touch in deepest]
-    if not contacts and np.isfinite(closest.distance):
-        witnesses.append(Witness(closest.pair, closest.time_s))
-    if not witnesses:
-        return ()
-    return disagreements(prober, replace(prober, engine=engine_by_name(FCL)), pairs, witnesses)
+    return disagreements(prober, replace(prober, engine=engine_by_name(FCL)), witnesses)
 
 
 def _clearance(closest: Closest, pairs: Pairs, prober: Prober) -> Clearance | None:
@@ -128,17 +144,4 @@ def _clearance(closest: Closest, pairs: Pairs, prober: Prober) -> Clearance | No
         time_s=closest.time_s,
         bodies=(parts[int(i[0])], parts[int(j[0])]),
         witnesses=(nearest.first, nearest.second),
-    )
-
-
-def _joined(a: Pairs, b: Pairs) -> Pairs:
-    return Pairs(
-        np.concatenate([a.first, b.first]),
-        np.concatenate([a.second, b.second]),
-        np.concatenate([a.start_s, b.start_s]),
-        np.concatenate([a.end_s, b.end_s]),
-        np.concatenate([a.tolerance, b.tolerance]),
-        np.concatenate([a.grazes, b.grazes]),
-        np.concatenate([a.counts, b.counts]),
-        np.concatenate([a.group, b.group]),
     )

@@ -1,13 +1,13 @@
 """From touches of pairs of pieces to events: one pair of names, times, depth, cause.
 
 The search leaves instants and short intervals at which pieces touch. Touches of one pair of names
-less than 0.5 s apart are one event; its ends are found to 0.1 ms, its deepest moment by looking
-more finely round the deepest touch.
+less than 0.5 s apart are one event; its ends are found to 0.2 ms, its deepest moment by looking
+more finely round the deepest touch. A near miss is told like a contact of another depth.
 """
 
 from bisect import bisect_right
 from collections.abc import Sequence
-from typing import NamedTuple, TypeAlias
+from typing import Generic, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -17,13 +17,17 @@ from vrts.check.collision_findings import COVERED, EVENT_GAP, REPORTED, Touch, m
 from vrts.check.collision_pairs import Pairs
 from vrts.check.collision_state import Prober, RunRecord
 from vrts.check.curves import Curves
-from vrts.check.verdict import ContactEvent
+from vrts.check.second_opinion import Witness
+from vrts.check.verdict import ContactEvent, NearMiss
 from vrts.engine.events import Cause
 from vrts.engine.records import Lie
+from vrts.geometry.nearest import Nearest
 
 Array: TypeAlias = npt.NDArray[np.float64]
+Sides: TypeAlias = tuple[str, str]
+Event = TypeVar("Event", ContactEvent, NearMiss)
 
-EDGE_SAMPLES = 12  # within the last millisecond before an end
+EDGE_SAMPLES = 12  # within the last millisecond and a half before an end
 DEEPEST_SAMPLES = 33  # round the deepest touch, twice
 
 
@@ -62,6 +66,13 @@ def apart_from(found: Sequence[Episode], others: Sequence[Episode]) -> list[Epis
     return [episode for episode in found if not any(near(episode, other) for other in others)]
 
 
+class Told(NamedTuple, Generic[Event]):
+    """An event, and the two solids and the instant at which it is deepest."""
+
+    event: Event
+    witness: Witness
+
+
 class Teller:
     """Makes events of episodes."""
 
@@ -79,17 +90,27 @@ class Teller:
         self.pairs = pairs
         self.groups = groups
 
-    def contact(self, episode: Episode) -> ContactEvent:
+    def contact(self, episode: Episode) -> Told[ContactEvent]:
         """Return the event of an episode of contact."""
-        first = min(episode.touches, key=lambda touch: touch.start_s)
-        last = max(episode.touches, key=lambda touch: touch.end_s)
-        start_s = self._edge(first, first.start_s, -REPORTED)
-        end_s = self._edge(last, last.end_s, REPORTED)
-        deepest = min(episode.touches, key=lambda touch: touch.distance)
-        time_s = deepest.time_s
-        for width in (COVERED, 2.0 * COVERED / (DEEPEST_SAMPLES - 1)):
-            time_s = self._deepest(deepest.pair, time_s, width, start_s, end_s)
-        return self._event(episode, deepest.pair, (start_s, end_s), time_s)
+        pair, interval, time_s = self._told(episode)
+        return Told(self._event(episode, pair, interval, time_s), self._witness(pair, time_s))
+
+    def near_miss(self, episode: Episode) -> Told[NearMiss]:
+        """Return the near miss of an episode of touches of enlarged pairs."""
+        pair, (start_s, end_s), time_s = self._told(episode)
+        sides, nearest = self._nearest(episode, pair, time_s)
+        event = NearMiss(
+            *self.groups[episode.group],
+            parts=sides,
+            start_s=start_s,
+            end_s=end_s,
+            nearest_s=time_s,
+            distance_m=nearest.distance,
+            witnesses=(nearest.first, nearest.second),
+            held=self._held(start_s),
+            cause=self._cause(start_s),
+        )
+        return Told(event, self._witness(pair, time_s))
 
     def touch(self, episode: Episode) -> ContactEvent:
         """Return the event of an episode of touches that are no certain contact."""
@@ -98,20 +119,41 @@ class Teller:
         interval = (episode.start_s, episode.end_s)
         return self._event(episode, deepest.pair, interval, deepest.time_s)
 
-    def _event(
-        self, episode: Episode, pair: int, interval: tuple[float, float], deepest_s: float
-    ) -> ContactEvent:
+    def _told(self, episode: Episode) -> tuple[int, tuple[float, float], float]:
+        """Return the pair that is deepest, first and last time, and the deepest moment."""
+        first = min(episode.touches, key=lambda touch: touch.start_s)
+        last = max(episode.touches, key=lambda touch: touch.end_s)
+        start_s = self._edge(first, first.start_s, -REPORTED)
+        end_s = self._edge(last, last.end_s, REPORTED)
+        known = [touch for touch in episode.touches if not np.isnan(touch.distance)]
+        deepest = min(known or episode.touches, key=lambda touch: touch.distance)
+        time_s = deepest.time_s
+        for width in (COVERED, 2.0 * COVERED / (DEEPEST_SAMPLES - 1)):
+            time_s = self._deepest(deepest.pair, time_s, width, start_s, end_s)
+        return deepest.pair, (start_s, end_s), time_s
+
+    def _witness(self, pair: int, time_s: float) -> Witness:
+        return Witness(int(self.pairs.first[pair]), int(self.pairs.second[pair]), time_s)
+
+    def _nearest(self, episode: Episode, pair: int, time_s: float) -> tuple[Sides, Nearest]:
+        """Return the names of two parts in the order of their event, and their nearest points."""
         i, j = self.pairs.first[[pair]], self.pairs.second[[pair]]
-        nearest = self.prober.nearest(i, j, np.array([deepest_s]))[0]
+        nearest = self.prober.nearest(i, j, np.array([time_s]))[0]
         parts = self.prober.solids.parts
         names = self.groups[episode.group]
         sides = (parts[int(i[0])], parts[int(j[0])])
         if sides[0] == names[1] != sides[1]:
             sides = (sides[1], sides[0])
+            nearest = nearest._replace(first=nearest.second, second=nearest.first)
+        return sides, nearest
+
+    def _event(
+        self, episode: Episode, pair: int, interval: tuple[float, float], deepest_s: float
+    ) -> ContactEvent:
+        sides, nearest = self._nearest(episode, pair, deepest_s)
         start_s, end_s = interval
         return ContactEvent(
-            first=names[0],
-            second=names[1],
+            *self.groups[episode.group],
             parts=sides,
             start_s=start_s,
             end_s=end_s,
@@ -123,15 +165,28 @@ class Teller:
         )
 
     def _edge(self, touch: Touch, inner_s: float, step: float) -> float:
-        """Return where a contact begins (step < 0) or ends, near a time at which it is there."""
+        """Return where a contact begins (step < 0) or ends, near a time at which it is there.
+
+        The search leaves less than a step open. Near misses may go on for longer, where a pair
+        comes no nearer than the threshold less the tolerance of that search.
+        """
         pair = touch.pair
         low, high = float(self.pairs.start_s[pair]), float(self.pairs.end_s[pair])
-        steps = np.linspace(0.0, 1.5 * step, EDGE_SAMPLES + 1)
-        times = np.clip(inner_s + steps, low, high)
-        deep = self._distances(pair, times) < -self.pairs.tolerance[pair]
-        free = np.nonzero(~deep)[0]
-        count = int(free[0]) if len(free) else len(times)
-        return float(times[max(count - 1, 0)])
+        reach = 1.5 * step
+        while True:
+            times = np.clip(inner_s + np.linspace(0.0, reach, EDGE_SAMPLES + 1), low, high)
+            deep = self._distances(pair, times) < -self.pairs.tolerance[pair]
+            outside = np.nonzero(~deep)[0]
+            if len(outside) == 0:
+                inner_s = float(times[-1])
+                if inner_s in (low, high):
+                    return inner_s
+                reach *= 4.0
+                continue
+            inner_s = float(times[max(int(outside[0]) - 1, 0)])
+            if abs(reach) <= abs(1.5 * step):
+                return inner_s
+            reach = max(abs(reach) / EDGE_SAMPLES, abs(1.5 * step)) * np.sign(step)
 
     def _deepest(
         self, pair: int, time_s: float, width: float, start_s: float, end_s: float

@@ -1,4 +1,6 @@
-"""Contacts and the smallest clearance, measured again by the other engine at the same poses.
+"""Contacts, near misses and the smallest clearance, measured again by the other engine.
+
+The poses are the same, so are the shapes.
 
 Where two code bases disagree, one of them is wrong: the verdict stands, and somebody has to look.
 """
@@ -9,28 +11,29 @@ from typing import NamedTuple
 import numpy as np
 
 from vrts.base.units import mm
-from vrts.check.collision_pairs import TOLERANCE, Pairs
+from vrts.check.collision_pairs import TOLERANCE
 from vrts.check.collision_state import Prober
 
 
 class Witness(NamedTuple):
-    """A pair of solids whose distance a verdict rests on."""
+    """Two solids whose distance a verdict rests on."""
 
-    pair: int  # row of the pairs
+    first: int
+    second: int
     time_s: float
 
 
-def disagreements(
-    ours: Prober, theirs: Prober, pairs: Pairs, witnesses: Sequence[Witness]
-) -> tuple[str, ...]:
+def disagreements(ours: Prober, theirs: Prober, witnesses: Sequence[Witness]) -> tuple[str, ...]:
     """Return, in words, every witness about which two engines disagree.
 
     Whether solids overlap is compared where they do so by more than 0.2 mm, or are farther apart
     than that; distances are compared of solids that are apart, up to the errors of both engines.
     """
-    rows = np.array([witness.pair for witness in witnesses], dtype=np.int64)
+    if not witnesses:
+        return ()
+    i = np.array([witness.first for witness in witnesses], dtype=np.int64)
+    j = np.array([witness.second for witness in witnesses], dtype=np.int64)
     times = np.array([witness.time_s for witness in witnesses])
-    i, j = pairs.first[rows], pairs.second[rows]
     allowed = ours.engine.error + theirs.engine.error
     found: list[str] = []
     both = zip(ours.distances(i, j, times), theirs.distances(i, j, times), strict=True)

@@ -45,6 +45,21 @@ class ContactEvent(NamedTuple):
     cause: Cause | None  # instruction under way at the first moment
 
 
+class NearMiss(NamedTuple):
+    """A pair that comes nearer than a threshold and does not touch; joined like contacts."""
+
+    first: str  # as of a contact
+    second: str
+    parts: tuple[str, str]  # which parts are nearest at the nearest moment
+    start_s: float
+    end_s: float
+    nearest_s: float
+    distance_m: float  # then
+    witnesses: tuple[Vector, Vector]  # nearest points then, in W [m]
+    held: str | None  # what the hand held
+    cause: Cause | None  # instruction under way at the first moment
+
+
 class Clearance(NamedTuple):
     """The smallest distance over all time and tested pairs."""
 
@@ -66,4 +81,7 @@ class CollisionReport:
     certified: bool  # every instant is covered: nothing undetermined
     statistics: Mapping[str, int]  # nodes, narrow-phase calls, ...: the method as evidence
     engine: str = "coal"  # what measured distances
-    disagreements: tuple[str, ...] = ()  # with the second engine, at contacts and clearance
+    disagreements: tuple[str, ...] = ()  # with the second engine, about any of these
+    near_misses: tuple[NearMiss, ...] = ()  # of pairs that do not touch at that time
+    near_miss_m: float | None = None  # nearer than this is one; None: they were not looked for
+    near_miss_assumed: bool = True  # no task says how near a near miss is

@@ -37,8 +37,8 @@ def test_a_second_engine_that_measures_otherwise_is_quoted() -> None:
     times = np.full(count, 0.3)
     apart = ours.distances(todo.pairs.first, todo.pairs.second, times)
     row = int(np.argmax(np.where(apart < 0.3, apart, -1.0)))
-    witness = [Witness(row, 0.3)]
-    assert disagreements(ours, right, todo.pairs, witness) == ()
-    (found,) = disagreements(ours, wrong, todo.pairs, witness)
+    witness = [Witness(int(todo.pairs.first[row]), int(todo.pairs.second[row]), 0.3)]
+    assert disagreements(ours, right, witness) == ()
+    (found,) = disagreements(ours, wrong, witness)
     assert "coal measures" in found
     assert "wrong" in found
