@@ -1,6 +1,6 @@
 """Distances at the middles of one level: by boxes for all rows, exact ones where needed."""
 
-from collections.abc import Sequence
+from collections.abc import Callable
 from typing import TypeAlias
 
 import numpy as np
@@ -24,7 +24,7 @@ class Exact:
     def __init__(
         self,
         engine: Engine,
-        functions: Sequence[Pair],
+        pair_of: Callable[[int], Pair],
         counts: Flags,
         floor: Array,
         found: Findings,
@@ -35,7 +35,7 @@ class Exact:
 
         Args:
             engine: What measures.
-            functions: One for each pair of solids.
+            pair_of: Returns what measures a pair of solids.
             counts: Whether a pair enters minimum clearance, shape (p,).
             floor: At this least distance a pair is settled, clearance apart, shape (p,), in m.
             found: Where the smallest distance and the number of questions are kept.
@@ -44,7 +44,7 @@ class Exact:
         """
         self.engine = engine
         self.slack = slack_of(engine)
-        self.functions = functions
+        self.pair_of = pair_of
         self.counts = counts
         self.floor = floor
         self.found = found
@@ -85,17 +85,16 @@ class Exact:
             inner[within].tolist(),
             strict=True,
         )
-        functions = self.functions
         for k, low, bottom, r, n, a, b in columns:
             if low >= bottom and low >= self.found.closest.distance - self.slack:
                 continue
             distance[k] = self._distance(r, n, a, b)
-            normal[k] = functions[int(r)].normal
+            normal[k] = self.pair_of(r).normal
         return distance, normal
 
     def _distance(self, row: int, node: int, outer: int, inner: int) -> float:
         self.found.exact += 1
-        distance = self.functions[row].distance(self._transform(outer), self._transform(inner))
+        distance = self.pair_of(row).distance(self._transform(outer), self._transform(inner))
         if distance < self.found.closest.distance and self.counts[row]:
             self.found.closest = Closest(distance, row, float(self.middle[node]))
         return distance

@@ -19,7 +19,8 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from vrts.check.collision_exact import Exact, outside
+from vrts.check.collision_broad import gaps, sides_of
+from vrts.check.collision_exact import PROBES, Exact, outside
 from vrts.check.collision_findings import (
     BAND,
     COVERED,
@@ -37,7 +38,7 @@ from vrts.check.collision_pairs import Pairs
 from vrts.check.collision_state import instants_of
 from vrts.check.curves import Curves, Spread
 from vrts.engine.records import GRAVITY
-from vrts.geometry.nearest import Engine
+from vrts.geometry.nearest import Engine, Pair
 from vrts.geometry.solids import Instants, Motion, Places, Solids
 from vrts.robots.model import Arm
 
@@ -46,6 +47,7 @@ Flags: TypeAlias = npt.NDArray[np.bool_]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
 FINEST = 1e-5  # [s] to which intervals still open are halved
+WITHIN = 0.1  # [m] a smallest distance is sought first among bodies this near
 FIRST_NODE = 0.3  # [s] length of the first intervals
 BUDGET = 600_000  # exact distances; what is open then is undetermined
 
@@ -58,6 +60,16 @@ class _Level(NamedTuple):
     spread: Spread
     state: Instants
     motion: Motion
+
+
+class _Placed(NamedTuple):
+    """Where the solids of rows are, each solid at each instant once."""
+
+    places: Places
+    solid: Indices  # (m,) of the places
+    instant: Indices  # (m,)
+    outer: Indices  # (r,) index of the place of each row's outer solid
+    inner: Indices  # (r,)
 
 
 def search(
@@ -115,27 +127,20 @@ class _Search:
         self.counts = pairs.counts & clearance
         if not clearance:
             self.found.closest = Closest(-np.inf, -1, 0.0)
-        # of each pair, the solid that hangs further out, which is the one that moves
-        frame_a, frame_b = solids.frame[pairs.first], solids.frame[pairs.second]
-        swap = (frame_b > frame_a) | ((frame_a == frame_b) & solids.falls[pairs.second])
-        self.outer = np.where(swap, pairs.second, pairs.first)
-        self.inner = np.where(swap, pairs.first, pairs.second)
-        self.inner_frame = np.minimum(frame_a, frame_b)
+        self.sides = sides_of(solids, pairs)
+        self.outer, self.inner, self.inner_frame = self.sides
         self.static = (solids.frame == 0) & ~solids.falls
         self.falls = bool(solids.falls.any())
         # below this a row is not decided: a touch, or for pads what may be too deep
         self.floor = np.where(pairs.grazes, -GRAZE, band - pairs.tolerance)
-        outer: list[int] = self.outer.tolist()
-        inner: list[int] = self.inner.tolist()
-        self.functions = [
-            engine.pair(solids.shapes[i], solids.shapes[j])
-            for i, j in zip(outer, inner, strict=True)
-        ]
+        self.functions: dict[int, Pair] = {}
         self.spans: dict[int, tuple[Array, Array]] = {}
-        self.start, self.end, self.node, self.row = self._first_nodes(interval)
+        self.start, self.end = self._first_nodes(interval)
+        self.level = self._level()
+        self.node, self.row = self._first_rows()
 
-    def _first_nodes(self, interval: tuple[float, float]) -> tuple[Array, Array, Indices, Indices]:
-        """Return nodes that lie within one rule and one motion each, and all their rows."""
+    def _first_nodes(self, interval: tuple[float, float]) -> tuple[Array, Array]:
+        """Return nodes that lie within one rule and one motion each, in time order."""
         curves, pairs = self.curves, self.pairs
         new_motion = curves.starts[1:][np.diff(curves.motions) != 0]
         cuts = np.unique(
@@ -147,10 +152,34 @@ class _Search:
         if self.falls:
             still[:] = False
         parts = np.where(still, 1, np.maximum(1, np.ceil((end - start) / FIRST_NODE)))
-        start, end = _divided(start, end, parts.astype(np.int64))[:2]
-        active = (pairs.start_s[None, :] <= start[:, None]) & (end[:, None] <= pairs.end_s[None, :])
-        node, row = np.nonzero(active)
-        return start, end, node, row
+        return _divided(start, end, parts.astype(np.int64))
+
+    def _first_rows(self) -> tuple[Indices, Indices]:
+        """Return the rows of the first nodes that boxes of whole bodies do not settle."""
+        level, pairs, found = self.level, self.pairs, self.found
+        nodes = (self.start, self.end)
+        reached = float(self.floor.max(initial=-np.inf))
+        near = max(reached, WITHIN) if self.counts.any() else reached
+        while True:
+            blocks = gaps(
+                *(self.solids, pairs, self.sides, level.state, level.motion, nodes),
+                near=near + self.pad,
+            )
+            counts = np.nonzero(self.counts[blocks.first_row])[0]
+            if len(counts):
+                best = counts[np.argsort(blocks.middle[counts], kind="stable")[:PROBES]]
+                self._probe(*blocks.rows(best))
+            if found.closest.distance - self.slack <= near or near == np.inf:
+                break
+            near = found.closest.distance
+        bar = self._bar(blocks.first_row)
+        return blocks.rows(np.nonzero(blocks.least - self.pad < bar)[0])
+
+    def _probe(self, node: Indices, row: Indices) -> None:
+        """Measure some distances, so that the smallest is known better."""
+        placed = self._placed(self.level, row, node)
+        gap = outside(placed.places, placed.outer, placed.inner)
+        self._exact(self.level, placed.places).probe(row, node, placed.outer, placed.inner, gap)
 
     def run(self) -> Findings:
         """Halve until nothing is open."""
@@ -166,25 +195,17 @@ class _Search:
         return found
 
     def _step(self) -> None:
-        level = self._level()
+        level = self.level
         node, row = self.node, self.row
-        # where the two solids of every row are; what never moves is placed once
-        count = len(self.start)
-        outer, inner = self.outer[row], self.inner[row]
-        key_outer = outer * count + node
-        key_inner = inner * count + np.where(self.static[inner], 0, node)
-        place_of, known = _distinct(key_outer, key_inner, len(self.static) * count)
-        solid, instant = np.divmod(known, count)
-        at_outer, at_inner = place_of[key_outer], place_of[key_inner]
-        places = self.solids.places(level.state, solid, instant, GRAVITY)
-        bound, arms = self._travel(level, solid, instant, places)
+        placed = self._placed(level, row, node)
+        places, at_outer, at_inner = placed.places, placed.outer, placed.inner
+        bound, arms = self._travel(level, placed)
         reach = bound[self.inner_frame[row], at_outer] + self.pad
         if self.falls:
+            inner, outer = self.inner[row], self.outer[row]
             reach += self._drop(level, inner, node) + self._drop(level, outer, node)
         gap = outside(places, at_outer, at_inner)
-        exact = Exact(
-            self.engine, self.functions, self.counts, self.floor, self.found, level.middle, places
-        )
+        exact = self._exact(level, places)
         if self.found.closest.distance > -np.inf:
             exact.probe(row, node, at_outer, at_inner, gap)
         keep = np.nonzero(gap - reach < self._bar(row))[0]
@@ -209,10 +230,33 @@ class _Search:
         state = instants_of(self.arm, values, middle)
         return _Level(middle, half, spread, state, Motion(half, turn[:, :6], turn[:, 6]))
 
-    def _travel(
-        self, level: _Level, solid: Indices, instant: Indices, places: Places
-    ) -> tuple[Array, Array]:
-        return self.solids.travel(level.state, level.motion, solid, instant, places.centres)
+    def _placed(self, level: _Level, row: Indices, node: Indices) -> _Placed:
+        """Place the two solids of every row, each once, and what never moves once for all."""
+        count = len(level.middle)
+        outer, inner = self.outer[row], self.inner[row]
+        key_outer = outer * count + node
+        key_inner = inner * count + np.where(self.static[inner], 0, node)
+        place_of, known = _distinct(key_outer, key_inner, len(self.static) * count)
+        solid, instant = np.divmod(known, count)
+        places = self.solids.places(level.state, solid, instant, GRAVITY)
+        return _Placed(places, solid, instant, place_of[key_outer], place_of[key_inner])
+
+    def _exact(self, level: _Level, places: Places) -> Exact:
+        columns = (self.engine, self._pair_of, self.counts, self.floor, self.found)
+        return Exact(*columns, level.middle, places)
+
+    def _pair_of(self, row: int) -> Pair:
+        """Return what measures the distance of a pair."""
+        known = self.functions.get(row)
+        if known is None:
+            shapes = self.solids.shapes
+            known = self.engine.pair(shapes[int(self.outer[row])], shapes[int(self.inner[row])])
+            self.functions[row] = known
+        return known
+
+    def _travel(self, level: _Level, placed: _Placed) -> tuple[Array, Array]:
+        columns = (placed.solid, placed.instant, placed.places.centres)
+        return self.solids.travel(level.state, level.motion, *columns)
 
     def _drop(self, level: _Level, solid: Indices, node: Indices) -> Array:
         motion = Motion(level.half[node], np.empty(0), np.empty(0))
@@ -365,6 +409,8 @@ class _Search:
         self.end = np.concatenate([middle, end])
         self.row = np.concatenate([row, row])
         self.node = np.concatenate([again, again + len(used)])
+        if len(row):
+            self.level = self._level()
 
     def _give_up(self) -> None:
         for row, node in zip(self.row.tolist(), self.node.tolist(), strict=True):
@@ -374,14 +420,14 @@ class _Search:
             self.found.open.append(Touch(row, start, end, 0.5 * (start + end), np.nan))
 
 
-def _divided(start: Array, end: Array, parts: Indices) -> tuple[Array, Array, Indices]:
-    """Return intervals cut into equal parts, and which one each part comes from."""
+def _divided(start: Array, end: Array, parts: Indices) -> tuple[Array, Array]:
+    """Return intervals cut into equal parts."""
     of = np.repeat(np.arange(len(start)), parts)
     number = np.arange(len(of)) - np.repeat(np.cumsum(parts) - parts, parts)
     step = (end - start) / parts
     low = start[of] + number * step[of]
     high = np.where(number + 1 == parts[of], end[of], start[of] + (number + 1) * step[of])
-    return low, high, of
+    return low, high
 
 
 def _distinct(a: Indices, b: Indices, size: int) -> tuple[Indices, Indices]:
