@@ -1,0 +1,145 @@
+"""A child forked from a warm parent: it starts in milliseconds, with everything loaded.
+
+Only a parent without threads may fork; whoever starts threads (recordings, browsers, clusters)
+does so in the children.
+"""
+
+import faulthandler
+import gc
+import os
+import select
+import signal
+import sys
+import time
+import traceback
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import NoReturn
+
+from vrts.marking.supervise.limits import Limits, impose
+
+LOG = "child.log"
+FAILED, NO_MEMORY = 70, 71  # exit statuses
+_CHUNK = 1 << 16
+
+
+class ForkedProcess:
+    """A process under way."""
+
+    def __init__(self, work: Callable[[], bytes], folder: Path, limits: Limits) -> None:
+        """Start it; it answers with what `work` returns, and logs into its folder."""
+        self.started = time.monotonic()
+        self.log = folder / LOG
+        self._parts: list[bytes] = []
+        self._length = 0
+        self._most = limits.answer
+        self.status: int | None = None  # wait status
+        self.peak = 0  # bytes of memory in use at most, known when it is over
+        self._ours, theirs = os.pipe()
+        sys.stdout.flush()
+        sys.stderr.flush()
+        gc.freeze()  # what is loaded is not copied by the children's garbage collection
+        self.pid = os.fork()
+        if self.pid == 0:
+            _be_child(work, self.log, theirs, limits)
+        os.close(theirs)
+        os.set_blocking(self._ours, False)
+
+    def fileno(self) -> int:
+        """Return what becomes readable when it answers."""
+        return self._ours
+
+    def ended(self) -> bool:
+        """Read what there is; return whether it is over."""
+        if self.status is not None:
+            return True
+        while True:
+            try:
+                part = os.read(self._ours, _CHUNK)
+            except BlockingIOError:
+                return False
+            if not part:
+                _, self.status, used = os.wait4(self.pid, 0)
+                self.peak = used.ru_maxrss * (1 if sys.platform == "darwin" else 1024)
+                os.close(self._ours)
+                return True
+            self._length += len(part)
+            if self._length <= self._most:
+                self._parts.append(part)
+            else:
+                self.kill()
+
+    @property
+    def answer(self) -> bytes | None:
+        """What it answered; None: it did not, or too much."""
+        if self.status != 0 or self.answered_too_much:
+            return None
+        return b"".join(self._parts)
+
+    @property
+    def answered_too_much(self) -> bool:
+        """Whether it was ended because its answer has no end."""
+        return self._length > self._most
+
+    @property
+    def signal(self) -> int | None:
+        """The signal that ended it."""
+        if self.status is None or not os.WIFSIGNALED(self.status):
+            return None
+        return os.WTERMSIG(self.status)
+
+    @property
+    def out_of_memory(self) -> bool:
+        """Whether it says so itself."""
+        return self.status is not None and os.waitstatus_to_exitcode(self.status) == NO_MEMORY
+
+    def kill(self) -> None:
+        """End it and everything it started."""
+        try:
+            os.killpg(self.pid, signal.SIGKILL)
+        except ProcessLookupError:  # it has not made its group yet, or is gone already
+            if self.status is None:
+                os.kill(self.pid, signal.SIGKILL)
+
+
+def wait(processes: Sequence[ForkedProcess], seconds: float) -> None:
+    """Sleep until one of them says something, or for a time."""
+    select.select(processes, [], [], seconds)
+
+
+def _be_child(work: Callable[[], bytes], log: Path, out: int, limits: Limits) -> NoReturn:
+    """Work, answer and leave without ever returning to the parent's code."""
+    status = FAILED
+    try:
+        os.setsid()
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        _redirect(log, out)
+        impose(limits)
+        faulthandler.enable(2)
+        data = work()
+        while data:
+            data = data[os.write(out, data) :]
+        status = 0
+    except MemoryError:
+        status = NO_MEMORY
+    except BaseException:  # whatever it is goes into the log; the parent goes on
+        traceback.print_exc()
+    finally:
+        try:
+            sys.stdout.flush()
+            sys.stderr.flush()
+        finally:
+            os._exit(status)
+
+
+def _redirect(log: Path, out: int) -> None:
+    """Leave nothing open but an empty input, the log, and the way to the parent."""
+    null = os.open(os.devnull, os.O_RDONLY)
+    written = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+    os.dup2(null, 0)
+    os.dup2(written, 1)
+    os.dup2(written, 2)
+    sys.stdout = sys.stderr = open(2, "w", errors="backslashreplace", closefd=False)  # noqa: SIM115
+    os.closerange(3, out)
+    os.closerange(out + 1, 4096)

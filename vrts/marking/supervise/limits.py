@@ -1,0 +1,38 @@
+"""What one process may use. The engine's own limits decide marks; these only protect the others."""
+
+import sys
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """Of one process. Far beyond what the engine's own limits let any program need."""
+
+    cpu_s: int = 120
+    wall_s: float = 300.0
+    memory: int = 1_500_000_000  # bytes in use, what is shared with the parent included
+    file: int = 64_000_000  # bytes of any file it writes
+    files: int = 256  # open at once
+    answer: int = 8_000_000  # bytes of its answer
+
+
+def impose(limits: Limits) -> None:
+    """Limit this process, for good, where the system can; the parent watches it besides.
+
+    Memory is limited as data, not as address space: libraries reserve far more than they use.
+    """
+    if sys.platform == "win32":
+        return  # no such limits there: the watching parent is all there is
+    import resource
+
+    bounds = (
+        (resource.RLIMIT_CPU, limits.cpu_s, limits.cpu_s + 2),  # a signal first, which tells why
+        (resource.RLIMIT_DATA, limits.memory, limits.memory),
+        (resource.RLIMIT_FSIZE, limits.file, limits.file),
+        (resource.RLIMIT_NOFILE, limits.files, limits.files),
+        (resource.RLIMIT_CORE, 0, 0),
+    )
+    for kind, soft, most in bounds:
+        _, hard = resource.getrlimit(kind)
+        top = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        resource.setrlimit(kind, (min(soft, top), top))
