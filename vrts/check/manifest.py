@@ -34,6 +34,7 @@ class Manifest(NamedTuple):
     hidden: int  # how many checks come in addition at marking
     versions: tuple[str, ...]  # of vrts that may mark
     scene: str  # which of the files is the scene's
+    lab: str  # which is that of the lab laid over it; "" without one
     files: Mapping[str, str]  # sha256 by name
 
 
@@ -46,6 +47,7 @@ def manifest_bytes(manifest: Manifest) -> bytes:
         "hidden_checks": manifest.hidden,
         "vrts": list(manifest.versions),
         "scene": manifest.scene,
+        "lab": manifest.lab,
         "sha256": dict(sorted(manifest.files.items())),
     }
     return (json.dumps(fields, indent=2, ensure_ascii=True) + "\n").encode()
@@ -61,10 +63,11 @@ def read_manifest(data: bytes) -> Manifest | None:
         return None
     fields = cast("dict[str, Any]", value)
     name, hidden, scene = (fields.get(key) for key in ("name", "hidden_checks", "scene"))
+    lab = fields.get("lab", "")
     versions, files = fields.get("vrts"), fields.get("sha256")
     if (
         fields.get("schema") != SCHEMA
-        or not (isinstance(name, str) and isinstance(scene, str))
+        or not (isinstance(name, str) and isinstance(scene, str) and isinstance(lab, str))
         or type(hidden) is not int
         or not 0 <= hidden <= MOST_FILES
         or not isinstance(versions, list)
@@ -74,7 +77,7 @@ def read_manifest(data: bytes) -> Manifest | None:
         return None
     texts = tuple(map(str, cast("list[Any]", versions)))
     hashes = {str(key): str(text) for key, text in cast("dict[str, Any]", files).items()}
-    return Manifest(name, fields.get("for") == "staff", hidden, texts, scene, hashes)
+    return Manifest(name, fields.get("for") == "staff", hidden, texts, scene, lab, hashes)
 
 
 def listed(data: bytes) -> tuple[str, ...]:
@@ -124,7 +127,7 @@ def altered(files: Mapping[str, bytes]) -> tuple[Diagnostic, ...]:
 
 
 def _of_scene(name: str, manifest: Manifest) -> bool:
-    return name == manifest.scene or not name.endswith(HARMLESS)
+    return name in (manifest.scene, manifest.lab) or not name.endswith(HARMLESS)
 
 
 def unsuitable(manifest: Manifest) -> tuple[Diagnostic, ...]:
@@ -141,7 +144,10 @@ def other_scene(own: Scene, taken: Scene) -> tuple[Diagnostic, ...]:
     if own.digest == taken.digest:
         return ()
     headline = f"modified scene: {NOT_COUNTING}"
-    note = f"the task is set in `{own.name}`; this is `{taken.name}`, or a changed copy"
+    here, there = own.name, taken.name
+    if here == there:  # in another lab, perhaps
+        here, there = own.title, taken.title
+    note = f"the task is set in `{here}`; this is `{there}`, or a changed copy"
     return (warning(MODIFIED_SCENE, headline, notes=(note,)),)
 
 

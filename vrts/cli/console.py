@@ -34,6 +34,13 @@ color_option = click.option(
 )
 
 
+lab_option = click.option(
+    "--lab",
+    type=click.Path(path_type=Path),
+    help="Lay a lab over the scene: your own arm, table and hand; see `vrts new lab`.",
+)
+
+
 def language_options(function: Command) -> Command:
     """Add the options that say how programs are read."""
     for option in (

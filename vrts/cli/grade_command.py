@@ -12,6 +12,7 @@ from vrts.cli.console import (
     color_option,
     fail,
     guarded,
+    lab_option,
     out,
     say,
     show_diagnostics,
@@ -38,6 +39,7 @@ Examples:
 @click.option("-o", "--out", "folder", type=click.Path(path_type=Path), help="Folder for reports.")
 @click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
 @click.option("--recordings", is_flag=True, help="Write a Rerun recording of every run.")
+@lab_option
 @color_option
 @guarded
 def command(
@@ -46,6 +48,7 @@ def command(
     folder: Path | None,
     form: str,
     recordings: bool,
+    lab: Path | None,
     color: str,
 ) -> None:
     """Mark SUBMISSIONS (files or folders) by TASK.
@@ -56,7 +59,7 @@ def command(
     the reports in `students` tell of the public checks only. Exit status 0 when every row has a
     result.
     """
-    setting, public, found = _what(task, submissions)
+    setting, public, found = _what(task, submissions, lab)
     marks = folder if folder is None or public is None else folder / "staff"
     rows = _mark(setting, found, marks, recordings=recordings, quiet=form == "json")
     show_diagnostics(setting.stamps, color)
@@ -89,25 +92,25 @@ def _for_students(
     say(f"wrote {folder / 'students'}, without the hidden checks")
 
 
-def _settings(task: str, folder: Path | None) -> "tuple[Setting, Setting | None]":
+def _settings(task: str, folder: Path | None, lab: Path | None) -> "tuple[Setting, Setting | None]":
     """Return what is marked by, and the same without hidden checks; None where there are none."""
     from vrts.marking.packed import is_packed, load_zip
     from vrts.pipeline.settings import TASK_FILE, load_task
 
     path = folder / TASK_FILE if folder is not None else Path(task)
     load = load_zip if is_packed(path) else load_task
-    whole = load(path, staff=True)
-    return whole, load(path, staff=False) if whole.hidden else None
+    whole = load(path, staff=True, lab=lab)
+    return whole, load(path, staff=False, lab=lab) if whole.hidden else None
 
 
 def _what(
-    task: str, submissions: tuple[Path, ...]
+    task: str, submissions: tuple[Path, ...], lab: Path | None
 ) -> "tuple[Setting, Setting | None, list[Submission]]":
     from vrts.marking.submissions import of_example, of_paths
     from vrts.pipeline.files import find_example
 
     folder = find_example(task)
-    setting, public = _settings(task, folder)
+    setting, public = _settings(task, folder, lab)
     if submissions:
         missing = [str(p) for p in submissions if not p.exists()]
         if missing:

@@ -14,6 +14,7 @@ Examples:
   vrts new scene lab1
   vrts new task lab1 --from cans-on-bases
   vrts new program mine.v2 --from cans-on-bases
+  vrts new lab lab.toml
 """
 
 from_option = click.option(
@@ -23,7 +24,7 @@ from_option = click.option(
 
 @click.group(name="new", epilog=EPILOG)
 def command() -> None:
-    """Write a scene, a task or a program to begin with. Nothing is overwritten."""
+    """Write a scene, a task, a program or a lab to begin with. Nothing is overwritten."""
 
 
 @command.command(name="scene", epilog=EPILOG)
@@ -53,6 +54,23 @@ def program(name: Path, origin: str | None, color: str) -> None:
     text = new_program(f"vrts verify {file.name} --scene {taken}", setting.scene)
     _write(file.parent, {file.name: text.encode()})
     say(f"check it with `vrts verify {file} --scene {taken}`")
+
+
+@command.command(name="lab", epilog=EPILOG)
+@click.argument("name", type=click.Path(path_type=Path))
+@color_option
+@guarded
+def lab(name: Path, color: str) -> None:
+    """Write the file NAME with the measures of a robot, a hand and a table.
+
+    Laid over a scene by `--lab NAME`, or by `lab = "NAME"` in a task, its numbers take the place of
+    the scene's: so any scene is that of your own laboratory.
+    """
+    from vrts.marking.new_lab import LAB
+
+    file = name if name.suffix else name.with_suffix(".toml")
+    _write(file.parent, {file.name: LAB.encode()})
+    say(f"write your measures into it; `vrts scene check cans-on-bases --lab {file}` looks at them")
 
 
 @command.command(name="task", epilog=EPILOG)

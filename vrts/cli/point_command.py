@@ -14,6 +14,7 @@ from vrts.cli.console import (
     color_option,
     fail,
     guarded,
+    lab_option,
     out,
     say,
     show_diagnostics,
@@ -39,6 +40,7 @@ Examples:
 @click.option("--down", is_flag=True, help="Hand straight down.")
 @click.option("--turn", type=float, help="Turn of the hand about the vertical, degrees.")
 @click.option("--save", nargs=2, help="NAME FILE: append the location to a program.")
+@lab_option
 @color_option
 @guarded
 def command(
@@ -47,6 +49,7 @@ def command(
     down: bool,
     turn: float | None,
     save: tuple[str, str] | None,
+    lab: Path | None,
     color: str,
 ) -> None:
     """Tell whether the tool reaches X Y Z (mm) [O A T (degrees)] in SCENE, and how."""
@@ -57,7 +60,7 @@ def command(
     from vrts.scene.reach import reach
 
     values = _numbers(numbers, down=down)
-    setting = load_scene(scene).scene
+    setting = load_scene(scene, lab=lab).scene
     x, y, z = values[:3]
     X_WT = down_pose(x, y, z, turn or 0.0) if down else pose_from_components(*values)
     found = reach(setting, X_WT)

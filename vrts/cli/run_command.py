@@ -13,6 +13,7 @@ from vrts.cli.console import (
     color_option,
     fail,
     guarded,
+    lab_option,
     language_options,
     out,
     program_bytes,
@@ -34,6 +35,7 @@ Examples:
   vrts run prog.v2 --scene cans-on-bases --from 10 --to 4 --speed -4
   vrts run prog.v2 --scene cans-on-bases --csv motion.csv --rate 100
   vrts run prog.v2 --scene cans-on-bases --scenario gripper-slips.toml
+  vrts run prog.v2 --scene cans-on-bases --lab lab.toml
   vrts run prog.v2 --save out.vrun
   vrts run out.vrun --at 3.2
 """
@@ -48,6 +50,15 @@ class _Span(NamedTuple):
     from_s: float
     to_s: float
     speed: float  # 0: without waiting
+
+
+class _Wanted(NamedTuple):
+    """What a program runs in."""
+
+    scene: str | None
+    lab: Path | None
+    scenario: Path | None
+    entry: str | None
 
 
 @click.command(name="run", epilog=EPILOG)
@@ -69,6 +80,7 @@ class _Span(NamedTuple):
 @click.option("--save", type=click.Path(path_type=Path), help="Write the run to a file (.vrun).")
 @click.option("--check", is_flag=True, help="Execute a saved run again and compare.")
 @click.option("--overwrite", is_flag=True, help="Replace files that are there.")
+@lab_option
 @language_options
 @color_option
 @guarded
@@ -76,6 +88,7 @@ def command(
     program: str,
     scene: str | None,
     scenario: Path | None,
+    lab: Path | None,
     entry: str | None,
     time_s: float | None,
     statement: int | None,
@@ -117,14 +130,17 @@ def command(
 
     data, name, path = program_bytes(program)
     if is_saved_run(data):
-        if scene or scenario or entry or others or dialect or prec or replace:
+        if scene or scenario or lab or entry or others or dialect or prec or replace:
             fail("a saved run has its own scene, scenario and programs")
         found = _loaded(data, name, path, color)
     elif check:
         fail("only a saved run can be checked", ("`--save FILE` writes one",))
+    elif lab is not None and scene is None:
+        fail("a lab is laid over a scene", ("give `--scene NAME`, too",))
     else:
         reading = reading_of(others, dialect or "auto", prec, replace=replace)
-        found = _simulated(data, name, path, (scene, scenario, entry), reading, color)
+        wanted = _Wanted(scene, lab, scenario, entry)
+        found = _simulated(data, name, path, wanted, reading, color)
     run = found.run
     if run is None:
         sys.exit(WRONG)
@@ -144,15 +160,16 @@ def _simulated(
     data: bytes,
     name: str,
     path: Path | None,
-    wanted: tuple[str | None, Path | None, str | None],
+    wanted: _Wanted,
     reading: "Reading",
     color: str,
 ) -> "Simulated":
     from vrts.pipeline.settings import load_scene, robot_alone, with_scenario
     from vrts.run_files import simulate
 
-    scene, scenario, entry = wanted
-    setting = load_scene(scene, path.parent if path else None) if scene else robot_alone()
+    scene, lab, scenario, entry = wanted
+    beside = path.parent if path else None
+    setting = load_scene(scene, beside, lab=lab) if scene else robot_alone()
     if scenario is not None:
         setting = with_scenario(setting, scenario)
     found = simulate(data, name, setting, entry=entry, reading=reading)

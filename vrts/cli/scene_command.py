@@ -12,6 +12,7 @@ from vrts.cli.console import (
     WRONG,
     color_option,
     guarded,
+    lab_option,
     out,
     say,
     show_diagnostics,
@@ -27,6 +28,7 @@ Examples:
   vrts scene show cans-on-bases
   vrts scene show cans-on-bases --svg map.svg
   vrts scene check lab1
+  vrts scene check lab1 --lab lab.toml
   vrts scene watch lab1 --svg map.svg
 """
 
@@ -50,14 +52,15 @@ def list_scenes() -> None:
 @command.command(name="show", epilog=EPILOG)
 @click.argument("name")
 @click.option("--svg", type=click.Path(path_type=Path), help="Write a drawing, top and side view.")
+@lab_option
 @color_option
 @guarded
-def show(name: str, svg: Path | None, color: str) -> None:
+def show(name: str, svg: Path | None, lab: Path | None, color: str) -> None:
     """Print every object of scene NAME, and its locations ready to paste into a program."""
     from vrts.pipeline.settings import load_scene
     from vrts.report.scene_text import scene_text
 
-    scene = load_scene(name).scene
+    scene = load_scene(name, lab=lab).scene
     out(scene_text(scene))
     if svg is not None:
         from vrts.report.scene_drawing import scene_svg
@@ -68,9 +71,10 @@ def show(name: str, svg: Path | None, color: str) -> None:
 
 @command.command(name="check", epilog=EPILOG)
 @click.argument("name")
+@lab_option
 @color_option
 @guarded
-def check(name: str, color: str) -> None:
+def check(name: str, lab: Path | None, color: str) -> None:
     """Look for what cannot be meant in scene NAME, or in the folder of a task.
 
     Finds overlaps, floating objects, objects too wide for the hand, locations out of reach on every
@@ -81,7 +85,7 @@ def check(name: str, color: str) -> None:
     from vrts.report.plain import one_line
     from vrts.scene.checks import scene_findings
 
-    setting = _setting(name)
+    setting = _setting(name, lab)
     scene, task = setting.scene, setting.task
     found = [*setting.diagnostics, *scene_findings(scene)]
     if task is not None:
@@ -94,24 +98,27 @@ def check(name: str, color: str) -> None:
     sys.exit(WRONG if any(d.is_error for d in found) else HOLDS)
 
 
-def _setting(name: str) -> "Setting":
+def _setting(name: str, lab: Path | None) -> "Setting":
     """Return a scene, with the task where NAME is the folder of one."""
     from vrts.pipeline.settings import TASK_FILE, load_scene, load_task
 
     path = Path(name)
     if (path / TASK_FILE).is_file() or (path.name == TASK_FILE and path.is_file()):
-        return load_task(path, staff=True)
-    return load_scene(name)
+        return load_task(path, staff=True, lab=lab)
+    return load_scene(name, lab=lab)
 
 
 @command.command(name="watch", epilog=EPILOG)
 @click.argument("name")
 @click.option("--svg", type=click.Path(path_type=Path), help="Write a drawing on every change.")
 @click.option("--for", "seconds", type=float, help="End after so many seconds; otherwise never.")
+@lab_option
 @color_option
 @guarded
-def watch_scene(name: str, svg: Path | None, seconds: float | None, color: str) -> None:
-    """Show scene NAME, and again whenever its file is saved. Control-C ends it."""
+def watch_scene(
+    name: str, svg: Path | None, seconds: float | None, lab: Path | None, color: str
+) -> None:
+    """Show scene NAME, and again whenever its file or the lab is saved. Control-C ends it."""
     from vrts.cli.watching import watch
     from vrts.pipeline.files import find_scene
 
@@ -119,12 +126,13 @@ def watch_scene(name: str, svg: Path | None, seconds: float | None, color: str) 
     until = None if seconds is None else time.monotonic() + seconds
 
     def redraw() -> None:
-        draw(place, svg, color)
+        draw(place, svg, lab, color)
 
-    watch([place], redraw, clock=time.monotonic, sleep=time.sleep, until=until)
+    files = [place] if lab is None else [place, lab]
+    watch(files, redraw, clock=time.monotonic, sleep=time.sleep, until=until)
 
 
-def draw(place: Path, svg: Path | None, color: str) -> None:
+def draw(place: Path, svg: Path | None, lab: Path | None, color: str) -> None:
     """Show a scene as it is now, with a drawing; or what is wrong with it."""
     from vrts.pipeline.files import CannotRead
     from vrts.pipeline.settings import Refused, load_scene
@@ -135,7 +143,7 @@ def draw(place: Path, svg: Path | None, color: str) -> None:
     if sys.stdout.isatty():
         click.clear()
     try:
-        setting = load_scene(str(place.resolve()))
+        setting = load_scene(str(place.resolve()), lab=lab)
     except Refused as problem:
         show_diagnostics(problem.diagnostics, color)
         return

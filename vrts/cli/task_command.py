@@ -12,6 +12,7 @@ from vrts.cli.console import (
     color_option,
     fail,
     guarded,
+    lab_option,
     out,
     show_diagnostics,
     write_file,
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 EPILOG = """\b
 Examples:
   vrts task check lab1
+  vrts task check lab1 --lab lab.toml
   vrts task pack lab1 -o handout
 """
 
@@ -42,19 +44,20 @@ def command() -> None:
     type=click.Path(path_type=Path),
     help="The reference solution; otherwise staff/solution.v2 or solution.v2 in FOLDER.",
 )
+@lab_option
 @color_option
 @guarded
-def check(folder: Path, reference: Path | None, color: str) -> None:
+def check(folder: Path, reference: Path | None, lab: Path | None, color: str) -> None:
     """Tell whether the task in FOLDER, with its hidden part, is ready to be handed out.
 
     The reference must get 10 of 10, a program that does nothing 0, and every goal must be within
-    reach. Proposes times, and lists what everything is worth. Exit status 1 when something is
-    wrong.
+    reach. Proposes times, and lists what everything is worth. With a lab, tells whether the task
+    would work there. Exit status 1 when something is wrong.
     """
     from vrts.marking.task_check import check_task
     from vrts.marking.task_folder import reference_of
 
-    setting = _setting(folder)
+    setting = _setting(folder, lab)
     found = check_task(setting, reference or reference_of(_folder(folder)))
     show_diagnostics(found.findings, color)
     out(_text(setting, found))
@@ -107,12 +110,12 @@ def _folder(path: Path) -> Path:
     return path if path.is_dir() else path.parent
 
 
-def _setting(folder: Path) -> "Setting":
+def _setting(folder: Path, lab: Path | None = None) -> "Setting":
     from vrts.pipeline.settings import TASK_FILE, load_task
 
     if folder.is_dir() and not (folder / TASK_FILE).is_file():
         fail(f"there is no `{TASK_FILE}` in `{folder}`", (f"begin with `vrts new task {folder}`",))
-    return load_task(folder, staff=True)
+    return load_task(folder, staff=True, lab=lab)
 
 
 def _text(setting: "Setting", found: "TaskCheck") -> str:

@@ -13,6 +13,7 @@ from vrts.cli.console import (
     color_option,
     fail,
     guarded,
+    lab_option,
     language_options,
     out,
     program_bytes,
@@ -38,6 +39,7 @@ Examples:
   vrts verify prog.v2 --task task.toml --html page.html --record run.rrd
   vrts verify prog.v2 --task lab1-student.zip
   vrts verify prog.v2 --scenario gripper-slips.toml
+  vrts verify prog.v2 --lab lab.toml
   vrts verify prog.v2 --engine fcl
   vrts verify prog.v2 --format json
 """
@@ -59,6 +61,7 @@ Examples:
     type=click.Choice(["coal", "fcl"]),
     help="What measures distances; without it coal, or fcl where coal is not installed.",
 )
+@lab_option
 @language_options
 @color_option
 @guarded
@@ -67,6 +70,7 @@ def command(
     scene: str | None,
     task: Path | None,
     scenario: Path | None,
+    lab: Path | None,
     html: Path | None,
     record: Path | None,
     form: str,
@@ -90,9 +94,9 @@ def command(
 
     data, name, path = program_bytes(program)
     if task is not None and is_packed(task):
-        setting = load_zip(task, scene=scene, scenario=scenario, staff=False)
+        setting = load_zip(task, scene=scene, scenario=scenario, staff=False, lab=lab)
     else:
-        setting = setting_for(path, scene=scene, task=task, scenario=scenario)
+        setting = setting_for(path, scene=scene, task=task, scenario=scenario, lab=lab)
     if setting is None:
         _no_setting()
     if scenario is not None and setting.scenario is not None:

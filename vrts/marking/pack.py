@@ -57,7 +57,7 @@ def _zip(
 ) -> bytes:
     hashes = {name: sha256(data) for name, data in members.items()}
     allowed = versions or (__version__,)
-    manifest = Manifest(files.name, staff, hidden, allowed, files.scene, hashes)
+    manifest = Manifest(files.name, staff, hidden, allowed, files.scene, files.lab, hashes)
     contents = {MANIFEST: manifest_bytes(manifest), **members}
     _check({files.name: 0, **{name: len(data) for name, data in contents.items()}})
     return packed({f"{files.name}/{name}": contents[name] for name in sorted(contents)}, MODE)

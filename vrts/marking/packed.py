@@ -33,6 +33,7 @@ def load_zip(
     staff: bool = True,
     scene: str | None = None,
     scenario: Path | None = None,
+    lab: Path | None = None,
 ) -> Setting:
     """Return the setting of a packed task, with the hidden part if that is in it and wanted.
 
@@ -41,13 +42,14 @@ def load_zip(
         staff: Whether to add the hidden part.
         scene: Name or path of another scene; marks in it do not count.
         scenario: A scenario file in place of the task's.
+        lab: A lab in place of the task's; marks in it do not count.
 
     Raises:
         CannotRead: A file is not there.
         Refused: It is no packed task, or its task or scene have errors.
     """
     bundle = read_zip(read_bytes(path))
-    return setting_of(bundle, staff=staff, scene=scene, scenario=scenario)
+    return setting_of(bundle, staff=staff, scene=scene, scenario=scenario, lab=lab)
 
 
 def setting_of(
@@ -56,6 +58,7 @@ def setting_of(
     staff: bool = True,
     scene: str | None = None,
     scenario: Path | None = None,
+    lab: Path | None = None,
 ) -> Setting:
     """Return the setting of a packed task; see `load_zip`."""
     with TemporaryDirectory(prefix="vrts-") as temporary:
@@ -67,7 +70,7 @@ def setting_of(
             place.write_bytes(data)
         _require_own_scene(bundle, folder, home)
         task_file = folder / TASK_FILE
-        setting = load_task(task_file, scene, scenario, staff=staff, home=home)
+        setting = load_task(task_file, scene, scenario, staff=staff, home=home, lab=lab)
     hidden = bundle.manifest.hidden
     task = setting.task
     assert task is not None
@@ -80,13 +83,18 @@ def setting_of(
 
 
 def _require_own_scene(bundle: Bundle, folder: Path, home: Path) -> None:
-    """Refuse a task that names a scene outside its zip, or none."""
+    """Refuse a task that names a scene or a lab outside its zip, or no scene."""
     from vrts.check.task_file import scene_name
+    from vrts.check.task_lab import lab_name
 
-    named, found = None, ()
+    named, lab, found = None, None, ()
     if TASK_FILE in bundle.files:
-        named, found = scene_name(read_toml_source(folder / TASK_FILE, home))
+        source = read_toml_source(folder / TASK_FILE, home)
+        named, found = scene_name(source)
+        lab = lab_name(source)
     places = {normpath(f"{named}/{end}") for end in ("", SCENE_FILE)}
     inside = places & bundle.files.keys()
     if named is None or not inside:
         raise Refused(found or (error(BAD_ARCHIVE, "the packed task has no scene of its own"),))
+    if lab is not None and normpath(lab) not in bundle.files:
+        raise Refused((error(BAD_ARCHIVE, "the packed task has no lab of its own"),))

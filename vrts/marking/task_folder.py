@@ -32,6 +32,7 @@ class TaskFiles(NamedTuple):
     scene: str  # which of the public files is the scene's
     public: dict[str, bytes]
     staff: dict[str, bytes]
+    lab: str = ""  # which of the public files is that of the lab; "" without one
 
 
 def read_folder(folder: Path) -> TaskFiles:
@@ -46,8 +47,8 @@ def read_folder(folder: Path) -> TaskFiles:
     for part in PUBLIC_FOLDERS:
         public.update(_inside(folder, part))
     name = safe(folder.resolve().name)
-    scene = _add_scene(folder, public)
-    return TaskFiles(name, scene, public, dict(_inside(folder, STAFF)))
+    scene, lab = _add_scene(folder, public), _add_lab(folder, public)
+    return TaskFiles(name, scene, public, dict(_inside(folder, STAFF)), lab)
 
 
 def reference_of(folder: Path) -> Path | None:
@@ -75,13 +76,38 @@ def _add_scene(folder: Path, public: dict[str, bytes]) -> str:
             f"the scene `{named}` is outside the task's folder",
             ("copy it into the folder, and name it from there",),
         )
+    _add_with_shapes(place, name, public)
+    return name
+
+
+def _add_lab(folder: Path, public: dict[str, bytes]) -> str:
+    """Add the lab and the files beside it; return the name it has, "" where there is none."""
+    from vrts.check.task_lab import lab_name
+
+    named = lab_name(read_toml_source(folder / TASK_FILE))
+    if named is None:
+        return ""
+    place = folder / named
+    if not place.resolve().is_relative_to(folder.resolve()):
+        raise CannotRead(
+            f"the lab `{named}` is outside the task's folder",
+            ("copy it into the folder, and name it from there",),
+        )
+    name = PurePosixPath(place.resolve().relative_to(folder.resolve())).as_posix()
+    if name.startswith(f"{STAFF}/"):
+        raise CannotRead(f"the lab of the task is in `{STAFF}`, which students do not get")
+    _add_with_shapes(place, name, public)
+    return name
+
+
+def _add_with_shapes(place: Path, name: str, public: dict[str, bytes]) -> None:
+    """Add a file, and the descriptions of robots and meshes beside it."""
     public[name] = _bytes(place)
     beside = str(PurePosixPath(name).parent)
     for other in sorted(place.parent.iterdir()):
         if other.suffix.lower() in (".urdf", ".stl", ".obj", ".dae") and other.is_file():
             inside = other.name if beside == "." else f"{beside}/{other.name}"
             public[inside] = _bytes(other)
-    return name
 
 
 def _inside(folder: Path, part: str) -> Iterator[tuple[str, bytes]]:

@@ -57,18 +57,30 @@ def robot_alone() -> Setting:
     return Setting(alone(), None, ())
 
 
-def load_scene(name: str, beside: Path | None = None, home: Path | None = None) -> Setting:
-    """Return a scene without a task; `home` as for `read_toml_source`.
+def load_scene(
+    name: str, beside: Path | None = None, home: Path | None = None, lab: Path | None = None
+) -> Setting:
+    """Return a scene without a task, with a lab laid over it if one is given.
+
+    Args:
+        name: A path, or a name of the library.
+        beside: Folder to look in first.
+        home: As for `read_toml_source`.
+        lab: File of a lab.
 
     Raises:
-        CannotRead: There is no such scene.
-        Refused: Its file has errors.
+        CannotRead: There is no such scene or lab.
+        Refused: One of the files has errors.
     """
-    from vrts.scene.scene_file import read_scene
+    from vrts.scene.scene_file import read_scene, read_scene_in_lab
 
     path = find_scene(name, beside)
     source = read_toml_source(path, home)
-    scene, found = read_scene(source, path.parent)
+    if lab is None:
+        scene, found = read_scene(source, path.parent)
+    else:
+        laid = read_toml_source(lab, home)
+        scene, found, source = read_scene_in_lab(source, laid, path.parent, lab.parent)
     return Setting(_accepted(scene, found), None, found, scene_source=source)
 
 
@@ -79,10 +91,12 @@ def load_task(
     *,
     staff: bool = False,
     home: Path | None = None,
+    lab: Path | None = None,
 ) -> Setting:
     """Return a task in its scene, or in another one, which is stamped: its marks do not count.
 
-    The scenario is the one given, else `scenario.toml` beside the task if there is one.
+    The lab is the one given, else the one that the task names. The scenario is the one given, else
+    `scenario.toml` beside the task if there is one.
 
     Args:
         path: `task.toml`, or its folder.
@@ -90,26 +104,30 @@ def load_task(
         scenario: A scenario file.
         staff: Whether to add the hidden parts in `staff/task.toml` and `staff/scenes`.
         home: As for `read_toml_source`.
+        lab: File of a lab; another one than the task's is like another scene.
 
     Raises:
-        CannotRead: The task, its scene or the scenario is not there.
+        CannotRead: The task, its scene, lab or scenario is not there.
         Refused: One of the files has errors.
     """
     from vrts.check.manifest import altered, announced, other_scene
     from vrts.check.staff import read_whole_task
     from vrts.check.task_file import read_task, scene_name
+    from vrts.check.task_lab import lab_name
 
     folder = path if path.is_dir() else path.parent
     source = read_toml_source(folder / TASK_FILE if path.is_dir() else path, home)
     named, found = scene_name(source)
-    setting = load_scene(scene or _accepted(named, found), folder, home)
+    own_lab = lab_name(source)
+    its_lab = None if own_lab is None else folder / own_lab
+    setting = load_scene(scene or _accepted(named, found), folder, home, lab or its_lab)
     stamps: tuple[Diagnostic, ...] = ()
     more = 0
     if (folder / MANIFEST_FILE).is_file():
         packed = _packed_files(folder)
         stamps, more = altered(packed), announced(packed[MANIFEST_FILE])
-    if scene is not None and named is not None and scene != named:
-        stamps += other_scene(load_scene(named, folder, home).scene, setting.scene)
+    if named is not None and (lab is not None or scene not in (None, named)):
+        stamps += other_scene(load_scene(named, folder, home, its_lab).scene, setting.scene)
     hidden = 0
     if staff and (folder / STAFF / TASK_FILE).is_file():
         staff_source = read_toml_source(folder / STAFF / TASK_FILE, home)
@@ -129,21 +147,26 @@ def load_task(
         scenario = folder / SCENARIO_FILE
     if scenario is not None:
         setting = with_scenario(setting, scenario, home)
-    return _with_variants(setting, path, scenario, home) if staff and scene is None else setting
+    if not staff or scene is not None:
+        return setting
+    return _with_variants(setting, path, scenario, home, lab)
 
 
 def _with_variants(
-    setting: Setting, path: Path, scenario: Path | None, home: Path | None
+    setting: Setting, path: Path, scenario: Path | None, home: Path | None, lab: Path | None
 ) -> Setting:
     """Add the task in every scene of `staff/scenes`; each counts as one hidden check."""
     from vrts.check.manifest import hidden_scene
 
     folder = path if path.is_dir() else path.parent
     variants = [
-        load_task(path, str(place.resolve()), scenario, staff=True, home=home)
+        load_task(path, str(place.resolve()), scenario, staff=True, home=home, lab=lab)
         for place in sorted((folder / STAFF / "scenes").glob("*.toml"))
     ]
-    told = tuple(replace(variant, stamps=hidden_scene(variant.scene)) for variant in variants)
+    told = tuple(
+        replace(variant, stamps=(*setting.stamps, *hidden_scene(variant.scene)))
+        for variant in variants
+    )
     return replace(
         setting,
         variants=told,
@@ -193,23 +216,24 @@ def setting_for(
     scene: str | None = None,
     task: Path | None = None,
     scenario: Path | None = None,
+    lab: Path | None = None,
 ) -> Setting | None:
     """Return the setting that a program is verified in; None when nothing tells which.
 
     The task is the one given, else `task.toml` beside the program, unless a scene is asked for.
-    The scenario is the one given, else the task's.
+    Scenario and lab are those given, else the task's.
     """
     if task is not None:
-        return load_task(task, scene, scenario)
+        return load_task(task, scene, scenario, lab=lab)
     beside = program.parent if program is not None else None
     if scene is not None:
-        setting = load_scene(scene, beside)
+        setting = load_scene(scene, beside, lab=lab)
         return setting if scenario is None else with_scenario(setting, scenario)
     if beside is None:
         return None
     for folder in (beside, beside.parent if beside.name == "submissions" else beside):
         if (folder / TASK_FILE).is_file():
-            return load_task(folder / TASK_FILE, scenario=scenario)
+            return load_task(folder / TASK_FILE, scenario=scenario, lab=lab)
     return None
 
 

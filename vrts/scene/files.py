@@ -13,9 +13,10 @@ class FileFault(Exception):  # noqa: N818 -- names what it is
 
 @dataclass(slots=True)
 class SceneFolder:
-    """The folder of a scene, and what was read from it."""
+    """The folder of a scene, that of a lab laid over it, and what was read from them."""
 
     path: Path | None  # None: the scene came without one
+    lab: Path | None = None  # where to look next
     contents: dict[str, bytes] = field(default_factory=dict[str, bytes])  # by name, as read
 
     def read(self, name: str, most: int) -> bytes:
@@ -33,6 +34,8 @@ class SceneFolder:
         if not _PLAIN.fullmatch(name) or ".." in name.split("/"):
             raise FileFault("only names of files in the scene's own folder are taken")
         folder = self.path.resolve()
+        if self.lab is not None and not (folder / name).is_file():
+            folder = self.lab.resolve()
         place = (folder / name).resolve()
         if not place.is_relative_to(folder):  # by a link
             raise FileFault("it lies outside the scene's folder")

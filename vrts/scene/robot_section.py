@@ -2,15 +2,16 @@
 
 import posixpath
 import re
-from typing import cast
+from dataclasses import replace
+from typing import NamedTuple, cast
 
 from vrts.base.diagnostic import Label, Rule
 from vrts.base.oat import pose_from_components
-from vrts.base.pose import Pose
+from vrts.base.pose import IDENTITY, Z_AXIS, Pose, rotation_about
 from vrts.base.toml import Table
-from vrts.base.units import DEG, MM
+from vrts.base.units import DEG, MM, deg
 from vrts.robots.catalog import WheelMissing, names, robot
-from vrts.robots.model import Configuration, Robot
+from vrts.robots.model import Arm, Configuration, Gripper, Robot
 from vrts.robots.serial_robot import Manner, serial_robot
 from vrts.robots.urdf import UrdfFault, read_urdf
 from vrts.scene.files import FileFault, SceneFolder
@@ -19,6 +20,7 @@ ROBOT_FILE = Rule("V421", "robot-file")
 ROBOT_DESCRIPTION = Rule("V422", "robot-description")
 ROBOT_NOT_INSTALLED = Rule("V423", "robot-not-installed")
 TWO_ROBOTS = Rule("V424", "two-robots")
+JOINT_LIMITS = Rule("V643", "joint-limits")
 
 USUAL = "puma761"
 FARTHEST = 10_000.0  # [mm]
@@ -29,19 +31,75 @@ MOST_MESHES = 60_000_000  # bytes of all together
 _PACKAGE = re.compile(r"package://[^/]*/")
 
 
-def read_robot(section: Table | None, folder: SceneFolder) -> tuple[Robot, Pose]:
-    """Return the robot of a scene and the TOOL with which programs start.
+class Installed(NamedTuple):
+    """A robot where it stands."""
+
+    robot: Robot
+    X_FT: Pose  # TOOL with which programs start
+    X_WS: Pose  # the frame in which the file gives places
+
+
+def read_robot(section: Table | None, gripper: Gripper, folder: SceneFolder) -> Installed:
+    """Return the robot of a scene with its hand, TOOL and place.
 
     What is wrong is reported; the usual robot then stands in for the rest of the reading.
     """
     if section is None:
-        chosen = robot(USUAL)
-        return chosen, chosen.gripper.X_FP
+        return Installed(replace(robot(USUAL), gripper=gripper), gripper.X_FP, IDENTITY)
     chosen = _described(section, folder) if "urdf" in section else _named(section)
     tool = section.numbers("tool_xyzoat", count=6, minimum=-FARTHEST, maximum=FARTHEST)
+    at = section.numbers("at_mm", (0.0, 0.0), count=2, minimum=-FARTHEST, maximum=FARTHEST)
+    turn = section.number("turn_deg", 0.0, minimum=-360.0, maximum=360.0) * DEG
+    chosen = replace(chosen or robot(USUAL), gripper=gripper)
+    chosen = replace(chosen, arm=_measured(section, chosen.arm))
     section.finish()
-    chosen = chosen or robot(USUAL)
-    return chosen, chosen.gripper.X_FP if tool is None else _pose(tool)
+    x, y = at or (0.0, 0.0)
+    X_SW = Pose(rotation_about(Z_AXIS, turn), (x * MM, y * MM, 0.0))
+    X_FT = gripper.X_FP if tool is None else _pose(tool)
+    return Installed(chosen, X_FT, IDENTITY if X_SW == IDENTITY else X_SW.inverse())
+
+
+def _measured(section: Table, arm: Arm) -> Arm:
+    """Return an arm with the limits of a section in place of its own."""
+    before = len(section.problems.found)
+    lower = section.numbers("lower_deg", count=6, minimum=-3600.0, maximum=3600.0)
+    upper = section.numbers("upper_deg", count=6, minimum=-3600.0, maximum=3600.0)
+    speed = section.numbers("speed_deg_s", count=6, above=0.0, maximum=3600.0)
+    linear = section.number("linear_mm_s", above=0.0, maximum=FARTHEST)
+    angular = section.number("angular_deg_s", above=0.0, maximum=3600.0)
+    arm = replace(
+        arm,
+        lower=arm.lower if lower is None else _angles(lower),
+        upper=arm.upper if upper is None else _angles(upper),
+        speed=arm.speed if speed is None else _angles(speed),
+        linear_speed=arm.linear_speed if linear is None else linear * MM,
+        angular_speed=arm.angular_speed if angular is None else angular * DEG,
+    )
+    if len(section.problems.found) == before:
+        _check_limits(section, arm)
+    return arm
+
+
+def _check_limits(section: Table, arm: Arm) -> None:
+    """Report the first joint whose limits leave out where it is when the arm stands ready."""
+    limits = zip(arm.lower, arm.ready, arm.upper, strict=True)
+    for joint, (lower, ready, upper) in enumerate(limits, 1):
+        if lower <= ready <= upper:
+            continue
+        key = "lower_deg" if lower > ready and "lower_deg" in section else "upper_deg"
+        section.problems.error(
+            JOINT_LIMITS,
+            f"the ready position is outside the limits of joint {joint}",
+            section.element_span(key, joint - 1) if key in section else section.span,
+            f"joint {joint} is at {deg(ready):g} deg there; its limits are {deg(lower):g} and"
+            f" {deg(upper):g} deg",
+            data={"joint": joint},
+        )
+        return
+
+
+def _angles(values: tuple[float, ...]) -> Configuration:
+    return cast(Configuration, tuple(value * DEG for value in values))
 
 
 def _named(section: Table) -> Robot | None:
@@ -86,7 +144,7 @@ def _described(section: Table, folder: SceneFolder) -> Robot | None:
         manner = Manner(
             description.name,
             title or description.name,
-            cast(Configuration, tuple(angle * DEG for angle in ready)),
+            _angles(ready),
             height * MM,
             linear * MM,
             angular * DEG,

@@ -24,6 +24,8 @@ from vrts.scene.colors import NAMED, Color, color
 from vrts.scene.default import floor_body
 from vrts.scene.files import SceneFolder
 from vrts.scene.form_section import CARRIED, COLORS, FARTHEST, MAY_BE_FIXED, read_form
+from vrts.scene.gripper_section import read_gripper
+from vrts.scene.lab import laid_over, read_lab
 from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.places import find_places
 from vrts.scene.robot_section import read_robot
@@ -79,6 +81,32 @@ def read_scene(
     return scene, problems.in_order()
 
 
+def read_scene_in_lab(
+    source: SourceFile, lab: SourceFile, folder: Path | None, lab_folder: Path | None
+) -> tuple[Scene | None, tuple[Diagnostic, ...], SourceFile]:
+    """Return the scene a file describes with a lab laid over it, and the text of both.
+
+    Args:
+        source: The scene's file.
+        lab: The lab's.
+        folder: Where files that the scene names are.
+        lab_folder: Where files that the lab names are.
+    """
+    both, found = laid_over(source, lab)
+    if both is None:
+        return None, found, source
+    top, problems = read_toml(both.joined)
+    scene = None if top is None else _scene(top, SceneFolder(folder, lab_folder), problems)
+    told = tuple(both.diagnostic(d) for d in problems.in_order())
+    if scene is None or problems.any_error:
+        return None, told, both.joined
+    bodies = tuple(
+        replace(body, span=None if body.span is None else both.span(body.span))
+        for body in scene.bodies
+    )
+    return replace(scene, bodies=bodies), told, both.joined
+
+
 def scene_name(file_name: str) -> str:
     """Return the name of a scene: its folder's for `scene.toml`, else the file's."""
     parts = [part for part in re.split(r"[/\\]", file_name) if part]
@@ -90,8 +118,10 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems) -> Scene | None:
     source = problems.source
     name = scene_name(source.name)
     title = top.string("title", name)
-    arm_and_hand, X_FT = read_robot(top.table("robot"), folder)
-    sections = top.named_tables("objects")
+    lab = read_lab(top)
+    gripper = read_gripper(lab.gripper_over(top.table("gripper")))
+    arm_and_hand, X_FT, X_WS = read_robot(lab.robot_over(top.table("robot")), gripper, folder)
+    sections = lab.objects_over(top.named_tables("objects"))
     locations_section = top.table("locations")
     top.finish()
     drafts: dict[str, _Draft] = {}
@@ -101,12 +131,18 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems) -> Scene | None:
             drafts[object_name] = draft
     floor = floor_body(arm_and_hand)
     declared = frozenset(object_name for object_name, _ in sections)
-    bodies = _Placer(drafts, declared, floor, problems).place_all()
+    bodies = _Placer(drafts, declared, floor, X_WS, problems).place_all()
     given: Mapping[str, Pose] = {}
     if locations_section is not None:
-        given = _locations(locations_section)
+        given = _locations(locations_section, X_WS)
     scene = Scene(
-        name, title, arm_and_hand, X_FT, bodies, MappingProxyType({}), _digest(source, folder)
+        name,
+        title + lab.suffix(),
+        arm_and_hand,
+        X_FT,
+        bodies,
+        MappingProxyType({}),
+        _digest(source, folder),
     )
     if problems.any_error:  # geometry is looked at only when all of it is known
         return None
@@ -134,7 +170,7 @@ def _pose(xyzoat: tuple[float, ...]) -> Pose:
     return pose_from_components(x, y, z, o, a, t)
 
 
-def _locations(section: Table) -> Mapping[str, Pose]:
+def _locations(section: Table, X_WS: Pose) -> Mapping[str, Pose]:
     found: dict[str, Pose] = {}
     for name in section.keys:
         values = section.numbers(name, count=6, minimum=-FARTHEST, maximum=FARTHEST)
@@ -146,7 +182,7 @@ def _locations(section: Table) -> Mapping[str, Pose]:
                 help=("a name has letters, digits and _, begins with a letter, at most 15 long",),
             )
         elif values is not None:
-            found[name.lower()] = _pose(values)
+            found[name.lower()] = X_WS @ _pose(values)
     return found
 
 
@@ -248,9 +284,11 @@ class _Placer:
         drafts: Mapping[str, _Draft],
         declared: frozenset[str],
         floor: Body,
+        X_WS: Pose,
         problems: Problems,
     ) -> None:
         self.drafts = drafts
+        self.X_WS = X_WS  # the frame of the file
         self.declared = declared
         self.problems = problems
         self.bodies: dict[str, Body] = {floor.name: floor}
@@ -278,15 +316,15 @@ class _Placer:
         if z is None:
             self.failed.add(draft.name)
             return None
-        x, y = draft.at[0] * MM, draft.at[1] * MM
         form = draft.form
+        X_SO = Pose(rotation_about(Z_AXIS, draft.turn), (draft.at[0] * MM, draft.at[1] * MM, z))
         body = Body(
             draft.name,
             draft.title,
             draft.kind,
             Mobility.FIXED if draft.fixed else Mobility.MOVABLE,
             form.pieces,
-            Pose(rotation_about(Z_AXIS, draft.turn), (x, y, z)),
+            self.X_WS @ X_SO,
             draft.color,
             form.centre_of_mass,
             form.symmetry_axis,
