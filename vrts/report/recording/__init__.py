@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import rerun as rr
 
+from vrts.base.units import mm
 from vrts.engine.run import Run
 from vrts.report.assessment import Assessment
 from vrts.report.plain import one_line
@@ -37,7 +38,8 @@ def write_recording(a: Assessment, path: Path) -> None:
         APPLICATION, recording_id=one_line(a.identifier), send_properties=False
     )
     with stream:
-        stream.save(path, default_blueprint=blueprint())
+        opening_max = a.scene.robot.gripper.opening_max
+        stream.save(path, default_blueprint=blueprint(a.run.horizon_s, mm(opening_max)))
         log_shapes(a)
         log_summary(a)
         times = times_of(a)

@@ -2,37 +2,79 @@
 
 import rerun.blueprint as rrb
 
+from vrts.base.pose import Vector
 from vrts.report.recording.names import TIMELINE
 
-EYE, TARGET = (3.4, -2.4, 1.3), (0.5, 0.0, -0.2)  # [m] in W
+EYE: Vector = (2.9, -2.3, 0.9)  # in W [m]
+TARGET: Vector = (0.55, 0.0, -0.1)
+BACKGROUND = (58, 66, 77)
+ROOM = 1.06  # of an axis: the curve ends a little before the frame
 
 
-def blueprint() -> rrb.Blueprint:
-    """Return the scene with lanes and log on the left, curves and summary on the right."""
+def blueprint(end_s: float, opening_max_mm: float) -> rrb.Blueprint:
+    """Return the scene with lanes and log on the left, curves and summary on the right.
+
+    Args:
+        end_s: Of the run.
+        opening_max_mm: How far the hand opens.
+    """
+    scene = rrb.Spatial3DView(
+        origin="/world",
+        name="Scene",
+        background=BACKGROUND,
+        line_grid=False,
+        eye_controls=rrb.EyeControls3D(position=EYE, look_target=TARGET),
+    )
+    lanes = rrb.StateTimelineView(
+        origin="/lanes", name="Lines, gripper and signals", time_view=_whole(end_s)
+    )
+    log = rrb.TextLogView(
+        origin="/log",
+        name="Program",
+        columns=rrb.TextLogColumns(text_log_columns=["LogLevel", "Body"]),
+    )
+    percent = (-100.0 * ROOM, 100.0 * ROOM)
+    curves = [
+        rrb.Tabs(
+            _curves("range", "Joints [% of half the range]", end_s, percent),
+            _curves("joints", "Joints [deg]", end_s, None),
+        ),
+        _curves("speed", "Joint speed [% of limit]", end_s, percent),
+        _curves("clearance", "Clearance [mm]", end_s, None),
+        _curves("hand", "Hand opening [mm]", end_s, (0.0, ROOM * opening_max_mm)),
+    ]
     return rrb.Blueprint(
         rrb.Horizontal(
+            rrb.Vertical(scene, lanes, log, row_shares=[6, 2, 2]),
             rrb.Vertical(
-                rrb.Spatial3DView(
-                    origin="/world",
-                    name="Scene",
-                    eye_controls=rrb.EyeControls3D(position=EYE, look_target=TARGET),
-                ),
-                rrb.StateTimelineView(origin="/lanes", name="Lines, gripper and signals"),
-                rrb.TextLogView(origin="/log", name="Program"),
-                row_shares=[5, 2, 2],
-            ),
-            rrb.Vertical(
-                rrb.Tabs(
-                    rrb.TimeSeriesView(origin="/range", name="Joints [% of half the range]"),
-                    rrb.TimeSeriesView(origin="/joints", name="Joints [deg]"),
-                ),
-                rrb.TimeSeriesView(origin="/speed", name="Joint speed [% of limit]"),
-                rrb.TimeSeriesView(origin="/clearance", name="Clearance [mm]"),
-                rrb.TimeSeriesView(origin="/hand", name="Hand opening [mm]"),
+                *curves,
                 rrb.TextDocumentView(origin="/summary", name="Summary"),
+                row_shares=[3, 3, 3, 2, 2],
             ),
             column_shares=[3, 2],
         ),
-        rrb.TimePanel(timeline=TIMELINE, state="expanded"),
+        rrb.TimePanel(timeline=TIMELINE, state="collapsed"),
         collapse_panels=True,
+    )
+
+
+def _curves(
+    path: str, name: str, end_s: float, levels: tuple[float, float] | None
+) -> rrb.TimeSeriesView:
+    return rrb.TimeSeriesView(
+        origin=f"/{path}",
+        name=name,
+        axis_x=_whole(end_s),
+        axis_y=rrb.ScalarAxis(range=levels) if levels else None,
+        plot_legend=rrb.PlotLegend(visible=path in ("range", "joints")),
+    )
+
+
+def _whole(end_s: float) -> rrb.TimeAxis:
+    """Return an axis that shows the whole run."""
+    return rrb.TimeAxis(
+        view_range=rrb.TimeRange(
+            start=rrb.TimeRangeBoundary.absolute(seconds=0.0),
+            end=rrb.TimeRangeBoundary.absolute(seconds=max(end_s, 0.001)),
+        )
     )

@@ -6,21 +6,22 @@ import rerun as rr
 from vrts.check.verdict import Clearance
 from vrts.report.assessment import Assessment
 from vrts.report.plain import one_line
-from vrts.report.quantities import millimetres, seconds
+from vrts.report.quantities import millimetres
 from vrts.report.recording.names import at_times
 from vrts.report.replay_data import contact_sentence
 
 CONTACT_COLOR = (225, 29, 42)
 GRAZE_COLOR = (245, 159, 0)
-CLOSEST_COLOR = (47, 125, 91)
+CLOSEST_COLOR = (72, 199, 142)
 RADIUS_M = 0.02
 LINE_RADIUS_M = 0.002
 MOST = 100  # markers of a kind
+CLOSEST_S = 0.3  # before and after the closest moment
 SHORTEST_S = 0.2  # a marker stays long enough to be seen
 
 
 def send_markers(a: Assessment) -> None:
-    """Mark contacts, grazes and near misses while they last, and the closest place throughout."""
+    """Mark contacts, grazes and near misses while they last, and where it was closest."""
     report = a.judgement.collisions if a.judgement else None
     if report is None:
         return
@@ -59,13 +60,14 @@ def _show(path: str, columns: rr.ComponentColumnList, start_s: float, end_s: flo
 
 def _closest(clearance: Clearance) -> None:
     words = _distance(clearance.bodies, clearance.distance_m)
-    line = rr.LineStrips3D(
-        [np.array(clearance.witnesses, np.float32)],
+    line = rr.LineStrips3D.columns(
+        strips=[np.array(clearance.witnesses, np.float32)],
         colors=[CLOSEST_COLOR],
         radii=[LINE_RADIUS_M],
-        labels=[f"closest: {words} at {seconds(clearance.time_s):.2f} s"],
+        labels=[f"closest: {words}"],
     )
-    rr.log("world/closest", line, static=True)
+    begin = max(clearance.time_s - CLOSEST_S, 0.0)
+    _show("world/closest", line, begin, clearance.time_s + CLOSEST_S)
 
 
 def _distance(names: tuple[str, str], distance_m: float) -> str:
