@@ -276,3 +276,36 @@ def test_watching_draws_the_map_and_goes_on_after_a_mistake(tmp_path: Path) -> N
     broken = vrts("scene", "watch", "cell", "--for", "0.1", cwd=tmp_path)
     assert broken.returncode == 0
     assert "V600" in broken.stderr
+
+
+def test_a_new_lab_changes_nothing_until_it_is_filled_in(tmp_path: Path) -> None:
+    plain = vrts("scene", "show", "cans-on-bases", cwd=tmp_path).stdout.splitlines()
+    assert vrts("new", "lab", "room", cwd=tmp_path).returncode == 0
+    assert vrts("new", "lab", "room", cwd=tmp_path).returncode == 2, "nothing is overwritten"
+    lab = tmp_path / "room.toml"
+    same = vrts("scene", "show", "cans-on-bases", "--lab", lab, cwd=tmp_path).stdout.splitlines()
+    assert same[1:] == plain[1:]
+    assert "in Our laboratory" in same[0]
+    lab.write_text(lab.read_text().replace("# top_z_mm = -300", "top_z_mm = -290"))
+    program = ROOT / "examples" / "01-cans-on-bases" / "solution.v2"
+    example = program.parent
+    for words, status, answer in (
+        (("scene", "show", "cans-on-bases"), 0, "top at Z -290"),
+        (("scene", "check", example), 0, "2 goals: nothing found"),
+        (("point", "cans-on-bases", "800", "-450", "-225", "--down"), 0, "reach"),
+        (("task", "check", example), 0, "ready to be handed out"),
+        (("verify", program), 0, "modified scene: this mark does not count"),
+        (("grade", example, program), 0, "modified scene: this mark does not count"),
+        (("run", program, "--scene", "cans-on-bases", "--save", "in.vrun"), 0, "in place"),
+        (("run", program), 2, "give `--scene NAME`"),
+        (("scene", "watch", "cans-on-bases", "--for", "0"), 0, "top at Z -290"),
+    ):
+        result = vrts(*words, "--lab", lab, cwd=tmp_path)
+        assert result.returncode == status, (words, result.stdout, result.stderr)
+        assert answer in result.stdout + result.stderr, words
+    lab.unlink()
+    again = vrts("run", "in.vrun", "--check", cwd=tmp_path)
+    assert "everything is the same" in again.stdout + again.stderr, "a run keeps its lab"
+    missing = vrts("scene", "show", "cans-on-bases", "--lab", lab, cwd=tmp_path)
+    assert missing.returncode == 2
+    assert "room.toml" in missing.stderr
