@@ -7,8 +7,8 @@ clearance and near misses only once they have been farther apart than the near-m
 come nearer again, and an object that is set down leaves them with the final approach.
 """
 
-from collections.abc import Callable, Sequence
-from typing import NamedTuple, TypeAlias
+from collections.abc import Callable, Generator, Mapping, Sequence
+from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +17,8 @@ from vrts.engine.events import Event, Grasped, HandCommanded, Released
 from vrts.ir.instructions import HandAction
 
 Array: TypeAlias = npt.NDArray[np.float64]
+T = TypeVar("T")
+Asking: TypeAlias = Generator[Array, Array, T]  # yields times, is sent distances [m], comes to T
 
 NEAR_MISS = 5e-3  # [m] nearer than this is a near miss, unless the task says otherwise [assumed]
 SEPARATED = 2e-4  # [m] pads farther than this from the object have let go of it [assumed]
@@ -63,17 +65,12 @@ def grips(events: Sequence[Event]) -> tuple[Grip, ...]:
 
 
 def finger_windows(
-    held: Sequence[Grip],
-    gap: Callable[[Array], Array],
-    start_s: float,
-    end_s: float,
-    near_miss: float = NEAR_MISS,
-) -> tuple[Window, ...]:
-    """Return the rules between one finger and one object over a run.
+    held: Sequence[Grip], start_s: float, end_s: float, near_miss: float = NEAR_MISS
+) -> Asking[tuple[Window, ...]]:
+    """Return the rules between one finger and one object over a run, asking for distances.
 
     Args:
         held: The grips of that object, in time order.
-        gap: Returns distances [m] of the finger from the object at times after an opening.
         start_s: Start of the run.
         end_s: End of the run.
         near_miss: Nearer than this is a near miss [m].
@@ -86,7 +83,7 @@ def finger_windows(
         windows.append(Window(at, close_s, allowed=False, counts=True))
         apart, away = until, until
         if grip.open_s < until:
-            apart, away = _parting(gap, grip.open_s, until, SEPARATED, near_miss)
+            apart, away = yield from _parting(grip.open_s, until, SEPARATED, near_miss)
         windows.append(Window(close_s, apart, allowed=True, counts=False))
         windows.append(Window(apart, away, allowed=False, counts=False))
         at = away
@@ -94,30 +91,24 @@ def finger_windows(
     return tuple(window for window in windows if window.end_s > window.start_s)
 
 
-def counted_from(
-    gap: Callable[[Array], Array], start_s: float, end_s: float, near_miss: float = NEAR_MISS
-) -> float:
+def counted_from(start_s: float, end_s: float, near_miss: float = NEAR_MISS) -> Asking[float]:
     """Return when a pair that starts together comes nearer after it was apart; `end_s` if never."""
-    return _parting(gap, start_s, end_s, near_miss, near_miss)[1]
+    return (yield from _parting(start_s, end_s, near_miss, near_miss))[1]
 
 
-def counted_until(
-    gap: Callable[[Array], Array], start_s: float, end_s: float, near_miss: float = NEAR_MISS
-) -> float:
+def counted_until(start_s: float, end_s: float, near_miss: float = NEAR_MISS) -> Asking[float]:
     """Return when a pair that ends together begins its final approach; `start_s` if at once."""
-
-    def backward(times: Array) -> Array:
-        return gap(start_s + end_s - times)
-
-    return start_s + end_s - _parting(backward, start_s, end_s, near_miss, near_miss)[1]
+    parting = _parting(start_s, end_s, near_miss, near_miss, mirrored=start_s + end_s)
+    return start_s + end_s - (yield from parting)[1]
 
 
 def _parting(
-    gap: Callable[[Array], Array], start_s: float, end_s: float, apart: float, near_miss: float
-) -> tuple[float, float]:
+    start_s: float, end_s: float, apart: float, near_miss: float, mirrored: float | None = None
+) -> Asking[tuple[float, float]]:
     """Return when a gap first exceeds `apart`, and when it is no longer that of parting.
 
     Parting is over when, beyond `near_miss`, the gap first shrinks, or when it exceeds `AWAY`.
+    To look backward in time, times are asked for as `mirrored` minus what they are.
     """
     separated: float | None = None
     before = -np.inf
@@ -125,7 +116,8 @@ def _parting(
     while first < end_s:
         step_s = FINE if separated is None else COARSE
         times = np.minimum(first + step_s * np.arange(BATCH), end_s)
-        for t, distance in zip(times.tolist(), gap(times).tolist(), strict=True):
+        gaps = yield times if mirrored is None else mirrored - times
+        for t, distance in zip(times.tolist(), gaps.tolist(), strict=True):
             if separated is None and distance > apart:
                 separated = t
             shrinks = before > near_miss and distance < before - 1e-6
@@ -134,3 +126,26 @@ def _parting(
             before = distance
         first = float(times[-1]) + step_s
     return (end_s if separated is None else separated), end_s
+
+
+def all_told(
+    questions: Sequence[Asking[T]], answer: Callable[[Mapping[int, Array]], Mapping[int, Array]]
+) -> list[T]:
+    """Return what several questions come to, all asking together for their next distances.
+
+    Args:
+        questions: Each asks for the distances of its own pair.
+        answer: Returns, for times by the number of the question, the distances then [m].
+    """
+    told: dict[int, T] = {}
+    answers: Mapping[int, Array | None] = dict.fromkeys(range(len(questions)))
+    while answers:
+        asked: dict[int, Array] = {}
+        for number, distances in answers.items():
+            question = questions[number]
+            try:
+                asked[number] = next(question) if distances is None else question.send(distances)
+            except StopIteration as end:
+                told[number] = end.value
+        answers = answer(asked) if asked else {}
+    return [told[number] for number in range(len(questions))]

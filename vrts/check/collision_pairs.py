@@ -5,30 +5,41 @@ convex pieces with an interval of time and a rule are one row of `Pairs`; the se
 at once, whatever their intervals.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from vrts.base.pose import Pose, Vector, rotate, translation
+from vrts.check.collision_cast import (
+    HAND,
+    Cast,
+    RobotSolids,
+    Stay,
+    placements_of,
+    robot_solids,
+    stays_of,
+)
 from vrts.check.collision_grips import (
     NEAR_MISS,
+    Asking,
+    Grip,
+    Window,
+    all_told,
     counted_from,
     counted_until,
     finger_windows,
     grips,
 )
-from vrts.check.collision_state import Prober, RunRecord
+from vrts.check.collision_state import Asked, Prober, RunRecord
 from vrts.check.curves import Curves
-from vrts.engine.records import Lie, Placement
+from vrts.engine.records import Lie
 from vrts.geometry.narrow import engine
 from vrts.geometry.nearest import Engine
-from vrts.geometry.shapes import Piece
-from vrts.geometry.solids import Solid, Solids, solids
+from vrts.geometry.solids import Solids, solids
 from vrts.robots.model import Robot
-from vrts.scene.model import Body, Mobility, Scene
+from vrts.scene.model import Scene
 
 Array: TypeAlias = npt.NDArray[np.float64]
 Flags: TypeAlias = npt.NDArray[np.bool_]
@@ -36,11 +47,7 @@ Indices: TypeAlias = npt.NDArray[np.int64]
 
 ROBOT = "robot"  # with gripper and held object, as one
 TOLERANCE = 2e-4  # [m] deeper than this is a contact, less is a graze
-PALM = "palm"  # the gripper without its fingers
 PAD_DEPTH = 1e-3  # [m] a pad may press this far into a grasped object
-SUPPORT_LOWERED = 1e-3  # [m] a support is tested this much lower against what stands on it
-HAND = 6  # frame of flange and gripper
-LOWERED = translation(0.0, 0.0, -SUPPORT_LOWERED)
 
 
 class Rule(NamedTuple):
@@ -82,22 +89,7 @@ class Plan(NamedTuple):
     groups: tuple[tuple[str, str], ...]  # names of the two sides of a contact event
 
 
-class Stay(NamedTuple):
-    """A body where one placement has it."""
-
-    body: str
-    start_s: float
-    end_s: float
-    lie: Lie
-    before: str | None  # what it stood on before
-    after: str | None  # what it will stand on after
-    members: tuple[int, ...]  # solids
-    lowered: tuple[int, ...]  # the same, lowered by 1 mm; of what can be a support
-
-    @property
-    def still(self) -> bool:
-        """Whether it does not move."""
-        return self.lie in (Lie.RESTING, Lie.TOPPLED)
+_Meeting: TypeAlias = tuple[Stay, Stay, tuple[float, float]]  # of bodies, from when to when
 
 
 def plan(
@@ -112,7 +104,7 @@ def plan(
     `by` measures the distances that rules depend on; None: the most exact engine there is. Nearer
     than `near_miss` [m] is a near miss.
     """
-    placements = {body.name: _placements(body, run) for body in scene.bodies}
+    placements = {body.name: placements_of(body, run) for body in scene.bodies}
     ends = [p.end_s for own in placements.values() for p in own if np.isfinite(p.end_s)]
     interval = (curves.start_s, max([curves.end_s, *ends]))
     supports = frozenset(
@@ -121,12 +113,12 @@ def plan(
         for name in (body.rests_on, *(p.support for p in placements[body.name]))
         if name is not None
     )
-    cast = _Cast(*interval, scene.robot.arm.X_LF)
-    arm = _arm(cast, scene.robot)
+    cast = Cast(*interval, scene.robot.arm.X_LF)
+    arm = robot_solids(cast, scene.robot)
     stays = [
         stay
         for body in scene.bodies
-        for stay in _stays(cast, body, placements[body.name], supports)
+        for stay in stays_of(cast, body, placements[body.name], supports)
     ]
     arrays = solids(cast.members)
     prober = Prober(scene.robot.arm, curves, arrays, engine() if by is None else by)
@@ -135,41 +127,6 @@ def plan(
     _arm_pairs(table, arm, stays, run, prober, near_miss)
     _body_pairs(table, stays, prober, near_miss)
     return Plan(arrays, table.pairs(rigid=False), table.pairs(rigid=True), tuple(table.groups))
-
-
-class _Arm(NamedTuple):
-    """Solids of the robot."""
-
-    links: tuple[tuple[str, int, tuple[int, ...]], ...]  # name, joint, solids
-    palm: tuple[int, ...]
-    fingers: tuple[tuple[int, ...], ...]
-
-
-@dataclass(slots=True)
-class _Cast:
-    """Collects solids."""
-
-    start_s: float
-    end_s: float
-    X_LF: Pose  # the flange in L_6
-    members: list[Solid] = field(default_factory=list[Solid])
-
-    def add(
-        self,
-        pieces: Iterable[Piece],
-        frame: int,
-        X_LO: Pose,
-        part: str,
-        slide: Vector = (0.0, 0.0, 0.0),
-        falls_from_s: float | None = None,
-    ) -> tuple[int, ...]:
-        """Add the pieces of a body and return their indices."""
-        first = len(self.members)
-        self.members += [
-            Solid(piece.shape, frame, X_LO @ piece.X_OP, part, slide, falls_from_s)
-            for piece in pieces
-        ]
-        return tuple(range(first, len(self.members)))
 
 
 @dataclass(slots=True)
@@ -214,64 +171,9 @@ class _Table:
         )
 
 
-def _arm(cast: _Cast, robot: Robot) -> _Arm:
-    links = tuple(
-        (link.name, link.joint, cast.add(link.pieces, link.joint, translation(0, 0, 0), link.name))
-        for link in robot.arm.links
-    )
-    palm = cast.add(robot.gripper.body, HAND, cast.X_LF, PALM)
-    fingers = tuple(
-        cast.add(
-            finger.pieces,
-            HAND,
-            cast.X_LF,
-            finger.name,
-            rotate(cast.X_LF.rotation, (0.0, 0.5 * finger.side, 0.0)),
-        )
-        for finger in robot.gripper.fingers
-    )
-    return _Arm(links, palm, fingers)
-
-
-def _stays(
-    cast: _Cast, body: Body, placements: Sequence[Placement], supports: frozenset[str]
-) -> list[Stay]:
-    """Return where a body is over time, each time with solids of its own."""
-    found: list[Stay] = []
-    for number, placement in enumerate(placements):
-        start_s = max(placement.start_s, cast.start_s)
-        end_s = min(placement.end_s, cast.end_s)
-        if end_s <= start_s:
-            continue
-        held = placement.lie is Lie.HELD
-        falling = placement.lie is Lie.FALLING
-        X_LO = cast.X_LF @ placement.X if held else placement.X
-        members = cast.add(
-            body.pieces,
-            HAND if held else 0,
-            X_LO,
-            body.name,
-            falls_from_s=placement.start_s if falling else None,
-        )
-        lowered: tuple[int, ...] = ()
-        if body.name in supports and not held and not falling:
-            lowered = cast.add(body.pieces, 0, LOWERED @ X_LO, body.name)
-        before = body.rests_on if number == 0 else placements[number - 1].support
-        after = next(
-            (p.support for p in placements[number + 1 :] if p.lie is not Lie.FALLING), None
-        )
-        found.append(
-            Stay(body.name, start_s, end_s, placement.lie, before, after, members, lowered)
-        )
-    return found
-
-
-def _placements(body: Body, run: RunRecord) -> Sequence[Placement]:
-    known = run.placements.get(body.name, ()) if body.mobility is Mobility.MOVABLE else ()
-    return known or (Placement(body.name, -np.inf, np.inf, Lie.RESTING, body.X_WO, None),)
-
-
-def _self_pairs(table: _Table, robot: Robot, arm: _Arm, interval: tuple[float, float]) -> None:
+def _self_pairs(
+    table: _Table, robot: Robot, arm: RobotSolids, interval: tuple[float, float]
+) -> None:
     """The arm against itself: all but neighbours and what cannot meet by construction."""
     group = (ROBOT, ROBOT)
     for name, joint, members in arm.links:
@@ -287,7 +189,7 @@ def _self_pairs(table: _Table, robot: Robot, arm: _Arm, interval: tuple[float, f
 
 def _arm_pairs(
     table: _Table,
-    arm: _Arm,
+    arm: RobotSolids,
     stays: Sequence[Stay],
     run: RunRecord,
     prober: Prober,
@@ -300,7 +202,7 @@ def _arm_pairs(
     by_body: dict[str, list[Stay]] = {}
     for stay in stays:
         by_body.setdefault(stay.body, []).append(stay)
-    held = grips(run.events)
+    windows = iter(_finger_windows(arm, by_body, grips(run.events), prober, near_miss))
     for body, own in by_body.items():
         group = (ROBOT, body)
         for stay in own:
@@ -310,32 +212,101 @@ def _arm_pairs(
             table.add(group, [*flange, *arm.palm], stay.members, interval, STRICT, rigid=with_hand)
             if not stay.still:
                 table.add(group, base, stay.members, interval, STRICT)
-        on_this = [grip for grip in held if grip.body == body]
         for finger in arm.fingers:
-            gap = _gap(prober, finger, own)
-            span = own[0].start_s, own[-1].end_s
-            for window in finger_windows(on_this, gap, *span, near_miss):
+            for window in next(windows):
                 rule = PADS if window.allowed else STRICT if window.counts else NEAR
                 for stay in own:
                     interval = _common((window.start_s, window.end_s), (stay.start_s, stay.end_s))
                     table.add(group, finger, stay.members, interval, rule)
 
 
+def _finger_windows(
+    arm: RobotSolids,
+    by_body: Mapping[str, Sequence[Stay]],
+    held: Sequence[Grip],
+    prober: Prober,
+    near_miss: float,
+) -> list[tuple[Window, ...]]:
+    """Return the rules of every finger with every body, finger by finger for each body."""
+    questions = [
+        finger_windows(
+            [grip for grip in held if grip.body == body],
+            own[0].start_s,
+            own[-1].end_s,
+            near_miss,
+        )
+        for body, own in by_body.items()
+        for _ in arm.fingers
+    ]
+    sides = [(finger, own) for own in by_body.values() for finger in arm.fingers]
+
+    def answer(asked: Mapping[int, Array]) -> Mapping[int, Array]:
+        gaps = prober.gaps([_asked(*sides[number], times) for number, times in asked.items()])
+        return dict(zip(asked, gaps, strict=True))
+
+    return all_told(questions, answer)
+
+
+def _asked(first: Sequence[int], stays: Sequence[Stay], times: Array) -> Asked:
+    return Asked(first, [(stay.members, stay.start_s, stay.end_s) for stay in stays], times)
+
+
+def _always(stay: Stay, other: Stay, times: Array) -> Asked:
+    """Ask about one stay at times that are within it but for rounding."""
+    return Asked(stay.members, [(other.members, -np.inf, np.inf)], times)
+
+
 def _body_pairs(table: _Table, stays: Sequence[Stay], prober: Prober, near_miss: float) -> None:
     """Held and falling bodies against all others."""
-    for stay in stays:
-        if stay.still:
+    meetings = [
+        (stay, other, interval)
+        for stay in stays
+        if not stay.still
+        for other in stays
+        if other.body != stay.body
+        and (interval := _common((stay.start_s, stay.end_s), (other.start_s, other.end_s)))
+        and interval[1] > interval[0]
+    ]
+    counted = iter(_counted(meetings, prober, near_miss))
+    for stay, other, interval in meetings:
+        if other.still:
+            counts = next(counted) if stay.parted_from(other) else interval
+            _moving_against_still(table, stay, other, interval, counts)
+        elif stay.lie is Lie.FALLING and other.lie is Lie.HELD:
+            # from the hand, or met by what the hand carries
+            rule = NEAR if stay.before == other.body else STRICT
+            table.add((ROBOT, stay.body), other.members, stay.members, interval, rule)
+
+
+def _counted(
+    meetings: Sequence[_Meeting], prober: Prober, near_miss: float
+) -> list[tuple[float, float]]:
+    """Return when the distance of moving bodies from what they come from or go to counts."""
+    parted = [meeting for meeting in meetings if meeting[0].parted_from(meeting[1])]
+    questions: list[Asking[float]] = []
+    sides: list[tuple[Stay, Stay]] = []
+    for stay, other, (start_s, end_s) in parted:
+        if stay.lie is Lie.HELD and other.body == stay.before:
+            questions.append(counted_from(start_s, end_s, near_miss))
+            sides.append((stay, other))
+        if stay.lie is Lie.HELD and other.body == stay.after:
+            questions.append(counted_until(start_s, end_s, near_miss))
+            sides.append((stay, other))
+
+    def answer(asked: Mapping[int, Array]) -> Mapping[int, Array]:
+        gaps = prober.gaps([_always(*sides[number], times) for number, times in asked.items()])
+        return dict(zip(asked, gaps, strict=True))
+
+    told = iter(all_told(questions, answer))
+    found: list[tuple[float, float]] = []
+    for stay, other, (start_s, end_s) in parted:
+        if stay.lie is not Lie.HELD:
+            found.append((end_s, end_s))
             continue
-        for other in stays:
-            interval = _common((stay.start_s, stay.end_s), (other.start_s, other.end_s))
-            if other.body == stay.body or interval[1] <= interval[0]:
-                continue
-            if other.still:
-                _moving_against_still(table, stay, other, interval, prober, near_miss)
-            elif stay.lie is Lie.FALLING and other.lie is Lie.HELD:
-                # from the hand, or met by what the hand carries
-                rule = NEAR if stay.before == other.body else STRICT
-                table.add((ROBOT, stay.body), other.members, stay.members, interval, rule)
+        counts_s = min(next(told), end_s) if other.body == stay.before else start_s
+        ceases_s = next(told) if other.body == stay.after else end_s
+        found.append((counts_s, max(ceases_s, counts_s)))
+    return found
 
 
 def _moving_against_still(
@@ -343,45 +314,14 @@ def _moving_against_still(
     stay: Stay,
     other: Stay,
     interval: tuple[float, float],
-    prober: Prober,
-    near_miss: float,
+    counts: tuple[float, float],
 ) -> None:
     group = (ROBOT if stay.lie is Lie.HELD else stay.body, other.body)
-    if other.body not in (stay.before, stay.after):
+    if not stay.parted_from(other):
         table.add(group, stay.members, other.members, interval, STRICT)
         return
-    start_s, end_s = interval
-    counts_s, ceases_s = start_s, end_s
-    if stay.lie is Lie.HELD:
-
-        def gap(times: Array) -> Array:
-            return prober.gap(stay.members, other.members, times)
-
-        if other.body == stay.before:
-            counts_s = counted_from(gap, start_s, end_s, near_miss)
-        if other.body == stay.after:
-            ceases_s = counted_until(gap, start_s, end_s, near_miss)
-    else:
-        counts_s = end_s
-    counts_s = min(counts_s, end_s)
-    ceases_s = max(ceases_s, counts_s)
     table.add(group, stay.members, other.lowered, interval, NEAR)
-    table.add(group, stay.members, other.members, (counts_s, ceases_s), DISTANCE)
-
-
-def _gap(prober: Prober, finger: Sequence[int], stays: Sequence[Stay]) -> Callable[[Array], Array]:
-    """Return the distance of a finger from a body at times, wherever the body is."""
-
-    def gap(times: Array) -> Array:
-        found = np.full(len(times), np.inf)
-        for stay in stays:
-            now = (times >= stay.start_s) & (times <= stay.end_s)
-            if now.any():
-                distances = prober.gap(finger, stay.members, times[now])
-                found[now] = np.minimum(found[now], distances)
-        return found
-
-    return gap
+    table.add(group, stay.members, other.members, counts, DISTANCE)
 
 
 def _common(a: tuple[float, float], b: tuple[float, float]) -> tuple[float, float]:

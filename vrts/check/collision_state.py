@@ -2,16 +2,17 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol, TypeAlias
+from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
+from vrts.check.collision_exact import outside
 from vrts.check.curves import Curves
 from vrts.engine.events import Event
 from vrts.engine.records import GRAVITY, Motion, Placement, Segment
 from vrts.geometry.nearest import Engine, Nearest, Pair, Transform
-from vrts.geometry.solids import Frames, Instants, Solids
+from vrts.geometry.solids import Frames, Instants, Places, Solids
 from vrts.robots.batch import link_frames
 from vrts.robots.model import Arm
 
@@ -63,6 +64,35 @@ def instants_of(arm: Arm, values: Array, time_s: Array) -> Instants:
     return Instants(time_s, values[:, 6], Frames(rotations, origins))
 
 
+class Asked(NamedTuple):
+    """The distance between two unions of solids, at some times; the second comes and goes."""
+
+    first: Sequence[int]
+    stays: Sequence[tuple[Sequence[int], float, float]]  # solids of the second, from when to when
+    times: Array  # [s]
+
+
+class _Placed:
+    """Where solids are at instants, in numpy's form and, when asked for, in the engine's."""
+
+    __slots__ = ("_engine", "_known", "first", "places", "second")
+
+    def __init__(self, engine: Engine, places: Places, first: Indices, second: Indices) -> None:
+        self.places = places
+        self.first = first  # index of the place of each query's first solid
+        self.second = second
+        self._engine = engine
+        self._known: list[Transform | None] = [None] * len(places.origins)
+
+    def transform(self, at: int) -> Transform:
+        """Return a place in the engine's form."""
+        known = self._known[at]
+        if known is None:
+            known = self._engine.transform(self.places.rotations[at], self.places.origins[at])
+            self._known[at] = known
+        return known
+
+
 @dataclass(frozen=True, slots=True)
 class Prober:
     """Exact distances between solids at chosen instants."""
@@ -86,27 +116,51 @@ class Prober:
     ) -> Iterator[tuple[Pair, Transform, Transform]]:
         if len(time_s) == 0:
             return
+        placed = self._placed(first, second, time_s)
+        columns = (first, second, placed.first, placed.second)
+        for i, j, a, b in zip(*(column.tolist() for column in columns), strict=True):
+            yield self._pair(i, j), placed.transform(a), placed.transform(b)
+
+    def _pair(self, first: int, second: int) -> Pair:
+        return self.engine.pair(self.solids.shapes[first], self.solids.shapes[second])
+
+    def _placed(self, first: Indices, second: Indices, time_s: Array) -> _Placed:
         times, at = np.unique(time_s, return_inverse=True)
         state = instants(self.arm, self.curves, times)
         still = (self.solids.frame == 0) & ~self.solids.falls
         keys = [s * len(times) + np.where(still[s], 0, at) for s in (first, second)]
         known, place = np.unique(np.concatenate(keys), return_inverse=True)
         places = self.solids.places(state, *np.divmod(known, len(times)), GRAVITY)
-        transforms = list(map(self.engine.transform, places.rotations, places.origins))
-        shapes = self.solids.shapes
-        count = len(first)
-        i: list[int] = first.tolist()
-        j: list[int] = second.tolist()
-        a: list[int] = place[:count].tolist()
-        b: list[int] = place[count:].tolist()
-        for k in range(count):
-            yield self.engine.pair(shapes[i[k]], shapes[j[k]]), transforms[a[k]], transforms[b[k]]
+        return _Placed(self.engine, places, place[: len(first)], place[len(first) :])
 
-    def gap(self, first: Sequence[int], second: Sequence[int], time_s: Array) -> Array:
-        """Return the distance [m] between two unions of solids at times of shape (m,)."""
-        pairs = [(i, j) for i in first for j in second]
-        count = len(time_s)
-        a = np.repeat(np.array([i for i, _ in pairs], dtype=np.int64), count)
-        b = np.repeat(np.array([j for _, j in pairs], dtype=np.int64), count)
-        found = self.distances(a, b, np.tile(time_s, len(pairs)))
-        return found.reshape(len(pairs), count).min(axis=0)
+    def gaps(self, asked: Sequence[Asked]) -> list[Array]:
+        """Return the distances [m] between unions of solids; inf while nothing is there."""
+        rows = [asked_rows for number, one in enumerate(asked) for asked_rows in _rows(number, one)]
+        if not rows:
+            return []
+        first, second, number, instant, times = (np.concatenate(c) for c in zip(*rows, strict=True))
+        found: list[list[float]] = [[np.inf] * len(one.times) for one in asked]
+        placed = self._placed(first, second, times)
+        # the nearest by their boxes first; most of the others need not be asked then
+        least = outside(placed.places, placed.first, placed.second)
+        order = np.lexsort((least, instant, number))
+        columns = (number, instant, first, second, placed.first, placed.second)
+        lows: list[float] = least[order].tolist()
+        queries: list[list[int]] = [column[order].tolist() for column in columns]
+        for low, of, at, i, j, a, b in zip(lows, *queries, strict=True):
+            if low < found[of][at]:
+                distance = self._pair(i, j).distance(placed.transform(a), placed.transform(b))
+                found[of][at] = distance if distance < found[of][at] else found[of][at]
+        return [np.array(own) for own in found]
+
+
+def _rows(number: int, asked: Asked) -> Iterator[tuple[Indices, Indices, Indices, Indices, Array]]:
+    """Yield solids, number of the question, number of the time, and time of pairs to measure."""
+    for members, start_s, end_s in asked.stays:
+        now = np.nonzero((asked.times >= start_s) & (asked.times <= end_s))[0]
+        if not len(now):
+            continue
+        ones = np.ones_like(now)
+        for i in asked.first:
+            for j in members:
+                yield i * ones, j * ones, number * ones, now, asked.times[now]
