@@ -1,0 +1,26 @@
+"""`vrts schema`."""
+
+import click
+
+from vrts.cli.console import guarded, out
+
+EPILOG = """\b
+Examples:
+  vrts schema result
+  vrts schema class > class.schema.json
+"""
+
+
+@click.command(name="schema", epilog=EPILOG)
+@click.argument("what", type=click.Choice(["result", "class"]))
+@guarded
+def command(what: str) -> None:
+    """Print the JSON Schema of the files that marking writes.
+
+    `result` is students/ID/result.json, one marked submission; `class` is staff/results.json,
+    all rows with names, deductions and final marks.
+    """
+    from vrts.marking.schemas import schema
+    from vrts.report.json_text import json_text
+
+    out(json_text(schema(what)))

@@ -1,0 +1,131 @@
+"""One row of a class's marks: a result, whose it is, and what lateness and people make of it."""
+
+from fractions import Fraction
+from typing import Annotated, Literal
+
+import msgspec
+from msgspec import Meta, field
+
+from vrts.check.score import FULL, TENTH
+from vrts.marking.result import Damaged, Exact, Mark, Record, Result
+
+CLASS_SCHEMA = "vrts.class/1"
+LARGEST = 512_000_000  # bytes of the rows of a class
+
+
+class Student(Record, frozen=True):
+    """Whose submission it is, as far as the platform or the file name tells."""
+
+    name: str = ""
+    email: str = ""
+    login: str = ""
+    ids: Annotated[dict[str, str], Meta(description="by platform")] = field(default_factory=dict)
+
+
+class HandedIn(Record, frozen=True):
+    """What was handed in, and why it is the one that was marked."""
+
+    file: Annotated[str, Meta(description="in the download; `a.zip!b.v2` for a file in a zip")] = ""
+    why: str = ""
+    received: Annotated[str | None, Meta(description="ISO 8601, by the platform")] = None
+    attempt: int | None = None
+
+
+class Lateness(Record, frozen=True):
+    """What a task's rules take off for lateness."""
+
+    by_s: Annotated[int, Meta(description="after the time it was due")]
+    deduction: Exact
+    sentence: str
+
+
+class Change(Record, frozen=True):
+    """A change of the mark by hand."""
+
+    delta: Exact
+    reason: str
+    who: str
+    date: Annotated[str, Meta(description="ISO 8601")]
+
+
+class Row(Record, frozen=True):
+    """A submission in the list of marks: computed mark, deduction, change by hand, final mark."""
+
+    id: str
+    student: Student
+    handed_in: HandedIn
+    result: Result
+    late: Lateness | None = None
+    change: Change | None = None
+    final: Annotated[Mark | None, Meta(description="null: there is no mark")] = None
+
+    @property
+    def exact_final(self) -> Fraction | None:
+        """The final mark, a multiple of a tenth."""
+        return None if self.final is None else Fraction(round(self.final * 10), 10)
+
+
+class Class(Record, frozen=True):
+    """All rows of one marking."""
+
+    schema: Literal["vrts.class/1"]
+    title: str
+    rows: tuple[Row, ...]
+
+
+def row_of(
+    result: Result,
+    student: Student,
+    handed_in: HandedIn,
+    late: Lateness | None = None,
+    change: Change | None = None,
+) -> Row:
+    """Return the row of a result; its final mark is computed here and nowhere else."""
+    final = final_mark(result.exact_mark, late, change)
+    return Row(
+        result.id,
+        student,
+        handed_in,
+        result,
+        late,
+        change,
+        None if final is None else float(final),
+    )
+
+
+def final_mark(
+    mark: Fraction | None, late: Lateness | None, change: Change | None
+) -> Fraction | None:
+    """Return a mark after deduction and change, from 0 to 10, rounded half up to a tenth.
+
+    A change by hand gives a mark also where none was computed.
+    """
+    if mark is None and change is None:
+        return None
+    value = mark or Fraction(0)
+    if late is not None:
+        value = max(Fraction(0), value - Fraction(late.deduction))
+    if change is not None:
+        value += Fraction(change.delta)
+    tenths = (min(max(value, Fraction(0)), FULL) / TENTH + Fraction(1, 2)).__floor__()
+    return tenths * TENTH
+
+
+def class_to_bytes(title: str, rows: tuple[Row, ...]) -> bytes:
+    """Return the rows of a class as JSON, laid out for people."""
+    found = Class(CLASS_SCHEMA, title, rows)
+    return msgspec.json.format(msgspec.json.encode(found), indent=1) + b"\n"
+
+
+def class_from_bytes(data: bytes) -> Class:
+    """Return the rows of a class.
+
+    Raises:
+        Damaged: The bytes are no rows of this version.
+    """
+    if len(data) > LARGEST:
+        raise Damaged(f"rows of {len(data):,} bytes")
+    try:
+        return msgspec.json.decode(data, type=Class)
+    except msgspec.MsgspecError as problem:
+        raise Damaged(str(problem)) from problem
