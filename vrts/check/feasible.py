@@ -7,13 +7,13 @@ from itertools import product
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.oat import rotation_from_oat
-from vrts.base.pose import Pose, Rotation, add, cross, dot, multiply, rotation_about
+from vrts.base.pose import Pose, Rotation, cross, dot, multiply, rotation_about
 from vrts.base.source import Span
 from vrts.base.units import mm
 from vrts.check.task import Goal, Task, ViaPoint
 from vrts.scene.clearance import clearance, overlap_is_within, placed_body
+from vrts.scene.holds import holds
 from vrts.scene.model import Body, Mobility, Scene
-from vrts.scene.places import down_pose, grip_height
 from vrts.scene.reach import branches
 from vrts.scene.standing import DEEPEST, TOUCHING, find_support
 
@@ -23,7 +23,7 @@ GOAL_UNREACHABLE = Rule("V669", "goal-unreachable")
 VIA_UNREACHABLE = Rule("V670", "via-unreachable")
 
 LEVEL = 0.9999  # cosine of the inclination up to which a body counts as upright
-TURNS = range(-180, 180, 15)  # [degrees] of the hand about the vertical
+TURNS = range(-180, 180, 15)  # [degrees] of the hand about a direction that is asked for
 PITCHES = (90, 45, 0, -45, -90)  # [degrees] A: straight down, .. level, .. straight up
 HEADINGS = range(-180, 180, 45)  # [degrees] O
 STEEP = 1e-6  # level part of a direction below which it is up or down
@@ -50,13 +50,14 @@ def _goal(scene: Scene, task: Task, goal: Goal) -> Iterator[Diagnostic]:
             (f"its underside would be at z = {mm(goal.X_WG.translation[2]):.1f} mm",),
             ('write on = "NAME" of what it is to stand on',),
         )
-    height = grip_height(scene.robot.gripper, scene.body(goal.body))
-    if height is not None and not _hand_reaches(scene, goal.X_WG, height):
+    ways = tuple(holds(scene.robot.gripper, scene.body(goal.body)))
+    X_PF = scene.robot.gripper.X_FP.inverse()
+    if ways and not any(_reaches(scene, goal.X_WG @ X_OP @ X_PF) for X_OP in ways):
         yield _finding(
             GOAL_UNREACHABLE,
             f"the robot cannot set `{goal.body}` down at its goal",
             goal.span,
-            ("with the hand straight down, turned in any direction, on any arm branch",),
+            (f"tried: {len(ways)} ways to hold it, all branches",),
             ("move the goal nearer to the robot",),
         )
 
@@ -95,14 +96,6 @@ def _inside(goal: Goal, body: Body, others: Sequence[Body]) -> Iterator[Diagnost
             (f"{mm(depth):.1f} mm deep",),
             ("move the goal or the body",),
         )
-
-
-def _hand_reaches(scene: Scene, X_WG: Pose, height: float) -> bool:
-    x, y, z = (mm(value) for value in add(X_WG.translation, (0.0, 0.0, height)))
-    return any(
-        _reaches(scene, down_pose(x, y, z, turn) @ scene.robot.gripper.X_FP.inverse())
-        for turn in TURNS
-    )
 
 
 def _vias(scene: Scene, vias: Sequence[ViaPoint]) -> Iterator[Diagnostic]:

@@ -1,10 +1,13 @@
 """Goals and via points that nobody could meet are found before a program runs; see the pages."""
 
+import math
 import re
+from dataclasses import replace
 from importlib.resources import files
 
 import pytest
 
+from vrts.base.pose import dot
 from vrts.base.source import SourceFile
 from vrts.check.feasible import task_findings
 from vrts.check.staff import read_whole_task
@@ -12,7 +15,9 @@ from vrts.check.task_file import read_task
 from vrts.pipeline.files import CHECKOUT
 from vrts.pipeline.settings import load_scene, load_task
 from vrts.scene.checks import scene_findings
+from vrts.scene.holds import holds
 from vrts.scene.scene_file import read_scene
+from vrts.scene.things import upright_box, upright_cylinder
 
 CANS = load_scene("cans-on-bases").scene
 
@@ -113,3 +118,52 @@ reference_s = 9
     task, _ = read_task(SourceFile("task.toml", text), CANS)
     assert task is not None
     assert [d.rule.code for d in task_findings(CANS, task)] == codes
+
+
+DISH = 'object = "dish"\non = "stand"'
+LONG_TABLE = (
+    "at_mm = [1000, 0]\nsize_mm = [800, 1400]",
+    "at_mm = [1300, 0]\nsize_mm = [1500, 1400]",
+)
+
+
+@pytest.mark.parametrize(
+    ("scene", "change", "goal", "codes"),
+    [
+        # beyond reach with the hand straight down; the hand leans as the plate does
+        ("dish-on-stand", "at_mm = [1650, 0]", DISH, []),
+        # leaning the other way, away from the robot: nobody gets there
+        ("dish-on-stand", "at_mm = [1650, 0]\nturn_deg = 180", DISH, ["V669"]),
+        # a can may be held from the side
+        ("cans-on-bases", "", 'object = "can1"\nat_mm = [1600, 0, -300]', []),
+        ("cans-on-bases", "", 'object = "can1"\nat_mm = [1850, 0, -300]', ["V669"]),
+    ],
+)
+def test_every_way_to_hold_an_object_is_tried(
+    scene: str, change: str, goal: str, codes: list[str]
+) -> None:
+    text = (CHECKOUT / "scenes" / scene / "scene.toml").read_text().replace(*LONG_TABLE)
+    text = text.replace("at_mm = [980, 330]", change)
+    found, problems = read_scene(SourceFile("scene.toml", text))
+    assert found is not None, problems
+    task_text = f'[task]\nscene = "s"\n[[goal]]\n{goal}\n[time]\nreference_s = 9\n'
+    task, _ = read_task(SourceFile("task.toml", task_text), found)
+    assert task is not None
+    assert [d.rule.code for d in task_findings(found, task)] == codes
+
+
+def test_the_ways_to_hold_an_object_suit_its_kind() -> None:
+    """A dish has the pads at its wall, closing toward its middle; a box only where it fits."""
+    dish = load_scene("dish-on-stand").scene
+    for pose in holds(dish.robot.gripper, dish.body("dish")):
+        x, y, _ = pose.translation
+        assert 0.097 < math.hypot(x, y) < 0.110
+        assert abs(dot(pose.normal, (x, y, 0.0))) < 1e-9
+    hand = CANS.robot.gripper
+    can = CANS.body("can1")
+    assert len(list(holds(hand, can))) == 120
+    plank = replace(can, pieces=upright_box(0.06, 0.3, 0.1).pieces, kind="box")
+    closing = {round(abs(pose.orientation[1]), 3) for pose in holds(hand, plank)}
+    assert closing == {0.0}, "across the narrow side"
+    assert list(holds(hand, replace(can, pieces=upright_cylinder(0.05, 0.1).pieces))) == []
+    assert list(holds(hand, replace(can, pieces=upright_cylinder(0.03, 0.01).pieces))) == []
