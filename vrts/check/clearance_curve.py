@@ -9,6 +9,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
+from vrts.check.collision_grips import NEAR_MISS
 from vrts.check.collision_pairs import Pairs, plan
 from vrts.check.collision_state import RunRecord, instants
 from vrts.check.curves import curves
@@ -23,10 +24,15 @@ Indices: TypeAlias = npt.NDArray[np.int64]
 FAR = 0.5  # [m] larger distances are all the same to a reader
 
 
-def clearance_curve(scene: Scene, run: RunRecord, time_s: Array) -> Array:
-    """Return the smallest distance of any tested pair at times of shape (n,), at most `FAR` [m]."""
+def clearance_curve(
+    scene: Scene, run: RunRecord, time_s: Array, near_miss: float | None = None
+) -> Array:
+    """Return the smallest distance of any tested pair at times of shape (n,), at most `FAR` [m].
+
+    Nearer than `near_miss` [m] is a near miss; None: as usual.
+    """
     motion = curves(run.timeline.segments)
-    todo = plan(scene, run, motion)
+    todo = plan(scene, run, motion, near_miss=NEAR_MISS if near_miss is None else near_miss)
     rows = np.flatnonzero(todo.pairs.counts)
     count, solids = len(time_s), len(todo.solids.shapes)
     found = np.full(count, FAR)

@@ -105,7 +105,7 @@ class Teller:
             start_s=start_s,
             end_s=end_s,
             nearest_s=time_s,
-            distance_m=nearest.distance,
+            distance_m=max(nearest.distance, 0.0),  # less than a graze
             witnesses=(nearest.first, nearest.second),
             held=self._held(start_s),
             cause=self._cause(start_s),

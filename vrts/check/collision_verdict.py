@@ -1,16 +1,16 @@
 """What the collision report means for the program, in words."""
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
-from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, Severity
+from vrts.base.diagnostic import Datum, Diagnostic, Label, Moment, Rule, Severity
 from vrts.base.units import mm
 from vrts.check.collision_findings import BAND
 from vrts.check.collision_pairs import ROBOT, TOLERANCE
 from vrts.check.collision_state import RunRecord
 from vrts.check.rounding import exact_mm, exact_s
-from vrts.check.verdict import Answer, CollisionReport, ContactEvent, Verdict
+from vrts.check.verdict import Answer, CollisionReport, ContactEvent, NearMiss, Verdict
 from vrts.engine.records import Segment
 from vrts.geometry.narrow import engine
 
@@ -18,6 +18,7 @@ CONTACT = Rule("V400", "contact")
 SELF_CONTACT = Rule("V401", "self-contact")
 LOOSE_CONTACT = Rule("V402", "loose-contact")
 GRAZE = Rule("V410", "graze")
+NEAR = Rule("V411", "near-miss")
 UNDETERMINED = Rule("V420", "undetermined-contact")
 
 
@@ -32,8 +33,9 @@ def verdict(report: CollisionReport, run: RunRecord | None = None) -> Verdict:
         *(_contact(event, run) for event in report.contacts),
         *(_graze(event, run) for event in report.grazes),
         *(_undetermined(event, run) for event in report.undetermined),
+        *(_near_miss(miss, report, run) for miss in report.near_misses),
     )
-    evidence = {
+    evidence: dict[str, str | int | float] = {
         "method": _method(report),
         "tolerance_mm": mm(TOLERANCE),
         "contacts": len(report.contacts),
@@ -41,6 +43,10 @@ def verdict(report: CollisionReport, run: RunRecord | None = None) -> Verdict:
         "undetermined": len(report.undetermined),
         **report.statistics,
     }
+    if report.near_miss_m is not None:
+        evidence["near_misses"] = len(report.near_misses)
+        evidence["near_miss_mm"] = _mm(report.near_miss_m)
+        evidence["near_miss_setting"] = "assumed" if report.near_miss_assumed else "of the task"
     if report.disagreements:
         evidence["disagreements"] = "; ".join(report.disagreements)
     if report.clearance is not None:
@@ -90,7 +96,7 @@ def _summary(report: CollisionReport) -> str:
     )
 
 
-def subject(event: ContactEvent) -> str:
+def subject(event: ContactEvent | NearMiss) -> str:
     """Return what hits, in words: "the held `can1`", "the left finger", "the falling `can1`"."""
     if event.first != ROBOT:
         return f"the falling `{event.first}`"
@@ -98,7 +104,7 @@ def subject(event: ContactEvent) -> str:
     return f"the held `{part}`" if part == event.held else f"the {part}"
 
 
-def target(event: ContactEvent) -> str:
+def target(event: ContactEvent | NearMiss) -> str:
     """Return what is hit, in words."""
     return f"the {event.parts[1]}" if event.second == ROBOT else f"`{event.second}`"
 
@@ -132,6 +138,21 @@ def _graze(event: ContactEvent, run: RunRecord | None) -> Diagnostic:
     return _diagnostic(GRAZE, Severity.WARNING, headline, where, event, (), run)
 
 
+def _near_miss(miss: NearMiss, report: CollisionReport, run: RunRecord | None) -> Diagnostic:
+    assert report.near_miss_m is not None
+    limit = f"{mm(report.near_miss_m):g} mm{' (assumed)' if report.near_miss_assumed else ''}"
+    headline = f"{subject(miss)} comes within {mm(miss.distance_m):.1f} mm of {target(miss)}"
+    where = f"at {miss.nearest_s:.2f} s; nearer than {limit} is a near miss and costs nothing"
+    data = {
+        **_who_and_when(miss),
+        "nearest_s": _s(miss.nearest_s),
+        "distance_mm": _mm(miss.distance_m),
+        "witness_mm": tuple(_mm(value) for value in miss.witnesses[0]),
+        "other_witness_mm": tuple(_mm(value) for value in miss.witnesses[1]),
+    }
+    return _told(NEAR, Severity.WARNING, headline, where, miss, miss.nearest_s, data, (), run)
+
+
 def _undetermined(event: ContactEvent, run: RunRecord | None) -> Diagnostic:
     headline = f"{subject(event)} may hit {target(event)}: too near to {mm(TOLERANCE):g} mm to tell"
     where = f"at {event.deepest_s:.2f} s"
@@ -147,20 +168,40 @@ def _diagnostic(
     hints: tuple[str, ...],
     run: RunRecord | None,
 ) -> Diagnostic:
-    cause = event.cause
-    configuration = () if run is None else _configuration(run.timeline.segments, event.deepest_s)
     data = {
+        **_who_and_when(event),
+        "deepest_s": _s(event.deepest_s),
+        "depth_mm": _mm(event.depth_m),
+        "point_mm": tuple(_mm(value) for value in event.point),
+    }
+    return _told(rule, severity, headline, where, event, event.deepest_s, data, hints, run)
+
+
+def _who_and_when(event: ContactEvent | NearMiss) -> dict[str, Datum]:
+    return {
         "first": event.first,
         "second": event.second,
         "part": event.parts[0],
         "other_part": event.parts[1],
         "start_s": _s(event.start_s),
         "end_s": _s(event.end_s),
-        "deepest_s": _s(event.deepest_s),
-        "depth_mm": _mm(event.depth_m),
-        "point_mm": tuple(_mm(value) for value in event.point),
         "held": event.held,
     }
+
+
+def _told(
+    rule: Rule,
+    severity: Severity,
+    headline: str,
+    where: str,
+    event: ContactEvent | NearMiss,
+    time_s: float,
+    data: Mapping[str, Datum],
+    hints: tuple[str, ...],
+    run: RunRecord | None,
+) -> Diagnostic:
+    cause = event.cause
+    configuration = () if run is None else _configuration(run.timeline.segments, time_s)
     return Diagnostic(
         rule,
         severity,
@@ -168,7 +209,7 @@ def _diagnostic(
         None if cause is None else Label(cause.span, where),
         notes=(where,) if cause is None else (),
         help=hints,
-        moment=Moment(event.deepest_s, configuration, (event.first, event.second)),
+        moment=Moment(time_s, configuration, (event.first, event.second)),
         data=MappingProxyType(data),
     )
 

@@ -22,7 +22,8 @@ def judge(
     found: list[Verdict] = [_program(run)]
     report: CollisionReport | None = None
     if collisions:
-        report = check_collisions(scene, run, engine=engine)
+        near_miss = None if task is None else task.near_miss
+        report = check_collisions(scene, run, engine=engine, near_miss=near_miss)
         found.append(collision_verdict(report, run))
     found.append(limits.check_limits(run))
     if task is not None:

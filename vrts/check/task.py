@@ -64,3 +64,4 @@ class Task:
     mark: MarkScheme
     digest: str  # sha256 of the file
     demands: tuple[Demand, ...] = ()  # zones, limits, rules
+    near_miss: float | None = None  # nearer than this is a near miss [m]; None: as usual

@@ -27,6 +27,7 @@ POSITION_MM, ORIENTATION_DEG = 10.0, 5.0  # tolerances of a goal when the file g
 PAR_SHARE = Fraction(5, 4)  # t_par is this times the reference solution
 FULL = 10  # points
 MAX_SHARE = 2  # t_max is this times t_par
+NEAR_MISS_MM = 1.0, 50.0  # least and most of `near_miss_mm`
 FARTHEST = 10_000.0  # [mm] any position
 
 
@@ -66,6 +67,7 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
     demands = read_demands(top, problems, scene)
     t_par, t_max = _times(top, problems)
     mark = _mark(top, problems)
+    near_miss = _near_miss(top)
     top.finish()
     return Task(
         name,
@@ -80,6 +82,7 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
         mark,
         hashlib.sha256(source.text.encode()).hexdigest(),
         demands,
+        near_miss,
     )
 
 
@@ -181,6 +184,16 @@ def _times(top: Table, problems: Problems) -> tuple[float, float]:
             section.value_span("t_max_s"),
         )
     return float(par), float(longest)
+
+
+def _near_miss(top: Table) -> float | None:
+    section = top.table("collision")
+    if section is None:
+        return None
+    least, most = NEAR_MISS_MM
+    distance = section.number("near_miss_mm", minimum=least, maximum=most)
+    section.finish()
+    return None if distance is None else distance * MM
 
 
 def _mark(top: Table, problems: Problems) -> MarkScheme:

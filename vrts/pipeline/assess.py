@@ -145,7 +145,7 @@ def with_curve(a: "Assessment") -> "Assessment":
 
     count = min(int(a.run.horizon_s / CURVE_STEP) + 2, CURVE_MOST)
     times = np.linspace(0.0, a.run.horizon_s, count)
-    values = clearance_curve(a.scene, a.run, times)
+    values = clearance_curve(a.scene, a.run, times, a.task.near_miss if a.task else None)
     return replace(a, clearance=tuple(zip(times.tolist(), values.tolist(), strict=True)))
 
 

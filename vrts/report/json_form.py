@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from vrts.base.units import mm
 from vrts.check.grade import Grade
-from vrts.check.verdict import Clearance, CollisionReport, ContactEvent, Verdict
+from vrts.check.verdict import Clearance, CollisionReport, ContactEvent, NearMiss, Verdict
 from vrts.engine.events import Cause
 from vrts.report.assessment import Assessment
 from vrts.report.diagnostic_json import Json, diagnostic_json
@@ -120,7 +120,12 @@ def _collisions(a: Assessment) -> Json | None:
         "contacts": [_contact(c) for c in report.contacts],
         "grazes": [_contact(c) for c in report.grazes],
         "undetermined": [_contact(c) for c in report.undetermined],
+        "near_misses": [_near_miss(m) for m in report.near_misses],
+        "near_miss_mm": None if report.near_miss_m is None else millimetres(report.near_miss_m),
+        "near_miss_assumed": report.near_miss_assumed,
         "clearance": _clearance(report.clearance) if report.clearance else None,
+        "engine": report.engine,
+        "disagreements": list(report.disagreements),
         "statistics": dict(report.statistics),
     }
 
@@ -136,6 +141,20 @@ def _contact(c: ContactEvent) -> Json:
         "point_mm": [millimetres(x) for x in c.point],
         "held": c.held,
         "line": _line(c.cause),
+    }
+
+
+def _near_miss(m: NearMiss) -> Json:
+    return {
+        "bodies": [m.first, m.second],
+        "parts": list(m.parts),
+        "start_s": seconds(m.start_s),
+        "end_s": seconds(m.end_s),
+        "nearest_s": seconds(m.nearest_s),
+        "distance_mm": millimetres(m.distance_m),
+        "witnesses_mm": [[millimetres(x) for x in point] for point in m.witnesses],
+        "held": m.held,
+        "line": _line(m.cause),
     }
 
 

@@ -32,7 +32,7 @@ def codes(text: str, scene: Scene) -> list[str]:
     return [found.rule.code for found in verdict(check_collisions(scene, run), run).findings]
 
 
-@pytest.mark.parametrize("code", ["V400", "V401", "V410", "V420"])
+@pytest.mark.parametrize("code", ["V400", "V401", "V410", "V411", "V420"])
 def test_the_example_of_a_page_triggers_its_code(code: str, cans: Scene) -> None:
     page = files("vrts").joinpath("pages", f"{code}.md").read_text(encoding="utf-8")
     (example,) = re.findall(r"```val2\n(.*?)```", page, re.DOTALL)
