@@ -24,7 +24,7 @@ NEAR_MISS = 5e-3  # [m] nearer than this is a near miss, unless the task says ot
 SEPARATED = 2e-4  # [m] pads farther than this from the object have let go of it [assumed]
 FINE = 14e-3  # [s] between instants at which separation is looked for: half a tick [assumed]
 COARSE = 56e-3  # [s] between instants at which the way apart and back is followed [assumed]
-BATCH = 16  # instants looked at together
+BATCH = 16  # instants looked at together, at first
 AWAY = 50e-3  # [m] a pair this far apart has parted [assumed]
 
 
@@ -113,9 +113,10 @@ def _parting(
     separated: float | None = None
     before = -np.inf
     first = start_s
+    count = BATCH
     while first < end_s:
         step_s = FINE if separated is None else COARSE
-        times = np.minimum(first + step_s * np.arange(BATCH), end_s)
+        times = np.minimum(first + step_s * np.arange(count), end_s)
         gaps = yield times if mirrored is None else mirrored - times
         for t, distance in zip(times.tolist(), gaps.tolist(), strict=True):
             if separated is None and distance > apart:
@@ -125,6 +126,7 @@ def _parting(
                 return (t if separated is None else separated), t
             before = distance
         first = float(times[-1]) + step_s
+        count *= 1 if separated is None else 2
     return (end_s if separated is None else separated), end_s
 
 

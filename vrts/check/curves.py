@@ -2,8 +2,7 @@
 
 A straight line consists of many short cubics, a joint motion of a few long ones; the few pieces of
 a higher degree are kept apart. Bounds over an interval are exact whatever it spans: its first and
-last piece by their ends and turning points, the pieces between by a table of maxima over runs of 1,
-2, 4, ... pieces.
+last piece by their ends and turning points, the pieces between by the bounds over whole pieces.
 """
 
 from collections.abc import Sequence
@@ -46,9 +45,7 @@ class Curves:
     bend_speeds: Array  # (n, 7) size of the velocity there; 0 where there is none
     high: HighPieces | None  # the pieces above degree 3
     high_at: Indices  # (n,) index in `high`, -1 for the others
-    table: (
-        Array  # (levels, n, 28) maxima of [upper, -lower, speed, acceleration] over 2^level pieces
-    )
+    each: Array  # (n, 28) maxima of [upper, -lower, speed, acceleration] over each piece
 
     @property
     def start_s(self) -> float:
@@ -63,7 +60,7 @@ class Curves:
     @property
     def pieces(self) -> Spread:
         """Bounds over each piece, n of them."""
-        return _as_spread(self.table[0])
+        return _as_spread(self.each)
 
     def piece_at(self, t: Array) -> Indices:
         """Return the piece that holds each time: the later one at a joint, the nearest outside."""
@@ -115,9 +112,9 @@ class Curves:
         a[split] = np.maximum(a[split], b)
         between = split[last[split] > first[split] + 1]
         if len(between):
-            low, high = first[between] + 1, last[between]
-            level = np.frexp((high - low).astype(np.float64))[1] - 1
-            inner = np.maximum(self.table[level, low], self.table[level, high - (1 << level)])
+            between = between[np.argsort(first[between], kind="stable")]
+            runs = np.stack([first[between] + 1, last[between]], axis=1).ravel()
+            inner = np.maximum.reduceat(self.each, runs)[::2]
             a[between] = np.maximum(a[between], inner)
         return _as_spread(a)
 
@@ -194,9 +191,9 @@ def curves(segments: Sequence[Segment]) -> Curves:
     bends = np.where(finite, bends, np.inf)
     bend_speeds = np.abs(_velocities(powers, np.where(finite, bends, 0.0))) * finite
     columns = (starts, ends, powers, motions, turns, turn_values, bends, bend_speeds, high, high_at)
-    whole = Curves(*columns, np.empty((0, 0, 0)))
+    whole = Curves(*columns, np.empty((0, 0)))
     each = whole._within(np.arange(len(starts)), np.zeros(len(starts)), ends - starts)  # pyright: ignore[reportPrivateUsage]
-    return Curves(*columns, _table(each))
+    return Curves(*columns, each)
 
 
 def lasting_of(segments: Sequence[Segment]) -> list[Segment]:
@@ -207,15 +204,15 @@ def lasting_of(segments: Sequence[Segment]) -> list[Segment]:
 def _powers(segments: Sequence[Segment], length: Array) -> tuple[Array, HighPieces | None, Indices]:
     """Return all coefficients up to degree 3, and the pieces that have more."""
     rows = [row for segment in segments for row in segment.coefficients]
-    counts = set(map(len, rows))
-    if counts != {CUBIC}:
+    counts = np.fromiter(map(len, rows), np.int64, len(rows))
+    if (counts != CUBIC).any():
         rows = [row if len(row) == CUBIC else (*row, 0.0, 0.0, 0.0)[:CUBIC] for row in rows]
     flat = np.fromiter(chain.from_iterable(rows), np.float64, CUBIC * len(rows))
     powers = flat.reshape(len(segments), COORDINATES, CUBIC)
     high_at = np.full(len(segments), -1, dtype=np.int64)
-    if max(counts) <= CUBIC:
-        return powers, None, high_at
-    pieces = [k for k, segment in enumerate(segments) if is_high(segment.coefficients)]
+    longest = counts.reshape(len(segments), COORDINATES).max(axis=1)
+    long: list[int] = np.nonzero(longest > CUBIC)[0].tolist()
+    pieces = [k for k in long if is_high(segments[k].coefficients)]
     if not pieces:
         return powers, None, high_at
     high_at[pieces] = np.arange(len(pieces))
@@ -237,18 +234,6 @@ def _roots(c: Array, b: Array, a: Array) -> Array:
         half = -0.5 * (b + np.copysign(np.sqrt(b * b - 4.0 * a * c), b))
         roots = np.stack([half / a, c / half], axis=-1)
     return np.where(np.isfinite(roots), roots, np.inf)
-
-
-def _table(each: Array) -> Array:
-    levels = [each]
-    width = 1
-    while 2 * width <= len(each):
-        known = levels[-1]
-        wider = known.copy()
-        wider[:-width] = np.maximum(known[:-width], known[width:])
-        levels.append(wider)
-        width *= 2
-    return np.stack(levels)
 
 
 def _as_spread(a: Array) -> Spread:
