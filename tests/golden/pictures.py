@@ -21,6 +21,7 @@ from vrts.report.still import still
 CANS = ROOT / "examples" / "01-cans-on-bases"
 DISH = ROOT / "examples" / "02-dish-on-stand"
 OBSTACLES = ROOT / "examples" / "03-around-obstacles"
+PROJECT = ROOT / "examples" / "04-final-project"
 SIZE = (1200, 760)
 ROOM = Camera(eye=(3.35, -2.75, 1.2), look_at=(0.5, -0.02, 0.1))
 TABLE = Camera(eye=(2.6, -1.75, 0.75), look_at=(0.88, -0.16, -0.13))
@@ -28,6 +29,8 @@ ABOVE = Camera(eye=(2.75, -1.5, 1.75), look_at=(0.72, 0.02, -0.12))
 STAND = Camera(eye=(2.2, -0.7, 0.75), look_at=(0.9, 0.2, -0.12))
 RIM = Camera(eye=(1.75, -1.35, 0.45), look_at=(0.86, -0.25, -0.14))
 FAR_END = Camera(eye=(2.55, -1.35, 1.1), look_at=(0.86, 0.0, -0.17))
+KITCHEN = Camera(eye=(0.05, -1.7, 0.95), look_at=(0.95, -0.12, -0.22))
+MOUTH = Camera(eye=(0.3, -1.0, 0.45), look_at=(1.08, -0.02, -0.15))
 BEFORE_S = 0.05  # an instant before the fingers open
 
 
@@ -36,6 +39,7 @@ def main() -> None:
     _draw_cans()
     _draw_dish()
     _draw_obstacles()
+    _draw_project()
 
 
 def _draw_cans() -> None:
@@ -67,6 +71,19 @@ def _draw_obstacles() -> None:
     _draw(pictures / "gap1.png", solution, first, FAR_END)
     _draw(pictures / "gap2.png", solution, second, FAR_END)
     _draw_contact(pictures / "touch.png", OBSTACLES / "submissions" / "hits-post.v2", FAR_END)
+
+
+def _draw_project() -> None:
+    pictures = PROJECT / "pictures"
+    solution = _assessed(PROJECT / "solution.v2")
+    assert solution.task is not None
+    door = visits_of(_run(solution), solution.task.vias)[0].intervals[0][0]
+    _draw(pictures / "setting.png", solution, 0.0, KITCHEN)
+    _draw(pictures / "dish.png", solution, _released(solution, "dish") - BEFORE_S, KITCHEN)
+    _draw(pictures / "door.png", solution, door, MOUTH)
+    _draw(pictures / "baked.png", solution, _run(solution).horizon_s, KITCHEN)
+    wrong = PROJECT / "submissions"
+    _draw_contact(pictures / "touch.png", wrong / "down-into-the-oven.v2", MOUTH)
 
 
 def _draw_contact(path: Path, program: Path, camera: Camera) -> None:
