@@ -63,3 +63,35 @@ def peak(quantity: Quantity, start: Array, end: Array, limit: float) -> Peak:
         start, end = np.concatenate([start, middle]), np.concatenate([middle, end])
     above_s = None if np.isinf(first) else float(first)
     return Peak(above_s, None if above_s is not None else open_s, largest, largest_s, count)
+
+
+class Highest(NamedTuple):
+    """The largest value of a quantity."""
+
+    value: float  # reached; none is larger by more than what was asked for
+    time_s: float
+    intervals: int
+
+
+def highest(quantity: Quantity, start: Array, end: Array, close: float) -> Highest:
+    """Return the largest value of a quantity in intervals of time.
+
+    Args:
+        quantity: Tells value and bound.
+        start: Starts of the first intervals, (n,) with n at least 1, in s.
+        end: Their ends.
+        close: No value is larger than the one returned by more than this, unless intervals
+            become shorter than `FINEST`, or too many.
+    """
+    largest, largest_s, count = -np.inf, 0.0, 0
+    while len(start):
+        count += len(start)
+        middle = 0.5 * (start + end)
+        value, upper = quantity(start, middle, end)
+        best = int(np.argmax(value))
+        if value[best] > largest:
+            largest, largest_s = float(value[best]), float(middle[best])
+        go_on = (upper > largest + close) & (end - start > FINEST) & (count <= MOST)
+        start, middle, end = start[go_on], middle[go_on], end[go_on]
+        start, end = np.concatenate([start, middle]), np.concatenate([middle, end])
+    return Highest(largest, largest_s, count)

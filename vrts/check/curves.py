@@ -100,6 +100,8 @@ class Curves:
         first = self.piece_at(t0)
         last = np.maximum(np.searchsorted(self.starts, t1, side="left") - 1, first)
         several = last > first
+        if np.array_equal(t0, self.starts[first]) and np.array_equal(t1, self.ends[first]):
+            return _as_spread(self.each[first])  # whole pieces are known
         u0 = self._local(first, t0)
         u1 = self._local(last, t1)
         length = self.ends - self.starts

@@ -6,6 +6,7 @@ from vrts.base.diagnostic import Rule
 from vrts.base.toml import Problems, Table
 from vrts.base.units import DEG, MM
 from vrts.check.demands import Demand, Keeps
+from vrts.check.singularity import distances_of
 from vrts.lang.vocabulary.lookup import look_up
 from vrts.robots.model import SphericalWristArm
 from vrts.scene.model import Mobility, Scene
@@ -13,7 +14,10 @@ from vrts.scene.model import Mobility, Scene
 DEMAND = Rule("V431", "demand")
 
 FARTHEST = 10_000.0  # [mm]
-LIMITS = ("joint_percent", "tool_mm_s", "wrist_deg", "elbow_deg")
+LIMITS = (
+    *("joint_percent", "tool_mm_s", "wrist_deg", "elbow_deg"),
+    *("shoulder_mm", "singular_value"),
+)
 RULES = ("must_use", "must_not_use", "most_steps")
 
 
@@ -71,24 +75,43 @@ def _limit(table: Table, problems: Problems, scene: Scene) -> Demand | None:
     speed = table.number("tool_mm_s", above=0.0, maximum=FARTHEST)
     wrist = table.number("wrist_deg", above=0.0, maximum=90.0)
     elbow = table.number("elbow_deg", above=0.0, maximum=90.0)
+    shoulder = table.number("shoulder_mm", above=0.0, maximum=FARTHEST)
+    singular = table.number("singular_value", above=0.0, maximum=1.0)
     points = _points(table)
     table.finish()
     if not _one_of(table, problems, LIMITS):
         return None
-    if percent is not None:
-        return Demand(Keeps.JOINT_SPEED, "joint speed", points, table.span, percent / 100.0)
-    if speed is not None:
-        return Demand(Keeps.TOOL_SPEED, "tool speed", points, table.span, speed * MM)
-    if not isinstance(scene.robot.arm, SphericalWristArm):
-        problems.error(
-            DEMAND, "only arms of the PUMA family have these two singularities", table.span
-        )
-        return None
-    if wrist is not None:
-        return Demand(Keeps.WRIST, "wrist singularity", points, table.span, wrist * DEG)
-    if elbow is not None:
-        return Demand(Keeps.ELBOW, "elbow singularity", points, table.span, elbow * DEG)
+    given = (
+        (Keeps.JOINT_SPEED, percent, 0.01),
+        (Keeps.TOOL_SPEED, speed, MM),
+        (Keeps.WRIST, wrist, DEG),
+        (Keeps.ELBOW, elbow, DEG),
+        (Keeps.SHOULDER, shoulder, MM),
+        (Keeps.SINGULAR, singular, 1.0),
+    )
+    for keeps, value, unit in given:
+        if value is None:
+            continue
+        if not _of_arm(keeps, scene, table, problems):
+            return None
+        return Demand(keeps, keeps.value, points, table.span, value * unit)
     return None
+
+
+def _of_arm(keeps: Keeps, scene: Scene, table: Table, problems: Problems) -> bool:
+    """Return whether an arm has the singularity that a limit is about."""
+    if keeps in (Keeps.JOINT_SPEED, Keeps.TOOL_SPEED):
+        return True
+    if keeps in distances_of(scene.robot.arm):
+        return True
+    if isinstance(scene.robot.arm, SphericalWristArm):
+        headline = "arms of the PUMA family have singularities of wrist, elbow and shoulder"
+        remedy = "write `wrist_deg`, `elbow_deg` or `shoulder_mm`"
+    else:
+        headline = "only arms of the PUMA family have singularities of wrist, elbow and shoulder"
+        remedy = "write `singular_value`, the smallest of the Jacobian"
+    problems.error(DEMAND, headline, table.span, help=(remedy,))
+    return False
 
 
 def _rule(table: Table, problems: Problems) -> Demand | None:

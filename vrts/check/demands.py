@@ -7,6 +7,8 @@ from typing import NamedTuple
 from vrts.base.pose import Vector
 from vrts.base.source import Span
 
+DEMAND = "demand "  # begins the names of checks of these
+
 
 class Keeps(Enum):
     """What a demand is about."""
@@ -18,6 +20,8 @@ class Keeps(Enum):
     TOOL_SPEED = "tool speed"
     WRIST = "wrist singularity"
     ELBOW = "elbow singularity"
+    SHOULDER = "shoulder singularity"
+    SINGULAR = "singular value"  # of arms without a spherical wrist
     USES = "must use"
     AVOIDS = "must not use"
     STEPS = "steps"
@@ -30,7 +34,7 @@ class Demand(NamedTuple):
     name: str  # as shown: "zone glass", "can1 upright"
     points: Fraction  # lost when it is not kept
     span: Span | None
-    limit: float = 0.0  # [rad], [m/s], share of the joints' limits, or a number of steps
+    limit: float = 0.0  # [rad], [m/s], [m], share of the joints' limits, or a plain number
     lower: Vector = (0.0, 0.0, 0.0)  # of a zone, in W [m]
     upper: Vector = (0.0, 0.0, 0.0)
     body: str = ""  # that is kept upright

@@ -1,7 +1,10 @@
-"""Joint limits and joint speeds, judged on the polynomials and not at samples."""
+"""Joint limits and joint speeds, judged on the polynomials and not at samples.
+
+The evidence tells how near straight lines come to singularities, too.
+"""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -11,6 +14,7 @@ from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, Severity
 from vrts.base.units import deg
 from vrts.check.curves import Curves, curves, lasting_of
 from vrts.check.extremes import fastest, first_outside
+from vrts.check.singularity import measured
 from vrts.check.verdict import Answer, Verdict
 from vrts.engine.records import Motion, Segment
 from vrts.engine.run import Run
@@ -41,7 +45,7 @@ def check_limits(run: Run) -> Verdict:
     """Return whether every joint stays within its position and speed limits."""
     segments = lasting_of(run.timeline.segments)
     if all(segment.motion is None for segment in segments):
-        return _verdict((), 0.0)
+        return _verdict((), 0.0, {})
     known = curves(segments)
     bounds = known.pieces
     moving = known.motions >= 0
@@ -56,11 +60,13 @@ def check_limits(run: Run) -> Verdict:
         if outside is not None:
             findings.append(outside)
             break
-    return _verdict(findings, float(shares.max()))
+    return _verdict(findings, float(shares.max()), measured(run, known))
 
 
-def _verdict(findings: Sequence[Diagnostic], largest: float) -> Verdict:
-    evidence = {"largest_speed_share": round(largest, 4)}
+def _verdict(
+    findings: Sequence[Diagnostic], largest: float, singularities: Mapping[str, float]
+) -> Verdict:
+    evidence = {"largest_speed_share": round(largest, 4), **singularities}
     if findings:
         return Verdict("limits", Answer.VIOLATED, findings[0].headline, tuple(findings), evidence)
     return Verdict(

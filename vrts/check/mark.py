@@ -7,7 +7,7 @@ from fractions import Fraction
 from vrts.base.diagnostic import Diagnostic, Moment
 from vrts.base.source import Span
 from vrts.check.collision_verdict import subject, target
-from vrts.check.demand_check import DEMAND
+from vrts.check.demands import DEMAND
 from vrts.check.duration import duration
 from vrts.check.grade import Grade, Loss, Status
 from vrts.check.judgement import Judgement

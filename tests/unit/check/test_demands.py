@@ -1,4 +1,4 @@
-"""Zones, upright objects, speed limits, singularities and program rules: judged and marked."""
+"""Zones, upright objects and speed limits: judged and marked."""
 
 import math
 from dataclasses import replace
@@ -7,18 +7,18 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from tests.support_programs import cans, program, ran, run_body
+from tests.support_programs import cans, ran, run_body
 from vrts.base.pose import IDENTITY
 from vrts.base.source import SourceFile
 from vrts.check.certified import Array, peak
 from vrts.check.curves import curves
 from vrts.check.demand_check import check_demands
-from vrts.check.demand_values import tilt
 from vrts.check.demands import Demand, Keeps
 from vrts.check.judge import judge
 from vrts.check.mark import grade
 from vrts.check.task import Task
 from vrts.check.task_file import read_task
+from vrts.check.upright import tilt
 from vrts.check.verdict import Answer, Verdict
 from vrts.engine.run import Run
 from vrts.pipeline.files import CHECKOUT
@@ -98,32 +98,6 @@ def test_the_speed_of_joints_against_dense_samples(
     assert one(line, Demand(Keeps.JOINT_SPEED, "", POINT, None, share * factor)).answer is answer
 
 
-@pytest.mark.parametrize(("keeps", "joint"), [(Keeps.WRIST, 4), (Keeps.ELBOW, 2)])
-def test_singularities_are_kept_away_from(line: Run, keeps: Keeps, joint: int) -> None:
-    arm = line.scene.robot.arm
-    zero = 0.0 if joint == 4 else math.atan2(arm.d4, arm.a3)  # type: ignore[union-attr]
-    q = np.array([line.at(t).configuration[joint] for t in samples(line).tolist()]) - zero
-    nearest = float(np.abs(q - np.pi * np.round(q / np.pi)).min())
-    for change, answer in ((-1e-3, Answer.HOLDS), (1e-3, Answer.VIOLATED)):
-        assert one(line, Demand(keeps, "", POINT, None, nearest + change)).answer is answer
-
-
-@pytest.mark.parametrize(
-    ("text", "answer"),
-    [
-        ('must_use = "MOVES"', Answer.HOLDS),
-        ('must_use = "APPRO"', Answer.VIOLATED),
-        ('must_not_use = "MOVES"', Answer.VIOLATED),
-        ('must_not_use = "GOTO"', Answer.HOLDS),
-        ("most_steps = 3", Answer.HOLDS),
-        ("most_steps = 2", Answer.VIOLATED),
-    ],
-)
-def test_rules_about_the_program(text: str, answer: Answer) -> None:
-    run = ran(program(" ; MOVES and GOTO in a comment\n" + BODY))
-    assert one(run, task(f"[[rule]]\n{text}\n").demands[0]).answer is answer
-
-
 def test_what_is_held_stays_upright_and_the_robot_out_of_zones() -> None:
     run = ran(SOLUTION, cans())
     asked = task(
@@ -194,6 +168,7 @@ def test_what_cannot_be_told_costs_nothing_and_gives_the_lowest_mark() -> None:
     [
         ("[[zone]]\nfrom_mm = [0, 0, 0]\nto_mm = [1, 0, 1]\n", "[1, 0, 1]"),
         ("[[limit]]\n", "[[limit]]"),
+        ("[[limit]]\nsingular_value = 0.1\n", "[[limit]]"),
         ("[[limit]]\ntool_mm_s = 5\nwrist_deg = 5\n", "[[limit]]"),
         ('[[rule]]\nmust_use = "QQQ"\n', '"QQQ"'),
     ],
