@@ -257,7 +257,7 @@ def test_charts_show_times_and_limits_and_can_be_clicked(report: Opened) -> None
     charts = report.page.inner_text("#chart-list")
     assert "mm/s" in charts
     assert "limit" in charts
-    report.page.locator(".chart svg").first.click(position={"x": 500, "y": 60})
+    report.page.locator(".chart svg").first.click(position={"x": 280, "y": 60})
     assert 0.5 < clock(report) < 2.5
 
 

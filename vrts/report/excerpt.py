@@ -14,7 +14,7 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic, Label
 from vrts.base.source import SourceFile, Span
 from vrts.report.palette import BY_SEVERITY, Palette, Style
-from vrts.report.plain import one_line, shown, width
+from vrts.report.plain import bare_name, one_line, shown, width
 
 MOST_COLUMNS = 140  # longer lines are cut around what is marked
 BEFORE = 30  # columns kept before the first mark of a cut line
@@ -60,8 +60,14 @@ def blocks(primary: Label | None, secondary: Sequence[Label]) -> list[Block]:
     return found
 
 
-def excerpt(d: Diagnostic, palette: Palette) -> list[str]:
-    """Return the excerpt's lines, from ` --> place` on; empty without any label."""
+def excerpt(d: Diagnostic, palette: Palette, *, bare: bool = False) -> list[str]:
+    """Return the excerpt's lines, from ` --> place` on; empty without any label.
+
+    Args:
+        d: What was found.
+        palette: Paints the parts.
+        bare: Whether files are named without their folders, for readers on other machines.
+    """
     primary = d.primary
     parts = blocks(primary, d.secondary)
     if not parts:
@@ -75,7 +81,9 @@ def excerpt(d: Diagnostic, palette: Palette) -> list[str]:
         if block.source is not source:
             arrow = "-->" if source is None else ":::"
             rows.append(
-                palette.paint(Style.GUTTER, " " * digits + arrow) + " " + _place(block, primary)
+                palette.paint(Style.GUTTER, " " * digits + arrow)
+                + " "
+                + _place(block, primary, bare=bare)
             )
             source = block.source
         rows.append(blank)
@@ -96,12 +104,12 @@ def place(span: Span) -> str:
     return f"{one_line(span.source.name)}:{span.line}:{span.column}"
 
 
-def _place(block: Block, primary: Label | None) -> str:
+def _place(block: Block, primary: Label | None, *, bare: bool) -> str:
+    name = bare_name(block.source.name) if bare else block.source.name
+    line, column = block.lines[0].line, min(mark.start for mark in block.lines[0].marks) + 1
     if primary is not None and primary.span.source is block.source:
-        return place(primary.span)
-    first = block.lines[0]
-    column = min(mark.start for mark in first.marks) + 1
-    return f"{one_line(block.source.name)}:{first.line}:{column}"
+        line, column = primary.span.line, primary.span.column
+    return f"{one_line(name)}:{line}:{column}"
 
 
 def _marked(label: Label, *, primary: bool) -> tuple[Marked, ...]:

@@ -90,7 +90,7 @@ def _histogram(marks: Sequence[Fraction]) -> Markup:
     most = max(counts)
     bars = [
         element(
-            "li",
+            "div",
             element("b", str(count) if count else ""),
             element("i", style=f"height:{100 * count / most:.0f}%"),
             element("span", f"{low}–{low + 1}"),
@@ -100,7 +100,7 @@ def _histogram(marks: Sequence[Fraction]) -> Markup:
     ]
     label = "Marks: " + ", ".join(f"{low} to {low + 1}: {n}" for low, n in enumerate(counts) if n)
     caption = element("figcaption", "Number of submissions by mark")
-    bar_list = element("ol", *bars, class_="bars", role="img", aria_label=label)
+    bar_list = element("div", *bars, class_="bars", role="img", aria_label=label)
     return element("figure", bar_list, caption, class_="histogram")
 
 

@@ -1,35 +1,28 @@
 """One self-contained HTML page about one program."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.report.assessment import Assessment
+from vrts.report.audience import Audience, for_student, needs_review
 from vrts.report.document import document
-from vrts.report.excerpt import excerpt
 from vrts.report.first_screen import first_screen
-from vrts.report.html import (
-    Markup,
-    MarkupPalette,
-    element,
-    joined,
-    json_script,
-    painted,
-    prose,
-    raw,
-)
+from vrts.report.html import Markup, element, json_script, raw
 from vrts.report.listing import listing
+from vrts.report.page_checks import checks_section, facts_section, review_section
+from vrts.report.page_contacts import contacts_section
+from vrts.report.page_findings import MOST_FINDINGS, findings_section
 from vrts.report.page_top import first_screen_section, watch_button
-from vrts.report.plain import capital, one_line
+from vrts.report.plain import one_line
 from vrts.report.quantities import millimetres, seconds
-from vrts.report.replay_data import contact_rows, run_data
-from vrts.report.text import in_order, moment_text
+from vrts.report.replay_data import contact_rows, near_rows, run_data
+from vrts.report.stills import MOMENT
+from vrts.report.text import in_order
 from vrts.report.viewer_data import scene_data
 from vrts.web.assets import asset, import_map, module_name
 
-MOST_FINDINGS = 100
-
 ENTRY = "report/page.js"
-MOMENT = "moment"
 
 NOT_MODELLED = """
 Motion is computed from geometry alone: no masses, forces, friction or motor limits other than \
@@ -41,26 +34,55 @@ A released object sinks straight down and stands or topples; it does not bounce,
 """
 
 
-def page(a: Assessment, stills: Mapping[str, bytes]) -> str:
+class Part(NamedTuple):
+    """A section of the page, and how it is called in the list of all."""
+
+    identifier: str  # of its element
+    name: str
+    section: Markup | None  # None: nothing to show
+
+
+def page(
+    a: Assessment,
+    stills: Mapping[str, bytes],
+    *,
+    audience: Audience = Audience.STUDENT,
+    more: int = 0,
+    hidden: Collection[str] = (),
+) -> str:
     """Return the page.
 
     Args:
-        a: What was found.
-        stills: PNG pictures by name; "moment" is shown on the first screen (the cause's moment,
-            else the end of the run). Others are not used.
+        a: What was found. For a student it has to come from public checks alone.
+        stills: PNG pictures by name, as `page_stills` makes them; "moment" is shown on the first
+            screen (the cause's moment, else the end of the run).
+        audience: Who reads it: a student's page leaves out what `for_student` takes away.
+        more: How many further checks there will be at marking.
+        hidden: Names of the checks that students do not see, to be marked so.
     """
+    grader = audience is Audience.GRADER
+    review = needs_review(a)
+    if not grader:
+        a = for_student(a)
     screen = first_screen(a)
     findings = in_order(a.findings)
     replayable = a.run is not None and a.scene is not None
+    parts = [
+        Part("replay", "Replay", _replay(a, findings) if replayable else None),
+        Part("program", "Program", None if replayable else _program(a, findings)),
+        Part("review", "To be reviewed", review_section(a) if grader else None),
+        Part("contacts", "Contacts", contacts_section(a, stills) if replayable else None),
+        Part("findings", f"Findings ({len(findings)})", findings_section(findings)),
+        Part("checks", "Checks", checks_section(a, hidden if grader else ())),
+        Part("charts", "Charts", _charts(a) if replayable else None),
+        Part("facts", "Facts", facts_section(a) if grader else None),
+        Part("model", "What was not modelled", _not_modelled(a)),
+    ]
     body = [
-        first_screen_section(a, screen, stills.get(MOMENT)),
-        _navigation(a, findings, replayable=replayable),
-        _replay(a, findings) if replayable else _program(a, findings),
-        _findings(findings),
-        _checks(a),
-        _charts(a) if replayable else None,
-        _not_modelled(a) if replayable else None,
-        _footer(a),
+        first_screen_section(a, screen, stills.get(MOMENT), review=review, more=more),
+        _navigation(parts),
+        *(part.section for part in parts),
+        element("footer", element("p", "Written by vrts")),
     ]
     scripts = _scripts(a) if replayable else []
     return document(one_line(a.title), "report/page.css", body, scripts)
@@ -69,12 +91,8 @@ def page(a: Assessment, stills: Mapping[str, bytes]) -> str:
 # --- replay and program -------------------------------------------------------------------------
 
 
-def _navigation(a: Assessment, findings: Sequence[Diagnostic], *, replayable: bool) -> Markup:
-    entries = [("replay", "Replay") if replayable else ("program", "Program")]
-    entries += [("findings", f"Findings ({len(findings)})")] if findings else []
-    entries += [("checks", "Checks")] if a.judgement and a.grade else []
-    entries += [("charts", "Charts"), ("model", "What was not modelled")] if replayable else []
-    links = [element("a", text, href=f"#{target}") for target, text in entries]
+def _navigation(parts: Sequence[Part]) -> Markup:
+    links = [element("a", part.name, href=f"#{part.identifier}") for part in parts if part.section]
     return element("nav", *links, aria_label="On this page")
 
 
@@ -111,6 +129,8 @@ def _scripts(a: Assessment) -> list[Markup]:
         "run": run_data(a.run, a.source),
         "contacts": contact_rows(report.contacts, a.source) if report else [],
         "grazes": contact_rows(report.grazes, a.source) if report else [],
+        "doubtful": contact_rows(report.undetermined, a.source) if report else [],
+        "near": near_rows(report.near_misses, a.source) if report else [],
         "moment": screen.moment.time_s if screen.moment else None,
         "clearance": [[seconds(t), millimetres(distance)] for t, distance in a.clearance],
     }
@@ -123,68 +143,6 @@ def _scripts(a: Assessment) -> list[Markup]:
 
 
 # --- below --------------------------------------------------------------------------------------
-
-
-def _findings(findings: Sequence[Diagnostic]) -> Markup | None:
-    if not findings:
-        return None
-    cards = [_finding(number, d) for number, d in enumerate(findings[:MOST_FINDINGS], start=1)]
-    more = len(findings) - len(cards)
-    rest = element("p", f"{more} more findings are not listed.") if more else None
-    return element("section", element("h2", "Findings"), *cards, rest, id="findings")
-
-
-def _finding(number: int, d: Diagnostic) -> Markup:
-    rows = excerpt(d, MarkupPalette())
-    text = (
-        element("pre", painted("\n".join(rows)), class_="excerpt", tabindex="0") if rows else None
-    )
-    moment = (
-        element(
-            "p", watch_button(d.moment.time_s), " ", capital(moment_text(d.moment)), class_="when"
-        )
-        if d.moment
-        else None
-    )
-    head = element(
-        "h3",
-        element("span", d.severity.value, class_="severity"),
-        " ",
-        element("code", f"{d.rule.code} {d.rule.slug}", class_="rule"),
-        " ",
-        prose(one_line(d.headline)),
-    )
-    notes = [element("p", element("b", "Note: "), prose(note), class_="lines") for note in d.notes]
-    helps = [element("p", element("b", "Help: "), prose(text), class_="lines") for text in d.help]
-    return element(
-        "article",
-        *(head, text if rows else None, moment, *notes, *helps),
-        class_=f"finding {d.severity.value}",
-        id=f"finding-{number}",
-    )
-
-
-def _checks(a: Assessment) -> Markup | None:
-    if a.judgement is None or a.grade is None:
-        return None
-    rows = [
-        element(
-            "tr",
-            element("td", one_line(v.check)),
-            element("td", v.answer.value, class_=f"answer-{v.answer.value}"),
-            element("td", prose(one_line(v.summary))),
-        )
-        for v in a.judgement.verdicts
-    ]
-    head = element("tr", *(element("th", t, scope="col") for t in ("Check", "Answer", "")))
-    obstacles = [element("li", prose(one_line(o))) for o in a.grade.obstacles]
-    why = (
-        joined([element("h3", "Why it is not ready for the real robot"), element("ul", *obstacles)])
-        if obstacles
-        else None
-    )
-    table = element("table", element("thead", head), element("tbody", *rows), class_="checks")
-    return element("section", element("h2", "Checks"), table, why, id="checks")
 
 
 def _charts(a: Assessment) -> Markup:
@@ -234,10 +192,3 @@ def _method(a: Assessment) -> Markup | None:
             "p", "The collision check covers every instant of the run, not only sampled ones."
         )
     return element("p", "Some instants of the collision check stayed undetermined; see the checks.")
-
-
-def _footer(a: Assessment) -> Markup:
-    digests = [("scene", a.scene.digest if a.scene else None)]
-    digests += [("task", a.task.digest if a.task else None)]
-    parts = [f"{name} {digest[:12]}" for name, digest in digests if digest]
-    return element("footer", element("p", " · ".join(["Written by vrts", *parts])))

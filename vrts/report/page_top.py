@@ -9,8 +9,23 @@ from vrts.report.plain import capital, one_line, yes_no
 from vrts.report.quantities import at_time, lost, mark, seconds
 
 
-def first_screen_section(a: Assessment, screen: FirstScreen, picture: bytes | None) -> Markup:
-    """Return the head of the page; `picture` is a PNG."""
+def first_screen_section(
+    a: Assessment,
+    screen: FirstScreen,
+    picture: bytes | None,
+    *,
+    review: bool = False,
+    more: int = 0,
+) -> Markup:
+    """Return the head of the page.
+
+    Args:
+        a: What was found.
+        screen: What of it is shown first.
+        picture: A PNG of the moment.
+        review: Whether a person has to look at the run.
+        more: How many further checks there will be at marking.
+    """
     task = f"{a.task.title} · " if a.task else ""
     scene = f"scene {a.scene.name}" if a.scene else ""
     where = element("p", f"{task}{scene}", class_="where") if task or scene else None
@@ -23,6 +38,7 @@ def first_screen_section(a: Assessment, screen: FirstScreen, picture: bytes | No
             element("b", yes_no(screen.ready)),
             class_="ready " + yes_no(screen.ready),
         ),
+        element("p", "To be reviewed by a person", class_="ready maybe") if review else None,
         class_="answer",
     )
     parts = element(
@@ -30,9 +46,10 @@ def first_screen_section(a: Assessment, screen: FirstScreen, picture: bytes | No
         element("h1", one_line(a.title)),
         where,
         answer,
-        element("p", prose(screen.cause), class_="cause"),
+        element("h2", prose(screen.cause), class_="cause"),
         _hint(screen.hint) if screen.hint else None,
         _loss_table(screen) if screen.losses else _verdict_table(screen),
+        _more(screen, more) if more else None,
         class_="words",
     )
     return element("header", parts, _picture(screen, picture), class_="first-screen")
@@ -40,6 +57,11 @@ def first_screen_section(a: Assessment, screen: FirstScreen, picture: bytes | No
 
 def _hint(text: str) -> Markup:
     return element("p", element("b", "Hint: "), prose(text), class_="hint")
+
+
+def _more(screen: FirstScreen, more: int) -> Markup:
+    passed = "All public checks passed" if screen.ready else "Not all public checks passed"
+    return element("p", f"{passed}; {more} more at marking.", class_="more")
 
 
 def mark_badge(screen: FirstScreen) -> Markup:
@@ -71,10 +93,10 @@ def _loss_table(screen: FirstScreen) -> Markup:
     total = element(
         "tr",
         element("td", mark(screen.mark), class_="number"),
-        element("td", "Mark, of 10", colspan=2),
+        element("th", "Mark, of 10", scope="row", colspan=2),
         class_="total",
     )
-    head = element("tr", *(element("th", t, scope="col") for t in ("Points", "Lost by", "")))
+    head = element("tr", *(element("th", t, scope="col") for t in ("Points", "Lost by", "Moment")))
     return element(
         "table",
         element("thead", head),
@@ -96,7 +118,7 @@ def _verdict_table(screen: FirstScreen) -> Markup | None:
         )
         for v in screen.verdicts
     ]
-    head = element("tr", *(element("th", t, scope="col") for t in ("Answer", "Check", "")))
+    head = element("tr", *(element("th", t, scope="col") for t in ("Answer", "Check", "Because")))
     return element("table", element("thead", head), element("tbody", *rows), class_="losses")
 
 

@@ -59,6 +59,11 @@ def yes_no(affirmative: bool) -> str:
     return "yes" if affirmative else "no"
 
 
+def bare_name(name: str) -> str:
+    """Return the name of a file without its folders, which are nobody's business."""
+    return name.replace("\\", "/").rstrip("/").rsplit("/", 1)[-1] or name
+
+
 def width(text: str) -> int:
     """Return how many columns a visible text takes on a terminal."""
     return sum(_width(character) for character in text)

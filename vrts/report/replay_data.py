@@ -12,7 +12,7 @@ from array import array
 from collections.abc import Iterable, Sequence
 
 from vrts.base.source import SourceFile
-from vrts.check.verdict import ContactEvent
+from vrts.check.verdict import ContactEvent, NearMiss
 from vrts.engine.events import Cause
 from vrts.engine.records import COORDINATES, GRAVITY, Placement, Segment
 from vrts.engine.run import Run
@@ -75,6 +75,32 @@ def contact_sentence(c: ContactEvent) -> str:
     """Return `left finger touches base1, 3.1 mm deep`."""
     first, second = (one_line(part) for part in c.parts)
     return f"{first} touches {second}, {millimetres(c.depth_m):g} mm deep"
+
+
+def near_rows(misses: Iterable[NearMiss], source: SourceFile | None) -> list[Json]:
+    """Return near misses for the time bar and the events; the point lies between the two parts."""
+    return [
+        {
+            "first": m.first,
+            "second": m.second,
+            "parts": list(m.parts),
+            "text": near_sentence(m),
+            "start": seconds(m.start_s),
+            "end": seconds(m.end_s),
+            "deepest": seconds(m.nearest_s),
+            "distanceMm": millimetres(m.distance_m),
+            "point": [round((a + b) / 2, 5) for a, b in zip(*m.witnesses, strict=True)],
+            "held": m.held,
+            "line": _line(m.cause, source),
+        }
+        for m in misses
+    ]
+
+
+def near_sentence(m: NearMiss) -> str:
+    """Return `can1 passes base1 at 1.4 mm`."""
+    first, second = (one_line(part) for part in m.parts)
+    return f"{first} passes {second} at {millimetres(m.distance_m):g} mm"
 
 
 def _end(run: Run) -> float:

@@ -2,6 +2,8 @@
 
 const SVG = "http://www.w3.org/2000/svg";
 const HEIGHT = 190;
+const TWO_COLUMNS = 900; // [px] a list this wide shows charts side by side
+const GAP = 32; // [px] between them
 const MARGIN = { left: 56, right: 14, top: 10, bottom: 24 };
 const COLORS = ["#e8590c", "#1c7ed6", "#2f9e44", "#9c36b5", "#c2255c", "#0c8599"];
 
@@ -42,8 +44,11 @@ export class Charts {
 
   /** Draw all charts at the present width. */
   draw() {
-    const width = this.list.clientWidth || 800;
+    const whole = this.list.clientWidth || 800;
+    const two = whole >= TWO_COLUMNS;
+    const width = Math.floor(two ? (whole - GAP) / 2 : whole);
     if (width === this.width) return;
+    this.list.classList.toggle("two", two);
     this.width = width;
     this.cursors = [];
     this.list.replaceChildren(...this.charts.map((chart) => this.figure(chart, width)));

@@ -6,6 +6,16 @@
 
 const byId = (/** @type {string} */ id) => /** @type {HTMLInputElement} */ (document.getElementById(id));
 
+const BUTTONS = [["forward", 1, "Play forward"], ["backward", -1, "Play backward"]];
+const TURN = Math.PI / 12; // of the view by one press [rad]
+
+/** Keys that elements of the page need for themselves, by selector. @type {[string, string[]][]} */
+const OWN = [
+  ["select", [" ", "ArrowLeft", "ArrowRight", "Home", "End", "b", ",", "."]],
+  ["button, a, summary, input[type=checkbox]", [" "]],
+  [".source, .excerpt", [" ", "ArrowLeft", "ArrowRight", "Home", "End"]],
+];
+
 /**
  * @param {Player} player @param {Viewer | null} viewer @param {EventList} events
  * @param {(t: number) => void} jump
@@ -19,6 +29,12 @@ export function bindControls(player, viewer, events, jump) {
   byId("speed").addEventListener("change", () => { player.speed = Number(byId("speed").value); });
   byId("show-trace").addEventListener("change", () => viewer?.showTrace(byId("show-trace").checked));
   byId("show-goals").addEventListener("change", () => viewer?.showGoals(byId("show-goals").checked));
+  for (const button of document.querySelectorAll("[data-turn]")) {
+    button.addEventListener("click", () => viewer?.turn(TURN * Number(/** @type {HTMLElement} */ (button).dataset.turn)));
+  }
+  for (const button of document.querySelectorAll("[data-zoom]")) {
+    button.addEventListener("click", () => viewer?.zoom(Number(/** @type {HTMLElement} */ (button).dataset.zoom)));
+  }
   const looks = [...document.querySelectorAll("[data-look]")];
   for (const look of looks) {
     look.addEventListener("click", () => {
@@ -48,8 +64,9 @@ export function bindKeys(player, events, jump) {
   };
   document.addEventListener("keydown", (event) => {
     const target = /** @type {HTMLElement} */ (event.target);
-    const own = target.closest("button, a, select, summary, input[type=checkbox], .source, .excerpt");
-    const action = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const own = OWN.some(([selector, taken]) => taken.includes(key) && target.closest(selector));
+    const action = keys[key];
     if (!action || own || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     action(event);
@@ -58,6 +75,9 @@ export function bindKeys(player, events, jump) {
 
 /** @param {Player} player */
 export function showPlaying(player) {
-  byId("forward").classList.toggle("playing", player.playing && player.direction > 0);
-  byId("backward").classList.toggle("playing", player.playing && player.direction < 0);
+  for (const [id, direction, words] of /** @type {[string, number, string][]} */ (BUTTONS)) {
+    const playing = player.playing && player.direction === direction;
+    byId(id).classList.toggle("playing", playing);
+    byId(id).setAttribute("aria-label", playing ? "Pause" : words);
+  }
 }

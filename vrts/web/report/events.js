@@ -1,24 +1,35 @@
-// The list of what happened, to click on; contacts stand between the events.
+// The table of what happened, every row a way to its time; contacts stand between the events.
 
-/** One row for each event, in time order. */
+const MANY = 150; // rows: from here on paper shows only what matters
+const DIGITS = 3; // of times [s]
+
+/** @typedef {{t: number, kind: string, text: string, line: number, process?: boolean, facts?: string}} Row */
+/** @typedef {import("./page.js").Contact} Contact */
+
+/** One row for each event, in time order; one of them can be reached by the tabulator. */
 export class EventList {
   /**
-   * @param {HTMLElement} list
-   * @param {{run: {events: Row[]}, contacts: Contact[]}} data
+   * @param {HTMLElement} body of the table
+   * @param {{run: {events: Row[]}, contacts: Contact[], grazes: Contact[], doubtful: Contact[], near: Contact[]}} data
    * @param {(t: number) => void} jump
    */
-  constructor(list, data, jump) {
-    this.list = list;
-    const contacts = data.contacts.map((c) => ({ t: c.start, kind: "contact", text: c.text, line: c.line }));
+  constructor(body, data, jump) {
+    this.box = /** @type {HTMLElement} */ (body.closest(".scroll"));
     /** @type {Row[]} */
-    this.rows = [...data.run.events, ...contacts].sort((a, b) => a.t - b.t);
-    this.buttons = this.rows.map((row) => button(row, () => jump(row.t)));
-    list.replaceChildren(...this.buttons.map((entry) => {
-      const item = document.createElement("li");
-      item.append(entry);
-      return item;
-    }));
+    this.rows = [
+      ...data.run.events,
+      ...data.contacts.map((c) => row(c, "contact", c.text)),
+      ...data.grazes.map((c) => row(c, "graze", `graze: ${c.text}`)),
+      ...data.doubtful.map((c) => row(c, "doubtful", `too close to tell: ${c.text}`)),
+      ...data.near.map((c) => row(c, "near", c.text)),
+    ].sort((a, b) => a.t - b.t);
+    this.entries = this.rows.map((one) => drawn(one, () => jump(one.t)));
+    this.buttons = this.entries.map((entry) => /** @type {HTMLElement} */ (entry.querySelector("button")));
+    body.replaceChildren(...this.entries);
+    body.classList.toggle("many", this.rows.length > MANY);
     this.current = -1;
+    this.reach(0);
+    body.addEventListener("keydown", (event) => this.walk(event));
   }
 
   /** @param {number} t [s]; marks the last event that is not later */
@@ -26,47 +37,84 @@ export class EventList {
     let index = -1;
     while (index + 1 < this.rows.length && this.rows[index + 1].t <= t + 5e-4) index++;
     if (index === this.current) return;
-    this.buttons[this.current]?.classList.remove("now");
-    this.buttons[this.current]?.removeAttribute("aria-current");
+    this.entries[this.current]?.classList.remove("now");
+    this.entries[this.current]?.removeAttribute("aria-current");
     this.current = index;
-    const entry = this.buttons[index];
+    const entry = this.entries[index];
     if (!entry) return;
     entry.classList.add("now");
     entry.setAttribute("aria-current", "true");
-    const above = entry.offsetTop - this.list.scrollTop;
-    if (above < 0 || above > this.list.clientHeight - 30) this.list.scrollTop = entry.offsetTop - this.list.clientHeight / 2;
+    this.reach(index);
+    const above = entry.offsetTop - this.box.scrollTop;
+    if (above < 30 || above > this.box.clientHeight - 40) this.box.scrollTop = entry.offsetTop - this.box.clientHeight / 2;
+  }
+
+  /** Let the tabulator come to one row. @param {number} index */
+  reach(index) {
+    this.buttons[this.reached ?? 0]?.setAttribute("tabindex", "-1");
+    this.reached = index;
+    this.buttons[index]?.removeAttribute("tabindex");
+  }
+
+  /** Up and down go from row to row. @param {KeyboardEvent} event */
+  walk(event) {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    const at = this.buttons.indexOf(/** @type {HTMLElement} */ (event.target));
+    if (!step || at < 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const next = Math.min(Math.max(at + step, 0), this.buttons.length - 1);
+    this.reach(next);
+    this.buttons[next].focus();
+    this.buttons[next].click();
   }
 
   /** Return the time of the next event after a time, or the last. */
   after(/** @type {number} */ t) {
-    return this.rows.find((row) => row.t > t + 1e-3)?.t ?? t;
+    return this.rows.find((one) => one.t > t + 1e-3)?.t ?? t;
   }
 
   /** Return the time of the event before a time, or the start. */
   before(/** @type {number} */ t) {
-    return this.rows.findLast((row) => row.t < t - 1e-3)?.t ?? 0;
+    return this.rows.findLast((one) => one.t < t - 1e-3)?.t ?? 0;
   }
 }
 
-/** @typedef {{t: number, kind: string, text: string, line: number, process?: boolean}} Row */
-/** @typedef {{start: number, text: string, line: number}} Contact */
-
-/** Return the line of a row; PC stands for the process control program. @param {Row} row */
-function where(row) {
-  return row.line ? `${row.process ? "PC " : ""}line ${row.line}` : "";
+/** Return the row of a contact with all that is known of it. @param {Contact} c @param {string} kind @param {string} text @returns {Row} */
+function row(c, kind, text) {
+  const facts = [`until ${c.end.toFixed(DIGITS)} s`];
+  if (kind !== "near") facts.push(`deepest at ${c.deepest.toFixed(DIGITS)} s`);
+  facts.push(`at ${c.point.map((x) => (1000 * x).toFixed(0).replace("-", "−")).join(", ")} mm`);
+  if (c.held) facts.push(`holding ${c.held}`);
+  return { t: c.start, kind, text, line: c.line, facts: facts.join(" · ") };
 }
 
-/** @param {Row} row @param {() => void} click */
-function button(row, click) {
-  const element = document.createElement("button");
-  element.type = "button";
-  element.className = row.kind;
-  for (const [name, text] of [["t", `${row.t.toFixed(2)} s`], ["words", row.text], ["line", where(row)]]) {
-    const part = document.createElement("span");
-    part.className = name;
-    part.textContent = text;
-    element.append(part);
+/** Return the line of a row; PC stands for the process control program. @param {Row} one */
+function where(one) {
+  return one.line ? `${one.process ? "PC " : ""}${one.line}` : "–";
+}
+
+/** @param {Row} one @param {() => void} click */
+function drawn(one, click) {
+  const entry = document.createElement("tr");
+  entry.className = one.kind;
+  const time = document.createElement("button");
+  time.type = "button";
+  time.tabIndex = -1;
+  time.textContent = `${one.t.toFixed(DIGITS)} s`;
+  const words = document.createElement("span");
+  words.textContent = one.text;
+  const cells = [[time], [words], [where(one)]].map((parts) => {
+    const cell = document.createElement("td");
+    cell.append(...parts);
+    return cell;
+  });
+  if (one.facts) {
+    const facts = document.createElement("small");
+    facts.textContent = one.facts;
+    cells[1].append(facts);
   }
-  element.addEventListener("click", click);
-  return element;
+  entry.append(...cells);
+  entry.addEventListener("click", click);
+  return entry;
 }

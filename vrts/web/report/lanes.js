@@ -6,6 +6,7 @@
 
 const FINEST = 1 / 1500; // of the run: what would be narrower than a pixel is not drawn twice
 const ROOM = 0.022; // of the run: a bar this wide has room for a number
+const TICKS = 10; // at most, of the ruler
 const SAMPLES = 400;
 const MOST_SIGNALS = 8;
 const NEAR = 150; // [mm] clearance from here on fills its lane
@@ -24,19 +25,27 @@ export class Lanes {
     cursor.className = "cursor";
     this.mark = document.createElement("b");
     cursor.append(this.mark);
-    box.replaceChildren(...lanes.map((lane) => this.row(lane)), cursor);
+    this.hint = document.createElement("span");
+    this.hint.hidden = true;
+    cursor.append(this.hint);
+    box.replaceChildren(...lanes.map((lane) => this.row(lane)), this.ruler(), cursor);
     box.setAttribute("aria-label", `Over time: ${lanes.map((lane) => lane.name).join(", ")}. The list of events says the same in words.`);
-    const go = (/** @type {PointerEvent} */ event) => {
+    const time = (/** @type {PointerEvent} */ event) => {
       const area = cursor.getBoundingClientRect();
-      jump(Math.min(Math.max((event.clientX - area.left) / area.width, 0), 1) * end);
+      return Math.min(Math.max((event.clientX - area.left) / area.width, 0), 1) * end;
     };
+    const go = (/** @type {PointerEvent} */ event) => jump(time(event));
     box.addEventListener("pointerdown", (event) => {
       box.setPointerCapture(event.pointerId);
       go(event);
     });
     box.addEventListener("pointermove", (event) => {
       if (box.hasPointerCapture(event.pointerId)) go(event);
+      this.hint.hidden = event.pointerType === "touch";
+      this.hint.style.left = `${(100 * time(event)) / this.end}%`;
+      this.hint.textContent = `${time(event).toFixed(2)} s`;
     });
+    box.addEventListener("pointerleave", () => { this.hint.hidden = true; });
   }
 
   /** @param {number} t [s] */
@@ -47,7 +56,7 @@ export class Lanes {
   /** @param {Lane} lane */
   row(lane) {
     const row = document.createElement("div");
-    row.className = "lane";
+    row.className = lane.curve && !lane.bars ? "lane tall" : "lane";
     const name = document.createElement("span");
     name.className = "name";
     name.textContent = lane.name;
@@ -56,6 +65,22 @@ export class Lanes {
     if (lane.curve) band.append(this.area(lane.curve));
     for (const bar of this.drawn(lane.bars ?? [])) band.append(this.bar(bar));
     row.append(name, band);
+    return row;
+  }
+
+  /** Return a row of times. */
+  ruler() {
+    const row = this.row({ name: "" });
+    row.classList.add("ruler");
+    const rough = this.end / TICKS;
+    const power = 10 ** Math.floor(Math.log10(rough));
+    const step = ([1, 2, 5, 10].find((k) => k * power >= rough) ?? 10) * power;
+    for (let k = 0; k * step <= this.end * (1 - ROOM); k++) {
+      const tick = document.createElement("span");
+      tick.style.left = `${(100 * k * step) / this.end}%`;
+      tick.textContent = `${Number((k * step).toFixed(3))}${k ? "" : " s"}`;
+      row.lastElementChild?.append(tick);
+    }
     return row;
   }
 
@@ -96,14 +121,14 @@ export class Lanes {
 /**
  * Return the lanes of a run; a lane with nothing to show is left out, but contacts always stand.
  * @param {Replay} replay
- * @param {{run: import("../viewer/replay.js").RunData, contacts: Contact[], grazes: Contact[], clearance: [number, number][]}} data
+ * @param {{run: import("../viewer/replay.js").RunData, contacts: Contact[], grazes: Contact[], doubtful: Contact[], near: Contact[], clearance: [number, number][]}} data
  * @returns {Lane[]}
  */
 export function lanesOf(replay, data) {
-  const touches = [
-    ...data.grazes.map((c) => ({ start: c.start, end: c.end, kind: "graze", text: c.text })),
-    ...data.contacts.map((c) => ({ start: c.start, end: c.end, kind: "contact", text: c.text })),
-  ];
+  const bars = (/** @type {Contact[]} */ rows, /** @type {string} */ kind) =>
+    rows.map((c) => ({ start: c.start, end: c.end, kind, text: `${c.text}, ${span(c.start, c.end)}` }));
+  const touches = [...bars(data.grazes, "graze"), ...bars(data.doubtful, "doubtful"), ...bars(data.contacts, "contact")];
+  const misses = data.near.length ? [{ name: "Near misses", bars: bars(data.near, "near") }] : [];
   const lanes = [{ name: "Line", bars: lineBars(data.run.lines, replay.end) }];
   if (data.run.processLines.length) lanes.push({ name: "PC line", bars: lineBars(data.run.processLines, replay.end) });
   const gripper = { name: "Gripper", bars: holds(data.run.placements, replay.end), curve: opening(replay) };
@@ -112,7 +137,7 @@ export function lanesOf(replay, data) {
     bars: on.map(([start, end]) => ({ start, end, kind: "on", text: `signal ${signal} on, ${span(start, end)}` })),
   }));
   const near = data.clearance.length > 1 ? [{ name: "Clearance", curve: shares(data.clearance, NEAR) }] : [];
-  return [...lanes, gripper, ...signals, { name: "Contacts", bars: touches }, ...near];
+  return [...lanes, gripper, ...signals, { name: "Contacts", bars: touches }, ...misses, ...near];
 }
 
 /** @typedef {{start: number, end: number, text: string}} Contact */

@@ -8,6 +8,7 @@ import { Charts } from "./charts.js";
 import { charts, sampleTimes, speed, toolPath } from "./curves.js";
 import { EventList } from "./events.js";
 import { Lanes, lanesOf } from "./lanes.js";
+import { drawSnapshots } from "./snapshots.js";
 import { bindKeys, bindControls, showPlaying } from "./controls.js";
 
 const byId = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -34,12 +35,17 @@ byId("goals-check").hidden = !data.scene.goals.length && !data.scene.vias.length
 dark.addEventListener("change", () => viewer?.setTheme(theme()));
 bindControls(player, viewer, events, jump);
 bindKeys(player, events, jump);
+document.getElementById("source")?.addEventListener("dblclick", (event) => {
+  const line = /** @type {HTMLElement} */ (event.target).closest("li")?.id.slice(1);
+  if (line) jumpToLine(Number(line));
+});
 for (const button of document.querySelectorAll("button.seek")) {
   button.addEventListener("click", () => watch(Number(/** @type {HTMLElement} */ (button).dataset.t)));
 }
+if (viewer) drawSnapshots(viewer, replay, data.contacts, mark);
 jump(data.moment ?? 0);
 
-/** @typedef {{start: number, end: number, first: string, second: string, parts: string[], text: string, point: number[], deepest: number, line: number}} Contact */
+/** @typedef {{start: number, end: number, first: string, second: string, parts: string[], text: string, point: number[], deepest: number, held: string | null, line: number}} Contact */
 
 /** @returns {Viewer | null} null where the browser has no WebGL */
 function openViewer() {
@@ -60,6 +66,12 @@ function jump(/** @type {number} */ t) {
   player.seek(t);
 }
 
+/** Go to the next time a line of the program is at work. */
+function jumpToLine(/** @type {number} */ line) {
+  const times = data.run.lines.filter((/** @type {[number, number]} */ row) => row[1] === line).map((/** @type {[number, number]} */ row) => row[0]);
+  if (times.length) jump(times.find((/** @type {number} */ t) => t > player.t + 1e-3) ?? times[0]);
+}
+
 /** Show a moment from shortly before, playing, with the replay on screen. */
 function watch(/** @type {number} */ t) {
   byId("replay").scrollIntoView();
@@ -74,12 +86,12 @@ function show(/** @type {number} */ t) {
   const state = replay.at(t);
   viewer?.show(state);
   const touching = data.contacts.filter((/** @type {Contact} */ c) => c.start <= t && t <= c.end);
-  const grazing = data.grazes.filter((/** @type {Contact} */ c) => c.start <= t && t <= c.end);
+  const close = [...data.grazes, ...data.doubtful, ...data.near].filter((/** @type {Contact} */ c) => c.start <= t && t <= c.end);
   viewer?.highlight(mark(touching));
   slider.value = String(t);
   slider.setAttribute("aria-valuetext", `${t.toFixed(1)} seconds`);
   byId("clock").textContent = `${t.toFixed(3).padStart(7)} / ${replay.end.toFixed(1)} s`;
-  showOverlay(state, touching, grazing);
+  showOverlay(state, touching, close);
   showStatus(state);
   lightLine("lit-process", replay.line(t, data.run.processLines));
   lightLine("lit", replay.line(t));
@@ -91,7 +103,7 @@ function show(/** @type {number} */ t) {
 
 /**
  * Name what touches: the parts that are bodies; the hand where a part is one of the robot.
- * @param {Contact[]} touching
+ * @param {Contact[]} touching @returns {import("../viewer/viewer.js").Mark | null}
  */
 function mark(touching) {
   if (!touching.length) return null;
@@ -104,11 +116,11 @@ function mark(touching) {
   };
 }
 
-/** @param {import("../viewer/replay.js").State} state @param {Contact[]} touching @param {Contact[]} grazing */
-function showOverlay(state, touching, grazing) {
+/** @param {import("../viewer/replay.js").State} state @param {Contact[]} touching @param {Contact[]} close */
+function showOverlay(state, touching, close) {
   const rows = [
     ...touching.map((c) => ["bad", c.text]),
-    ...grazing.map((c) => ["warn", c.text]),
+    ...close.map((c) => ["warn", c.text]),
     ...state.held.map((name) => ["", `holds ${name}`]),
   ];
   byId("overlay").replaceChildren(...rows.map(([kind, text]) => {

@@ -36,6 +36,9 @@ export const VIEWS = {
   top: { eye: [0.7, -0.01, 3.8], target: [0.7, 0, 0] },
 };
 
+/** @typedef {{bodies: string[], robot: boolean, point: number[] | null}} Mark what touches */
+
+const CLOSE = [0.62, -0.62, 0.36]; // from a contact to the eye that looks at it [m]
 const RED = 0xe5322d;
 const YELLOW = 0xffd43b;
 const GREEN = 0x2f9e44;
@@ -167,7 +170,7 @@ export class Viewer {
 
   /**
    * Mark what touches: bodies glow red, a dot shows where. Null takes the mark away.
-   * @param {{bodies: string[], robot: boolean, point: number[] | null} | null} mark
+   * @param {Mark | null} mark
    */
   highlight(mark) {
     const key = JSON.stringify(mark);
@@ -218,6 +221,47 @@ export class Viewer {
     }
     this.controls.update();
     this.requestDraw();
+  }
+
+  /** Go around what is looked at. @param {number} angle to the left [rad] */
+  turn(angle) {
+    const away = this.camera.position.clone().sub(this.controls.target);
+    this.camera.position.copy(this.controls.target).add(away.applyAxisAngle(this.camera.up, angle));
+    this.controls.update();
+    this.requestDraw();
+  }
+
+  /** Come nearer or step back. @param {number} factor of the distance */
+  zoom(factor) {
+    const away = this.camera.position.clone().sub(this.controls.target);
+    this.camera.position.copy(this.controls.target).add(away.multiplyScalar(factor));
+    this.controls.update();
+    this.requestDraw();
+  }
+
+  /**
+   * Draw a state from near what touches onto another canvas. What this view shows has to be shown
+   * again afterwards.
+   * @param {HTMLCanvasElement} canvas @param {State} state @param {Mark | null} mark
+   */
+  snapshot(canvas, state, mark) {
+    const [eye, target, following] = [this.camera.position.clone(), this.controls.target.clone(), this.following];
+    this.following = false;
+    this.show(state);
+    this.highlight(mark);
+    if (mark?.point) {
+      this.camera.position.fromArray(mark.point).add(new Vector3().fromArray(CLOSE));
+      this.camera.lookAt(new Vector3().fromArray(mark.point));
+    }
+    this.draw();
+    const { width, height } = this.canvas;
+    const share = Math.min(width / canvas.width, height / canvas.height);
+    const [w, h] = [canvas.width * share, canvas.height * share];
+    canvas.getContext("2d")?.drawImage(this.canvas, (width - w) / 2, (height - h) / 2, w, h, 0, 0, canvas.width, canvas.height);
+    this.camera.position.copy(eye);
+    this.controls.target.copy(target);
+    this.controls.update();
+    this.following = following;
   }
 
   /**
