@@ -47,6 +47,7 @@ Flags: TypeAlias = npt.NDArray[np.bool_]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
 FINEST = 1e-5  # [s] to which intervals still open are halved
+STILL = 1e-7  # [m] intervals in which nothing comes nearer by more than this are not halved
 WITHIN = 0.1  # [m] a smallest distance is sought first among bodies this near
 FIRST_NODE = 0.3  # [s] length of the first intervals
 BUDGET = 600_000  # exact distances; what is open then is undetermined
@@ -373,8 +374,12 @@ class _Search:
         found.grazes += self._touches(np.nonzero(touching)[0], row, node, middle, distance)
         done |= short | grazing
         sharp = np.where(measured, distance - least <= 2.0 * self.pad, length <= 0.1 * FINEST)
-        finest = ~harmless & (length <= FINEST) & sharp & ~done
-        found.open += self._touches(np.nonzero(finest)[0], row, node, middle, distance)
+        resolved = (length <= FINEST) | (distance - least <= self.pad + STILL)
+        finest = ~harmless & resolved & sharp & ~done
+        shallow = finest & (distance > BAND - tolerance) & (least > -tolerance)
+        grazed = shallow & pairs.grazes[row] & (distance < -GRAZE)
+        found.grazes += self._touches(np.nonzero(grazed)[0], row, node, middle, distance)
+        found.open += self._touches(np.nonzero(finest & ~shallow)[0], row, node, middle, distance)
         done |= finest
         self._halve(row[~done], node[~done])
 
