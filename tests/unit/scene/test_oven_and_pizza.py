@@ -1,5 +1,7 @@
 """An oven with its door open, and a pizza in its pan: shapes, and what can be done with them."""
 
+from typing import cast
+
 import pytest
 
 from vrts.base.oat import rotation_from_oat
@@ -8,9 +10,12 @@ from vrts.base.source import SourceFile
 from vrts.engine.grip import between
 from vrts.engine.settle import Standing, settle
 from vrts.geometry.support import bounds
+from vrts.report.scene_drawing import scene_svg
 from vrts.report.solids import body_solids
+from vrts.report.viewer_data import scene_data
 from vrts.robots.gripper import TWO_FINGERS
 from vrts.scene.clearance import Placed, clearance, placed_body
+from vrts.scene.colors import hex_code
 from vrts.scene.model import Mobility, Scene
 from vrts.scene.oven import Oven, oven
 from vrts.scene.pizza import pizza
@@ -112,6 +117,20 @@ def test_pieces_have_colours_of_their_own_and_an_oven_the_one_it_is_given() -> N
     assert [solid.color for solid in solids] == list(dict.fromkeys(body.paint))
     table = setting.body("table")
     assert {color for _, color in table.painted} == {table.color}
+
+
+def test_browser_and_drawing_show_the_colours_of_pieces() -> None:
+    setting = scene()
+    bodies = cast(list[dict[str, object]], scene_data(setting, None)["bodies"])
+    drawn = next(body for body in bodies if body["name"] == "oven")
+    pieces = cast(list[dict[str, object]], drawn["pieces"])
+    shown = [piece.get("color", drawn["color"]) for piece in pieces]
+    assert shown == [pytest.approx(color, abs=1e-4) for color in setting.body("oven").paint]
+    table = next(body for body in bodies if body["name"] == "table")
+    assert all("color" not in piece for piece in cast(list[dict[str, object]], table["pieces"]))
+    svg = scene_svg(setting)
+    for color in setting.body("pizza").paint:
+        assert f'fill="{hex_code(color)}"' in svg
 
 
 def test_an_oven_whose_mouth_is_too_low_is_refused_where_its_size_stands() -> None:
