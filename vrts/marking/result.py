@@ -14,6 +14,8 @@ from typing import Annotated, Literal
 import msgspec
 from msgspec import Meta, Struct
 
+from vrts.base.diagnostic import Severity
+
 SCHEMA = "vrts.result/1"
 SCORING = (
     1  # version of how marks are made of verdicts: raised when the same run may mark otherwise
@@ -88,7 +90,7 @@ class Finding(Record, frozen=True):
 
     code: str
     slug: str
-    severity: Literal["error", "warning"]
+    severity: Severity
     headline: str
     line: int | None
     column: int | None

@@ -8,6 +8,7 @@ import jsonschema
 import msgspec
 import pytest
 
+from vrts.base.diagnostic import Severity
 from vrts.marking.result import (
     Check,
     Damaged,
@@ -59,7 +60,9 @@ def result(mark: float | None = 8.5, kind: Kind = Kind.GRADED) -> Result:
         losses=(Loss(1.5, "3/2", "contact", "the held can1 hits base1", None, 17, 12.4),),
         checks=(Check("goal-1", "can1 on base1", "goal", "holds", 3.0, 3.0, False, ""),),
         metrics=Metrics(duration_s=12.5, contacts=1),
-        findings=(Finding("V301", "contact", "error", "can1 hits base1", 17, 3, 12.4, ("x",)),),
+        findings=(
+            Finding("V301", "contact", Severity.ERROR, "can1 hits base1", 17, 3, 12.4, ("x",)),
+        ),
         stamps=(),
         more=0,
         task=Named("cans", "Cans on bases", DIGEST),

@@ -4,6 +4,7 @@ Only a parent without threads may fork; whoever starts threads (recordings, brow
 does so in the children.
 """
 
+import ctypes
 import faulthandler
 import gc
 import os
@@ -21,6 +22,7 @@ from vrts.marking.supervise.limits import Limits, impose
 LOG = "child.log"
 FAILED, NO_MEMORY = 70, 71  # exit statuses
 _CHUNK = 1 << 16
+_PR_SET_PDEATHSIG = 1  # [linux/prctl.h]
 
 
 class ForkedProcess:
@@ -39,9 +41,10 @@ class ForkedProcess:
         sys.stdout.flush()
         sys.stderr.flush()
         gc.freeze()  # what is loaded is not copied by the children's garbage collection
+        parent = os.getpid()
         self.pid = os.fork()
         if self.pid == 0:
-            _be_child(work, self.log, theirs, limits)
+            _be_child(work, self.log, theirs, limits, parent)
         os.close(theirs)
         os.set_blocking(self._ours, False)
 
@@ -107,11 +110,14 @@ def wait(processes: Sequence[ForkedProcess], seconds: float) -> None:
     select.select(processes, [], [], seconds)
 
 
-def _be_child(work: Callable[[], bytes], log: Path, out: int, limits: Limits) -> NoReturn:
+def _be_child(
+    work: Callable[[], bytes], log: Path, out: int, limits: Limits, parent: int
+) -> NoReturn:
     """Work, answer and leave without ever returning to the parent's code."""
     status = FAILED
     try:
         os.setsid()
+        _end_with(parent)
         signal.signal(signal.SIGINT, signal.SIG_DFL)
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
         _redirect(log, out)
@@ -131,6 +137,14 @@ def _be_child(work: Callable[[], bytes], log: Path, out: int, limits: Limits) ->
             sys.stderr.flush()
         finally:
             os._exit(status)
+
+
+def _end_with(parent: int) -> None:
+    """Ask Linux to end this process when its parent ends, however that ends."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != parent:
+            os._exit(FAILED)  # it has ended already
 
 
 def _redirect(log: Path, out: int) -> None:

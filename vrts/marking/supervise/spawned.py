@@ -31,7 +31,6 @@ class SpawnedProcess:
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=log,
-                cwd=folder,
                 start_new_session=True,
             )
         self.pid = self._process.pid

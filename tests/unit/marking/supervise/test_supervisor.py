@@ -178,6 +178,34 @@ def test_a_supervisor_that_is_left_ends_its_processes(tmp_path: Path) -> None:
     assert not before & {child.pid for child in psutil.Process().children()}
 
 
+ORPHAN = """
+import sys
+from pathlib import Path
+from tests.unit.marking.supervise.test_supervisor import Deed, Doer
+from vrts.marking.supervise.supervisor import Supervisor
+deeds = [Deed(0, "good"), Deed(1, "hang")]
+for done in Supervisor(Doer(), Path(sys.argv[1])).run(deeds):
+    print(done.order.what, flush=True)
+"""
+
+
+@pytest.mark.skipif(not CAN_FORK, reason="nothing is forked here")
+def test_no_child_outlives_a_parent_that_is_killed(tmp_path: Path) -> None:
+    command = [sys.executable, "-c", ORPHAN, str(tmp_path)]
+    parent = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    assert parent.stdout is not None
+    assert parent.stdout.readline() == "good\n"
+    deadline = time.monotonic() + 10.0
+    while not (children := psutil.Process(parent.pid).children()):
+        assert time.monotonic() < deadline
+    parent.kill()
+    parent.wait()
+    parent.stdout.close()
+    while any(child.is_running() and child.status() != "zombie" for child in children):
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+
+
 @pytest.mark.skipif(not CAN_FORK, reason="nothing is forked here")
 def test_a_child_inherits_no_open_file(tmp_path: Path) -> None:
     class Looker(Doer):

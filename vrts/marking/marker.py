@@ -1,0 +1,151 @@
+"""Marks one program in a process of its own: the worker of marking.
+
+Where a task has hidden checks a program is marked twice, so that what students get comes from a
+run of the checks that know nothing of the hidden ones.
+"""
+
+import base64
+import sys
+from importlib import import_module
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import msgspec
+
+from vrts.marking.one import Marked, Order, Wanted, mark
+from vrts.marking.report_files import FAULT, RECORDING, REPORT, Reader, write_files
+from vrts.marking.result import Damaged, Kind, Record, Result, key_of
+from vrts.marking.setting import Place, load
+from vrts.marking.summary import result_of, unmarked
+from vrts.pipeline.settings import Setting
+
+STUDENT, STAFF = "student", "staff"  # folders of what a process writes
+WRITTEN = tuple(f"{who}/{name}" for who in (STUDENT, STAFF) for name in (REPORT, RECORDING, FAULT))
+
+
+class Marks(Record, frozen=True):
+    """What a process answers."""
+
+    staff: Result
+    student: Result
+
+
+class Marker:
+    """Marks programs by one task."""
+
+    def __init__(self, place: Place, wanted: Wanted) -> None:
+        """Read the task.
+
+        Raises:
+            CannotRead: A file is not there.
+            Refused: Task, scene or scenario have errors.
+        """
+        self.place = place
+        self.wanted = wanted
+        self.whole: Setting = load(place, staff=True)
+        self.public: Setting = load(place, staff=False) if self.whole.hidden else self.whole
+        assert self.whole.task is not None
+
+    def key(self, data: bytes) -> str:
+        """Return the digest of everything that the result of a program depends on."""
+        digests: list[str] = []
+        for setting in (self.whole, self.public, *self.whole.variants):
+            assert setting.task is not None
+            digests += [setting.task.digest, setting.scene.digest]
+        wanted = msgspec.json.encode(self.wanted).decode()
+        return key_of(data, *digests, *versions_of_scoring(), wanted)
+
+    def warm_up(self) -> None:
+        """Load all that marking needs, by marking a program that does nothing.
+
+        Nothing is recorded: recordings start threads, which must not be there when processes fork.
+        """
+        order = Order("warm-up", "warm-up.v2", b".PROGRAM warm()\nSTOP\n.END\n")
+        quiet = msgspec.structs.replace(self.wanted, recordings=False)
+        if self.wanted.recordings:
+            import_module("vrts.report.recording")
+        with TemporaryDirectory(prefix="vrts-") as folder:
+            self._work(order, Path(folder), quiet)
+
+    def work(self, order: Order, folder: Path) -> bytes:
+        """Mark, write pages and recordings, and answer with the results."""
+        return self._work(order, folder, self.wanted)
+
+    def _work(self, order: Order, folder: Path, wanted: Wanted) -> bytes:
+        staff = mark(order, self.whole, wanted)
+        student = staff if self.public is self.whole else mark(order, self.public, wanted)
+        write_files(
+            (staff, Reader(folder / STAFF, self.whole, grader=True)),
+            (student, Reader(folder / STUDENT, self.public, grader=False)),
+            wanted,
+        )
+        marks = Marks(
+            self._result(staff, self.whole, order),
+            self._result(student, self.public, order, student=True),
+        )
+        return msgspec.json.encode(marks)
+
+    def lost(self, order: Order, sentence: str) -> Marks:
+        """Return the results of an order whose process was ended."""
+        hint = "mark it again on a machine with more memory, or look at the program by hand"
+        key = self.key(order.data)
+        staff, student = (
+            unmarked(Kind.RESOURCE, order.identifier, sentence, hint, setting, key)
+            for setting in (self.whole, self.public)
+        )
+        return Marks(staff, student)
+
+    def command(self, order: Order, folder: Path) -> tuple[list[str], bytes]:
+        """Return the same as a command, for systems where nothing is forked."""
+        told = Told(
+            self.place,
+            self.wanted,
+            order.identifier,
+            order.title,
+            base64.b64encode(order.data).decode(),
+            str(folder),
+        )
+        return [sys.executable, "-m", "vrts.marking.alone"], msgspec.json.encode(told)
+
+    def _result(
+        self, row: Marked, setting: Setting, order: Order, *, student: bool = False
+    ) -> Result:
+        from vrts.report.audience import for_student
+
+        a = for_student(row.assessment) if student else row.assessment
+        key = self.key(order.data)
+        if row.fault is not None:
+            found = result_of(a, setting, order.data, key)
+            return msgspec.structs.replace(found, kind=Kind.FAULT, mark=None, review=(found.cause,))
+        return result_of(a, setting, order.data, key)
+
+
+class Told(Record, frozen=True):
+    """What a process that is started anew is told."""
+
+    place: Place
+    wanted: Wanted
+    identifier: str
+    title: str
+    program: str  # in base64
+    folder: str
+
+
+def read_marks(data: bytes) -> Marks:
+    """Return the results that a process answered with.
+
+    Raises:
+        Damaged: They are none.
+    """
+    try:
+        return msgspec.json.decode(data, type=Marks)
+    except msgspec.MsgspecError as problem:
+        raise Damaged(str(problem)) from problem
+
+
+def versions_of_scoring() -> tuple[str, str]:
+    """Return the versions that results depend on: of vrts and of the scoring."""
+    from vrts import __version__
+    from vrts.marking.result import SCORING
+
+    return __version__, str(SCORING)

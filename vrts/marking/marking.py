@@ -1,0 +1,173 @@
+"""Marks a class: a row for every submission, written as it comes.
+
+A result that is there already and depends on nothing that has changed since is not made again, so
+an interrupted marking goes on where it was, and a second one marks only what is new.
+"""
+
+import os
+import shutil
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from vrts.marking.layout import RESULT, Layout, write_atomically
+from vrts.marking.marker import STAFF, STUDENT, WRITTEN, Marker, Marks, read_marks
+from vrts.marking.one import Order
+from vrts.marking.report_files import RECORDING, REPORT
+from vrts.marking.result import Damaged, Kind, Result, from_bytes, to_bytes
+from vrts.marking.summary import unmarked
+from vrts.marking.supervise.limits import Limits
+from vrts.marking.supervise.outcome import Answer, Loss, Lost
+from vrts.marking.supervise.supervisor import CAN_FORK, Finished, Supervisor
+
+
+class Entry(NamedTuple):
+    """A submission as the intake has it: a program, or why there is none."""
+
+    identifier: str  # unique, safe for file names
+    title: str  # of the program, as shown
+    data: bytes | None
+    kind: Kind | None = None  # why there is no program
+    sentence: str = ""  # the same in words
+    hint: str | None = None
+
+
+class Done(NamedTuple):
+    """A submission that has its result."""
+
+    entry: Entry
+    result: Result  # for those who mark
+    student: Result  # for the student
+    reused: bool  # it was there already
+    seconds: float  # that it took
+    peak: int  # bytes of memory in use
+
+
+def mark_class(
+    marker: Marker,
+    entries: Sequence[Entry],
+    layout: Layout | None,
+    *,
+    jobs: int = 1,
+    limits: Limits | None = None,
+    again: bool = False,
+    fork: bool = CAN_FORK,
+    staging: Path | None = None,
+) -> Iterator[Done]:
+    """Yield every submission once, as soon as its files are written.
+
+    Args:
+        marker: Of the task.
+        entries: What to mark.
+        layout: Where the results go; None: nowhere.
+        jobs: Processes at a time.
+        limits: Of each process.
+        again: Whether to mark also what is there already.
+        fork: Whether processes are forked, where the system can.
+        staging: Folder for what processes write, on the same disk; None: that of the layout.
+    """
+    orders: list[Order] = []
+    known: dict[str, Entry] = {}
+    for entry in entries:
+        if entry.data is None:
+            yield _without_program(marker, entry, layout)
+            continue
+        found = None if again or layout is None else _reusable(marker, entry, layout)
+        if found is not None:
+            yield found
+            continue
+        known[entry.identifier] = entry
+        orders.append(Order(entry.identifier, entry.title, entry.data))
+    if not orders:
+        return
+    place = staging if layout is None else layout.staging
+    assert place is not None
+    place = place.resolve() / str(os.getpid())
+    try:
+        supervisor = Supervisor(marker, place, jobs=jobs, limits=limits, fork=fork)
+        for finished in supervisor.run(orders):
+            yield _done(marker, known[finished.order.identifier], finished, layout)
+    finally:
+        shutil.rmtree(place, ignore_errors=True)
+
+
+def _done(marker: Marker, entry: Entry, finished: Finished[Order], layout: Layout | None) -> Done:
+    marks = _marks(marker, finished)
+    if layout is not None:
+        if isinstance(finished.outcome, Lost):
+            words = f"{finished.outcome.loss.value}\n{finished.outcome.detail}"
+            write_atomically(layout.grader(entry.identifier) / "lost.txt", words.encode())
+        else:
+            _take_files(finished.folder, layout, entry.identifier)
+        _write(marks, layout)
+    return Done(entry, marks.staff, marks.student, False, finished.seconds, finished.peak)
+
+
+def _marks(marker: Marker, finished: Finished[Order]) -> Marks:
+    outcome = finished.outcome
+    if isinstance(outcome, Answer):
+        try:
+            return read_marks(outcome.data)
+        except Damaged:
+            outcome = Lost(Loss.ANSWER, "")
+    return marker.lost(finished.order, f"the process that marked it {outcome.loss.value}")
+
+
+def _take_files(folder: Path, layout: Layout, identifier: str) -> None:
+    """Move what a process may have written, and nothing else, to where it belongs."""
+    homes = {STUDENT: layout.student(identifier), STAFF: layout.grader(identifier)}
+    for name in WRITTEN:
+        whose, file = name.split("/")
+        draft, place = folder / name, homes[whose] / file
+        if draft.is_file() and not draft.is_symlink():
+            place.parent.mkdir(parents=True, exist_ok=True)
+            draft.replace(place)
+        else:
+            place.unlink(missing_ok=True)  # of an earlier marking
+
+
+def _write(marks: Marks, layout: Layout) -> None:
+    """Write the results, the grader's last: where it is, everything is."""
+    name = marks.staff.id
+    write_atomically(layout.student(name) / RESULT, to_bytes(marks.student))
+    write_atomically(layout.grader(name) / RESULT, to_bytes(marks.staff))
+
+
+def _without_program(marker: Marker, entry: Entry, layout: Layout | None) -> Done:
+    assert entry.kind is not None
+    staff, student = (
+        unmarked(entry.kind, entry.identifier, entry.sentence, entry.hint, setting, marker.key(b""))
+        for setting in (marker.whole, marker.public)
+    )
+    if layout is not None:
+        _write(Marks(staff, student), layout)
+    return Done(entry, staff, student, False, 0.0, 0)
+
+
+def _reusable(marker: Marker, entry: Entry, layout: Layout) -> Done | None:
+    """Return what an earlier marking wrote, if it is complete and would be the same now."""
+    assert entry.data is not None
+    homes = (layout.grader(entry.identifier), layout.student(entry.identifier))
+    found: list[Result] = []
+    for home in homes:
+        try:
+            found.append(from_bytes((home / RESULT).read_bytes()))
+        except (OSError, Damaged):
+            return None
+    staff, student = found
+    same = staff.key == student.key == marker.key(entry.data)
+    kept = staff.kind not in (Kind.RESOURCE, Kind.FAULT)
+    named = staff.program is not None and staff.program.name == entry.title
+    if not (same and kept and named) or not _files_there(marker, staff, homes):
+        return None
+    return Done(entry, staff, student, True, 0.0, 0)
+
+
+def _files_there(marker: Marker, staff: Result, homes: tuple[Path, Path]) -> bool:
+    grader, student = homes
+    wanted: list[Path] = []
+    if marker.wanted.pages:
+        wanted += [grader / REPORT, student / REPORT]
+    if marker.wanted.recordings and staff.metrics.horizon_s is not None:
+        wanted.append(student / RECORDING)
+    return all(place.is_file() for place in wanted)

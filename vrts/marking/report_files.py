@@ -1,0 +1,54 @@
+"""The files about one submission: pages for its two readers, a recording, and our own faults."""
+
+from pathlib import Path
+
+from vrts.marking.one import Marked, Wanted
+from vrts.pipeline.assess import with_curve
+from vrts.pipeline.settings import Setting
+from vrts.report.assessment import Assessment
+
+REPORT, RECORDING, FAULT = "report.html", "run.rrd", "fault.txt"
+
+
+class Reader:
+    """Somebody for whom files are written: a student, or whoever marks."""
+
+    def __init__(self, folder: Path, setting: Setting, *, grader: bool) -> None:
+        """Take the folder, and the setting that the program was marked in for this reader."""
+        self.folder = folder
+        self.setting = setting
+        self.grader = grader
+
+
+def write_files(
+    staff: tuple[Marked, Reader], student: tuple[Marked, Reader], wanted: Wanted
+) -> None:
+    """Write what is wanted about one submission, for both; what is the same is made once."""
+    rows = (staff, student)
+    for _, reader in rows:
+        reader.folder.mkdir(parents=True, exist_ok=True)
+    if wanted.pages:
+        _write_pages(rows)
+    a = student[0].assessment
+    if wanted.recordings and a.run is not None:
+        from vrts.report.recording import write_recording  # rerun is heavy
+
+        write_recording(a, student[1].folder / RECORDING)
+    if staff[0].fault is not None:
+        (staff[1].folder / FAULT).write_bytes(staff[0].fault.encode())
+
+
+def _write_pages(rows: tuple[tuple[Marked, Reader], ...]) -> None:
+    from vrts.report.audience import Audience
+    from vrts.report.page import page
+    from vrts.report.stills import page_stills
+
+    made: dict[int, tuple[Assessment, dict[str, bytes]]] = {}
+    for row, reader in rows:
+        a = row.assessment
+        if id(a) not in made:
+            made[id(a)] = (with_curve(a), page_stills(a))
+        full, stills = made[id(a)]
+        audience = Audience.GRADER if reader.grader else Audience.STUDENT
+        text = page(full, stills, audience=audience, more=reader.setting.more)
+        (reader.folder / REPORT).write_bytes(text.encode())
