@@ -1,14 +1,14 @@
 """The report page in a real browser, opened from a file: it plays, both ways, without a network."""
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser
 
+from tests.browser.support import PIXEL, Opened, clock, opened, until
 from tests.support_runs import CONTACT_S, END_S, GRASP_S, RUN_S, assessment, with_segments
 from tests.support_segments import blend, sampled, segment, slowed
 from vrts.base.pose import Pose, distance
@@ -19,51 +19,6 @@ from vrts.robots.kinematics import forward, link_poses
 from vrts.robots.model import Configuration
 
 pytestmark = pytest.mark.browser
-
-CHROMIUM = "/usr/bin/chromium"
-FLAGS = [
-    "--headless=new",
-    "--no-sandbox",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--no-first-run",
-]
-PIXEL = bytes.fromhex(
-    "89504e470d0a1a0a0000000d4948445200000001000000010806000000"
-    "1f15c4890000000d49444154789c63606060f80f0001040100"
-    "5fe5c34b0000000049454e44ae426082"
-)
-
-
-@dataclass
-class Opened:
-    """A page and what it said and asked for."""
-
-    page: Page
-    messages: list[str] = field(default_factory=list[str])
-    requests: list[str] = field(default_factory=list[str])
-    first_clock: float = -1.0  # what it showed when it opened [s]
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    if not Path(CHROMIUM).exists():
-        pytest.skip("needs Chromium")
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield browser
-        browser.close()
-
-
-def opened(browser: Browser, path: Path, width: int = 1280) -> Opened:
-    view = Opened(browser.new_page(viewport={"width": width, "height": 900}))
-    view.page.on("console", lambda m: view.messages.append(f"{m.type}: {m.text}"))
-    view.page.on("pageerror", lambda e: view.messages.append(f"exception: {e}"))
-    view.page.on("request", lambda r: view.requests.append(r.url[:200]))
-    view.page.goto(path.as_uri())
-    return view
 
 
 @pytest.fixture(scope="module")
@@ -76,15 +31,6 @@ def report(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Opened
     return view
 
 
-def until(view: Opened, condition: str) -> None:
-    """Wait for a condition; Playwright's own waiting needs `eval`, which the page forbids."""
-    for _ in range(200):
-        if view.page.evaluate(condition):
-            return
-        view.page.wait_for_timeout(50)
-    pytest.fail(f"never true: {condition}")
-
-
 def seek(view: Opened, t: float) -> None:
     view.page.evaluate("t => { vrts.player.playing = false; vrts.player.seek(t); }", t)
 
@@ -93,10 +39,6 @@ def pixels(view: Opened) -> bytes:
     """Return the canvas as drawn at this instant."""
     url: str = view.page.evaluate("() => { vrts.viewer.draw(); return canvas.toDataURL(); }")
     return url.encode()
-
-
-def clock(view: Opened) -> float:
-    return float(view.page.inner_text("#clock").split("/")[0])
 
 
 def test_the_first_screen_stands_in_order(report: Opened) -> None:
@@ -228,7 +170,7 @@ def test_blends_and_what_is_slowed_down_are_evaluated_in_full(
         for row, q, v in zip(piece.coefficients, state["q"], state["v"], strict=True):
             assert q == pytest.approx(float(sampled(row, u)[0]), abs=1e-6)
             assert v == pytest.approx(float(sampled(row, u, 1)[0]), abs=1e-5)
-    assert [m for m in view.messages if "GPU stall" not in m] == []
+    assert view.complaints() == []
     view.page.close()
 
 
@@ -262,8 +204,7 @@ def test_charts_show_times_and_limits_and_can_be_clicked(report: Opened) -> None
 
 
 def test_nothing_was_complained_about_or_asked_for(report: Opened) -> None:
-    complaints = [m for m in report.messages if "GPU stall due to ReadPixels" not in m]
-    assert complaints == []
+    assert report.complaints() == []
     foreign = [url for url in report.requests if not url.startswith(("data:", "file:"))]
     assert foreign == []
     assert len([url for url in report.requests if url.startswith("file:")]) == 1

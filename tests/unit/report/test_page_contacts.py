@@ -41,7 +41,7 @@ def with_contacts(count: int, a: Assessment) -> Assessment:
 
 def test_the_moment_and_the_three_deepest_other_contacts_have_stills() -> None:
     a = with_contacts(6, assess(HITS_BASE))
-    assert shown_first(a) == 0
+    assert shown_first(a) == 1
     stills = page_stills(a)
     assert list(stills) == [MOMENT, contact_name(5), contact_name(4), contact_name(3)]
     assert all(picture.startswith(b"\x89PNG") for picture in stills.values())

@@ -1,0 +1,69 @@
+"""Chromium for tests: one for a module, pages that note what they say and ask for."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page
+
+CHROMIUM = "/usr/bin/chromium"
+FLAGS = [
+    "--headless=new",
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--no-first-run",
+]
+PIXEL = bytes.fromhex(
+    "89504e470d0a1a0a0000000d4948445200000001000000010806000000"
+    "1f15c4890000000d49444154789c63606060f80f0001040100"
+    "5fe5c34b0000000049454e44ae426082"
+)
+
+
+@dataclass
+class Opened:
+    """A page and what it said and asked for."""
+
+    page: Page
+    messages: list[str] = field(default_factory=list[str])
+    requests: list[str] = field(default_factory=list[str])
+    first_clock: float = -1.0  # what it showed when it opened [s]
+
+    def complaints(self) -> list[str]:
+        """Return what the page said, but for the remarks of software rendering."""
+        return [m for m in self.messages if "GPU stall due to ReadPixels" not in m]
+
+
+def opened(
+    browser: Browser, path: Path, width: int = 1280, *, dark: bool = False, still: bool = False
+) -> Opened:
+    """Open a file; `still` asks for reduced motion."""
+    view = Opened(
+        browser.new_page(
+            viewport={"width": width, "height": 900},
+            color_scheme="dark" if dark else "light",
+            reduced_motion="reduce" if still else "no-preference",
+        )
+    )
+    view.page.on("console", lambda m: view.messages.append(f"{m.type}: {m.text}"))
+    view.page.on("pageerror", lambda e: view.messages.append(f"exception: {e}"))
+    view.page.on("request", lambda r: view.requests.append(r.url[:200]))
+    view.page.goto(path.as_uri())
+    return view
+
+
+def until(view: Opened, condition: str) -> None:
+    """Wait for a condition; Playwright's own waiting needs `eval`, which the page forbids."""
+    for _ in range(200):
+        if view.page.evaluate(condition):
+            return
+        view.page.wait_for_timeout(50)
+    pytest.fail(f"never true: {condition}")
+
+
+def clock(view: Opened) -> float:
+    """Return the time that the replay shows [s]."""
+    return float(view.page.inner_text("#clock").split("/")[0])
