@@ -47,7 +47,7 @@ Flags: TypeAlias = npt.NDArray[np.bool_]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
 FINEST = 1e-5  # [s] to which intervals still open are halved
-STILL = 1e-7  # [m] intervals in which nothing comes nearer by more than this are not halved
+STILL = 0.1  # of the error of a distance: intervals are not halved for what changes it by less
 WITHIN = 0.1  # [m] a smallest distance is sought first among bodies this near
 FIRST_NODE = 0.3  # [s] length of the first intervals
 BUDGET = 600_000  # exact distances; what is open then is undetermined
@@ -124,6 +124,7 @@ class _Search:
         self.engine = engine
         self.pad, self.slack, self.margin = pad_of(engine), slack_of(engine), margin_of(engine)
         self.band = band
+        self.still = STILL * engine.error
         self.found = Findings()
         self.counts = pairs.counts & clearance
         if not clearance:
@@ -374,7 +375,7 @@ class _Search:
         found.grazes += self._touches(np.nonzero(touching)[0], row, node, middle, distance)
         done |= short | grazing
         sharp = np.where(measured, distance - least <= 2.0 * self.pad, length <= 0.1 * FINEST)
-        resolved = (length <= FINEST) | (distance - least <= self.pad + STILL)
+        resolved = (length <= FINEST) | (distance - least <= self.pad + self.still)
         finest = ~harmless & resolved & sharp & ~done
         shallow = finest & (distance > BAND - tolerance) & (least > -tolerance)
         grazed = shallow & pairs.grazes[row] & (distance < -GRAZE)
