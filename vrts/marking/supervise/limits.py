@@ -2,6 +2,7 @@
 
 import sys
 from dataclasses import dataclass
+from pathlib import Path
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,15 +20,17 @@ class Limits:
 def impose(limits: Limits) -> None:
     """Limit this process, for good, where the system can; the parent watches it besides.
 
-    Memory is limited as data, not as address space: libraries reserve far more than they use.
+    Memory is limited as data, beyond what is reserved already, and not as address space:
+    libraries reserve far more than they use. The parent looks at what is really in use.
     """
     if sys.platform == "win32":
         return  # no such limits there: the watching parent is all there is
     import resource
 
+    memory = _reserved() + limits.memory
     bounds = (
         (resource.RLIMIT_CPU, limits.cpu_s, limits.cpu_s + 2),  # a signal first, which tells why
-        (resource.RLIMIT_DATA, limits.memory, limits.memory),
+        (resource.RLIMIT_DATA, memory, memory),
         (resource.RLIMIT_FSIZE, limits.file, limits.file),
         (resource.RLIMIT_NOFILE, limits.files, limits.files),
         (resource.RLIMIT_CORE, 0, 0),
@@ -36,3 +39,12 @@ def impose(limits: Limits) -> None:
         _, hard = resource.getrlimit(kind)
         top = most if hard == resource.RLIM_INFINITY else min(most, hard)
         resource.setrlimit(kind, (min(soft, top), top))
+
+
+def _reserved() -> int:
+    """Return the bytes that the system counts as data of this process now."""
+    status = Path("/proc/self/status")
+    if not status.is_file():
+        return 0
+    found = [line for line in status.read_text().splitlines() if line.startswith("VmData:")]
+    return int(found[0].split()[1]) * 1024 if found else 0
