@@ -4,15 +4,20 @@ import re
 from collections.abc import Mapping
 from fractions import Fraction
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from vrts.cli.console import color_option, fail, guarded, say, show_diagnostics, write_file
 
+if TYPE_CHECKING:
+    from vrts.pipeline.settings import Setting
+
 EPILOG = """\b
 Examples:
   vrts new scene lab1
   vrts new task lab1 --from cans-on-bases
+  vrts new task lab2 --from 02-dish-on-stand
   vrts new program mine.v2 --from cans-on-bases
   vrts new lab lab.toml
 """
@@ -82,20 +87,13 @@ def lab(name: Path, color: str) -> None:
 def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
     """Write the folder NAME with a task, its scene and its reference solution.
 
-    A scene.toml that is there already is taken as the scene.
+    A scene.toml that is there already is taken as the scene. `--from` an example takes its task,
+    too; from a scene, and without it, the task is to carry every can to a base.
     """
-    from vrts.marking.new_files import (
-        STAFF_TASK,
-        carryings,
-        new_program,
-        new_readme,
-        new_solution,
-        new_task,
-    )
-    from vrts.marking.task_check import times_of
-    from vrts.pipeline.assess import assess
+    from vrts.marking.new_files import new_program, new_readme, new_staff_task
+    from vrts.marking.task_copy import copied_reference, copied_task, example_folder
     from vrts.pipeline.files import SCENE_FILE
-    from vrts.pipeline.settings import STAFF, TASK_FILE, load_scene
+    from vrts.pipeline.settings import STAFF, TASK_FILE, load_scene, load_task
 
     made: dict[str, bytes] = {}
     if not (name / SCENE_FILE).is_file():
@@ -104,34 +102,49 @@ def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
         fail(f"`{name / SCENE_FILE}` is there already", ("leave out `--from`",))
     _refuse_existing(name, (TASK_FILE, "start.v2", "README.md", f"{STAFF}/solution.v2"))
     _write(name, made)
-    setting = load_scene(SCENE_FILE, name)
-    show_diagnostics(setting.diagnostics, color)
+    scene = load_scene(SCENE_FILE, name)
+    show_diagnostics(scene.diagnostics, color)
+    example = example_folder(origin)
+    if example is None:
+        task_text, solution = _carrying(name, scene, title or _words(name))
+    else:
+        task_text, solution = copied_task(example, title), copied_reference(example)
+    _write(name, {TASK_FILE: task_text})
+    task = load_task(name).task
+    assert task is not None
+    label = name.resolve().name
+    started = new_program(f"vrts grade {label}-student.zip start.v2", scene.scene)
+    _write(
+        name,
+        {
+            "README.md": new_readme(label, task).encode(),
+            "start.v2": started.encode(),
+            f"{STAFF}/solution.v2": solution,
+            f"{STAFF}/{TASK_FILE}": new_staff_task(scene.scene).encode(),
+        },
+    )
+    say(f"check it with `vrts task check {name}`")
+
+
+def _carrying(name: Path, setting: "Setting", title: str) -> tuple[bytes, bytes]:
+    """Return a task in which everything is carried to a base, and the program that does it."""
+    from vrts.marking.new_files import carryings, new_solution, new_task
+    from vrts.marking.task_check import times_of
+    from vrts.pipeline.assess import assess
+
     work = carryings(setting.scene)
     if not work:
         fail(
             "the scene has nothing to carry to a base",
             ("give it a can and a base within reach", f"see `vrts scene check {name}`"),
         )
-    words = title or _words(name)
-    solution = new_solution(words, setting.scene, work).encode()
-    run = assess(solution, setting=setting, title="solution.v2")
-    times = times_of(run)
+    solution = new_solution(title, setting.scene, work).encode()
+    times = times_of(assess(solution, setting=setting, title="solution.v2"))
     if times is None:
         fail("the reference solution does not come to its end in this scene")
     label = name.resolve().name
-    started = new_program(f"vrts grade {label}-student.zip start.v2", setting.scene)
-    readme = new_readme(words, label, work, times.t_par_s)
-    _write(
-        name,
-        {
-            TASK_FILE: new_task(words, label, work, Fraction(times.reference_s)).encode(),
-            "README.md": readme.encode(),
-            "start.v2": started.encode(),
-            f"{STAFF}/solution.v2": solution,
-            f"{STAFF}/{TASK_FILE}": STAFF_TASK.encode(),
-        },
-    )
-    say(f"check it with `vrts task check {name}`")
+    text = new_task(title, label, setting.scene, work, Fraction(times.reference_s))
+    return text.encode(), solution
 
 
 def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:

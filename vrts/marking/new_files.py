@@ -4,7 +4,10 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from vrts.base.pose import Pose
+from vrts.base.pose import Pose, Vector
+from vrts.base.units import mm
+from vrts.check.task import Task
+from vrts.marking.new_sections import new_sections
 from vrts.report.plain import one_line
 from vrts.scene.block import location_block
 from vrts.scene.model import Mobility, Scene
@@ -23,7 +26,7 @@ title = "TITLE"
 [robot]
 name = "puma761"               # or puma560, puma762, ur5, ...
 
-# Every [objects.NAME] has a kind (can, base, box or table) and a position:
+# Every [objects.NAME] has a position and a kind: table, can, base, box, dish, stand, oven or pizza.
 #   at_mm = [x, y] and on = "..."   the middle of its underside, and what it stands on; or
 #   at_mm = [x, y, z]               the middle of its underside.
 # turn_deg turns it about the vertical; color is a name such as "red", or "#rrggbb".
@@ -48,11 +51,35 @@ on = "table"
 radius_mm = 30
 height_mm = 115
 
+# Take away the `#` for a box, a dish, and a declined stand to set the dish on:
+#
+# [objects.box1]
+# kind = "box"                 # fixed, unless you write fixed = false
+# at_mm = [1250, 0]
+# on = "table"
+# size_mm = [100, 100, 80]
+#
+# [objects.dish]
+# kind = "dish"                # gripped by its wall: give the place for that below
+# at_mm = [850, -550]
+# on = "table"
+# radius_mm = 110              # of the rim
+# height_mm = 45
+#
+# [objects.stand]
+# kind = "stand"               # a plate on two boards, lower toward the robot
+# at_mm = [980, 550]
+# on = "table"
+# size_mm = [280, 280]         # of the plate: along its slope, and across
+# height_mm = 120              # of the middle of the plate above the table
+# slope_deg = 20
+
 # vrts works out a location for every can (can1_grip), every base (base1_put), and a safe place
 # above everything. Others may be given here, X Y Z in mm and O A T in degrees:
 #
 # [locations]
 # shelf = [900, 0, 130, 90, 90, 0]
+# dish_grip = [850, -447, -268, 90, 90, 0]
 """
 
 PROGRAM = """\
@@ -103,6 +130,7 @@ TASK_HEAD = """\
 [task]
 title = {quoted}
 scene = "scene.toml"
+# lab = "lab.toml"             # your own arm, hand and table: see `vrts new lab`
 
 # An object counts in full when it stands upright within position_mm and orientation_deg of its
 # goal, and not at all from three times that. It must be at rest, and the hand must have let go.
@@ -117,13 +145,6 @@ orientation_deg = 5
 """
 
 TASK_TAIL = """
-# Points that the tool must pass, if you like:
-#
-# [[via]]
-# name = "above the middle"
-# at_mm = [900, 0, 100]
-# radius_mm = 20
-
 # Up to 1.25 times the duration of the reference, `staff/solution.v2`, a program gets the time bonus
 # in full; it falls to nothing at twice that.
 
@@ -143,12 +164,16 @@ time_bonus = 1.5             # only for a program without any fault
 
 STAFF_TASK = """\
 # What is checked at marking only. Students are told how many such checks there are, no more.
-# The reference must pass them too. Take the `#` away to hide a via point:
+# The reference must pass them too. Whatever `task.toml` may ask for can be hidden here, but for the
+# sections [task], [time] and [mark]. Take the `#` away to hide a via point:
 #
 # [[via]]
 # name = "high above the middle"
-# at_mm = [900, 0, 150]
-# radius_mm = 400
+# at_mm = [{x}, {y}, {z}]
+# radius_mm = 60
+#
+# Programs are also marked in every scene of the folder `staff/scenes`, and the lowest mark counts:
+# copy `scene.toml` there under another name, and move something.
 """
 
 README = """\
@@ -215,20 +240,50 @@ def new_solution(title: str, scene: Scene, work: Sequence[Carrying]) -> str:
     return SOLUTION_HEAD.format(title=one_line(title)) + calls + CARRY + _locations(scene.locations)
 
 
-def new_task(title: str, folder: str, work: Sequence[Carrying], reference_s: Fraction) -> str:
-    """Return a task that asks for what `new_solution` does."""
+def new_task(
+    title: str, folder: str, scene: Scene, work: Sequence[Carrying], reference_s: Fraction
+) -> str:
+    """Return a task that asks for what `new_solution` does, with comments on what else it may."""
     goals = "".join(GOAL.format(body=one.body, base=one.base) for one in work)
-    head = TASK_HEAD.format(title=one_line(title), quoted=_quoted(title), folder=folder)
-    return head + goals + TASK_TAIL.format(reference=f"{float(reference_s):g}")
+    head = TASK_HEAD.format(title=one_line(title), quoted=quoted(title), folder=folder)
+    middle = above_middle(scene)
+    tail = TASK_TAIL.format(reference=f"{float(reference_s):g}")
+    return head + goals + new_sections(work[0].body, middle) + tail
 
 
-def new_readme(title: str, name: str, work: Sequence[Carrying], par_s: Fraction) -> str:
-    """Return the page for students."""
-    goals = "\n".join(f"- stand `{one.body}` on `{one.base}`" for one in work)
-    return README.format(title=one_line(title), name=name, goals=goals, par=f"{float(par_s):.1f}")
+def new_staff_task(scene: Scene) -> str:
+    """Return the hidden part of a task, with nothing in it but comments."""
+    x, y, z = (round(mm(value)) for value in above_middle(scene))
+    return STAFF_TASK.format(x=x, y=y, z=z)
 
 
-def _quoted(text: str) -> str:
+def above_middle(scene: Scene) -> Vector:
+    """Return the point that solutions pass before and after they carry something, in W [m]."""
+    place = scene.locations.get("safe")
+    return (0.0, 0.0, 0.0) if place is None else place.translation
+
+
+def new_readme(name: str, task: Task) -> str:
+    """Return the page for students: what the public part of a task asks for."""
+    wishes = [
+        f"{goal.title}, within {mm(goal.position_tolerance):g} mm and at rest"
+        for goal in task.goals
+    ]
+    for via in task.vias:
+        x, y, z = (round(mm(value)) for value in via.point)
+        place = f"within {mm(via.radius):g} mm of X {x}, Y {y}, Z {z}"
+        wishes.append(f"pass {via.name}: {place}")
+    wishes += [
+        f"keep to this: {demand.name} ({float(demand.points):g} of 10 points)"
+        for demand in task.demands
+    ]
+    lines = "\n".join(f"- {one_line(wish)}" for wish in wishes)
+    return README.format(
+        title=one_line(task.title), name=name, goals=lines, par=f"{task.t_par:.1f}"
+    )
+
+
+def quoted(text: str) -> str:
     """Return a text as a TOML string."""
     escaped = one_line(text).replace("\\", "\\\\").replace('"', '\\"')
     return f'"{escaped}"'

@@ -32,6 +32,7 @@ LEAST_GAP = 5e-3  # [m] between the open hand and neighbours
 LEAST_PAD_GAP = 1e-3  # [m] between an open finger and the object itself
 PALM_GAP = 15e-3  # [m] between the top of a gripped object and the hand
 TIP_GAP = 10e-3  # [m] between the finger tips and what the object stands on
+BY_ITS_EDGE = {"dish": "wall", "pizza": "handle"}  # how kinds are gripped that are wide
 SAFE_GAP = 0.1  # [m] between the highest thing and an object held at `safe`
 
 
@@ -251,12 +252,16 @@ def _near(part: Placed, other: Placed, gap: float) -> bool:
 
 
 def _warn_too_wide(gripper: Gripper, body: Body, problems: Problems) -> None:
+    remedy = "make it narrower, or write fixed = true"
+    if body.kind in BY_ITS_EDGE:
+        part = BY_ITS_EDGE[body.kind]
+        remedy = f"write in `[locations]`, as `{body.name}_grip`, where it is gripped by its {part}"
     problems.warning(
         TOO_WIDE,
         f"`{body.name}` is too wide for the hand",
         body.span,
         notes=(f"the hand opens {mm(gripper.opening_max):.0f} mm",),
-        help=("make it narrower, or write fixed = true",),
+        help=(remedy,),
         data={"body": body.name},
     )
 

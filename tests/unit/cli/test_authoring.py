@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -14,6 +15,7 @@ import pytest
 from vrts.cli.watching import LOOK_EVERY_S, watch
 
 ROOT = Path(__file__).parent.parent.parent.parent
+UNCOMMENTED = re.compile(r"^# (\[\[?[a-z.0-9]+\]\]?$|[a-z_]+ = (?!\"lab).*$)", re.MULTILINE)
 SECRET = '\n[[via]]\nname = "high above"\nat_mm = [900, 0, 317]\nradius_mm = 291\n'
 
 
@@ -49,13 +51,16 @@ def lab(made: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(made / "lab", tmp_path / "lab"))
 
 
-@pytest.mark.parametrize("origin", [(), ("--from", "cans-on-bases"), ("--from", "one-can-ur5")])
+@pytest.mark.parametrize(
+    "origin",
+    [(), ("--from", "cans-on-bases"), ("--from", "one-can-ur5"), ("--from", "02-dish-on-stand")],
+)
 def test_what_is_new_passes_its_own_checks(origin: tuple[str, ...], tmp_path: Path) -> None:
     assert vrts("new", "scene", "cell", *origin, cwd=tmp_path).returncode == 0
     seen = vrts("scene", "check", "cell", cwd=tmp_path)
     assert (seen.returncode, seen.stderr) == (0, "")
     assert vrts("new", "program", "first", *origin, cwd=tmp_path).returncode == 0
-    scene = origin[1] if origin else "cans-on-bases"
+    scene = origin[1].removeprefix("02-") if origin else "cans-on-bases"
     program = vrts("verify", "first.v2", "--scene", scene, cwd=tmp_path)
     assert program.returncode == 0, program.stdout
     assert vrts("new", "task", "lab", *origin, cwd=tmp_path).returncode == 0
@@ -70,6 +75,39 @@ def test_a_task_can_be_made_of_a_scene_that_is_there(tmp_path: Path) -> None:
     assert vrts("new", "task", "lab", cwd=tmp_path).returncode == 0
     assert (tmp_path / "lab" / "scene.toml").read_bytes() == scene
     assert vrts("task", "check", "lab", cwd=tmp_path).returncode == 0
+
+
+@pytest.mark.parametrize("origin", [(), ("--from", "one-can-ur5")])
+def test_everything_that_new_files_have_as_comments_passes_too(
+    origin: tuple[str, ...], tmp_path: Path
+) -> None:
+    """Without the `#`: objects of the scene, sections of the task, the hidden via point."""
+    assert vrts("new", "task", "lab", *origin, cwd=tmp_path).returncode == 0
+    for file in ("scene.toml", "task.toml", "staff/task.toml"):
+        path = tmp_path / "lab" / file
+        text = path.read_text()
+        if origin and file == "scene.toml":
+            continue
+        path.write_text(UNCOMMENTED.sub(r"\1", text))
+        assert path.read_text() != text
+    result = vrts("task", "check", "lab", cwd=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    for word in ("over the middle", "beside the table", "can1 upright", "tool speed", "MOVES"):
+        assert word in result.stdout, result.stdout
+    assert "  hidden checks   1\n" in result.stdout
+    assert vrts("scene", "check", "lab", cwd=tmp_path).returncode == 0
+
+
+def test_a_task_from_an_example_is_that_of_the_example(tmp_path: Path) -> None:
+    words = ("--from", "03-around-obstacles", "--title", 'Round "it"')
+    assert vrts("new", "task", "lab", *words, cwd=tmp_path).returncode == 0
+    result = vrts("task", "check", "lab", cwd=tmp_path)
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.startswith('Round "it": ready to be handed out\n  reference      10.0')
+    readme = (tmp_path / "lab" / "README.md").read_text()
+    assert readme.startswith('# Round "it"\n')
+    assert "- pass " in readme
+    assert (tmp_path / "lab" / "scene.toml").is_file()
 
 
 def test_odd_names_and_titles_do_no_harm(tmp_path: Path) -> None:
@@ -222,6 +260,7 @@ def test_scene_check_tells_what_the_reader_refuses_and_what_it_lets_pass(tmp_pat
     for change, code, status in (
         (("radius_mm = 30", "radius_mm = 50"), "V615", 0),
         (("at_mm = [850, -300]", "at_mm = [850, -300]\nturn_deg = 5"), "nothing", 0),
+        (("radius_mm = 30", "radius_mm = 50"), "make it narrower", 0),
         (("height_mm = 115", "height_mm = 15"), "V618", 0),
         (("at_mm = [850, -300]", "at_mm = [950, 300]"), "V613", 1),
         (('on = "table"\nradius', 'on = "floor"\nradius'), "V618", 0),

@@ -93,3 +93,13 @@ def test_the_wall_of_a_dish_is_gripped_though_the_dish_is_wider_than_the_hand() 
     assert met.width < 0.02
     assert met.overlap >= TWO_FINGERS.overlap_min
     assert between(TWO_FINGERS, pieces, translation(0.0, -0.25, -0.032)) is None
+
+
+def test_a_dish_whose_place_for_the_hand_is_not_given_says_how_to_give_it() -> None:
+    found, diagnostics = read_scene(SourceFile("scene.toml", TEXT.split("[locations]")[0]))
+    assert found is not None
+    (warning,) = diagnostics
+    assert warning.rule.code == "V615"
+    assert warning.help == (
+        "write in `[locations]`, as `dish_grip`, where it is gripped by its wall",
+    )

@@ -1,0 +1,63 @@
+"""Sections of a task that nobody needs, as comments: what else may be asked for.
+
+The numbers are such that the reference solution of a new task keeps to all of them.
+"""
+
+from vrts.base.pose import Vector
+from vrts.base.units import mm
+
+SECTIONS = """
+# What else a task may ask for. Take away the `#`, and change the numbers.
+#
+# A point that the tool must pass within radius_mm. The last three lines may be left out: where the
+# tool is to point there, how far from that, and how fast it may be there (from, to):
+#
+# [[via]]
+# name = "over the middle"
+# at_mm = [{x}, {y}, {z}]
+# radius_mm = 30
+# approach = [0, 0, -1]
+# cone_deg = 10
+# speed_mm_s = [0, 1500]
+#
+# A box that the tool stays out of; with keeps_out = "robot" arm, hand and what it holds, too.
+# Here and below, `points` are lost when a program does not keep to it:
+#
+# [[zone]]
+# name = "beside the table"
+# from_mm = [{x}, 1500, -1000]
+# to_mm = [{end}, 2000, 1000]
+# keeps_out = "robot"
+# points = 1
+#
+# An object that must not be tilted while it is carried:
+#
+# [[upright]]
+# object = "{body}"
+# within_deg = 5
+# points = 1
+#
+# A limit: one of joint_percent (of the joints' own limits), tool_mm_s, or a distance to what the
+# wrist, the elbow or the shoulder cannot do: wrist_deg, elbow_deg, shoulder_mm:
+#
+# [[limit]]
+# tool_mm_s = 2500
+# points = 0.5
+#
+# A rule for the program: one of must_use, must_not_use and most_steps:
+#
+# [[rule]]
+# must_use = "MOVES"
+# points = 0.5
+"""
+
+
+def new_sections(body: str, middle: Vector) -> str:
+    """Return the comments.
+
+    Args:
+        body: Name of an object that is carried.
+        middle: A point that the reference passes, in W [m].
+    """
+    x, y, z = (round(mm(value)) for value in middle)
+    return SECTIONS.format(body=body, x=x, y=y, z=z, end=x + 500)
