@@ -22,15 +22,20 @@ NEAR = Rule("V411", "near-miss")
 UNDETERMINED = Rule("V420", "undetermined-contact")
 
 
-def verdict(report: CollisionReport, run: RunRecord | None = None) -> Verdict:
+def verdict(
+    report: CollisionReport,
+    run: RunRecord | None = None,
+    hints: Mapping[int, str] = MappingProxyType({}),
+) -> Verdict:
     """Return the answer of the collision check with one diagnostic for every event.
 
     Args:
         report: What the certified check found.
         run: The run it is about; gives every finding its configuration.
+        hints: Better ones than usual, by the place of a contact in the report.
     """
     findings = (
-        *(_contact(event, run) for event in report.contacts),
+        *(_contact(event, run, hints.get(n)) for n, event in enumerate(report.contacts)),
         *(_graze(event, run) for event in report.grazes),
         *(_undetermined(event, run) for event in report.undetermined),
         *(_near_miss(miss, report, run) for miss in report.near_misses),
@@ -109,7 +114,7 @@ def target(event: ContactEvent | NearMiss) -> str:
     return f"the {event.parts[1]}" if event.second == ROBOT else f"`{event.second}`"
 
 
-def _contact(event: ContactEvent, run: RunRecord | None) -> Diagnostic:
+def _contact(event: ContactEvent, run: RunRecord | None, better: str | None) -> Diagnostic:
     if event.second == ROBOT:
         rule, hint = SELF_CONTACT, "the arm folds too far here: look at the poses of this motion"
     elif event.first != ROBOT:
@@ -118,7 +123,7 @@ def _contact(event: ContactEvent, run: RunRecord | None) -> Diagnostic:
         rule, hint = CONTACT, _hint(event, run)
     where = f"at {event.start_s:.2f} s, up to {mm(event.depth_m):.1f} mm deep"
     headline = f"{subject(event)} hits {target(event)}"
-    return _diagnostic(rule, Severity.ERROR, headline, where, event, (hint,), run)
+    return _diagnostic(rule, Severity.ERROR, headline, where, event, (better or hint,), run)
 
 
 def _hint(event: ContactEvent, run: RunRecord | None) -> str:

@@ -3,6 +3,7 @@
 from vrts.check import duration, limits, targets, via_verdict, vias
 from vrts.check.collision import check_collisions
 from vrts.check.collision_verdict import verdict as collision_verdict
+from vrts.check.corner_hint import corner_hints
 from vrts.check.demand_check import check_demands
 from vrts.check.judgement import Judgement
 from vrts.check.task import Task
@@ -24,7 +25,7 @@ def judge(
     if collisions:
         near_miss = None if task is None else task.near_miss
         report = check_collisions(scene, run, engine=engine, near_miss=near_miss)
-        found.append(collision_verdict(report, run))
+        found.append(collision_verdict(report, run, corner_hints(run, report, engine)))
     found.append(limits.check_limits(run))
     if task is not None:
         found += targets.verdicts(targets.reached(run, task))
