@@ -1,18 +1,21 @@
 """Zip files in memory: written so that the same content gives the same bytes, read without trust.
 
-A hostile file may lie about anything. Sizes are known before a member is decompressed, and no
-more than its size is ever decompressed; what to allow is for the caller to say.
+A hostile file may lie about anything. The table of contents is bounded, sizes are known before a
+member is decompressed, and no more than its size is ever decompressed; what to allow is for the
+caller to say.
 """
 
 import io
+import stat
 import struct
 import zipfile
 import zlib
 from collections.abc import Callable, Mapping
 from enum import Enum
-from typing import TypeVar
+from typing import BinaryIO, NamedTuple, TypeVar
 
 EPOCH = (1980, 1, 1, 0, 0, 0)  # the earliest time a zip can tell
+LARGEST_CONTENTS = 16_000_000  # bytes of the table of contents, about 100,000 members
 
 T = TypeVar("T")
 
@@ -21,7 +24,7 @@ class Flaw(Enum):
     """Why a zip file cannot be read."""
 
     INCOMPLETE = "incomplete"  # or changed, or no zip file at all
-    FOREIGN = "foreign"  # encrypted, or packed by a method that is not written here
+    FOREIGN = "foreign"  # encrypted, of too many members, or packed by an unusual method
     TWICE = "twice"  # a member of that name is there twice
     LENGTH = "length"  # a member has another length than it says
 
@@ -48,25 +51,41 @@ def packed(members: Mapping[str, bytes], mode: int) -> bytes:
     return buffer.getvalue()
 
 
+class Member(NamedTuple):
+    """What the table of contents says of a member."""
+
+    size: int  # bytes when unpacked
+    packed: int  # bytes in the archive
+    plain: bool  # a file or a folder: no link, device, or the like
+
+
 class Unpacker:
     """A zip file whose table of contents was read."""
 
-    def __init__(self, data: bytes) -> None:
+    def __init__(self, source: bytes | BinaryIO, *, contents: int = LARGEST_CONTENTS) -> None:
         """Read the table of contents.
+
+        Args:
+            source: The zip file; who opens a file closes it.
+            contents: Bytes that the table of contents may have.
 
         Raises:
             BadZip: It cannot be read.
         """
-        self._archive = _guarded(lambda: zipfile.ZipFile(io.BytesIO(data)))
+        opened = io.BytesIO(source) if isinstance(source, bytes) else source
+        bounded = _Bounded(opened, contents)
+        self._archive = _guarded(lambda: zipfile.ZipFile(bounded))
+        bounded.most = None
         infos = self._archive.infolist()
-        self.sizes: dict[str, int] = {}  # bytes of each member, as it says; folders end in `/`
+        self.members: dict[str, Member] = {}  # in order; names of folders end in `/`
         for info in infos:
             known = info.compress_type in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
             if not known or info.flag_bits & 1:
                 raise BadZip(Flaw.FOREIGN)
-            if info.filename in self.sizes:
+            if info.filename in self.members:
                 raise BadZip(Flaw.TWICE, info.filename)
-            self.sizes[info.filename] = info.file_size
+            self.members[info.filename] = Member(info.file_size, info.compress_size, _plain(info))
+        self.sizes = {name: member.size for name, member in self.members.items()}
 
     def read(self, name: str) -> bytes:
         """Return the bytes of a member.
@@ -84,6 +103,53 @@ class Unpacker:
         if more or len(found) != size:
             raise BadZip(Flaw.LENGTH, name)
         return found
+
+    def start(self, name: str, length: int) -> bytes:
+        """Return the first bytes of a member, `length` of them at most.
+
+        Raises:
+            BadZip: They cannot be had.
+        """
+
+        def unpack() -> bytes:
+            with self._archive.open(name) as member:
+                return member.read(length)
+
+        return _guarded(unpack)
+
+
+class _Bounded(io.RawIOBase):
+    """A file of which no more than so many bytes are read at once."""
+
+    def __init__(self, file: BinaryIO, most: int) -> None:
+        """Wrap a file; `most` [bytes] is None for no limit."""
+        super().__init__()
+        self._file = file
+        self.most: int | None = most
+
+    def read(self, size: int = -1, /) -> bytes:
+        """Read; more than the limit is a flaw."""
+        if self.most is not None and size > self.most:
+            raise BadZip(Flaw.FOREIGN)
+        return self._file.read(size)
+
+    def seek(self, offset: int, whence: int = 0, /) -> int:
+        """Go to a place in the file."""
+        return self._file.seek(offset, whence)
+
+    def tell(self) -> int:
+        """Return the place in the file."""
+        return self._file.tell()
+
+    def seekable(self) -> bool:
+        """Return that it is."""
+        return True
+
+
+def _plain(info: zipfile.ZipInfo) -> bool:
+    """Return whether a member is a file or a folder, as far as it tells."""
+    kind = stat.S_IFMT(info.external_attr >> 16)
+    return kind in (0, stat.S_IFREG, stat.S_IFDIR)
 
 
 def _guarded(call: Callable[[], T]) -> T:

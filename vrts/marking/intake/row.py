@@ -1,0 +1,89 @@
+"""What the intake finds out about a hand-in: who, which file, why, when, and what is wrong."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+from enum import Enum
+from typing import NamedTuple
+
+
+class Platform(Enum):
+    """Who gave out an id of a student; the values are those of the table."""
+
+    MOODLE = "moodle"  # the number in "Participant 123456", which stands in the worksheet too
+    CANVAS = "canvas"
+    SIS = "sis"  # of the student information system: Canvas and Gradescope pass it on
+    GRADESCOPE = "gradescope"  # of the submission
+
+
+@dataclass(frozen=True, slots=True)
+class Student:
+    """Whoever handed in, as far as the download tells; "" for what it does not tell."""
+
+    name: str
+    email: str = ""
+    login: str = ""
+    ids: Mapping[str, str] = field(default_factory=dict[str, str])  # by `Platform.value`
+
+
+class Kind(Enum):
+    """What is wrong with a hand-in; the values are those of the table."""
+
+    MISSING = "missing"  # nothing was handed in
+    EMPTY = "empty"
+    AMBIGUOUS = "ambiguous"  # more than one program, and nothing says which
+    NOT_TEXT = "not plain text"
+    TOO_LARGE = "too large"
+    ARCHIVE = "archive refused"
+    UNREADABLE = "unreadable"  # damaged, a link, or not permitted
+    EXCUSED = "excused"  # said by the teacher: not marked, and no 0
+
+
+class Problem(NamedTuple):
+    """Why there is nothing to mark."""
+
+    kind: Kind
+    sentence: str  # says what is, and how to hand in well
+
+
+class Attempt(NamedTuple):
+    """One of several hand-ins of a student."""
+
+    file: str
+    received: datetime | None
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One hand-in, which is one row of results."""
+
+    identifier: str  # unique, also without regard to case, and safe as a file name
+    student: Student
+    file: str | None  # as in the download; `work.zip!pick.v2` for a file in a zip; None: none
+    why: str  # one sentence: why this file
+    received: datetime | None = None  # aware, told by the platform: never the date of a file
+    flagged_late: bool = False  # the platform calls it late, without saying when it came
+    due: datetime | None = None  # an own deadline, given by the teacher; None: that of the task
+    attempts: tuple[Attempt, ...] = ()  # what can be marked, in order; the last is `file`
+    others: tuple[str, ...] = ()  # files that were not chosen
+    group: str = ""  # the same for students who handed in together
+    problem: Problem | None = None
+
+    @property
+    def title(self) -> str:
+        """The name of the file as shown to the student, without folders; "" for none."""
+        return re.split(r"[/!]", self.file)[-1] if self.file else ""
+
+    @property
+    def attempt(self) -> int:
+        """The number of the attempt, from 1, as far as the download tells."""
+        return max(1, len(self.attempts))
+
+
+class Intake(NamedTuple):
+    """What a download holds."""
+
+    layout: str  # in words: "Moodle, a folder for each student"
+    rows: tuple[Row, ...]
+    remarks: tuple[str, ...]  # sentences about what is no hand-in, or looks odd
