@@ -9,6 +9,8 @@ RUNS = "tests/spec/test_spec_run.py"
 LANG = "tests/spec/test_spec_lang.py"
 VOCABULARY = "tests/unit/lang/test_vocabulary.py"
 COLLISION = "tests/unit/check/test_collision.py"
+NEAR_MISSES = "tests/unit/check/test_near_misses.py"
+FACTS = "tests/unit/check/test_collision_facts.py"
 GEOMETRY = "tests/unit/geometry"
 COMMANDS = "tests/unit/cli/test_commands.py"
 ROBOTS = "tests/unit/robots"
@@ -583,5 +585,61 @@ PATCHES: tuple[Patch, ...] = (
         "if ending in (Ending.ERROR, Ending.LIMIT, Ending.ABORTED):",
         "if ending in (Ending.LIMIT, Ending.ABORTED):",
         (ENGINE,),
+    ),
+    Patch(
+        "an approach to a contact is a near miss too",
+        "vrts/check/near_misses.py",
+        "alone = apart_from(episodes(touches, pairs), touching)",
+        "alone = episodes(touches, pairs)",
+        (NEAR_MISSES,),
+    ),
+    Patch(
+        "lifting and setting down are near misses",
+        "vrts/check/pair_rows.py",
+        "rows = np.flatnonzero(pairs.counts)",
+        "rows = np.flatnonzero(pairs.grazes)",
+        (NEAR_MISSES,),
+    ),
+    Patch(
+        "a contact hides all near misses",
+        "vrts/check/near_misses.py",
+        "if found.closest.distance - slack_of(engine) >= threshold:",
+        "if not 0.0 <= found.closest.distance < threshold:",
+        (NEAR_MISSES,),
+    ),
+    Patch(
+        "near misses are looked for at contact depth",
+        "vrts/check/near_misses.py",
+        "band=-slack_of(engine) - margin_of(engine),",
+        "band=-threshold,",
+        (NEAR_MISSES, FACTS),
+    ),
+    Patch(
+        "the near-miss distance of a task is not read",
+        "vrts/check/judge.py",
+        "near_miss = None if task is None else task.near_miss",
+        "near_miss = None",
+        (FACTS,),
+    ),
+    Patch(
+        "near misses are not asked about again",
+        "vrts/check/collision.py",
+        "witnesses = [told.witness for told in (*hits, *misses)]",
+        "witnesses = [told.witness for told in hits]",
+        (FACTS,),
+    ),
+    Patch(
+        "depths just below the tolerance stay undetermined",
+        "vrts/check/collision_search.py",
+        "np.nonzero(finest & ~shallow)[0]",
+        "np.nonzero(finest)[0]",
+        ("tests/unit/check/test_collision_thresholds.py",),
+    ),
+    Patch(
+        "contacts in doubt do not lower the lowest mark",
+        "vrts/check/mark.py",
+        "contacts=achieved.contacts + contacts,",
+        "contacts=achieved.contacts,",
+        (FACTS,),
     ),
 )
