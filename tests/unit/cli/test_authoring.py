@@ -348,3 +348,60 @@ def test_a_new_lab_changes_nothing_until_it_is_filled_in(tmp_path: Path) -> None
     missing = vrts("scene", "show", "cans-on-bases", "--lab", lab, cwd=tmp_path)
     assert missing.returncode == 2
     assert "room.toml" in missing.stderr
+
+
+def students_files(home: Path, hidden: str, scene: tuple[str, str]) -> dict[str, bytes]:
+    """Return every byte that students get of a task with a hidden part and a hidden scene."""
+    assert vrts("new", "task", "lab", "--title", "Lab", cwd=home).returncode == 0
+    staff = home / "lab" / "staff"
+    (staff / "task.toml").write_text(hidden)
+    (staff / "scenes").mkdir()
+    text = (home / "lab" / "scene.toml").read_text()
+    (staff / "scenes" / "moved.toml").write_text(text.replace(*scene))
+    assert vrts("task", "pack", "lab", cwd=home).returncode == 0
+    (home / "mine.v2").write_bytes((home / "lab" / "start.v2").read_bytes())
+    marked = vrts("grade", "lab-staff.zip", "mine.v2", "-o", "out", "--recordings", cwd=home)
+    assert marked.returncode == 0, marked.stderr
+    student = home / "student"
+    student.mkdir()
+    shutil.copy(home / "lab-student.zip", student)
+    shutil.copy(home / "mine.v2", student)
+    words = ("verify", "mine.v2", "--task", "lab-student.zip", "--html", "p.html")
+    verified = vrts(*words, "--record", "r.rrd", cwd=student)
+    graded = vrts("grade", "lab-student.zip", "mine.v2", "--format", "json", cwd=student)
+    (student / "printed").write_text(verified.stdout + verified.stderr + graded.stdout)
+    files = [*student.iterdir(), *(home / "out" / "students").rglob("*")]
+    return {
+        path.name: recorded(path) if path.suffix == ".rrd" else path.read_bytes()
+        for path in files
+        if path.is_file()
+    }
+
+
+def recorded(path: Path) -> bytes:
+    """Return what a recording holds; its own bytes are packed, and others every time."""
+    rerun = Path(sys.executable).parent / "rerun"
+    words = [rerun, "rrd", "print", "-vvv", path]
+    return subprocess.run(words, capture_output=True, check=True).stdout
+
+
+def test_what_students_get_is_the_same_whatever_the_staff_hides(tmp_path: Path) -> None:
+    """Byte by byte, also inside files that are packed: so nothing can be read out of them."""
+    found: list[dict[str, bytes]] = []
+    for name, hidden, moved in (
+        ("first", SECRET, "[855, -300]"),
+        ("second", '\n[[rule]]\nmust_use = "MOVES"\n', "[846, -300]"),
+    ):
+        home = tmp_path / name
+        home.mkdir()
+        found.append(students_files(home, hidden, ("[850, -300]", moved)))
+    first, second = found
+    wanted = {"lab-student.zip", "mine.v2", "p.html", "r.rrd", "printed"}
+    assert wanted | {"report.html", "result.json", "run.rrd"} == first.keys()
+    assert b"2 more at marking" in first["printed"]
+    for name in first:
+        assert b"high above" not in first[name], name
+        if not name.endswith(".rrd"):
+            assert first[name] == second[name], name
+    assert b"can1" in first["r.rrd"]
+    assert b"can1" in first["run.rrd"]
