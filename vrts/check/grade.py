@@ -8,6 +8,8 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Moment
 from vrts.base.source import Span
 
+REVIEW = "to be reviewed"  # begins the obstacles that a person has to look at
+
 
 class Status(Enum):
     """What became of a submission."""

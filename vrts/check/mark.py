@@ -9,7 +9,7 @@ from vrts.base.source import Span
 from vrts.check.collision_verdict import subject, target
 from vrts.check.demands import DEMAND
 from vrts.check.duration import duration
-from vrts.check.grade import Grade, Loss, Status
+from vrts.check.grade import REVIEW, Grade, Loss, Status
 from vrts.check.judgement import Judgement
 from vrts.check.rounding import exact_s
 from vrts.check.score import (
@@ -59,7 +59,7 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
     lowest = _lowest(task, achieved, judgement, sum(points.certain))
     obstacles = _obstacles(run, results, points, mishaps, judgement)
     if lowest is not None and lowest < mark:
-        obstacles += (f"to be reviewed: the mark is between {float(lowest)} and {float(mark)}",)
+        obstacles += (f"{REVIEW}: the mark is between {float(lowest)} and {float(mark)}",)
     return Grade(
         mark,
         _status(run),
@@ -352,13 +352,13 @@ def _obstacles(
         if asked and verdict.answer is Answer.VIOLATED:
             found.append(verdict.summary)
         if verdict.answer is Answer.UNDETERMINED:
-            found.append(f"{verdict.check}: {verdict.summary}")
+            found.append(f"{REVIEW}: {verdict.check}: {verdict.summary}")
     found += [f"`{r.goal.body}` {describe(r)}" for r in results if r.share < 1]
     missed = len(points.met) - points.number
     if missed:
         found.append(f"{missed} via points are not passed")
     disputed = () if judgement.collisions is None else judgement.collisions.disagreements
-    found += [f"to be reviewed: two engines disagree: {words}" for words in disputed]
+    found += [f"{REVIEW}: two engines disagree: {words}" for words in disputed]
     if judgement.collisions is None:
         found.append("collisions were not checked")
     return tuple(found)

@@ -8,6 +8,7 @@ from vrts.report.first_screen import FirstScreen, first_screen
 from vrts.report.palette import Palette, Style, worded
 from vrts.report.plain import line_start, one_line, width, yes_no
 from vrts.report.quantities import at_time, lost, mark
+from vrts.report.review import review_of
 from vrts.report.sketch import sketch
 
 Row: TypeAlias = tuple[str, str]
@@ -24,11 +25,21 @@ def first_screen_text(a: Assessment, palette: Palette) -> str:
         number = palette.paint(good, f"{mark(screen.mark)} / 10")
         rows = [f"{number}  {palette.paint(Style.STRONG, title)} ({screen.status})"]
     rows.append("ready for the real robot: " + palette.paint(good, yes_no(screen.ready)))
+    rows += _review_rows(a, palette)
     rows += [line_start(screen.cause)]
     rows += [worded("hint", screen.hint, Style.NOTE, palette)] if screen.hint else []
     table = _loss_rows(screen) if screen.losses else _verdict_rows(screen)
     parts = [rows, _table(table, palette) if table else [], _picture(a, screen, palette)]
     return "\n\n".join("\n".join(part) for part in parts if part)
+
+
+def _review_rows(a: Assessment, palette: Palette) -> list[str]:
+    review = review_of(a)
+    if review is None:
+        return []
+    between = f"the mark is {review.range}: " if review.range else ""
+    label = palette.paint(Style.NOTE, "review")
+    return [f"{label}: {between}{'; '.join(review.reasons)}"]
 
 
 def _picture(a: Assessment, screen: FirstScreen, palette: Palette) -> list[str]:

@@ -15,6 +15,7 @@ from vrts.report.assessment import Assessment
 from vrts.report.diagnostic_json import Json, diagnostic_json
 from vrts.report.first_screen import first_screen, status
 from vrts.report.quantities import millimetres, rounded_data, seconds
+from vrts.report.review import review_of
 
 ASSESSMENT_SCHEMA = "vrts.assessment/1"
 RESULTS_SCHEMA = "vrts.results/1"
@@ -41,6 +42,7 @@ def result_json(a: Assessment) -> Json:
         "time_s": seconds(screen.moment.time_s) if screen.moment else None,
         "duration_s": _time(grade.duration_s if grade else None),
         "losses": _losses(grade) if grade else [],
+        "review": _review(a),
     }
 
 
@@ -58,6 +60,19 @@ def assessment_json(a: Assessment) -> Json:
         "verdicts": [_verdict(v) for v in a.judgement.verdicts] if a.judgement else [],
         "collisions": _collisions(a),
         "findings": [diagnostic_json(d) for d in a.findings],
+    }
+
+
+def _review(a: Assessment) -> Json | None:
+    """Return between which marks the mark lies, and why somebody has to look."""
+    review = review_of(a)
+    if review is None:
+        return None
+    lowest, highest = review.lowest, review.highest
+    return {
+        "lowest": None if lowest is None else float(lowest),
+        "highest": None if highest is None else float(highest),
+        "reasons": list(review.reasons),
     }
 
 
@@ -80,6 +95,7 @@ def _parts(grade: Grade) -> Json:
         **_exact("targets", grade.targets),
         **_exact("vias", grade.vias),
         **_exact("contacts", grade.contacts),
+        **_exact("demands", grade.demands),
         **_exact("time", grade.time),
     }
 

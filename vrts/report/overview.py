@@ -11,6 +11,7 @@ from vrts.report.first_screen import FirstScreen, first_screen
 from vrts.report.html import Markup, element, joined, prose, raw
 from vrts.report.plain import one_line, yes_no
 from vrts.report.quantities import lost, mark, points
+from vrts.report.review import review_of
 from vrts.web.assets import asset
 
 KINDS = {
@@ -18,6 +19,7 @@ KINDS = {
     "via": "Via points missed",
     "contact": "Contacts",
     "drop": "Objects dropped",
+    "demand": "Demands of the task not kept",
     "time": "Time",
     "program": "Programs that do not compile or run",
 }
@@ -131,8 +133,17 @@ def _row(row: Row, address: str | None) -> Markup:
         ),
         element("td", ready, class_=f"ready-{ready}", data_sort=ready),
         element("td", screen.status, data_sort=screen.status),
-        element("td", prose(screen.cause), data_sort=screen.cause),
+        element("td", prose(screen.cause), _review(a), data_sort=screen.cause),
     )
+
+
+def _review(a: Assessment) -> Markup | None:
+    """Return between which marks a person has to decide, and why."""
+    review = review_of(a)
+    if review is None:
+        return None
+    between = f" {review.range}" if review.range else ""
+    return element("p", element("strong", f"review{between}"), f": {'; '.join(review.reasons)}")
 
 
 def _worst(rows: Sequence[Row]) -> Markup | None:
