@@ -7,7 +7,7 @@ clearance and near misses only once they have been farther apart than the near-m
 come nearer again, and an object that is set down leaves them with the final approach.
 """
 
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -18,7 +18,10 @@ from vrts.ir.instructions import HandAction
 
 Array: TypeAlias = npt.NDArray[np.float64]
 T = TypeVar("T")
-Asking: TypeAlias = Generator[Array, Array, T]  # yields times, is sent distances [m], comes to T
+Distances: TypeAlias = Iterable[float]
+Asking: TypeAlias = Generator[
+    Array, Distances, T
+]  # yields times, is sent distances [m], comes to T
 
 NEAR_MISS = 5e-3  # [m] nearer than this is a near miss, unless the task says otherwise [assumed]
 SEPARATED = 2e-4  # [m] pads farther than this from the object have let go of it [assumed]
@@ -118,7 +121,7 @@ def _parting(
         step_s = FINE if separated is None else COARSE
         times = np.minimum(first + step_s * np.arange(count), end_s)
         gaps = yield times if mirrored is None else mirrored - times
-        for t, distance in zip(times.tolist(), gaps.tolist(), strict=True):
+        for t, distance in zip(times.tolist(), gaps, strict=True):
             if separated is None and distance > apart:
                 separated = t
             shrinks = before > near_miss and distance < before - 1e-6
@@ -131,7 +134,7 @@ def _parting(
 
 
 def all_told(
-    questions: Sequence[Asking[T]], answer: Callable[[Mapping[int, Array]], Mapping[int, Array]]
+    questions: Sequence[Asking[T]], answer: Callable[[Mapping[int, Array]], Mapping[int, Distances]]
 ) -> list[T]:
     """Return what several questions come to, all asking together for their next distances.
 
@@ -140,7 +143,7 @@ def all_told(
         answer: Returns, for times by the number of the question, the distances then [m].
     """
     told: dict[int, T] = {}
-    answers: Mapping[int, Array | None] = dict.fromkeys(range(len(questions)))
+    answers: Mapping[int, Distances | None] = dict.fromkeys(range(len(questions)))
     while answers:
         asked: dict[int, Array] = {}
         for number, distances in answers.items():

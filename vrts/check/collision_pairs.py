@@ -24,6 +24,7 @@ from vrts.check.collision_cast import (
 from vrts.check.collision_grips import (
     NEAR_MISS,
     Asking,
+    Distances,
     Grip,
     Window,
     all_told,
@@ -240,7 +241,7 @@ def _finger_windows(
     ]
     sides = [(finger, own) for own in by_body.values() for finger in arm.fingers]
 
-    def answer(asked: Mapping[int, Array]) -> Mapping[int, Array]:
+    def answer(asked: Mapping[int, Array]) -> Mapping[int, Distances]:
         gaps = prober.gaps([_asked(*sides[number], times) for number, times in asked.items()])
         return dict(zip(asked, gaps, strict=True))
 
@@ -293,7 +294,7 @@ def _counted(
             questions.append(counted_until(start_s, end_s, near_miss))
             sides.append((stay, other))
 
-    def answer(asked: Mapping[int, Array]) -> Mapping[int, Array]:
+    def answer(asked: Mapping[int, Array]) -> Mapping[int, Distances]:
         gaps = prober.gaps([_always(*sides[number], times) for number, times in asked.items()])
         return dict(zip(asked, gaps, strict=True))
 

@@ -315,7 +315,7 @@ class _Search:
             offset = centre - frames.origins[joint][node]
             turned = axis * rate[:, None]
             w += turned * (arms[joint - 1, at] > 0.0)[:, None]
-            v += np.cross(turned, offset) * (arms[joint - 1, at] > 0.0)[:, None]
+            v += _cross(turned, offset) * (arms[joint - 1, at] > 0.0)[:, None]
             arm = np.where(base < joint, arms[joint - 1, at], 0.0)
             top = np.where(base < joint, speed[:, joint - 1], 0.0)
             # |d2x/dq_i dq_j| is at most the distance from the outer of the two axes
@@ -332,7 +332,7 @@ class _Search:
                 v[:, 2] -= sign * np.where(falling, GRAVITY * since, 0.0)
                 curve += np.where(falling, GRAVITY, 0.0)
         along = np.abs(np.einsum("ri,ri->r", v, normal))
-        turning = np.linalg.norm(np.cross(normal, w), axis=1) * self.solids.ball[outer]
+        turning = np.linalg.norm(_cross(normal, w), axis=1) * self.solids.ball[outer]
         return (along + turning) * h + 0.5 * curve * h * h + self.pad
 
     def _decide(
@@ -434,6 +434,13 @@ def _divided(start: Array, end: Array, parts: Indices) -> tuple[Array, Array]:
     low = start[of] + number * step[of]
     high = np.where(number + 1 == parts[of], end[of], start[of] + (number + 1) * step[of])
     return low, high
+
+
+def _cross(a: Array, b: Array) -> Array:
+    """Return vector products, shape (r, 3); much faster than numpy's for few vectors."""
+    x, y, z = a.T
+    u, v, w = b.T
+    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=1)
 
 
 def _distinct(a: Indices, b: Indices, size: int) -> tuple[Indices, Indices]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol, TypeAlias
+from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -133,25 +133,46 @@ class Prober:
         places = self.solids.places(state, *np.divmod(known, len(times)), GRAVITY)
         return _Placed(self.engine, places, place[: len(first)], place[len(first) :])
 
-    def gaps(self, asked: Sequence[Asked]) -> list[Array]:
-        """Return the distances [m] between unions of solids; inf while nothing is there."""
-        rows = [asked_rows for number, one in enumerate(asked) for asked_rows in _rows(number, one)]
+    def gaps(self, asked: Sequence[Asked]) -> list[Iterator[float]]:
+        """Return the distances [m] between unions of solids; inf while nothing is there.
+
+        The solids are placed for all questions together; a distance is measured when it is taken.
+        """
+        rows = [own for number, one in enumerate(asked) for own in _rows(number, one)]
         if not rows:
-            return []
+            return [iter([np.inf] * len(one.times)) for one in asked]
         first, second, number, instant, times = (np.concatenate(c) for c in zip(*rows, strict=True))
-        found: list[list[float]] = [[np.inf] * len(one.times) for one in asked]
         placed = self._placed(first, second, times)
         # the nearest by their boxes first; most of the others need not be asked then
         least = outside(placed.places, placed.first, placed.second)
         order = np.lexsort((least, instant, number))
-        columns = (number, instant, first, second, placed.first, placed.second)
-        lows: list[float] = least[order].tolist()
-        queries: list[list[int]] = [column[order].tolist() for column in columns]
-        for low, of, at, i, j, a, b in zip(lows, *queries, strict=True):
-            if low < found[of][at]:
-                distance = self._pair(i, j).distance(placed.transform(a), placed.transform(b))
-                found[of][at] = distance if distance < found[of][at] else found[of][at]
-        return [np.array(own) for own in found]
+        ends = np.searchsorted(number[order], np.arange(len(asked) + 1))
+        columns = (instant, least, first, second, placed.first, placed.second)
+        in_order: list[npt.NDArray[Any]] = [column[order] for column in columns]
+        return [
+            self._taken(len(one.times), placed, [c[ends[k] : ends[k + 1]] for c in in_order])
+            for k, one in enumerate(asked)
+        ]
+
+    def _taken(
+        self, count: int, placed: _Placed, columns: Sequence[npt.NDArray[Any]]
+    ) -> Iterator[float]:
+        """Yield the distance at each instant, from rows in the order of instants and gaps."""
+        rows = list(zip(*(column.tolist() for column in columns), strict=True))
+        at, whole = 0, len(rows)
+        pairs: dict[tuple[int, int], Pair] = {}
+        for instant in range(count):
+            found = np.inf
+            while at < whole and rows[at][0] == instant:
+                _, low, i, j, a, b = rows[at]
+                at += 1
+                if low >= found:
+                    continue
+                if (i, j) not in pairs:
+                    pairs[i, j] = self._pair(i, j)
+                distance = pairs[i, j].distance(placed.transform(a), placed.transform(b))
+                found = min(found, distance)
+            yield found
 
 
 def _rows(number: int, asked: Asked) -> Iterator[tuple[Indices, Indices, Indices, Indices, Array]]:

@@ -207,10 +207,13 @@ def _powers(segments: Sequence[Segment], length: Array) -> tuple[Array, HighPiec
     """Return all coefficients up to degree 3, and the pieces that have more."""
     rows = [row for segment in segments for row in segment.coefficients]
     counts = np.fromiter(map(len, rows), np.int64, len(rows))
-    if (counts != CUBIC).any():
-        rows = [row if len(row) == CUBIC else (*row, 0.0, 0.0, 0.0)[:CUBIC] for row in rows]
-    flat = np.fromiter(chain.from_iterable(rows), np.float64, CUBIC * len(rows))
-    powers = flat.reshape(len(segments), COORDINATES, CUBIC)
+    flat = np.fromiter(chain.from_iterable(rows), np.float64, int(counts.sum()))
+    first = np.cumsum(counts) - counts
+    powers = np.zeros((len(rows), CUBIC))
+    for power in range(CUBIC):
+        has = np.nonzero(counts > power)[0]
+        powers[has, power] = flat[first[has] + power]
+    powers = powers.reshape(len(segments), COORDINATES, CUBIC)
     high_at = np.full(len(segments), -1, dtype=np.int64)
     longest = counts.reshape(len(segments), COORDINATES).max(axis=1)
     long: list[int] = np.nonzero(longest > CUBIC)[0].tolist()

@@ -7,6 +7,7 @@ and another on L_l, l < k, only the joints l + 1 .. k move one against the other
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -218,6 +219,7 @@ def solids(members: Sequence[Solid]) -> Solids:
     )
 
 
+@lru_cache(maxsize=4096)
 def _round(shape: Shape) -> tuple[Vector, Vector, float, float]:
     """Return middle and half extents of the box, cylinder radius and ball radius of a shape."""
     match shape:
