@@ -54,23 +54,27 @@ def command(
     """Mark SUBMISSIONS (files or folders) by TASK.
 
     TASK is a task.toml, its folder, a zip of `vrts task pack`, or the name of an example; an
-    example without submissions marks its own solution and submissions. A task with a folder `staff`
-    is marked with its hidden checks: then the marks are in the folder `staff` of the output, and
-    the reports in `students` tell of the public checks only. Exit status 0 when every row has a
-    result.
+    example without submissions marks its own solution and submissions.
+
+    Every submission has two reports: `students/NAME` in the output is for the student alone,
+    `staff/students/NAME` is for those who mark and has what is to be reviewed, the facts for an
+    appeal, and hidden checks. A task with a folder `staff` is marked with its hidden checks: then
+    the list of marks is in `staff` too, and `students` tells of the public checks only. Exit status
+    0 when every row has a result.
     """
     setting, public, found = _what(task, submissions, lab)
     marks = folder if folder is None or public is None else folder / "staff"
-    rows = _mark(setting, found, marks, recordings=recordings, quiet=form == "json")
+    rows = _mark(setting, public, found, folder, recordings=recordings, quiet=form == "json")
     show_diagnostics(setting.stamps, color)
-    if marks is not None:
-        from vrts.marking.outputs import write_class
+    if folder is not None and marks is not None:
+        from vrts.marking.outputs import STAFF, write_class
 
         assert setting.task is not None
-        write_class(rows, marks, setting.task.title)
+        pages = "students" if public is not None else f"{STAFF}/students"
+        write_class(rows, marks, setting.task.title, pages=pages)
         say(f"wrote {marks / 'index.html'}")
-    if folder is not None and public is not None:
-        _for_students(public, found, folder, recordings=recordings)
+        without = "" if public is None else ", without the hidden checks"
+        say(f"wrote {folder / 'students'}, to be sent to each{without}")
     if form == "json":
         from vrts.report.json_form import results_json
         from vrts.report.json_text import json_text
@@ -78,18 +82,6 @@ def command(
         results = results_json(row.assessment for row in rows)
         out(json_text(results))
     sys.exit(FAULT if any(row.fault for row in rows) else HOLDS)
-
-
-def _for_students(
-    public: "Setting", found: "list[Submission]", folder: Path, *, recordings: bool
-) -> None:
-    """Write reports that know nothing of hidden checks."""
-    from vrts.marking.grade import mark_all
-    from vrts.marking.outputs import write_student
-
-    for row in mark_all(found, public):
-        write_student(row, folder, recordings=recordings)
-    say(f"wrote {folder / 'students'}, without the hidden checks")
 
 
 def _settings(task: str, folder: Path | None, lab: Path | None) -> "tuple[Setting, Setting | None]":
@@ -123,13 +115,14 @@ def _what(
 
 def _mark(
     setting: "Setting",
+    public: "Setting | None",
     found: "list[Submission]",
     folder: Path | None,
     *,
     recordings: bool,
     quiet: bool,
 ) -> "list[Marked]":
-    from vrts.marking.grade import mark_all
+    from vrts.marking.grade import mark, mark_all
     from vrts.marking.packed import public_answer
     from vrts.report.row_text import row_text
 
@@ -139,9 +132,11 @@ def _mark(
         nonlocal count
         count += 1
         if folder is not None:
-            from vrts.marking.outputs import write_student
+            from vrts.marking.outputs import write_reports
 
-            write_student(row, folder, recordings=recordings)
+            known = row if public is None else mark(row.submission, public)
+            more = setting.hidden or setting.more
+            write_reports(row, known, folder, recordings=recordings, more=more)
         if not quiet:
             out(row_text(row.assessment))
             answer = public_answer(row.assessment, setting)

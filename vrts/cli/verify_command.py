@@ -53,6 +53,13 @@ Examples:
     "--scenario", type=click.Path(path_type=Path), help="What happens in the run: a scenario file."
 )
 @click.option("--html", type=click.Path(path_type=Path), help="Write a page with a replay.")
+@click.option(
+    "--for",
+    "reader",
+    type=click.Choice(["student", "grader"]),
+    default="student",
+    help="Whom the page is for: a grader's has what is to be reviewed, and facts for an appeal.",
+)
 @click.option("--record", type=click.Path(path_type=Path), help="Write a Rerun recording (.rrd).")
 @click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
 @click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
@@ -72,6 +79,7 @@ def command(
     scenario: Path | None,
     lab: Path | None,
     html: Path | None,
+    reader: str,
     record: Path | None,
     form: str,
     no_collisions: bool,
@@ -125,19 +133,20 @@ def command(
         if answer is not None:
             out(f"\n{answer}")
     if html is not None:
-        write_page(found, html)
+        write_page(found, html, reader, setting.more)
     if record is not None:
         write_record(found, record)
     sys.exit(status_of(found))
 
 
-def write_page(found: "Assessment", path: Path) -> None:
-    """Write the HTML page and say so."""
+def write_page(found: "Assessment", path: Path, reader: str = "student", more: int = 0) -> None:
+    """Write the HTML page for a reader and say so; `more` checks there will be at marking."""
+    from vrts.report.audience import Audience
     from vrts.report.page import page
-    from vrts.report.picture import moment_picture
+    from vrts.report.stills import page_stills
 
-    picture = moment_picture(found)
-    write_file(path, page(found, {} if picture is None else {"moment": picture}).encode())
+    text = page(found, page_stills(found), audience=Audience(reader), more=more)
+    write_file(path, text.encode())
     say(f"wrote {path}")
 
 

@@ -57,7 +57,8 @@ def mark(submission: Submission, setting: Setting, *, collisions: bool = True) -
             if _mark_of(other) < _mark_of(found):
                 found = other
     except CannotRead as problem:
-        why = error(UNREADABLE, problem.message, help=problem.hints)
+        said = problem.message.replace(str(submission.path), submission.title)
+        why = error(UNREADABLE, said, help=problem.hints)  # names no folder of this machine
         return Marked(submission, _nothing(submission, setting, why), None)
     except Exception:
         why = error(

@@ -38,6 +38,15 @@ def for_student(a: Assessment) -> Assessment:
     return replace(a, grade=grade, judgement=judgement)
 
 
+def hidden_checks(whole: Assessment, public: Assessment) -> frozenset[str]:
+    """Return the names of the checks that only one of two assessments of a program has."""
+    return _checks(whole) - _checks(public)
+
+
+def _checks(a: Assessment) -> frozenset[str]:
+    return frozenset(v.check for v in a.judgement.verdicts) if a.judgement else frozenset()
+
+
 def needs_review(a: Assessment) -> bool:
     """Return whether a person has to look at a run before its mark stands."""
     report = a.judgement.collisions if a.judgement else None
