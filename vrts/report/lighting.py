@@ -6,84 +6,133 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.report.camera import axes
-from vrts.report.raster import Array, Array32, rasterise, signed_area
+from vrts.report.raster import NOTHING, Array, Array32, nearness, rasterise, signed_area
 
 Pixels: TypeAlias = npt.NDArray[np.uint8]
 
 SUN = np.array([0.42, -0.52, 0.86]) / np.linalg.norm([0.42, -0.52, 0.86])  # towards the sun, in W
+SUN_FRAME = axes(-SUN)  # rows: right, down, away from the sun, in W
 SUN_LIGHT = 0.86
 SKY_LIGHT = 0.46  # on what looks up
 GROUND_LIGHT = 0.20  # on what looks down
 GLEAM = 0.16
-GLOSS = 24.0
-MAP = 1024  # side of the shadow map, texels
+GLOSS_SQUARINGS = 5  # of the cosine: to the 32nd power
+ROOM_M = 0.02  # round what throws shadows
 BIAS = 0.006  # [m] a surface does not shade itself
+TAPS = ((-1, 0), (0, -1), (1, 0), (0, 1))  # texels round the one of a point: a softer edge
+SOFT_TEXELS = 4  # side of a texel of the soft shadow, in texels
+SOFT_M = 0.028  # radius of its blur, done three times
 
 
 class ShadowMap(NamedTuple):
     """How near to the sun the nearest surface is, seen along the light."""
 
-    frame: Array  # (3, 3) rows: right, down, away from the sun, in W
-    origin: Array  # (2,) of the map on right and down [m]
+    origin: Array32  # (2,) of the map on right and down of the sun's frame [m]
     texels_m: float  # texels in a metre
-    nearness: Array32  # (MAP, MAP), towards the sun [m]; -inf where nothing is
+    nearness: Array32  # (rows, columns), towards the sun [m]; -inf where nothing is
+    soft: Array32  # how much is covered, blurred; a texel of it is SOFT_TEXELS wide
 
-    def lit(self, points: Array32) -> Array32:
-        """Return the share of the sun that reaches points, shape (n, 3) in W, softened."""
-        turned = points @ self.frame.T.astype(np.float32)
-        at = (turned[:, :2] - self.origin.astype(np.float32)) * np.float32(self.texels_m)
-        own = np.float32(BIAS) - turned[:, 2]
-        light = np.zeros(len(points), np.float32)
-        for x, y in ((-1.5, -0.5), (0.5, -1.5), (1.5, 0.5), (-0.5, 1.5)):
-            column = (at[:, 0] + x).astype(np.int32).clip(0, MAP - 1)
-            row = (at[:, 1] + y).astype(np.int32).clip(0, MAP - 1)
-            light += self.nearness[row, column] <= own
-        return light * np.float32(0.25)
+    def lit(self, along: Array32) -> Array32:
+        """Return the share of the sun that reaches points in the sun's frame, shape (n, 3)."""
+        rows, columns = self.nearness.shape
+        at = (along[:, :2] - self.origin) * np.float32(self.texels_m)
+        column = at[:, 0].clip(1, columns - 2).astype(np.int32)
+        row = at[:, 1].clip(1, rows - 2).astype(np.int32)
+        index = row * np.int32(columns) + column
+        own = np.float32(BIAS) - along[:, 2]
+        flat = self.nearness.reshape(-1)
+        light = np.zeros(len(along), np.uint8)
+        for right, down in TAPS:
+            light += flat.take(index + np.int32(down * columns + right)) <= own
+        return light * np.float32(1 / len(TAPS))
+
+    def shadow(self, along: Array32) -> Array32:
+        """Return how deep in a soft shadow points lie, shape (2, ...), from 0 to 1."""
+        rows, columns = self.soft.shape
+        scale = np.float32(self.texels_m / SOFT_TEXELS)
+        x: Array32 = (along[0] - self.origin[0]) * scale - np.float32(0.5)
+        y: Array32 = (along[1] - self.origin[1]) * scale - np.float32(0.5)
+        np.clip(x, 0, columns - 1.01, out=x)
+        np.clip(y, 0, rows - 1.01, out=y)
+        column, row = x.astype(np.int32), y.astype(np.int32)
+        x -= column
+        y -= row
+        index = row * np.int32(columns) + column
+        flat = self.soft.reshape(-1)
+        upper = flat.take(index) * (1 - x) + flat.take(index + 1) * x
+        index += np.int32(columns)
+        lower = flat.take(index) * (1 - x) + flat.take(index + 1) * x
+        return (upper * (1 - y) + lower * y).astype(np.float32)
 
 
-def shadow_map(corners: Array) -> ShadowMap:
-    """Return the shadow map of triangles in W, shape (m, 3, 3), m."""
-    frame = axes(-SUN)
-    turned = corners @ frame.T
-    low = turned[:, :, :2].reshape(-1, 2).min(0) - 0.02
-    high = turned[:, :, :2].reshape(-1, 2).max(0) + 0.02
-    texels = MAP / float((high - low).max())
+def shadow_map(corners: Array, side: int) -> ShadowMap:
+    """Return the shadow map of triangles in W, shape (m, 3, 3), m.
+
+    Args:
+        corners: Of the triangles; none throw no shadow.
+        side: The longer side of the map, texels.
+    """
+    if not len(corners):
+        nothing = np.full((4, 4), -np.inf, np.float32)
+        return ShadowMap(np.zeros(2, np.float32), 1.0, nothing, np.zeros((2, 2), np.float32))
+    turned = corners @ SUN_FRAME.T
+    # room for the blur, and for what is looked up beside
+    room = ROOM_M + 4 * SOFT_M
+    low = turned[:, :, :2].reshape(-1, 2).min(0) - room
+    extent = turned[:, :, :2].reshape(-1, 2).max(0) + room - low
+    texels = side / float(extent.max())
+    columns, rows = (int(x) // SOFT_TEXELS * SOFT_TEXELS for x in extent * texels)
     screen = (turned[:, :, :2] - low) * texels
     facing = signed_area(screen) < -1e-9
     farthest = float(turned[:, :, 2].max()) + 1.0
-    seen = rasterise(screen[facing], farthest - turned[facing][:, :, 2], MAP, MAP)
-    nearness = np.full(MAP * MAP, -np.inf, np.float32)
-    nearness[seen.pixel] = seen.nearness - np.float32(farthest)
-    return ShadowMap(frame, low, texels, nearness.reshape(MAP, MAP))
+    seen = rasterise(screen[facing], farthest - turned[facing][:, :, 2], columns, rows)
+    covered = seen != NOTHING
+    near = np.where(covered, nearness(seen) - np.float32(farthest), np.float32(-np.inf))
+    blocks = covered.reshape(rows // SOFT_TEXELS, SOFT_TEXELS, columns // SOFT_TEXELS, SOFT_TEXELS)
+    soft = blocks.mean(axis=(1, 3), dtype=np.float32)
+    radius = max(round(SOFT_M * texels / SOFT_TEXELS), 1)
+    for _ in range(3):
+        soft = _blurred(_blurred(soft, radius).T, radius).T
+    soft = np.ascontiguousarray(soft)
+    return ShadowMap(low.astype(np.float32), texels, near.astype(np.float32), soft)
 
 
 def shade(
-    color: Array32, normals: Array32, points: Array32, eye: Array, sunlight: Array32
-) -> Array32:
-    """Return the linear light that surfaces send to the eye.
+    color: Array32, normals: Array32, view: Array32, sunlight: Array32
+) -> tuple[Array32, Array32]:
+    """Return the linear light that surfaces send to the eye: of the sky, and of the sun.
 
     Args:
         color: Of the surface, linear RGB, shape (n, 3).
         normals: Unit, in W, shape (n, 3).
-        points: In W, shape (n, 3), m.
-        eye: In W, shape (3,), m.
+        view: Unit, towards the eye, in W, shape (n, 3).
         sunlight: Share of the sun that arrives, shape (n,).
     """
     sun = SUN.astype(np.float32)
     slope = normals @ sun
-    direct = np.maximum(slope, 0) * sunlight * np.float32(SUN_LIGHT)
-    up = normals[:, 2] * np.float32(0.5) + np.float32(0.5)
-    sky = np.float32(GROUND_LIGHT) + up * np.float32(SKY_LIGHT - GROUND_LIGHT)
-    view = eye.astype(np.float32) - points
-    view /= np.sqrt(np.einsum("ij,ij->i", view, view))[:, None]
+    sky = normals[:, 2] * np.float32(0.5 * (SKY_LIGHT - GROUND_LIGHT))
+    sky += np.float32(0.5 * (SKY_LIGHT + GROUND_LIGHT))
     # head light: the silhouettes of round things darken, so that they look round
     head = np.abs(np.einsum("ij,ij->i", normals, view))
+    sky *= np.float32(0.55) + np.float32(0.45) * head
     half = view + sun
     half /= np.sqrt(np.einsum("ij,ij->i", half, half))[:, None]
-    gleam = np.maximum(np.einsum("ij,ij->i", normals, half), 0) ** np.float32(GLOSS)
-    gleam *= sunlight * np.float32(GLEAM) * (slope > 0)
-    light = direct + sky * (np.float32(0.55) + np.float32(0.45) * head)
-    return color * light[:, None] + gleam[:, None]
+    gleam = np.maximum(np.einsum("ij,ij->i", normals, half), 0)
+    for _ in range(GLOSS_SQUARINGS):
+        gleam *= gleam
+    arriving = sunlight * (slope > 0)
+    gleam *= arriving * np.float32(GLEAM)
+    direct = color * (slope * arriving * np.float32(SUN_LIGHT))[:, None]
+    direct += gleam[:, None]
+    return color * sky[:, None], direct
+
+
+def _blurred(picture: Array32, radius: int) -> Array32:
+    """Return the mean of 2 radius + 1 neighbours along the rows."""
+    padded = np.pad(picture, ((0, 0), (radius + 1, radius)))
+    total = np.cumsum(padded, axis=1, dtype=np.float64)
+    width = 2 * radius + 1
+    return ((total[:, width:] - total[:, :-width]) / width).astype(np.float32)
 
 
 _STEPS = 4096

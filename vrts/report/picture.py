@@ -10,7 +10,7 @@ SIZE = (480, 360)
 
 
 def moment_picture(
-    a: Assessment, size: tuple[int, int] = SIZE, *, samples: int = 1
+    a: Assessment, size: tuple[int, int] = SIZE, *, samples: int = 2
 ) -> bytes | None:
     """Return a PNG of the moment on the first screen, else of the end; None without a run."""
     if a.run is None:

@@ -1,10 +1,14 @@
 """Triangles to pixels: a depth buffer in numpy, for pictures on machines without a GPU.
 
-All triangles become rows of pixels at once, all rows become pixels at once, and one `maximum.at`
-leaves the nearest triangle of each pixel. Nothing is shaded here.
+A triangle is cut at its middle corner into two halves with one line on each side. All halves
+become rows of pixels at once, all rows become pixels at once, and one `maximum.at` leaves the
+nearest triangle of each pixel. Nothing is shaded here.
+
+A pixel of the buffer is one number: how near its triangle is, above the triangle's own number. So
+the greater is the nearer, whatever the order in which triangles come.
 """
 
-from typing import NamedTuple, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -12,20 +16,22 @@ import numpy.typing as npt
 Array: TypeAlias = npt.NDArray[np.float64]
 Array32: TypeAlias = npt.NDArray[np.float32]
 Indices: TypeAlias = npt.NDArray[np.int64]
+Numbers: TypeAlias = npt.NDArray[np.int32]
 
-NOTHING = 0  # depth key of an empty pixel
-
-
-class Visible(NamedTuple):
-    """The pixels that show a triangle, in row-major order."""
-
-    pixel: Indices  # (k,) row * width + column
-    triangle: Indices  # (k,) index of the nearest triangle
-    nearness: Array32  # (k,) the interpolated `near` value there
+NOTHING = 0  # an empty pixel, and its number; the first triangle is number 1
+FARTHEST = 1e-30  # nearness is positive
 
 
-def rasterise(points: Array, near: Array, width: int, height: int) -> Visible:
-    """Return the nearest triangle of every pixel.
+def rasterise(
+    points: Array,
+    near: Array,
+    width: int,
+    height: int,
+    *,
+    first: int = 1,
+    onto: Indices | None = None,
+) -> Indices:
+    """Return the buffer of a screen, shape (height, width).
 
     Args:
         points: Corners on the screen, shape (m, 3, 2): column, row, in pixels; pixel (r, c) covers
@@ -34,69 +40,46 @@ def rasterise(points: Array, near: Array, width: int, height: int) -> Visible:
             shape (m, 3), positive.
         width: Of the screen in pixels.
         height: Of the screen in pixels.
+        first: Number of the first triangle, at least 1.
+        onto: A buffer in which these triangles appear too; it stays as it is.
     """
-    edges = _edges(points)
-    nearness = _plane(points, near)
-    low = np.ceil(points[:, :, 1].min(1) - 0.5).clip(0, height).astype(np.int64)
-    high = np.floor(points[:, :, 1].max(1) - 0.5).clip(-1, height - 1).astype(np.int64)
-    triangle, row = _expand(low, np.maximum(high - low + 1, 0))
-    y = row + 0.5
-    left = np.full(len(row), 0.5)
-    right = np.full(len(row), width - 0.5)
-    for edge in range(3):  # a x + b y + c >= 0 inside
-        a, b, c = edges[triangle, edge].T
-        with np.errstate(divide="ignore", invalid="ignore"):
-            x = -(b * y + c) / a
-        left = np.where(a > 0, np.maximum(left, x), left)
-        right = np.where(a < 0, np.minimum(right, x), right)
-        right = np.where((a == 0) & (b * y + c < 0), -1.0, right)
-    start = np.ceil(left - 0.5).astype(np.int64)
-    count = np.maximum(np.floor(right - 0.5).astype(np.int64) - start + 1, 0)
-    span, column = _expand(start, count)
-    of_span = triangle[span].astype(np.int64)
-    slope = nearness[triangle]
-    value = (slope[:, 1] * y + slope[:, 2])[span] + slope[:, 0][span] * (column + 0.5)
-    bits = np.maximum(value, 1e-30).astype(np.float32).view(np.int32).astype(np.int64)
-    buffer = np.full(width * height, NOTHING, np.int64)
-    np.maximum.at(buffer, (row * width)[span] + column, (bits << 32) | of_span)
-    pixel = np.flatnonzero(buffer)
-    keys = buffer[pixel]
-    depth = (keys >> 32).astype(np.int32).view(np.float32)
-    return Visible(pixel, keys & 0xFFFFFFFF, depth)
+    buffer = np.zeros((height, width), np.int64) if onto is None else onto.copy()
+    if not len(points):
+        return buffer
+    triangle, row, left, right = _rows(points, height)
+    start = np.ceil(left.clip(0, width) - 0.5).astype(np.int64)
+    count = np.ceil(right.clip(0, width) - 0.5).astype(np.int64) - start
+    wide = count > 0
+    triangle, row, start, count = triangle[wide], row[wide], start[wide], count[wide]
+    slope = plane(points, near)[triangle]
+    begin = slope[:, 1] * (row + 0.5) + slope[:, 2] + slope[:, 0] * (start + 0.5)
+    ends = np.cumsum(count)
+    along = np.arange(ends[-1] if len(ends) else 0, dtype=np.int32)
+    along -= np.repeat((ends - count).astype(np.int32), count)
+    value = np.repeat(slope[:, 0].astype(np.float32), count)
+    value *= along
+    value += np.repeat(begin.astype(np.float32), count)
+    np.maximum(value, np.float32(FARTHEST), out=value)
+    keys = value.view(np.int32).astype(np.int64)
+    keys <<= 32
+    keys |= np.repeat(triangle + first, count)
+    along += np.repeat((row * width + start).astype(np.int32), count)
+    np.maximum.at(buffer.reshape(-1), along, keys)
+    return buffer
 
 
-def on_screen(points: Array, values: Array) -> Array32:
-    """Return per triangle the planes through values at its corners.
-
-    Args:
-        points: Shape (m, 3, 2), pixels.
-        values: Shape (m, 3, k).
-
-    Returns:
-        Shape (m, 3, k): coefficients of column, row and 1.
-    """
-    planes = [_plane(points, values[:, :, k]) for k in range(values.shape[2])]
-    return np.stack(planes, axis=2).astype(np.float32)
+def numbers(keys: Indices) -> Numbers:
+    """Return the triangles of pixels of a buffer."""
+    return keys.astype(np.int32)  # the lower half
 
 
-def signed_area(points: Array) -> Array:
-    """Return twice the area on the screen, shape (m,): positive when clockwise with rows down."""
-    a, b, c = points[:, 0], points[:, 1], points[:, 2]
-    return (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
+def nearness(keys: Indices) -> Array32:
+    """Return the interpolated `near` value of pixels of a buffer; 0 where nothing is."""
+    return (keys >> 32).astype(np.int32).view(np.float32)
 
 
-def _edges(points: Array) -> Array:
-    """Return (m, 3 edges, 3) coefficients, positive inside whatever the winding."""
-    ahead = np.roll(points, -1, axis=1)
-    a = points[:, :, 1] - ahead[:, :, 1]
-    b = ahead[:, :, 0] - points[:, :, 0]
-    c = -(a * points[:, :, 0] + b * points[:, :, 1])
-    sign = np.where(signed_area(points) < 0, -1.0, 1.0)[:, None, None]
-    return np.stack([a, b, c], axis=2) * sign
-
-
-def _plane(points: Array, values: Array) -> Array:
-    """Return (m, 3): coefficients of x, y and 1 of the plane through three values."""
+def plane(points: Array, values: Array) -> Array:
+    """Return (m, 3): coefficients of column, row and 1 of the plane through three values."""
     a, b, c = points[:, 0], points[:, 1], points[:, 2]
     area = signed_area(points)
     area = np.where(np.abs(area) < 1e-12, 1e-12, area)
@@ -107,8 +90,40 @@ def _plane(points: Array, values: Array) -> Array:
     return np.stack([gx, gy, values[:, 0] - gx * a[:, 0] - gy * a[:, 1]], axis=1)
 
 
-def _expand(start: Indices, count: Indices) -> tuple[Indices, Indices]:
-    """Return for each i the values start[i], start[i] + 1, ... count[i] times, with their i."""
-    owner = np.repeat(np.arange(len(start)), count)
-    first = np.cumsum(count) - count
-    return owner, np.arange(len(owner)) - (first - start)[owner]
+def signed_area(points: Array) -> Array:
+    """Return twice the area on the screen, shape (m,): positive when clockwise with rows down."""
+    a, b, c = points[:, 0], points[:, 1], points[:, 2]
+    return (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
+
+
+def _rows(points: Array, height: int) -> tuple[Indices, Indices, Array, Array]:
+    """Return every row of every triangle: triangle, row, left and right end on the row's middle.
+
+    A line has the same two ends in both triangles that share it, so no pixel between them is lost.
+    """
+    order = np.argsort(points[:, :, 1], axis=1, kind="stable")
+    x = np.take_along_axis(points[:, :, 0], order, axis=1)
+    y = np.take_along_axis(points[:, :, 1], order, axis=1)
+    whole = _line(x[:, 0], y[:, 0], x[:, 2], y[:, 2])
+    above = _line(x[:, 0], y[:, 0], x[:, 1], y[:, 1])
+    below = _line(x[:, 1], y[:, 1], x[:, 2], y[:, 2])
+    longer = np.tile(whole, 2)
+    shorter = np.concatenate([above, below], axis=1)
+    is_left = np.tile(whole[0] * y[:, 1] + whole[1] < x[:, 1], 2)
+    rows = np.ceil(y - 0.5).clip(0, height).astype(np.int64)
+    low = np.concatenate([rows[:, 0], rows[:, 1]])
+    count = np.concatenate([rows[:, 1], rows[:, 2]]) - low
+    half = np.repeat(np.arange(len(low)), count)
+    row = np.arange(len(half)) - (np.cumsum(count) - count - low)[half]
+    middle = row + 0.5
+    slant, base = np.where(is_left, longer, shorter)[:, half]
+    left = slant * middle + base
+    slant, base = np.where(is_left, shorter, longer)[:, half]
+    return half % len(points), row, left, slant * middle + base
+
+
+def _line(x0: Array, y0: Array, x1: Array, y1: Array) -> Array:
+    """Return slant and base, shape (2, m): the column as a linear function of the row."""
+    high = y1 - y0
+    slant = np.where(high > 0, (x1 - x0) / np.where(high > 0, high, 1.0), 0.0)
+    return np.stack([slant, x0 - slant * y0])

@@ -29,7 +29,6 @@ def page_stills(a: Assessment) -> dict[str, bytes]:
                 a,
                 contact.deepest_s,
                 SIZE,
-                samples=1,
                 highlight=contact.parts,
                 marker=contact.point,
             )
