@@ -30,7 +30,7 @@ def read_via(table: Table, problems: Problems, number: int) -> ViaPoint:
     if approach is not None:
         direction = _direction(table, problems, name, approach)
         found = found._replace(approach=direction, cone=cone * DEG)
-    elif "cone_deg" in table:
+    elif "cone_deg" in table and "approach" not in table:
         problems.error(
             VIA_POINT,
             f"`{name}` has a cone, but no direction",

@@ -8,8 +8,11 @@ from collections.abc import Sequence
 from enum import Enum
 from typing import NamedTuple
 
+import numpy as np
+
 from vrts.base.units import DEG, MM
 from vrts.check.curves import Curves, curves, lasting_of
+from vrts.check.targets import judged_at
 from vrts.check.task import Task, ViaPoint
 from vrts.check.tool_motion import Bounded, tool_angle, tool_distance, tool_speed
 from vrts.check.via_search import Array, Interval, Wanted, search
@@ -67,8 +70,8 @@ class Passed(NamedTuple):
 
 
 def passed(run: Run, task: Task) -> Passed:
-    """Return which via points the tool passed, in order if the task wants that."""
-    visits = visits_of(run, task.vias)
+    """Return which via points were passed before goals are judged, in order if that is asked."""
+    visits = visits_of(run, task.vias, judged_at(run, task))
     sure = [visit.intervals for visit in visits]
     either = [tuple(sorted((*visit.intervals, *visit.doubtful))) for visit in visits]
     match = in_order if task.ordered else _anyhow
@@ -101,8 +104,14 @@ def in_order(visits: Sequence[Sequence[tuple[float, float]]]) -> list[bool]:
     return [point in members for point in range(len(visits))]
 
 
-def visits_of(run: Run, vias: Sequence[ViaPoint]) -> tuple[Visits, ...]:
-    """Return when the tool of the scene passes points as they ask for, to 0.1 ms."""
+def visits_of(run: Run, vias: Sequence[ViaPoint], until_s: float = math.inf) -> tuple[Visits, ...]:
+    """Return when the tool of the scene passes points as they ask for, to 0.1 ms.
+
+    Args:
+        run: The run.
+        vias: The points.
+        until_s: Passages that begin later do not count.
+    """
     if not vias:
         return ()
     segments: Sequence[Segment] = lasting_of(run.timeline.segments)
@@ -111,16 +120,18 @@ def visits_of(run: Run, vias: Sequence[ViaPoint]) -> tuple[Visits, ...]:
         rows = tuple((value,) for value in (*state.configuration, state.hand_opening))
         segments = (Segment(0.0, 1.0, rows, None),)
     motion = curves(segments)
-    return tuple(_visits(run, motion, via) for via in vias)
+    return tuple(_visits(run, motion, via, until_s) for via in vias)
 
 
-def _visits(run: Run, motion: Curves, via: ViaPoint) -> Visits:
+def _visits(run: Run, motion: Curves, via: ViaPoint, until_s: float) -> Visits:
     """Ask for one thing more at a time, so that it is known which of them is missing."""
     wanted: list[Wanted] = []
     found = Visits(via, (), math.inf)
+    in_time = (motion.starts < until_s) | (motion.starts <= 0.0)
+    start, end = motion.starts[in_time], np.minimum(motion.ends[in_time], max(until_s, 0.0))
     for lack, one in _wishes(run, motion, via):
         wanted.append(one)
-        seen = search(wanted, motion.starts, motion.ends)
+        seen = search(wanted, start, end)
         if lack is Lack.PLACE:
             found = found._replace(nearest_m=seen.least)
         if math.isfinite(seen.least):

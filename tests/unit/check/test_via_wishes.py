@@ -177,3 +177,11 @@ def test_a_direction_is_read_with_its_cone_and_a_speed_with_its_range() -> None:
     assert via.approach == DOWN
     assert via.cone == pytest.approx(math.radians(10.0))
     assert (via.slowest, via.fastest) == pytest.approx((0.02, 0.1))
+
+
+def test_what_is_passed_after_the_longest_time_does_not_count(line: Run) -> None:
+    via = ViaPoint("end", (0.9, -0.2, 0.1), 0.01, None)
+    in_time = replace(task(""), vias=(via,), t_max=line.horizon_s + 1.0)
+    assert passed(line, in_time).met == (True,)
+    late = replace(in_time, t_max=line.horizon_s - 1.0)
+    assert passed(line, late).lacks == (Lack.PLACE,)
