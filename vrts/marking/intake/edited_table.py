@@ -149,9 +149,9 @@ class _Reader:
         remedies = (f"did you mean `{close[0]}`?",) if close else ()
         if "?" in name or "�" in name:
             remedies = ("letters were lost: save the table as `CSV UTF-8`", *remedies)
-        self._problems.error(
-            INTAKE_FILE, f"there is no file `{name}` in the download", span, help=remedies
-        )
+        usual = "write the name with its folders; a file in a zip is `work.zip!pick.v2`"
+        headline = f"there is no file `{name}` in the download"
+        self._problems.error(INTAKE_FILE, headline, span, help=remedies or (usual,))
 
     def _problem(self, cell: Cell, file: Cell, flaw: Problem | None) -> Problem | None:
         """Return what keeps a row from being marked: the teacher's word, or that of the file."""
@@ -201,7 +201,9 @@ class _Reader:
     def _yes(self, cell: Cell) -> bool:
         text = cell.text.strip().casefold()
         if text not in (YES, NO, ""):
-            self._value(cell, f"`late` must be `{YES}`, `{NO}` or empty", "")
+            self._value(
+                cell, f"`late` must be `{YES}`, `{NO}` or empty", f"write `{YES}` or `{NO}`"
+            )
         return text == YES
 
     def _ids(self, cell: Cell) -> dict[str, str]:
@@ -230,7 +232,7 @@ class _Reader:
     def _value(
         self, cell: Cell, headline: str, remedy: str = "write such as 2026-11-30T23:59:00+01:00"
     ) -> None:
-        self._problems.error(INTAKE_VALUE, headline, cell.span, help=(remedy,) if remedy else ())
+        self._problems.error(INTAKE_VALUE, headline, cell.span, help=(remedy,))
 
 
 def _unlisted(problems: Problems, rows: tuple[Row, ...], fresh: Intake, span: Span) -> None:

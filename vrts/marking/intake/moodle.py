@@ -24,7 +24,7 @@ def moodle(tops: Mapping[str, Sequence[str]]) -> Layout | None:
             strays.append(top)
             continue
         found.setdefault(match["id"], (match["name"].strip(), []))[1].extend(files)
-    if len(found) <= len(strays):
+    if not found or len(found) < len(strays):
         return None
     hand_ins = tuple(
         HandIn(

@@ -1,0 +1,74 @@
+"""`vrts grade intake` from the outside."""
+
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from tests.unit.marking.intake.support import DOCX, PICK, put, zipped
+from vrts.cli.grade_intake_command import command
+
+FILES = {
+    "Anna Berger_1_assignsubmission_file_/pick.v2": PICK,
+    "Ben\x1b[31m_2_assignsubmission_file_/pick.docx": DOCX,
+    "list.txt": b"names",
+}
+
+
+def call(*arguments: object) -> Result:
+    return CliRunner().invoke(command, [str(argument) for argument in arguments])
+
+
+def test_rows_are_shown_and_the_table_is_written(tmp_path: Path) -> None:
+    place = tmp_path / "download.zip"
+    place.write_bytes(zipped({name: FILES[name] for name in list(FILES)[::2]}))
+    result = call(place)
+    assert result.exit_code == 0
+    assert result.stdout == (
+        "id             file     why, or what is wrong\n"
+        "Anna-Berger-1  pick.v2  the only file\n"
+        "\n"
+        "Moodle: 1 hand-in, none with a problem\n"
+    )
+    assert result.stderr.splitlines()[0] == "note: `list.txt` is not of a student"
+    assert (tmp_path / "intake.csv").read_bytes().startswith(b"\xef\xbb\xbfid,name,file,problem,")
+
+
+def test_problems_are_an_exit_status_and_names_steer_no_terminal(tmp_path: Path) -> None:
+    result = call(put(tmp_path / "d", FILES))
+    assert result.exit_code == 1
+    assert "not plain text: `pick.docx` is a Word document" in result.stdout
+    assert "\x1b" not in result.stdout + result.stderr
+    assert (tmp_path / "d" / "intake.csv").is_file()
+
+
+def test_a_table_is_not_overwritten_unasked(tmp_path: Path) -> None:
+    place = put(tmp_path / "d", {"anna.v2": PICK, "intake.csv": b"mine"})
+    result = call(place)
+    assert result.exit_code == 2
+    assert "is there already" in result.stderr
+    assert (place / "intake.csv").read_bytes() == b"mine"
+    assert call(place, "--force", "--delimiter", ";").exit_code == 0
+    assert (place / "intake.csv").read_bytes().startswith(b"\xef\xbb\xbfid;name;file")
+
+
+def test_the_program_is_that_of_the_task(tmp_path: Path) -> None:
+    other = PICK.replace(b"pick", b"place")
+    place = put(tmp_path / "d", {"anna/a.v2": PICK, "anna/b.v2": other})
+    table = tmp_path / "out.csv"
+    assert "ambiguous" in call(place, "-o", table).stdout
+    assert "`.PROGRAM place`" in call(place, "-o", table, "--force", "--program", "place").stdout
+    task = tmp_path / "task.toml"
+    task.write_text(
+        '[task]\nscene = "cans-on-bases"\nprogram = "pick"\n'
+        '[[goal]]\nobject = "can1"\non = "base2"\n[time]\nreference_s = 10\n'
+    )
+    result = call(place, "-o", table, "--force", "--task", task)
+    assert "anna  a.v2  the only file that has `.PROGRAM pick`" in result.stdout
+
+
+@pytest.mark.parametrize("name", ["nothing", "nothing.zip"])
+def test_nothing_there(name: str, tmp_path: Path) -> None:
+    result = call(tmp_path / name)
+    assert result.exit_code == 2
+    assert "there is no" in result.stderr

@@ -1,0 +1,99 @@
+"""`vrts grade intake`."""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.console import HOLDS, WRONG, fail, guarded, out, say, write_file
+
+if TYPE_CHECKING:
+    from vrts.marking.intake.row import Intake
+
+EPILOG = """\b
+Examples:
+  vrts grade intake download.zip --task lab1
+  vrts grade intake submissions/ --program pick -o intake.csv
+"""
+
+TABLE = "intake.csv"
+
+
+@click.command(name="intake", epilog=EPILOG)
+@click.argument("place", type=click.Path(path_type=Path))
+@click.option("--task", type=click.Path(path_type=Path), help="The task: which program it runs.")
+@click.option("--program", metavar="NAME", help="The program to look for, where there is no task.")
+@click.option("-o", "--out", "target", type=click.Path(path_type=Path), help="The table to write.")
+@click.option("--force", is_flag=True, help="Write the table also where there is one already.")
+@click.option(
+    "--delimiter",
+    type=click.Choice([",", ";"]),
+    default=",",
+    show_default=True,
+    help="Between fields of the table; spreadsheets of many languages want `;`.",
+)
+@guarded
+def command(
+    place: Path,
+    task: Path | None,
+    program: str | None,
+    target: Path | None,
+    force: bool,
+    delimiter: str,
+) -> None:
+    """Tell who handed in which program in PLACE, and what is wrong.
+
+    PLACE is a folder or a zip: a download of Moodle, Canvas or Gradescope, a folder for each
+    student, or files side by side. Writes intake.csv beside it (with -o elsewhere), which may be
+    edited: another file, another id, an own deadline in `due`, `excused` as the problem; `vrts
+    grade` obeys it. Exit status 1 when a row has a problem.
+    """
+    from vrts.marking.intake.intake_table import write_rows
+    from vrts.marking.intake.take_in import take_in
+
+    intake = take_in(place, program=program or _program_of(task))
+    table = target or (place / TABLE if place.is_dir() else place.parent / TABLE)
+    if table.exists() and not force:
+        fail(f"`{table}` is there already", ("`--force` writes it anew; edits in it are lost",))
+    out(_text(intake))
+    write_file(table, write_rows(intake.rows, delimiter))
+    for remark in intake.remarks:
+        say(f"note: {remark}")
+    say(f"wrote {table}")
+    sys.exit(WRONG if any(row.problem for row in intake.rows) else HOLDS)
+
+
+def _program_of(task: Path | None) -> str | None:
+    """Return the program that a task runs; None where it does not say."""
+    if task is None:
+        return None
+    from vrts.marking.packed import is_packed, load_zip
+    from vrts.pipeline.files import find_example
+    from vrts.pipeline.settings import TASK_FILE, load_task
+
+    folder = find_example(str(task))
+    path = folder / TASK_FILE if folder is not None else task
+    setting = (load_zip if is_packed(path) else load_task)(path, staff=False)
+    return None if setting.task is None else setting.task.program
+
+
+def _text(intake: "Intake") -> str:
+    """Return the rows for the terminal."""
+    from vrts.report.plain import one_line, width
+
+    lines = [("id", "file", "why, or what is wrong")]
+    for row in intake.rows:
+        found = row.problem
+        words = row.why if found is None else f"{found.kind.value}: {found.sentence}"
+        lines.append((one_line(row.identifier), one_line(row.title or "-"), one_line(words)))
+    columns = [min(40, max(width(line[k]) for line in lines)) for k in (0, 1)]
+    shown = [
+        "  ".join(text + " " * (columns[k] - width(text)) for k, text in enumerate(line[:2]))
+        + f"  {line[2]}"
+        for line in lines
+    ]
+    bad = sum(row.problem is not None for row in intake.rows)
+    one = "1 hand-in" if len(intake.rows) == 1 else f"{len(intake.rows)} hand-ins"
+    shown += ["", f"{intake.layout}: {one}, {bad or 'none'} with a problem"]
+    return "\n".join(shown)
