@@ -353,7 +353,8 @@ class _Search:
         tolerance = pairs.tolerance[row]
         measured = ~np.isnan(distance)
         deep = measured & (distance < -tolerance - self.margin)
-        whole = deep & (distance + reach < -tolerance - self.margin) & (length <= COVERED)
+        brief = (length <= COVERED) | (reach <= self.pad + self.still)
+        whole = deep & (distance + reach < -tolerance - self.margin) & brief
         middle = level.middle[node]
         for k in np.nonzero(deep)[0].tolist():
             t, d = float(middle[k]), float(distance[k])
@@ -376,7 +377,7 @@ class _Search:
         done |= short | grazing
         sharp = np.where(measured, distance - least <= 2.0 * self.pad, length <= 0.1 * FINEST)
         resolved = (length <= FINEST) | (distance - least <= self.pad + self.still)
-        finest = ~harmless & resolved & sharp & ~done
+        finest = ~harmless & ~deep & resolved & sharp & ~done
         shallow = finest & (distance > BAND - tolerance) & (least > -tolerance)
         grazed = shallow & pairs.grazes[row] & (distance < -GRAZE)
         found.grazes += self._touches(np.nonzero(grazed)[0], row, node, middle, distance)

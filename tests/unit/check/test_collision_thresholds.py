@@ -83,7 +83,9 @@ CASES = {
 }
 
 
-def pressed(case: Case, depth: float, **settings: str | float) -> CollisionReport:
+def pressed(
+    case: Case, depth: float, wait: float = 0.2, **settings: str | float
+) -> CollisionReport:
     can = movable("can", CAN, at=(0.9, 0.0, 9.0), on=None)
     scene: Scene = scene_of(*((case.thing(), can) if case.carries else (case.thing(),)))
     goal = case.place(depth)
@@ -97,7 +99,7 @@ def pressed(case: Case, depth: float, **settings: str | float) -> CollisionRepor
         turned = Pose(goal.rotation, (0.0, 0.0, FOOT))  # its foot past the pads, upright
         story.placements["can"] = [Placement("can", 0.0, math.inf, Lie.HELD, X_FP @ turned, None)]
     story.line(goal)
-    story.wait(0.2)
+    story.wait(wait)
     story.line(away)
     return check_collisions(scene, story.record(), **settings)  # type: ignore[arg-type]
 
@@ -161,3 +163,24 @@ def test_a_near_miss_below_its_threshold_and_none_above(
     below = pressed(CASES[name], beyond - NEAR, engine=engine)
     assert counts(below) == (0, 0, 0, 1)
     assert counts(pressed(CASES[name], -NEAR - beyond, engine=engine)) == (0, 0, 0, 0)
+
+
+@pytest.mark.parametrize("depth", [2.15e-4, 3e-4, 1e-3])
+def test_a_long_rest_in_contact_is_one_event_from_its_first_to_its_last_moment(
+    depth: float,
+) -> None:
+    case = CASES["box on box"]
+    short, long = (pressed(case, depth, wait=wait) for wait in (0.2, 5.0))
+    (one,), (other,) = short.contacts, long.contacts
+    assert long.certified
+    assert other.start_s == pytest.approx(one.start_s, abs=1e-3)
+    assert other.end_s == pytest.approx(one.end_s + 4.8, abs=1e-3)
+    assert long.statistics["exact distances"] < 2 * short.statistics["exact distances"]
+
+
+def test_a_long_rest_at_the_tolerance_costs_no_more_than_a_short_one() -> None:
+    case = CASES["box on box"]
+    short, long = (pressed(case, TOLERANCE, wait=wait) for wait in (0.2, 5.0))
+    (one,), (other,) = short.undetermined, long.undetermined
+    assert other.end_s - other.start_s == pytest.approx(one.end_s - one.start_s + 4.8, abs=1e-3)
+    assert long.statistics["exact distances"] < 2 * short.statistics["exact distances"]
