@@ -15,6 +15,7 @@ GEOMETRY = "tests/unit/geometry"
 COMMANDS = "tests/unit/cli/test_commands.py"
 ROBOTS = "tests/unit/robots"
 MONITOR = "tests/spec/test_spec_monitor.py"
+LAB = "tests/unit/scene/test_lab.py"
 SAVED = "tests/unit/engine/test_vrun.py"
 
 
@@ -641,5 +642,68 @@ PATCHES: tuple[Patch, ...] = (
         "contacts=achieved.contacts + contacts,",
         "contacts=achieved.contacts,",
         (FACTS,),
+    ),
+    Patch(
+        "the table of a lab stays that of the scene",
+        "vrts/scene/lab.py",
+        "section.overlaid(self.table) if name == TABLE else section",
+        "section",
+        (LAB,),
+    ),
+    Patch(
+        "scenes count in place of labs",
+        "vrts/base/toml_table.py",
+        "{**self._fields, **upper._fields}",
+        "{**upper._fields, **self._fields}",
+        (LAB,),
+    ),
+    Patch(
+        "robots of labs stand where those of scenes do",
+        "vrts/scene/scene_file.py",
+        "self.X_WS @ X_SO",
+        "X_SO",
+        (LAB,),
+    ),
+    Patch(
+        "marks in another lab count",
+        "vrts/pipeline/settings.py",
+        "(lab is not None or scene not in (None, named))",
+        "scene not in (None, named)",
+        ("tests/unit/marking/test_lab_of_task.py",),
+    ),
+    Patch(
+        "marks in a changed lab count",
+        "vrts/check/manifest.py",
+        "return name in (manifest.scene, manifest.lab) or not",
+        "return name == manifest.scene or not",
+        ("tests/unit/marking/test_lab_of_task.py",),
+    ),
+    Patch(
+        "packed tasks take labs from anywhere",
+        "vrts/marking/packed.py",
+        "if lab is not None and normpath(lab) not in bundle.files:",
+        "if lab is not None and not lab:",
+        ("tests/unit/marking/test_lab_of_task.py",),
+    ),
+    Patch(
+        "goals are reached from straight above or not at all",
+        "vrts/check/feasible.py",
+        "goal.X_WG @ X_OP @ X_PF",
+        "Pose(scene.X_FT.rotation, goal.X_WG.translation) @ X_OP @ X_PF",
+        ("tests/unit/check/test_feasible.py",),
+    ),
+    Patch(
+        "dishes are held by their middle",
+        "vrts/scene/holds.py",
+        'wall = body.kind == "dish"',
+        'wall = body.kind == "can"',
+        ("tests/unit/check/test_feasible.py",),
+    ),
+    Patch(
+        "students get what is hidden",
+        "vrts/marking/pack.py",
+        "_zip(files, files.public, hidden",
+        "_zip(files, {**files.public, **files.staff}, hidden",
+        ("tests/unit/marking/test_pack.py",),
     ),
 )
