@@ -110,8 +110,13 @@ def _problem(placement: Placement) -> str | None:
 def _verdict(result: Reached) -> Verdict:
     goal = result.goal
     summary = f"`{goal.body}` {describe(result)}"
+    evidence = {
+        "position_mm": float(result.position_mm),
+        "orientation_deg": float(result.orientation_deg),
+        "share": round(float(result.share), 4),
+    }
     if result.share == 1:
-        return Verdict(f"target {goal.body}", Answer.HOLDS, f"{goal.title}: in place")
+        return Verdict(f"target {goal.body}", Answer.HOLDS, f"{goal.title}: in place", (), evidence)
     rule = NOT_REACHED if result.share == 0 else PARTLY_REACHED
     finding = Diagnostic(
         rule,
@@ -125,7 +130,7 @@ def _verdict(result: Reached) -> Verdict:
             "orientation_deg": float(result.orientation_deg),
         },
     )
-    return Verdict(f"target {goal.body}", Answer.VIOLATED, summary, (finding,))
+    return Verdict(f"target {goal.body}", Answer.VIOLATED, summary, (finding,), evidence)
 
 
 def _tolerances(goal: Goal) -> str:

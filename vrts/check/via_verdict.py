@@ -5,7 +5,7 @@ import numpy as np
 from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, Severity
 from vrts.base.units import deg, mm
 from vrts.check.curves import curves, lasting_of
-from vrts.check.rounding import exact_s
+from vrts.check.rounding import exact_deg, exact_mm, exact_s
 from vrts.check.verdict import Answer, Verdict
 from vrts.check.vias import Lack, Passed, Visits
 from vrts.engine.run import Run
@@ -39,7 +39,7 @@ def _verdict(run: Run, visits: Visits, lack: Lack | None, *, certain: bool) -> V
     rule = RULES.get(lack, VIA_MISSED)
     summary = _shortfall(visits, lack)
     finding = _finding(run, rule, Severity.ERROR, summary, time_s)
-    return Verdict(check, Answer.VIOLATED, summary, (finding,), evidence)
+    return Verdict(check, Answer.VIOLATED, summary, (finding,), {**evidence, **_best(visits, lack)})
 
 
 def _first_s(visits: Visits) -> float:
@@ -79,6 +79,20 @@ def _shortfall(visits: Visits, lack: Lack) -> str:
             )
         case Lack.ORDER:
             return f"`{via.name}` is passed, but not in the order of the task"
+
+
+def _best(visits: Visits, lack: Lack) -> dict[str, float]:
+    """Return what came nearest to what was asked for."""
+    match lack:
+        case Lack.PLACE:
+            found = {"distance_mm": float(exact_mm(visits.best))}
+        case Lack.DIRECTION:
+            found = {"angle_deg": float(exact_deg(visits.best))}
+        case Lack.TOO_FAST | Lack.TOO_SLOW:
+            found = {"speed_mm_s": float(exact_mm(visits.best))}
+        case Lack.ORDER:
+            return {}
+    return {**found, "at_s": float(exact_s(visits.best_s))}
 
 
 def _finding(run: Run, rule: Rule, severity: Severity, headline: str, time_s: float) -> Diagnostic:

@@ -211,3 +211,10 @@ def test_a_line_close_to_a_singular_wrist_is_too_fast() -> None:
     speed = run.at(finding.moment.time_s).velocity[joint - 1]
     assert math.degrees(abs(speed)) == pytest.approx(finding.data["speed_deg_s"], rel=0.05)
     assert check_limits(ran(text.format(100))).answer is Answer.HOLDS
+
+
+def test_how_far_an_object_is_from_its_goal_is_evidence_also_where_it_is_reached() -> None:
+    verdicts = judge(SCENE, solution(), task(), collisions=False).verdicts
+    evidence = [v.evidence for v in verdicts if v.check.startswith("target ")]
+    assert [found["share"] for found in evidence] == [1.0, 1.0]
+    assert all(0.0 <= found["position_mm"] < 1.0 for found in evidence)  # type: ignore[operator]

@@ -86,6 +86,7 @@ def test_the_largest_speed_at_a_via_point_against_dense_samples(
         assert finding.moment is not None
         slowest = times[speeds.index(min(speeds))]
         assert min(abs(finding.moment.time_s - t) for t in (times[0], times[-1], slowest)) < 0.01
+        assert found.evidence["speed_mm_s"] == pytest.approx(1000.0 * min(speeds), abs=0.6)
 
 
 @pytest.mark.parametrize(("factor", "answer"), [(0.998, Answer.HOLDS), (1.002, Answer.VIOLATED)])
