@@ -49,6 +49,24 @@ def touching(program: str) -> str:
     return program.replace(".LOCATIONS\n", f".LOCATIONS\n{LOW}", 1)
 
 
+def looked_at(a: Assessment, found: dict[str, Any]) -> tuple[Array, Array]:
+    """Return times round an event, every tenth of a millisecond, and how deep its pair is [m]."""
+    assert a.run is not None
+    assert a.scene is not None
+    motion = curves(a.run.timeline.segments)
+    todo = plan(a.scene, a.run, motion)
+    prober = Prober(a.scene.robot.arm, motion, todo.solids, engine())
+    pairs = todo.pairs
+    times = np.arange(found["start_s"] - 0.1, found["end_s"] + 0.1, 1e-4)
+    depth = np.full(len(times), -np.inf)
+    group = todo.groups.index(tuple(found["bodies"]))
+    for row in np.flatnonzero((pairs.group == group) & pairs.grazes).tolist():
+        now = np.flatnonzero((pairs.start_s[row] <= times) & (times <= pairs.end_s[row]))
+        first, second = np.full((2, len(now)), [[pairs.first[row]], [pairs.second[row]]])
+        depth[now] = np.maximum(depth[now], -prober.distances(first, second, times[now]))
+    return times, depth
+
+
 def test_every_fact_of_a_contact_stands_in_the_json(tmp_path: Path) -> None:
     a = assessed(tmp_path, HITS)
     assert a.run is not None
@@ -58,18 +76,7 @@ def test_every_fact_of_a_contact_stands_in_the_json(tmp_path: Path) -> None:
     assert found["bodies"] == ["robot", "base1"]
     assert found["parts"] == ["can1", "base1"]
     assert found["held"] == "can1"
-    # looked at again, every tenth of a millisecond
-    motion = curves(a.run.timeline.segments)
-    todo = plan(a.scene, a.run, motion)
-    pairs = todo.pairs
-    hits = (pairs.group == todo.groups.index(("robot", "base1"))) & pairs.grazes
-    times = np.arange(found["start_s"] - 0.2, found["end_s"] + 0.2, 1e-4)
-    prober = Prober(a.scene.robot.arm, motion, todo.solids, engine())
-    depth = np.zeros(len(times))
-    for row in np.flatnonzero(hits).tolist():
-        now = np.flatnonzero((pairs.start_s[row] <= times) & (times <= pairs.end_s[row]))
-        first, second = np.full((2, len(now)), [[pairs.first[row]], [pairs.second[row]]])
-        depth[now] = np.maximum(depth[now], -prober.distances(first, second, times[now]))
+    times, depth = looked_at(a, found)
     deep = times[depth > 2e-4]
     assert found["start_s"] == pytest.approx(deep[0], abs=1e-3)
     assert found["end_s"] == pytest.approx(deep[-1], abs=1e-3)
@@ -82,6 +89,26 @@ def test_every_fact_of_a_contact_stands_in_the_json(tmp_path: Path) -> None:
     under_way = next(m for m in a.run.motions if m.start_s <= found["start_s"] <= m.end_s)
     assert found["line"] == under_way.cause.span.line
     assert "APPROS base2_put" in HITS.splitlines()[found["line"] - 1]
+
+
+def test_every_fact_of_a_graze_stands_in_the_json(tmp_path: Path) -> None:
+    a = assessed(tmp_path, touching(SOLUTION).replace("-285.2", "-285.1"))
+    assert a.grade is not None
+    assert (a.grade.mark, a.grade.lowest, a.grade.ready) == (10, None, True)
+    told = collisions(a)
+    assert told["certified"]
+    assert told["contacts"] == told["undetermined"] == []
+    (found,) = told["grazes"]
+    assert found["bodies"] == ["robot", "table"]
+    assert found["parts"][0] in ("left finger", "right finger")
+    assert found["depth_mm"] == pytest.approx(0.1, abs=0.01)
+    assert found["held"] is None
+    assert a.source is not None
+    assert a.source.text.splitlines()[int(found["line"]) - 1].strip() == "MOVE low"
+    times, depth = looked_at(a, found)
+    touching_at = times[depth > 1e-5]
+    assert found["start_s"] == pytest.approx(touching_at[0], abs=1.1e-3)
+    assert found["end_s"] == pytest.approx(touching_at[-1], abs=1.1e-3)
 
 
 def test_what_cannot_be_told_costs_nothing_and_is_for_review(tmp_path: Path) -> None:
