@@ -6,6 +6,7 @@ import json
 import subprocess
 import sys
 from dataclasses import replace
+from fractions import Fraction
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
@@ -17,7 +18,10 @@ from tests.support_reports import SYNTAX
 from tests.support_runs import assessment
 from vrts.base.diagnostic import Label, error
 from vrts.base.source import SourceFile, Span
+from vrts.check.judgement import Judgement
+from vrts.check.verdict import Clearance, NearMiss
 from vrts.report.assessment import Assessment
+from vrts.report.audience import Audience
 from vrts.report.csv_field import text_field
 from vrts.report.first_screen_text import first_screen_text
 from vrts.report.html import json_script
@@ -71,8 +75,39 @@ def named(text: str) -> Assessment:
     a = assessment()
     assert a.grade is not None
     losses = tuple(loss._replace(sentence=text, span=None) for loss in a.grade.losses)
-    grade = replace(a.grade, losses=losses, obstacles=(text,))
-    return replace(a, title=text, source=source, diagnostics=(found,), grade=grade)
+    grade = replace(a.grade, losses=losses, obstacles=(text,), lowest=Fraction(3))
+    judgement = judged(a, text)
+    return replace(
+        a, title=text, source=source, diagnostics=(found,), grade=grade, judgement=judgement
+    )
+
+
+def judged(a: Assessment, text: str) -> Judgement:
+    """Return the judgement of a run with a text wherever a name or a sentence stands."""
+    assert a.judgement is not None
+    assert a.judgement.collisions is not None
+    report = a.judgement.collisions
+    (contact,) = report.contacts
+    contact = contact._replace(first=text, second=text, parts=(text, text), held=text)
+    witnesses = (contact.point, contact.point)
+    miss = NearMiss(text, text, (text, text), 2.0, 2.1, 2.05, 0.001, witnesses, text, None)
+    report = replace(
+        report,
+        contacts=(contact,),
+        grazes=(contact,),
+        undetermined=(contact,),
+        near_misses=(miss,),
+        near_miss_m=0.005,
+        clearance=Clearance(0.001, 1e-6, 2.0, (text, text), witnesses),
+        disagreements=(text,),
+        engine=text,
+        statistics={text: 1},
+    )
+    evidence = {"method": text, "disagreements": text}
+    verdicts = tuple(
+        replace(v, check=text, summary=text, evidence=evidence) for v in a.judgement.verdicts
+    )
+    return Judgement(verdicts, report)
 
 
 @cache
@@ -81,10 +116,12 @@ def harmless(kind: str) -> Skeleton:
 
 
 def html(kind: str, a: Assessment) -> str:
-    return page(a, {}) if kind == "page" else overview([a], a.title)
+    if kind == "overview":
+        return overview([a], a.title)
+    return page(a, {}, audience=Audience(kind), hidden=(a.title,), more=1)
 
 
-@pytest.mark.parametrize("kind", ["page", "overview"])
+@pytest.mark.parametrize("kind", ["student", "grader", "overview"])
 @pytest.mark.parametrize("text", CORPUS)
 def test_html_has_no_element_and_no_attribute_more(text: str, kind: str) -> None:
     written = html(kind, named(text))
@@ -93,7 +130,7 @@ def test_html_has_no_element_and_no_attribute_more(text: str, kind: str) -> None
     assert {e for e in read.elements if e[0] != "span"} <= ours
     assert len(read.scripts) == len(harmless(kind).scripts)
     assert all(c.isprintable() or c == "\n" for c in read.text)
-    if kind == "page":
+    if kind != "overview":
         assert json.loads(read.scripts[0])["moment"] is not None
     written.encode("utf-8")
 
