@@ -78,7 +78,9 @@ def laid_over(scene: SourceFile, lab: SourceFile) -> tuple[Appended | None, tupl
     top, problems = read_toml(lab)
     if top is None:
         return None, problems.in_order()
-    own, _ = read_toml(scene)
+    own, told = read_toml(scene)
+    if own is None:
+        return None, told.in_order()
     for key in top.keys:
         if key == SECTION:
             continue
@@ -93,7 +95,7 @@ def laid_over(scene: SourceFile, lab: SourceFile) -> tuple[Appended | None, tupl
         )
     if not top.keys:
         problems.error(NOT_OF_LAB, "there is nothing in the lab", None)
-    elif own is not None and SECTION in own and SECTION in top:
+    elif SECTION in own and SECTION in top:
         problems.error(
             TWO_LABS,
             "the scene has a lab of its own",

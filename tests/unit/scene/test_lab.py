@@ -174,6 +174,14 @@ def test_mistakes_of_the_scene_stay_in_the_scene() -> None:
     assert told[0].primary.span.source.name == "cans-on-bases/scene.toml"
 
 
+def test_a_scene_that_is_no_toml_is_not_mended_by_a_lab() -> None:
+    found, told = laid('[lab]\n# """\n', 'title = """\n')
+    assert found is None
+    assert [d.rule.code for d in told] == ["V600"]
+    assert told[0].primary is not None
+    assert told[0].primary.span.source.name == "cans-on-bases/scene.toml"
+
+
 def test_objects_still_say_where_they_stand_in_the_file() -> None:
     span = in_lab("[lab]\n").body("can2").span
     assert span is not None
