@@ -60,7 +60,7 @@ def check_collisions(
     motion = curves(run.timeline.segments)
     by = engine_by_name(engine)
     threshold = NEAR_MISS if near_miss is None else near_miss
-    todo = plan(scene, run, motion, by, threshold)
+    todo = plan(scene, run, motion, by, threshold, clearance=clearance)
     interval = (motion.start_s, max(motion.end_s, float(todo.pairs.end_s.max(initial=0.0))))
     prober = Prober(scene.robot.arm, motion, todo.solids, by)
     pairs = joined(todo.pairs, todo.rigid)

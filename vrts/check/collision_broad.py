@@ -55,6 +55,10 @@ class Gaps(NamedTuple):
         return node, np.repeat(first, count) + number
 
 
+_NOWHERE = np.empty(0, dtype=np.int64)
+_NOTHING = Gaps(_NOWHERE, _NOWHERE, _NOWHERE, np.empty(0), np.empty(0))
+
+
 class _Blocks(NamedTuple):
     """Consecutive rows of one outer solid, one body on the inner side, and one rule."""
 
@@ -184,6 +188,14 @@ def _against_still(
         near: See `gaps`.
     """
     start, end = nodes
+    # most bodies are far from all of the way of a link
+    out = box[1] + reach + near
+    lowest, highest = (box[0] - out).min(axis=1), (box[0] + out).max(axis=1)
+    other = blocks.inner[mine]
+    meets = (low[other] <= highest) & (lowest <= high[other])
+    mine = mine[meets.all(axis=1)]
+    if not len(mine):
+        return _NOTHING
     from_s, to_s = float(blocks.start_s[mine].min()), float(blocks.end_s[mine].max())
     first = int(np.searchsorted(start, from_s))
     last = int(np.searchsorted(end, to_s, side="right"))

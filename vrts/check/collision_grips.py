@@ -68,7 +68,7 @@ def grips(events: Sequence[Event]) -> tuple[Grip, ...]:
 
 
 def finger_windows(
-    held: Sequence[Grip], start_s: float, end_s: float, near_miss: float = NEAR_MISS
+    held: Sequence[Grip], start_s: float, end_s: float, near_miss: float | None = NEAR_MISS
 ) -> Asking[tuple[Window, ...]]:
     """Return the rules between one finger and one object over a run, asking for distances.
 
@@ -76,7 +76,7 @@ def finger_windows(
         held: The grips of that object, in time order.
         start_s: Start of the run.
         end_s: End of the run.
-        near_miss: Nearer than this is a near miss [m].
+        near_miss: Nearer than this is a near miss [m]; None: what counts is not wanted.
     """
     windows: list[Window] = []
     at = start_s
@@ -106,11 +106,16 @@ def counted_until(start_s: float, end_s: float, near_miss: float = NEAR_MISS) ->
 
 
 def _parting(
-    start_s: float, end_s: float, apart: float, near_miss: float, mirrored: float | None = None
+    start_s: float,
+    end_s: float,
+    apart: float,
+    near_miss: float | None,
+    mirrored: float | None = None,
 ) -> Asking[tuple[float, float]]:
     """Return when a gap first exceeds `apart`, and when it is no longer that of parting.
 
-    Parting is over when, beyond `near_miss`, the gap first shrinks, or when it exceeds `AWAY`.
+    Parting is over when, beyond `near_miss`, the gap first shrinks, or when it exceeds `AWAY`; with
+    None, as soon as the gap exceeds `apart`.
     To look backward in time, times are asked for as `mirrored` minus what they are.
     """
     separated: float | None = None
@@ -124,7 +129,9 @@ def _parting(
         for t, distance in zip(times.tolist(), gaps, strict=True):
             if separated is None and distance > apart:
                 separated = t
-            shrinks = before > near_miss and distance < before - 1e-6
+                if near_miss is None:
+                    return t, t
+            shrinks = near_miss is not None and before > near_miss and distance < before - 1e-6
             if shrinks or distance > AWAY:
                 return (t if separated is None else separated), t
             before = distance

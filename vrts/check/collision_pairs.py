@@ -99,11 +99,18 @@ def plan(
     curves: Curves,
     by: Engine | None = None,
     near_miss: float = NEAR_MISS,
+    *,
+    clearance: bool = True,
 ) -> Plan:
     """Return every pair of pieces that can touch while the run lasts, with its rules.
 
-    `by` measures the distances that rules depend on; None: the most exact engine there is. Nearer
-    than `near_miss` [m] is a near miss.
+    Args:
+        scene: What stands where.
+        run: What happens.
+        curves: How the robot moves.
+        by: Measures the distances that rules depend on; None: the most exact engine there is.
+        near_miss: Nearer than this is a near miss [m].
+        clearance: Whether pairs that matter to the smallest distance only are wanted.
     """
     placements = {body.name: placements_of(body, run) for body in scene.bodies}
     ends = [p.end_s for own in placements.values() for p in own if np.isfinite(p.end_s)]
@@ -125,8 +132,9 @@ def plan(
     prober = Prober(scene.robot.arm, curves, arrays, engine() if by is None else by)
     table = _Table()
     _self_pairs(table, scene.robot, arm, interval)
-    _arm_pairs(table, arm, stays, run, prober, near_miss)
-    _body_pairs(table, stays, prober, near_miss)
+    counted = near_miss if clearance else None
+    _arm_pairs(table, arm, stays, run, prober, counted)
+    _body_pairs(table, stays, prober, counted)
     return Plan(arrays, table.pairs(rigid=False), table.pairs(rigid=True), tuple(table.groups))
 
 
@@ -194,7 +202,7 @@ def _arm_pairs(
     stays: Sequence[Stay],
     run: RunRecord,
     prober: Prober,
-    near_miss: float,
+    near_miss: float | None,
 ) -> None:
     """The arm against every body, wherever the body is."""
     moving = [i for _, joint, members in arm.links if 0 < joint < HAND for i in members]
@@ -226,7 +234,7 @@ def _finger_windows(
     by_body: Mapping[str, Sequence[Stay]],
     held: Sequence[Grip],
     prober: Prober,
-    near_miss: float,
+    near_miss: float | None,
 ) -> list[tuple[Window, ...]]:
     """Return the rules of every finger with every body, finger by finger for each body."""
     questions = [
@@ -257,8 +265,10 @@ def _always(stay: Stay, other: Stay, times: Array) -> Asked:
     return Asked(stay.members, [(other.members, -np.inf, np.inf)], times)
 
 
-def _body_pairs(table: _Table, stays: Sequence[Stay], prober: Prober, near_miss: float) -> None:
-    """Held and falling bodies against all others."""
+def _body_pairs(
+    table: _Table, stays: Sequence[Stay], prober: Prober, near_miss: float | None
+) -> None:
+    """Held and falling bodies against all others; `near_miss` None: no matter how near."""
     meetings = [
         (stay, other, interval)
         for stay in stays
@@ -280,10 +290,12 @@ def _body_pairs(table: _Table, stays: Sequence[Stay], prober: Prober, near_miss:
 
 
 def _counted(
-    meetings: Sequence[_Meeting], prober: Prober, near_miss: float
+    meetings: Sequence[_Meeting], prober: Prober, near_miss: float | None
 ) -> list[tuple[float, float]]:
     """Return when the distance of moving bodies from what they come from or go to counts."""
     parted = [meeting for meeting in meetings if meeting[0].parted_from(meeting[1])]
+    if near_miss is None:
+        return [(end_s, end_s) for _, _, (_, end_s) in parted]
     questions: list[Asking[float]] = []
     sides: list[tuple[Stay, Stay]] = []
     for stay, other, (start_s, end_s) in parted:
