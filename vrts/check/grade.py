@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Moment
 from vrts.base.source import Span
+from vrts.check.verdict import Answer
 
 REVIEW = "to be reviewed"  # begins the obstacles that a person has to look at
 
@@ -30,6 +31,19 @@ class Loss(NamedTuple):
     hint: str  # what to look at; never the solution
     span: Span | None
     moment: Moment | None
+    check: str = ""  # name of the verdict it rests on; "" for what is about the whole
+
+
+class Earned(NamedTuple):
+    """What one thing that is asked for earned."""
+
+    check: str  # name of the verdict it rests on
+    title: str
+    kind: str  # "target", "via", "contact", "demand", "time", "rounding"
+    answer: Answer | None  # None: not reached
+    points: Fraction
+    most: Fraction  # 0: it can only cost
+    message: str  # what is wrong; "" where nothing is
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,3 +62,4 @@ class Grade:
     duration_s: float | None  # EXECUTE to program end
     demands: Fraction = Fraction(0)  # E, lost by zones, limits and rules of the task
     lowest: Fraction | None = None  # mark if all that is undetermined went wrong; None: nothing is
+    earned: tuple[Earned, ...] = ()  # in the order of the task; adds up to the mark exactly

@@ -9,6 +9,7 @@ from vrts.base.source import Span
 from vrts.check.collision_verdict import subject, target
 from vrts.check.demands import DEMAND
 from vrts.check.duration import duration
+from vrts.check.earned import COLLISION, earned
 from vrts.check.grade import REVIEW, Grade, Loss, Status
 from vrts.check.judgement import Judgement
 from vrts.check.rounding import exact_s
@@ -73,6 +74,7 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
         None if took is None else float(took),
         parts.demands,
         lowest,
+        earned(task, results, points, judgement.verdicts, losses, parts, mark),
     )
 
 
@@ -116,7 +118,7 @@ def _contact_loss(event: ContactEvent, finding: Diagnostic) -> Loss:
     sentence = f"{where(event.start_s, event.cause)}, {subject(event)} hits {target(event)}"
     hint = finding.help[0] if finding.help else ""
     span = event.cause.span if event.cause else None
-    return Loss(NOTHING, "contact", sentence, hint, span, finding.moment)
+    return Loss(NOTHING, "contact", sentence, hint, span, finding.moment, COLLISION)
 
 
 def _drop_loss(run: Run, event: Released) -> Loss:
@@ -125,7 +127,8 @@ def _drop_loss(run: Run, event: Released) -> Loss:
     hint = finding.diagnostic.help[0] if finding and finding.diagnostic.help else ""
     sentence = f"{where(event.time_s, event.cause)}, {headline}"
     span = event.cause.span if event.cause else None
-    return Loss(NOTHING, "drop", sentence, hint, span, moment(run, event.time_s, (event.body,)))
+    seen = moment(run, event.time_s, (event.body,))
+    return Loss(NOTHING, "drop", sentence, hint, span, seen, COLLISION)
 
 
 def _losses(
@@ -248,7 +251,9 @@ def _broken_demands(task: Task, judgement: Judgement) -> list[Loss]:
         elif line:
             sentence = f"{line[2:]}: {sentence}"
         hint = finding.help[0] if finding.help else ""
-        found.append(Loss(demand.points, "demand", sentence, hint, span, finding.moment))
+        found.append(
+            Loss(demand.points, "demand", sentence, hint, span, finding.moment, verdict.check)
+        )
     return found
 
 
