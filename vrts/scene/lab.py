@@ -6,6 +6,7 @@ scene says; what it does not say stays.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from vrts.base.appended import Appended
@@ -104,6 +105,13 @@ def laid_over(scene: SourceFile, lab: SourceFile) -> tuple[Appended | None, tupl
             help=("take the section out of the scene",),
         )
     return None if problems.any_error else Appended(scene, lab), problems.in_order()
+
+
+def in_lab(d: Diagnostic, lab: SourceFile) -> Diagnostic:
+    """Return what is said of a scene with a note on the lab, which may be what is wrong."""
+    if d.primary is not None and d.primary.span.source is lab:
+        return d
+    return replace(d, notes=(*d.notes, f"with `{lab.name}` laid over the scene"))
 
 
 def _over(own: Table | None, upper: Table | None) -> Table | None:

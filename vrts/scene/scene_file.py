@@ -25,7 +25,7 @@ from vrts.scene.default import floor_body
 from vrts.scene.files import SceneFolder
 from vrts.scene.form_section import CARRIED, COLORS, FARTHEST, MAY_BE_FIXED, read_form
 from vrts.scene.gripper_section import read_gripper
-from vrts.scene.lab import laid_over, read_lab
+from vrts.scene.lab import in_lab, laid_over, read_lab
 from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.places import find_places
 from vrts.scene.robot_section import read_robot
@@ -97,7 +97,7 @@ def read_scene_in_lab(
         return None, found, source
     top, problems = read_toml(both.joined)
     scene = None if top is None else _scene(top, SceneFolder(folder, lab_folder), problems)
-    told = tuple(both.diagnostic(d) for d in problems.in_order())
+    told = tuple(in_lab(both.diagnostic(d), lab) for d in problems.in_order())
     if scene is None or problems.any_error:
         return None, told, both.joined
     bodies = tuple(

@@ -174,6 +174,13 @@ def test_mistakes_of_the_scene_stay_in_the_scene() -> None:
     assert told[0].primary.span.source.name == "cans-on-bases/scene.toml"
 
 
+def test_what_is_wrong_in_a_scene_with_a_lab_alone_says_so() -> None:
+    found, told = laid("[lab.table]\nsize_mm = [300, 300]\n")
+    assert found is None
+    assert {d.rule.code for d in told} == {"V614"}
+    assert told[0].notes == ("with `lab.toml` laid over the scene",)
+
+
 def test_a_scene_that_is_no_toml_is_not_mended_by_a_lab() -> None:
     found, told = laid('[lab]\n# """\n', 'title = """\n')
     assert found is None
