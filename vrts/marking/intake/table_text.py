@@ -1,7 +1,7 @@
 """Tables as text: cells with their places, as spreadsheets of any language save them."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection
 from typing import NamedTuple
 
 from vrts.base.source import SourceFile, Span
@@ -38,14 +38,17 @@ def read_text(data: bytes, name: str) -> SourceFile:
     return SourceFile(name, text.replace("\r\n", "\n").replace("\r", "\n"))
 
 
-def table(source: SourceFile, columns: Sequence[str]) -> list[list[Cell]]:
-    """Return the rows of a table, separated by whatever finds most of the columns."""
+def table(source: SourceFile, columns: Collection[str]) -> list[list[Cell]]:
+    """Return the rows of a table, separated by whatever finds most of the columns, in lower case.
 
-    def known(delimiter: str) -> int:
-        cells = (cell for row in _rows(source, delimiter, most=1) for cell in row)
-        return sum(cell.text.strip().casefold() in columns for cell in cells)
+    Where none finds any, by whatever finds most columns at all.
+    """
 
-    best = max(DELIMITERS, key=known)
+    def found(delimiter: str) -> tuple[int, int]:
+        cells = [cell for row in _rows(source, delimiter, most=1) for cell in row]
+        return sum(cell.text.strip().casefold() in columns for cell in cells), len(cells)
+
+    best = max(DELIMITERS, key=found)
     return [row for row in _rows(source, best) if any(cell.text.strip() for cell in row)]
 
 

@@ -12,6 +12,7 @@ from vrts.marking.intake.gradescope import METADATA, gradescope
 from vrts.marking.intake.hand_in import HandIn, Layout
 from vrts.marking.intake.identifiers import Identifiers
 from vrts.marking.intake.moodle import moodle
+from vrts.marking.intake.roster import Roster, enrolled
 from vrts.marking.intake.row import Attempt, Intake, Kind, Problem, Row
 from vrts.marking.intake.tree import Tree, Unreadable, open_place
 from vrts.pipeline.files import CannotRead
@@ -20,7 +21,11 @@ EARLIEST = datetime.min.replace(tzinfo=UTC)
 
 
 def take_in(
-    place: Path | Sequence[Path], *, program: str | None, zone: tzinfo | None = None
+    place: Path | Sequence[Path],
+    *,
+    program: str | None,
+    zone: tzinfo | None = None,
+    roster: Roster | None = None,
 ) -> Intake:
     """Return a row for each student, sorted by identifier: the same bytes give the same rows.
 
@@ -28,19 +33,28 @@ def take_in(
         place: A folder, a zip file, or a list of files.
         program: Name of the program that the task runs; None: any.
         zone: Of times that a platform gives without one; None: they only tell the order.
+        roster: The class; who handed in nothing gets a row too.
 
     Raises:
         CannotRead: There is nothing that could be read.
     """
     with open_place(place) as tree:
-        return take_in_tree(tree, program=program, zone=zone, named=not isinstance(place, Path))
+        named = not isinstance(place, Path)
+        return take_in_tree(tree, program=program, zone=zone, roster=roster, named=named)
 
 
 def take_in_tree(
-    tree: Tree, *, program: str | None, zone: tzinfo | None = None, named: bool = False
+    tree: Tree,
+    *,
+    program: str | None,
+    zone: tzinfo | None = None,
+    roster: Roster | None = None,
+    named: bool = False,
 ) -> Intake:
     """Return the rows of what was opened; `named` files are a hand-in each."""
     layout = listed(tree.files) if named else _layout(tree, zone)
+    if roster is not None:
+        layout = enrolled(layout, roster)
     students: dict[str, list[HandIn]] = {}
     for hand_in in layout.hand_ins:
         students.setdefault(hand_in.key, []).append(hand_in)
