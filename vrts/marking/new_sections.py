@@ -49,6 +49,11 @@ SECTIONS = """
 # [[rule]]
 # must_use = "MOVES"
 # points = 0.5
+#
+# Nearer than this is told as a near miss, which costs nothing (5 mm when nobody says otherwise):
+#
+# [collision]
+# near_miss_mm = 5
 """
 
 
