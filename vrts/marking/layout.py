@@ -26,7 +26,7 @@ class Layout:
 
     def grader(self, identifier: str) -> Path:
         """Return the folder about a student that stays with those who mark."""
-        return self.staff / "submissions" / identifier
+        return self.staff / STUDENTS / identifier
 
 
 def write_atomically(path: Path, data: bytes) -> None:

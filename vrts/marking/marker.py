@@ -12,6 +12,7 @@ from tempfile import TemporaryDirectory
 
 import msgspec
 
+from vrts.check.earned import not_reached
 from vrts.marking.one import Marked, Order, Wanted, mark
 from vrts.marking.report_files import FAULT, RECORDING, REPORT, Reader, write_files
 from vrts.marking.result import Damaged, Kind, Record, Result, key_of
@@ -45,6 +46,10 @@ class Marker:
         self.whole: Setting = load(place, staff=True)
         self.public: Setting = load(place, staff=False) if self.whole.hidden else self.whole
         assert self.whole.task is not None
+        assert self.public.task is not None
+        known = {entry.check for entry in not_reached(self.public.task)}
+        every = {entry.check for entry in not_reached(self.whole.task)}
+        self.hidden = frozenset(every - known)  # names of checks
 
     def key(self, data: bytes) -> str:
         """Return the digest of everything that the result of a program depends on."""
@@ -78,6 +83,7 @@ class Marker:
             (staff, Reader(folder / STAFF, self.whole, grader=True)),
             (student, Reader(folder / STUDENT, self.public, grader=False)),
             wanted,
+            self.hidden,
         )
         marks = Marks(
             self._result(staff, self.whole, order),
@@ -115,9 +121,9 @@ class Marker:
         a = for_student(row.assessment) if student else row.assessment
         key = self.key(order.data)
         if row.fault is not None:
-            found = result_of(a, setting, order.data, key)
+            found = result_of(a, setting, order.data, key, self.hidden)
             return msgspec.structs.replace(found, kind=Kind.FAULT, mark=None, review=(found.cause,))
-        return result_of(a, setting, order.data, key)
+        return result_of(a, setting, order.data, key, self.hidden)
 
 
 class Told(Record, frozen=True):

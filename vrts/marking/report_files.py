@@ -1,5 +1,6 @@
 """The files about one submission: pages for its two readers, a recording, and our own faults."""
 
+from collections.abc import Collection
 from pathlib import Path
 
 from vrts.marking.one import Marked, Wanted
@@ -21,14 +22,24 @@ class Reader:
 
 
 def write_files(
-    staff: tuple[Marked, Reader], student: tuple[Marked, Reader], wanted: Wanted
+    staff: tuple[Marked, Reader],
+    student: tuple[Marked, Reader],
+    wanted: Wanted,
+    hidden: Collection[str] = (),
 ) -> None:
-    """Write what is wanted about one submission, for both; what is the same is made once."""
+    """Write what is wanted about one submission, for both; what is the same is made once.
+
+    Args:
+        staff: What was found out for those who mark.
+        student: The same for the student; may be the same assessment.
+        wanted: Which files.
+        hidden: Names of the checks that students do not see.
+    """
     rows = (staff, student)
     for _, reader in rows:
         reader.folder.mkdir(parents=True, exist_ok=True)
     if wanted.pages:
-        _write_pages(rows)
+        _write_pages(rows, hidden)
     a = student[0].assessment
     if wanted.recordings and a.run is not None:
         from vrts.report.recording import write_recording  # rerun is heavy
@@ -38,7 +49,7 @@ def write_files(
         (staff[1].folder / FAULT).write_bytes(staff[0].fault.encode())
 
 
-def _write_pages(rows: tuple[tuple[Marked, Reader], ...]) -> None:
+def _write_pages(rows: tuple[tuple[Marked, Reader], ...], hidden: Collection[str]) -> None:
     from vrts.report.audience import Audience
     from vrts.report.page import page
     from vrts.report.stills import page_stills
@@ -50,5 +61,6 @@ def _write_pages(rows: tuple[tuple[Marked, Reader], ...]) -> None:
             made[id(a)] = (with_curve(a), page_stills(a))
         full, stills = made[id(a)]
         audience = Audience.GRADER if reader.grader else Audience.STUDENT
-        text = page(full, stills, audience=audience, more=reader.setting.more)
+        more = 0 if reader.grader else reader.setting.more
+        text = page(full, stills, audience=audience, more=more, hidden=hidden)
         (reader.folder / REPORT).write_bytes(text.encode())

@@ -1,13 +1,16 @@
 """From everything that is known about a program to its result."""
 
 import hashlib
+from collections.abc import Collection
 from fractions import Fraction
 
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
+from vrts.check.earned import not_reached
 from vrts.check.grade import Grade
 from vrts.marking.result import (
     SCORING,
+    Check,
     Finding,
     Kind,
     Loss,
@@ -26,7 +29,9 @@ from vrts.report.quantities import millimetres, seconds
 MOST_FINDINGS = 500  # of one submission; a hostile one may have any number
 
 
-def result_of(a: Assessment, setting: Setting, data: bytes | None, key: str) -> Result:
+def result_of(
+    a: Assessment, setting: Setting, data: bytes | None, key: str, hidden: Collection[str] = ()
+) -> Result:
     """Return the result of a program that was marked in a setting.
 
     Args:
@@ -34,6 +39,7 @@ def result_of(a: Assessment, setting: Setting, data: bytes | None, key: str) -> 
         setting: Of the task that it was marked by.
         data: The program; None where it could not be had.
         key: Digest of all that the result depends on.
+        hidden: Names of the checks that students do not see.
     """
     screen = first_screen(a)
     grade = a.grade
@@ -52,7 +58,7 @@ def result_of(a: Assessment, setting: Setting, data: bytes | None, key: str) -> 
         time_s=seconds(screen.moment.time_s) if screen.moment else None,
         parts=None if grade is None else _parts(grade),
         losses=() if grade is None else _losses(grade),
-        checks=(),
+        checks=_checks(grade, setting, hidden),
         metrics=_metrics(a),
         findings=tuple(_finding(d) for d in a.findings[:MOST_FINDINGS]),
         stamps=tuple(d.headline for d in setting.stamps),
@@ -73,9 +79,9 @@ def unmarked(
         schema="vrts.result/1",
         id=identifier,
         kind=kind,
-        mark=None,
+        mark=0.0 if kind is Kind.UNREADABLE else None,
         lowest=None,
-        review=() if kind in (Kind.MISSING, Kind.EXCUSED) else (sentence,),
+        review=() if kind in (Kind.MISSING, Kind.EXCUSED, Kind.UNREADABLE) else (sentence,),
         ready=False,
         obstacles=(sentence,),
         cause=sentence,
@@ -123,6 +129,24 @@ def _parts(grade: Grade) -> Parts:
         _points(grade.contacts),
         _points(grade.demands),
         _points(grade.time),
+    )
+
+
+def _checks(grade: Grade | None, setting: Setting, hidden: Collection[str]) -> tuple[Check, ...]:
+    assert setting.task is not None
+    entries = (grade.earned if grade else ()) or not_reached(setting.task)
+    return tuple(
+        Check(
+            entry.check,
+            entry.title,
+            entry.kind,
+            "not reached" if entry.answer is None else entry.answer.value,
+            _points(entry.points),
+            _points(entry.most),
+            entry.check in hidden,
+            entry.message,
+        )
+        for entry in entries
     )
 
 
