@@ -4,18 +4,15 @@ A pixel has several samples a side. Where all show one smooth face one of them, 
 shaded for all: only edges cost more than a pixel.
 """
 
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from vrts.report.camera import Camera
 from vrts.report.lighting import SUN_FRAME, ShadowMap, shade
 from vrts.report.outlines import Mask, outlines
 from vrts.report.projection import NO_SOLID, Projected, focal_length
-from vrts.report.raster import Array, Array32, Indices, Numbers, numbers
-
-Number = TypeVar("Number", bound=np.generic)
+from vrts.report.raster import Array32, Indices, Numbers, numbers
 
 OFFSET_M = 0.006  # before its surface a place is looked up in a shadow map
 AT_ONCE = 8192  # samples shaded: what is worked on stays near the processor
@@ -27,7 +24,7 @@ class Layer(NamedTuple):
     ambient: Array32  # (height, width, 3) what does not come from the sun
     direct: Array32  # (height, width, 3) what does, past what never moves
     share: Array32  # (height, width) how much of the pixel shows solids
-    along: Array32  # (height, width, 3) a place before it, in the frame of the sun [m]
+    along: Array32  # (3, height, width) a place before it, in the frame of the sun [m]
 
     def copy(self) -> "Layer":
         """Return a layer to draw on."""
@@ -46,8 +43,8 @@ class Screen(NamedTuple):
 def empty_layer(screen: Screen) -> Layer:
     """Return a layer without solids."""
     shape = (screen.height, screen.width)
-    light, direct, along = (np.zeros((*shape, 3), np.float32) for _ in range(3))
-    return Layer(light, direct, np.zeros(shape, np.float32), along)
+    light, direct = (np.zeros((*shape, 3), np.float32) for _ in range(2))
+    return Layer(light, direct, np.zeros(shape, np.float32), np.zeros((3, *shape), np.float32))
 
 
 def draw(
@@ -79,67 +76,71 @@ def draw(
     bottom, right = int(rows[-1]) + 2, int(columns[-1]) + 2
     part = buffer[top * n : bottom * n, left * n : right * n]
     number = numbers(part)
-    solid = seen.solid[number]
+    solid = seen.solid.take(number)
     keep = outlines(part, number, solid, seen, (left * n, top * n))
-    row, column = np.nonzero(wanted[top:bottom, left:right])
-    owners, kept = _by_sample(solid, n, row, column), _by_sample(keep, n, row, column)
-    chosen = _chosen(owners, kept, n)
-    place = np.stack([(column + left)[chosen.pixel], (row + top)[chosen.pixel]], axis=1)
-    place = (place * n + chosen.within).astype(np.float32)
-    triangle = _by_sample(number, n, row, column)[chosen.sample, chosen.pixel]
+    chosen = _chosen(solid, keep, wanted[top:bottom, left:right], n)
+    place = chosen.place + np.array([left * n, top * n], np.float32)
+    triangle = number.take(chosen.shown)
     lit = [
         _shaded(screen, seen, colors, shadows, triangle[k : k + AT_ONCE], place[k : k + AT_ONCE])
         for k in range(0, len(triangle), AT_ONCE)
     ]
     ambient, direct, along = (np.concatenate(values) for values in zip(*lit, strict=True))
-    at = row + top, column + left
-    layer.ambient[at] = _means(ambient, chosen, len(row))
-    layer.direct[at] = _means(direct, chosen, len(row))
-    layer.share[at] = (owners != NO_SOLID).mean(0, dtype=np.float32)
-    layer.along[at[0][chosen.pixel], at[1][chosen.pixel]] = along
+    whole, rest = (
+        (pixel // (right - left) + top) * screen.width + pixel % (right - left) + left
+        for pixel in (chosen.whole, chosen.rest)
+    )
+    for target, values in ((layer.ambient, ambient), (layer.direct, direct)):
+        flat = target.reshape(-1, 3)
+        flat[whole] = values[: len(whole)]
+        flat[rest] = _means(values[len(whole) :], chosen)
+    layer.share.reshape(-1)[whole] = 1
+    layer.share.reshape(-1)[rest] = np.bincount(chosen.owner, minlength=len(rest)) / n**2
+    at = np.concatenate([whole, rest[chosen.owner]])
+    for target, values in zip(layer.along, along.T, strict=True):
+        target.reshape(-1)[at] = values
 
 
 class _Chosen(NamedTuple):
-    """The samples that are shaded: first one for each whole pixel, then those of the others."""
+    """The samples that are shaded: one for each whole pixel, then those of the others."""
 
-    pixel: Indices  # (k,) which one they belong to
-    sample: Indices  # (k,) whose triangle they show
-    within: Array  # (k, 2) column and row in the pixel, in samples
-    whole: int  # how many stand for a whole pixel
-    weight: Array32  # (k - whole,) of the others
-
-
-def _chosen(owners: Numbers, kept: Array32, n: int) -> _Chosen:
-    """Choose samples of pixels from their solids and outlines, shape (n * n, pixels)."""
-    shown = owners != NO_SOLID
-    whole = (owners == owners[0]).all(0) & shown[0] & (kept == 1).all(0)
-    pixel = np.nonzero(whole)[0]
-    sample, edge = np.nonzero(shown & ~whole)
-    middle = np.full((len(pixel), 2), n / 2)
-    return _Chosen(
-        np.concatenate([pixel, edge]),
-        np.concatenate([np.zeros(len(pixel), np.int64), sample]),
-        np.concatenate([middle, np.stack([sample % n, sample // n], axis=1) + 0.5]),
-        len(pixel),
-        kept[sample, edge] * np.float32(1 / n**2),
-    )
+    whole: Indices  # (w,) pixels that show one smooth face
+    rest: Indices  # (r,) other pixels
+    owner: Indices  # (k,) in `rest`, of the samples of these
+    shown: Indices  # (w + k,) samples whose triangles are shaded
+    place: Array32  # (w + k, 2) column and row where, in samples
+    weight: Array32  # (k,)
 
 
-def _means(values: Array32, chosen: _Chosen, count: int) -> Array32:
-    """Return the light of pixels, shape (count, 3), from that of their samples."""
-    edge = chosen.pixel[chosen.whole :]
-    total = np.empty((count, 3), np.float32)
-    for k in range(3):
-        total[:, k] = np.bincount(edge, values[chosen.whole :, k] * chosen.weight, count)
-    total[chosen.pixel[: chosen.whole]] = values[: chosen.whole]
-    return total
+def _chosen(solid: Numbers, keep: Array32, wanted: Mask, n: int) -> _Chosen:
+    """Choose samples of wanted pixels from the solids and outlines of all samples."""
+    first = solid[::n, ::n]
+    same = wanted & (first != NO_SOLID)
+    plain = keep == 1
+    for i in range(n):
+        for j in range(n):
+            same &= (solid[i::n, j::n] == first) & plain[i::n, j::n]
+    whole, rest = np.flatnonzero(same), np.flatnonzero(wanted & ~same)
+    width, columns = solid.shape[1], wanted.shape[1]
+    begin = whole // columns * (n * width) + whole % columns * n
+    corners = np.array([[i * width + j] for i in range(n) for j in range(n)])
+    index = rest // columns * (n * width) + rest % columns * n + corners
+    owners: Numbers = solid.take(index)
+    sample, owner = np.nonzero(owners != NO_SOLID)
+    others = index[sample, owner]
+    at = np.concatenate([begin, others])
+    place = np.empty((len(at), 2), np.float32)
+    place[:, 0], place[:, 1] = at % width, at // width
+    place[: len(whole)] += n / 2
+    place[len(whole) :] += 0.5
+    return _Chosen(whole, rest, owner, at, place, keep.take(others) * np.float32(1 / n**2))
 
 
-def _by_sample(
-    values: npt.NDArray[Number], n: int, row: Indices, column: Indices
-) -> npt.NDArray[Number]:
-    """Return the samples of pixels, shape (n * n, len(row))."""
-    return np.stack([values[i::n, j::n][row, column] for i in range(n) for j in range(n)])
+def _means(values: Array32, chosen: _Chosen) -> Array32:
+    """Return the light of the pixels that are not whole, from that of their samples."""
+    count = len(chosen.rest)
+    sums = [np.bincount(chosen.owner, values[:, k] * chosen.weight, count) for k in range(3)]
+    return np.stack(sums, axis=1).astype(np.float32)
 
 
 def _shaded(
@@ -158,7 +159,7 @@ def _shaded(
     focal = np.float32(focal_length(screen.camera, height))
     frame = screen.camera.axes().astype(np.float32)
     x, y = place[:, 0], place[:, 1]
-    planes = seen.planes[triangle]
+    planes = seen.planes.take(triangle, axis=0)
     values = planes[:, 0] * x[:, None]
     values += planes[:, 1] * y[:, None]
     values += planes[:, 2]
@@ -174,6 +175,6 @@ def _shaded(
     before += facing * np.float32(OFFSET_M)
     along = before @ to_sun + np.array(screen.camera.eye, np.float32) @ to_sun
     ray /= -np.sqrt(np.einsum("ij,ij->i", ray, ray))[:, None]
-    sunlight = shadows.lit(along)
-    ambient, direct = shade(colors[seen.solid[triangle]], facing, ray, sunlight)
+    sunlight = shadows.lit(along.T)
+    ambient, direct = shade(colors.take(seen.solid.take(triangle), axis=0), facing, ray, sunlight)
     return ambient, direct, along

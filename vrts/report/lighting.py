@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.report.camera import axes
-from vrts.report.raster import NOTHING, Array, Array32, nearness, rasterise, signed_area
+from vrts.report.raster import NOTHING, Array, Array32, Numbers, nearness, rasterise, signed_area
 
 Pixels: TypeAlias = npt.NDArray[np.uint8]
 
@@ -33,18 +33,21 @@ class ShadowMap(NamedTuple):
     soft: Array32  # how much is covered, blurred; a texel of it is SOFT_TEXELS wide
 
     def lit(self, along: Array32) -> Array32:
-        """Return the share of the sun that reaches points in the sun's frame, shape (n, 3)."""
+        """Return the share of the sun that reaches points in its frame, shape (3, ...)."""
         rows, columns = self.nearness.shape
-        at = (along[:, :2] - self.origin) * np.float32(self.texels_m)
-        column = at[:, 0].clip(1, columns - 2).astype(np.int32)
-        row = at[:, 1].clip(1, rows - 2).astype(np.int32)
-        index = row * np.int32(columns) + column
-        own = np.float32(BIAS) - along[:, 2]
+        index = self._texel(along[1], self.origin[1], rows) * np.int32(columns)
+        index += self._texel(along[0], self.origin[0], columns)
+        own = np.float32(BIAS) - along[2]
         flat = self.nearness.reshape(-1)
-        light = np.zeros(len(along), np.uint8)
+        light = np.zeros(index.shape, np.uint8)
         for right, down in TAPS:
             light += flat.take(index + np.int32(down * columns + right)) <= own
         return light * np.float32(1 / len(TAPS))
+
+    def _texel(self, along: Array32, origin: Array32, count: int) -> Numbers:
+        at: Array32 = (along - origin) * np.float32(self.texels_m)
+        np.clip(at, 1, count - 2, out=at)
+        return at.astype(np.int32)
 
     def shadow(self, along: Array32) -> Array32:
         """Return how deep in a soft shadow points lie, shape (2, ...), from 0 to 1."""
@@ -89,7 +92,7 @@ def shadow_map(corners: Array, side: int) -> ShadowMap:
     covered = seen != NOTHING
     near = np.where(covered, nearness(seen) - np.float32(farthest), np.float32(-np.inf))
     blocks = covered.reshape(rows // SOFT_TEXELS, SOFT_TEXELS, columns // SOFT_TEXELS, SOFT_TEXELS)
-    soft = blocks.mean(axis=(1, 3), dtype=np.float32)
+    soft = blocks.sum(axis=(1, 3), dtype=np.uint8) * np.float32(1 / SOFT_TEXELS**2)
     radius = max(round(SOFT_M * texels / SOFT_TEXELS), 1)
     for _ in range(3):
         soft = _blurred(_blurred(soft, radius).T, radius).T

@@ -56,7 +56,7 @@ def _edges(seen: Projected, one: tuple[Indices, Array32], other: tuple[Indices, 
 
 
 def _normals(seen: Projected, keys: Indices, place: Array32) -> Array32:
-    planes = seen.planes[keys.astype(np.int32), :, :3]
+    planes = seen.planes.take(keys.astype(np.int32), axis=0)[:, :, :3]
     facing = planes[:, 0] * place[:, :1] + planes[:, 1] * place[:, 1:] + planes[:, 2]
     facing /= np.sqrt(np.einsum("ij,ij->i", facing, facing))[:, None]
     return facing

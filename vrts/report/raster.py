@@ -8,6 +8,7 @@ A pixel of the buffer is one number: how near its triangle is, above the triangl
 the greater is the nearer, whatever the order in which triangles come.
 """
 
+from itertools import pairwise
 from typing import TypeAlias
 
 import numpy as np
@@ -20,6 +21,7 @@ Numbers: TypeAlias = npt.NDArray[np.int32]
 
 NOTHING = 0  # an empty pixel, and its number; the first triangle is number 1
 FARTHEST = 1e-30  # nearness is positive
+AT_ONCE = 8192  # pixels drawn: what is worked on stays near the processor
 
 
 def rasterise(
@@ -53,19 +55,34 @@ def rasterise(
     triangle, row, start, count = triangle[wide], row[wide], start[wide], count[wide]
     slope = plane(points, near)[triangle]
     begin = slope[:, 1] * (row + 0.5) + slope[:, 2] + slope[:, 0] * (start + 0.5)
+    base = row * width + start
+    number = triangle + first
+    slant = slope[:, 0].astype(np.float32)
+    ends = np.cumsum(count)
+    total = int(ends[-1]) if len(ends) else 0
+    cuts = np.searchsorted(ends, np.arange(AT_ONCE, total, AT_ONCE)).tolist()
+    for k, end in pairwise([0, *cuts, len(ends)]):
+        part = slice(k, end)
+        _draw(buffer, base[part], count[part], begin[part], slant[part], number[part])
+    return buffer
+
+
+def _draw(
+    buffer: Indices, base: Indices, count: Indices, begin: Array, slant: Array32, number: Indices
+) -> None:
+    """Draw rows of pixels: the first one and how many, nearness and its slant, the triangle."""
     ends = np.cumsum(count)
     along = np.arange(ends[-1] if len(ends) else 0, dtype=np.int32)
     along -= np.repeat((ends - count).astype(np.int32), count)
-    value = np.repeat(slope[:, 0].astype(np.float32), count)
+    value = np.repeat(slant, count)
     value *= along
     value += np.repeat(begin.astype(np.float32), count)
     np.maximum(value, np.float32(FARTHEST), out=value)
     keys = value.view(np.int32).astype(np.int64)
     keys <<= 32
-    keys |= np.repeat(triangle + first, count)
-    along += np.repeat((row * width + start).astype(np.int32), count)
+    keys |= np.repeat(number, count)
+    along += np.repeat(base.astype(np.int32), count)
     np.maximum.at(buffer.reshape(-1), along, keys)
-    return buffer
 
 
 def numbers(keys: Indices) -> Numbers:

@@ -26,7 +26,7 @@ from vrts.scene.model import Scene
 SIZE = (1200, 800)
 SAMPLES = 2  # a side: sub-pixels of a pixel
 GRID_M = 0.04  # cameras stand on a grid, so that their backdrops serve again
-MAP = 640  # longer side of the shadow map of what moves, texels
+MAP = 512  # longer side of the shadow map of what moves, texels
 
 BAND = 24  # rows composed at once: what is worked on stays near the processor
 
@@ -108,7 +108,7 @@ def _composed(layer: Layer, around: Ground, moving: ShadowMap) -> Array32:
     for top in range(0, height, BAND):
         rows = slice(top, top + BAND)
         share = layer.share[rows]
-        sun = moving.lit(layer.along[rows].reshape(-1, 3)).reshape(share.shape)
+        sun = moving.lit(layer.along[:, rows])
         band = picture[rows]
         np.multiply(layer.direct[rows], sun[:, :, None], out=band)
         band += layer.ambient[rows]
