@@ -70,9 +70,9 @@ def mark_class(
     known: dict[str, Entry] = {}
     for entry in entries:
         if entry.data is None:
-            yield _without_program(marker, entry, layout)
+            yield without_program(marker, entry, layout)
             continue
-        found = None if again or layout is None else _reusable(marker, entry, layout)
+        found = None if again or layout is None else reusable(marker, entry, layout)
         if found is not None:
             yield found
             continue
@@ -98,8 +98,8 @@ def _done(marker: Marker, entry: Entry, finished: Finished[Order], layout: Layou
             words = f"{finished.outcome.loss.value}\n{finished.outcome.detail}"
             write_atomically(layout.grader(entry.identifier) / "lost.txt", words.encode())
         else:
-            _take_files(finished.folder, layout, entry.identifier)
-        _write(marks, layout)
+            take_files(finished.folder, layout, entry.identifier)
+        write_marks(marks, layout)
     return Done(entry, marks.staff, marks.student, False, finished.seconds, finished.peak)
 
 
@@ -113,7 +113,7 @@ def _marks(marker: Marker, finished: Finished[Order]) -> Marks:
     return marker.lost(finished.order, f"the process that marked it {outcome.loss.value}")
 
 
-def _take_files(folder: Path, layout: Layout, identifier: str) -> None:
+def take_files(folder: Path, layout: Layout, identifier: str) -> None:
     """Move what a process may have written, and nothing else, to where it belongs."""
     homes = {STUDENT: layout.student(identifier), STAFF: layout.grader(identifier)}
     for name in WRITTEN:
@@ -126,25 +126,26 @@ def _take_files(folder: Path, layout: Layout, identifier: str) -> None:
             place.unlink(missing_ok=True)  # of an earlier marking
 
 
-def _write(marks: Marks, layout: Layout) -> None:
+def write_marks(marks: Marks, layout: Layout) -> None:
     """Write the results, the grader's last: where it is, everything is."""
     name = marks.staff.id
     write_atomically(layout.student(name) / RESULT, to_bytes(marks.student))
     write_atomically(layout.grader(name) / RESULT, to_bytes(marks.staff))
 
 
-def _without_program(marker: Marker, entry: Entry, layout: Layout | None) -> Done:
+def without_program(marker: Marker, entry: Entry, layout: Layout | None) -> Done:
+    """Return the row of a submission in which there is nothing to mark, and write it."""
     assert entry.kind is not None
     staff, student = (
         unmarked(entry.kind, entry.identifier, entry.sentence, entry.hint, setting, marker.key(b""))
         for setting in (marker.whole, marker.public)
     )
     if layout is not None:
-        _write(Marks(staff, student), layout)
+        write_marks(Marks(staff, student), layout)
     return Done(entry, staff, student, False, 0.0, 0)
 
 
-def _reusable(marker: Marker, entry: Entry, layout: Layout) -> Done | None:
+def reusable(marker: Marker, entry: Entry, layout: Layout) -> Done | None:
     """Return what an earlier marking wrote, if it is complete and would be the same now."""
     assert entry.data is not None
     homes = (layout.grader(entry.identifier), layout.student(entry.identifier))
