@@ -659,7 +659,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "robots of labs stand where those of scenes do",
-        "vrts/scene/scene_file.py",
+        "vrts/scene/placing.py",
         "self.X_WS @ X_SO",
         "X_SO",
         (LAB,),

@@ -10,15 +10,13 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule
 from vrts.base.oat import pose_from_components
-from vrts.base.pose import Z_AXIS, Pose, rotation_about
+from vrts.base.pose import Pose
 from vrts.base.source import SourceFile
 from vrts.base.toml import Problems, Table, read_toml
-from vrts.base.units import DEG, MM
-from vrts.geometry.support import bounds
+from vrts.base.units import DEG
 from vrts.robots.model import Robot
 from vrts.scene.colors import NAMED, Color, color
 from vrts.scene.default import floor_body
@@ -28,6 +26,7 @@ from vrts.scene.gripper_section import read_gripper
 from vrts.scene.lab import in_lab, laid_over, read_lab
 from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.places import find_places
+from vrts.scene.placing import Draft, Placer
 from vrts.scene.robot_section import read_robot
 from vrts.scene.standing import (
     check_overlaps,
@@ -36,33 +35,15 @@ from vrts.scene.standing import (
     find_support,
     must_stand,
 )
-from vrts.scene.things import Form
 
 NAME_CLASH = Rule("V611", "name-clash")
 INVALID_NAME = Rule("V612", "invalid-name")
-UNKNOWN_SUPPORT = Rule("V616", "unknown-support")
-CIRCULAR_SUPPORT = Rule("V617", "circular-support")
 HEIGHT = Rule("V610", "height-of-object")
 UNKNOWN_COLOR = Rule("V607", "unknown-color")
 
 LONGEST_NAME = 10  # letters; with "_grip" it fills VAL's 15 [val2.md 1.4]
 
 _NAME = re.compile(r"[a-z][a-z0-9_]*", re.IGNORECASE)
-
-
-class _Draft(NamedTuple):
-    """An object as far as it can be read without the others."""
-
-    name: str
-    section: Table
-    kind: str
-    title: str
-    form: Form
-    at: tuple[float, ...]  # x, y and perhaps z of the underside [mm]
-    turn: float  # [rad]
-    on: str | None
-    fixed: bool
-    color: Color
 
 
 def read_scene(
@@ -124,14 +105,14 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems) -> Scene | None:
     sections = lab.objects_over(top.named_tables("objects"))
     locations_section = top.table("locations")
     top.finish()
-    drafts: dict[str, _Draft] = {}
+    drafts: dict[str, Draft] = {}
     for object_name, section in sections:
         draft = _draft(object_name, section, arm_and_hand)
         if draft is not None and _acceptable(draft, drafts, arm_and_hand, problems):
             drafts[object_name] = draft
     floor = floor_body(arm_and_hand)
     declared = frozenset(object_name for object_name, _ in sections)
-    bodies = _Placer(drafts, declared, floor, X_WS, problems).place_all()
+    bodies = Placer(drafts, declared, floor, X_WS, problems).place_all()
     given: Mapping[str, Pose] = {}
     if locations_section is not None:
         given = _locations(locations_section, X_WS)
@@ -186,7 +167,7 @@ def _locations(section: Table, X_WS: Pose) -> Mapping[str, Pose]:
     return found
 
 
-def _draft(name: str, section: Table, chosen: Robot) -> _Draft | None:
+def _draft(name: str, section: Table, chosen: Robot) -> Draft | None:
     kind = section.string("kind", choices=COLORS, required=True)
     if kind is None:
         return None
@@ -219,7 +200,7 @@ def _draft(name: str, section: Table, chosen: Robot) -> _Draft | None:
             help=("leave out one of the two",),
         )
         return None
-    return _Draft(name, section, kind, title, form, at, turn, on, fixed, paint)
+    return Draft(name, section, kind, title, form, at, turn, on, fixed, paint)
 
 
 def _color(section: Table, usual: str) -> Color:
@@ -238,7 +219,7 @@ def _color(section: Table, usual: str) -> Color:
 
 
 def _acceptable(
-    draft: _Draft, drafts: Mapping[str, _Draft], chosen: Robot, problems: Problems
+    draft: Draft, drafts: Mapping[str, Draft], chosen: Robot, problems: Problems
 ) -> bool:
     name, span = draft.name, draft.section.name_span
     if not _NAME.fullmatch(name) or len(name) > LONGEST_NAME:
@@ -274,85 +255,6 @@ def _acceptable(
         )
         return False
     return True
-
-
-class _Placer:
-    """Puts objects on what they stand on, supports first."""
-
-    def __init__(
-        self,
-        drafts: Mapping[str, _Draft],
-        declared: frozenset[str],
-        floor: Body,
-        X_WS: Pose,
-        problems: Problems,
-    ) -> None:
-        self.drafts = drafts
-        self.X_WS = X_WS  # the frame of the file
-        self.declared = declared
-        self.problems = problems
-        self.bodies: dict[str, Body] = {floor.name: floor}
-        self.failed: set[str] = set()
-
-    def place_all(self) -> tuple[Body, ...]:
-        for draft in self.drafts.values():
-            self.place(draft, ())
-        order = [name for name in self.drafts if name in self.bodies]
-        return (self.bodies["floor"], *(self.bodies[name] for name in order))
-
-    def place(self, draft: _Draft, above: tuple[str, ...]) -> Body | None:
-        if draft.name in self.bodies or draft.name in self.failed:
-            return self.bodies.get(draft.name)
-        if draft.name in above:
-            self.problems.error(
-                CIRCULAR_SUPPORT,
-                f"`{draft.name}` stands on itself: {' on '.join((*above, draft.name))}",
-                draft.section.value_span("on"),
-                help=("the lowest object stands on the table or on the floor",),
-            )
-            self.failed.update(above)
-            return None
-        z = draft.at[2] * MM if len(draft.at) == 3 else self.top_of_support(draft, above)
-        if z is None:
-            self.failed.add(draft.name)
-            return None
-        form = draft.form
-        X_SO = Pose(rotation_about(Z_AXIS, draft.turn), (draft.at[0] * MM, draft.at[1] * MM, z))
-        body = Body(
-            draft.name,
-            draft.title,
-            draft.kind,
-            Mobility.FIXED if draft.fixed else Mobility.MOVABLE,
-            form.pieces,
-            self.X_WS @ X_SO,
-            draft.color,
-            form.centre_of_mass,
-            form.symmetry_axis,
-            None,
-            draft.section.name_span,
-            form.paint,
-        )
-        self.bodies[draft.name] = body
-        return body
-
-    def top_of_support(self, draft: _Draft, above: tuple[str, ...]) -> float | None:
-        on = draft.on or "floor"
-        support = self.bodies.get(on)
-        if support is None and on in self.drafts:
-            support = self.place(self.drafts[on], (*above, draft.name))
-        if support is not None:
-            return bounds(support.pieces, support.X_WO).upper[2]
-        if on not in self.declared:
-            span = draft.section.value_span("on")
-            known = ", ".join(f"`{name}`" for name in ("floor", *self.drafts))
-            self.problems.error(
-                UNKNOWN_SUPPORT,
-                f"`{draft.name}` stands on `{on}`, which is not in the scene",
-                span,
-                notes=(f"there is {known}",),
-                data={"name": on},
-            )
-        return None
 
 
 def _supported(bodies: tuple[Body, ...], problems: Problems) -> tuple[Body, ...]:
