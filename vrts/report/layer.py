@@ -125,7 +125,7 @@ def _chosen(solid: Numbers, keep: Array32, wanted: Mask, n: int) -> _Chosen:
     begin = whole // columns * (n * width) + whole % columns * n
     corners = np.array([[i * width + j] for i in range(n) for j in range(n)])
     index = rest // columns * (n * width) + rest % columns * n + corners
-    owners: Numbers = solid.take(index)
+    owners = solid.reshape(-1)[index]
     sample, owner = np.nonzero(owners != NO_SOLID)
     others = index[sample, owner]
     at = np.concatenate([begin, others])
