@@ -6,6 +6,7 @@ run of the checks that know nothing of the hidden ones.
 
 import base64
 import sys
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -44,7 +45,9 @@ class Marker:
         self.place = place
         self.wanted = wanted
         self.whole: Setting = load(place, staff=True)
-        self.public: Setting = load(place, staff=False) if self.whole.hidden else self.whole
+        self.public: Setting = self.whole
+        if self.whole.hidden:  # students are told how many checks they do not see
+            self.public = replace(load(place, staff=False), more=self.whole.hidden)
         assert self.whole.task is not None
         assert self.public.task is not None
         known = {entry.check for entry in not_reached(self.public.task)}

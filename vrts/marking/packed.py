@@ -74,9 +74,11 @@ def setting_of(
     hidden = bundle.manifest.hidden
     task = setting.task
     assert task is not None
+    name = bundle.manifest.name
+    title = name if task.title == task.name else task.title  # it has none of its own
     return replace(
         setting,
-        task=replace(task, name=bundle.manifest.name),
+        task=replace(task, name=name, title=title),
         stamps=(*bundle.stamps, *setting.stamps),
         more=0 if setting.hidden else hidden,
     )
