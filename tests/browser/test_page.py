@@ -121,6 +121,13 @@ def test_an_event_row_and_a_loss_jump_to_their_time(report: Opened) -> None:
     report.page.evaluate("vrts.player.pause()")
 
 
+def test_a_double_click_on_a_line_goes_to_when_it_is_at_work(report: Opened) -> None:
+    seek(report, 0.0)
+    report.page.dblclick("#L2 code")
+    lines: list[list[float]] = report.page.evaluate("vrts.replay.run.lines")
+    assert clock(report) == pytest.approx(next(t for t, line in lines if line == 2), abs=1e-3)
+
+
 def test_poses_in_the_browser_are_those_in_python(report: Opened) -> None:
     a = assessment()
     assert a.run is not None

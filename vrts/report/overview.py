@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from vrts.check.verdict import Answer
 from vrts.report.assessment import Assessment
+from vrts.report.audience import needs_review
 from vrts.report.document import document
 from vrts.report.first_screen import FirstScreen, first_screen
 from vrts.report.html import Markup, element, joined, prose, raw
@@ -132,7 +133,12 @@ def _row(row: Row, address: str | None) -> Markup:
             data_sort=float(number) if number is not None else -1,
         ),
         element("td", ready, class_=f"ready-{ready}", data_sort=ready),
-        element("td", screen.status, data_sort=screen.status),
+        element(
+            "td",
+            screen.status,
+            element("span", "review", class_="tag review") if needs_review(a) else None,
+            data_sort=screen.status,
+        ),
         element("td", prose(screen.cause), _review(a), data_sort=screen.cause),
     )
 

@@ -103,6 +103,7 @@ def _replay(a: Assessment, findings: Sequence[Diagnostic]) -> Markup:
         element("h2", "Replay and program"),
         Markup(asset("report/replay.html")),
         element("div", program, class_="program"),
+        Markup(asset("report/events.html")),
         id="replay",
         class_="replay",
     )

@@ -113,7 +113,7 @@ def review_section(a: Assessment) -> Markup | None:
         return None
     report = a.judgement.collisions if a.judgement else None
     doubtful = [
-        element("li", capital(contact_sentence(c)), " ", watch_button(c.deepest_s))
+        element("li", contact_sentence(c), " ", watch_button(c.deepest_s))
         for c in (report.undetermined if report else ())
     ]
     doubtful += [

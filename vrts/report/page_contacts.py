@@ -10,8 +10,8 @@ from vrts.engine.events import Cause
 from vrts.report.assessment import Assessment
 from vrts.report.html import Markup, element, joined
 from vrts.report.page_top import watch_button
-from vrts.report.plain import capital, one_line
-from vrts.report.quantities import millimetres, seconds
+from vrts.report.plain import one_line
+from vrts.report.quantities import MINUS, millimetres, seconds
 from vrts.report.replay_data import contact_sentence, near_sentence
 from vrts.report.replay_lanes import line_of
 from vrts.report.stills import contact_name, contacts_of, worst_first
@@ -45,13 +45,13 @@ def contacts_section(a: Assessment, stills: Mapping[str, bytes]) -> Markup | Non
 
 
 def _card(a: Assessment, number: int, c: ContactEvent, stills: Mapping[str, bytes]) -> Markup:
-    sentence = capital(contact_sentence(c))
+    sentence = contact_sentence(c)
     x, y, z = (millimetres(value) for value in c.point)
     line = line_of(c.cause.span if c.cause else None, a.source)
     facts = [
         ("From", f"{seconds(c.start_s):.3f} to {seconds(c.end_s):.3f} s"),
         ("Deepest", f"{millimetres(c.depth_m):.2f} mm at {seconds(c.deepest_s):.3f} s"),
-        ("Where", f"{x:.0f}, {y:.0f}, {z:.0f} mm"),
+        ("Where", f"{x:.0f}, {y:.0f}, {z:.0f} mm".replace("-", MINUS)),
         ("Held", one_line(c.held) if c.held else "nothing"),
     ]
     pairs = [element("div", element("dt", name), element("dd", text)) for name, text in facts]
@@ -134,6 +134,6 @@ def _close_row(row: Close, source: SourceFile | None) -> Markup:
         "tr",
         element("td", watch_button(row.time_s), class_="act"),
         element("td", row.what),
-        element("td", capital(row.words)),
+        element("td", row.words),
         element("td", element("a", str(line), href=f"#L{line}") if line else "–"),
     )

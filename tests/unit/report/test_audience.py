@@ -61,7 +61,7 @@ def test_pages_of_the_two_audiences() -> None:
     assert "To be reviewed by a person" in shown
     assert "Not all public checks passed; 3 more at marking." in shown
     assert "target can1hidden" not in shown
-    assert "Palm touches base2" in Reader(grader).text
+    assert "palm touches base2" in Reader(grader).text
 
 
 def test_no_folder_of_a_machine_is_in_a_page() -> None:
@@ -92,7 +92,7 @@ def test_near_misses_and_grazes_stand_in_a_table() -> None:
     )
     text = page(replace(a, judgement=replace(a.judgement, collisions=report)), {})
     shown = Reader(text).text
-    assert "near missLeft finger passes base2 at 1.4 mm2" in shown
-    assert "graze, costs nothingCan1 touches base1, 0.1 mm deep2" in shown
+    assert "near missleft finger passes base2 at 1.4 mm2" in shown
+    assert "graze, costs nothingcan1 touches base1, 0.1 mm deep2" in shown
     assert "A near miss is nearer than 5 mm: a value assumed; the task names none." in shown
     assert '"distanceMm":1.4' in text

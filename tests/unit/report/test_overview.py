@@ -3,6 +3,7 @@
 from fractions import Fraction
 
 from tests.support_reports import broken, compiled, contact_loss, grade
+from tests.unit.report.test_audience import disputed
 from tests.unit.report.test_html import Reader
 from vrts.report.overview import overview
 
@@ -34,3 +35,9 @@ def test_marks_are_counted_in_ten_bars() -> None:
 def test_a_class_without_submissions_or_marks_is_a_page_too() -> None:
     assert "0 submissions" in Reader(overview([], "Nobody")).text
     assert "1 submission ·" in Reader(overview([compiled()], "No task")).text
+
+
+def test_what_is_to_be_reviewed_says_so() -> None:
+    reviewed = overview([disputed()], "Group 3")
+    assert "gradedreview" in Reader(reviewed).text
+    assert "gradedreview" not in Reader(overview([compiled(grade())], "Group 3")).text

@@ -65,7 +65,7 @@ def test_equal_depths_stand_in_time_order() -> None:
 
 def test_every_contact_tells_all_its_facts() -> None:
     shown = Reader(page(with_contacts(14, assessment()), {})).text
-    assert "Can1 touches base1, 14 mm deep" in shown
+    assert "can1 touches base1, 14 mm deep" in shown
     assert "Deepest14.00 mm at 2.520 s" in shown
-    assert "Where950, -100, -160 mm" in shown
+    assert "Where950, −100, −160 mm" in shown
     assert "2 more contacts are in the list of events." in shown

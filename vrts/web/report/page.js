@@ -35,7 +35,9 @@ byId("goals-check").hidden = !data.scene.goals.length && !data.scene.vias.length
 dark.addEventListener("change", () => viewer?.setTheme(theme()));
 bindControls(player, viewer, events, jump);
 bindKeys(player, events, jump);
-document.getElementById("source")?.addEventListener("dblclick", (event) => {
+const program = document.getElementById("source");
+program?.setAttribute("title", "Double click on a line: go to when it is at work");
+program?.addEventListener("dblclick", (event) => {
   const line = /** @type {HTMLElement} */ (event.target).closest("li")?.id.slice(1);
   if (line) jumpToLine(Number(line));
 });
