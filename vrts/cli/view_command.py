@@ -6,33 +6,49 @@ import sys
 import tempfile
 import webbrowser
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.console import HOLDS, WRONG, color_option, guarded, say, show_diagnostics
-from vrts.cli.verify_command import write_page, write_record
+from vrts.cli.console import (
+    HOLDS,
+    WRONG,
+    color_option,
+    fail,
+    guarded,
+    say,
+    show_diagnostics,
+    write_file,
+)
 
+if TYPE_CHECKING:
+    from vrts.report.assessment import Assessment
+
+RECORDING, RUN = ".rrd", ".vrun"
+MAGIC = b"RRF"  # how recordings begin
 EPILOG = """\b
 Examples:
   vrts view prog.v2
   vrts view prog.v2 --scene cans-on-bases
   vrts view prog.v2 --with rerun
   vrts view prog.v2 --still 6.4 -o moment.png
+  vrts view out.vrun
+  vrts view run.rrd
 """
 
 
 @click.command(name="view", epilog=EPILOG)
-@click.argument("program", type=click.Path(path_type=Path))
+@click.argument("file", type=click.Path(path_type=Path))
 @click.option("--scene", help="Name or path of a scene; without it the task's, or the robot alone.")
 @click.option("--task", type=click.Path(path_type=Path), help="Task file, or its folder.")
 @click.option("--with", "viewer", type=click.Choice(["browser", "rerun"]), default="browser")
 @click.option("--still", type=float, help="Draw one moment, in s, as a PNG picture instead.")
 @click.option("-o", "--out", "target", type=click.Path(path_type=Path), help="File to write.")
-@click.option("--no-open", is_flag=True, help="Write the file, but open nothing.")
+@click.option("--no-open", is_flag=True, help="Write the file (see -o), but open nothing.")
 @color_option
 @guarded
 def command(
-    program: Path,
+    file: Path,
     scene: str | None,
     task: Path | None,
     viewer: str,
@@ -41,43 +57,122 @@ def command(
     no_open: bool,
     color: str,
 ) -> None:
-    """See PROGRAM move: as a page with a replay, or in the Rerun viewer."""
-    from vrts.pipeline.assess import assess
-    from vrts.pipeline.settings import robot_alone, setting_for
+    """See FILE move: as a page with a replay, or in the Rerun viewer.
 
-    setting = setting_for(program, scene=scene, task=task) or robot_alone()
-    found = assess(program, setting=setting, curve=still is None)
+    FILE is a program, a run that `vrts run --save` has written (.vrun), or a recording (.rrd),
+    which the Rerun viewer shows as it is.
+    """
+    if file.suffix in (RECORDING, RUN) and (scene is not None or task is not None):
+        fail(f"the scene of `{file.name}` is in it", ("leave out `--scene` and `--task`",))
+    if file.suffix == RECORDING:
+        if still is not None or target is not None:
+            fail(f"`{file.name}` is a recording already", ("give the program or its .vrun",))
+        _check_recording(file)
+        if not no_open:
+            _open(file, "rerun")
+        sys.exit(HOLDS)
+    found = _of_run(file) if file.suffix == RUN else _of_program(file, scene, task, still is None)
     if found.run is None:
         show_diagnostics(found.findings, color)
         sys.exit(WRONG)
     if still is not None:
-        from vrts.cli.console import fail, write_file
-        from vrts.report.picture import picture_at
-
-        if not 0 <= still <= found.run.horizon_s:
-            fail(f"the run ends at {found.run.horizon_s:.3f} s")
-        target = target or Path(f"{program.stem}.png")
-        write_file(target, picture_at(found, still))
-        say(f"wrote {target}")
-        sys.exit(HOLDS)
-    suffix = ".rrd" if viewer == "rerun" else ".html"
-    path = target or Path(tempfile.mkdtemp(prefix="vrts-")) / f"{program.stem}{suffix}"
-    if viewer == "rerun":
-        write_record(found, path)
+        _draw(found, still, target or Path(f"{file.stem}.png"))
     else:
-        write_page(found, path)
-    if not no_open:
-        _open(path, viewer)
+        _show(found, viewer, target, no_open=no_open)
     sys.exit(HOLDS)
 
 
+def _of_program(file: Path, scene: str | None, task: Path | None, curve: bool) -> "Assessment":
+    from vrts.pipeline.assess import assess
+    from vrts.pipeline.settings import robot_alone, setting_for
+
+    setting = setting_for(file, scene=scene, task=task) or robot_alone()
+    return assess(file, setting=setting, curve=curve)
+
+
+def _of_run(file: Path) -> "Assessment":
+    """Return what is known of a saved run, checked again without its task."""
+    from vrts.check.judge import judge
+    from vrts.pipeline.assess import with_curve
+    from vrts.pipeline.files import read_bytes, shown
+    from vrts.report.assessment import Assessment
+    from vrts.run_files import load_run
+
+    run = load_run(read_bytes(file), shown(file), file.parent).run
+    assert run is not None
+    main = run.module.main
+    source = run.module.programs[main].span.source if main is not None else None
+    found = Assessment(
+        file.stem,
+        file.name,
+        source,
+        (),
+        module=run.module,
+        scene=run.scene,
+        run=run,
+        judgement=judge(run.scene, run, None),
+    )
+    return with_curve(found)
+
+
+def _check_recording(file: Path) -> None:
+    from vrts.pipeline.files import CannotRead
+
+    try:
+        with file.open("rb") as stream:
+            begin = stream.read(len(MAGIC))
+    except OSError as problem:
+        raise CannotRead(
+            f"cannot read `{file}`: {(problem.strerror or 'failed').lower()}"
+        ) from None
+    if begin != MAGIC:
+        fail(f"`{file}` is no Rerun recording", ("`vrts verify PROGRAM --record FILE` writes one",))
+
+
+def _draw(found: "Assessment", time_s: float, target: Path) -> None:
+    from vrts.report.picture import picture_at
+
+    assert found.run is not None
+    if not 0 <= time_s <= found.run.horizon_s:
+        fail(f"the run ends at {found.run.horizon_s:.3f} s")
+    write_file(target, picture_at(found, time_s))
+    say(f"wrote {target}")
+
+
+def _show(found: "Assessment", viewer: str, target: Path | None, *, no_open: bool) -> None:
+    """Write a file, beside where we are or where nobody looks for it, and open it."""
+    name = f"{found.identifier}{RECORDING if viewer == 'rerun' else '.html'}"
+    if target is None and no_open:
+        target = Path(name)
+    path = target or Path(tempfile.mkdtemp(prefix="vrts-")) / name
+    if viewer == "rerun":
+        from vrts.report.recording import write_recording
+
+        write_recording(found, path)
+    else:
+        from vrts.report.page import page
+        from vrts.report.stills import page_stills
+
+        write_file(path, page(found, page_stills(found)).encode())
+    if target is not None:
+        say(f"wrote {target}")
+    if not no_open:
+        _open(path, viewer)
+
+
 def _open(path: Path, viewer: str) -> None:
+    again = "`--no-open` writes it for another machine"
     if viewer == "browser":
         if not webbrowser.open(path.resolve().as_uri()):
-            say("no browser found here: open the file on another machine")
+            fail("no browser was found here", (again,), status=WRONG)
         return
     program = shutil.which("rerun", path=str(Path(sys.executable).parent)) or shutil.which("rerun")
     if program is None:
-        say("the Rerun viewer is not installed here")
-        return
-    subprocess.run([program, str(path)], check=False)  # noqa: S603 -- our own file
+        fail("the Rerun viewer is not installed here", (again,), status=WRONG)
+    ended = subprocess.run(  # noqa: S603 -- our own file
+        [program, "--bind", "127.0.0.1", "--port", "auto", str(path)],
+        stderr=subprocess.DEVNULL,
+        check=False,
+    )
+    if ended.returncode:
+        fail("the Rerun viewer could not show it; it needs a display", (again,), status=WRONG)
