@@ -10,6 +10,7 @@ from vrts.pipeline.settings import setting_for
 from vrts.report.page import page
 from vrts.report.picture import moment_picture
 from vrts.report.recording import write_recording
+from vrts.report.stills import contacts_of, page_stills
 
 ROUNDS = 9
 EXAMPLE = Path(__file__).parent.parent.parent / "examples" / "01-cans-on-bases"
@@ -26,6 +27,29 @@ BODY = """\
 HITS = (EXAMPLE / "submissions" / "hits-base.v2").read_text()
 _, _, LOCATIONS = HITS.partition(".END\n")
 PROGRAM = ".PROGRAM main()\n  SPEED 60 ALWAYS\n  OPENI\n" + 14 * BODY + ".END\n" + LOCATIONS
+BACK_AND_FORTH = """\
+  MOVES can1_grip
+  CLOSEI
+  DEPARTS 40
+  APPROS base2_put, 60
+  MOVES base2_put
+  OPENI
+  DEPARTS 150
+  APPRO base2_put, 60
+  MOVES base2_put
+  CLOSEI
+  DEPARTS 60
+  APPROS can1_grip, 40
+  MOVES can1_grip
+  OPENI
+  DEPARTS 150
+"""
+TOUCHING = (
+    ".PROGRAM main()\n  SPEED 60 ALWAYS\n  OPENI\n  MOVE safe\n  APPRO can1_grip, 100\n"
+    + 5 * BACK_AND_FORTH
+    + ".END\n"
+    + LOCATIONS
+)
 
 
 def cost(name: str, work: Callable[[], object]) -> float:
@@ -39,6 +63,20 @@ def cost(name: str, work: Callable[[], object]) -> float:
     return median(taken)
 
 
+def test_a_page_with_ten_contacts_and_four_stills(tmp_path: Path) -> None:
+    program = tmp_path / "contacts.v2"
+    program.write_text(TOUCHING)
+    setting = setting_for(program, scene="cans-on-bases", task=None)
+    a = assess(program, setting=setting, curve=True)
+    stills = page_stills(a)
+    text = page(a, stills)
+    print(f"\n{len(contacts_of(a))} contacts, page {len(text.encode()) / 1e6:.2f} MB")
+    assert len(stills) == 4
+    assert len(contacts_of(a)) == 10
+    assert cost("page", lambda: page(a, stills)) <= 60
+    assert len(text.encode()) <= 2_000_000
+
+
 def test_reports_of_a_minute(tmp_path: Path) -> None:
     program = tmp_path / "minute.v2"
     program.write_text(PROGRAM)
@@ -49,9 +87,10 @@ def test_reports_of_a_minute(tmp_path: Path) -> None:
     picture = moment_picture(a)
     assert picture is not None
     recording = tmp_path / "run.rrd"
-    text = page(a, {"moment": picture})
+    stills = page_stills(a)
+    text = page(a, stills)
     cost("still 480x360", lambda: moment_picture(a))
-    cost("page", lambda: page(a, {"moment": picture}))
+    assert cost("page", lambda: page(a, stills)) <= 60
     cost("recording", lambda: write_recording(a, recording))
     size = recording.stat().st_size
     print(f"page {len(text.encode()) / 1e6:.2f} MB, recording {size / 1e6:.2f} MB")
