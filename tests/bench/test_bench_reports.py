@@ -7,6 +7,8 @@ from time import process_time
 
 from vrts.pipeline.assess import assess
 from vrts.pipeline.settings import setting_for
+from vrts.report import backdrop
+from vrts.report.assessment import Assessment
 from vrts.report.page import page
 from vrts.report.picture import moment_picture
 from vrts.report.recording import write_recording
@@ -63,6 +65,12 @@ def cost(name: str, work: Callable[[], object]) -> float:
     return median(taken)
 
 
+def _alone(a: Assessment) -> None:
+    for kept in (backdrop.stage, backdrop.view, backdrop.backdrop):
+        kept.cache_clear()
+    page_stills(a)
+
+
 def test_a_page_with_ten_contacts_and_four_stills(tmp_path: Path) -> None:
     program = tmp_path / "contacts.v2"
     program.write_text(TOUCHING)
@@ -73,6 +81,8 @@ def test_a_page_with_ten_contacts_and_four_stills(tmp_path: Path) -> None:
     print(f"\n{len(contacts_of(a))} contacts, page {len(text.encode()) / 1e6:.2f} MB")
     assert len(stills) == 4
     assert len(contacts_of(a)) == 10
+    cost("four stills 480x360", lambda: page_stills(a))
+    cost("the same where nothing is kept", lambda: _alone(a))
     assert cost("page", lambda: page(a, stills)) <= 60
     assert len(text.encode()) <= 2_000_000
 

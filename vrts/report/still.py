@@ -26,7 +26,7 @@ from vrts.scene.model import Scene
 SIZE = (1200, 800)
 SAMPLES = 2  # a side: sub-pixels of a pixel
 GRID_M = 0.04  # cameras stand on a grid, so that their backdrops serve again
-MAP = 512  # longer side of the shadow map of what moves, texels
+MAP = 512  # longer side of the shadow map of what moves, texels; more for wide pictures
 
 BAND = 24  # rows composed at once: what is worked on stays near the processor
 
@@ -72,7 +72,7 @@ def still(
         )
     screen = Screen(camera, *size, samples)
     layer = _with_moving(fixed, floor_m, screen, moving, frozenset(highlight))
-    shadows = shadow_map(moving.corners, MAP)
+    shadows = shadow_map(moving.corners, max(MAP, size[0]))
     picture = _composed(layer, view(fixed, floor_m, screen).ground, shadows)
     if marker is not None:
         _ring(picture, camera, marker)
