@@ -149,7 +149,7 @@ def _carrying(name: Path, setting: "Setting", title: str) -> tuple[bytes, bytes]
 
 def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:
     """Return the files of a new scene: a simple one, or a copy."""
-    from vrts.marking.new_files import new_scene
+    from vrts.marking.new_scene import new_scene
     from vrts.pipeline.files import SCENE_FILE, find_scene, read_bytes
 
     if origin is None:
