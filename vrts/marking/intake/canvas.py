@@ -42,7 +42,7 @@ def _hand_in(user: str, entries: Sequence[tuple[re.Match[str], str]]) -> HandIn:
     return HandIn(
         user,
         (name, user),
-        Student(name, ids={Platform.CANVAS.value: user}),
+        Student(name.strip(), ids={Platform.CANVAS.value: user}),
         tuple(sorted(file for _, file in entries)),
         flagged_late=late,
     )

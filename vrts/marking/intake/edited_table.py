@@ -81,7 +81,8 @@ class _Reader:
         get = {column: cells.get(column, nowhere) for column in COLUMNS}
         identifier = self._identifier(get["id"])
         file, flaw = self._file(get["file"])
-        problem = self._problem(get["problem"], get["file"], flaw)
+        named = file is not None or bool(get["file"].text.strip())
+        problem = self._problem(get["problem"], get["file"].span, flaw, named=named)
         received = self._time(get["received"], "received")
         attempts = self._attempts(get["attempts"])
         if file is not None and (not attempts or attempts[-1].file != file):
@@ -136,7 +137,7 @@ class _Reader:
     def _file(self, cell: Cell) -> tuple[str | None, Problem | None]:
         """Return the file a row names, and what is wrong with its content."""
         name = normalize("NFC", cell.text.strip("\n"))
-        if not name.strip():
+        if not name.strip() and name not in self._tree.files:
             return None, None
         candidate = inspect(self._tree, name) or inspect(self._tree, name.strip())
         if candidate is None:
@@ -153,7 +154,9 @@ class _Reader:
         headline = f"there is no file `{name}` in the download"
         self._problems.error(INTAKE_FILE, headline, span, help=remedies or (usual,))
 
-    def _problem(self, cell: Cell, file: Cell, flaw: Problem | None) -> Problem | None:
+    def _problem(
+        self, cell: Cell, file: Span, flaw: Problem | None, *, named: bool
+    ) -> Problem | None:
         """Return what keeps a row from being marked: the teacher's word, or that of the file."""
         text = cell.text.strip()
         word, _, sentence = (part.strip() for part in text.partition(":"))
@@ -173,13 +176,13 @@ class _Reader:
             return None
         if kind is Kind.EXCUSED:
             return Problem(kind, sentence or "excused by the teacher")
-        if file.text.strip():
+        if named:
             return flaw
         if kind is None:
             self._problems.error(
                 NOTHING_CHOSEN,
                 "a row names neither a file nor a problem",
-                file.span,
+                file,
                 help=("write a file of the download, or `missing` or `excused` as its problem",),
             )
             return None

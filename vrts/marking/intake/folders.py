@@ -40,7 +40,7 @@ def folders(tops: Mapping[str, Sequence[str]], zone: tzinfo | None) -> Layout:
 def listed(files: Sequence[str]) -> Layout:
     """Return a hand-in for each of the files named."""
     hand_ins = tuple(
-        HandIn(file, (stem_of(file),), Student(stem_of(file)), (file,)) for file in files
+        HandIn(file, (stem_of(file),), Student(stem_of(file).strip()), (file,)) for file in files
     )
     return Layout(LIST, hand_ins)
 
@@ -51,7 +51,7 @@ def is_attempt(folder: str) -> bool:
 
 
 def _of_folder(top: str, files: list[str], zone: tzinfo | None) -> list[HandIn]:
-    student = Student(top, email=top if re.fullmatch(r"[\w.+-]+@[\w.-]+", top) else "")
+    student = Student(top.strip(), email=top if re.fullmatch(r"[\w.+-]+@[\w.-]+", top) else "")
     attempts: dict[str, list[str]] = {}
     for file in files:
         inside = PurePosixPath(file).relative_to(top).parts
@@ -89,7 +89,8 @@ def _of_files(flat: Sequence[str]) -> list[HandIn]:
     for file in flat:
         found.setdefault(stem_of(file), []).append(file)
     return [
-        HandIn(stem, (stem,), Student(stem), tuple(sorted(files))) for stem, files in found.items()
+        HandIn(stem, (stem,), Student(stem.strip()), tuple(sorted(files)))
+        for stem, files in found.items()
     ]
 
 

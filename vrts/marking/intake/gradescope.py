@@ -1,5 +1,6 @@
 """Exports of Gradescope: submission_metadata.yml, and a folder for each submission."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from datetime import UTC, datetime
 from typing import NamedTuple, cast
@@ -7,12 +8,14 @@ from typing import NamedTuple, cast
 import yaml
 
 from vrts.marking.intake.hand_in import HandIn, Layout
-from vrts.marking.intake.row import Platform, Student
+from vrts.marking.intake.row import Platform, Student, plain_id
 from vrts.pipeline.files import CannotRead
 
 METADATA = "submission_metadata.yml"
 LARGEST = 64_000_000  # bytes of it: it repeats results and history
 MOST_MEMBERS = 50  # of a group
+
+_KEY = re.compile(r"submission_\w+")
 
 
 class _Submission(NamedTuple):
@@ -54,7 +57,7 @@ def _of(
     number = submission.name.removeprefix("submission_")
     group = submission.name if len(submission.submitters) > 1 else ""
     for member in submission.submitters or ({},):
-        sid, name, email = (member.get(key, "") for key in ("sid", "name", "email"))
+        sid, name, email = (plain_id(member.get(key, "")) for key in ("sid", "name", "email"))
         ids = {Platform.GRADESCOPE.value: number}
         if sid:
             ids[Platform.SIS.value] = sid
@@ -95,6 +98,8 @@ def _submissions(metadata: bytes) -> Iterator[_Submission]:
     if not isinstance(root, yaml.MappingNode):
         raise CannotRead(f"`{METADATA}` is not as Gradescope writes it")
     for key, value in _pairs(root):
+        if not _KEY.fullmatch(key):
+            raise CannotRead(f"`{METADATA}` is not as Gradescope writes it")
         fields = dict(_pairs(value))
         created = fields.get("created_at")
         people = fields.get("submitters")

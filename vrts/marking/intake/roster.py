@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from vrts.marking.intake.hand_in import HandIn, Layout
 from vrts.marking.intake.local_time import local_time
-from vrts.marking.intake.row import Platform, Student
+from vrts.marking.intake.row import Platform, Student, plain_id
 from vrts.marking.intake.table_text import Cell, read_text, table
 from vrts.pipeline.files import CannotRead
 
@@ -103,7 +103,7 @@ def _canvas(header: Sequence[str], lines: Sequence[Sequence[Cell]]) -> Roster:
             continue  # points possible, and the like
         ids = {Platform.CANVAS.value: number}
         if cells.get("sis user id"):
-            ids[Platform.SIS.value] = cells["sis user id"]
+            ids[Platform.SIS.value] = plain_id(cells["sis user id"])
         student = Student(cells["student"], login=cells.get("sis login id", ""), ids=ids)
         members[number] = Member(student, None)
     return Roster(Platform.CANVAS, members, ())

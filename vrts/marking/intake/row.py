@@ -17,6 +17,11 @@ class Platform(Enum):
     GRADESCOPE = "gradescope"  # of the submission
 
 
+def plain_id(text: str) -> str:
+    """Return an id of a platform as it can stand in a list of ids."""
+    return " ".join(text.replace(";", " ").split())
+
+
 @dataclass(frozen=True, slots=True)
 class Student:
     """Whoever handed in, as far as the download tells; "" for what it does not tell."""

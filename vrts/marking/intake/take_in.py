@@ -39,8 +39,7 @@ def take_in(
         CannotRead: There is nothing that could be read.
     """
     with open_place(place) as tree:
-        named = not isinstance(place, Path)
-        return take_in_tree(tree, program=program, zone=zone, roster=roster, named=named)
+        return take_in_tree(tree, program=program, zone=zone, roster=roster)
 
 
 def take_in_tree(
@@ -49,10 +48,9 @@ def take_in_tree(
     program: str | None,
     zone: tzinfo | None = None,
     roster: Roster | None = None,
-    named: bool = False,
 ) -> Intake:
-    """Return the rows of what was opened; `named` files are a hand-in each."""
-    layout = listed(tree.files) if named else _layout(tree, zone)
+    """Return the rows of what was opened."""
+    layout = listed(tree.files) if tree.is_list else _layout(tree, zone)
     if roster is not None:
         layout = enrolled(layout, roster)
     students: dict[str, list[HandIn]] = {}
@@ -87,7 +85,7 @@ def _layout(tree: Tree, zone: tzinfo | None) -> Layout:
 
 
 def _platform(tree: Tree, tops: dict[str, list[str]], root: str) -> Layout | None:
-    if METADATA in tops:
+    if tops.get(METADATA) == [METADATA]:
         try:
             metadata = tree.store.read(root + METADATA)
         except Unreadable as flaw:

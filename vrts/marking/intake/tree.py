@@ -10,6 +10,7 @@ from types import TracebackType
 from typing import BinaryIO, NamedTuple, Protocol
 
 from vrts.base.zips import BadZip, Flaw, Unpacker
+from vrts.marking.intake.content import HEAD, archive, is_zip
 from vrts.marking.intake.file_names import flaw_of, is_junk, same_name
 from vrts.pipeline.files import CannotRead
 
@@ -71,6 +72,7 @@ class Tree:
         self.folders = tuple(sorted(folders))
         self.refused = refused
         self.is_zip = opened is not None
+        self.is_list = False  # of files that were named one by one
         self._opened = opened
 
     def __enter__(self) -> "Tree":
@@ -99,9 +101,13 @@ def open_place(place: Path | Sequence[Path]) -> Tree:
     if not place.is_file():
         raise CannotRead(f"there is no `{place}`")
     with place.open("rb") as file:
-        start = file.read(4)
-    if start in (b"PK\x03\x04", b"PK\x05\x06"):
+        head = file.read(HEAD)
+    if is_zip(head):
         return _opened_zip(place)
+    packed = archive(head)
+    if packed is not None:
+        hint = "unpack it, and name the folder"
+        raise CannotRead(f"`{place.name}` is {packed.what}, which is not opened", (hint,))
     return _list_tree([place])
 
 
@@ -180,7 +186,9 @@ def _name_in_zip(member: str) -> str:
     if not name.isascii():
         with suppress(ValueError):  # no UTF-8 in disguise
             name = name.encode("cp437").decode("utf-8")
-    return unicodedata.normalize("NFC", name)
+    parts = [part for part in name.split("/") if part not in ("", ".")]
+    start, end = "/" * name.startswith("/"), "/" * name.endswith("/")
+    return unicodedata.normalize("NFC", f"{start}{'/'.join(parts)}{end}")
 
 
 # folders
@@ -283,7 +291,9 @@ def _list_tree(places: Sequence[Path]) -> Tree:
                     walk.paths[_shown(path.as_posix())] = path
         else:
             walk.paths[_shown(place.as_posix())] = place.resolve()  # named by the teacher
-    return Tree("files", _FolderStore(walk.paths), list(walk.paths), [], walk.refused)
+    tree = Tree("files", _FolderStore(walk.paths), list(walk.paths), [], walk.refused)
+    tree.is_list = True
+    return tree
 
 
 # names

@@ -187,7 +187,13 @@ def test_a_place_that_is_not_there_is_told(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     "metadata",
-    [b"[", b"- a\n- b\n", b"a: &a [*a]\n&b c: *b\nd: *x\n", b"[" * 5_000, b"a: !!python/object x"],
+    [
+        b"[",
+        b"- a\n- b\n",
+        b"a: &a [*a]\n&b c: *b\nd: *x\n",
+        b"[" * 5_000,
+        b"submission_2: !!python/object x",
+    ],
 )
 def test_damaged_metadata_of_gradescope_are_told(metadata: bytes, tmp_path: Path) -> None:
     place = put(tmp_path / "d", {"submission_metadata.yml": metadata, "submission_1/a.v2": PICK})
@@ -199,8 +205,8 @@ def test_damaged_metadata_of_gradescope_are_told(metadata: bytes, tmp_path: Path
 
 
 def test_aliases_of_metadata_are_not_expanded(tmp_path: Path) -> None:
-    lines = ["a0: &a0 {x: lol}"]
-    lines += [f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 9)}]" for n in range(1, 40)]
+    lines = ["submission_a0: &a0 {x: lol}"]
+    lines += [f"submission_a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 9)}]" for n in range(1, 40)]
     lines += ["submission_1:", "  :submitters: *a39", "  :created_at: 2026-03-01 10:00:00 Z"]
     files = {"submission_metadata.yml": "\n".join(lines).encode(), "submission_1/a.v2": PICK}
     found = take_in(put(tmp_path / "d", files), program="pick")
