@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from vrts.marking.layout import RESULT, Layout, write_atomically
+from vrts.marking.layout import LOST, RESULT, Layout, write_atomically
 from vrts.marking.marker import STAFF, STUDENT, WRITTEN, Marker, Marks, read_marks
 from vrts.marking.one import Order
 from vrts.marking.report_files import RECORDING, REPORT
@@ -96,9 +96,10 @@ def _done(marker: Marker, entry: Entry, finished: Finished[Order], layout: Layou
     if layout is not None:
         if isinstance(finished.outcome, Lost):
             words = f"{finished.outcome.loss.value}\n{finished.outcome.detail}"
-            write_atomically(layout.grader(entry.identifier) / "lost.txt", words.encode())
+            write_atomically(layout.grader(entry.identifier) / LOST, words.encode())
         else:
             take_files(finished.folder, layout, entry.identifier)
+            (layout.grader(entry.identifier) / LOST).unlink(missing_ok=True)
         write_marks(marks, layout)
     return Done(entry, marks.staff, marks.student, False, finished.seconds, finished.peak)
 
