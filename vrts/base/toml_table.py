@@ -6,6 +6,7 @@ returns the default, so that a reader goes on and reports everything in one pass
 
 import math
 from collections.abc import Iterable
+from datetime import datetime
 from difflib import get_close_matches
 from fractions import Fraction
 from typing import TypeAlias, cast, overload
@@ -246,6 +247,24 @@ class Table:
         if not isinstance(value, bool):
             self._wrong_type(key, "true or false", value)
             return default
+        return value
+
+    def time(self, key: str, *, required: bool = False) -> datetime | None:
+        """Return a date with a time and its offset from UTC: an instant everywhere."""
+        value = self._take(key, required=required)
+        if value is None:
+            return None
+        wanted = "a date with time and offset, such as 2026-11-30T23:59:00+01:00"
+        if not isinstance(value, datetime):
+            self._wrong_type(key, wanted, value)
+            return None
+        if value.tzinfo is None:
+            span = self.value_span(key)
+            headline = f"`{key}` must be {wanted}"
+            self.problems.error(
+                WRONG_TYPE, headline, span, "this has no offset from UTC", data={"key": key}
+            )
+            return None
         return value
 
     # lists

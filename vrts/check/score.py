@@ -92,8 +92,13 @@ def share_of(error: Fraction, tolerance: Fraction, zero_at: Fraction) -> Fractio
 
 def rounded_mark(parts: Parts) -> Fraction:
     """Return the mark: rounded half up to a tenth, from 0 to 10."""
-    tenths = (parts.unrounded / TENTH + Fraction(1, 2)).__floor__()
-    return min(FULL, tenths * TENTH)
+    return to_tenth(parts.unrounded)
+
+
+def to_tenth(points: Fraction) -> Fraction:
+    """Return points as a mark: rounded half up to a tenth, from 0 to 10."""
+    tenths = (points / TENTH + Fraction(1, 2)).__floor__()
+    return min(FULL, max(Fraction(0), tenths * TENTH))
 
 
 def _time_share(achieved: Achieved, t_par: Fraction, t_max: Fraction) -> Fraction:

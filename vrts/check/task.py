@@ -8,6 +8,7 @@ from typing import NamedTuple
 from vrts.base.pose import Pose, Vector
 from vrts.base.source import Span
 from vrts.check.demands import Demand
+from vrts.check.late_rules import Keep, LateRules
 
 
 class Goal(NamedTuple):
@@ -65,3 +66,5 @@ class Task:
     digest: str  # sha256 of the file
     demands: tuple[Demand, ...] = ()  # zones, limits, rules
     near_miss: float | None = None  # nearer than this is a near miss [m]; None: as usual
+    late: LateRules | None = None  # what lateness costs; None: nothing
+    keep: Keep = Keep.LATEST  # which of several hand-ins counts

@@ -11,6 +11,7 @@ from vrts.base.source import SourceFile
 from vrts.base.toml import Problems, Table, read_toml
 from vrts.base.units import DEG, MM, mm
 from vrts.check.demand_file import read_demands
+from vrts.check.late_rules import read_keep, read_late
 from vrts.check.task import Goal, MarkScheme, Task
 from vrts.check.via_file import read_via
 from vrts.geometry.support import bounds
@@ -68,6 +69,7 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
     t_par, t_max = _times(top, problems)
     mark = _mark(top, problems)
     near_miss = _near_miss(top)
+    late, keep = read_late(top, problems), read_keep(top)
     top.finish()
     return Task(
         name,
@@ -83,6 +85,8 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
         hashlib.sha256(source.text.encode()).hexdigest(),
         demands,
         near_miss,
+        late,
+        keep,
     )
 
 

@@ -1,6 +1,8 @@
 """`vrts grade intake`."""
 
+import re
 import sys
+from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,6 +11,7 @@ import click
 from vrts.cli.console import HOLDS, WRONG, fail, guarded, out, say, write_file
 
 if TYPE_CHECKING:
+    from vrts.check.task import Task
     from vrts.marking.intake.row import Intake
 
 EPILOG = """\b
@@ -24,6 +27,18 @@ TABLE = "intake.csv"
 @click.argument("place", type=click.Path(path_type=Path))
 @click.option("--task", type=click.Path(path_type=Path), help="The task: which program it runs.")
 @click.option("--program", metavar="NAME", help="The program to look for, where there is no task.")
+@click.option(
+    "--roster",
+    "class_list",
+    type=click.Path(path_type=Path),
+    help="Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing, and"
+    " with Moodle when the work came.",
+)
+@click.option(
+    "--zone",
+    metavar="ZONE",
+    help="Of times without one: Europe/Vienna, or +01:00; otherwise that of the task's deadline.",
+)
 @click.option("-o", "--out", "target", type=click.Path(path_type=Path), help="The table to write.")
 @click.option("--force", is_flag=True, help="Write the table also where there is one already.")
 @click.option(
@@ -38,6 +53,8 @@ def command(
     place: Path,
     task: Path | None,
     program: str | None,
+    class_list: Path | None,
+    zone: str | None,
     target: Path | None,
     force: bool,
     delimiter: str,
@@ -50,12 +67,26 @@ def command(
     grade` obeys it. Exit status 1 when a row has a problem.
     """
     from vrts.marking.intake.intake_table import write_rows
+    from vrts.marking.intake.roster import read_roster
     from vrts.marking.intake.take_in import take_in
+    from vrts.pipeline.files import read_bytes
 
-    intake = take_in(place, program=program or _program_of(task))
     table = target or (place / TABLE if place.is_dir() else place.parent / TABLE)
     if table.exists() and not force:
         fail(f"`{table}` is there already", ("`--force` writes it anew; edits in it are lost",))
+    asked = _task(task)
+    times = (
+        _zone(zone)
+        if zone
+        else None
+        if asked is None or asked.late is None
+        else asked.late.due.tzinfo
+    )
+    roster = (
+        None if class_list is None else read_roster(read_bytes(class_list), class_list.name, times)
+    )
+    wanted = program or (None if asked is None else asked.program)
+    intake = take_in(place, program=wanted, zone=times, roster=roster)
     out(_text(intake))
     write_file(table, write_rows(intake.rows, delimiter))
     for remark in intake.remarks:
@@ -64,18 +95,29 @@ def command(
     sys.exit(WRONG if any(row.problem for row in intake.rows) else HOLDS)
 
 
-def _program_of(task: Path | None) -> str | None:
-    """Return the program that a task runs; None where it does not say."""
-    if task is None:
+def _task(path: Path | None) -> "Task | None":
+    """Return the task, without its hidden part."""
+    if path is None:
         return None
     from vrts.marking.packed import is_packed, load_zip
     from vrts.pipeline.files import find_example
     from vrts.pipeline.settings import TASK_FILE, load_task
 
-    folder = find_example(str(task))
-    path = folder / TASK_FILE if folder is not None else task
-    setting = (load_zip if is_packed(path) else load_task)(path, staff=False)
-    return None if setting.task is None else setting.task.program
+    folder = find_example(str(path))
+    file = folder / TASK_FILE if folder is not None else path
+    return (load_zip if is_packed(file) else load_task)(file, staff=False).task
+
+
+def _zone(name: str) -> tzinfo:
+    """Return a zone by its name, or by its offset from UTC."""
+    from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
+
+    if re.fullmatch(r"[+-]\d\d:?\d\d", name):
+        return datetime.strptime(name, "%z").tzinfo or UTC
+    try:
+        return ZoneInfo(name)
+    except (ZoneInfoNotFoundError, ValueError, OSError):
+        fail(f"there is no zone `{name}`", ("write such as Europe/Vienna, or +01:00",))
 
 
 def _text(intake: "Intake") -> str:

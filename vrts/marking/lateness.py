@@ -1,0 +1,107 @@
+"""What being late costs: from the platform's times, exactly, and never from dates of files."""
+
+from collections.abc import Sequence
+from datetime import datetime, timedelta
+from fractions import Fraction
+from typing import NamedTuple
+
+from vrts.check.late_rules import LateRules
+from vrts.check.score import to_tenth
+
+DAY = timedelta(days=1)
+ON_TIME = timedelta(0)
+NOTHING = Fraction(0)
+
+
+class Lateness(NamedTuple):
+    """How late a hand-in is, and what that costs."""
+
+    late_by: timedelta | None  # 0 for on time; None where the platform does not tell
+    points: Fraction  # that it costs, before the mark is known
+    closed: bool  # too late to count at all
+    sentence: str  # "" for on time
+    review: bool = False  # somebody has to look when it came
+
+
+class Marks(NamedTuple):
+    """The three columns of a mark: raw - deduction = final, but for rounding."""
+
+    raw: Fraction
+    deduction: Fraction  # points taken for lateness, exactly
+    final: Fraction  # from 0, rounded half up to a tenth
+
+
+UNJUDGED = Lateness(None, NOTHING, closed=False, sentence="")
+
+
+def lateness(
+    rules: LateRules | None,
+    received: datetime | None,
+    *,
+    due: datetime | None = None,
+    flagged_late: bool = False,
+) -> Lateness:
+    """Return how late a hand-in is.
+
+    Args:
+        rules: Of the task; None: lateness costs nothing.
+        received: When it came, told by the platform; None: not known.
+        due: An own deadline of the student; closing moves along with it.
+        flagged_late: The platform calls it late.
+    """
+    if rules is None:
+        return UNJUDGED
+    if received is None:
+        if not flagged_late:
+            return UNJUDGED
+        sentence = "late, says the platform, but not when it came"
+        return Lateness(None, NOTHING, closed=False, sentence=sentence, review=True)
+    deadline = due or rules.due
+    late_by = max(ON_TIME, received - deadline)
+    if rules.closed is not None and received > rules.closed + (deadline - rules.due):
+        return Lateness(late_by, NOTHING, closed=True, sentence=f"{_words(late_by)} late: closed")
+    if late_by <= rules.grace:
+        words = f"{_words(late_by)} late, within the time of grace" if late_by else ""
+        return Lateness(late_by, NOTHING, closed=False, sentence=words)
+    points = min(rules.most, _cost(rules, late_by))
+    sentence = f"{_words(late_by)} late: {_points(points)}"
+    return Lateness(late_by, points, closed=False, sentence=sentence)
+
+
+def marks(raw: Fraction, late: Lateness) -> Marks:
+    """Return raw mark, deduction, and final mark."""
+    deduction = raw if late.closed else min(raw, late.points)
+    return Marks(raw, deduction, to_tenth(raw - deduction))
+
+
+def best(attempts: Sequence[Marks]) -> int:
+    """Return the number, from 0, of the attempt that counts where the best does.
+
+    The highest final mark; of equal ones the highest raw mark, then the first.
+    """
+    return max(range(len(attempts)), key=lambda k: (attempts[k].final, attempts[k].raw, -k))
+
+
+def _cost(rules: LateRules, late_by: timedelta) -> Fraction:
+    if rules.steps:
+        reached = [step.points for step in rules.steps if late_by > step.after]
+        return reached[-1] if reached else NOTHING
+    days_begun = -(-late_by // DAY)
+    return rules.per_day * days_begun
+
+
+def _words(late_by: timedelta) -> str:
+    """Return a duration in words: "1 day 3 h", "12 min"."""
+    days, rest = late_by.days, late_by - timedelta(days=late_by.days)
+    hours, minutes = rest // timedelta(hours=1), rest // timedelta(minutes=1) % 60
+    if days:
+        one = "1 day" if days == 1 else f"{days} days"
+        return f"{one} {hours} h" if hours else one
+    if hours:
+        return f"{hours} h {minutes} min" if minutes else f"{hours} h"
+    return f"{minutes} min" if minutes else f"{rest.seconds} s"
+
+
+def _points(points: Fraction) -> str:
+    shown = f"{float(points):g}"
+    return "no points" if not points else f"{shown} point{'' if points == 1 else 's'} less"
