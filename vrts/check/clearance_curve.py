@@ -44,8 +44,9 @@ def clearance_curve(
     gaps = _gaps(todo.pairs, rows, places, count)
     starts, ends = todo.pairs.start_s[rows], todo.pairs.end_s[rows]
     for k, now in enumerate(time_s.tolist()):
-        gap = np.where((starts <= now) & (now <= ends), gaps[:, k], np.inf)
-        for row in np.argsort(gap).tolist():
+        gap = gaps[k]
+        near = np.flatnonzero((gap < FAR) & (starts <= now) & (now <= ends))
+        for row in near[np.argsort(gap[near])].tolist():
             if gap[row] >= found[k]:
                 break
             i, j = int(todo.pairs.first[rows[row]]), int(todo.pairs.second[rows[row]])
@@ -59,9 +60,18 @@ def clearance_curve(
 
 
 def _gaps(pairs: Pairs, rows: Indices, places: Places, count: int) -> Array:
-    """Return the distance of the boxes round two solids, shape (rows, times) [m]."""
+    """Return the distance of the boxes round two solids, shape (times, rows) [m]."""
     centres = places.centres.reshape(-1, count, 3)
     halves = places.halves.reshape(-1, count, 3)
     i, j = pairs.first[rows], pairs.second[rows]
-    apart = np.abs(centres[i] - centres[j]) - halves[i] - halves[j]
-    return np.sqrt((np.maximum(apart, 0.0) ** 2).sum(axis=2))
+    squares = np.zeros((count, len(rows)))
+    for axis in range(3):
+        centre, half = centres[:, :, axis].T.copy(), halves[:, :, axis].T.copy()
+        apart = np.take(centre, i, axis=1)
+        apart -= np.take(centre, j, axis=1)
+        np.abs(apart, out=apart)
+        apart -= np.take(half, i, axis=1)
+        apart -= np.take(half, j, axis=1)
+        np.maximum(apart, 0.0, out=apart)
+        squares += np.square(apart, out=apart)
+    return np.sqrt(squares, out=squares)

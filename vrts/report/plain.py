@@ -27,6 +27,8 @@ class Shown(NamedTuple):
 
 def visible(text: str) -> str:
     """Return the text with every control and format character replaced; line ends stay."""
+    if text.isprintable():  # nearly always, and pictures are long
+        return _disarmed(text)
     seen = (character if character == "\n" else _visible(character) for character in text)
     return _disarmed("".join(seen))
 
@@ -84,7 +86,7 @@ def shown(line: str) -> Shown:
 
 def _disarmed(text: str) -> str:
     """Return the text, as long as before, without commands that stand anywhere in a line."""
-    return SERVICE_COMMAND.sub(SHARP, text)
+    return SERVICE_COMMAND.sub(SHARP, text) if "##" in text else text
 
 
 def _visible(character: str) -> str:
