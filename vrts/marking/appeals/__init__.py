@@ -1,0 +1,1 @@
+"""What a mark rests on, marking again, and who moves when a task is repaired."""

@@ -1,0 +1,113 @@
+"""What an earlier marking has written: rows, how it was marked, and changes by hand."""
+
+from difflib import get_close_matches
+from pathlib import Path
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Rule, error
+from vrts.marking import about
+from vrts.marking.about import About
+from vrts.marking.layout import Layout
+from vrts.marking.override_text import load_overrides
+from vrts.marking.overrides import Overrides
+from vrts.marking.result import Damaged
+from vrts.marking.row import LARGEST, Class, Row, class_from_bytes
+from vrts.pipeline.files import CannotRead, read_bytes
+from vrts.pipeline.settings import Refused
+
+NO_MARKING = Rule("V760", "no-marking")
+NOBODY = Rule("V761", "nobody-of-that-name")
+
+LARGEST_ABOUT = 4_000_000  # bytes
+
+
+class Written(NamedTuple):
+    """The output of a marking."""
+
+    layout: Layout
+    rows: Class
+    about: About
+
+    @property
+    def known(self) -> tuple[str, ...]:
+        """The identifiers of the class."""
+        return tuple(row.id for row in self.rows.rows)
+
+    def overrides(self) -> Overrides:
+        """Return the changes by hand as they are now.
+
+        Raises:
+            Refused: The file has errors.
+        """
+        return load_overrides(self.layout.overrides, self.known)
+
+    def row(self, wanted: str) -> Row:
+        """Return the row of a student, by id, or by anything else that only one of them has.
+
+        Raises:
+            Refused: There is none, or more than one.
+        """
+        rows = self.rows.rows
+        exact = [row for row in rows if row.id == wanted]
+        found = exact or [row for row in rows if wanted.casefold() in _names(row)]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            remedy = f"write the id: {', '.join(f'`{row.id}`' for row in found[:5])}"
+            headline = f"{len(found)} students of this class are called `{wanted}`"
+        else:
+            close = get_close_matches(wanted, self.known, 1, 0.6)
+            remedy = f"did you mean `{close[0]}`?" if close else "write the id, as in `intake.csv`"
+            headline = f"there is no student `{wanted}` in this class"
+        raise Refused((error(NOBODY, headline, help=(remedy,)),))
+
+
+def read_written(folder: Path) -> Written:
+    """Return what a marking wrote into a folder.
+
+    Raises:
+        Refused: No marking has been written there, or not by this vrts.
+    """
+    layout = Layout(folder)
+    rows = read_class(layout.results, folder)
+    try:
+        how = about.from_bytes(_read(layout.staff / about.NAME, folder, LARGEST_ABOUT))
+    except Damaged as problem:
+        raise _no_marking(folder, f"`{about.NAME}` is not as vrts writes it") from problem
+    return Written(layout, rows, how)
+
+
+def read_class(path: Path, shown: Path | None = None) -> Class:
+    """Return the rows in a file; `shown` is what the marking is called.
+
+    Raises:
+        Refused: It is not there, or not as this vrts writes it.
+    """
+    try:
+        return class_from_bytes(_read(path, shown or path, LARGEST))
+    except Damaged as problem:
+        headline = f"`{path.name}` is not as this vrts writes it: {problem}"
+        raise _no_marking(shown or path, headline) from problem
+
+
+def _read(path: Path, shown: Path, most: int) -> bytes:
+    try:
+        if path.stat().st_size > most:
+            raise _no_marking(shown, f"`{path.name}` has more than {most:,} bytes")
+        return read_bytes(path)
+    except (OSError, CannotRead) as problem:
+        raise _no_marking(shown, f"`{path.name}` cannot be read") from problem
+
+
+def _no_marking(shown: Path, why: str) -> Refused:
+    headline = f"`{shown}` holds no complete marking of a class"
+    remedy = (
+        "name the folder that was given to `vrts grade` with `-o`; mark again if it ended early"
+    )
+    return Refused((error(NO_MARKING, headline, notes=(why,), help=(remedy,)),))
+
+
+def _names(row: Row) -> set[str]:
+    student = row.student
+    named = {student.name, student.email, student.login, *student.ids.values()}
+    return {name.casefold() for name in named if name}
