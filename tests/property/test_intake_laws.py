@@ -16,7 +16,7 @@ from vrts.marking.intake.intake_table import write_rows
 from vrts.marking.intake.row import Intake
 from vrts.marking.intake.take_in import take_in
 from vrts.marking.intake.tree import open_place
-from vrts.marking.submissions import safe
+from vrts.marking.safe_names import safe
 from vrts.pipeline.files import CannotRead
 
 PIECES = st.one_of(

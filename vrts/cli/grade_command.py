@@ -1,148 +1,52 @@
-"""`vrts grade`."""
+"""`vrts grade`: marking is what it does unless the first word is one of its subcommands."""
 
-import sys
-from pathlib import Path
-from typing import TYPE_CHECKING
+import importlib
 
 import click
 
-from vrts.cli.console import (
-    FAULT,
-    HOLDS,
-    color_option,
-    fail,
-    guarded,
-    lab_option,
-    out,
-    say,
-    show_diagnostics,
-)
-
-if TYPE_CHECKING:
-    from vrts.marking.grade import Marked
-    from vrts.marking.submissions import Submission
-    from vrts.pipeline.settings import Setting
-
-EPILOG = """\b
-Examples:
-  vrts grade examples/01-cans-on-bases -o out
-  vrts grade task.toml submissions/ -o out
-  vrts grade task.toml anna.v2 ben.v2 --format json
-  vrts grade lab1-student.zip mine.v2
-  vrts grade lab1-staff.zip submissions/ -o out
-"""
+SUBCOMMANDS = {
+    "intake": "tell who handed in what, and write a table to edit",
+    "plan": "cut a class into shards for other machines",
+    "run": "mark one shard, on any machine",
+    "merge": "bring the results of shards together",
+    "export": "write grade books, feedback and results for other systems",
+    "init": "write an autograder for a platform",
+    "evidence": "pack all that a mark rests on, for an appeal",
+    "reproduce": "mark what is in an evidence zip again, and compare",
+    "diff": "compare two markings of a class",
+}
+MARK = "mark"
+HELP = ("-h", "--help")
 
 
-@click.command(name="grade", epilog=EPILOG)
-@click.argument("task")
-@click.argument("submissions", nargs=-1, type=click.Path(path_type=Path))
-@click.option("-o", "--out", "folder", type=click.Path(path_type=Path), help="Folder for reports.")
-@click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
-@click.option("--recordings", is_flag=True, help="Write a Rerun recording of every run.")
-@lab_option
-@color_option
-@guarded
-def command(
-    task: str,
-    submissions: tuple[Path, ...],
-    folder: Path | None,
-    form: str,
-    recordings: bool,
-    lab: Path | None,
-    color: str,
-) -> None:
-    """Mark SUBMISSIONS (files or folders) by TASK.
+class GradeGroup(click.Group):
+    """Takes a first word that is no subcommand for the task to mark by."""
 
-    TASK is a task.toml, its folder, a zip of `vrts task pack`, or the name of an example; an
-    example without submissions marks its own solution and submissions.
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Put in the name of the subcommand that is left out."""
+        if not args or (args[0] not in SUBCOMMANDS and args[0] != MARK):
+            args = [MARK, *args]
+        return super().parse_args(ctx, args)
 
-    Every submission has two reports: `students/NAME` in the output is for the student alone,
-    `staff/students/NAME` is for those who mark and has what is to be reviewed, the facts for an
-    appeal, and hidden checks. A task with a folder `staff` is marked with its hidden checks: then
-    the list of marks is in `staff` too, and `students` tells of the public checks only. Exit status
-    0 when every row has a result.
-    """
-    setting, public, found = _what(task, submissions, lab)
-    marks = folder if folder is None or public is None else folder / "staff"
-    rows = _mark(setting, public, found, folder, recordings=recordings, quiet=form == "json")
-    show_diagnostics(setting.stamps, color)
-    if folder is not None and marks is not None:
-        from vrts.marking.outputs import STAFF, write_class
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return the names of all subcommands."""
+        return [MARK, *SUBCOMMANDS]
 
-        assert setting.task is not None
-        pages = "students" if public is not None else f"{STAFF}/students"
-        write_class(rows, marks, setting.task.title, pages=pages)
-        say(f"wrote {marks / 'index.html'}")
-        without = "" if public is None else ", without the hidden checks"
-        say(f"wrote {folder / 'students'}, to be sent to each{without}")
-    if form == "json":
-        from vrts.report.json_form import results_json
-        from vrts.report.json_text import json_text
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import and return a subcommand."""
+        if cmd_name != MARK and cmd_name not in SUBCOMMANDS:
+            return None
+        module = importlib.import_module(f"vrts.cli.grade_{cmd_name}_command")
+        return module.command
 
-        results = results_json(row.assessment for row in rows)
-        out(json_text(results))
-    sys.exit(FAULT if any(row.fault for row in rows) else HOLDS)
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Return the subcommand; marking is named as it is called, without a name of its own."""
+        name, found, rest = super().resolve_command(ctx, args)
+        return ("" if name == MARK else name), found, rest
 
 
-def _settings(task: str, folder: Path | None, lab: Path | None) -> "tuple[Setting, Setting | None]":
-    """Return what is marked by, and the same without hidden checks; None where there are none."""
-    from vrts.marking.packed import is_packed, load_zip
-    from vrts.pipeline.settings import TASK_FILE, load_task
-
-    path = folder / TASK_FILE if folder is not None else Path(task)
-    load = load_zip if is_packed(path) else load_task
-    whole = load(path, staff=True, lab=lab)
-    return whole, load(path, staff=False, lab=lab) if whole.hidden else None
-
-
-def _what(
-    task: str, submissions: tuple[Path, ...], lab: Path | None
-) -> "tuple[Setting, Setting | None, list[Submission]]":
-    from vrts.marking.submissions import of_example, of_paths
-    from vrts.pipeline.files import find_example
-
-    folder = find_example(task)
-    setting, public = _settings(task, folder, lab)
-    if submissions:
-        missing = [str(p) for p in submissions if not p.exists()]
-        if missing:
-            fail(f"there is no `{missing[0]}`")
-        return setting, public, of_paths(submissions)
-    if folder is None:
-        fail("no submissions given", ("name files or folders after the task",))
-    return setting, public, of_example(folder)
-
-
-def _mark(
-    setting: "Setting",
-    public: "Setting | None",
-    found: "list[Submission]",
-    folder: Path | None,
-    *,
-    recordings: bool,
-    quiet: bool,
-) -> "list[Marked]":
-    from vrts.marking.grade import mark, mark_all
-    from vrts.marking.packed import public_answer
-    from vrts.report.row_text import row_text
-
-    count = 0
-
-    def done(row: "Marked") -> None:
-        nonlocal count
-        count += 1
-        if folder is not None:
-            from vrts.marking.outputs import write_reports
-
-            known = row if public is None else mark(row.submission, public)
-            more = setting.hidden or setting.more
-            write_reports(row, known, folder, recordings=recordings, more=more)
-        if not quiet:
-            out(row_text(row.assessment))
-            answer = public_answer(row.assessment, setting)
-            if answer is not None:
-                out(f"      {answer}")
-        if sys.stderr.isatty():
-            click.echo(f"\r{count} of {len(found)}\r", nl=False, err=True)
-
-    return mark_all(found, setting, done=done)
+@click.group(name="grade", cls=GradeGroup)
+def command() -> None:
+    """Mark many submissions."""

@@ -129,7 +129,7 @@ def command(
         from vrts.report.text import assessment_text
 
         out(assessment_text(found, color=use_color(color)))
-        answer = public_answer(found, setting)
+        answer = public_answer(found.grade.ready, setting) if found.grade else None
         if answer is not None:
             out(f"\n{answer}")
     if html is not None:

@@ -6,6 +6,7 @@ run of the checks that know nothing of the hidden ones.
 
 import base64
 import sys
+from collections.abc import Iterable
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
@@ -14,7 +15,7 @@ from tempfile import TemporaryDirectory
 import msgspec
 
 from vrts.check.earned import not_reached
-from vrts.marking.one import Marked, Order, Wanted, mark
+from vrts.marking.one import Marked, Order, Wanted, mark, refused
 from vrts.marking.report_files import FAULT, RECORDING, REPORT, Reader, write_files
 from vrts.marking.result import Damaged, Kind, Record, Result, key_of
 from vrts.marking.setting import Place, load
@@ -55,9 +56,16 @@ class Marker:
         self.hidden = frozenset(every - known)  # names of checks
 
     def key(self, data: bytes) -> str:
-        """Return the digest of everything that the result of a program depends on."""
+        """Return the digest of everything that the result for the staff depends on."""
+        return self._key(data, (self.whole, self.public, *self.whole.variants))
+
+    def public_key(self, data: bytes) -> str:
+        """Return the same for the student: nothing of hidden checks is in it."""
+        return self._key(data, (self.public,))
+
+    def _key(self, data: bytes, settings: Iterable[Setting]) -> str:
         digests: list[str] = []
-        for setting in (self.whole, self.public, *self.whole.variants):
+        for setting in settings:
             assert setting.task is not None
             digests += [setting.task.digest, setting.scene.digest]
         wanted = msgspec.json.encode(self.wanted).decode()
@@ -77,32 +85,44 @@ class Marker:
 
     def work(self, order: Order, folder: Path) -> bytes:
         """Mark, write pages and recordings, and answer with the results."""
-        return self._work(order, folder, self.wanted)
+        return msgspec.json.encode(self._work(order, folder, self.wanted))
 
-    def _work(self, order: Order, folder: Path, wanted: Wanted) -> bytes:
+    def _work(self, order: Order, folder: Path, wanted: Wanted) -> Marks:
         staff = mark(order, self.whole, wanted)
         student = staff if self.public is self.whole else mark(order, self.public, wanted)
+        return self._finished(staff, student, order.data, folder, wanted)
+
+    def _finished(
+        self, staff: Marked, student: Marked, data: bytes | None, folder: Path, wanted: Wanted
+    ) -> Marks:
         write_files(
             (staff, Reader(folder / STAFF, self.whole, grader=True)),
             (student, Reader(folder / STUDENT, self.public, grader=False)),
             wanted,
             self.hidden,
         )
-        marks = Marks(
-            self._result(staff, self.whole, order),
-            self._result(student, self.public, order, student=True),
+        return Marks(
+            self._result(staff, self.whole, data),
+            self._result(student, self.public, data, student=True),
         )
-        return msgspec.json.encode(marks)
 
     def lost(self, order: Order, sentence: str) -> Marks:
         """Return the results of an order whose process was ended."""
         hint = "mark it again on a machine with more memory, or look at the program by hand"
-        key = self.key(order.data)
-        staff, student = (
-            unmarked(Kind.RESOURCE, order.identifier, sentence, hint, setting, key)
-            for setting in (self.whole, self.public)
-        )
+        return self.unmarked(Kind.RESOURCE, order.identifier, sentence, hint, order.data)
+
+    def unmarked(
+        self, kind: Kind, identifier: str, sentence: str, hint: str | None, data: bytes = b""
+    ) -> Marks:
+        """Return the results of a submission that has no mark."""
+        staff = unmarked(kind, identifier, sentence, hint, self.whole, self.key(data))
+        student = unmarked(kind, identifier, sentence, hint, self.public, self.public_key(data))
         return Marks(staff, student)
+
+    def refused(self, identifier: str, title: str, sentence: str, folder: Path) -> Marks:
+        """Return the results of a file that is no program, and write its pages."""
+        row = refused(identifier, title, sentence, self.public)
+        return self._finished(row, row, None, folder, self.wanted)
 
     def command(self, order: Order, folder: Path) -> tuple[list[str], bytes]:
         """Return the same as a command, for systems where nothing is forked."""
@@ -117,16 +137,17 @@ class Marker:
         return [sys.executable, "-m", "vrts.marking.alone"], msgspec.json.encode(told)
 
     def _result(
-        self, row: Marked, setting: Setting, order: Order, *, student: bool = False
+        self, row: Marked, setting: Setting, data: bytes | None, *, student: bool = False
     ) -> Result:
         from vrts.report.audience import for_student
 
         a = for_student(row.assessment) if student else row.assessment
-        key = self.key(order.data)
+        hidden = () if student else self.hidden
+        key = (self.public_key if student else self.key)(data or b"")
         if row.fault is not None:
-            found = result_of(a, setting, order.data, key, self.hidden)
+            found = result_of(a, setting, data, key, hidden)
             return msgspec.structs.replace(found, kind=Kind.FAULT, mark=None, review=(found.cause,))
-        return result_of(a, setting, order.data, key, self.hidden)
+        return result_of(a, setting, data, key, hidden)
 
 
 class Told(Record, frozen=True):

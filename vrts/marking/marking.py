@@ -8,6 +8,7 @@ import os
 import shutil
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from vrts.marking.layout import LOST, RESULT, Layout, write_atomically
@@ -15,7 +16,6 @@ from vrts.marking.marker import STAFF, STUDENT, WRITTEN, Marker, Marks, read_mar
 from vrts.marking.one import Order
 from vrts.marking.report_files import RECORDING, REPORT
 from vrts.marking.result import Damaged, Kind, Result, from_bytes, to_bytes
-from vrts.marking.summary import unmarked
 from vrts.marking.supervise.limits import Limits
 from vrts.marking.supervise.outcome import Answer, Loss, Lost
 from vrts.marking.supervise.supervisor import CAN_FORK, Finished, Supervisor
@@ -137,13 +137,16 @@ def write_marks(marks: Marks, layout: Layout) -> None:
 def without_program(marker: Marker, entry: Entry, layout: Layout | None) -> Done:
     """Return the row of a submission in which there is nothing to mark, and write it."""
     assert entry.kind is not None
-    staff, student = (
-        unmarked(entry.kind, entry.identifier, entry.sentence, entry.hint, setting, marker.key(b""))
-        for setting in (marker.whole, marker.public)
-    )
+    if entry.kind is Kind.UNREADABLE and layout is not None:  # it has pages, which say why
+        layout.staging.mkdir(parents=True, exist_ok=True)
+        with TemporaryDirectory(dir=layout.staging) as folder:
+            marks = marker.refused(entry.identifier, entry.title, entry.sentence, Path(folder))
+            take_files(Path(folder), layout, entry.identifier)
+    else:
+        marks = marker.unmarked(entry.kind, entry.identifier, entry.sentence, entry.hint)
     if layout is not None:
-        write_marks(Marks(staff, student), layout)
-    return Done(entry, staff, student, False, 0.0, 0)
+        write_marks(marks, layout)
+    return Done(entry, marks.staff, marks.student, False, 0.0, 0)
 
 
 def reusable(marker: Marker, entry: Entry, layout: Layout) -> Done | None:
@@ -157,7 +160,8 @@ def reusable(marker: Marker, entry: Entry, layout: Layout) -> Done | None:
         except (OSError, Damaged):
             return None
     staff, student = found
-    same = staff.key == student.key == marker.key(entry.data)
+    data = entry.data
+    same = (staff.key, student.key) == (marker.key(data), marker.public_key(data))
     kept = staff.kind not in (Kind.RESOURCE, Kind.FAULT)
     named = staff.program is not None and staff.program.name == entry.title
     if not (same and kept and named) or not _files_there(marker, staff, homes):

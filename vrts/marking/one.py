@@ -13,6 +13,7 @@ from vrts.pipeline.assess import assess
 from vrts.pipeline.settings import Setting
 from vrts.report.assessment import Assessment
 
+UNREADABLE = Rule("V191", "unreadable-file")
 FAULT = Rule("V192", "fault-in-vrts")
 
 
@@ -63,6 +64,12 @@ def mark(order: Order, setting: Setting, wanted: Wanted) -> Marked:
         )
         return Marked(_nothing(order, setting, why), traceback.format_exc())
     return Marked(found, None)
+
+
+def refused(identifier: str, title: str, sentence: str, setting: Setting) -> Marked:
+    """Return what there is to say of a file that is no program."""
+    why = error(UNREADABLE, sentence)
+    return Marked(_nothing(Order(identifier, title, b""), setting, why), None)
 
 
 def _assessed(order: Order, setting: Setting, wanted: Wanted) -> Assessment:

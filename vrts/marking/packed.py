@@ -9,7 +9,6 @@ from vrts.base.diagnostic import error
 from vrts.marking.pack import BAD_ARCHIVE, Bundle, read_zip
 from vrts.pipeline.files import SCENE_FILE, read_bytes, read_toml_source
 from vrts.pipeline.settings import TASK_FILE, Refused, Setting, load_task
-from vrts.report.assessment import Assessment
 
 SUFFIX = ".zip"
 
@@ -19,11 +18,11 @@ def is_packed(path: Path) -> bool:
     return path.suffix.lower() == SUFFIX
 
 
-def public_answer(a: Assessment, setting: Setting) -> str | None:
+def public_answer(ready: bool, setting: Setting) -> str | None:
     """Return what students are told about checks they cannot see; None where there are none."""
-    if not setting.more or a.grade is None:
+    if not setting.more:
         return None
-    passed = "all public checks passed" if a.grade.ready else "not all public checks passed"
+    passed = "all public checks passed" if ready else "not all public checks passed"
     return f"{passed}; {setting.more} more at marking"
 
 

@@ -166,6 +166,11 @@ class Result(Record, frozen=True):
         """The mark, a multiple of a tenth."""
         return None if self.mark is None else Fraction(round(self.mark * 10), 10)
 
+    @property
+    def is_fault(self) -> bool:
+        """Whether vrts itself failed."""
+        return self.kind is Kind.FAULT
+
 
 class Damaged(ValueError):  # noqa: N818 -- names the situation
     """Bytes are no result of this version."""

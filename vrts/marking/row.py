@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 import msgspec
 from msgspec import Meta, field
 
-from vrts.check.score import FULL, TENTH
+from vrts.check.score import to_tenth
 from vrts.marking.result import Damaged, Exact, Mark, Record, Result
 
 CLASS_SCHEMA = "vrts.class/1"
@@ -107,14 +107,12 @@ def final_mark(
         value = max(Fraction(0), value - Fraction(late.deduction))
     if change is not None:
         value += Fraction(change.delta)
-    tenths = (min(max(value, Fraction(0)), FULL) / TENTH + Fraction(1, 2)).__floor__()
-    return tenths * TENTH
+    return to_tenth(value)
 
 
-def class_to_bytes(title: str, rows: tuple[Row, ...]) -> bytes:
+def class_to_bytes(rows: Class) -> bytes:
     """Return the rows of a class as JSON, laid out for people."""
-    found = Class(CLASS_SCHEMA, title, rows)
-    return msgspec.json.format(msgspec.json.encode(found), indent=1) + b"\n"
+    return msgspec.json.format(msgspec.json.encode(rows), indent=1) + b"\n"
 
 
 def class_from_bytes(data: bytes) -> Class:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
-from vrts.marking.submissions import safe
+from vrts.marking.safe_names import safe
 from vrts.pipeline.files import (
     MAX_TOML,
     SCENE_FILE,
@@ -76,7 +76,7 @@ def _add_scene(folder: Path, public: dict[str, bytes]) -> str:
             f"the scene `{named}` is outside the task's folder",
             ("copy it into the folder, and name it from there",),
         )
-    _add_with_shapes(place, name, public)
+    with_shapes(place, name, public)
     return name
 
 
@@ -96,11 +96,11 @@ def _add_lab(folder: Path, public: dict[str, bytes]) -> str:
     name = PurePosixPath(place.resolve().relative_to(folder.resolve())).as_posix()
     if name.startswith(f"{STAFF}/"):
         raise CannotRead(f"the lab of the task is in `{STAFF}`, which students do not get")
-    _add_with_shapes(place, name, public)
+    with_shapes(place, name, public)
     return name
 
 
-def _add_with_shapes(place: Path, name: str, public: dict[str, bytes]) -> None:
+def with_shapes(place: Path, name: str, public: dict[str, bytes]) -> None:
     """Add a file, and the descriptions of robots and meshes beside it."""
     public[name] = _bytes(place)
     beside = str(PurePosixPath(name).parent)

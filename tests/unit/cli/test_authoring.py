@@ -198,7 +198,7 @@ def test_marking_counts_hidden_checks_and_students_read_nothing_of_them(
     result = vrts("grade", made / task, *words, cwd=tmp_path)
     assert result.returncode == 0, result.stderr
     marks = json.loads((out / "staff" / "results.json").read_text())
-    assert [row["mark"] for row in marks["results"]] == [10.0, 6.0]
+    assert [row["final"] for row in marks["rows"]] == [10.0, 6.0]
     whole = (out / "staff" / "students" / "good" / "result.json").read_text()
     assert "high above" in whole
     public = json.loads((out / "students" / "low" / "result.json").read_text())

@@ -143,8 +143,8 @@ def test_grading_gives_a_row_for_everything_and_status_0(tmp_path: Path) -> None
     )
     assert result.returncode == 0, result.stderr.decode()
     found = json.loads(result.stdout)
-    rows = {row["id"]: (row["status"], row["mark"]) for row in found["results"]}
-    assert found["schema"] == "vrts.results/1"
+    rows = {row["id"]: (row["result"]["kind"], row["final"]) for row in found["rows"]}
+    assert found["schema"] == "vrts.class/1"
     assert rows == {
         "good": ("graded", 10.0),
         "empty": ("unreadable", 0.0),
@@ -156,7 +156,7 @@ def test_grading_gives_a_row_for_everything_and_status_0(tmp_path: Path) -> None
     }
     for identifier in rows:
         assert (tmp_path / "out" / "students" / identifier / "report.html").is_file()
-    assert (tmp_path / "out" / "index.html").is_file()
+    assert (tmp_path / "out" / "staff" / "results.json").is_file()
 
 
 def test_a_typo_in_a_task_points_into_the_file(tmp_path: Path) -> None:

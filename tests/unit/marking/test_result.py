@@ -27,6 +27,7 @@ from vrts.marking.result import (
 )
 from vrts.marking.row import (
     Change,
+    Class,
     HandedIn,
     Lateness,
     Row,
@@ -81,7 +82,7 @@ def test_a_result_survives_being_written() -> None:
 def test_what_is_written_fits_the_published_schema() -> None:
     jsonschema.validate(json.loads(to_bytes(result())), schema("result"))
     row = row_of(result(), Student("Anna", ids={"moodle": "12"}), HandedIn("anna.v2"))
-    rows = json.loads(class_to_bytes("Lab 1", (row,)))
+    rows = json.loads(class_to_bytes(Class("vrts.class/1", "Lab 1", (row,))))
     jsonschema.validate(rows, schema("class"))
     jsonschema.Draft202012Validator.check_schema(schema("class"))
     for name, value in (("mark", 11), ("kind", "perfect"), ("key", "short"), ("other", 1)):
@@ -166,7 +167,7 @@ def test_a_row_keeps_the_computed_mark_beside_the_final_one() -> None:
     row = row_of(result(), Student(), HandedIn(), late("1"), by_hand("1/2"))
     assert (row.result.mark, row.final) == (8.5, 8.0)
     assert row.exact_final == 8
-    (back,) = class_from_bytes(class_to_bytes("Lab", (row,))).rows
+    (back,) = class_from_bytes(class_to_bytes(Class("vrts.class/1", "Lab", (row,)))).rows
     assert back == row
     assert isinstance(back, Row)
     assert msgspec.structs.replace(back, final=None).exact_final is None

@@ -5,10 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from vrts.marking.grade import mark
+from vrts.marking.one import Order, Wanted, mark
 from vrts.marking.pack import read_zip, staff_zip, student_zip
 from vrts.marking.packed import setting_of
-from vrts.marking.submissions import Submission
 from vrts.marking.task_check import check_task
 from vrts.marking.task_folder import read_folder
 from vrts.pipeline.files import CHECKOUT
@@ -37,10 +36,10 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_a_program_that_fails_in_a_hidden_scene_gets_the_mark_of_that_scene(folder: Path) -> None:
-    program = Submission("anna", folder / "staff" / "solution.v2", "anna.v2")
+    program = Order("anna", "anna.v2", (folder / "staff" / "solution.v2").read_bytes())
     public, whole = load_task(folder), load_task(folder, staff=True)
     assert (public.hidden, public.variants, whole.hidden) == (0, (), 1)
-    good, poor = mark(program, public).assessment, mark(program, whole).assessment
+    good, poor = (mark(program, setting, Wanted()).assessment for setting in (public, whole))
     assert good.grade is not None
     assert poor.grade is not None
     assert good.grade.mark == 10

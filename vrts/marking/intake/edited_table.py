@@ -15,7 +15,7 @@ from vrts.marking.intake.intake_table import COLUMNS, NO, UNKNOWN_TIME, YES
 from vrts.marking.intake.row import Attempt, Intake, Kind, Platform, Problem, Row, Student
 from vrts.marking.intake.table_text import Cell, read_text, table
 from vrts.marking.intake.tree import Tree
-from vrts.marking.submissions import safe
+from vrts.marking.safe_names import safe
 
 INTAKE_TABLE = Rule("V700", "intake-table")
 INTAKE_ID = Rule("V701", "intake-id")
@@ -40,11 +40,13 @@ class EditedTable(NamedTuple):
 def read_rows(data: bytes, name: str, tree: Tree, fresh: Intake) -> EditedTable:
     """Return the rows of a table; the files it names are looked into again.
 
+    Hand-ins that no row is about follow as they were found: nobody is forgotten.
+
     Args:
         data: Content of the table.
         name: What diagnostics call it.
         tree: The download it is about.
-        fresh: What the intake finds in the download now, to tell what the table lacks.
+        fresh: What the intake finds in the download now.
     """
     source = read_text(data[:LARGEST], name)
     problems = Problems(source)
@@ -62,8 +64,10 @@ def read_rows(data: bytes, name: str, tree: Tree, fresh: Intake) -> EditedTable:
         return EditedTable(None, problems.in_order())
     reader = _Reader(problems, tree, columns)
     rows = tuple(row for line in lines[1:] if (row := reader.row(line)) is not None)
-    _unlisted(problems, rows, fresh, lines[0][0].span)
-    return EditedTable(None if problems.any_error else rows, problems.in_order())
+    more = _unlisted(rows, fresh)
+    if more:
+        _tell(problems, more, lines[0][0].span)
+    return EditedTable(None if problems.any_error else (*rows, *more), problems.in_order())
 
 
 class _Reader:
@@ -238,29 +242,30 @@ class _Reader:
         self._problems.error(INTAKE_VALUE, headline, cell.span, help=(remedy,))
 
 
-def _unlisted(problems: Problems, rows: tuple[Row, ...], fresh: Intake, span: Span) -> None:
-    """Warn of hand-ins that no row is about, as those that came after the table was written."""
+def _unlisted(rows: tuple[Row, ...], fresh: Intake) -> list[Row]:
+    """Return hand-ins that no row is about, as those that came after the table was written."""
     ids = {same_name(row.identifier) for row in rows}
     files = {file for row in rows for file in _files(row)}
     persons = {pair for row in rows for pair in row.student.ids.items()}
-    absent = [
-        row.identifier
+    return [
+        row
         for row in fresh.rows
         if same_name(row.identifier) not in ids
         and not files.intersection(_files(row))
         and not persons.intersection(row.student.ids.items())
     ]
-    if not absent:
-        return
-    shown = ", ".join(f"`{name}`" for name in absent[:SHOWN])
-    more = f" and {len(absent) - SHOWN} more" if len(absent) > SHOWN else ""
-    what = "hand-in is" if len(absent) == 1 else "hand-ins are"
+
+
+def _tell(problems: Problems, more: list[Row], span: Span) -> None:
+    names = ", ".join(f"`{row.identifier}`" for row in more[:SHOWN])
+    rest = f" and {len(more) - SHOWN} more" if len(more) > SHOWN else ""
+    what = "hand-in is" if len(more) == 1 else "hand-ins are"
     problems.warning(
         NOT_IN_TABLE,
-        f"{len(absent)} {what} in the download, but not in the table",
+        f"{len(more)} {what} in the download, but not in the table",
         span,
-        notes=(f"{shown}{more}",),
-        help=("they are not marked; `vrts grade intake` writes the table anew",),
+        notes=(f"{names}{rest}",),
+        help=("they are taken as found; to leave one out, give it a row that says `excused`",),
     )
 
 

@@ -1,0 +1,203 @@
+"""`vrts grade TASK [SUBMISSIONS]...`."""
+
+import os
+import sys
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.console import (
+    FAULT,
+    HOLDS,
+    color_option,
+    fail,
+    guarded,
+    lab_option,
+    out,
+    say,
+    show_diagnostics,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vrts.marking.layout import Layout
+    from vrts.marking.marker import Marker
+    from vrts.marking.marking import Done
+    from vrts.marking.setting import Place
+    from vrts.marking.whole_class import HowTo, Marked
+
+EPILOG = """\b
+Examples:
+  vrts grade examples/01-cans-on-bases -o out
+  vrts grade task.toml download.zip -o out
+  vrts grade lab1-staff.zip submissions/ -o out --recordings
+  vrts grade task.toml anna.v2 ben.v2 --format json
+  vrts grade lab1-student.zip mine.v2
+
+\b
+Further: vrts grade intake | plan | run | merge | export | init | evidence | reproduce | diff,
+each with --help.
+"""
+
+
+@click.command(name="mark", epilog=EPILOG)
+@click.argument("task")
+@click.argument("submissions", nargs=-1, type=click.Path(path_type=Path))
+@click.option("-o", "--out", "folder", type=click.Path(path_type=Path), help="Folder for results.")
+@click.option("--jobs", type=click.IntRange(1, 256), help="Programs at a time; one a core.")
+@click.option(
+    "--intake",
+    "table",
+    type=click.Path(path_type=Path),
+    help="The table of `vrts grade intake`, as edited.",
+)
+@click.option("--again", is_flag=True, help="Mark also what is marked already.")
+@click.option("--no-pages", is_flag=True, help="Write results only, no pages.")
+@click.option("--recordings", is_flag=True, help="Write a Rerun recording of every run.")
+@click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
+@click.option("--engine", type=click.Choice(["coal", "fcl"]), help="What measures distances.")
+@click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
+@lab_option
+@color_option
+@guarded
+def command(
+    task: str,
+    submissions: tuple[Path, ...],
+    folder: Path | None,
+    jobs: int | None,
+    table: Path | None,
+    again: bool,
+    no_pages: bool,
+    recordings: bool,
+    no_collisions: bool,
+    engine: str | None,
+    form: str,
+    lab: Path | None,
+    color: str,
+) -> None:
+    """Mark SUBMISSIONS by TASK.
+
+    TASK is a task.toml, its folder, a zip of `vrts task pack`, or the name of an example; an
+    example without submissions marks its own. SUBMISSIONS are programs, a folder, or a zip: a
+    download of Moodle, Canvas or Gradescope, a folder for each student, or files side by side.
+
+    Every submission has two reports: `students/ID` in the output is for the student alone,
+    `staff/students/ID` is for those who mark and has what is to be reviewed, the facts for an
+    appeal, and hidden checks. Marks and overview are in `staff`. A second call marks only what has
+    changed since, and one that was interrupted goes on. Exit status 0 when every row has a result.
+    """
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
+    from vrts.marking.layout import Layout
+    from vrts.marking.marker import Marker
+    from vrts.marking.one import Wanted
+    from vrts.marking.whole_class import HowTo
+
+    place, found = _what(task, submissions, lab)
+    pages = folder is not None and not no_pages
+    wanted = Wanted(not no_collisions, engine, pages, recordings and folder is not None)
+    marker = Marker(place, wanted)
+    layout = None if folder is None else Layout(folder)
+    how = HowTo(jobs or os.cpu_count() or 1, again, table)
+    marked = _mark(marker, found, layout, how, quiet=form == "json")
+    show_diagnostics((*marker.whole.stamps, *marked.warnings), color)
+    for remark in marked.remarks:
+        say(f"note: {remark}")
+    if layout is not None:
+        _write(marker, marked, layout, [str(path) for path in submissions])
+    if form == "json":
+        from vrts.marking.row import class_to_bytes
+
+        out(class_to_bytes(marked.rows).decode().rstrip("\n"))
+    sys.exit(FAULT if any(done.result.is_fault for done in marked.done) else HOLDS)
+
+
+def _what(
+    task: str, submissions: tuple[Path, ...], lab: Path | None
+) -> "tuple[Place, Path | Sequence[Path]]":
+    """Return where the task is, and what is to be marked."""
+    from vrts.marking.setting import Place
+    from vrts.marking.submissions import of_example
+    from vrts.pipeline.files import find_example
+    from vrts.pipeline.settings import TASK_FILE
+
+    folder = find_example(task)
+    path = folder / TASK_FILE if folder is not None else Path(task)
+    place = Place(str(path), lab=None if lab is None else str(lab))
+    if not submissions:
+        if folder is None:
+            fail("no submissions given", ("name files, a folder or a zip after the task",))
+        return place, of_example(folder)
+    missing = [str(p) for p in submissions if not p.exists()]
+    if missing:
+        fail(f"there is no `{missing[0]}`")
+    alone = len(submissions) == 1 and (
+        submissions[0].is_dir() or submissions[0].suffix.lower() == ".zip"
+    )
+    return place, submissions[0] if alone else submissions
+
+
+def _mark(
+    marker: "Marker",
+    submissions: "Path | Sequence[Path]",
+    layout: "Layout | None",
+    how: "HowTo",
+    *,
+    quiet: bool,
+) -> "Marked":
+    from vrts.cli.progress import Progress
+    from vrts.marking.packed import public_answer
+    from vrts.marking.row_words import row_words
+    from vrts.marking.whole_class import mark_whole_class
+
+    progress = Progress()
+    order: list[str] = []  # ids whose lines are still to come
+    waiting: dict[str, Done] = {}
+
+    def begun(identifiers: "Sequence[str]") -> None:
+        order.extend(identifiers)
+        progress.begin(len(order))
+
+    def told(done: "Done") -> None:
+        waiting[done.entry.identifier] = done
+        while order and order[0] in waiting:
+            line(waiting.pop(order.pop(0)))
+        progress.step(reused=done.reused)
+
+    def line(done: "Done") -> None:
+        if quiet:
+            return
+        progress.clear()
+        out(row_words(done.result, done.entry.title or done.entry.identifier))
+        answer = public_answer(done.result.ready, marker.whole)
+        if answer is not None:
+            out(f"      {answer}")
+
+    marked = mark_whole_class(marker, submissions, layout, how, begun=begun, told=told)
+    progress.clear()
+    return marked
+
+
+def _write(
+    marker: "Marker", marked: "Marked", layout: "Layout", submissions: "Sequence[str]"
+) -> None:
+    from vrts import __version__
+    from vrts.marking.about import About
+    from vrts.marking.class_files import write_class
+
+    about = About(
+        "vrts.marking/1",
+        marked.rows.title,
+        marker.place,
+        tuple(submissions),
+        marker.wanted,
+        __version__,
+        tuple(sys.argv),
+        datetime.now(UTC),
+    )
+    write_class(marked.rows, about, layout)
+    say(f"wrote {layout.overview}")
+    without = ", without the hidden checks" if marker.hidden else ""
+    say(f"wrote {layout.root / 'students'}, to be sent to each{without}")

@@ -1,0 +1,109 @@
+"""From what the intake found to what is marked, and from results to the rows of a class."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+from vrts.check.late_rules import LateRules
+from vrts.marking.intake.candidate import data_of
+from vrts.marking.intake.row import Attempt
+from vrts.marking.intake.row import Kind as Problem
+from vrts.marking.intake.row import Row as Found
+from vrts.marking.intake.tree import Tree, Unreadable
+from vrts.marking.lateness import best, lateness, marks
+from vrts.marking.marking import Done, Entry
+from vrts.marking.result import Kind, Result
+from vrts.marking.row import Change, HandedIn, Lateness, Row, Student, row_of
+
+KINDS = {
+    Problem.MISSING: Kind.MISSING,
+    Problem.AMBIGUOUS: Kind.AMBIGUOUS,
+    Problem.EXCUSED: Kind.EXCUSED,
+}  # any other problem: the hand-in is unreadable
+
+Mark = Callable[[Sequence[Entry]], Iterable[Done]]
+
+
+def entries(tree: Tree, found: Iterable[Found]) -> Iterator[Entry]:
+    """Yield what is to be marked, with the programs read from the download."""
+    for row in found:
+        if row.problem is not None or row.file is None:
+            problem = row.problem
+            kind = Kind.MISSING if problem is None else KINDS.get(problem.kind, Kind.UNREADABLE)
+            sentence = "nothing was handed in" if problem is None else problem.sentence
+            yield Entry(row.identifier, row.title, None, kind, sentence)
+        else:
+            yield _entry(tree, row.identifier, row.title, row.file)
+
+
+def with_best_attempts(
+    tree: Tree, found: Sequence[Found], rules: LateRules | None, mark: Mark
+) -> tuple[Found, ...]:
+    """Return the rows with the attempt that earns most, after what lateness costs.
+
+    Args:
+        tree: The download.
+        found: Rows of the intake, with the latest attempts.
+        rules: What lateness costs.
+        mark: Marks programs without writing anything.
+    """
+    several = [row for row in found if len(row.attempts) > 1 and row.problem is None]
+    tried: dict[str, tuple[Found, Attempt]] = {}
+    asked: list[Entry] = []
+    for row in several:
+        for attempt in row.attempts:
+            name = str(len(tried))
+            tried[name] = (row, attempt)
+            asked.append(_entry(tree, name, row.title, attempt.file))
+    results = {done.entry.identifier: done.result for done in mark(asked)}
+    chosen: dict[str, Found] = {}
+    for row in several:
+        names = [name for name, (whose, _) in tried.items() if whose is row]
+        worth = [
+            marks(
+                results[name].exact_mark or Fraction(0),
+                lateness(rules, tried[name][1].received, due=row.due),
+            )
+            for name in names
+        ]
+        number = best(worth)
+        attempt = tried[names[number]][1]
+        why = f"the best of {len(names)} attempts, number {number + 1}"
+        chosen[row.identifier] = replace(row, file=attempt.file, received=attempt.received, why=why)
+    return tuple(chosen.get(row.identifier, row) for row in found)
+
+
+def class_row(
+    found: Found, result: Result, rules: LateRules | None, changes: Mapping[str, Change]
+) -> Row:
+    """Return the row of a submission in the list of marks."""
+    student = found.student
+    received = found.received
+    return row_of(
+        result,
+        Student(student.name, student.email, student.login, dict(student.ids)),
+        HandedIn(
+            found.file or "",
+            found.why,
+            None if received is None else received.isoformat(),
+            found.attempt,
+        ),
+        _late(found, result, rules),
+        changes.get(found.identifier),
+    )
+
+
+def _entry(tree: Tree, identifier: str, title: str, file: str) -> Entry:
+    try:
+        return Entry(identifier, title, data_of(tree, file))
+    except Unreadable as flaw:
+        return Entry(identifier, title, None, Kind.UNREADABLE, f"`{title}` {flaw}")
+
+
+def _late(found: Found, result: Result, rules: LateRules | None) -> Lateness | None:
+    late = lateness(rules, found.received, due=found.due, flagged_late=found.flagged_late)
+    if not late.sentence:
+        return None
+    deduction = marks(result.exact_mark or Fraction(0), late).deduction
+    seconds = 0 if late.late_by is None else int(late.late_by.total_seconds())
+    return Lateness(seconds, str(deduction), late.sentence)
