@@ -95,7 +95,7 @@ time_bonus = 1.5             # only for a program without any fault
 STAFF_TASK = """\
 # What is checked at marking only. Students are told how many such checks there are, no more.
 # The reference must pass them too. Whatever `task.toml` may ask for can be hidden here, but for the
-# sections [task], [time] and [mark]. Take the `#` away to hide a via point:
+# sections [task], [time], [mark], [late] and [submissions]. Take the `#` away to hide a via point:
 #
 # [[via]]
 # name = "high above the middle"

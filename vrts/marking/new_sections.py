@@ -54,6 +54,22 @@ SECTIONS = """
 #
 # [collision]
 # near_miss_mm = 5
+#
+# When hand-ins are due, and the points that being late costs, by the platform's times: for each day
+# begun, at most so many, none within grace_min; what comes after `closed` gets 0. Other prices than
+# by the day are [[late.step]] with after_h and points:
+#
+# [late]
+# due = 2030-11-30T23:59:00+01:00
+# grace_min = 10
+# per_day = 1
+# most = 5
+# closed = 2030-12-07T23:59:00+01:00
+#
+# Of several hand-ins of a student the latest counts, or the one with the best mark:
+#
+# [submissions]
+# keep = "latest"
 """
 
 
