@@ -21,7 +21,7 @@ Examples:
 LARGEST = 10
 
 
-class Points(click.ParamType):
+class Points(click.ParamType[Fraction]):
     """Points as written, exactly; a comma will do."""
 
     name = "points"

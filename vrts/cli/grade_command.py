@@ -14,6 +14,7 @@ SUBCOMMANDS = {
     "evidence": "pack all that a mark rests on, for an appeal",
     "reproduce": "mark what is in an evidence zip again, and compare",
     "diff": "compare two markings of a class",
+    "change": "change a mark by hand",
 }
 MARK = "mark"
 HELP = ("-h", "--help")
