@@ -6,7 +6,9 @@ import pytest
 from click.testing import CliRunner, Result
 
 from tests.unit.marking.intake.support import DOCX, PICK, put, zipped
-from vrts.cli.grade_intake_command import command
+from tests.unit.marking.intake.test_cases import METADATA
+from tests.unit.marking.intake.test_roster import WORKSHEET
+from vrts.cli.main import vrts
 
 FILES = {
     "Anna Berger_1_assignsubmission_file_/pick.v2": PICK,
@@ -14,9 +16,19 @@ FILES = {
     "list.txt": b"names",
 }
 
+TASK = """[task]
+scene = "cans-on-bases"
+program = "pick"
+[[goal]]
+object = "can1"
+on = "base2"
+[time]
+reference_s = 10
+"""
+
 
 def call(*arguments: object) -> Result:
-    return CliRunner().invoke(command, [str(argument) for argument in arguments])
+    return CliRunner().invoke(vrts, ["grade", "intake", *map(str, arguments)])
 
 
 def test_rows_are_shown_and_the_table_is_written(tmp_path: Path) -> None:
@@ -59,12 +71,42 @@ def test_the_program_is_that_of_the_task(tmp_path: Path) -> None:
     assert "ambiguous" in call(place, "-o", table).stdout
     assert "`.PROGRAM place`" in call(place, "-o", table, "--force", "--program", "place").stdout
     task = tmp_path / "task.toml"
-    task.write_text(
-        '[task]\nscene = "cans-on-bases"\nprogram = "pick"\n'
-        '[[goal]]\nobject = "can1"\non = "base2"\n[time]\nreference_s = 10\n'
-    )
+    task.write_text(TASK)
     result = call(place, "-o", table, "--force", "--task", task)
     assert "anna  a.v2  the only file that has `.PROGRAM pick`" in result.stdout
+
+
+@pytest.mark.parametrize("zone", ["Europe/Vienna", "+01:00"])
+def test_a_list_of_the_class_tells_who_is_missing_and_when_work_came(
+    zone: str, tmp_path: Path
+) -> None:
+    place = put(tmp_path / "d", {"Anna Berger_101_assignsubmission_file_/pick.v2": PICK})
+    worksheet = tmp_path / "worksheet.csv"
+    worksheet.write_bytes(WORKSHEET)
+    result = call(place, "--roster", worksheet, "--zone", zone)
+    assert "Ben-Wolf-102     -        missing: nothing was handed in" in result.stdout
+    assert b"2026-11-30T23:58:00+01:00" in (place / "intake.csv").read_bytes()
+
+
+def test_a_zone_that_nobody_knows(tmp_path: Path) -> None:
+    result = call(put(tmp_path / "d", FILES), "--zone", "Mars/Olympus")
+    assert result.exit_code == 2
+    assert result.stderr.startswith("error: there is no zone `Mars/Olympus`")
+
+
+def test_the_zone_is_that_of_the_deadline(tmp_path: Path) -> None:
+    place = put(tmp_path / "d", {"anna/2026-03-01-10-00-00/pick.v2": PICK})
+    task = tmp_path / "task.toml"
+    task.write_text(TASK + "[late]\ndue = 2026-03-01T12:00:00+02:00\nper_day = 1\n")
+    assert call(place, "--task", task).exit_code == 0
+    assert b"2026-03-01T10:00:00+02:00" in (place / "intake.csv").read_bytes()
+
+
+def test_metadata_that_are_damaged_are_a_wrong_call(tmp_path: Path) -> None:
+    files = {"submission_metadata.yml": METADATA[:60] + b"'", "submission_7/pick.v2": PICK}
+    result = call(put(tmp_path / "d", files))
+    assert result.exit_code == 2
+    assert result.stderr == "error: `submission_metadata.yml` is damaged\n"
 
 
 @pytest.mark.parametrize("name", ["nothing", "nothing.zip"])
