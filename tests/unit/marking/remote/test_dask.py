@@ -1,0 +1,217 @@
+"""A class marked on a real cluster of two worker processes, one of which is killed."""
+
+import shutil
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import dask.config
+import psutil
+import pytest
+from distributed import LocalCluster
+
+from tests.unit.marking.remote.support import CLASS, GOOD, files, task
+from vrts.base.diagnostic import Diagnostic
+from vrts.marking.layout import Layout
+from vrts.marking.marker import Marker
+from vrts.marking.marking import Entry, mark_class
+from vrts.marking.one import Wanted
+from vrts.marking.remote import dask_cluster
+from vrts.marking.remote.backend import Backend, Scheduler, read_backend
+from vrts.marking.remote.dask_cluster import DaskCluster, queue_cluster
+from vrts.marking.remote.mark_on_dask import mark_on_dask
+from vrts.marking.result import Kind
+from vrts.marking.setting import Place
+from vrts.pipeline.files import CannotRead
+from vrts.pipeline.settings import Refused
+
+MANY = tuple(Entry(f"n{k}", f"n{k}.v2", GOOD) for k in range(7))
+NOWHERE = Backend(Scheduler.DASK, "tcp://127.0.0.1:9")
+
+
+class Workers(NamedTuple):
+    """A cluster, and how to reach it."""
+
+    cluster: LocalCluster
+    backend: Backend
+
+    def processes(self) -> list[psutil.Process]:
+        """Return the worker processes."""
+        return [psutil.Process(nanny.pid) for nanny in self.cluster.workers.values()]
+
+    def busy(self) -> tuple[psutil.Process, psutil.Process]:
+        """Return a worker that is at work, and the process that marks for it."""
+        end = time.monotonic() + 30.0
+        while time.monotonic() < end:
+            for worker in self.processes():
+                for child in worker.children():
+                    if "vrts.marking.remote.alone" in child.cmdline():
+                        return worker, child
+            time.sleep(0.01)
+        raise AssertionError("no worker is at work")
+
+
+def start(folder: Path) -> LocalCluster:
+    return LocalCluster(
+        n_workers=2,
+        threads_per_worker=1,
+        processes=True,
+        host="127.0.0.1",
+        dashboard_address="127.0.0.1:0",
+        silence_logs=50,
+        local_directory=str(folder),
+    )
+
+
+@pytest.fixture
+def workers(tmp_path: Path) -> Iterator[Workers]:
+    """Yield a cluster of two worker processes."""
+    cluster = start(tmp_path / "dask")
+    yield Workers(cluster, read_backend(f"dask:{cluster.scheduler_address}"))
+    cluster.close()
+
+
+@pytest.fixture(scope="module")
+def marker(tmp_path_factory: pytest.TempPathFactory) -> Marker:
+    """Return the marker of a task with a hidden check."""
+    home = tmp_path_factory.mktemp("home")
+    return Marker(Place(task(home / "lab")), Wanted(pages=False))
+
+
+def wait_until_gone(process: psutil.Process) -> None:
+    end = time.monotonic() + 10.0
+    while process.is_running() and time.monotonic() < end:
+        time.sleep(0.02)
+    assert not process.is_running()
+
+
+def test_a_worker_that_dies_costs_nothing(workers: Workers, marker: Marker, tmp_path: Path) -> None:
+    said: list[Diagnostic] = []
+    entries = (*CLASS, *MANY)
+    out = Layout(tmp_path / "out")
+    found = mark_on_dask(marker, entries, out, workers.backend, size=3, said=said.append)
+    done = [next(found), next(found), next(found)]  # two of them are no programs
+    victim, child = workers.busy()
+    victim.kill()
+    done += found
+    wait_until_gone(child)
+    assert said == []
+    assert sorted(d.entry.identifier for d in done) == sorted(e.identifier for e in entries)
+    assert all(d.entry in entries for d in done)
+    list(mark_class(marker, entries, Layout(tmp_path / "here"), jobs=2))
+    assert files(tmp_path / "out") == files(tmp_path / "here")
+    again = list(mark_on_dask(marker, entries, out, NOWHERE))
+    assert [d.entry.identifier for d in again if not d.reused] == ["dora", "gina"]
+
+
+def test_a_shard_that_kills_workers_is_marked_here(marker: Marker, tmp_path: Path) -> None:
+    with dask.config.set({"distributed.scheduler.allowed-failures": 0}):
+        cluster = start(tmp_path / "dask")
+    workers = Workers(cluster, Backend(Scheduler.DASK, cluster.scheduler_address))
+    said: list[Diagnostic] = []
+    found = mark_on_dask(marker, MANY, None, workers.backend, size=2, said=said.append)
+    done = [next(found)]
+    workers.busy()[0].kill()
+    done += found
+    cluster.close()
+    assert 1 <= len(said) <= 2, "the one it marked, and perhaps one that waited for it"
+    assert {d.rule.code for d in said} == {"V729"}
+    assert said[0].notes == ("the cluster gave no results: the workers that marked it died",)
+    assert {d.entry for d in done} == set(MANY)
+    assert {d.result.kind for d in done} == {Kind.GRADED}
+
+
+def test_a_scheduler_that_goes_away_costs_nothing(
+    workers: Workers, marker: Marker, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(dask_cluster, "CONNECT_S", 1.0)
+    said: list[Diagnostic] = []
+    found = mark_on_dask(marker, MANY, None, workers.backend, size=2, said=said.append)
+    done = [next(found)]
+    workers.cluster.close()
+    done += found
+    assert {d.rule.code for d in said} == {"V729"}
+    assert {d.entry for d in done} == set(MANY)
+    assert {d.result.mark for d in done} == {done[0].result.mark}
+
+
+def test_a_scheduler_that_does_not_answer_is_told(
+    marker: Marker, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(dask_cluster, "CONNECT_S", 0.5)
+    with pytest.raises(Refused) as refused:
+        list(mark_on_dask(marker, MANY, None, NOWHERE))
+    (finding,) = refused.value.diagnostics
+    assert finding.rule.code == "V727"
+    assert finding.headline == "no Dask scheduler answers at `tcp://127.0.0.1:9`"
+
+
+JOB = {"cores": 2, "memory": "4GB", "processes": 1, "interface": "lo"}
+
+
+def test_jobs_of_slurm_are_as_dask_is_configured() -> None:
+    ours = {"queue": "teaching", "walltime": "00:20:00", "account": "robotics"}
+    with dask.config.set({"jobqueue.slurm": dask.config.get("jobqueue.slurm") | JOB | ours}):
+        cluster = queue_cluster(Scheduler.SLURM)
+        script = cluster.job_script()
+        cluster.close()
+    for line in (
+        "#SBATCH -p teaching",
+        "#SBATCH -A robotics",
+        "#SBATCH --cpus-per-task=2",
+        "#SBATCH --mem=4G",
+        "#SBATCH -t 00:20:00",
+    ):
+        assert line in script.splitlines()
+    assert "distributed.cli.dask_worker tcp://127.0.0.1:" in script
+
+
+def test_jobs_of_htcondor_are_as_dask_is_configured() -> None:
+    ours = dask.config.get("jobqueue.htcondor") | JOB | {"disk": "2GB"}
+    with dask.config.set({"jobqueue.htcondor": ours}):
+        cluster = queue_cluster(Scheduler.HTCONDOR)
+        script = cluster.job_script()
+        cluster.close()
+    assert "RequestCpus = MY.DaskWorkerCores" in script
+    assert "MY.DaskWorkerDisk = 2000000000" in script
+    assert "distributed.cli.dask_worker tcp://127.0.0.1:" in script
+
+
+@pytest.mark.parametrize("scheduler", [Scheduler.SLURM, Scheduler.HTCONDOR])
+def test_a_queue_that_is_not_configured_is_told(scheduler: Scheduler) -> None:
+    with pytest.raises(Refused) as refused:
+        queue_cluster(scheduler)
+    (finding,) = refused.value.diagnostics
+    assert finding.rule.code == "V727"
+    assert f"Dask is not configured for {scheduler.value}" in finding.headline
+    assert "jobqueue.yaml" in finding.help[0]
+
+
+@pytest.mark.skipif(shutil.which("condor_submit") is not None, reason="HTCondor is installed")
+def test_a_machine_without_a_queue_is_told() -> None:
+    with pytest.raises(Refused) as refused:
+        DaskCluster(Backend(Scheduler.HTCONDOR), 1)
+    assert "there is no command `condor_submit`" in refused.value.diagnostics[0].headline
+
+
+def test_backends_are_read() -> None:
+    assert read_backend("dask") == Backend(Scheduler.DASK)
+    assert read_backend("dask:tcp://10.0.0.1:8786").address == "tcp://10.0.0.1:8786"
+    assert read_backend("dask:node7:8786").address == "node7:8786"
+    assert read_backend("dask:tls://[::1]:8786").address == "tls://[::1]:8786"
+    assert read_backend("slurm").scheduler.has_a_queue
+    for text in ("", "ray", "dask:", "dask:node7", "slurm:node7:1", "dask:tcp://a b:1"):
+        with pytest.raises(CannotRead):
+            read_backend(text)
+
+
+def test_workers_of_our_own_listen_to_nobody_else(marker: Marker, tmp_path: Path) -> None:
+    out = Layout(tmp_path)
+    found = mark_on_dask(marker, MANY, out, read_backend("dask"), jobs=2, size=2)
+    done = [next(found)]
+    listening = [c for c in psutil.Process().net_connections() if c.status == psutil.CONN_LISTEN]
+    done += found
+    assert {c.laddr.ip for c in listening} == {"127.0.0.1"}
+    assert {d.entry for d in done} == set(MANY)
+    assert not any(out.staging.iterdir())

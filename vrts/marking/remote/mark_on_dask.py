@@ -1,0 +1,165 @@
+"""Marks a class on a cluster, with the meaning of marking at home."""
+
+import importlib.util
+from collections.abc import Callable, Iterator, Sequence
+from math import ceil
+
+from vrts.base.diagnostic import Diagnostic, Rule, error, warning
+from vrts.marking.layout import Layout
+from vrts.marking.marker import Marker, Marks
+from vrts.marking.marking import Done, Entry, reusable, without_program, write_marks
+from vrts.marking.one import Order
+from vrts.marking.remote.backend import Backend
+from vrts.marking.remote.child import ChildFailed, mark_in_child
+from vrts.marking.remote.marked import MarkedShard
+from vrts.marking.remote.merge import take
+from vrts.marking.remote.plan import Key, make_plan
+from vrts.marking.remote.shard import Cut
+from vrts.marking.supervise.limits import Limits
+from vrts.pipeline.settings import Refused
+
+NOT_INSTALLED = Rule("V728", "cluster-packages-missing")
+AT_HOME = Rule("V729", "marked-at-home")
+
+SIZE = 8  # submissions in a shard: few, so that progress shows
+_PACKAGES = ("dask", "distributed", "dask_jobqueue")
+
+
+def mark_on_dask(
+    marker: Marker,
+    entries: Sequence[Entry],
+    layout: Layout | None,
+    backend: Backend,
+    *,
+    jobs: int = 1,
+    limits: Limits | None = None,
+    again: bool = False,
+    size: int = SIZE,
+    said: Callable[[Diagnostic], None] = lambda _: None,
+) -> Iterator[Done]:
+    """Yield every submission once, as soon as its files are written; see `mark_class`.
+
+    What the cluster cannot do is marked here in the end, in a process of its own.
+
+    Args:
+        marker: Of the task.
+        entries: What to mark.
+        layout: Where the results go; None: nowhere.
+        backend: The cluster.
+        jobs: Workers or jobs to start, where they are ours to start; processes at a time here.
+        limits: Of the process of each submission.
+        again: Whether to mark also what is there already.
+        size: Submissions that a worker gets at a time.
+        said: Told about shards that were not marked by the cluster.
+
+    Raises:
+        CannotRead: The task cannot be taken along.
+        Refused: There is no such cluster.
+    """
+    _require_packages()
+    fresh: list[Entry] = []
+    for entry in entries:
+        if entry.data is None:
+            yield without_program(marker, entry, layout)
+            continue
+        found = None if again or layout is None else reusable(marker, entry, layout)
+        if found is None:
+            fresh.append(entry)
+        else:
+            yield found
+    if fresh:
+        plan = make_plan(marker, fresh, ceil(len(fresh) / size), limits)
+        yield from _Shards(marker, fresh, plan.key, layout, said).mark(plan.cuts, backend, jobs)
+
+
+class _Shards:
+    """The shards of one plan."""
+
+    def __init__(
+        self,
+        marker: Marker,
+        entries: Sequence[Entry],
+        key: Key,
+        layout: Layout | None,
+        said: Callable[[Diagnostic], None],
+    ) -> None:
+        self._marker = marker
+        self._entries = {entry.identifier: entry for entry in entries}
+        self._key = key
+        self._layout = layout
+        self._said = said
+
+    def mark(self, cuts: Sequence[Cut], backend: Backend, jobs: int) -> Iterator[Done]:
+        from vrts.marking.remote.dask_cluster import DaskCluster
+
+        left: list[Cut] = []
+        with DaskCluster(backend, jobs) as cluster:
+            for outcome in cluster.run(cuts):
+                found, words = None, outcome.words
+                if outcome.results is not None:
+                    found, words = self._taken(outcome.results, outcome.cut)
+                if found is None:
+                    self._said(_not_there(outcome.cut, words))
+                    left.append(outcome.cut)
+                else:
+                    yield from found
+        for cut in left:
+            yield from self._here(cut, jobs)
+
+    def _taken(self, results: bytes, cut: Cut) -> tuple[list[Done] | None, str]:
+        """Return the rows of a shard, written; or None and why there are none."""
+        try:
+            rows = take(MarkedShard(results, f"shard {cut.number}"), self._key, self._layout)
+        except Refused as refused:
+            return None, "; ".join(d.headline for d in refused.diagnostics)
+        found = [
+            Done(
+                self._entries[row.naming.identifier],
+                row.marks.staff,
+                row.marks.student,
+                False,
+                row.seconds,
+                row.peak,
+            )
+            for row in rows
+        ]
+        return found, ""
+
+    def _here(self, cut: Cut, jobs: int) -> Iterator[Done]:
+        """Mark a shard on this machine; whatever happens, there is a row for everything."""
+        try:
+            found, words = self._taken(mark_in_child(cut.data, cut.longest_s, jobs), cut)
+        except ChildFailed as problem:
+            found, words = None, str(problem)
+        if found is not None:
+            yield from found
+            return
+        for naming in cut.names:
+            entry = self._entries[naming.identifier]
+            assert entry.data is not None
+            order = Order(entry.identifier, entry.title, entry.data)
+            marks: Marks = self._marker.lost(order, f"its shard was not marked: {words}")
+            if self._layout is not None:
+                write_marks(marks, self._layout)
+            yield Done(entry, marks.staff, marks.student, False, 0.0, 0)
+
+
+def _not_there(cut: Cut, words: str) -> Diagnostic:
+    return warning(
+        AT_HOME,
+        f"shard {cut.number}, of {len(cut.names)} submissions, is marked on this machine",
+        notes=(f"the cluster gave no results: {words}",),
+    )
+
+
+def _require_packages() -> None:
+    missing = [name for name in _PACKAGES if importlib.util.find_spec(name) is None]
+    if missing:
+        names = " and ".join(f"`{name.replace('_', '-')}`" for name in missing)
+        headline = f"marking on a cluster needs {names}, which {_is(len(missing))} not installed"
+        remedy = "pip install 'vrts[cluster]'"
+        raise Refused((error(NOT_INSTALLED, headline, help=(remedy,)),))
+
+
+def _is(count: int) -> str:
+    return "is" if count == 1 else "are"

@@ -1,0 +1,167 @@
+"""A plan: the shards of a class, and the key that stays at home and gives results their names."""
+
+import hashlib
+import secrets
+from collections.abc import Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Literal, NamedTuple
+
+import msgspec
+
+from vrts.base.diagnostic import Rule, error
+from vrts.marking.layout import Layout
+from vrts.marking.marker import Marker, Marks
+from vrts.marking.marking import Entry, without_program
+from vrts.marking.remote.marked import written
+from vrts.marking.remote.names import Naming, named_anew
+from vrts.marking.remote.portable import portable
+from vrts.marking.remote.shard import Cut, Job, PlanId, cut, digest_of
+from vrts.marking.result import Digest, Named, Record
+from vrts.marking.summary import task_named
+from vrts.marking.supervise.limits import Limits
+from vrts.pipeline.files import read_bytes
+from vrts.pipeline.settings import Refused, Setting
+
+BAD_PLAN = Rule("V723", "bad-plan")
+
+SCHEMA = "vrts.plan/1"
+KEY, SHARDS = "key.json", "shards"  # in the folder of a plan
+LARGEST = 512_000_000  # bytes of a key
+PRIVATE = 0o600  # a shard holds the hidden checks, the key the names
+
+
+class Expected(Record, frozen=True):
+    """A submission that is marked elsewhere."""
+
+    naming: Naming
+    staff: Digest  # keys that its results must have
+    student: Digest
+    program: Digest
+
+
+class Sent(Record, frozen=True):
+    """A shard that goes out."""
+
+    number: int
+    sha256: Digest
+    entries: tuple[Expected, ...]
+
+
+class Home(Record, frozen=True):
+    """How results name task and scene at home."""
+
+    task: Named
+    scene: Named
+
+
+class Other(Record, frozen=True):
+    """A submission in which there is nothing to mark: its results, and the files about it."""
+
+    marks: Marks
+    files: dict[str, bytes]  # by name, as a process writes them
+
+
+class Key(Record, frozen=True):
+    """What stays at home."""
+
+    schema: Literal["vrts.plan/1"]
+    plan: PlanId
+    staff: Home
+    student: Home
+    shards: tuple[Sent, ...]
+    others: tuple[Other, ...]
+
+
+class Plan(NamedTuple):
+    """What is to be sent out, and the key."""
+
+    cuts: tuple[Cut, ...]
+    key: Key
+
+
+def make_plan(
+    marker: Marker, entries: Sequence[Entry], shards: int, limits: Limits | None = None
+) -> Plan:
+    """Return a plan for marking submissions on other machines.
+
+    Args:
+        marker: Of the task.
+        entries: What to mark.
+        shards: How many there are to be, if there are as many programs.
+        limits: Of each process.
+
+    Raises:
+        CannotRead: A file of the task cannot be taken along.
+        Refused: The task has errors.
+    """
+    job = Job(secrets.token_hex(8), portable(marker.place), marker.wanted, limits or Limits())
+    named = [(e, named_anew(e.identifier, e.title)) for e in entries if e.data is not None]
+    expected = {naming.pseudonym: _expected(marker, entry, naming) for entry, naming in named}
+    cuts = tuple(cut(job, named, shards))
+    sent = tuple(
+        Sent(c.number, digest_of(c.data), tuple(expected[n.pseudonym] for n in c.names))
+        for c in cuts
+    )
+    others = tuple(_other(marker, entry) for entry in entries if entry.data is None)
+    homes = _home(marker.whole), _home(marker.public)
+    return Plan(cuts, Key(SCHEMA, job.plan, *homes, sent, others))
+
+
+def write_plan(plan: Plan, folder: Path) -> list[Path]:
+    """Write the files of a plan, the key first; return those of the shards."""
+    (folder / SHARDS).mkdir(parents=True, exist_ok=True)
+    _write(folder / KEY, msgspec.json.format(msgspec.json.encode(plan.key), indent=1) + b"\n")
+    digits = max(2, len(str(len(plan.cuts))))
+    places: list[Path] = []
+    for piece in plan.cuts:
+        places.append(folder / SHARDS / f"shard-{piece.number:0{digits}}.json")
+        _write(places[-1], piece.data)
+    return places
+
+
+def read_key(place: Path) -> Key:
+    """Return the key of a plan; `place` is its file or the folder of the plan.
+
+    Raises:
+        CannotRead: It is not there.
+        Refused: It is no key, or is damaged.
+    """
+    path = place / KEY if place.is_dir() else place
+    data = read_bytes(path)
+    try:
+        if len(data) <= LARGEST:
+            return msgspec.json.decode(data, type=Key)
+        why = f"it has more than {LARGEST:,} bytes"
+    except msgspec.MsgspecError as problem:
+        why = str(problem)
+    headline = f"`{path.name}` is not the key of a plan: {why[:200]}"
+    remedy = "name the folder that `vrts grade plan` wrote, or plan anew"
+    raise Refused((error(BAD_PLAN, headline, help=(remedy,)),))
+
+
+def _expected(marker: Marker, entry: Entry, naming: Naming) -> Expected:
+    assert entry.data is not None
+    data = entry.data
+    program = hashlib.sha256(data).hexdigest()
+    return Expected(naming, marker.key(data), marker.public_key(data), program)
+
+
+def _other(marker: Marker, entry: Entry) -> Other:
+    with TemporaryDirectory(prefix="vrts-") as folder:
+        layout = Layout(Path(folder))
+        done = without_program(marker, entry, layout)
+        return Other(Marks(done.result, done.student), written(layout, entry.identifier))
+
+
+def _home(setting: Setting) -> Home:
+    scene = setting.scene
+    return Home(task_named(setting), Named(scene.name, scene.name, scene.digest))
+
+
+def _write(path: Path, data: bytes) -> None:
+    draft = path.with_name(path.name + ".part")
+    draft.touch(PRIVATE)
+    draft.chmod(PRIVATE)
+    draft.write_bytes(data)
+    draft.replace(path)
