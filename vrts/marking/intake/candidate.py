@@ -17,8 +17,10 @@ from vrts.marking.intake.content import (
     document_in_zip,
     is_zip,
 )
+from vrts.marking.intake.file_names import clashes
 from vrts.marking.intake.row import Kind, Problem
-from vrts.marking.intake.tree import Tree, Unreadable, clashes, zip_tree
+from vrts.marking.intake.store import Tree, Unreadable
+from vrts.marking.intake.zip_tree import zip_tree
 
 LARGEST_ARCHIVE = 64_000_000  # bytes of a zip that was handed in
 MOST_MEMBERS = 1_000  # files in it

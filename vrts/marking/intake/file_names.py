@@ -2,6 +2,7 @@
 
 import re
 import unicodedata
+from collections.abc import Sequence
 from pathlib import PurePosixPath
 
 PROGRAM_SUFFIXES = (".v2", ".val", ".pg", ".as")
@@ -75,3 +76,14 @@ def copy_of(name: str, *, canvas: bool = False) -> tuple[str, int]:
 def same_name(name: str) -> str:
     """Return what two names share that some system takes for one."""
     return unicodedata.normalize("NFKC", unicodedata.normalize("NFC", name).casefold())
+
+
+def clashes(names: Sequence[str]) -> tuple[str, str] | None:
+    """Return two names that some system takes for one, or None."""
+    seen: dict[str, str] = {}
+    for name in names:
+        key = same_name(name)
+        if key in seen:
+            return seen[key], name
+        seen[key] = name
+    return None
