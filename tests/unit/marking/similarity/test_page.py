@@ -1,0 +1,80 @@
+"""The page: no verdict, side by side, and nothing foreign gets through."""
+
+from pathlib import Path
+
+from tests.unit.marking.similarity.support import ORIGINAL, disguised, independent
+from tests.unit.report.test_html import Reader
+from vrts.marking.layout import Layout
+from vrts.marking.marker import Marker
+from vrts.marking.one import Wanted
+from vrts.marking.pack import student_zip
+from vrts.marking.setting import Place
+from vrts.marking.similarity.files import given, write_similarity
+from vrts.marking.similarity.page import similarity_page
+from vrts.marking.similarity.ranking import similarity
+from vrts.marking.task_folder import read_folder
+from vrts.pipeline.files import CHECKOUT
+
+HOSTILE = "</td><script>alert(1)</script>\u202e\x1b[2J"
+EXAMPLE = CHECKOUT / "examples" / "01-cans-on-bases"
+
+
+def test_a_pair_is_shown_side_by_side_with_links_and_without_a_verdict() -> None:
+    programs = {**independent(), "anna": ORIGINAL.encode(), "ben": disguised().encode()}
+    page = similarity_page(similarity(programs), programs, "Group 3", {"anna": "Anna Ady"})
+    read = Reader(page)
+    links = [a["href"] for tag, a in read.elements if tag == "a"]
+    for link in ("#pair-1", "students/anna/report.html", "students/ben/report.html", "index.html"):
+        assert link in links
+    assert "Not a verdict." in read.text
+    assert "Anna Ady anna" in read.text
+    assert "SET above = TRANS(x,y,200,90,90,0)" in read.text
+    assert "SET drueber = TRANS(x,y,200,90,90,0)" in read.text
+    for word in ("plagiar", "cheat", "copied", "suspect"):
+        assert word not in page.lower(), word
+
+
+def test_nothing_foreign_gets_through() -> None:
+    text = ORIGINAL.replace('"missed it"', f'"{HOSTILE}"').replace("50   RETURN", f"; {HOSTILE}")
+    names = {"anna": HOSTILE, "ben": HOSTILE}
+    programs = {"anna": text.encode(), "ben": text.encode()}
+    page = similarity_page(similarity(programs), programs, HOSTILE, names)
+    assert "<script" not in page
+    assert "\u202e" not in page
+    assert "\x1b" not in page
+    assert "alert(1)" in Reader(page).text
+
+
+def test_a_class_in_which_nobody_is_like_another_is_a_page_too() -> None:
+    page = similarity_page(similarity({}), {}, "Nobody")
+    assert "No two programs share more than what is usual" in Reader(page).text
+
+
+def test_the_locations_of_the_scene_are_given_and_programs_beside_the_task(tmp_path: Path) -> None:
+    marker = Marker(Place(str(EXAMPLE / "task.toml")), Wanted(pages=False))
+    (locations,) = given(EXAMPLE / "task.toml", marker.whole)
+    assert b"can1_grip" in locations
+    (tmp_path / "start.v2").write_text(ORIGINAL)
+    (tmp_path / "handout").mkdir()
+    (tmp_path / "handout" / "help.v2").write_text("; help\n")
+    assert given(tmp_path / "task.toml", marker.whole)[:2] == (b"; help\n", ORIGINAL.encode())
+
+
+def test_programs_in_a_packed_task_are_given_too(tmp_path: Path) -> None:
+    files = read_folder(EXAMPLE)
+    files.public["start.v2"] = ORIGINAL.encode()
+    packed = tmp_path / "lab1.zip"
+    packed.write_bytes(student_zip(files, 0))
+    marker = Marker(Place(str(packed)), Wanted(pages=False))
+    assert given(packed, marker.whole)[:-1] == (ORIGINAL.encode(),)
+
+
+def test_both_files_are_for_the_staff(tmp_path: Path) -> None:
+    programs = {"anna": ORIGINAL.encode(), "ben": ORIGINAL.encode()}
+    layout = Layout(tmp_path)
+    ranking = write_similarity(programs, (), layout, "Group 3", names={}, groups={})
+    assert len(ranking.pairs) == 1
+    assert sorted(p.relative_to(tmp_path).as_posix() for p in tmp_path.rglob("*.*")) == [
+        "staff/similarity.html",
+        "staff/similarity.json",
+    ]

@@ -1,0 +1,208 @@
+"""The ranking of similar programs as a page, with what they share side by side."""
+
+from collections.abc import Mapping, Sequence
+
+from vrts.base.source import SourceFile
+from vrts.marking.similarity.ranking import Pair, Ranking, SharedValue
+from vrts.marking.similarity.regions import Region
+from vrts.marking.similarity.symbols import readable
+from vrts.report.document import document
+from vrts.report.html import Markup, element
+from vrts.report.plain import one_line, shown
+
+STYLE = "report/similarity.css"
+MOST_SHOWN = 60  # pairs side by side
+MOST_LINES = 80  # of a region
+REPORT = "students/{}/report.html"
+
+
+def similarity_page(
+    ranking: Ranking,
+    programs: Mapping[str, bytes],
+    title: str,
+    names: Mapping[str, str] | None = None,
+) -> str:
+    """Return the page.
+
+    Args:
+        ranking: What was found.
+        programs: By identifier, as they were compared.
+        title: Of the class.
+        names: Of the students, by identifier, where they are known.
+    """
+    wanted = {who for pair in ranking.pairs[:MOST_SHOWN] for who in (pair.first, pair.second)}
+    sources: dict[str, SourceFile] = {}
+    for who in sorted(wanted):
+        file = readable(programs[who], who)
+        if file is not None:
+            sources[who] = file.source
+    labels = {who: one_line(name) for who, name in (names or {}).items()}
+    body = [
+        _head(ranking, title),
+        _table(ranking, labels),
+        *(
+            _side_by_side(number, pair, sources, labels)
+            for number, pair in enumerate(ranking.pairs[:MOST_SHOWN], start=1)
+        ),
+        _method(ranking),
+        element("footer", element("p", "Written by vrts")),
+    ]
+    return document(f"Similarity: {one_line(title)}", STYLE, body, [])
+
+
+def _head(ranking: Ranking, title: str) -> Markup:
+    count = f"{ranking.compared} programs compared, each with each"
+    return element(
+        "header",
+        element("h1", f"Similarity: {one_line(title)}"),
+        element("p", count, class_="where"),
+        element("p", element("b", "Not a verdict. "), f"This is {ranking.note}.", class_="notice"),
+        element("p", element("a", "Overview of the class", href="index.html")),
+        class_="first-screen",
+    )
+
+
+def _table(ranking: Ranking, labels: Mapping[str, str]) -> Markup:
+    if not ranking.pairs:
+        nothing = element("p", "No two programs share more than what is usual in this class.")
+        return element("section", element("h2", "Ranking"), nothing)
+    heads = ("Rank", "Program", "And", "Alike", "Code", "Taught values")
+    head = element("tr", *(element("th", text, scope="col") for text in heads))
+    rows = [_row(number, pair, labels) for number, pair in enumerate(ranking.pairs, start=1)]
+    table = element("table", element("thead", head), element("tbody", *rows), class_="ranking")
+    return element(
+        "section",
+        element("h2", "Ranking", id="ranking-head"),
+        element(
+            "div",
+            table,
+            class_="wide",
+            role="region",
+            tabindex="0",
+            aria_labelledby="ranking-head",
+        ),
+    )
+
+
+def _row(number: int, pair: Pair, labels: Mapping[str, str]) -> Markup:
+    rank = (
+        element("a", str(number), href=f"#pair-{number}", aria_label=f"Pair {number}")
+        if number <= MOST_SHOWN
+        else str(number)
+    )
+    width = f"width:{100 * pair.score:.0f}%"
+    bar = element("span", element("i", style=width), class_="share", aria_hidden="true")
+    count = len(pair.values)
+    values = f"{_percent(pair.taught)}, {count} shared" if count else "–"
+    return element(
+        "tr",
+        element("td", rank, class_="number"),
+        element("td", *_who(pair.first, labels)),
+        element("td", *_who(pair.second, labels)),
+        element("td", bar, element("b", _percent(pair.score)), class_="alike"),
+        element("td", _percent(pair.code)),
+        element("td", values),
+    )
+
+
+def _side_by_side(
+    number: int, pair: Pair, sources: Mapping[str, SourceFile], labels: Mapping[str, str]
+) -> Markup:
+    first, second = sources[pair.first], sources[pair.second]
+    head = element(
+        "div",
+        element("div", element("h3", *_who(pair.first, labels))),
+        element("div", element("h3", *_who(pair.second, labels))),
+        class_="sides heads",
+    )
+    regions = sorted(pair.regions, key=lambda region: (region.first_start, region.second_start))
+    blocks = [_block(region, first, second) for region in regions]
+    what = [
+        f"{_percent(pair.code)} of the code",
+        f"{_percent(pair.taught)} of the taught values",
+    ]
+    return element(
+        "section",
+        element("h2", f"{number}: {_percent(pair.score)} alike", id=f"pair-{number}"),
+        element("p", ", ".join(what), ", what is rare in the class counting more.", class_="where"),
+        head,
+        *blocks,
+        _values(pair.values),
+        class_="pair",
+    )
+
+
+def _block(region: Region, first: SourceFile, second: SourceFile) -> Markup:
+    return element(
+        "div",
+        _lines(first, region.first_start, region.first_end),
+        _lines(second, region.second_start, region.second_end),
+        class_="sides",
+    )
+
+
+def _lines(source: SourceFile, start: int, end: int) -> Markup:
+    last = min(end, start + MOST_LINES - 1)
+    rows = [
+        element(
+            "tr",
+            element("td", str(line), class_="line"),
+            element("td", element("code", shown(source.line_text(line)).text)),
+        )
+        for line in range(start, last + 1)
+    ]
+    more = [] if last == end else [element("p", f"and {end - last} more lines", class_="where")]
+    return element("div", element("table", element("tbody", *rows), class_="code"), *more)
+
+
+def _values(values: Sequence[SharedValue]) -> Markup | None:
+    if not values:
+        return None
+    heads = ("Taught value", "Name and line", "Name and line", "Others with it")
+    rows = [
+        element(
+            "tr",
+            element("td", element("code", "  ".join(f"{n:.2f}" for n in value.numbers))),
+            element("td", element("code", one_line(value.first)), f", line {value.first_line}"),
+            element("td", element("code", one_line(value.second)), f", line {value.second_line}"),
+            element("td", str(value.others)),
+        )
+        for value in values
+    ]
+    head = element("tr", *(element("th", text, scope="col") for text in heads))
+    caption = element("caption", "Identical taught values, those that few have first")
+    return element(
+        "table", caption, element("thead", head), element("tbody", *rows), class_="values"
+    )
+
+
+def _method(ranking: Ranking) -> Markup:
+    what = (
+        f"Programs are compared as sequences of words of the language, without names, numbers,"
+        f" comments and layout: {ranking.symbols} in a row that are the same count as shared. The"
+        f" order of subroutines does not matter."
+    )
+    left_out = (
+        "What comes with the task is left out, and so is what many in the class have: what few"
+        " share counts most. Taught values count when two programs have the same numbers to 0.01,"
+        " under whatever name."
+    )
+    meaning = (
+        "Those who handed in together are not compared. A high place says that it is worth reading"
+        " both programs, and nothing else."
+    )
+    words = (what, left_out, meaning)
+    return element(
+        "section", element("h2", "How it is measured"), *(element("p", w) for w in words)
+    )
+
+
+def _who(identifier: str, labels: Mapping[str, str]) -> tuple[Markup, Markup | None]:
+    name = labels.get(identifier, "")
+    text = name or identifier
+    small = element("small", f" {identifier}") if name and name != identifier else None
+    return element("a", text, href=REPORT.format(identifier)), small
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.0f} %"
