@@ -34,12 +34,14 @@ from vrts.check.collision_findings import (
     slack_of,
     spans,
 )
+from vrts.check.collision_nodes import Level, first_nodes
+from vrts.check.collision_normals import Normals, Rows, approach
 from vrts.check.collision_pairs import Pairs
 from vrts.check.collision_state import instants_of
-from vrts.check.curves import Curves, Spread
+from vrts.check.curves import Curves
 from vrts.engine.records import GRAVITY
 from vrts.geometry.nearest import Engine, Pair
-from vrts.geometry.solids import Instants, Motion, Places, Solids
+from vrts.geometry.solids import Motion, Places, Solids
 from vrts.robots.model import Arm
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -49,18 +51,7 @@ Indices: TypeAlias = npt.NDArray[np.int64]
 FINEST = 1e-5  # [s] to which intervals still open are halved
 STILL = 0.1  # of the error of a distance: intervals are not halved for what changes it by less
 WITHIN = 0.1  # [m] a smallest distance is sought first among bodies this near
-FIRST_NODE = 0.3  # [s] length of the first intervals
 BUDGET = 600_000  # exact distances; what is open then is undetermined
-
-
-class _Level(NamedTuple):
-    """Everything known at one level, for its nodes."""
-
-    middle: Array  # (n,) [s]
-    half: Array  # (n,) [s]
-    spread: Spread
-    state: Instants
-    motion: Motion
 
 
 class _Placed(NamedTuple):
@@ -137,24 +128,9 @@ class _Search:
         self.floor = np.where(pairs.grazes, -GRAZE, band - pairs.tolerance)
         self.functions: dict[int, Pair] = {}
         self.spans: dict[int, tuple[Array, Array]] = {}
-        self.start, self.end = self._first_nodes(interval)
+        self.start, self.end = first_nodes(curves, pairs, interval, falls=self.falls)
         self.level = self._level()
         self.node, self.row = self._first_rows()
-
-    def _first_nodes(self, interval: tuple[float, float]) -> tuple[Array, Array]:
-        """Return nodes that lie within one rule and one motion each, in time order."""
-        curves, pairs = self.curves, self.pairs
-        new_motion = curves.starts[1:][np.diff(curves.motions) != 0]
-        cuts = np.unique(
-            np.concatenate([pairs.start_s, pairs.end_s, curves.jumps(), new_motion, interval])
-        )
-        cuts = cuts[(cuts >= interval[0]) & (cuts <= interval[1])]
-        start, end = cuts[:-1], cuts[1:]
-        still = (curves.spread(start, end).speed == 0.0).all(axis=1)
-        if self.falls:
-            still[:] = False
-        parts = np.where(still, 1, np.maximum(1, np.ceil((end - start) / FIRST_NODE)))
-        return _divided(start, end, parts.astype(np.int64))
 
     def _first_rows(self) -> tuple[Indices, Indices]:
         """Return the rows of the first nodes that boxes of whole bodies do not settle."""
@@ -220,19 +196,20 @@ class _Search:
         if len(tight):
             a, b, n = at_outer[tight], at_inner[tight], normal[tight]
             apart = self._apart(places, row[tight], a, b, n)
-            apart -= self._along_normal(level, row[tight], node[tight], a, places, arms, n)
+            normals = Normals(n, a, arms, places.centres[a])
+            apart -= self._along_normal(level, row[tight], node[tight], normals)
             least[tight] = np.maximum(least[tight], apart)
         self._decide(level, row, node, distance, least, reach)
 
-    def _level(self) -> _Level:
+    def _level(self) -> Level:
         middle, half = 0.5 * (self.start + self.end), 0.5 * (self.end - self.start)
         spread = self.curves.spread(self.start, self.end)
         values = self.curves.values(middle)
         turn = np.maximum(spread.upper - values, values - spread.lower)
         state = instants_of(self.arm, values, middle)
-        return _Level(middle, half, spread, state, Motion(half, turn[:, :6], turn[:, 6]))
+        return Level(middle, half, spread, state, Motion(half, turn[:, :6], turn[:, 6]))
 
-    def _placed(self, level: _Level, row: Indices, node: Indices) -> _Placed:
+    def _placed(self, level: Level, row: Indices, node: Indices) -> _Placed:
         """Place the two solids of every row, each once, and what never moves once for all."""
         count = len(level.middle)
         outer, inner = self.outer[row], self.inner[row]
@@ -243,7 +220,7 @@ class _Search:
         places = self.solids.places(level.state, solid, instant, GRAVITY)
         return _Placed(places, solid, instant, place_of[key_outer], place_of[key_inner])
 
-    def _exact(self, level: _Level, places: Places) -> Exact:
+    def _exact(self, level: Level, places: Places) -> Exact:
         columns = (self.engine, self._pair_of, self.counts, self.floor, self.found)
         return Exact(*columns, level.middle, places)
 
@@ -256,11 +233,11 @@ class _Search:
             self.functions[row] = known
         return known
 
-    def _travel(self, level: _Level, placed: _Placed) -> tuple[Array, Array]:
+    def _travel(self, level: Level, placed: _Placed) -> tuple[Array, Array]:
         columns = (placed.solid, placed.instant, placed.places.centres)
         return self.solids.travel(level.state, level.motion, *columns)
 
-    def _drop(self, level: _Level, solid: Indices, node: Indices) -> Array:
+    def _drop(self, level: Level, solid: Indices, node: Indices) -> Array:
         motion = Motion(level.half[node], np.empty(0), np.empty(0))
         since = level.middle[node] - self.solids.falls_from[solid]
         return self.solids.drop(motion, since, solid, GRAVITY)
@@ -287,57 +264,20 @@ class _Search:
         unit = np.abs(np.linalg.norm(normal, axis=1) - 1.0) < 1e-7
         return np.where(unit, between, -np.inf)
 
-    def _along_normal(
-        self,
-        level: _Level,
-        row: Indices,
-        node: Indices,
-        at: Indices,
-        places: Places,
-        arms: Array,
-        normal: Array,
-    ) -> Array:
-        """Return the bound from speed and acceleration along the normal, shape (r,), in m."""
-        frames = level.state.frames
-        velocity = self.curves.velocities(level.middle)[node]
-        speed, acceleration = level.spread.speed[node], level.spread.acceleration[node]
-        centre = places.centres[at]
-        outer, inner = self.outer[row], self.inner[row]
-        h = level.half[node]
-        v = np.zeros((len(row), 3))
-        w = np.zeros((len(row), 3))
-        curve = np.zeros(len(row))  # bound on the acceleration of any point
-        faster = np.zeros(len(row))  # sum of joint speeds further in
-        base = self.inner_frame[row]
-        for joint in range(1, 7):
-            rate = np.where(base < joint, velocity[:, joint - 1], 0.0)
-            axis = frames.rotations[joint, :, :, 2][node]
-            offset = centre - frames.origins[joint][node]
-            turned = axis * rate[:, None]
-            w += turned * (arms[joint - 1, at] > 0.0)[:, None]
-            v += _cross(turned, offset) * (arms[joint - 1, at] > 0.0)[:, None]
-            arm = np.where(base < joint, arms[joint - 1, at], 0.0)
-            top = np.where(base < joint, speed[:, joint - 1], 0.0)
-            # |d2x/dq_i dq_j| is at most the distance from the outer of the two axes
-            curve += arm * (acceleration[:, joint - 1] + top * (2.0 * faster + top))
-            faster += np.where(arm > 0.0, top, 0.0)
-        slides = self.solids.slides[outer]
-        turned = (frames.rotations[6][node] @ self.solids.slide[outer][:, :, None])[:, :, 0]
-        v += turned * velocity[:, 6, None]
-        curve += slides * (acceleration[:, 6] + 2.0 * faster * speed[:, 6])
-        if self.falls:
-            for solid, sign in ((outer, 1.0), (inner, -1.0)):
-                falling = self.solids.falls[solid]
-                since = np.maximum(level.middle[node] - self.solids.falls_from[solid], 0.0)
-                v[:, 2] -= sign * np.where(falling, GRAVITY * since, 0.0)
-                curve += np.where(falling, GRAVITY, 0.0)
-        along = np.abs(np.einsum("ri,ri->r", v, normal))
-        turning = np.linalg.norm(_cross(normal, w), axis=1) * self.solids.ball[outer]
-        return (along + turning) * h + 0.5 * curve * h * h + self.pad
+    def _along_normal(self, level: Level, row: Indices, node: Indices, normals: Normals) -> Array:
+        """Return how far rows can come nearer along normals, shape (r,), in m."""
+        return self.pad + approach(
+            self.curves,
+            self.solids,
+            level,
+            Rows(node, self.outer[row], self.inner[row], self.inner_frame[row]),
+            normals,
+            falls=self.falls,
+        )
 
     def _decide(
         self,
-        level: _Level,
+        level: Level,
         row: Indices,
         node: Indices,
         distance: Array,
@@ -425,23 +365,6 @@ class _Search:
                 continue
             start, end = float(self.start[node]), float(self.end[node])
             self.found.open.append(Touch(row, start, end, 0.5 * (start + end), np.nan))
-
-
-def _divided(start: Array, end: Array, parts: Indices) -> tuple[Array, Array]:
-    """Return intervals cut into equal parts."""
-    of = np.repeat(np.arange(len(start)), parts)
-    number = np.arange(len(of)) - np.repeat(np.cumsum(parts) - parts, parts)
-    step = (end - start) / parts
-    low = start[of] + number * step[of]
-    high = np.where(number + 1 == parts[of], end[of], start[of] + (number + 1) * step[of])
-    return low, high
-
-
-def _cross(a: Array, b: Array) -> Array:
-    """Return vector products, shape (r, 3); much faster than numpy's for few vectors."""
-    x, y, z = a.T
-    u, v, w = b.T
-    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=1)
 
 
 def _distinct(a: Indices, b: Indices, size: int) -> tuple[Indices, Indices]:
