@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.check.late_rules import Keep
-from vrts.marking.class_marks import class_row, entries, with_best_attempts
+from vrts.check.task import Task
+from vrts.marking.class_marks import Mark, class_row, entries, with_best_attempts
 from vrts.marking.intake.edited_table import read_rows
 from vrts.marking.intake.intake_table import NAME as TABLE
 from vrts.marking.intake.intake_table import write_rows
@@ -18,6 +19,8 @@ from vrts.marking.intake.tree import Tree, open_place
 from vrts.marking.layout import Layout, write_atomically
 from vrts.marking.marker import Marker
 from vrts.marking.marking import Done, Entry, mark_class
+from vrts.marking.remote.backend import Backend
+from vrts.marking.remote.mark_on_dask import mark_on_dask
 from vrts.marking.row import Change, Class
 from vrts.pipeline.files import read_bytes
 from vrts.pipeline.settings import Refused
@@ -29,6 +32,7 @@ class HowTo(NamedTuple):
     jobs: int = 1
     again: bool = False  # also what is marked already
     table: Path | None = None  # intake.csv as edited; None: the one in the folder, if there is one
+    backend: Backend | None = None  # a cluster; None: this machine
 
 
 class Marked(NamedTuple):
@@ -37,7 +41,7 @@ class Marked(NamedTuple):
     rows: Class
     done: tuple[Done, ...]  # in the order of the rows
     remarks: tuple[str, ...]  # of the intake
-    warnings: tuple[Diagnostic, ...]  # of the edited table
+    warnings: tuple[Diagnostic, ...]  # of the edited table, and of the cluster
 
 
 def mark_whole_class(
@@ -55,21 +59,30 @@ def mark_whole_class(
         marker: Of the task.
         submissions: A folder, a zip, or a list of files.
         layout: Where the results go; None: nowhere.
-        how: Processes, what to mark again, the edited table.
+        how: Processes, what to mark again, the edited table, on which cluster.
         begun: Told the ids of all submissions, in the order of the rows.
         told: Told each submission as it is done.
 
     Raises:
         CannotRead: There is nothing of the kind.
-        Refused: The edited table has errors.
+        Refused: The edited table has errors, or there is no such cluster.
     """
+    said: list[Diagnostic] = []
     task = marker.whole.task
     assert task is not None
     with open_place(submissions) as tree, TemporaryDirectory(prefix="vrts-") as staging:
-        intake = take_in_tree(tree, program=task.program)
-        found, warnings = _as_edited(tree, intake, _table(submissions, layout, how))
 
         def mark(asked: Sequence[Entry], place: Layout | None) -> Iterable[Done]:
+            if how.backend is not None and place is not None:
+                return mark_on_dask(
+                    marker,
+                    asked,
+                    place,
+                    how.backend,
+                    jobs=how.jobs,
+                    again=how.again,
+                    said=said.append,
+                )
             return mark_class(
                 marker,
                 asked,
@@ -79,8 +92,8 @@ def mark_whole_class(
                 staging=Path(staging),
             )
 
-        if task.keep is Keep.BEST:
-            found = with_best_attempts(tree, found, task.late, lambda asked: mark(asked, None))
+        table = table_for(submissions, layout, how)
+        found, remarks, warnings = take_in_class(task, tree, table, lambda asked: mark(asked, None))
         begun([row.identifier for row in found])
         done: dict[str, Done] = {}
         for one in mark(tuple(entries(tree, found)), layout):
@@ -94,15 +107,43 @@ def mark_whole_class(
     return Marked(
         Class("vrts.class/1", task.title, rows),
         tuple(done[row.identifier] for row in found),
-        intake.remarks,
-        warnings,
+        remarks,
+        (*warnings, *said),
     )
+
+
+class TakenIn(NamedTuple):
+    """Who handed in what, as the teacher wants it marked."""
+
+    rows: tuple[Found, ...]
+    remarks: tuple[str, ...]  # of the intake
+    warnings: tuple[Diagnostic, ...]  # of the edited table
+
+
+def take_in_class(task: Task, tree: Tree, table: Path | None, mark: Mark) -> TakenIn:
+    """Return the rows of a class: those of the edited table, with the attempts that count.
+
+    Args:
+        task: What it is marked by.
+        tree: The download.
+        table: As edited; None: there is none.
+        mark: Marks attempts without writing anything.
+
+    Raises:
+        CannotRead: The table is not there.
+        Refused: It has errors.
+    """
+    intake = take_in_tree(tree, program=task.program)
+    found, warnings = _as_edited(tree, intake, table)
+    if task.keep is Keep.BEST:
+        found = with_best_attempts(tree, found, task.late, mark)
+    return TakenIn(found, intake.remarks, warnings)
 
 
 NO_CHANGES: dict[str, Change] = {}
 
 
-def _table(submissions: Path | Sequence[Path], layout: Layout | None, how: HowTo) -> Path | None:
+def table_for(submissions: Path | Sequence[Path], layout: Layout | None, how: HowTo) -> Path | None:
     """Return the edited table: the one given, beside the download, or of an earlier marking."""
     if how.table is not None:
         return how.table
