@@ -107,8 +107,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "the mark is cut, not rounded",
         "vrts/check/score.py",
-        "(parts.unrounded / TENTH + Fraction(1, 2)).__floor__()",
-        "(parts.unrounded / TENTH).__floor__()",
+        "(points / TENTH + Fraction(1, 2)).__floor__()",
+        "(points / TENTH).__floor__()",
         (EXAMPLE,),
     ),
     Patch(
