@@ -847,10 +847,10 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/intake/test_table.py",),
     ),
     Patch(
-        "fields of tables are formulas",
-        "vrts/report/csv_field.py",
-        "        text = TEXT_MARK + text",
-        "        text = text",
+        "spreadsheets change ids in tables",
+        "vrts/marking/intake/table_text.py",
+        "TEXT_MARK + text if _changed(text) else text",
+        "text",
         ("tests/unit/marking/intake/test_table.py",),
     ),
     Patch(

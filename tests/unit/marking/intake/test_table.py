@@ -150,12 +150,13 @@ def test_a_document_stays_a_problem_whatever_the_table_says(place: Path) -> None
     assert row.problem.kind is Kind.NOT_TEXT
 
 
+@pytest.mark.parametrize("identifier", ["Anna-Berger-101", "t-Hooft-Ö-104", "00123-105"])
 @pytest.mark.parametrize("word", ["excused", "Excused: in hospital"])
-def test_excused(place: Path, word: str) -> None:
+def test_excused_with_a_program_or_without(place: Path, word: str, identifier: str) -> None:
     def excuse(lines: dict[str, dict[str, str]]) -> None:
-        lines["Anna-Berger-101"]["problem"] = word
+        lines[identifier]["problem"] = word
 
-    problem = row_of(place, edited(place, excuse), "Anna-Berger-101").problem
+    problem = row_of(place, edited(place, excuse), identifier).problem
     assert problem is not None
     assert problem.kind is Kind.EXCUSED
     assert problem.sentence == ("in hospital" if ":" in word else "excused by the teacher")
