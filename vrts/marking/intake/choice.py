@@ -5,12 +5,11 @@ from pathlib import PurePosixPath
 from typing import NamedTuple
 
 from vrts.marking.intake.candidate import Candidate
-from vrts.marking.intake.file_names import copy_of, is_program_name, same_name, stem_of
+from vrts.marking.intake.file_names import copy_of, is_note, is_program_name, same_name
 from vrts.marking.intake.row import Kind, Problem
 
 NOTHING = Problem(Kind.MISSING, "nothing was handed in")
 SHOWN = 4  # files named in a sentence
-NOTES = frozenset({"readme", "license", "notes", "liesmich", "lisezmoi", "leeme"})  # stems
 
 # what is told where nothing can be marked: the first of these that is there
 _TELLING = (Kind.NOT_TEXT, Kind.ARCHIVE, Kind.TOO_LARGE, Kind.UNREADABLE, Kind.EMPTY)
@@ -113,7 +112,7 @@ def _plainness(candidate: Candidate) -> tuple[int, int, str]:
 
 def _unmarkable(found: Sequence[Candidate]) -> Choice:
     """Say what the matter is where no file is a program."""
-    texts = [c for c in found if c.problem is None and stem_of(c.file).casefold() not in NOTES]
+    texts = [c for c in found if c.problem is None and not is_note(c.file)]
     if len(texts) == 1:
         others = tuple(c.file for c in found if c is not texts[0])
         return Choice(texts[0].file, "the only text" if others else "the only file", others)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import PurePosixPath
 
 PROGRAM_SUFFIXES = (".v2", ".val", ".pg", ".as")
+NOTES = frozenset({"readme", "license", "notes", "liesmich", "lisezmoi", "leeme"})  # stems
 JUNK = frozenset({"thumbs.db", "desktop.ini", "ehthumbs.db", "icon\r", "$recycle.bin"})
 JUNK_FOLDERS = frozenset({"__macosx", "__pycache__", "$recycle.bin", "node_modules"})
 
@@ -55,6 +56,11 @@ def is_program_name(name: str) -> bool:
     base = PurePosixPath(name).name.casefold()
     endings = [_COPY.sub(r"\g<stem>", piece) for piece in base.split(".")[1:]]
     return any(f".{ending}" in PROGRAM_SUFFIXES for ending in endings[-2:])
+
+
+def is_note(name: str) -> bool:
+    """Return whether a file is named as what accompanies programs."""
+    return stem_of(name).casefold() in NOTES and not is_program_name(name)
 
 
 def copy_of(name: str, *, canvas: bool = False) -> tuple[str, int]:

@@ -5,13 +5,14 @@ from collections.abc import Mapping, Sequence
 from datetime import datetime, tzinfo
 from pathlib import PurePosixPath
 
-from vrts.marking.intake.file_names import copy_of, same_name, stem_of
+from vrts.marking.intake.file_names import copy_of, is_note, same_name, stem_of
 from vrts.marking.intake.hand_in import HandIn, Layout
 from vrts.marking.intake.row import Student
 
 NOT_HANDED_IN = frozenset(  # what may lie beside hand-ins
     {"task.toml", "scene.toml", "scenario.toml", "intake.csv", "overrides.toml"}
 )
+LISTS = (".csv", ".toml")  # endings of what teachers keep beside hand-ins
 FOLDERS, FLAT, LIST = "a folder for each student", "files side by side", "files as named"
 
 _TIME = re.compile(r"\d{4}(?:-\d\d){5}$")  # folders of attempts, as VPL writes them
@@ -32,9 +33,11 @@ def folders(tops: Mapping[str, Sequence[str]], zone: tzinfo | None) -> Layout:
             flat.append(top)
         else:
             hand_ins += _of_folder(top, sorted(files), zone)
-    beside = _of_files(flat)
+    lists = [file for file in flat if is_note(file) or file.casefold().endswith(LISTS)]
+    beside = _of_files([file for file in flat if file not in lists])
     title = FOLDERS if len(hand_ins) > len(beside) else FLAT
-    return Layout(title, (*hand_ins, *beside), _copies(beside))
+    strays = tuple(f"`{file}` is taken for no hand-in" for file in lists)
+    return Layout(title, (*hand_ins, *beside), (*strays, *_copies(beside)))
 
 
 def listed(files: Sequence[str]) -> Layout:

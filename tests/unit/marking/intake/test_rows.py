@@ -91,6 +91,16 @@ def test_strays_of_a_download_are_remarked_on(tmp_path: Path) -> None:
     assert found.remarks == ("`list of names.txt` is not of a student",)
 
 
+def test_what_teachers_keep_beside_hand_ins_is_none(tmp_path: Path) -> None:
+    files = {"anna.v2": PICK, "README.md": PROSE, "names.csv": b"a,b", "notes.v2": PICK}
+    found = take_in(put(tmp_path / "d", files), program="pick")
+    assert [row.identifier for row in found.rows] == ["anna", "notes"]
+    assert found.remarks == (
+        "`README.md` is taken for no hand-in",
+        "`names.csv` is taken for no hand-in",
+    )
+
+
 def test_copies_side_by_side_may_be_of_two_students(tmp_path: Path) -> None:
     found = take_in(put(tmp_path / "d", {"a.v2": PICK, "a (1).v2": PICK}), program="pick")
     assert [row.identifier for row in found.rows] == ["a", "a-1"]
