@@ -1,14 +1,13 @@
 """`vrts grade intake`."""
 
-import re
 import sys
-from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from vrts.cli.console import HOLDS, WRONG, fail, guarded, out, say, write_file
+from vrts.cli.zones import zone_named
 
 if TYPE_CHECKING:
     from vrts.check.task import Task
@@ -76,7 +75,7 @@ def command(
         fail(f"`{table}` is there already", ("`--force` writes it anew; edits in it are lost",))
     asked = _task(task)
     times = (
-        _zone(zone)
+        zone_named(zone)
         if zone
         else None
         if asked is None or asked.late is None
@@ -106,18 +105,6 @@ def _task(path: Path | None) -> "Task | None":
     folder = find_example(str(path))
     file = folder / TASK_FILE if folder is not None else path
     return (load_zip if is_packed(file) else load_task)(file, staff=False).task
-
-
-def _zone(name: str) -> tzinfo:
-    """Return a zone by its name, or by its offset from UTC."""
-    from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
-
-    if re.fullmatch(r"[+-]\d\d:?\d\d", name):
-        return datetime.strptime(name, "%z").tzinfo or UTC
-    try:
-        return ZoneInfo(name)
-    except (ZoneInfoNotFoundError, ValueError, OSError):
-        fail(f"there is no zone `{name}`", ("write such as Europe/Vienna, or +01:00",))
 
 
 def _text(intake: "Intake") -> str:
