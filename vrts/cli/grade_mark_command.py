@@ -1,6 +1,7 @@
 """`vrts grade TASK [SUBMISSIONS]...`."""
 
 import os
+import random
 import sys
 from datetime import UTC, datetime
 from pathlib import Path
@@ -11,6 +12,7 @@ import click
 from vrts.cli.console import (
     FAULT,
     HOLDS,
+    WRONG,
     color_option,
     fail,
     guarded,
@@ -19,6 +21,7 @@ from vrts.cli.console import (
     say,
     show_diagnostics,
 )
+from vrts.cli.zones import zone_named
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -66,9 +69,27 @@ each with --help.
     help="The table of `vrts grade intake`, as edited.",
 )
 @click.option(
+    "--roster",
+    "class_list",
+    type=click.Path(path_type=Path),
+    help="Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing.",
+)
+@click.option(
+    "--zone",
+    metavar="ZONE",
+    help="Of times without one: Europe/Vienna, or +01:00; otherwise that of the task's deadline.",
+)
+@click.option(
     "--backend",
     metavar="CLUSTER",
     help="Mark on a cluster: dask, dask:ADDRESS, slurm or htcondor; see below.",
+)
+@click.option(
+    "--verify",
+    "sample",
+    type=click.IntRange(1),
+    metavar="N",
+    help="Mark N of them again, picked at random, and compare.",
 )
 @click.option("--again", is_flag=True, help="Mark also what is marked already.")
 @click.option("--no-pages", is_flag=True, help="Write results only, no pages.")
@@ -85,7 +106,10 @@ def command(
     folder: Path | None,
     jobs: int | None,
     table: Path | None,
+    class_list: Path | None,
+    zone: str | None,
     backend: str | None,
+    sample: int | None,
     again: bool,
     no_pages: bool,
     recordings: bool,
@@ -113,13 +137,20 @@ def command(
     from vrts.marking.remote.backend import read_backend
     from vrts.marking.whole_class import HowTo
 
-    place, found = _what(task, submissions, lab)
+    place, found = what_to_mark(task, submissions, lab)
     pages = folder is not None and not no_pages
     wanted = Wanted(not no_collisions, engine, pages, recordings and folder is not None)
     marker = Marker(place, wanted)
     layout = None if folder is None else Layout(folder)
     where = None if backend is None else read_backend(backend)
-    how = HowTo(jobs or os.cpu_count() or 1, again, table, where)
+    how = HowTo(
+        jobs or os.cpu_count() or 1,
+        again,
+        table,
+        where,
+        class_list,
+        zone_named(zone) if zone else None,
+    )
     marked = _mark(marker, found, layout, how, quiet=form == "json")
     show_diagnostics((*marker.whole.stamps, *marked.warnings), color)
     for remark in marked.remarks:
@@ -130,10 +161,26 @@ def command(
         from vrts.marking.row import class_to_bytes
 
         out(class_to_bytes(marked.rows).decode().rstrip("\n"))
-    sys.exit(FAULT if any(done.result.is_fault for done in marked.done) else HOLDS)
+    same = sample is None or _same_again(marker, marked, sample, how.jobs)
+    if any(done.result.is_fault for done in marked.done):
+        sys.exit(FAULT)
+    sys.exit(HOLDS if same else WRONG)
 
 
-def _what(
+def _same_again(marker: "Marker", marked: "Marked", count: int, jobs: int) -> bool:
+    """Mark some programs again, and say what differs; return whether nothing does."""
+    from vrts.marking.sample import sampled, verify_sample
+
+    seed = random.SystemRandom().randrange(1_000_000)
+    number = len(sampled(marked.done, count, seed))
+    unlike = verify_sample(marker, marked.done, count=count, seed=seed, jobs=jobs)
+    for one in unlike:
+        say(f"`{one.identifier}`, the result {one.whose}, is another one: {one.first}")
+    say(f"marked {number} again (sample {seed}): {len(unlike) or 'none'} differ")
+    return not unlike
+
+
+def what_to_mark(
     task: str, submissions: tuple[Path, ...], lab: Path | None
 ) -> "tuple[Place, Path | Sequence[Path]]":
     """Return where the task is, and what is to be marked."""
@@ -215,6 +262,7 @@ def _write(
         __version__,
         tuple(sys.argv),
         datetime.now(UTC),
+        marked.intake_sha256,
     )
     write_class(marked.rows, about, layout)
     say(f"wrote {layout.overview}")

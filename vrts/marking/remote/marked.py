@@ -5,6 +5,7 @@ unpacked, no name in it becomes a path, and everything must fit together.
 """
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import BinaryIO, Literal, NamedTuple
 
 import msgspec
@@ -90,6 +91,17 @@ def written(layout: Layout, identifier: str) -> dict[str, bytes]:
         if place.is_file():
             found[name] = place.read_bytes()
     return found
+
+
+def is_of(path: Path, digest: str) -> bool:
+    """Return whether a file holds the results of a shard, whole; `digest` is that of the shard."""
+    try:
+        with path.open("rb") as file:
+            marked = MarkedShard(file, path.name)
+            marked.rows()
+    except Refused:
+        return False
+    return marked.contents.shard == digest
 
 
 class MarkedShard:

@@ -1,0 +1,95 @@
+"""From a download by way of shards to the list of marks, from the command line."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from tests.unit.marking.remote.support import BAD, GOOD, TYPO, task
+from vrts.cli.grade_command import command
+
+
+@pytest.fixture
+def lab(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return the folder with a task and hand-ins, which is the working folder."""
+    task(tmp_path / "lab")
+    for name, data in (("anna_b", GOOD), ("ben_c", BAD), ("cy_d", TYPO), ("photo", b"\x89PNG")):
+        (tmp_path / "hand-ins" / name).mkdir(parents=True)
+        (tmp_path / "hand-ins" / name / f"{name}.v2").write_bytes(data)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def vrts(*arguments: str) -> Result:
+    return CliRunner().invoke(command, list(arguments), catch_exceptions=False)
+
+
+def good(*arguments: str) -> str:
+    found = vrts(*arguments)
+    assert found.exit_code == 0, found.output
+    return found.output
+
+
+def test_plan_run_merge_and_lists(lab: Path) -> None:
+    planned = good("plan", "lab", "hand-ins", "--shards", "2", "--no-pages")
+    assert "plan/shards: 2 shards of 3 programs" in planned
+    assert "1 more have nothing to mark" in planned
+    shards = sorted(str(path) for path in Path("plan/shards").iterdir())
+    assert good("run", shards[0], "-o", "results").endswith("results/shard-01.zip: 1 marked\n")
+    partly = vrts("merge", "plan", "results", "-o", "out")
+    assert partly.exit_code == 1
+    assert "warning[V726 results-missing]: 2 of 3 submissions have no result yet" in partly.output
+    good("run", shards[1], "-o", "results/other.zip", "--jobs", "2")
+    assert "there already" in good("run", shards[1], "-o", "results/other.zip")
+    assert good("merge", "plan", "results", "-o", "out").endswith(
+        "4 of 4 submissions have results\n"
+    )
+    assert sorted(path.name for path in (lab / "results").iterdir()) == [
+        "other.zip",
+        "shard-01.zip",
+    ]
+
+    made = {path: path.stat().st_mtime_ns for path in (lab / "out").rglob("result.json")}
+    assert len(made) == 8
+    good("lab", "hand-ins", "-o", "out", "--no-pages")
+    again = [path for path, when in made.items() if path.stat().st_mtime_ns != when]
+    assert {path.parent.name for path in again} <= {"photo"}
+    rows = json.loads((lab / "out" / "staff" / "results.json").read_text())["rows"]
+    marks = {row["student"]["name"] or row["id"]: row["result"]["mark"] for row in rows}
+    assert sorted(marks.values()) == [0.0, 0.0, 4.5, 6.0]
+
+
+def test_a_plan_is_not_lost_by_accident(lab: Path) -> None:
+    good("plan", "lab", "hand-ins", "--shards", "3")
+    key = (lab / "plan" / "key.json").read_bytes()
+    refused = vrts("plan", "lab", "hand-ins")
+    assert refused.exit_code == 2
+    assert "there is a plan in `plan` already" in refused.output
+    assert (lab / "plan" / "key.json").read_bytes() == key
+    good("plan", "lab", "hand-ins", "--shards", "1", "--force")
+    assert [path.name for path in (lab / "plan" / "shards").iterdir()] == ["shard-01.json"]
+
+
+def test_what_is_no_shard_no_key_and_not_there_is_told(lab: Path) -> None:
+    (lab / "notes.json").write_text("{}")
+    for arguments, status, words in (
+        (("run", "notes.json"), 1, "error[V720 bad-shard]"),
+        (("run", "nowhere.json"), 2, "cannot read `nowhere.json`"),
+        (("merge", "notes.json", "-o", "out"), 1, "error[V723 bad-plan]"),
+        (("merge", "nowhere", "-o", "out"), 2, "cannot read `nowhere`"),
+    ):
+        found = vrts(*arguments)
+        assert (found.exit_code, words in found.output) == (status, True), found.output
+
+
+def test_a_class_is_marked_by_a_cluster(lab: Path) -> None:
+    good("lab", "hand-ins", "-o", "here", "--no-pages")
+    good("lab", "hand-ins", "-o", "there", "--no-pages", "--backend", "dask", "--jobs", "1")
+    here, there = (
+        (lab / name / "staff" / "results.json").read_bytes() for name in ("here", "there")
+    )
+    assert here == there
+    found = vrts("lab", "hand-ins", "-o", "out", "--backend", "ray")
+    assert found.exit_code == 2
+    assert "there is no backend `ray`" in found.output
