@@ -175,7 +175,8 @@ def _same_again(marker: "Marker", marked: "Marked", count: int, jobs: int) -> bo
     number = len(sampled(marked.done, count, seed))
     unlike = verify_sample(marker, marked.done, count=count, seed=seed, jobs=jobs)
     for one in unlike:
-        say(f"`{one.identifier}`, the result {one.whose}, is another one: {one.first}")
+        path, old, new = one.first
+        say(f"`{one.identifier}`: the result {one.whose} differs: {path} was {old}, is {new}")
     say(f"marked {number} again (sample {seed}): {len(unlike) or 'none'} differ")
     return not unlike
 

@@ -24,6 +24,7 @@ class About(Record, frozen=True):
     vrts: str
     command: tuple[str, ...]
     finished: datetime  # with its offset
+    intake_sha256: str = ""  # of intake.csv as written; "": it was edited
 
 
 def to_bytes(about: About) -> bytes:

@@ -1,6 +1,6 @@
 """From what the intake found to what is marked, and from results to the rows of a class."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -13,7 +13,7 @@ from vrts.marking.intake.tree import Tree, Unreadable
 from vrts.marking.lateness import best, lateness, marks
 from vrts.marking.marking import Done, Entry
 from vrts.marking.result import Kind, Result
-from vrts.marking.row import Change, HandedIn, Lateness, Row, Student, row_of
+from vrts.marking.row import HandedIn, Lateness, Row, Student, row_of
 
 KINDS = {
     Problem.MISSING: Kind.MISSING,
@@ -47,7 +47,7 @@ def with_best_attempts(
         rules: What lateness costs.
         mark: Marks programs without writing anything.
     """
-    several = [row for row in found if len(row.attempts) > 1 and row.problem is None]
+    several = [row for row in found if _has_choice(row)]
     tried: dict[str, tuple[Found, Attempt]] = {}
     asked: list[Entry] = []
     for row in several:
@@ -73,10 +73,15 @@ def with_best_attempts(
     return tuple(chosen.get(row.identifier, row) for row in found)
 
 
-def class_row(
-    found: Found, result: Result, rules: LateRules | None, changes: Mapping[str, Change]
-) -> Row:
-    """Return the row of a submission in the list of marks."""
+def _has_choice(row: Found) -> bool:
+    """Return whether there is another attempt than the latest, which may be no program."""
+    if row.problem is None:
+        return len(row.attempts) > 1
+    return bool(row.attempts) and row.problem.kind is not Problem.EXCUSED
+
+
+def class_row(found: Found, result: Result, rules: LateRules | None) -> Row:
+    """Return the row of a submission in the list of marks, without changes by hand."""
     student = found.student
     received = found.received
     return row_of(
@@ -89,7 +94,6 @@ def class_row(
             found.attempt,
         ),
         _late(found, result, rules),
-        changes.get(found.identifier),
     )
 
 
@@ -106,4 +110,4 @@ def _late(found: Found, result: Result, rules: LateRules | None) -> Lateness | N
         return None
     deduction = marks(result.exact_mark or Fraction(0), late).deduction
     seconds = 0 if late.late_by is None else int(late.late_by.total_seconds())
-    return Lateness(seconds, str(deduction), late.sentence)
+    return Lateness(seconds, str(deduction), late.sentence, late.review)

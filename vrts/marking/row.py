@@ -37,6 +37,7 @@ class Lateness(Record, frozen=True):
     by_s: Annotated[int, Meta(description="after the time it was due")]
     deduction: Exact
     sentence: str
+    review: Annotated[bool, Meta(description="somebody has to look when it came")] = False
 
 
 class Change(Record, frozen=True):

@@ -1,6 +1,8 @@
 """The marking of a class from the download to the list of marks."""
 
 from collections.abc import Callable, Iterable, Sequence
+from datetime import tzinfo
+from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
@@ -8,10 +10,13 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic
 from vrts.check.late_rules import Keep
 from vrts.check.task import Task
+from vrts.marking.about import NAME as ABOUT
+from vrts.marking.about import from_bytes as about_from_bytes
 from vrts.marking.class_marks import Mark, class_row, entries, with_best_attempts
 from vrts.marking.intake.edited_table import read_rows
 from vrts.marking.intake.intake_table import NAME as TABLE
 from vrts.marking.intake.intake_table import write_rows
+from vrts.marking.intake.roster import read_roster
 from vrts.marking.intake.row import Intake
 from vrts.marking.intake.row import Row as Found
 from vrts.marking.intake.take_in import take_in_tree
@@ -19,10 +24,12 @@ from vrts.marking.intake.tree import Tree, open_place
 from vrts.marking.layout import Layout, write_atomically
 from vrts.marking.marker import Marker
 from vrts.marking.marking import Done, Entry, mark_class
+from vrts.marking.overrides import read_overrides, with_overrides
 from vrts.marking.remote.backend import Backend
 from vrts.marking.remote.mark_on_dask import mark_on_dask
-from vrts.marking.row import Change, Class
-from vrts.pipeline.files import read_bytes
+from vrts.marking.result import Damaged
+from vrts.marking.row import Class
+from vrts.pipeline.files import read_bytes, read_toml_source
 from vrts.pipeline.settings import Refused
 
 
@@ -33,6 +40,11 @@ class HowTo(NamedTuple):
     again: bool = False  # also what is marked already
     table: Path | None = None  # intake.csv as edited; None: the one in the folder, if there is one
     backend: Backend | None = None  # a cluster; None: this machine
+    roster: Path | None = None  # the class, as Moodle or Canvas export it
+    zone: tzinfo | None = None  # of times without one; None: that of the task's deadline
+
+
+USUAL = HowTo()
 
 
 class Marked(NamedTuple):
@@ -41,7 +53,8 @@ class Marked(NamedTuple):
     rows: Class
     done: tuple[Done, ...]  # in the order of the rows
     remarks: tuple[str, ...]  # of the intake
-    warnings: tuple[Diagnostic, ...]  # of the edited table, and of the cluster
+    warnings: tuple[Diagnostic, ...]  # of the edited table, of the cluster, and of overrides
+    intake_sha256: str  # of the table as written; "": it was edited, and is to be obeyed again
 
 
 def mark_whole_class(
@@ -93,23 +106,41 @@ def mark_whole_class(
             )
 
         table = table_for(submissions, layout, how)
-        found, remarks, warnings = take_in_class(task, tree, table, lambda asked: mark(asked, None))
+        found, remarks, warnings = take_in_class(
+            task, tree, table, lambda asked: mark(asked, None), how
+        )
         begun([row.identifier for row in found])
         done: dict[str, Done] = {}
         for one in mark(tuple(entries(tree, found)), layout):
             done[one.entry.identifier] = one
             told(one)
-    if layout is not None:
-        write_atomically(layout.intake, write_rows(found))
-    rows = tuple(
-        class_row(row, done[row.identifier].result, task.late, NO_CHANGES) for row in found
+    written = write_rows(found)
+    if layout is not None and table != layout.intake:
+        write_atomically(layout.intake, written)
+    computed = Class(
+        "vrts.class/1",
+        task.title,
+        tuple(class_row(row, done[row.identifier].result, task.late) for row in found),
     )
+    rows, told_of_changes = _with_changes(computed, layout)
     return Marked(
-        Class("vrts.class/1", task.title, rows),
+        rows,
         tuple(done[row.identifier] for row in found),
         remarks,
-        (*warnings, *said),
+        (*warnings, *said, *told_of_changes),
+        "" if table is not None else sha256(written).hexdigest(),
     )
+
+
+def _with_changes(rows: Class, layout: Layout | None) -> tuple[Class, tuple[Diagnostic, ...]]:
+    """Return the rows with the changes by hand that are in the folder of the results."""
+    if layout is None or not layout.overrides.is_file():
+        return rows, ()
+    source = read_toml_source(layout.overrides)
+    overrides = read_overrides(source, {row.id for row in rows.rows})
+    if overrides.wrong:
+        raise Refused(overrides.diagnostics)
+    return with_overrides(rows, overrides), overrides.diagnostics
 
 
 class TakenIn(NamedTuple):
@@ -120,7 +151,9 @@ class TakenIn(NamedTuple):
     warnings: tuple[Diagnostic, ...]  # of the edited table
 
 
-def take_in_class(task: Task, tree: Tree, table: Path | None, mark: Mark) -> TakenIn:
+def take_in_class(
+    task: Task, tree: Tree, table: Path | None, mark: Mark, how: HowTo = USUAL
+) -> TakenIn:
     """Return the rows of a class: those of the edited table, with the attempts that count.
 
     Args:
@@ -128,19 +161,19 @@ def take_in_class(task: Task, tree: Tree, table: Path | None, mark: Mark) -> Tak
         tree: The download.
         table: As edited; None: there is none.
         mark: Marks attempts without writing anything.
+        how: The class's list, and the zone of times.
 
     Raises:
-        CannotRead: The table is not there.
-        Refused: It has errors.
+        CannotRead: The table or the list is not there.
+        Refused: The table has errors.
     """
-    intake = take_in_tree(tree, program=task.program)
+    zone = how.zone or (None if task.late is None else task.late.due.tzinfo)
+    roster = how.roster and read_roster(read_bytes(how.roster), how.roster.name, zone)
+    intake = take_in_tree(tree, program=task.program, zone=zone, roster=roster)
     found, warnings = _as_edited(tree, intake, table)
     if task.keep is Keep.BEST:
         found = with_best_attempts(tree, found, task.late, mark)
     return TakenIn(found, intake.remarks, warnings)
-
-
-NO_CHANGES: dict[str, Change] = {}
 
 
 def table_for(submissions: Path | Sequence[Path], layout: Layout | None, how: HowTo) -> Path | None:
@@ -150,8 +183,19 @@ def table_for(submissions: Path | Sequence[Path], layout: Layout | None, how: Ho
     if not isinstance(submissions, Path):
         return None
     home = submissions if submissions.is_dir() else submissions.parent
-    places = [home / TABLE] + ([] if layout is None else [layout.intake])
+    places = [home / TABLE]
+    if layout is not None and _edited(layout):
+        places.append(layout.intake)
     return next((place for place in places if place.is_file()), None)
+
+
+def _edited(layout: Layout) -> bool:
+    """Return whether somebody changed the table that an earlier marking wrote."""
+    try:
+        before = about_from_bytes((layout.staff / ABOUT).read_bytes()).intake_sha256
+        return sha256(layout.intake.read_bytes()).hexdigest() != before
+    except (OSError, Damaged):
+        return False
 
 
 def _as_edited(
