@@ -73,7 +73,7 @@ def read_written(folder: Path) -> Written:
     try:
         how = about.from_bytes(_read(layout.staff / about.NAME, folder, LARGEST_ABOUT))
     except Damaged as problem:
-        raise _no_marking(folder, f"`{about.NAME}` is not as vrts writes it") from problem
+        raise no_marking(folder, f"`{about.NAME}` is not as vrts writes it") from problem
     return Written(layout, rows, how)
 
 
@@ -87,19 +87,20 @@ def read_class(path: Path, shown: Path | None = None) -> Class:
         return class_from_bytes(_read(path, shown or path, LARGEST))
     except Damaged as problem:
         headline = f"`{path.name}` is not as this vrts writes it: {problem}"
-        raise _no_marking(shown or path, headline) from problem
+        raise no_marking(shown or path, headline) from problem
 
 
 def _read(path: Path, shown: Path, most: int) -> bytes:
     try:
         if path.stat().st_size > most:
-            raise _no_marking(shown, f"`{path.name}` has more than {most:,} bytes")
+            raise no_marking(shown, f"`{path.name}` has more than {most:,} bytes")
         return read_bytes(path)
     except (OSError, CannotRead) as problem:
-        raise _no_marking(shown, f"`{path.name}` cannot be read") from problem
+        raise no_marking(shown, f"`{path.name}` cannot be read") from problem
 
 
-def _no_marking(shown: Path, why: str) -> Refused:
+def no_marking(shown: Path, why: str) -> Refused:
+    """Return that a folder cannot be used as the output of a marking."""
     headline = f"`{shown}` holds no complete marking of a class"
     remedy = (
         "name the folder that was given to `vrts grade` with `-o`; mark again if it ended early"

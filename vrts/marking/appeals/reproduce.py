@@ -1,0 +1,65 @@
+"""Marks what is in evidence again, and compares."""
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import NamedTuple
+
+from vrts.marking.appeals.evidence import Evidence
+from vrts.marking.appeals.pack_evidence import versions
+from vrts.marking.appeals.unpacked import unpacked_place
+from vrts.marking.differences import Difference, differences
+from vrts.marking.marker import Marker, versions_of_scoring
+from vrts.marking.marking import Entry
+from vrts.marking.result import Result
+from vrts.marking.sample import STAFF, STUDENT, mark_again
+
+OF_VERSIONS = ("key", "versions")  # fields that say only with which vrts a result was made
+
+
+class Reproduced(NamedTuple):
+    """What came of marking again."""
+
+    result: Result  # the new one, for those who mark
+    first: Difference | None  # None: the same result
+    whose: str  # in which of the two results of a submission the difference is
+
+
+def reproduce(evidence: Evidence) -> Reproduced | None:
+    """Mark the program of evidence again, in a process of its own; None: there is none to mark.
+
+    Results of another version of vrts are compared in all but what names the version.
+
+    Raises:
+        Refused: The task in the evidence has errors.
+    """
+    data = evidence.program
+    if data is None:
+        return None
+    contents = evidence.contents
+    with TemporaryDirectory(prefix="vrts-") as folder:
+        place = unpacked_place(contents.place, evidence.files, Path(folder))
+        marker = Marker(place, contents.wanted)
+        entry = Entry(contents.id, contents.title, data)
+        (done,) = mark_again(marker, [entry])
+    made = evidence.staff.versions
+    same_version = (made.vrts, str(made.scoring)) == versions_of_scoring()
+    without = () if same_version else OF_VERSIONS
+    for whose, old, new in (
+        (STAFF, evidence.staff, done.result),
+        (STUDENT, evidence.student, done.student),
+    ):
+        first = next(differences(old, new, without), None)
+        if first is not None:
+            return Reproduced(done.result, first, whose)
+    return Reproduced(done.result, None, "")
+
+
+def other_versions(evidence: Evidence) -> tuple[str, ...]:
+    """Return what is here in another version than where the evidence was packed."""
+    here = versions()
+    there = evidence.contents.versions
+    return tuple(
+        f"{name}: {there.get(name, 'none')} when it was packed, {here.get(name, 'none')} here"
+        for name in {**there, **here}
+        if there.get(name) != here.get(name)
+    )
