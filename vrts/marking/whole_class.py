@@ -24,12 +24,13 @@ from vrts.marking.intake.tree import Tree, open_place
 from vrts.marking.layout import Layout, write_atomically
 from vrts.marking.marker import Marker
 from vrts.marking.marking import Done, Entry, mark_class
-from vrts.marking.overrides import read_overrides, with_overrides
+from vrts.marking.override_text import load_overrides
+from vrts.marking.overrides import NONE, with_overrides
 from vrts.marking.remote.backend import Backend
 from vrts.marking.remote.mark_on_dask import mark_on_dask
 from vrts.marking.result import Damaged
 from vrts.marking.row import Class
-from vrts.pipeline.files import read_bytes, read_toml_source
+from vrts.pipeline.files import read_bytes
 from vrts.pipeline.settings import Refused
 
 
@@ -78,7 +79,7 @@ def mark_whole_class(
 
     Raises:
         CannotRead: There is nothing of the kind.
-        Refused: The edited table has errors, or there is no such cluster.
+        Refused: The edited table or the changes by hand have errors, or there is no such cluster.
     """
     said: list[Diagnostic] = []
     task = marker.whole.task
@@ -109,7 +110,9 @@ def mark_whole_class(
         found, remarks, warnings = take_in_class(
             task, tree, table, lambda asked: mark(asked, None), how
         )
-        begun([row.identifier for row in found])
+        names = [row.identifier for row in found]
+        changes = NONE if layout is None else load_overrides(layout.overrides, names)
+        begun(names)
         done: dict[str, Done] = {}
         for one in mark(tuple(entries(tree, found)), layout):
             done[one.entry.identifier] = one
@@ -122,25 +125,13 @@ def mark_whole_class(
         task.title,
         tuple(class_row(row, done[row.identifier].result, task.late) for row in found),
     )
-    rows, told_of_changes = _with_changes(computed, layout)
     return Marked(
-        rows,
+        with_overrides(computed, changes),
         tuple(done[row.identifier] for row in found),
         remarks,
-        (*warnings, *said, *told_of_changes),
+        (*warnings, *said, *changes.diagnostics),
         "" if table is not None else sha256(written).hexdigest(),
     )
-
-
-def _with_changes(rows: Class, layout: Layout | None) -> tuple[Class, tuple[Diagnostic, ...]]:
-    """Return the rows with the changes by hand that are in the folder of the results."""
-    if layout is None or not layout.overrides.is_file():
-        return rows, ()
-    source = read_toml_source(layout.overrides)
-    overrides = read_overrides(source, {row.id for row in rows.rows})
-    if overrides.wrong:
-        raise Refused(overrides.diagnostics)
-    return with_overrides(rows, overrides), overrides.diagnostics
 
 
 class TakenIn(NamedTuple):
