@@ -1,0 +1,66 @@
+"""A class marked by a real SLURM, where there is one that takes jobs from this machine."""
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import dask.config
+import pytest
+
+from tests.unit.marking.remote.support import CLASS, files, task
+from vrts.base.diagnostic import Diagnostic
+from vrts.marking.layout import Layout
+from vrts.marking.marker import Marker
+from vrts.marking.marking import mark_class
+from vrts.marking.one import Wanted
+from vrts.marking.remote.backend import Backend, Scheduler
+from vrts.marking.remote.mark_on_dask import mark_on_dask
+from vrts.marking.remote.merge import merge
+from vrts.marking.remote.plan import make_plan, read_key, write_plan
+from vrts.marking.setting import Place
+
+
+def slurm_is_here() -> bool:
+    if shutil.which("sbatch") is None or shutil.which("sinfo") is None:
+        return False
+    asked = subprocess.run(["sinfo", "-h"], capture_output=True, check=False)
+    return asked.returncode == 0 and b"idle" in asked.stdout
+
+
+pytestmark = pytest.mark.skipif(not slurm_is_here(), reason="no SLURM with an idle machine")
+
+
+def test_an_array_of_jobs_marks_a_class(tmp_path: Path) -> None:
+    marker = Marker(Place(task(tmp_path / "lab")), Wanted(pages=False))
+    write_plan(make_plan(marker, CLASS, 2), tmp_path / "plan")
+    run = (
+        f"{sys.executable} -m vrts.cli.main grade run"
+        " plan/shards/shard-$(printf %02d $SLURM_ARRAY_TASK_ID).json -o results"
+    )
+    command = ["sbatch", "--wait", "--array=1-2", "--mem=2G", "--wrap", run]
+    subprocess.run(command, cwd=tmp_path, check=True, capture_output=True, timeout=300)
+    results = sorted((tmp_path / "results").glob("*.zip"))
+    merged = merge(read_key(tmp_path / "plan"), results, Layout(tmp_path / "there"))
+    assert merged.findings == ()
+    list(mark_class(marker, CLASS, Layout(tmp_path / "here")))
+    assert files(tmp_path / "there") == files(tmp_path / "here")
+
+
+def test_dask_workers_in_jobs_mark_a_class(tmp_path: Path) -> None:
+    marker = Marker(Place(task(tmp_path / "lab")), Wanted(pages=False))
+    list(mark_class(marker, CLASS, Layout(tmp_path / "here")))
+    said: list[Diagnostic] = []
+    ours = {"cores": 1, "memory": "2GB", "interface": "lo", "log-directory": str(tmp_path / "logs")}
+    with dask.config.set({f"jobqueue.slurm.{key}": value for key, value in ours.items()}):
+        found = mark_on_dask(
+            marker,
+            CLASS,
+            Layout(tmp_path / "there"),
+            Backend(Scheduler.SLURM),
+            jobs=1,
+            said=said.append,
+        )
+        assert {done.entry for done in found} == set(CLASS)
+    assert said == []
+    assert files(tmp_path / "there") == files(tmp_path / "here")
