@@ -1,0 +1,111 @@
+"""`vrts purge`."""
+
+import re
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.console import color_option, guarded, out, say
+
+if TYPE_CHECKING:
+    from vrts.marking.purge import Looked
+
+EPILOG = """\b
+Examples:
+  vrts purge out --older-than 180d
+  vrts purge 2025w/* --older-than 1y --yes --keep-statistics
+"""
+
+DAYS = {"d": 1, "w": 7, "y": 365}
+MOST_NAMED = 5
+
+
+class Age(click.ParamType[timedelta]):
+    """Days, weeks or years, such as 180d, 26w, 1y."""
+
+    name = "age"
+
+    def convert(
+        self, value: object, param: click.Parameter | None, ctx: click.Context | None
+    ) -> timedelta:
+        """Return the duration."""
+        found = re.fullmatch(r"(\d{1,5})([dwy])", str(value).strip())
+        if found is None:
+            self.fail(f"`{value}` is no age: write such as 180d, 26w or 1y", param, ctx)
+        return timedelta(days=int(found[1]) * DAYS[found[2]])
+
+
+@click.command(name="purge", epilog=EPILOG)
+@click.argument(
+    "folders", metavar="OUT...", nargs=-1, required=True, type=click.Path(path_type=Path)
+)
+@click.option(
+    "--older-than",
+    type=Age(),
+    required=True,
+    metavar="AGE",
+    help="Since the marking: 180d, 26w, 1y; 0d for all.",
+)
+@click.option(
+    "--keep-statistics",
+    is_flag=True,
+    help="Keep marks without students, sorted, and how often each check was met.",
+)
+@click.option("-y", "--yes", is_flag=True, help="Do not ask.")
+@color_option
+@guarded
+def command(
+    folders: tuple[Path, ...], older_than: timedelta, keep_statistics: bool, yes: bool, color: str
+) -> None:
+    """Delete what markings wrote about persons into the folders OUT.
+
+    Deleted are results, reports, recordings, tables of hand-ins and of names, marks, changes by
+    hand, exports in staff/exports, similarity and overview: in students and staff, by the names
+    that vrts gives them. Anything else stays, and is named. So do downloads, evidence, and what was
+    exported elsewhere. The age is that of the marking, as staff/marking.json tells it, and not that
+    of files; younger markings stay. Folders in which no marking was written are refused, and no
+    link is followed. In a small class sorted marks may tell who had which.
+    """
+    from vrts.marking.purge import State, look, purge
+
+    now = datetime.now(UTC)
+    looked = [look(folder, older_than, now) for folder in dict.fromkeys(folders)]
+    due = [one for one in looked if one.state is State.DUE]
+    for one in looked:
+        out(_line(one))
+        for name in one.left[:MOST_NAMED] if one in due else ():
+            out(f"  stays: {_plain(name)}, which vrts has not written")
+        if one in due and len(one.left) > MOST_NAMED:
+            out(f"  and {len(one.left) - MOST_NAMED} more that stay")
+    if not due:
+        say("nothing is deleted")
+        return
+    one_of = "1 folder" if len(due) == 1 else f"{len(due)} folders"
+    if not yes:
+        click.confirm(f"Delete this, in {one_of}, for good?", abort=True, err=True)
+    for one in due:
+        purge(one, keep_statistics=keep_statistics)
+        kept = ", statistics are kept" if keep_statistics else ""
+        out(f"deleted {_count(one)} in {_plain(str(one.folder))}{kept}")
+
+
+def _line(one: "Looked") -> str:
+    where = _plain(str(one.folder))
+    if one.about is None:
+        return f"{where}: purged before"
+    ago = "today" if one.age.days < 1 else f"{one.age.days} days ago"
+    start = f"{where}: {_plain(one.about.title)}, marked {ago}"
+    return f"{start}, {one.state.value}: {_count(one)}"
+
+
+def _count(one: "Looked") -> str:
+    files = "1 file" if one.files == 1 else f"{one.files:,} files"
+    return f"{files}, {one.size / 1e6:.1f} MB"
+
+
+def _plain(text: str) -> str:
+    from vrts.report.plain import one_line
+
+    return one_line(text)
