@@ -1,0 +1,1 @@
+"""Shared sessions in the browser: the server, and a process for each session."""
