@@ -9,10 +9,14 @@ from playwright.sync_api import Browser
 
 from tests.browser.support import PIXEL, Opened, clock, opened, until
 from tests.support_reports import broken
+from tests.support_rows import some_class
 from tests.support_runs import CONTACT_S
+from tests.unit.marking.similarity.support import ORIGINAL
 from tests.unit.report.test_audience import disputed
+from vrts.marking.overview.page import overview_page
+from vrts.marking.similarity.page import similarity_page
+from vrts.marking.similarity.ranking import similarity
 from vrts.report.audience import Audience
-from vrts.report.overview import overview
 from vrts.report.page import page
 from vrts.report.stills import contact_name
 
@@ -30,11 +34,13 @@ def write(folder: Path, name: str) -> Path:
     """Write one of the pages that vrts makes."""
     a = disputed()
     stills = {"moment": PIXEL, contact_name(0): PIXEL}
+    programs = {name: ORIGINAL.encode() for name in ("anna", "ben")}
     texts = {
         "student": lambda: page(a, stills, more=2),
         "grader": lambda: page(a, {"moment": PIXEL}, audience=Audience.GRADER),
         "broken": lambda: page(broken(), {}),
-        "overview": lambda: overview([a, broken()], "Group 3"),
+        "overview": lambda: overview_page(some_class(60), similarity="similarity.html"),
+        "similarity": lambda: similarity_page(similarity(programs), programs, "Group 3"),
     }
     path = folder / f"{name}.html"
     path.write_text(texts[name](), encoding="utf-8")
@@ -43,7 +49,7 @@ def write(folder: Path, name: str) -> Path:
 
 @pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
 @pytest.mark.parametrize("width", [1280, PHONE])
-@pytest.mark.parametrize("name", ["student", "grader", "broken", "overview"])
+@pytest.mark.parametrize("name", ["student", "grader", "broken", "overview", "similarity"])
 def test_axe_finds_nothing(
     browser: Browser, tmp_path: Path, name: str, width: int, dark: bool
 ) -> None:

@@ -13,7 +13,6 @@ from tests.support_runs import CONTACT_S, END_S, GRASP_S, RUN_S, assessment, wit
 from tests.support_segments import blend, sampled, segment, slowed
 from vrts.base.pose import Pose, distance
 from vrts.engine.records import Segment
-from vrts.report.overview import overview
 from vrts.report.page import page
 from vrts.robots.kinematics import forward, link_poses
 from vrts.robots.model import Configuration
@@ -224,14 +223,4 @@ def test_it_fits_a_phone(browser: Browser, tmp_path: Path) -> None:
     view = opened(browser, path, width)
     until(view, "window.vrts !== undefined")
     assert view.page.evaluate("document.documentElement.scrollWidth") <= width
-    view.page.close()
-
-
-def test_the_overview_sorts(browser: Browser, tmp_path: Path) -> None:
-    path = tmp_path / "index.html"
-    path.write_text(overview([assessment()], "Group 3"), encoding="utf-8")
-    view = opened(browser, path)
-    view.page.click("th >> text=Mark")
-    assert view.page.get_attribute("th:nth-child(2)", "aria-sort") == "ascending"
-    assert view.messages == []
     view.page.close()

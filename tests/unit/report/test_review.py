@@ -15,7 +15,6 @@ from vrts.check.verdict import Answer
 from vrts.pipeline.files import CHECKOUT
 from vrts.report.assessment import Assessment
 from vrts.report.json_form import assessment_json, result_json
-from vrts.report.overview import overview
 from vrts.report.review import review_of
 from vrts.report.row_text import row_text
 from vrts.report.text import assessment_text
@@ -95,9 +94,6 @@ def test_the_list_of_a_class_has_a_row_more(doubtful: Assessment) -> None:
     first, second = row_text(doubtful).split("\n")
     assert first.startswith("10.0  submission-07.v2")
     assert second == f"      review 6.0 to 10.0: {DOUBT}; two engines disagree: {DISPUTE}"
-    page = overview([doubtful], "Group 3")
-    assert "<strong>review 6.0 to 10.0</strong>" in page
-    assert DISPUTE in page
 
 
 def test_json_has_them_in_verify_and_in_grade(doubtful: Assessment) -> None:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from vrts.base.source import SourceFile
+from vrts.marking.overview.links import staff_report
 from vrts.marking.similarity.ranking import Pair, Ranking, SharedValue
 from vrts.marking.similarity.regions import Region
 from vrts.marking.similarity.symbols import readable
@@ -13,7 +14,6 @@ from vrts.report.plain import one_line, shown
 STYLE = "report/similarity.css"
 MOST_SHOWN = 60  # pairs side by side
 MOST_LINES = 80  # of a region
-REPORT = "students/{}/report.html"
 
 
 def similarity_page(
@@ -201,7 +201,7 @@ def _who(identifier: str, labels: Mapping[str, str]) -> tuple[Markup, Markup | N
     name = labels.get(identifier, "")
     text = name or identifier
     small = element("small", f" {identifier}") if name and name != identifier else None
-    return element("a", text, href=REPORT.format(identifier)), small
+    return element("a", text, href=staff_report(identifier)), small
 
 
 def _percent(share: float) -> str:

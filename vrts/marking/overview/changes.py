@@ -1,0 +1,62 @@
+"""Marks that are not as computed: late, or changed by hand, with the computed mark beside."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from vrts.marking.overview.links import staff_report
+from vrts.marking.overview.words import NONE, has_report, signed, tenth, who
+from vrts.marking.row import Change, Lateness, Row
+from vrts.report.html import Markup, element
+from vrts.report.plain import one_line
+
+FIRST = 12  # shown at once
+
+
+def changes(rows: Sequence[Row], *, pages: bool) -> Markup | None:
+    """Return the table; None where every mark is as computed."""
+    found = [row for row in rows if row.late is not None or row.change is not None]
+    if not found:
+        return None
+    rest = found[FIRST:]
+    more = element("summary", f"{len(rest)} more")
+    return element(
+        "section",
+        element("h2", "Late and changed marks"),
+        _table(found[:FIRST], pages=pages),
+        element("details", more, _table(rest, pages=pages)) if rest else None,
+        id="changes",
+    )
+
+
+def _table(rows: Sequence[Row], *, pages: bool) -> Markup:
+    heads = ("Submission", "Computed", "Late", "Changed by hand", "Final mark")
+    head = element("tr", *(element("th", text, scope="col") for text in heads))
+    body = [_row(row, pages=pages) for row in rows]
+    return element("table", element("thead", head), element("tbody", *body), class_="changes")
+
+
+def _row(row: Row, *, pages: bool) -> Markup:
+    link = staff_report(row.id) if pages and has_report(row) else None
+    return element(
+        "tr",
+        element("td", who(row, link)),
+        element("td", tenth(row.result.mark), class_="number"),
+        element("td", *_late(row.late)),
+        element("td", *_change(row.change)),
+        element("td", element("b", tenth(row.final)), class_="number"),
+    )
+
+
+def _late(late: Lateness | None) -> tuple[str | Markup, ...]:
+    if late is None:
+        return (NONE,)
+    deduction = Fraction(late.deduction)
+    cost = element("b", signed(-deduction)) if deduction else element("span", "costs nothing")
+    return (cost, element("small", one_line(late.sentence)))
+
+
+def _change(change: Change | None) -> tuple[str | Markup, ...]:
+    if change is None:
+        return (NONE,)
+    words = f"{one_line(change.reason)} ({one_line(change.who)}, {one_line(change.date)})"
+    return (element("b", signed(Fraction(change.delta))), element("small", words))

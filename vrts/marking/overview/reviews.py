@@ -1,0 +1,71 @@
+"""What somebody has to look at before marks go out, the widest range of marks first."""
+
+from collections.abc import Sequence
+
+from vrts.marking.overview.links import staff_report
+from vrts.marking.overview.words import has_report, name_of, reasons, tenth, to_review, who
+from vrts.marking.row import Row
+from vrts.report.html import Markup, element
+
+FIRST = 12  # shown at once
+
+
+def reviews(rows: Sequence[Row], *, pages: bool) -> Markup | None:
+    """Return the list; None where nothing is open."""
+    found = sorted((row for row in rows if to_review(row)), key=_order)
+    if not found:
+        return None
+    items = [_item(row, pages=pages) for row in found]
+    rest = items[FIRST:]
+    more = element(
+        "details",
+        element("summary", f"{len(rest)} more"),
+        element("ol", *rest, class_="reviews"),
+    )
+    return element(
+        "section",
+        element("h2", "Look at these first"),
+        element(
+            "p",
+            "The mark as given is the higher one; it would be the lower one if all in doubt went"
+            " wrong.",
+            class_="where",
+        ),
+        element("ol", *items[:FIRST], class_="reviews"),
+        more if rest else None,
+        id="review",
+        class_="review-box",
+    )
+
+
+def _order(row: Row) -> tuple[bool, float, str]:
+    """Rows without a mark first, then by how much is at stake."""
+    result = row.result
+    if result.mark is None:
+        return False, 0.0, name_of(row)
+    lowest = result.mark if result.lowest is None else result.lowest
+    return True, lowest - result.mark, name_of(row)
+
+
+def _item(row: Row, *, pages: bool) -> Markup:
+    result = row.result
+    link = staff_report(row.id) if pages and has_report(row) else None
+    lowest = result.mark if result.lowest is None else result.lowest
+    if result.mark is None or lowest is None:
+        marks = element("span", element("b", "no mark"), class_="range-words")
+        bar = None
+    else:
+        text = tenth(result.mark)
+        if lowest < result.mark:
+            text = f"{tenth(lowest)} to {text}"
+        width = max(0.0, result.mark - lowest)
+        style = f"left:{10 * lowest:.0f}%;width:{10 * width:.0f}%"
+        bar = element("span", element("i", style=style), class_="range", aria_hidden="true")
+        marks = element("span", element("b", text), class_="range-words")
+    why = reasons(row) or result.review
+    words = element("span", *_lines(why), class_="why")
+    return element("li", who(row, link), marks, bar or element("span"), words)
+
+
+def _lines(texts: Sequence[str]) -> list[Markup]:
+    return [element("span", text) for text in texts]
