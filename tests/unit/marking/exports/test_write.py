@@ -1,0 +1,146 @@
+"""Exports on the command line, of a class that was really marked."""
+
+import csv
+import io
+import json
+import zipfile
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from vrts.cli import grade_export_command, grade_mark_command
+from vrts.cli.grade_export_command import NAMES
+from vrts.marking.exports.formats import FORMATS
+from vrts.marking.exports.given import Options
+from vrts.marking.exports.write import write_exports, write_marks_table
+from vrts.marking.layout import Layout
+from vrts.marking.row import class_from_bytes
+
+EXAMPLE = Path(__file__).parents[4] / "examples" / "01-cans-on-bases"
+PEOPLE = {"Anna Ady_11": "solution.v2", "Ben_12": "submissions/syntax-error.v2"}
+
+
+@pytest.fixture(scope="module")
+def marked(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the output of a marking of two students of Moodle."""
+    home = tmp_path_factory.mktemp("class")
+    download = home / "download.zip"
+    with zipfile.ZipFile(download, "w") as archive:
+        for who, file in PEOPLE.items():
+            name = f"{who}_assignsubmission_file_/pick.v2"
+            archive.writestr(name, (EXAMPLE / file).read_bytes())
+    called = CliRunner().invoke(
+        grade_mark_command.command,
+        [str(EXAMPLE / "task.toml"), str(download), "-o", str(home / "out"), "--no-pages"],
+    )
+    assert called.exit_code == 0, called.output
+    return home / "out"
+
+
+def export(*words: object) -> Result:
+    return CliRunner().invoke(grade_export_command.command, [str(word) for word in words])
+
+
+def test_the_command_knows_every_format() -> None:
+    assert tuple(FORMATS) == NAMES
+    described = grade_export_command.EPILOG
+    assert all(f"\n  {name} " in described for name in NAMES)
+
+
+def test_a_class_is_written_in_every_format_that_needs_no_file(marked: Path) -> None:
+    names = [name for name, form in FORMATS.items() if not form.fills]
+    called = export(marked, *(word for name in names for word in ("--to", name)))
+    assert called.exit_code == 0, called.output
+    folder = marked / "staff" / "exports"
+    assert {place.name for place in folder.iterdir()} == {
+        "marks.csv", "class.json", "moodle-feedback.zip", "folders", "gradescope", "prairielearn",
+        "junit.xml", "findings.sarif",
+    }  # fmt: skip
+    lines = list(csv.DictReader(io.StringIO((folder / "marks.csv").read_text("utf-8-sig"))))
+    rows = class_from_bytes((marked / "staff" / "results.json").read_bytes()).rows
+    assert [line["final"] for line in lines] == [f"{row.final:.1f}" for row in rows]
+    assert lines[0]["final"] == "10.0"
+    told = (folder / "folders" / rows[1].id / "feedback.txt").read_text("utf-8")
+    assert "Final mark: 0.0 of 10" in told
+    assert "Hint: " in told
+
+
+def test_a_worksheet_is_filled_in(marked: Path, tmp_path: Path) -> None:
+    sheet = tmp_path / "worksheet.csv"
+    text = "Identifier,Full name,Grade,Maximum Grade\nParticipant 11,Anna Ady,,20\n"
+    sheet.write_text(text, "utf-8")
+    called = export(marked, "--to", "moodle", "--fill", sheet, "-o", tmp_path / "new.csv")
+    assert called.exit_code == 0, called.output
+    assert (tmp_path / "new.csv").read_text("utf-8") == text.replace("Ady,,", "Ady,20,")
+    assert sheet.read_text("utf-8") == text
+    assert "V743" in called.output
+
+
+def test_one_submission_is_one_file(marked: Path, tmp_path: Path) -> None:
+    layout = Layout(marked)
+    rows = class_from_bytes(layout.results.read_bytes())
+    one = type(rows)(rows.schema, rows.title, rows.rows[:1])
+    target = tmp_path / "results" / "results.json"
+    told: list[object] = []
+    paths = write_exports(["gradescope"], one, layout, Options(), tell=told.extend, target=target)
+    assert paths == [target]
+    assert json.loads(target.read_bytes())["score"] == 10
+
+
+def test_changes_by_hand_count_as_they_are_now(marked: Path, tmp_path: Path) -> None:
+    layout = Layout(marked)
+    rows = class_from_bytes(layout.results.read_bytes()).rows
+    layout.overrides.write_text(
+        f'[[change]]\nstudent = "{rows[1].id}"\nmark = 4\nreason = "a comma"\nwho = "H"\n'
+        'date = "2026-11-20"\n',
+        "utf-8",
+    )
+    try:
+        called = export(marked, "--to", "csv", "-o", tmp_path / "m.csv")
+    finally:
+        layout.overrides.unlink()
+    assert called.exit_code == 0, called.output
+    lines = list(csv.DictReader(io.StringIO((tmp_path / "m.csv").read_text("utf-8-sig"))))
+    assert [(line["mark"], line["change"], line["final"]) for line in lines] == [
+        ("10.0", "", "10.0"),
+        ("0.0", "4", "4.0"),
+    ]
+
+
+def test_every_marking_may_have_its_table(marked: Path) -> None:
+    layout = Layout(marked)
+    path = write_marks_table(class_from_bytes(layout.results.read_bytes()), layout)
+    assert path == marked / "staff" / "marks.csv"
+    assert path.read_bytes().startswith(b"\xef\xbb\xbfid,name,")
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "said"),
+    [
+        (("--to", "moodle"), 1, "V740"),
+        (("--to", "csv", "--points", "many"), 2, "no number of points"),
+        (("--to", "moodle", "--fill", "nothing.csv"), 2, "cannot read `nothing.csv`"),
+        (("--to", "pdf"), 2, "pdf"),
+    ],
+)
+def test_a_wrong_call_says_why(
+    marked: Path, words: tuple[str, ...], status: int, said: str
+) -> None:
+    called = export(marked, *words)
+    assert called.exit_code == status
+    assert said in called.output
+
+
+def test_feedback_is_never_made_of_the_staff_s_result(marked: Path) -> None:
+    layout = Layout(marked)
+    name = class_from_bytes(layout.results.read_bytes()).rows[0].id
+    own = layout.student(name) / "result.json"
+    data = own.read_bytes()
+    own.unlink()
+    try:
+        called = export(marked, "--to", "folders")
+    finally:
+        own.write_bytes(data)
+    assert called.exit_code == 1
+    assert "V749" in called.output

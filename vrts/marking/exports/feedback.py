@@ -1,0 +1,130 @@
+"""What a student is told about a mark, in plain words: as text, and as HTML for a comment.
+
+Everything but the final mark, lateness and changes by hand is of the student's own result, in which
+nothing hidden is.
+"""
+
+from fractions import Fraction
+from typing import NamedTuple
+
+from vrts.marking.exports.given import Returned
+from vrts.marking.exports.numbers import decimal
+from vrts.marking.exports.steps import steps
+from vrts.marking.result import Kind
+from vrts.report.html import element, joined, prose
+from vrts.report.plain import one_line, plain_text
+
+NAME = "feedback.txt"
+FINAL = "Final mark:"  # begins every comment
+MOST_LOSSES = 20
+NOT_SHOWN = "checks that are not shown here"
+
+
+class Line(NamedTuple):
+    """Points, why, and a hint."""
+
+    points: str  # signed
+    sentence: str
+    hint: str = ""
+
+
+class Words(NamedTuple):
+    """Everything there is to say."""
+
+    title: str
+    mark: str  # a sentence
+    made_of: tuple[Line, ...]  # how the mark came to be; empty where it is as computed
+    losses: tuple[Line, ...]
+    remarks: tuple[str, ...]
+
+
+def feedback_text(told: Returned) -> bytes:
+    """Return the words for a text file."""
+    words = _words(told)
+    lines = [words.title, words.mark]
+    if words.made_of:
+        lines += ["", "How the mark came to be:", *_listed(words.made_of)]
+    if words.losses:
+        lines += ["", "What cost points:", *_listed(words.losses)]
+    if words.remarks:
+        lines += ["", *words.remarks]
+    return (plain_text("\n".join(lines)) + "\n").encode()
+
+
+def feedback_html(told: Returned) -> str:
+    """Return the words as HTML on one line; what is foreign in them is escaped."""
+    words = _words(told)
+    parts = [element("p", words.mark)]
+    for heading, listed in (
+        ("How the mark came to be:", words.made_of),
+        ("What cost points:", words.losses),
+    ):
+        if listed:
+            items = (element("li", *_item(line)) for line in listed)
+            parts += [element("p", heading), element("ul", *items)]
+    parts += [element("p", prose(remark)) for remark in words.remarks]
+    return joined(parts).replace("\n", " ").replace("\r", " ")
+
+
+def _words(told: Returned) -> Words:
+    row, public = told
+    final = row.exact_final
+    mark = f"{FINAL} {decimal(final, least=1)} of 10" if final is not None else "No mark yet"
+    losses = tuple(
+        Line(_signed(-Fraction(loss.points_exact)), one_line(loss.sentence), loss.hint or "")
+        for loss in public.losses
+    )
+    more = len(losses) - MOST_LOSSES
+    remarks: list[str] = []
+    if more > 0:
+        losses = losses[:MOST_LOSSES]
+        remarks.append(f"{more} more losses are in the report.")
+    if not losses and public.kind is not Kind.GRADED:
+        remarks.append(f"{one_line(public.cause)}.")
+        if public.hint:
+            remarks.append(f"Hint: {one_line(public.hint)}")
+    if losses and told.row.result.exact_mark != public.exact_mark:
+        remarks.append("These are the losses in what you can see.")
+    if public.review:
+        remarks.append("A person will look at this run: the mark may still change.")
+    remarks += [f"This mark does not count: {one_line(stamp)}." for stamp in public.stamps]
+    return Words(one_line(public.task.title), mark, _made_of(told), losses, tuple(remarks))
+
+
+def _made_of(told: Returned) -> tuple[Line, ...]:
+    row, public = told
+    if row.exact_final is None:
+        return ()
+    computed, seen = row.result.exact_mark, public.exact_mark
+    changes = [Line(_signed(s.points), _titled(s.title, s.sentence)) for s in steps(row)]
+    if computed is not None and seen is not None and computed != seen:
+        changes.insert(0, Line(_signed(computed - seen), NOT_SHOWN))
+        computed = seen
+    if not changes:
+        return ()
+    start = Line(decimal(computed or Fraction(0), least=1), "computed from what you can see")
+    if changes[0].sentence != NOT_SHOWN:
+        start = start._replace(sentence="computed" if computed is not None else "no computed mark")
+    return (start, *changes)
+
+
+def _titled(title: str, sentence: str) -> str:
+    return f"{title}: {one_line(sentence)}" if sentence else title
+
+
+def _signed(value: Fraction) -> str:
+    return ("+" if value > 0 else "") + decimal(value, least=1, most=2)
+
+
+def _listed(lines: tuple[Line, ...]) -> list[str]:
+    found: list[str] = []
+    for line in lines:
+        found.append(f"  {line.points:>5}  {line.sentence}")
+        if line.hint:
+            found.append(f"         Hint: {one_line(line.hint)}")
+    return found
+
+
+def _item(line: Line) -> tuple[str, ...]:
+    hint = f" Hint: {one_line(line.hint)}" if line.hint else ""
+    return (f"{line.points} ", prose(line.sentence), prose(hint))

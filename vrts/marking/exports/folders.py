@@ -1,0 +1,73 @@
+"""Feedback to be sent: a folder for each student, or the zip that Moodle gives out to them."""
+
+import unicodedata
+from collections.abc import Iterator
+
+from vrts.base.diagnostic import Rule, warning
+from vrts.base.zips import packed
+from vrts.marking.exports.feedback import NAME, feedback_text
+from vrts.marking.exports.given import Given, Options, Page, Product, Returned, returned
+from vrts.marking.intake.row import Platform
+from vrts.marking.report_files import RECORDING
+from vrts.marking.row import Row
+from vrts.marking.safe_names import safe
+
+NO_MOODLE_ID = Rule("V748", "no-moodle-id")
+ZIP = "moodle-feedback.zip"
+MODE = 0o644  # of members
+LONGEST_NAME = 60
+SHOWN = 10  # names in a diagnostic
+
+
+def folders(given: Given, options: Options) -> Product:
+    """Return a folder for each student, by id."""
+    return Product(
+        (f"folders/{told.row.id}/{page.name}", page.data)
+        for told in returned(given)
+        for page in _pages(told, given, options)
+    )
+
+
+def moodle_feedback(given: Given, options: Options) -> Product:
+    """Return the zip for "Upload multiple feedback files in a zip".
+
+    Moodle reads name, id and plugin from the folders, parted by `_`, and goes by the id alone.
+    """
+    members: dict[str, bytes] = {}
+    without: list[str] = []
+    for told in returned(given):
+        number = told.row.student.ids.get(Platform.MOODLE.value, "")
+        if not (number.isascii() and number.isdecimal()):
+            without.append(told.row.id)
+            continue
+        folder = f"{_name(told.row)}_{number}_assignsubmission_file_"
+        for page in _pages(told, given, options):
+            if page.name != RECORDING:  # too large for an upload
+                members[f"{folder}/{page.name}"] = page.data
+    found = ()
+    if without:
+        names = ", ".join(f"`{name}`" for name in without[:SHOWN])
+        rest = f" and {len(without) - SHOWN} more" if len(without) > SHOWN else ""
+        who = "student has" if len(without) == 1 else "students have"
+        found = (
+            warning(
+                NO_MOODLE_ID,
+                f"{len(without)} {who} no number of Moodle, and no feedback in the zip",
+                notes=(f"{names}{rest}",),
+                help=("mark Moodle's own download, or send `folders` in another way",),
+            ),
+        )
+    return Product([(ZIP, packed(members, MODE))], found)
+
+
+def _pages(told: Returned, given: Given, options: Options) -> Iterator[Page]:
+    yield Page(NAME, feedback_text(told))
+    if options.pages:
+        yield from given.pages(told.row.id)
+
+
+def _name(row: Row) -> str:
+    """Return a name as a part of a folder's: nothing that parts names, folders or drives."""
+    kept = (c if unicodedata.category(c)[0] in "LMN" else " " for c in row.student.name)
+    plain = " ".join("".join(kept).split())[:LONGEST_NAME].strip()
+    return safe(plain).replace("-", " ").replace("_", " ").strip() if plain else "Participant"

@@ -1,0 +1,39 @@
+"""The formats that a class can be exported to."""
+
+from collections.abc import Callable
+from typing import NamedTuple, TypeAlias
+
+from vrts.marking.exports.canvas import canvas
+from vrts.marking.exports.class_json import class_json
+from vrts.marking.exports.findings import findings
+from vrts.marking.exports.folders import folders, moodle_feedback
+from vrts.marking.exports.given import Given, Options, Product
+from vrts.marking.exports.gradescope import gradescope
+from vrts.marking.exports.junit import junit
+from vrts.marking.exports.marks_table import marks_table
+from vrts.marking.exports.moodle import moodle
+from vrts.marking.exports.prairielearn import prairielearn
+
+Export: TypeAlias = Callable[[Given, Options], Product]
+
+
+class Format(NamedTuple):
+    """One format."""
+
+    export: Export
+    what: str
+    fills: bool = False  # whether it fills in a file of the teacher's
+
+
+FORMATS: dict[str, Format] = {
+    "csv": Format(marks_table, "a table of all marks"),
+    "json": Format(class_json, "everything, as published"),
+    "moodle": Format(moodle, "Moodle's grading worksheet, filled in", fills=True),
+    "canvas": Format(canvas, "the grade book of Canvas, filled in", fills=True),
+    "moodle-feedback": Format(moodle_feedback, "zip of feedback files for Moodle"),
+    "folders": Format(folders, "a folder of feedback for each student"),
+    "gradescope": Format(gradescope, "results.json of each submission"),
+    "prairielearn": Format(prairielearn, "results.json of each submission"),
+    "junit": Format(junit, "JUnit XML, a suite for each submission"),
+    "sarif": Format(findings, "what was found in all submissions"),
+}

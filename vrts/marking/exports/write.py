@@ -1,0 +1,104 @@
+"""Writes exports of a marking: the one place where files are read and written."""
+
+from collections.abc import Callable, Sequence
+from itertools import chain, islice
+from pathlib import Path
+
+from vrts.base.diagnostic import Diagnostic, Rule, error
+from vrts.marking.exports.formats import FORMATS
+from vrts.marking.exports.given import Given, Options, Page
+from vrts.marking.exports.marks_table import NAME as MARKS
+from vrts.marking.exports.marks_table import marks_csv
+from vrts.marking.layout import RESULT, Layout, write_atomically
+from vrts.marking.report_files import RECORDING, REPORT
+from vrts.marking.result import Damaged, Result, from_bytes
+from vrts.marking.row import Class
+from vrts.pipeline.settings import Refused
+
+NO_STUDENT_RESULT = Rule("V749", "no-result-for-student")
+EXPORTS = "exports"  # folder in `staff`
+
+Tell = Callable[[Sequence[Diagnostic]], None]
+
+
+def write_exports(
+    names: Sequence[str],
+    rows: Class,
+    layout: Layout,
+    options: Options,
+    *,
+    tell: Tell,
+    target: Path | None = None,
+) -> list[Path]:
+    """Write a class in some formats.
+
+    Args:
+        names: Of formats, as in `FORMATS`.
+        rows: Of the class.
+        layout: Where marking wrote the students' own results and reports.
+        options: How to export.
+        tell: Takes what there is to say.
+        target: The file to write where there is one only, else the folder; None: the folder
+            `staff/exports`.
+
+    Returns:
+        The files; of what has a file for each student, the folder.
+
+    Raises:
+        Refused: A file of the teacher's cannot be filled in, or a student's result is missing.
+    """
+    given = read_given(rows, layout)
+    written: list[Path] = []
+    for name in names:
+        product = FORMATS[name].export(given, options)
+        tell(product.diagnostics)
+        files = iter(product.files)
+        first = list(islice(files, 2))
+        if target is not None and len(names) == len(first) == 1 and not target.is_dir():
+            write_atomically(target, first[0][1])
+            written.append(target)
+            continue
+        home = layout.staff / EXPORTS if target is None else target
+        for file, data in chain(first, files):
+            write_atomically(home / file, data)
+            place = home / Path(file).parts[0]
+            if place not in written:
+                written.append(place)
+    return written
+
+
+def write_marks_table(rows: Class, layout: Layout) -> Path:
+    """Write `staff/marks.csv`, which every marking has, and return its path."""
+    path = layout.staff / MARKS
+    write_atomically(path, marks_csv(rows))
+    return path
+
+
+def read_given(rows: Class, layout: Layout) -> Given:
+    """Return what exports are made of.
+
+    Raises:
+        Refused: A student's own result is missing or damaged.
+    """
+    public = {row.id: _public(layout, row.id) for row in rows.rows}
+
+    def pages(identifier: str) -> tuple[Page, ...]:
+        home = layout.student(identifier)
+        places = (home / name for name in (REPORT, RECORDING))
+        return tuple(Page(place.name, place.read_bytes()) for place in places if place.is_file())
+
+    return Given(rows, public, pages)
+
+
+def _public(layout: Layout, identifier: str) -> Result:
+    path = layout.student(identifier) / RESULT
+    try:
+        return from_bytes(path.read_bytes())
+    except (OSError, Damaged) as problem:
+        headline = f"the result for `{identifier}` is missing or damaged"
+        remedy = "mark the class again: what is there already is not made twice"
+        notes = (
+            f"feedback is made of `students/{identifier}/{RESULT}`, in which nothing hidden is",
+        )
+        found = error(NO_STUDENT_RESULT, headline, notes=notes, help=(remedy,))
+        raise Refused((found,)) from problem
