@@ -1,0 +1,279 @@
+"""Messages between the server and the process of a session.
+
+To the session goes one JSON document a line on its standard input, the first of them `Start`. From
+it comes a stream of messages, each behind its length in bytes (u32, little endian): those that
+begin with the byte 1 are pose frames (`frame`), the others JSON. The session never reads a clock
+but the one it is given; by default that is `time.monotonic`, which server and session share, so the
+server stamps a command that arrives now with `time.monotonic() - Ready.epoch_s`.
+
+A command takes effect at its stamp, or at the time the session has reached if that is later:
+`Done.at_s` says which. The list of (`Done.at_s`, `Act` or `Halt`) with the `Start` is all that
+`replay` needs; entries with `Done.counts` false may be left out.
+
+Lengths are in m, angles in rad, times in s since the session began, in the world frame. Poses `X`
+are twelve numbers, as the viewer takes them: the rotation row by row, then the translation.
+"""
+
+import struct
+from typing import Annotated, Final
+
+import msgspec
+from msgspec import Meta
+
+from vrts.live.actions import Action, Name, Number
+
+LENGTH: Final = struct.Struct("<I")  # before every message from the session
+BEAT: Final = 0.020  # [s] between pose frames
+SILENCE: Final = 0.200  # [s] without `Keep` after which a held key counts as released
+LONGEST_ORDER: Final = 1 << 20  # bytes of a line to the session
+
+Stamp = Annotated[float, Meta(ge=0.0, le=1e7)]
+Ref = Annotated[int, Meta(ge=0, le=2**53)]
+Owner = Annotated[str, Meta(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}\Z")]
+Json = dict[str, object]
+
+
+class Order(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="type"):
+    """A message to the session."""
+
+
+class Start(Order, frozen=True, tag="start"):
+    """The first message: what it is about. Paths are the server's own, never a client's."""
+
+    session: Annotated[int, Meta(ge=0, le=65535)]  # number in pose frames
+    folder: str  # exists; the session writes nowhere else
+    scene: str = ""  # name or path; empty: the task's, or the robot alone
+    task: str = ""  # path of a task file
+    lab: str = ""  # path of a lab file
+    dialect: str = "val2"
+    quota: int = 64_000_000  # bytes of users' folders and of history, each
+
+
+class Act(Order, frozen=True, tag="act"):
+    """An action of the operator; answered by `Done`."""
+
+    ref: Ref
+    stamp_s: Stamp
+    owner: Owner  # whose folder the monitor uses; the server's safe name of a user
+    action: Action
+
+
+class Halt(Order, frozen=True, tag="halt"):
+    """Panic: overtakes everything that waits; answered by `Done`."""
+
+    ref: Ref
+    stamp_s: Stamp
+
+
+class AskReach(Order, frozen=True, tag="ask_reach"):
+    """Whether the tool can go somewhere from where it is; answered by `Reached`."""
+
+    ref: Ref
+    position_m: tuple[Number, Number, Number]
+    oat_rad: tuple[Number, Number, Number]
+    straight: bool = False
+
+
+class AskSnapshot(Order, frozen=True, tag="ask_snapshot"):
+    """Everything a client needs that comes now; answered by `Snapshot`."""
+
+    ref: Ref
+
+
+class AskProgram(Order, frozen=True, tag="ask_program"):
+    """What was done as a VAL-II program; answered by `ProgramText`."""
+
+    ref: Ref
+    name: Name
+
+
+class AskExport(Order, frozen=True, tag="ask_export"):
+    """Write the run so far as a `.vrun` file into the session's folder; answered by `Exported`."""
+
+    ref: Ref
+
+
+class Stop(Order, frozen=True, tag="stop"):
+    """End; the end of input means the same."""
+
+
+ToSession = Start | Act | Halt | AskReach | AskSnapshot | AskProgram | AskExport | Stop
+
+# --- from the session -----------------------------------------------------------------------------
+
+
+class News(msgspec.Struct, frozen=True, tag_field="type"):
+    """A message from the session."""
+
+
+class Ready(News, frozen=True, tag="ready"):
+    """The session has begun."""
+
+    session: int
+    epoch_s: float  # what the clock showed at session time 0
+    arm: str
+    scene: Json  # what the viewer draws (`scene_data`)
+    task: str  # title; empty without one
+
+
+class Failed(News, frozen=True, tag="failed"):
+    """The session cannot begin, or ends for want of memory, time or a fault; it is over."""
+
+    text: str
+
+
+class Done(News, frozen=True, tag="done"):
+    """What became of an action. What the monitor writes comes as `Output`."""
+
+    ref: int
+    at_s: float  # when it took effect; the time to be logged
+    accepted: bool
+    text: str = ""  # what the monitor answered, or why it was refused
+    help: str = ""
+    code: str = ""  # of the diagnostic, such as "V331"; "busy", "limit" ... without one
+    counts: bool = True  # whether a replay needs it
+
+
+class Reached(News, frozen=True, tag="reached"):
+    """Whether the tool can go there."""
+
+    ref: int
+    reachable: bool
+    why: str = ""  # in words, when it cannot
+    code: str = ""
+    branch: tuple[str, ...] = ()  # such as ("lefty", "above", "noflip")
+    joints_rad: tuple[float, ...] = ()  # at the goal
+
+
+class ProgramText(News, frozen=True, tag="program_text"):
+    """What was done, as VAL-II text with `.LOCATIONS`."""
+
+    ref: int
+    name: str
+    text: str
+
+
+class Exported(News, frozen=True, tag="exported"):
+    """The run is written."""
+
+    ref: int
+    file: str  # name within the session's folder; empty: not written
+    text: str = ""  # why not
+
+
+class Placed(msgspec.Struct, frozen=True):
+    """How a movable body lies from a time on, as the viewer's player takes it."""
+
+    body: str
+    start: float
+    lie: str  # value of Lie: "resting", "held", "falling", "toppled"
+    X: tuple[float, ...]  # in the world; of a held body in the flange frame
+    support: str | None
+
+
+class Moved(News, frozen=True, tag="moved"):
+    """Bodies were grasped, let go, or came to rest. Several rows of a body follow one another."""
+
+    time_s: float
+    bodies: tuple[Placed, ...]
+
+
+class Happened(News, frozen=True, tag="happened"):
+    """An event of the run, as the list of the replay shows it."""
+
+    time_s: float
+    kind: str
+    text: str
+    program: str = ""
+    line: int = 0  # of the program's text; 0: none
+
+
+class Output(News, frozen=True, tag="output"):
+    """What the monitor's terminal shows next: typed lines, answers, what programs write."""
+
+    time_s: float
+    text: str
+    prompt: str  # that stands before the next line
+
+
+class Status(News, frozen=True, tag="status"):
+    """The state of things, sent when it changes, at most ten times a second."""
+
+    time_s: float
+    joints_rad: tuple[float, ...]
+    location: tuple[float, ...]  # X Y Z [mm] O A T [degrees], as WHERE shows it
+    hand_m: float
+    program: str  # that executes or has stopped; empty: none
+    mode: str  # "idle", "running", "waiting", "stopped", "jogging", "braking"
+    step: int  # 0: none
+    line: int  # of the program's text; 0: none
+    text: str  # of that line
+    speed: float  # of the monitor [%]
+    signals: tuple[int, ...]  # that are on
+    held: str  # body in the hand
+    prompt: str
+    contacts: int  # certified so far
+    checked_s: float  # up to this time
+    mark: float | None = None  # of the public checks, where there is a task
+
+
+class ProgramEntry(msgspec.Struct, frozen=True):
+    """A program in memory."""
+
+    name: str
+    lines: tuple[str, ...]
+    fault: str = ""  # why it cannot be executed
+
+
+class Programs(News, frozen=True, tag="programs"):
+    """The programs in memory have changed; all of them."""
+
+    programs: tuple[ProgramEntry, ...]
+
+
+class Checked(News, frozen=True, tag="checked"):
+    """Contacts and near misses found since the message before; rows as in the replay's data."""
+
+    checked_s: float  # certified up to here
+    contacts: tuple[Json, ...]
+    near: tuple[Json, ...]
+    undetermined: bool = False
+    mark: float | None = None
+
+
+class Began(News, frozen=True, tag="began"):
+    """Session time has jumped: scene reset, or session rewound. A `Snapshot` follows."""
+
+    time_s: float
+    epoch_s: float  # from now on
+
+
+class Snapshot(News, frozen=True, tag="snapshot"):
+    """Everything now."""
+
+    ref: int  # 0: after `Began`
+    status: Status
+    bodies: tuple[Placed, ...]  # one row for each movable body
+    programs: tuple[ProgramEntry, ...]
+    contacts: tuple[Json, ...]
+    near: tuple[Json, ...]
+    events: tuple[Happened, ...]  # the last ones
+    output: str  # the end of what the terminal shows
+
+
+FromSession = (
+    Ready
+    | Failed
+    | Done
+    | Reached
+    | ProgramText
+    | Exported
+    | Moved
+    | Happened
+    | Output
+    | Status
+    | Programs
+    | Checked
+    | Began
+    | Snapshot
+)
