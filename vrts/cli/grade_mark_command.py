@@ -127,8 +127,9 @@ def command(
 
     Every submission has two reports: `students/ID` in the output is for the student alone,
     `staff/students/ID` is for those who mark and has what is to be reviewed, the facts for an
-    appeal, and hidden checks. Marks and overview are in `staff`. A second call marks only what has
-    changed since, and one that was interrupted goes on. Exit status 0 when every row has a result.
+    appeal, and hidden checks. Marks, the overview of the class, and a ranking of programs that are
+    alike are in `staff`. A second call marks only what has changed since, and one that was
+    interrupted goes on. Exit status 0 when every row has a result.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.marking.layout import Layout
@@ -253,6 +254,7 @@ def _write(
     from vrts import __version__
     from vrts.marking.about import About
     from vrts.marking.class_files import write_class
+    from vrts.marking.similarity.files import compare_class
 
     about = About(
         "vrts.marking/1",
@@ -265,6 +267,7 @@ def _write(
         datetime.now(UTC),
         marked.intake_sha256,
     )
+    compare_class(marked, marker, layout)
     write_class(marked.rows, about, layout)
     say(f"wrote {layout.overview}")
     without = ", without the hidden checks" if marker.hidden else ""

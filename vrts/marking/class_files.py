@@ -3,10 +3,19 @@
 from vrts.marking.about import NAME, About
 from vrts.marking.about import to_bytes as about_to_bytes
 from vrts.marking.layout import Layout, write_atomically
+from vrts.marking.overview.page import overview_page
 from vrts.marking.row import Class, class_to_bytes
+from vrts.marking.similarity.files import PAGE
 
 
 def write_class(rows: Class, about: About, layout: Layout) -> None:
-    """Write the rows, and what the marking was."""
+    """Write the rows, what the marking was, and the page of the class."""
     write_atomically(layout.results, class_to_bytes(rows))
     write_atomically(layout.staff / NAME, about_to_bytes(about))
+    page = overview_page(
+        rows,
+        pages=about.wanted.pages,
+        similarity=PAGE if (layout.staff / PAGE).is_file() else None,
+        where=f"marked {about.finished:%Y-%m-%d %H:%M %Z}",
+    )
+    write_atomically(layout.overview, page.encode())

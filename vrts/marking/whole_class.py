@@ -56,6 +56,7 @@ class Marked(NamedTuple):
     remarks: tuple[str, ...]  # of the intake
     warnings: tuple[Diagnostic, ...]  # of the edited table, of the cluster, and of overrides
     intake_sha256: str  # of the table as written; "": it was edited, and is to be obeyed again
+    groups: dict[str, str]  # by id, the same for those who handed in together; "": alone
 
 
 def mark_whole_class(
@@ -131,6 +132,7 @@ def mark_whole_class(
         remarks,
         (*warnings, *said, *changes.diagnostics),
         "" if table is not None else sha256(written).hexdigest(),
+        {row.identifier: row.group for row in found},
     )
 
 

@@ -4,15 +4,18 @@ from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
 
 from vrts.marking.layout import Layout, write_atomically
+from vrts.marking.marker import Marker
 from vrts.marking.pack import read_zip
 from vrts.marking.packed import is_packed
 from vrts.marking.similarity.page import similarity_page
 from vrts.marking.similarity.ranking import Ranking, similarity, to_bytes
+from vrts.marking.whole_class import Marked
 from vrts.pipeline.files import read_bytes
 from vrts.pipeline.settings import Setting
 from vrts.scene.block import location_block
 
 PAGE, DATA = "similarity.html", "similarity.json"
+FEWEST = 2  # programs that can be compared
 LARGEST = 4_000_000  # bytes of a file that students were given
 GIVEN = ("start.v2", "handout/*.v2")  # in the folder of a task
 
@@ -33,6 +36,30 @@ def _programs(task: Path) -> list[bytes]:
     home = task if task.is_dir() else task.parent
     paths = sorted(path for pattern in GIVEN for path in home.glob(pattern) if path.is_file())
     return [path.read_bytes() for path in paths if path.stat().st_size <= LARGEST]
+
+
+def compare_class(marked: Marked, marker: Marker, layout: Layout) -> None:
+    """Compare the programs of a class, each with each, and write what was found.
+
+    A class with less than two programs has nothing to compare; what was written before goes.
+    """
+    programs = {
+        done.entry.identifier: done.entry.data
+        for done in marked.done
+        if done.entry.data is not None
+    }
+    if len(programs) < FEWEST:
+        for name in (PAGE, DATA):
+            (layout.staff / name).unlink(missing_ok=True)
+        return
+    write_similarity(
+        programs,
+        given(Path(marker.place.task), marker.whole),
+        layout,
+        marked.rows.title,
+        names={row.id: row.student.name for row in marked.rows.rows},
+        groups=marked.groups,
+    )
 
 
 def write_similarity(

@@ -1,9 +1,13 @@
 """The page: no verdict, side by side, and nothing foreign gets through."""
 
+import json
 from pathlib import Path
+
+from click.testing import CliRunner
 
 from tests.unit.marking.similarity.support import ORIGINAL, disguised, independent
 from tests.unit.report.test_html import Reader
+from vrts.cli.main import vrts
 from vrts.marking.layout import Layout
 from vrts.marking.marker import Marker
 from vrts.marking.one import Wanted
@@ -78,3 +82,24 @@ def test_both_files_are_for_the_staff(tmp_path: Path) -> None:
         "staff/similarity.html",
         "staff/similarity.json",
     ]
+
+
+def test_grade_writes_overview_and_similarity_for_the_staff(tmp_path: Path) -> None:
+    handed_in = tmp_path / "in"
+    handed_in.mkdir()
+    text = (EXAMPLE / "solution.v2").read_bytes()
+    for name in ("anna", "ben"):
+        (handed_in / f"{name}.v2").write_bytes(text)
+    out = tmp_path / "out"
+    words = ["grade", str(EXAMPLE / "task.toml"), str(handed_in), "-o", str(out), "--no-pages"]
+    assert CliRunner().invoke(vrts, words).exit_code == 0
+    overview = (out / "staff" / "index.html").read_text()
+    assert 'href="similarity.html"' in overview
+    assert "report.html" not in overview
+    (pair,) = json.loads((out / "staff" / "similarity.json").read_bytes())["pairs"]
+    assert (pair["first"], pair["second"]) == ("anna", "ben")
+    assert pair["values"] == []  # as the scene gives them to everybody
+    (handed_in / "ben.v2").unlink()
+    assert CliRunner().invoke(vrts, words).exit_code == 0
+    assert not (out / "staff" / "similarity.html").exists()
+    assert "similarity.html" not in (out / "staff" / "index.html").read_text()
