@@ -10,6 +10,7 @@ from vrts.marking.appeals.written import Written
 from vrts.marking.intake.candidate import data_of
 from vrts.marking.intake.table_text import field, read_text, table
 from vrts.marking.intake.tree import Unreadable, open_place
+from vrts.marking.pseudonyms import read_names
 from vrts.marking.row import Row
 from vrts.marking.submissions import of_example
 from vrts.pipeline.files import CannotRead, read_bytes
@@ -53,9 +54,10 @@ def handed_in(written: Written, row: Row, download: Path | None) -> bytes | None
 
 def file_of(written: Written, row: Row) -> str | None:
     """Return the name of a student's file in the download."""
-    if row.handed_in.file:
-        return row.handed_in.file
-    return None
+    names = read_names(written.layout)
+    if row.id in names:
+        return names[row.id].get("file") or None
+    return row.handed_in.file or None
 
 
 def intake_row(written: Written, row: Row) -> bytes | None:

@@ -10,6 +10,7 @@ from vrts.marking.about import About
 from vrts.marking.layout import Layout
 from vrts.marking.override_text import load_overrides
 from vrts.marking.overrides import Overrides
+from vrts.marking.pseudonyms import read_names, with_names
 from vrts.marking.result import Damaged
 from vrts.marking.row import LARGEST, Class, Row, class_from_bytes
 from vrts.pipeline.files import CannotRead, read_bytes
@@ -48,8 +49,13 @@ class Written(NamedTuple):
             Refused: There is none, or more than one.
         """
         rows = self.rows.rows
-        exact = [row for row in rows if row.id == wanted]
-        found = exact or [row for row in rows if wanted.casefold() in _names(row)]
+        found = [row for row in rows if row.id == wanted]
+        if not found:  # who has a pseudonym may be asked for by name
+            named = with_names(self.rows, self.layout).rows
+            called = {row.id for row in named if wanted.casefold() in _names(row)}
+            known = read_names(self.layout)
+            called |= {name for name, line in known.items() if line.get("id") == wanted}
+            found = [row for row in rows if row.id in called]
         if len(found) == 1:
             return found[0]
         if found:
