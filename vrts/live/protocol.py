@@ -1,7 +1,7 @@
 """Messages between browser and server: JSON text frames on `/ws`, told apart by `type`.
 
 The first message of a connection is `Join`; the answer is `Welcome`, then `Snapshot`. Poses come as
-binary frames (see `vrts.live.session`), latest value wins. Messages with a `number` are reliable:
+binary frames (`vrts.live.session.frame`), latest value wins. Messages with a `number` are reliable:
 a client that comes back says the last number it saw, and gets what it missed. Those without are
 states, sent whole whenever they change and after every join.
 
@@ -143,18 +143,16 @@ class SetTurn(Strict, frozen=True, tag="set_turn"):
 
 
 class SetScene(Strict, frozen=True, tag="set_scene"):
-    """Supervisor: begin anew in another scene of the set."""
+    """Supervisor: begin anew in a scene of the set, the same one or another."""
 
-    scene: Id
-    task: Id = ""
+    scene: Id  # id of a `SceneEntry`
 
 
 class NewRoom(Strict, frozen=True, tag="room"):
     """A room to be made."""
 
     name: Annotated[str, Meta(min_length=1, max_length=64)]
-    scene: Id
-    task: Id = ""
+    scene: Id  # id of a `SceneEntry`
 
 
 class MakeRooms(Strict, frozen=True, tag="make_rooms"):
@@ -254,13 +252,20 @@ class Welcome(Message, frozen=True, tag="welcome"):
     version: int = VERSION
 
 
+class SceneEntry(msgspec.Struct, frozen=True):
+    """A scene of the set that rooms can be given, with its task if it has one."""
+
+    id: str
+    task: bool
+
+
 class RoomEntry(msgspec.Struct, frozen=True):
     """A room that can be entered."""
 
     id: str
     name: str
-    scene: str
-    task: str
+    scene: str  # id of a `SceneEntry`
+    task: str  # title; empty without one
     people: int
 
 
@@ -280,11 +285,11 @@ class Snapshot(Message, frozen=True, tag="snapshot"):
 
     room: RoomEntry
     rooms: tuple[RoomEntry, ...]
-    scenes: tuple[str, ...]  # the set of scenes; empty unless supervisor
+    scenes: tuple[SceneEntry, ...]  # the set; empty unless supervisor
     number: int  # last reliable number that is contained
     session: int  # number of the session in pose frames; changes with scene
-    scene_url: str  # what is to be drawn
-    state: msgspec.Raw  # of the session process: its `snapshot`
+    scene_url: str  # what is to be drawn, as JSON (`Ready.scene`); empty: not there yet
+    state: msgspec.Raw  # the session's `Snapshot`; null: it does not run, a `State` follows
     chat: tuple[Chat, ...]  # empty when resumed
 
 
@@ -309,10 +314,16 @@ class Control(Message, frozen=True, tag="control"):
 
 
 class Happened(Message, frozen=True, tag="event"):
-    """Something the session process tells: motion, contact, grasp, program, output."""
+    """What the session tells: `Moved`, `Happened`, `Output`, `Programs`, `Checked`, `Began`."""
 
     number: int
     event: msgspec.Raw
+
+
+class Now(Message, frozen=True, tag="now"):
+    """The session's `Status`, latest value wins; at most ten times a second."""
+
+    status: msgspec.Raw
 
 
 class State(Message, frozen=True, tag="state"):
@@ -320,7 +331,7 @@ class State(Message, frozen=True, tag="state"):
 
     session: int
     scene_url: str
-    state: msgspec.Raw
+    state: msgspec.Raw  # the session's `Snapshot`
 
 
 class Result(Message, frozen=True, tag="result"):
@@ -328,7 +339,7 @@ class Result(Message, frozen=True, tag="result"):
 
     number: int
     of: int  # `Command.number`
-    result: msgspec.Raw
+    result: msgspec.Raw  # the session's `Done`
 
 
 class Refused(Message, frozen=True, tag="refused"):
@@ -408,6 +419,7 @@ FromServer = (
     | Control
     | Chat
     | Happened
+    | Now
     | State
     | Result
     | Refused
