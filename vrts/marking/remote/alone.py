@@ -46,6 +46,7 @@ def end_with(parent: int) -> None:
 
 
 def _leave(number: int, frame: FrameType | None) -> None:
+    signal.signal(number, signal.SIG_IGN)  # once is enough: what is under way is tidied up
     sys.exit(128 + number)
 
 

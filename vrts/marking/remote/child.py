@@ -35,6 +35,7 @@ def mark_in_child(shard: bytes, longest_s: float, jobs: int = 1) -> bytes:
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         start_new_session=True,
+        env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},  # threads do not fork
     ) as process:
         try:
             found, said = process.communicate(shard, timeout=_START_S + longest_s)

@@ -6,6 +6,7 @@ Workers run nothing but `mark_in_child`. Dask starts threads: nothing is forked 
 
 import logging
 import shutil
+import signal
 import time
 import warnings
 from collections.abc import Iterator, Sequence
@@ -13,10 +14,9 @@ from concurrent.futures import CancelledError
 from contextlib import ExitStack
 from tempfile import TemporaryDirectory
 from types import TracebackType
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import dask.config
-from dask_jobqueue import HTCondorCluster, JobQueueCluster, SLURMCluster
 from distributed import Client, Future, KilledWorker, LocalCluster, as_completed
 
 from vrts.base.diagnostic import Rule, error
@@ -25,6 +25,9 @@ from vrts.marking.remote.child import ChildFailed, mark_in_child
 from vrts.marking.remote.shard import Cut
 from vrts.pipeline.settings import Refused
 
+if TYPE_CHECKING:
+    from dask_jobqueue import JobQueueCluster
+
 NO_CLUSTER = Rule("V727", "no-cluster")
 
 LOCAL = "127.0.0.1:0"  # where the dashboard is: not for other machines
@@ -32,10 +35,7 @@ CONNECT_S = 20.0  # to wait for a scheduler
 ALONE_S = 300.0  # to wait for a worker where none has to queue
 _LOOK = 0.05  # [s] between looks at what is done
 _COUNT = 5.0  # [s] between looks at who works
-_QUEUES: dict[Scheduler, tuple[type[JobQueueCluster], str]] = {  # and what submits its jobs
-    Scheduler.SLURM: (SLURMCluster, "sbatch"),
-    Scheduler.HTCONDOR: (HTCondorCluster, "condor_submit"),
-}
+_SUBMIT = {Scheduler.SLURM: "sbatch", Scheduler.HTCONDOR: "condor_submit"}  # commands
 
 
 class Outcome(NamedTuple):
@@ -123,12 +123,13 @@ class DaskCluster:
         return self._client.submit(mark_in_child, cut.data, cut.longest_s, pure=False)
 
 
-def queue_cluster(scheduler: Scheduler) -> JobQueueCluster:
+def queue_cluster(scheduler: Scheduler) -> "JobQueueCluster":
     """Return the cluster of a queueing system, from Dask's own configuration; no job is queued yet.
 
     Raises:
         Refused: The configuration does not say what a job needs.
     """
+    kinds = _queue_clusters()
     name = scheduler.value
     wanted = ("cores", "memory", "disk") if scheduler is Scheduler.HTCONDOR else ("cores", "memory")
     missing = [key for key in wanted if dask.config.get(f"jobqueue.{name}.{key}", None) is None]
@@ -136,11 +137,21 @@ def queue_cluster(scheduler: Scheduler) -> JobQueueCluster:
         headline = f"Dask is not configured for {name}: it has no `{missing[0]}`"
         raise _refused(headline, _example(name))
     options = dask.config.get(f"jobqueue.{name}.scheduler-options", {})
-    return _QUEUES[scheduler][0](scheduler_options={"dashboard_address": LOCAL, **options})
+    return kinds[scheduler](scheduler_options={"dashboard_address": LOCAL, **options})
+
+
+def _queue_clusters() -> "dict[Scheduler, type[JobQueueCluster]]":
+    """Import dask-jobqueue, which takes Ctrl-C for itself, and give that back."""
+    before = signal.getsignal(signal.SIGINT)
+    from dask_jobqueue import HTCondorCluster, SLURMCluster
+
+    if before is not None:
+        signal.signal(signal.SIGINT, before)
+    return {Scheduler.SLURM: SLURMCluster, Scheduler.HTCONDOR: HTCondorCluster}
 
 
 def _require_command(scheduler: Scheduler) -> None:
-    command = _QUEUES[scheduler][1]
+    command = _SUBMIT[scheduler]
     if shutil.which(command) is None:
         remedy = f"call `vrts grade` on a machine from which {scheduler.value} jobs are submitted"
         raise _refused(f"there is no command `{command}` on this machine", remedy)

@@ -1,11 +1,18 @@
 """A task with a hidden check, and a small class."""
 
 import shutil
+from collections.abc import Mapping
+from contextlib import AbstractContextManager, suppress
 from pathlib import Path
 
+import dask.config
+
 from vrts.marking.marking import Entry
+from vrts.marking.remote.backend import Scheduler
+from vrts.marking.remote.dask_cluster import queue_cluster
 from vrts.marking.result import Kind
 from vrts.pipeline.files import CHECKOUT
+from vrts.pipeline.settings import Refused
 
 EXAMPLE = CHECKOUT / "examples" / "01-cans-on-bases"
 GOOD = (EXAMPLE / "solution.v2").read_bytes()
@@ -45,3 +52,11 @@ def files(folder: Path) -> dict[str, bytes]:
         for path in sorted(folder.rglob("*"))
         if path.is_file()
     }
+
+
+def configured(scheduler: Scheduler, values: Mapping[str, object]) -> AbstractContextManager[None]:
+    """Set what jobs of a queue get."""
+    with suppress(Refused):
+        queue_cluster(scheduler)  # nothing is set yet: this loads what is set by default
+    named = {f"jobqueue.{scheduler.value}.{key}": value for key, value in values.items()}
+    return dask.config.set(named)

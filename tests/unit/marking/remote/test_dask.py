@@ -1,6 +1,8 @@
 """A class marked on a real cluster of two worker processes, one of which is killed."""
 
 import shutil
+import subprocess
+import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,7 +13,7 @@ import psutil
 import pytest
 from distributed import LocalCluster
 
-from tests.unit.marking.remote.support import CLASS, GOOD, files, task
+from tests.unit.marking.remote.support import CLASS, GOOD, configured, files, task
 from vrts.base.diagnostic import Diagnostic
 from vrts.marking.layout import Layout
 from vrts.marking.marker import Marker
@@ -147,12 +149,31 @@ def test_a_scheduler_that_does_not_answer_is_told(
     assert finding.headline == "no Dask scheduler answers at `tcp://127.0.0.1:9`"
 
 
+INTERRUPT = """
+import signal
+from vrts.marking.remote.backend import Scheduler
+from vrts.marking.remote.dask_cluster import queue_cluster
+from vrts.pipeline.settings import Refused
+try:
+    queue_cluster(Scheduler.SLURM)
+except Refused:
+    signal.raise_signal(signal.SIGINT)
+"""
+
+
+def test_ctrl_c_interrupts_also_with_queues_loaded() -> None:
+    told = subprocess.run(
+        [sys.executable, "-c", INTERRUPT], capture_output=True, text=True, check=False
+    )
+    assert told.stderr.endswith("KeyboardInterrupt\n")
+
+
 JOB = {"cores": 2, "memory": "4GB", "processes": 1, "interface": "lo"}
 
 
 def test_jobs_of_slurm_are_as_dask_is_configured() -> None:
-    ours = {"queue": "teaching", "walltime": "00:20:00", "account": "robotics"}
-    with dask.config.set({"jobqueue.slurm": dask.config.get("jobqueue.slurm") | JOB | ours}):
+    ours = {**JOB, "queue": "teaching", "walltime": "00:20:00", "account": "robotics"}
+    with configured(Scheduler.SLURM, ours):
         cluster = queue_cluster(Scheduler.SLURM)
         script = cluster.job_script()
         cluster.close()
@@ -168,8 +189,7 @@ def test_jobs_of_slurm_are_as_dask_is_configured() -> None:
 
 
 def test_jobs_of_htcondor_are_as_dask_is_configured() -> None:
-    ours = dask.config.get("jobqueue.htcondor") | JOB | {"disk": "2GB"}
-    with dask.config.set({"jobqueue.htcondor": ours}):
+    with configured(Scheduler.HTCONDOR, {**JOB, "disk": "2GB"}):
         cluster = queue_cluster(Scheduler.HTCONDOR)
         script = cluster.job_script()
         cluster.close()

@@ -5,10 +5,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-import dask.config
 import pytest
 
-from tests.unit.marking.remote.support import CLASS, files, task
+from tests.unit.marking.remote.support import CLASS, configured, files, task
 from vrts.base.diagnostic import Diagnostic
 from vrts.marking.layout import Layout
 from vrts.marking.marker import Marker
@@ -52,7 +51,7 @@ def test_dask_workers_in_jobs_mark_a_class(tmp_path: Path) -> None:
     list(mark_class(marker, CLASS, Layout(tmp_path / "here")))
     said: list[Diagnostic] = []
     ours = {"cores": 1, "memory": "2GB", "interface": "lo", "log-directory": str(tmp_path / "logs")}
-    with dask.config.set({f"jobqueue.slurm.{key}": value for key, value in ours.items()}):
+    with configured(Scheduler.SLURM, ours):
         found = mark_on_dask(
             marker,
             CLASS,
