@@ -1,0 +1,102 @@
+"""A class of 300: marking with pages and recordings, without, and a cold process for each.
+
+A 60 s task among 40 objects, two of five submissions with contacts, two processes. Run by hand:
+`python -m pytest tests/bench/test_bench_marking.py -s`. Other work on the machine makes wall times
+longer; processor times tell what marking itself takes.
+"""
+
+import resource
+import subprocess
+import sys
+import time
+from collections.abc import Generator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from tests.support_class import TASK, entries
+from vrts.marking.layout import Layout
+from vrts.marking.marker import Marker
+from vrts.marking.marking import Done, mark_class
+from vrts.marking.one import Wanted
+from vrts.marking.setting import Place
+
+COUNT, JOBS = 300, 2
+SAMPLE = 6  # of the cold processes
+VRTS = Path(sys.executable).parent / "vrts"
+MEMORY = 600_000_000  # bytes that a process may use
+CONTACTS = 0.3  # share of submissions that touch something
+
+
+class Spent(NamedTuple):
+    """What work took, in all processes [s]."""
+
+    wall: list[float]
+    processor: list[float]
+
+
+@contextmanager
+def measured() -> Generator[Spent]:
+    """Measure a block."""
+    spent = Spent([], [])
+    begin, used = time.perf_counter(), _processor()
+    yield spent
+    spent.wall.append(time.perf_counter() - begin)
+    spent.processor.append(_processor() - used)
+
+
+def _processor() -> float:
+    usages = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(usage.ru_utime + usage.ru_stime for usage in usages)
+
+
+def told(name: str, spent: Spent, count: int) -> float:
+    """Print what marking took, and return the processor time of one submission [s]."""
+    wall, processor = spent.wall[0], spent.processor[0]
+    print(
+        f"\n{name}: {count} in {wall:.1f} s wall, {processor:.1f} s processor"
+        f" ({1e3 * processor / count:.0f} ms each, {processor / JOBS:.1f} s on {JOBS} free cores)",
+        end="",
+    )
+    return processor / count
+
+
+def marked(out: Path, wanted: Wanted) -> tuple[Spent, list[Done]]:
+    """Mark the class."""
+    with measured() as spent:
+        marker = Marker(Place(str(TASK)), wanted)
+        done = list(mark_class(marker, tuple(entries(COUNT)), Layout(out), jobs=JOBS))
+    return spent, done
+
+
+@pytest.mark.parametrize("full", [False, True], ids=["results", "pages-and-recordings"])
+def test_a_class_of_300(tmp_path: Path, full: bool) -> None:
+    spent, done = marked(tmp_path / "out", Wanted(pages=full, recordings=full))
+    each = told("pages and recordings" if full else "results only", spent, COUNT)
+    touching = sum(bool(one.result.metrics.contacts) for one in done)
+    peak = max(one.peak for one in done)
+    size = sum(path.stat().st_size for path in (tmp_path / "out").rglob("*.*") if path.is_file())
+    print(
+        f"\n  with contacts {touching}, largest process {peak / 1e6:.0f} MB,"
+        f" slowest {max(one.seconds for one in done):.2f} s, written {size / 1e6:.0f} MB",
+        end="",
+    )
+    assert len(done) == COUNT
+    assert touching >= CONTACTS * COUNT
+    assert 0 < peak <= MEMORY
+    with measured() as cold:
+        for entry in entries(SAMPLE):
+            program = tmp_path / entry.title
+            assert entry.data is not None
+            program.write_bytes(entry.data)
+            more = ["-o", tmp_path / entry.identifier, "--recordings"] if full else []
+            words = [VRTS, "grade", TASK, program, "--jobs", "1", *more]
+            subprocess.run([str(word) for word in words], check=True, capture_output=True)
+    alone = told("a cold process each", cold, SAMPLE)
+    wall = cold.wall[0] / SAMPLE
+    print(
+        f"\n  ratio: {alone / each:.1f} in processor time;"
+        f" {wall * COUNT / spent.wall[0]:.1f} in wall time against {JOBS} processes"
+    )
