@@ -59,6 +59,7 @@ def compare_class(marked: Marked, marker: Marker, layout: Layout) -> None:
         marked.rows.title,
         names={row.id: row.student.name for row in marked.rows.rows},
         groups=marked.groups,
+        pages=marker.wanted.pages,
     )
 
 
@@ -70,6 +71,7 @@ def write_similarity(
     *,
     names: Mapping[str, str],
     groups: Mapping[str, str],
+    pages: bool = True,
 ) -> Ranking:
     """Write page and data, and return the ranking.
 
@@ -80,9 +82,10 @@ def write_similarity(
         title: Of the class.
         names: Of the students, by identifier.
         groups: By identifier, the same for those who handed in together.
+        pages: Whether there are pages about the submissions to link to.
     """
     ranking = similarity(programs, given, groups)
-    page = similarity_page(ranking, programs, title, names)
+    page = similarity_page(ranking, programs, title, names, pages=pages)
     write_atomically(layout.staff / PAGE, page.encode())
     write_atomically(layout.staff / DATA, to_bytes(ranking))
     return ranking

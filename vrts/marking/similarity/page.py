@@ -8,7 +8,7 @@ from vrts.marking.similarity.ranking import Pair, Ranking, SharedValue
 from vrts.marking.similarity.regions import Region
 from vrts.marking.similarity.symbols import readable
 from vrts.report.document import document
-from vrts.report.html import Markup, element
+from vrts.report.html import Markup, element, joined
 from vrts.report.plain import one_line, shown
 
 STYLE = "report/similarity.css"
@@ -21,6 +21,8 @@ def similarity_page(
     programs: Mapping[str, bytes],
     title: str,
     names: Mapping[str, str] | None = None,
+    *,
+    pages: bool = True,
 ) -> str:
     """Return the page.
 
@@ -29,6 +31,7 @@ def similarity_page(
         programs: By identifier, as they were compared.
         title: Of the class.
         names: Of the students, by identifier, where they are known.
+        pages: Whether there are pages about the submissions to link to.
     """
     wanted = {who for pair in ranking.pairs[:MOST_SHOWN] for who in (pair.first, pair.second)}
     sources: dict[str, SourceFile] = {}
@@ -36,7 +39,8 @@ def similarity_page(
         file = readable(programs[who], who)
         if file is not None:
             sources[who] = file.source
-    labels = {who: one_line(name) for who, name in (names or {}).items()}
+    known = {who: one_line(name) for who, name in (names or {}).items()}
+    labels = {who: _who(who, known.get(who, ""), pages=pages) for who in programs}
     body = [
         _head(ranking, title),
         _table(ranking, labels),
@@ -62,7 +66,7 @@ def _head(ranking: Ranking, title: str) -> Markup:
     )
 
 
-def _table(ranking: Ranking, labels: Mapping[str, str]) -> Markup:
+def _table(ranking: Ranking, labels: Mapping[str, Markup]) -> Markup:
     if not ranking.pairs:
         nothing = element("p", "No two programs share more than what is usual in this class.")
         return element("section", element("h2", "Ranking"), nothing)
@@ -84,7 +88,7 @@ def _table(ranking: Ranking, labels: Mapping[str, str]) -> Markup:
     )
 
 
-def _row(number: int, pair: Pair, labels: Mapping[str, str]) -> Markup:
+def _row(number: int, pair: Pair, labels: Mapping[str, Markup]) -> Markup:
     rank = (
         element("a", str(number), href=f"#pair-{number}", aria_label=f"Pair {number}")
         if number <= MOST_SHOWN
@@ -97,8 +101,8 @@ def _row(number: int, pair: Pair, labels: Mapping[str, str]) -> Markup:
     return element(
         "tr",
         element("td", rank, class_="number"),
-        element("td", *_who(pair.first, labels)),
-        element("td", *_who(pair.second, labels)),
+        element("td", labels[pair.first]),
+        element("td", labels[pair.second]),
         element("td", bar, element("b", _percent(pair.score)), class_="alike"),
         element("td", _percent(pair.code)),
         element("td", values),
@@ -106,13 +110,13 @@ def _row(number: int, pair: Pair, labels: Mapping[str, str]) -> Markup:
 
 
 def _side_by_side(
-    number: int, pair: Pair, sources: Mapping[str, SourceFile], labels: Mapping[str, str]
+    number: int, pair: Pair, sources: Mapping[str, SourceFile], labels: Mapping[str, Markup]
 ) -> Markup:
     first, second = sources[pair.first], sources[pair.second]
     head = element(
         "div",
-        element("div", element("h3", *_who(pair.first, labels))),
-        element("div", element("h3", *_who(pair.second, labels))),
+        element("div", element("h3", labels[pair.first])),
+        element("div", element("h3", labels[pair.second])),
         class_="sides heads",
     )
     regions = sorted(pair.regions, key=lambda region: (region.first_start, region.second_start))
@@ -197,11 +201,12 @@ def _method(ranking: Ranking) -> Markup:
     )
 
 
-def _who(identifier: str, labels: Mapping[str, str]) -> tuple[Markup, Markup | None]:
-    name = labels.get(identifier, "")
+def _who(identifier: str, name: str, *, pages: bool) -> Markup:
+    link = staff_report(identifier) if pages else None
     text = name or identifier
-    small = element("small", f" {identifier}") if name and name != identifier else None
-    return element("a", text, href=staff_report(identifier)), small
+    label = element("a", text, href=link) if link else text
+    small = element("small", f" {identifier}") if text != identifier else None
+    return joined([label, small])
 
 
 def _percent(share: float) -> str:

@@ -96,6 +96,7 @@ def test_grade_writes_overview_and_similarity_for_the_staff(tmp_path: Path) -> N
     overview = (out / "staff" / "index.html").read_text()
     assert 'href="similarity.html"' in overview
     assert "report.html" not in overview
+    assert "report.html" not in (out / "staff" / "similarity.html").read_text()
     (pair,) = json.loads((out / "staff" / "similarity.json").read_bytes())["pairs"]
     assert (pair["first"], pair["second"]) == ("anna", "ben")
     assert pair["values"] == []  # as the scene gives them to everybody
