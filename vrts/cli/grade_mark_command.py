@@ -52,8 +52,8 @@ Workers get pseudonyms and programs, and the task with its hidden checks: use cl
 scheduler only you can reach. Without Dask: vrts grade plan, run and merge.
 
 \b
-Further: vrts grade intake | plan | run | merge | export | init | evidence | reproduce | diff,
-each with --help.
+Further: vrts grade intake | plan | run | merge | export | init | evidence | reproduce | diff |
+change, each with --help.
 """
 
 
@@ -91,6 +91,11 @@ each with --help.
     metavar="N",
     help="Mark N of them again, picked at random, and compare.",
 )
+@click.option(
+    "--pseudonyms",
+    is_flag=True,
+    help="Give ids and files other names; who is who stands in staff/names.csv alone.",
+)
 @click.option("--again", is_flag=True, help="Mark also what is marked already.")
 @click.option("--no-pages", is_flag=True, help="Write results only, no pages.")
 @click.option("--recordings", is_flag=True, help="Write a Rerun recording of every run.")
@@ -110,6 +115,7 @@ def command(
     zone: str | None,
     backend: str | None,
     sample: int | None,
+    pseudonyms: bool,
     again: bool,
     no_pages: bool,
     recordings: bool,
@@ -130,11 +136,16 @@ def command(
     appeal, and hidden checks. Marks, the overview of the class, and a ranking of programs that are
     alike are in `staff`. A second call marks only what has changed since, and one that was
     interrupted goes on. Exit status 0 when every row has a result.
+
+    With --pseudonyms no name of a person or file is in the output but in staff/names.csv, which
+    only its owner may read; ids are made with the key in staff/pseudonyms.key, and stay the same
+    when it does. What students write into their programs is not changed.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.marking.layout import Layout
     from vrts.marking.marker import Marker
     from vrts.marking.one import Wanted
+    from vrts.marking.pseudonyms import require_names
     from vrts.marking.remote.backend import read_backend
     from vrts.marking.whole_class import HowTo
 
@@ -143,6 +154,10 @@ def command(
     wanted = Wanted(not no_collisions, engine, pages, recordings and folder is not None)
     marker = Marker(place, wanted)
     layout = None if folder is None else Layout(folder)
+    if pseudonyms and layout is None:
+        fail("`--pseudonyms` needs a folder for results", ("name it with `-o`",))
+    if layout is not None and not pseudonyms:
+        require_names(layout)
     where = None if backend is None else read_backend(backend)
     how = HowTo(
         jobs or os.cpu_count() or 1,
@@ -151,13 +166,14 @@ def command(
         where,
         class_list,
         zone_named(zone) if zone else None,
+        pseudonyms,
     )
     marked = _mark(marker, found, layout, how, quiet=form == "json")
     show_diagnostics((*marker.whole.stamps, *marked.warnings), color)
     for remark in marked.remarks:
         say(f"note: {remark}")
     if layout is not None:
-        _write(marker, marked, layout, [str(path) for path in submissions])
+        _write(marker, marked, layout, [str(path) for path in submissions], pseudonyms=pseudonyms)
     if form == "json":
         from vrts.marking.row import class_to_bytes
 
@@ -249,11 +265,17 @@ def _mark(
 
 
 def _write(
-    marker: "Marker", marked: "Marked", layout: "Layout", submissions: "Sequence[str]"
+    marker: "Marker",
+    marked: "Marked",
+    layout: "Layout",
+    submissions: "Sequence[str]",
+    *,
+    pseudonyms: bool,
 ) -> None:
     from vrts import __version__
     from vrts.marking.about import About
     from vrts.marking.class_files import write_class
+    from vrts.marking.pseudonyms import nameless_about
     from vrts.marking.similarity.files import compare_class
 
     about = About(
@@ -268,7 +290,7 @@ def _write(
         marked.intake_sha256,
     )
     compare_class(marked, marker, layout)
-    write_class(marked.rows, about, layout)
+    write_class(marked.rows, nameless_about(about) if pseudonyms else about, layout)
     say(f"wrote {layout.overview}")
     without = ", without the hidden checks" if marker.hidden else ""
     say(f"wrote {layout.root / 'students'}, to be sent to each{without}")

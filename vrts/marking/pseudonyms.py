@@ -155,12 +155,12 @@ def names_table(rows: Sequence[Row], key: bytes) -> bytes:
     return BOM + "".join(f"{','.join(map(field, line))}\r\n" for line in whole).encode()
 
 
-def write_names(layout: Layout, rows: Sequence[Row], key: bytes) -> None:
-    """Write who is who, for the owner only, in place of the table of hand-ins."""
+def write_names(layout: Layout, names: bytes) -> None:
+    """Write who is who, for the owner only."""
     path = layout.staff / NAMES
-    write_private(path.with_name(f"{NAMES}.part"), names_table(rows, key))
-    path.with_name(f"{NAMES}.part").replace(path)
-    layout.intake.unlink(missing_ok=True)
+    draft = path.with_name(f"{NAMES}.part")
+    write_private(draft, names)
+    draft.replace(path)
 
 
 def read_names(layout: Layout) -> dict[str, dict[str, str]]:

@@ -26,6 +26,7 @@ from vrts.marking.marker import Marker
 from vrts.marking.marking import Done, Entry, mark_class
 from vrts.marking.override_text import load_overrides
 from vrts.marking.overrides import NONE, with_overrides
+from vrts.marking.pseudonyms import NAMES, key_for, names_table, pseudonymised, write_names
 from vrts.marking.remote.backend import Backend
 from vrts.marking.remote.mark_on_dask import mark_on_dask
 from vrts.marking.result import Damaged
@@ -43,6 +44,7 @@ class HowTo(NamedTuple):
     backend: Backend | None = None  # a cluster; None: this machine
     roster: Path | None = None  # the class, as Moodle or Canvas export it
     zone: tzinfo | None = None  # of times without one; None: that of the task's deadline
+    pseudonyms: bool = False  # ids and files get other names; who is who stands in one table
 
 
 USUAL = HowTo()
@@ -111,6 +113,10 @@ def mark_whole_class(
         found, remarks, warnings = take_in_class(
             task, tree, table, lambda asked: mark(asked, None), how
         )
+        named, key = found, None
+        if how.pseudonyms and layout is not None:
+            key = key_for(layout)
+            tree, found = pseudonymised(tree, named, key)
         names = [row.identifier for row in found]
         changes = NONE if layout is None else load_overrides(layout.overrides, names)
         begun(names)
@@ -118,8 +124,10 @@ def mark_whole_class(
         for one in mark(tuple(entries(tree, found)), layout):
             done[one.entry.identifier] = one
             told(one)
-    written = write_rows(found)
-    if layout is not None and table != layout.intake:
+    written = write_rows(found) if key is None else names_table(named, key)
+    if layout is not None and key is not None:
+        write_names(layout, written)
+    elif layout is not None and table != layout.intake:
         write_atomically(layout.intake, written)
     computed = Class(
         "vrts.class/1",
@@ -177,16 +185,17 @@ def table_for(submissions: Path | Sequence[Path], layout: Layout | None, how: Ho
         return None
     home = submissions if submissions.is_dir() else submissions.parent
     places = [home / TABLE]
-    if layout is not None and _edited(layout):
-        places.append(layout.intake)
+    if layout is not None:
+        own = layout.staff / NAMES if how.pseudonyms else layout.intake
+        places += [own] if _edited(layout, own) else []
     return next((place for place in places if place.is_file()), None)
 
 
-def _edited(layout: Layout) -> bool:
+def _edited(layout: Layout, table: Path) -> bool:
     """Return whether somebody changed the table that an earlier marking wrote."""
     try:
         before = about_from_bytes((layout.staff / ABOUT).read_bytes()).intake_sha256
-        return sha256(layout.intake.read_bytes()).hexdigest() != before
+        return sha256(table.read_bytes()).hexdigest() != before
     except (OSError, Damaged):
         return False
 
