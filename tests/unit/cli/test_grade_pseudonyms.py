@@ -106,3 +106,11 @@ def test_evidence_is_found_by_name_and_has_none(out: Path, tmp_path: Path) -> No
             text = f"{name} {archive.read(name).decode('utf-8', 'replace')}".casefold()
             assert not [s for s in SECRETS if s in text and not s.isdigit()], name
     assert call("grade", "reproduce", place).exit_code == 0
+
+
+def test_exports_have_the_names_again(out: Path, tmp_path: Path) -> None:
+    done = call("grade", "export", out, "--to", "csv", "-o", tmp_path / "marks.csv")
+    assert done.exit_code == 0, done.output
+    lines = (tmp_path / "marks.csv").read_text("utf-8-sig").splitlines()
+    (anna,) = [line for line in lines if "Annegret Bergmeister" in line]
+    assert ",10" in anna
