@@ -21,7 +21,7 @@ from distributed import Client, Future, KilledWorker, LocalCluster, as_completed
 
 from vrts.base.diagnostic import Rule, error
 from vrts.marking.remote.backend import Backend, Scheduler
-from vrts.marking.remote.child import ChildFailed, mark_in_child
+from vrts.marking.remote.child import mark_in_child
 from vrts.marking.remote.shard import Cut
 from vrts.pipeline.settings import Refused
 
@@ -159,13 +159,16 @@ def _require_command(scheduler: Scheduler) -> None:
 
 def _outcome(future: "Future[bytes]", cut: Cut) -> Outcome:
     try:
-        return Outcome(cut, future.result())
-    except KilledWorker:
+        if future.status == "finished":
+            return Outcome(cut, future.result())
+        problem = future.exception() if future.status == "error" else None
+    except (OSError, CancelledError) as gone:  # with the machine that had it
+        problem = gone
+    if isinstance(problem, KilledWorker):
         return Outcome(cut, None, "the workers that marked it died")
-    except ChildFailed as problem:
-        return Outcome(cut, None, str(problem))
-    except (ImportError, OSError, CancelledError) as problem:  # no vrts there, or nobody there
-        return Outcome(cut, None, str(problem) or type(problem).__name__)
+    if problem is None:
+        return Outcome(cut, None, f"the cluster calls it {future.status}")
+    return Outcome(cut, None, str(problem) or type(problem).__name__)
 
 
 def _own_workers(count: int, folder: str) -> LocalCluster:

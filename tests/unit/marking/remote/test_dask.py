@@ -14,6 +14,7 @@ import pytest
 from distributed import LocalCluster
 
 from tests.unit.marking.remote.support import CLASS, GOOD, configured, files, task
+from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
 from vrts.marking.layout import Layout
 from vrts.marking.marker import Marker
@@ -21,8 +22,10 @@ from vrts.marking.marking import Entry, mark_class
 from vrts.marking.one import Wanted
 from vrts.marking.remote import dask_cluster
 from vrts.marking.remote.backend import Backend, Scheduler, read_backend
+from vrts.marking.remote.child import ChildFailed, mark_in_child
 from vrts.marking.remote.dask_cluster import DaskCluster, queue_cluster
 from vrts.marking.remote.mark_on_dask import mark_on_dask
+from vrts.marking.remote.plan import make_plan
 from vrts.marking.result import Kind
 from vrts.marking.setting import Place
 from vrts.pipeline.files import CannotRead
@@ -54,9 +57,9 @@ class Workers(NamedTuple):
         raise AssertionError("no worker is at work")
 
 
-def start(folder: Path) -> LocalCluster:
+def start(folder: Path, count: int = 2) -> LocalCluster:
     return LocalCluster(
-        n_workers=2,
+        n_workers=count,
         threads_per_worker=1,
         processes=True,
         host="127.0.0.1",
@@ -147,6 +150,27 @@ def test_a_scheduler_that_does_not_answer_is_told(
     (finding,) = refused.value.diagnostics
     assert finding.rule.code == "V727"
     assert finding.headline == "no Dask scheduler answers at `tcp://127.0.0.1:9`"
+
+
+def test_a_cluster_without_workers_is_not_waited_for(
+    marker: Marker, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(dask_cluster, "ALONE_S", 0.2)
+    monkeypatch.setattr(dask_cluster, "_COUNT", 0.1)
+    cluster = start(tmp_path, 0)
+    backend = Backend(Scheduler.DASK, cluster.scheduler_address)
+    said: list[Diagnostic] = []
+    done = list(mark_on_dask(marker, MANY[:2], None, backend, said=said.append))
+    cluster.close()
+    assert [d.notes[0] for d in said] == ["the cluster gave no results: no worker came"]
+    assert {d.result.kind for d in done} == {Kind.GRADED}
+
+
+def test_a_worker_with_another_vrts_says_so(marker: Marker) -> None:
+    data = make_plan(marker, MANY[:1], 1).cuts[0].data
+    other = data.replace(f'"vrts":"{__version__}"'.encode(), b'"vrts":"9.9.9"')
+    with pytest.raises(ChildFailed, match=r"^the shard is for vrts 9\.9\.9, and this is vrts"):
+        mark_in_child(other, 60.0)
 
 
 INTERRUPT = """
