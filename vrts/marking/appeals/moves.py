@@ -10,6 +10,7 @@ from vrts.marking.row import Class, Row, final_mark
 
 SCHEMA = "vrts.diff/1"
 MOST_REASONS = 8
+ROUNDING = "rounding"  # kind of the entry that makes checks add up to the mark: no reason
 
 
 class Move(Record, frozen=True):
@@ -166,19 +167,20 @@ def _program(a: Result, b: Result) -> Iterator[str]:
 
 
 def _checks(a: Result, b: Result) -> Iterator[str]:
-    before = {check.id: check for check in a.checks}
-    after = {check.id: check for check in b.checks}
+    before, after = (
+        {check.id: check for check in r.checks if check.kind != ROUNDING} for r in (a, b)
+    )
     for name in {**before, **after}:
         old, new = before.get(name), after.get(name)
         if old is None and new is not None:
-            yield f"new: {new.title}, {new.answer}, {new.points:g} points"
+            yield f"new: {new.title}, {new.answer}, {new.points:.4g} points"
         elif new is None and old is not None:
-            yield f"not asked any more: {old.title}, {old.points:g} points"
+            yield f"not asked any more: {old.title}, {old.points:.4g} points"
         elif old is not None and new is not None:
             if (old.answer, old.points) == (new.answer, new.points):
                 continue
             words = new.answer if old.answer == new.answer else f"{old.answer} → {new.answer}"
-            yield f"{new.title}: {words}, {old.points:g} → {new.points:g} points"
+            yield f"{new.title}: {words}, {old.points:.4g} → {new.points:.4g} points"
 
 
 def _losses(a: Result, b: Result) -> Iterator[str]:

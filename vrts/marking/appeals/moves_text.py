@@ -7,6 +7,7 @@ from vrts.report.plain import one_line, width
 
 WIDEST = 40  # of an id
 MOST_NAMED = 10
+WHY = 23  # characters between the id and the reasons
 
 
 def diff_text(found: Diff) -> str:
@@ -32,7 +33,7 @@ def _lines(move: Move, column: int) -> list[str]:
         f"{name}{' ' * max(0, column - width(name))}  {_mark(move.old):>4}   {_mark(move.new):>4}"
     )
     first, *rest = (one_line(reason) for reason in move.reasons)
-    indent = " " * (column + 24)
+    indent = " " * (column + WHY)
     return [f"{start}  {by:>5}   {first}", *(f"{indent}{reason}" for reason in rest)]
 
 

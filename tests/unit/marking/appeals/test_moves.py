@@ -89,6 +89,16 @@ def test_a_class_does_not_move_from_itself(tmp_path: Path) -> None:
     assert "task, scene and versions are the same" in found.stdout
 
 
+def test_rounding_is_no_reason() -> None:
+    (check, *_) = result().checks
+    rounding = msgspec.structs.replace(check, id="rounding", kind="rounding", points=0.02)
+    worse = msgspec.structs.replace(check, points=1 / 3)
+    old = msgspec.structs.replace(row("anna", 5.0), result=result(checks=(check, rounding)))
+    new = msgspec.structs.replace(row("anna", 4.0), result=result(checks=(worse,)))
+    (move,) = diff(class_of(old), class_of(new)).moves
+    assert move.reasons == (f"{check.title}: {check.answer}, {check.points:g} → 0.3333 points",)
+
+
 def test_text_shows_marks_side_by_side() -> None:
     text = diff_text(diff(OLD, repaired()))
     assert "ben    6.0    4.8   -1.2   " in text
