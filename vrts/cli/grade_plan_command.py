@@ -7,6 +7,7 @@ import click
 
 from vrts.cli.console import color_option, fail, guarded, lab_option, out, say, show_diagnostics
 from vrts.cli.grade_mark_command import what_to_mark
+from vrts.cli.zones import zone_named
 
 EPILOG = """\b
 Examples:
@@ -47,6 +48,17 @@ and at home again:
     type=click.Path(path_type=Path),
     help="The table of `vrts grade intake`, as edited.",
 )
+@click.option(
+    "--roster",
+    "class_list",
+    type=click.Path(path_type=Path),
+    help="Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing.",
+)
+@click.option(
+    "--zone",
+    metavar="ZONE",
+    help="Of times without one: Europe/Vienna, or +01:00; otherwise that of the task's deadline.",
+)
 @click.option("--no-pages", is_flag=True, help="Results only, no pages.")
 @click.option("--recordings", is_flag=True, help="A Rerun recording of every run.")
 @click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
@@ -61,6 +73,8 @@ def command(
     folder: Path,
     force: bool,
     table: Path | None,
+    class_list: Path | None,
+    zone: str | None,
     no_pages: bool,
     recordings: bool,
     no_collisions: bool,
@@ -70,10 +84,12 @@ def command(
 ) -> None:
     """Cut a class into shards that other machines can mark.
 
-    TASK and SUBMISSIONS are those of `vrts grade`. Every file in PLAN/shards has all that marking
-    needs: the task, its hidden checks too, and some programs under pseudonyms. It holds no name of
-    a student or of a file; what students write in their programs goes along. PLAN/key.json tells
-    whose results are whose and stays at home.
+    TASK, SUBMISSIONS and options are those of `vrts grade`; give it the same ones in the end, and
+    -o, for the lists of marks (--pseudonyms there is for marking on this machine only).
+
+    Every file in PLAN/shards has all that marking needs: the task, its hidden checks too, and some
+    programs under pseudonyms. It holds no name of a student or of a file; what students write in
+    their programs goes along. PLAN/key.json tells whose results are whose and stays at home.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
     from vrts.marking.marker import Marker
@@ -87,7 +103,13 @@ def command(
         fail(f"there is a plan in `{folder}` already", hints)
     place, found = what_to_mark(task, submissions, lab)
     marker = Marker(place, Wanted(not no_collisions, engine, not no_pages, recordings))
-    planned = plan_class(marker, found, shards, HowTo(os.cpu_count() or 1, table=table))
+    how = HowTo(
+        os.cpu_count() or 1,
+        table=table,
+        roster=class_list,
+        zone=zone_named(zone) if zone else None,
+    )
+    planned = plan_class(marker, found, shards, how)
     show_diagnostics((*marker.whole.stamps, *planned.warnings), color)
     for remark in planned.remarks:
         say(f"note: {remark}")

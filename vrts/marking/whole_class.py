@@ -89,13 +89,15 @@ def mark_whole_class(
     assert task is not None
     with open_place(submissions) as tree, TemporaryDirectory(prefix="vrts-") as staging:
 
-        def mark(asked: Sequence[Entry], place: Layout | None) -> Iterable[Done]:
-            if how.backend is not None and place is not None:
+        def mark(
+            asked: Sequence[Entry], place: Layout | None, cluster: Backend | None
+        ) -> Iterable[Done]:
+            if cluster is not None:
                 return mark_on_dask(
                     marker,
                     asked,
                     place,
-                    how.backend,
+                    cluster,
                     jobs=how.jobs,
                     again=how.again,
                     said=said.append,
@@ -111,7 +113,7 @@ def mark_whole_class(
 
         table = table_for(submissions, layout, how)
         found, remarks, warnings = take_in_class(
-            task, tree, table, lambda asked: mark(asked, None), how
+            task, tree, table, lambda asked: mark(asked, None, None), how
         )
         named, key = found, None
         if how.pseudonyms and layout is not None:
@@ -121,7 +123,7 @@ def mark_whole_class(
         changes = NONE if layout is None else load_overrides(layout.overrides, names)
         begun(names)
         done: dict[str, Done] = {}
-        for one in mark(tuple(entries(tree, found)), layout):
+        for one in mark(tuple(entries(tree, found)), layout, how.backend):
             done[one.entry.identifier] = one
             told(one)
     written = write_rows(found) if key is None else names_table(named, key)

@@ -33,7 +33,7 @@ def plan_class(
         marker: Of the task.
         submissions: A folder, a zip, or a list of files.
         shards: How many there are to be.
-        how: Processes here, and the edited table.
+        how: Processes here, the edited table, the list of the class, the zone of times.
 
     Raises:
         CannotRead: There is nothing of the kind, or the task cannot be taken along.
@@ -47,6 +47,7 @@ def plan_class(
             tree,
             table_for(submissions, None, how),
             lambda asked: mark_class(marker, asked, None, jobs=how.jobs, staging=Path(staging)),
+            how,
         )
         plan = make_plan(marker, tuple(entries(tree, taken.rows)), shards)
     return PlannedClass(plan, taken.remarks, taken.warnings)

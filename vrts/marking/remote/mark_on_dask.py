@@ -92,19 +92,20 @@ class _Shards:
     def mark(self, cuts: Sequence[Cut], backend: Backend, jobs: int) -> Iterator[Done]:
         from vrts.marking.remote.dask_cluster import DaskCluster
 
-        left: list[Cut] = []
+        left: dict[str, list[Cut]] = {}  # by why the cluster has not marked them
         with DaskCluster(backend, jobs) as cluster:
             for outcome in cluster.run(cuts):
                 found, words = None, outcome.words
                 if outcome.results is not None:
                     found, words = self._taken(outcome.results, outcome.cut)
                 if found is None:
-                    self._said(_not_there(outcome.cut, words))
-                    left.append(outcome.cut)
+                    left.setdefault(words, []).append(outcome.cut)
                 else:
                     yield from found
-        for cut in left:
-            yield from self._here(cut, jobs)
+        for words, cuts in left.items():
+            self._said(_at_home(cuts, words))
+            for cut in cuts:
+                yield from self._here(cut, jobs)
 
     def _taken(self, results: bytes, cut: Cut) -> tuple[list[Done] | None, str]:
         """Return the rows of a shard, written; or None and why there are none."""
@@ -144,11 +145,13 @@ class _Shards:
             yield Done(entry, marks.staff, marks.student, False, 0.0, 0)
 
 
-def _not_there(cut: Cut, words: str) -> Diagnostic:
+def _at_home(cuts: Sequence[Cut], words: str) -> Diagnostic:
+    count = sum(len(cut.names) for cut in cuts)
+    what = "1 submission is" if count == 1 else f"{count} submissions are"
     return warning(
         AT_HOME,
-        f"shard {cut.number}, of {len(cut.names)} submissions, is marked on this machine",
-        notes=(f"the cluster gave no results: {words}",),
+        f"{what} marked on this machine and not on the cluster",
+        notes=(f"the cluster gave no results: {' '.join(words.split())}",),
     )
 
 

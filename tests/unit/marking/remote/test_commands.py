@@ -8,6 +8,7 @@ from click.testing import CliRunner, Result
 
 from tests.unit.marking.remote.support import BAD, GOOD, TYPO, task
 from vrts.cli.grade_command import command
+from vrts.marking.remote import dask_cluster
 
 
 @pytest.fixture
@@ -83,13 +84,17 @@ def test_what_is_no_shard_no_key_and_not_there_is_told(lab: Path) -> None:
         assert (found.exit_code, words in found.output) == (status, True), found.output
 
 
-def test_a_class_is_marked_by_a_cluster(lab: Path) -> None:
+def test_a_class_is_marked_by_a_cluster(lab: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     good("lab", "hand-ins", "-o", "here", "--no-pages")
     good("lab", "hand-ins", "-o", "there", "--no-pages", "--backend", "dask", "--jobs", "1")
     here, there = (
         (lab / name / "staff" / "results.json").read_bytes() for name in ("here", "there")
     )
     assert here == there
+    monkeypatch.setattr(dask_cluster, "CONNECT_S", 0.5)
+    asked = vrts("lab", "hand-ins", "--backend", "dask:127.0.0.1:9")
+    assert asked.exit_code == 1
+    assert "no Dask scheduler answers at `127.0.0.1:9`" in asked.output
     found = vrts("lab", "hand-ins", "-o", "out", "--backend", "ray")
     assert found.exit_code == 2
     assert "there is no backend `ray`" in found.output

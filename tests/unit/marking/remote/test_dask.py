@@ -120,8 +120,7 @@ def test_a_shard_that_kills_workers_is_marked_here(marker: Marker, tmp_path: Pat
     workers.busy()[0].kill()
     done += found
     cluster.close()
-    assert 1 <= len(said) <= 2, "the one it marked, and perhaps one that waited for it"
-    assert {d.rule.code for d in said} == {"V729"}
+    assert [d.rule.code for d in said] == ["V729"]
     assert said[0].notes == ("the cluster gave no results: the workers that marked it died",)
     assert {d.entry for d in done} == set(MANY)
     assert {d.result.kind for d in done} == {Kind.GRADED}
