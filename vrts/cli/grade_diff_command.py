@@ -70,6 +70,10 @@ def command(
 
         show_diagnostics(overrides.diagnostics, color)
         after = with_overrides(after, overrides)
+        changed = {row.id for row in before.rows if row.change is not None}
+        lacking = sorted(changed & set(known) - set(overrides.changes))
+        if lacking:
+            say(f"note: {len(lacking)} changed by hand in OLD and not in NEW, as `{lacking[0]}`")
     found = diff(before, after)
     out(_json(found) if form == "json" else diff_text(found))
     lowered = any(move.falls or move.new is None for move in found.moves)

@@ -41,9 +41,11 @@ def command(plan: Path, results: tuple[Path, ...], folder: Path, color: str) -> 
     It can be called again with further results. Exit status 1 when results are refused or missing.
     """
     from vrts.marking.layout import Layout
+    from vrts.marking.pseudonyms import require_names
     from vrts.marking.remote.merge import merge
     from vrts.marking.remote.plan import read_key
 
+    require_names(Layout(folder))
     key = read_key(plan)
     merged = merge(key, list(_zips(results)), Layout(folder))
     show_diagnostics(merged.findings, color)

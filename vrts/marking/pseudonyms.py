@@ -23,7 +23,7 @@ from vrts.marking.intake.intake_table import COLUMNS, write_rows
 from vrts.marking.intake.row import Attempt, Kind, Problem, Row, Student
 from vrts.marking.intake.table_text import BOM, Cell, field, read_text, table
 from vrts.marking.intake.tree import Tree
-from vrts.marking.layout import Layout
+from vrts.marking.layout import STUDENTS, Layout
 from vrts.marking.remote.names import KEPT_ENDINGS
 from vrts.marking.row import Class
 from vrts.marking.row import Student as Named
@@ -59,7 +59,7 @@ def key_for(layout: Layout) -> bytes:
     """
     path = layout.staff / KEY
     if not os.path.lexists(path):
-        if layout.results.exists():
+        if layout.results.exists() or (layout.root / STUDENTS).exists():  # also of an early end
             raise _mixed(f"`{layout.root}` has results with names in it")
         layout.staff.mkdir(parents=True, exist_ok=True)
         write_private(path, f"{secrets.token_hex(32)}\n".encode())

@@ -105,8 +105,14 @@ def test_names_and_pseudonyms_do_not_share_a_folder(layout: Layout) -> None:
     with pytest.raises(Refused):
         key_for(layout)
     layout.results.unlink()
+    layout.student("anna").mkdir(parents=True)
+    with pytest.raises(Refused):
+        key_for(layout)
+    layout.student("anna").rmdir()
+    layout.student("anna").parent.rmdir()
     key_for(layout)
     layout.results.write_text("{}")
+    layout.student("bcdf-ghjk-lmnp").mkdir(parents=True)
     key_for(layout)
     with pytest.raises(Refused) as refused:
         require_names(layout)

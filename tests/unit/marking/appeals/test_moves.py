@@ -145,6 +145,15 @@ def test_never_lower_reaches_the_old_mark_also_from_below_zero(tmp_path: Path) -
     assert rows.rows[0].final == 6.0
 
 
+def test_changes_by_hand_that_were_left_behind_are_told(tmp_path: Path) -> None:
+    change = Change("1/2", "goal 2", "RH", "2026-11-30")
+    changed = msgspec.structs.replace(row("anna", 6.0), change=change, final=6.5)
+    old, new = write(tmp_path / "old", class_of(changed)), write(tmp_path / "new", OLD)
+    found = call(old, new)
+    assert "note: 1 changed by hand in OLD and not in NEW, as `anna`" in found.stderr
+    assert "by hand +0.5 → 0" in found.stdout
+
+
 def test_json_and_files(tmp_path: Path) -> None:
     old, new = write(tmp_path / "old", OLD), write(tmp_path / "new", repaired())
     found = call(Layout(old).results, Layout(new).results, "--format", "json")
