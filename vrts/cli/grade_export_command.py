@@ -98,14 +98,13 @@ def command(
     changes by hand as OUT/staff/overrides.toml has them now. A worksheet or grade book is filled
     in: every other field, the order of rows and columns, delimiter, decimal mark and line ends stay
     as they are; students are found by id, then address or login, then name. What students get says
-    nothing of hidden checks. After marking with --pseudonyms exports have the names again, from
-    OUT/staff/names.csv, for the systems that know nothing else.
+    nothing of hidden checks. After marking with --pseudonyms what goes to Moodle and Canvas, and
+    the table, have the names again, from OUT/staff/names.csv; the rest stays without.
     """
     from vrts.marking.appeals.written import read_written
     from vrts.marking.exports.given import Options, Page
     from vrts.marking.exports.write import write_exports
     from vrts.marking.overrides import with_overrides
-    from vrts.marking.pseudonyms import with_names
     from vrts.pipeline.files import read_bytes
     from vrts.pipeline.settings import Refused
 
@@ -114,7 +113,7 @@ def command(
     show_diagnostics(overrides.diagnostics, color)
     if overrides.wrong:
         raise Refused(())
-    rows = with_names(with_overrides(written.rows, overrides), written.layout)
+    rows = with_overrides(written.rows, overrides)
     page = None if fill is None else Page(fill.name, read_bytes(fill))
     options = Options(page, column, _full_marks(points), not no_comments, delimiter, not no_pages)
     paths = write_exports(

@@ -49,8 +49,8 @@ def gradescope(task: Path, target: Path, places: tuple[Path, ...], color: str) -
 
     TASK is the folder of a task, or its zip for the staff; the hidden part goes in. The zip holds
     setup.sh, which installs this version of vrts, and run_autograder, which marks one submission
-    and writes results/results.json: hidden checks as hidden tests. Should marking not end in nine
-    minutes, there is a result that says so.
+    and writes results/results.json: hidden checks as hidden tests, and the total when marks are
+    published. Should marking not end in nine minutes, there is a result that says so.
     """
     del color
     from vrts.marking.exports.autograder_zip import autograder_zip, read_wheels, staff_task

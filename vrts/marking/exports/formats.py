@@ -23,14 +23,15 @@ class Format(NamedTuple):
     export: Export
     what: str
     fills: bool = False  # whether it fills in a file of the teacher's
+    names: bool = False  # whether it is of use with names only, also after marking without
 
 
 FORMATS: dict[str, Format] = {
-    "csv": Format(marks_table, "a table of all marks"),
+    "csv": Format(marks_table, "a table of all marks", names=True),
     "json": Format(class_json, "everything, as published"),
-    "moodle": Format(moodle, "Moodle's grading worksheet, filled in", fills=True),
-    "canvas": Format(canvas, "the grade book of Canvas, filled in", fills=True),
-    "moodle-feedback": Format(moodle_feedback, "zip of feedback files for Moodle"),
+    "moodle": Format(moodle, "Moodle's grading worksheet, filled in", fills=True, names=True),
+    "canvas": Format(canvas, "the grade book of Canvas, filled in", fills=True, names=True),
+    "moodle-feedback": Format(moodle_feedback, "zip of feedback files for Moodle", names=True),
     "folders": Format(folders, "a folder of feedback for each student"),
     "gradescope": Format(gradescope, "results.json of each submission"),
     "prairielearn": Format(prairielearn, "results.json of each submission"),

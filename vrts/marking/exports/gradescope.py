@@ -1,20 +1,22 @@
 """results.json of Gradescope: what an autograder answers about one submission.
 
-Checks that students see come from their own result, at points of their own; what hidden checks make
-of the mark is in tests that are hidden, so Gradescope hides the total as well until marks are
-published. Nothing of another student is in the file, and nothing that names a machine.
+Checks that students see come from their own result, at points of their own. Hidden checks are
+tests that are never shown, and give no points, as Gradescope wants it; what they make of the mark
+is one test without their names, shown once marks are published. Until then Gradescope hides the
+total. Nothing of another student is in the file, and nothing that names a machine.
 """
 
 from fractions import Fraction
 
 from vrts.marking.exports.given import Given, Options, Product, Returned, returned
-from vrts.marking.exports.numbers import number, points
+from vrts.marking.exports.numbers import decimal, number, points
 from vrts.marking.exports.steps import NOTHING, steps
 from vrts.marking.result import Check, Kind
 from vrts.report.json_text import json_text
 from vrts.report.plain import capital, one_line, visible
 
-NAMES_OF_UNSEEN = "difference made by hidden checks and scenes"
+UNSEEN = "checks that are not shown"
+NOISE = Fraction(1, 10_000)  # points are rounded where results are written
 LONGEST = 200  # characters of a name
 SAID = {
     "holds": "as it has to be",
@@ -39,14 +41,15 @@ def results(told: Returned) -> Json:
     """Return the document of one submission; its tests add up to its score."""
     row, public = told
     final = row.exact_final
-    tests = [_test(check, hidden=False) for check in public.checks]
-    tests += [_test(check, hidden=True) for check in row.result.checks if check.hidden]
+    hidden = [check for check in row.result.checks if check.hidden]
+    tests = [_test(check) for check in public.checks]
+    tests += [_hidden(check) for check in hidden]
     shown = sum((points(check.points) for check in public.checks), NOTHING)
-    shown += sum((points(check.points) for check in row.result.checks if check.hidden), NOTHING)
     unseen = (row.result.exact_mark or NOTHING) - shown
-    if abs(unseen) > Fraction(1, 10_000):
-        tests.append(_change(NAMES_OF_UNSEEN, unseen, "", hidden=True))
-    tests += [_change(step.title, step.points, step.sentence) for step in steps(row)]
+    secret = bool(hidden or public.more or abs(unseen) > NOISE)
+    if secret:
+        tests.append(_change(UNSEEN, unseen, "", secret=True))
+    tests += [_change(s.title, s.points, s.sentence, secret=secret) for s in steps(row)]
     said: Json = {"output": _output(told), "output_format": "text"}
     if public.metrics.duration_s is not None:
         said["extra_data"] = {"duration_s": public.metrics.duration_s, "key": public.key}
@@ -70,25 +73,36 @@ def said(check: Check) -> str:
     return visible(check.message) or SAID[check.answer]
 
 
-def _test(check: Check, *, hidden: bool) -> Json:
+def _test(check: Check) -> Json:
     return {
         "name": _name(check.title),
         "score": number(points(check.points)),
         "max_score": number(points(check.most)),
         "status": "passed" if check.answer == "holds" else "failed",
         "output": capital(said(check)),
-        "visibility": "hidden" if hidden else "visible",
+        "visibility": "visible",
     }
 
 
-def _change(title: str, value: Fraction, sentence: str, *, hidden: bool = False) -> Json:
+def _hidden(check: Check) -> Json:
+    earned = f"{decimal(points(check.points))} of {decimal(points(check.most))} points"
+    return {
+        "name": _name(check.title),
+        "status": "passed" if check.answer == "holds" else "failed",
+        "output": f"{capital(said(check))} ({earned})",
+        "visibility": "hidden",
+    }
+
+
+def _change(title: str, value: Fraction, sentence: str, *, secret: bool) -> Json:
+    """Return points that are no check's; secret ones are shown once marks are published."""
     return {
         "name": _name(title),
         "score": number(value),
         "max_score": 0,
         "status": "failed" if value < 0 else "passed",
         "output": visible(sentence),
-        "visibility": "hidden" if hidden else "visible",
+        "visibility": "after_published" if secret else "visible",
     }
 
 

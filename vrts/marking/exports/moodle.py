@@ -43,19 +43,18 @@ def moodle(given: Given, options: Options) -> Product:
         raise no_file(f"`{file.name}` is no {WHAT}", WHAT)
     grade = _grade(header, options)
     rows = [row for row, _ in people]
-    full, locked = _beside(sheet, grade, rows)
+    full = _full_marks_column(sheet, grade, rows)
     point = decimal_point(
         (sheet.field(row, at) for row in rows for at in (grade, full or grade)), sheet.delimiter
     )
     least = decimals(sheet.field(row, at) for row in rows for at in (grade, full or grade))
     comments = next((k for k, title in enumerate(header) if title.casefold() in COMMENTS), None)
+    before = grade if full is None else full
     slots = [
         Slot(
             _line(sheet, header, row, number),
             _points(sheet, row, full, options),
-            "the grade is locked in Moodle"
-            if locked is not None and sheet.field(row, locked).casefold() in NO
-            else "",
+            _locked(sheet, row, before),
         )
         for row, number in people
     ]
@@ -73,16 +72,19 @@ def _grade(header: Sequence[str], options: Options) -> int:
     return found[0]
 
 
-def _beside(sheet: Sheet, grade: int, rows: Sequence[int]) -> tuple[int | None, int | None]:
-    """Return the columns of the greatest grade and of whether it can be changed.
-
-    They stand behind the grade: numbers in all rows, then one of at most two words.
-    """
+def _full_marks_column(sheet: Sheet, grade: int, rows: Sequence[int]) -> int | None:
+    """Return the column of the greatest grade: behind that of the grade, numbers in all rows."""
     numbers = {parsed(sheet.field(row, grade + 1)) for row in rows}
-    full = None if None in numbers else grade + 1
-    at = grade + 1 if full is None else full + 1
-    words = {sheet.field(row, at).casefold() for row in rows}
-    return full, at if words and len(words) <= 2 and "" not in words else None
+    return None if None in numbers else grade + 1
+
+
+def _locked(sheet: Sheet, row: int, before: int) -> str:
+    """Return why a grade has to be left alone; "" where it may be filled in.
+
+    "Grade can be changed" is behind the greatest grade, or one further where work flow is marked.
+    """
+    words = (sheet.field(row, before + k).casefold() for k in (1, 2))
+    return "the grade is locked in Moodle" if any(word in NO for word in words) else ""
 
 
 def _points(sheet: Sheet, row: int, full: int | None, options: Options) -> Fraction:

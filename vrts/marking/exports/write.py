@@ -10,6 +10,7 @@ from vrts.marking.exports.given import Given, Options, Page
 from vrts.marking.exports.marks_table import NAME as MARKS
 from vrts.marking.exports.marks_table import marks_csv
 from vrts.marking.layout import RESULT, Layout, write_atomically
+from vrts.marking.pseudonyms import with_names
 from vrts.marking.report_files import RECORDING, REPORT
 from vrts.marking.result import Damaged, Result, from_bytes
 from vrts.marking.row import Class
@@ -50,7 +51,9 @@ def write_exports(
     given = read_given(rows, layout)
     written: list[Path] = []
     for name in names:
-        product = FORMATS[name].export(given, options)
+        form = FORMATS[name]
+        source = given._replace(whole=with_names(rows, layout)) if form.names else given
+        product = form.export(source, options)
         tell(product.diagnostics)
         files = iter(product.files)
         first = list(islice(files, 2))
@@ -65,6 +68,11 @@ def write_exports(
             if place not in written:
                 written.append(place)
     return written
+
+
+def is_name(identifier: str) -> bool:
+    """Return whether an id names a folder beside others, as those of the intake do."""
+    return identifier not in ("", ".", "..") and not set("/\\:\0") & set(identifier)
 
 
 def write_marks_table(rows: Class, layout: Layout) -> Path:
@@ -91,9 +99,10 @@ def read_given(rows: Class, layout: Layout) -> Given:
 
 
 def _public(layout: Layout, identifier: str) -> Result:
-    path = layout.student(identifier) / RESULT
     try:
-        return from_bytes(path.read_bytes())
+        if not is_name(identifier):
+            raise Damaged("an id that is no name of a folder")
+        return from_bytes((layout.student(identifier) / RESULT).read_bytes())
     except (OSError, Damaged) as problem:
         headline = f"the result for `{identifier}` is missing or damaged"
         remedy = "mark the class again: what is there already is not made twice"

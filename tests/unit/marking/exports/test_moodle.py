@@ -115,6 +115,23 @@ def test_a_german_worksheet_keeps_its_delimiter_comma_encoding_and_line_ends(
     assert found.diagnostics[0].notes == ("`Eva`: the grade is locked in Moodle",)
 
 
+def test_a_lock_is_found_behind_the_state_of_marking_too() -> None:
+    sheet = (
+        "Identifier,Grade,Maximum grade,Marking workflow state,Grade can be changed\n"
+        "Participant 11,,100,Not marked,No\n"
+        "Participant 12,,100,Not marked,Yes\n"
+    )
+    found = filled(sheet, given([student("11"), student("12")]))
+    assert text(found) == sheet.replace("12,,", "12,85,")
+    assert codes(found) == ["V746"]
+
+
+def test_a_decimal_comma_between_commas_is_quoted() -> None:
+    sheet = 'ID,Bewertung,Bestwertung\r\nTeilnehmer/in11,,"100,00"\r\n'
+    found = filled(sheet, given([student("11", 7.3)]))
+    assert text(found) == sheet.replace("11,,", '11,"73,00",')
+
+
 def test_full_marks_are_those_of_each_row() -> None:
     sheet = english(("11", "Anna", "")) + english(("12", "Ben", ""), full="30").split("\r\n", 1)[1]
     lines = text(filled(sheet, given([student("11"), student("12")]))).split("\r\n")

@@ -52,7 +52,7 @@ def on_prairielearn(one: Given) -> list[dict[str, Any]]:
 
 
 def total(tests: Iterable[dict[str, Any]]) -> Fraction:
-    return sum((Fraction(repr(test["score"])) for test in tests), Fraction(0))
+    return sum((Fraction(repr(test.get("score", 0))) for test in tests), Fraction(0))
 
 
 def test_gradescope_shows_checks_with_points_and_what_became_of_the_mark() -> None:
@@ -73,14 +73,23 @@ def test_hidden_checks_are_hidden_on_gradescope_and_the_sum_is_the_mark() -> Non
     public = result()
     one = msgspec.structs.replace(row(mark=6.0), result=secret(public, 6.0))
     (found,) = on_gradescope(given([one], {"anna": public}))
-    hidden = [test for test in found["tests"] if test["visibility"] == "hidden"]
-    assert [(test["name"], test["score"]) for test in hidden] == [
-        (SECRET, -1.5),
-        ("difference made by hidden checks and scenes", -1),
-    ]
+    (hidden,) = [test for test in found["tests"] if test["visibility"] == "hidden"]
+    assert (hidden["name"], hidden["output"]) == (SECRET, "Xyzzy-hidden (-1.5 of 0 points)")
+    assert "score" not in hidden
+    (later,) = [test for test in found["tests"] if test["visibility"] == "after_published"]
+    assert (later["name"], later["score"]) == ("checks that are not shown", -2.5)
     assert total(found["tests"]) == found["score"] == 6
-    seen = [test for test in found["tests"] if test["visibility"] == "visible"]
+    seen = [test for test in found["tests"] if test["visibility"] != "hidden"]
     assert SECRET not in json.dumps([seen, found["output"]])
+
+
+def test_what_lateness_costs_tells_nothing_of_a_hidden_mark() -> None:
+    public = result()
+    late = row(mark=0.5, late=Lateness(60, "2", "late"))
+    one = msgspec.structs.replace(late, result=secret(public, 0.5))
+    (found,) = on_gradescope(given([one], {"anna": public}))
+    lateness = next(test for test in found["tests"] if test["name"] == "lateness")
+    assert (lateness["score"], lateness["visibility"]) == (-0.5, "after_published")
 
 
 def test_what_could_not_be_marked_says_so_and_names_no_machine() -> None:

@@ -8,14 +8,16 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
+from msgspec.structs import replace
 
 from vrts.cli import grade_export_command, grade_mark_command
 from vrts.cli.grade_export_command import NAMES
 from vrts.marking.exports.formats import FORMATS
 from vrts.marking.exports.given import Options
-from vrts.marking.exports.write import write_exports, write_marks_table
+from vrts.marking.exports.write import is_name, write_exports, write_marks_table
 from vrts.marking.layout import Layout
 from vrts.marking.row import class_from_bytes
+from vrts.pipeline.settings import Refused
 
 EXAMPLE = Path(__file__).parents[4] / "examples" / "01-cans-on-bases"
 PEOPLE = {"Anna Ady_11": "solution.v2", "Ben_12": "submissions/syntax-error.v2"}
@@ -144,3 +146,41 @@ def test_feedback_is_never_made_of_the_staff_s_result(marked: Path) -> None:
         own.write_bytes(data)
     assert called.exit_code == 1
     assert "V749" in called.output
+
+
+WITH_NAMES = ("marks.csv", "moodle-feedback.zip")
+
+
+def test_pseudonyms_are_told_to_platforms_only_in_their_own_numbers(tmp_path: Path) -> None:
+    download = tmp_path / "download.zip"
+    with zipfile.ZipFile(download, "w") as archive:
+        name = "Anna Ady_11_assignsubmission_file_/pick.v2"
+        archive.writestr(name, (EXAMPLE / "solution.v2").read_bytes())
+    out = tmp_path / "out"
+    called = CliRunner().invoke(
+        grade_mark_command.command,
+        [str(EXAMPLE / "task.toml"), str(download), "-o", str(out), "--no-pages", "--pseudonyms"],
+    )
+    assert called.exit_code == 0, called.output
+    sheet = tmp_path / "w.csv"
+    sheet.write_text("Identifier,Grade,Maximum Grade\nParticipant 11,,100\n", "utf-8")
+    formats = ("moodle", "moodle-feedback", "csv", "gradescope", "junit", "folders")
+    called = export(out, "--fill", sheet, *(word for name in formats for word in ("--to", name)))
+    assert called.exit_code == 0, called.output
+    folder = out / "staff" / "exports"
+    assert "Participant 11,100,100" in (folder / "moodle-worksheet.csv").read_text("utf-8")
+    with zipfile.ZipFile(folder / "moodle-feedback.zip") as archive:
+        assert archive.namelist() == ["Anna Ady_11_assignsubmission_file_/feedback.txt"]
+        assert b"Anna" not in archive.read(archive.namelist()[0])
+    for path in folder.rglob("*"):
+        if path.is_file():
+            assert (b"Anna" in path.read_bytes()) == (path.name in WITH_NAMES)
+
+
+@pytest.mark.parametrize("name", ["..", "../students", "a/b", "a\\b", "C:", ""])
+def test_an_id_leads_nowhere_else(marked: Path, name: str) -> None:
+    assert not is_name(name)
+    rows = class_from_bytes((marked / "staff" / "results.json").read_bytes())
+    changed = replace(rows, rows=(replace(rows.rows[0], id=name),))
+    with pytest.raises(Refused):
+        write_exports(["folders"], changed, Layout(marked), Options(), tell=list[object]().extend)
