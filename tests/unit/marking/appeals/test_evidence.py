@@ -22,8 +22,10 @@ from vrts.marking.layout import Layout
 from vrts.marking.one import Wanted
 from vrts.marking.override_text import add_overrides
 from vrts.marking.overrides import Override
+from vrts.marking.pack import staff_zip
 from vrts.marking.result import from_bytes, to_bytes
 from vrts.marking.row import Row
+from vrts.marking.task_folder import read_folder
 
 Spoil = Callable[[dict[str, bytes]], bytes]
 HIDDEN = '[[via]]\nname = "gate 4711"\nat_mm = [600, 200, 500]\nradius_mm = 40\n'
@@ -341,3 +343,26 @@ def test_change_command_adds_to_the_file(marked: Marked, tmp_path: Path) -> None
     assert call(*words, "--mark", "7", "--delta", "1").exit_code == 2
     assert call(*words, "--delta", "eleven").exit_code == 2
     assert call(*words, "--delta", "1", "--date", "today").exit_code == 1
+
+
+@pytest.mark.parametrize("packed", [False, True], ids=["folder and lab", "packed"])
+def test_a_packed_task_and_a_lab_go_along(marked: Marked, tmp_path: Path, packed: bool) -> None:
+    (tmp_path / "anna.v2").write_bytes(BAD)
+    task, more = marked.task, ["--lab", str(tmp_path / "lab.toml")]
+    (tmp_path / "lab.toml").write_text('[lab]\ntitle = "Room 112"\n[lab.table]\ntop_z_mm = -310\n')
+    if packed:
+        task, more = tmp_path / "lab1-staff.zip", []
+        files = read_folder(marked.task)
+        task.write_bytes(staff_zip(files._replace(staff={}), 0))
+    words = (task, tmp_path / "anna.v2", "-o", tmp_path / "out", "--no-pages", *more)
+    assert call(*words).exit_code == 0
+    zipped = tmp_path / "anna.zip"
+    found = call("evidence", "anna", "--from", tmp_path / "out", "-o", zipped)
+    assert found.exit_code == 0, found.output
+    inside = members(zipped.read_bytes())
+    if packed:
+        assert inside["task.zip"] == task.read_bytes()
+    else:
+        assert inside["over/lab/lab.toml"] == (tmp_path / "lab.toml").read_bytes()
+    again = reproduce(tmp_path, zipped.read_bytes())
+    assert again.exit_code == 0, again.output
