@@ -10,8 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.check.collision_grips import NEAR_MISS
-from vrts.check.collision_pairs import Pairs, plan
-from vrts.check.collision_state import RunRecord, instants
+from vrts.check.collision_pairs import Pairs, Plan, plan
+from vrts.check.collision_state import Instants, RunRecord, instants
 from vrts.check.curves import curves
 from vrts.engine.records import GRAVITY
 from vrts.geometry.narrow import pair, transform
@@ -21,24 +21,36 @@ from vrts.scene.model import Scene
 Array: TypeAlias = npt.NDArray[np.float64]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
+AT_ONCE = 25  # times, so that what is computed stays near the processor
 FAR = 0.5  # [m] larger distances are all the same to a reader
 
 
 def clearance_curve(
     scene: Scene, run: RunRecord, time_s: Array, near_miss: float | None = None
 ) -> Array:
-    """Return the smallest distance of any tested pair at times of shape (n,), at most `FAR` [m].
+    """Return the smallest distance of any tested pair at times of shape (n,) [m].
 
-    Nearer than `near_miss` [m] is a near miss; None: as usual.
+    It is at most `FAR`. Nearer than `near_miss` [m] is a near miss; None: as usual.
     """
     motion = curves(run.timeline.segments)
     todo = plan(scene, run, motion, near_miss=NEAR_MISS if near_miss is None else near_miss)
     rows = np.flatnonzero(todo.pairs.counts)
-    count, solids = len(time_s), len(todo.solids.shapes)
-    found = np.full(count, FAR)
+    found = np.full(len(time_s), FAR)
     if not len(rows):
         return found
-    state = instants(scene.robot.arm, motion, time_s)
+    for start in range(0, len(time_s), AT_ONCE):
+        part = slice(start, start + AT_ONCE)
+        now = time_s[part]
+        starts, ends = todo.pairs.start_s[rows], todo.pairs.end_s[rows]
+        at_work = rows[(starts <= now.max()) & (now.min() <= ends)]
+        found[part] = _nearest(todo, at_work, instants(scene.robot.arm, motion, now), now)
+    return found
+
+
+def _nearest(todo: Plan, rows: Indices, state: Instants, time_s: Array) -> Array:
+    """Return the smallest distance at some times, shape (n,) [m]."""
+    count, solids = len(time_s), len(todo.solids.shapes)
+    found = np.full(count, FAR)
     each = np.repeat(np.arange(solids), count)
     places = todo.solids.places(state, each, np.tile(np.arange(count), solids), GRAVITY)
     gaps = _gaps(todo.pairs, rows, places, count)

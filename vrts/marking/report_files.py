@@ -7,6 +7,7 @@ from vrts.marking.one import Marked, Wanted
 from vrts.pipeline.assess import with_curve
 from vrts.pipeline.settings import Setting
 from vrts.report.assessment import Assessment
+from vrts.report.html import Markup
 
 REPORT, RECORDING, FAULT = "report.html", "run.rrd", "fault.txt"
 
@@ -50,17 +51,18 @@ def write_files(
 
 
 def _write_pages(rows: tuple[tuple[Marked, Reader], ...], hidden: Collection[str]) -> None:
-    from vrts.report.audience import Audience
-    from vrts.report.page import page
+    from vrts.report.audience import Audience, for_student
+    from vrts.report.page import page, replay_scripts
     from vrts.report.stills import page_stills
 
-    made: dict[int, tuple[Assessment, dict[str, bytes]]] = {}
+    made: dict[int, tuple[Assessment, dict[str, bytes], list[Markup]]] = {}
     for row, reader in rows:
         a = row.assessment
         if id(a) not in made:
-            made[id(a)] = (with_curve(a), page_stills(a))
-        full, stills = made[id(a)]
+            curved = with_curve(a)
+            made[id(a)] = (curved, page_stills(a), replay_scripts(for_student(curved)))
+        full, stills, scripts = made[id(a)]
         audience = Audience.GRADER if reader.grader else Audience.STUDENT
         more = 0 if reader.grader else reader.setting.more
-        text = page(full, stills, audience=audience, more=more, hidden=hidden)
+        text = page(full, stills, audience=audience, more=more, hidden=hidden, scripts=scripts)
         (reader.folder / REPORT).write_bytes(text.encode())

@@ -49,6 +49,7 @@ def page(
     audience: Audience = Audience.STUDENT,
     more: int = 0,
     hidden: Collection[str] = (),
+    scripts: Sequence[Markup] | None = None,
 ) -> str:
     """Return the page.
 
@@ -59,6 +60,7 @@ def page(
         audience: Who reads it: a student's page leaves out what `for_student` takes away.
         more: How many further checks there will be at marking.
         hidden: Names of the checks that students do not see, to be marked so.
+        scripts: What `replay_scripts` makes of the assessment, if that is there already.
     """
     grader = audience is Audience.GRADER
     review = needs_review(a)
@@ -84,8 +86,8 @@ def page(
         *(part.section for part in parts),
         element("footer", element("p", "Written by vrts")),
     ]
-    scripts = _scripts(a) if replayable else []
-    return document(one_line(a.title), "report/page.css", body, scripts)
+    moving = replay_scripts(a) if scripts is None else scripts
+    return document(one_line(a.title), "report/page.css", body, moving)
 
 
 # --- replay and program -------------------------------------------------------------------------
@@ -120,9 +122,10 @@ def _program(a: Assessment, findings: Sequence[Diagnostic]) -> Markup | None:
     )
 
 
-def _scripts(a: Assessment) -> list[Markup]:
-    assert a.run is not None
-    assert a.scene is not None
+def replay_scripts(a: Assessment) -> list[Markup]:
+    """Return the data of the replay and the modules that show it, the same for all readers."""
+    if a.run is None or a.scene is None:
+        return []
     report = a.judgement.collisions if a.judgement else None
     screen = first_screen(a)
     data: dict[str, object] = {
