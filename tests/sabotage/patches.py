@@ -17,6 +17,7 @@ ROBOTS = "tests/unit/robots"
 MONITOR = "tests/spec/test_spec_monitor.py"
 LAB = "tests/unit/scene/test_lab.py"
 SAVED = "tests/unit/engine/test_vrun.py"
+REMOTE = "tests/unit/marking/remote/test_plan_run_merge.py"
 
 
 class Patch(NamedTuple):
@@ -866,5 +867,40 @@ PATCHES: tuple[Patch, ...] = (
         "deduction = raw if late.closed else",
         "deduction =",
         ("tests/unit/marking/test_lateness.py",),
+    ),
+    Patch(
+        "names of files go to other machines",
+        "vrts/marking/remote/names.py",
+        'return self.pseudonym + (ending if ending in KEPT_ENDINGS else "")',
+        "return self.title",
+        (REMOTE,),
+    ),
+    Patch(
+        "pages keep the pseudonym",
+        "vrts/marking/remote/merge.py",
+        'page_at_home(data, entry.naming) if name.endswith(".html") else data',
+        "data",
+        (REMOTE,),
+    ),
+    Patch(
+        "results of a changed shard are taken",
+        "vrts/marking/remote/merge.py",
+        "if contents.shard != sent.sha256:",
+        "if contents.number != sent.number:",
+        (REMOTE,),
+    ),
+    Patch(
+        "a lost result takes the place of a mark",
+        "vrts/marking/remote/merge.py",
+        "if marks.staff.kind in NO_MARK and before is not None",
+        "if marks.staff.kind in () and before is not None",
+        (REMOTE,),
+    ),
+    Patch(
+        "marking outlives its worker",
+        "vrts/marking/remote/alone.py",
+        "ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)",
+        "ctypes.CDLL(None)",
+        ("tests/unit/marking/remote/test_child.py",),
     ),
 )

@@ -45,14 +45,14 @@ class Workers(NamedTuple):
         """Return the worker processes."""
         return [psutil.Process(nanny.pid) for nanny in self.cluster.workers.values()]
 
-    def busy(self) -> tuple[psutil.Process, psutil.Process]:
-        """Return a worker that is at work, and the process that marks for it."""
+    def busy(self) -> psutil.Process:
+        """Return a worker that is at work."""
         end = time.monotonic() + 30.0
         while time.monotonic() < end:
             for worker in self.processes():
                 for child in worker.children():
                     if "vrts.marking.remote.alone" in child.cmdline():
-                        return worker, child
+                        return worker
             time.sleep(0.01)
         raise AssertionError("no worker is at work")
 
@@ -84,23 +84,14 @@ def marker(tmp_path_factory: pytest.TempPathFactory) -> Marker:
     return Marker(Place(task(home / "lab")), Wanted(pages=False))
 
 
-def wait_until_gone(process: psutil.Process) -> None:
-    end = time.monotonic() + 10.0
-    while process.is_running() and time.monotonic() < end:
-        time.sleep(0.02)
-    assert not process.is_running()
-
-
 def test_a_worker_that_dies_costs_nothing(workers: Workers, marker: Marker, tmp_path: Path) -> None:
     said: list[Diagnostic] = []
     entries = (*CLASS, *MANY)
     out = Layout(tmp_path / "out")
     found = mark_on_dask(marker, entries, out, workers.backend, size=3, said=said.append)
     done = [next(found), next(found), next(found)]  # two of them are no programs
-    victim, child = workers.busy()
-    victim.kill()
+    workers.busy().kill()
     done += found
-    wait_until_gone(child)
     assert said == []
     assert sorted(d.entry.identifier for d in done) == sorted(e.identifier for e in entries)
     assert all(d.entry in entries for d in done)
@@ -117,7 +108,7 @@ def test_a_shard_that_kills_workers_is_marked_here(marker: Marker, tmp_path: Pat
     said: list[Diagnostic] = []
     found = mark_on_dask(marker, MANY, None, workers.backend, size=2, said=said.append)
     done = [next(found)]
-    workers.busy()[0].kill()
+    workers.busy().kill()
     done += found
     cluster.close()
     assert [d.rule.code for d in said] == ["V729"]

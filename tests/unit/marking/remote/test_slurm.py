@@ -20,14 +20,17 @@ from vrts.marking.remote.plan import make_plan, read_key, write_plan
 from vrts.marking.setting import Place
 
 
-def slurm_is_here() -> bool:
-    if shutil.which("sbatch") is None or shutil.which("sinfo") is None:
-        return False
-    asked = subprocess.run(["sinfo", "-h"], capture_output=True, check=False)
-    return asked.returncode == 0 and b"idle" in asked.stdout
-
-
-pytestmark = pytest.mark.skipif(not slurm_is_here(), reason="no SLURM with an idle machine")
+@pytest.fixture(scope="module", autouse=True)
+def slurm() -> None:
+    """Skip where no SLURM takes jobs from this machine."""
+    if shutil.which("sbatch") is None:
+        pytest.skip("no SLURM")
+    try:
+        asked = subprocess.run(["sinfo", "-h"], capture_output=True, check=False, timeout=5.0)
+    except subprocess.TimeoutExpired:
+        pytest.skip("SLURM does not answer")
+    if asked.returncode != 0 or b"idle" not in asked.stdout:
+        pytest.skip("SLURM has no idle machine")
 
 
 def test_an_array_of_jobs_marks_a_class(tmp_path: Path) -> None:
