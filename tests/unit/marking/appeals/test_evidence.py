@@ -152,6 +152,15 @@ def test_the_first_difference_is_named(evidence: bytes, tmp_path: Path) -> None:
     assert ": lowest was 9.9, is now null" in found.stdout
 
 
+def test_the_result_for_the_student_must_be_the_same_too(evidence: bytes, tmp_path: Path) -> None:
+    files = members(evidence)
+    sent = from_bytes(files["student/result.json"])
+    files["student/result.json"] = to_bytes(msgspec.structs.replace(sent, cause="well done"))
+    found = reproduce(tmp_path, sealed(files))
+    assert found.exit_code == 1
+    assert 'in the result for the student: cause was "well done", is now ' in found.stdout
+
+
 def test_a_result_of_another_version_is_compared_in_all_but_versions(
     evidence: bytes, tmp_path: Path
 ) -> None:
