@@ -10,7 +10,7 @@ import stat
 import struct
 import zipfile
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from enum import Enum
 from typing import BinaryIO, NamedTuple, TypeVar
 
@@ -41,9 +41,14 @@ class BadZip(Exception):  # noqa: N818 -- names the situation
 
 def packed(members: Mapping[str, bytes], mode: int) -> bytes:
     """Return the bytes of a zip file with members in the order given, and their access mode."""
+    return packed_in_turn(members.items(), mode)
+
+
+def packed_in_turn(members: Iterable[tuple[str, bytes]], mode: int) -> bytes:
+    """Return the same; members are taken one after the other."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
-        for name, data in members.items():
+        for name, data in members:
             info = zipfile.ZipInfo(name, EPOCH)
             info.compress_type = zipfile.ZIP_DEFLATED
             info.external_attr = mode << 16

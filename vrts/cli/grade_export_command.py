@@ -1,5 +1,7 @@
 """`vrts grade export`."""
 
+import os
+from datetime import UTC, datetime
 from fractions import Fraction
 from pathlib import Path
 
@@ -17,6 +19,7 @@ Formats:
   folders          a folder for each student: feedback.txt, report, recording
   gradescope       results.json of each submission
   prairielearn     results.json of each submission
+  classroom50      result.json, inside a run of Classroom 50
   junit            JUnit XML, a suite for each submission
   sarif            what compiler, run and checks found in all submissions
 
@@ -38,6 +41,7 @@ NAMES = (
     "folders",
     "gradescope",
     "prairielearn",
+    "classroom50",
     "junit",
     "sarif",
 )  # a test holds them against the table of formats, which is imported when it is used
@@ -102,6 +106,7 @@ def command(
     the table, have the names again, from OUT/staff/names.csv; the rest stays without.
     """
     from vrts.marking.appeals.written import read_written
+    from vrts.marking.exports.classroom50 import from_environment
     from vrts.marking.exports.given import Options, Page
     from vrts.marking.exports.write import write_exports
     from vrts.marking.overrides import with_overrides
@@ -115,7 +120,16 @@ def command(
         raise Refused(())
     rows = with_overrides(written.rows, overrides)
     page = None if fill is None else Page(fill.name, read_bytes(fill))
-    options = Options(page, column, _full_marks(points), not no_comments, delimiter, not no_pages)
+    options = Options(
+        page,
+        column,
+        _full_marks(points),
+        not no_comments,
+        delimiter,
+        not no_pages,
+        from_environment(os.environ),
+        datetime.now(UTC),
+    )
     paths = write_exports(
         tuple(dict.fromkeys(names)),
         rows,

@@ -4,7 +4,7 @@ import unicodedata
 from collections.abc import Iterator
 
 from vrts.base.diagnostic import Rule, warning
-from vrts.base.zips import packed
+from vrts.base.zips import packed_in_turn
 from vrts.marking.exports.feedback import NAME, feedback_text
 from vrts.marking.exports.given import Given, Options, Page, Product, Returned, returned
 from vrts.marking.intake.row import Platform
@@ -33,17 +33,15 @@ def moodle_feedback(given: Given, options: Options) -> Product:
 
     Moodle reads name, id and plugin from the folders, parted by `_`, and goes by the id alone.
     """
-    members: dict[str, bytes] = {}
-    without: list[str] = []
-    for told in returned(given):
-        number = told.row.student.ids.get(Platform.MOODLE.value, "")
-        if not (number.isascii() and number.isdecimal()):
-            without.append(told.row.id)
-            continue
-        folder = f"{_name(told.row)}_{number}_assignsubmission_file_"
-        for page in _pages(told, given, options):
-            if page.name != RECORDING:  # too large for an upload
-                members[f"{folder}/{page.name}"] = page.data
+    numbers = {row.id: row.student.ids.get(Platform.MOODLE.value, "") for row in given.whole.rows}
+    without = [name for name, text in numbers.items() if not (text.isascii() and text.isdecimal())]
+    members = (
+        (f"{_name(told.row)}_{numbers[told.row.id]}_assignsubmission_file_/{page.name}", page.data)
+        for told in returned(given)
+        if told.row.id not in without
+        for page in _pages(told, given, options)
+        if page.name != RECORDING  # too large for an upload
+    )
     found = ()
     if without:
         names = ", ".join(f"`{name}`" for name in without[:SHOWN])
@@ -57,7 +55,7 @@ def moodle_feedback(given: Given, options: Options) -> Product:
                 help=("mark Moodle's own download, or send `folders` in another way",),
             ),
         )
-    return Product([(ZIP, packed(members, MODE))], found)
+    return Product([(ZIP, packed_in_turn(members, MODE))], found)
 
 
 def _pages(told: Returned, given: Given, options: Options) -> Iterator[Page]:

@@ -5,6 +5,7 @@ from typing import NamedTuple, TypeAlias
 
 from vrts.marking.exports.canvas import canvas
 from vrts.marking.exports.class_json import class_json
+from vrts.marking.exports.classroom50 import classroom50
 from vrts.marking.exports.findings import findings
 from vrts.marking.exports.folders import folders, moodle_feedback
 from vrts.marking.exports.given import Given, Options, Product
@@ -35,6 +36,7 @@ FORMATS: dict[str, Format] = {
     "folders": Format(folders, "a folder of feedback for each student"),
     "gradescope": Format(gradescope, "results.json of each submission"),
     "prairielearn": Format(prairielearn, "results.json of each submission"),
+    "classroom50": Format(classroom50, "result.json of the submission of a run"),
     "junit": Format(junit, "JUnit XML, a suite for each submission"),
     "sarif": Format(findings, "what was found in all submissions"),
 }

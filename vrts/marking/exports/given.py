@@ -1,7 +1,9 @@
 """What exports are made of, and what they make."""
 
 from collections.abc import Callable, Iterable, Mapping
+from datetime import datetime
 from fractions import Fraction
+from types import MappingProxyType
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
@@ -33,6 +35,8 @@ class Options(NamedTuple):
     comments: bool = True  # whether to fill in comments, where there is a column for them
     delimiter: str = ","  # of tables of our own; with `;` numbers have a decimal comma
     pages: bool = True  # whether reports go along with the feedback
+    environment: Mapping[str, str] = MappingProxyType({})  # of a platform's run, by variable
+    now: datetime | None = None  # UTC
 
 
 class Product(NamedTuple):

@@ -59,11 +59,11 @@ def test_the_zip_has_the_folders_of_moodle_s_own_download() -> None:
 
 
 def test_who_has_no_number_is_told() -> None:
-    found = moodle_feedback(given([row(), moodler("Ben")]), Options())
+    found = moodle_feedback(given([row("zoe"), moodler("Ben")]), Options())
     (warning,) = found.diagnostics
     assert warning.rule.code == "V748"
     assert warning.headline == "1 student has no number of Moodle, and no feedback in the zip"
-    assert warning.notes == ("`anna`",)
+    assert warning.notes == ("`zoe`",)
     assert len(names(found)) == 2
 
 

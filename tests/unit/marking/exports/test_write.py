@@ -51,7 +51,7 @@ def test_the_command_knows_every_format() -> None:
 
 
 def test_a_class_is_written_in_every_format_that_needs_no_file(marked: Path) -> None:
-    names = [name for name, form in FORMATS.items() if not form.fills]
+    names = [name for name, form in FORMATS.items() if not form.fills and name != "classroom50"]
     called = export(marked, *(word for name in names for word in ("--to", name)))
     assert called.exit_code == 0, called.output
     folder = marked / "staff" / "exports"
