@@ -274,7 +274,7 @@ def _write(
 ) -> None:
     from vrts import __version__
     from vrts.marking.about import About
-    from vrts.marking.class_files import write_class
+    from vrts.marking.class_files import write_class, write_overview
     from vrts.marking.pseudonyms import nameless_about
     from vrts.marking.similarity.files import compare_class
 
@@ -289,8 +289,10 @@ def _write(
         datetime.now(UTC),
         marked.intake_sha256,
     )
+    about = nameless_about(about) if pseudonyms else about
+    write_class(marked.rows, about, layout)
     compare_class(marked, marker, layout)
-    write_class(marked.rows, nameless_about(about) if pseudonyms else about, layout)
+    write_overview(marked.rows, about, layout)  # again: it links to what was compared
     say(f"wrote {layout.overview}")
     without = ", without the hidden checks" if marker.hidden else ""
     say(f"wrote {layout.root / 'students'}, to be sent to each{without}")

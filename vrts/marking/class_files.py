@@ -12,6 +12,11 @@ def write_class(rows: Class, about: About, layout: Layout) -> None:
     """Write the rows, what the marking was, and the page of the class."""
     write_atomically(layout.results, class_to_bytes(rows))
     write_atomically(layout.staff / NAME, about_to_bytes(about))
+    write_overview(rows, about, layout)
+
+
+def write_overview(rows: Class, about: About, layout: Layout) -> None:
+    """Write the page of the class, with a link to similar programs where they were compared."""
     page = overview_page(
         rows,
         pages=about.wanted.pages,
