@@ -1,9 +1,9 @@
 """Feedback to be sent: a folder for each student, or the zip that Moodle gives out to them."""
 
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from vrts.base.diagnostic import Rule, warning
+from vrts.base.diagnostic import Diagnostic, Rule, warning
 from vrts.base.zips import packed_in_turn
 from vrts.marking.exports.feedback import NAME, feedback_text
 from vrts.marking.exports.given import Given, Options, Page, Product, Returned, returned
@@ -13,8 +13,10 @@ from vrts.marking.row import Row
 from vrts.marking.safe_names import safe
 
 NO_MOODLE_ID = Rule("V748", "no-moodle-id")
+LARGE_UPLOAD = Rule("V752", "large-upload")
 ZIP = "moodle-feedback.zip"
 MODE = 0o644  # of members
+LARGE = 50_000_000  # bytes of an upload; assumed
 LONGEST_NAME = 60
 SHOWN = 10  # names in a diagnostic
 
@@ -42,20 +44,30 @@ def moodle_feedback(given: Given, options: Options) -> Product:
         for page in _pages(told, given, options)
         if page.name != RECORDING  # too large for an upload
     )
-    found = ()
+    data = packed_in_turn(members, MODE)
+    return Product([(ZIP, data)], (*_without_number(without), *_large(len(data))))
+
+
+def _without_number(without: Sequence[str]) -> Iterator[Diagnostic]:
     if without:
         names = ", ".join(f"`{name}`" for name in without[:SHOWN])
         rest = f" and {len(without) - SHOWN} more" if len(without) > SHOWN else ""
         who = "student has" if len(without) == 1 else "students have"
-        found = (
-            warning(
-                NO_MOODLE_ID,
-                f"{len(without)} {who} no number of Moodle, and no feedback in the zip",
-                notes=(f"{names}{rest}",),
-                help=("mark Moodle's own download, or send `folders` in another way",),
-            ),
+        yield warning(
+            NO_MOODLE_ID,
+            f"{len(without)} {who} no number of Moodle, and no feedback in the zip",
+            notes=(f"{names}{rest}",),
+            help=("mark Moodle's own download, or send `folders` in another way",),
         )
-    return Product([(ZIP, packed_in_turn(members, MODE))], found)
+
+
+def _large(size: int) -> Iterator[Diagnostic]:
+    if size > LARGE:
+        yield warning(
+            LARGE_UPLOAD,
+            f"the zip has {size // 1_000_000} MB, more than most sites of Moodle take",
+            help=("leave the reports out with `--no-pages`",),
+        )
 
 
 def _pages(told: Returned, given: Given, options: Options) -> Iterator[Page]:

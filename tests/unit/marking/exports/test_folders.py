@@ -2,12 +2,13 @@
 
 import io
 import zipfile
+from random import Random
 
 import pytest
 
 from tests.support_exports import HOSTILE, given, hostile, row
 from vrts.marking.exports.folders import folders, moodle_feedback
-from vrts.marking.exports.given import Options, Product
+from vrts.marking.exports.given import Options, Page, Product
 from vrts.marking.row import Row, Student
 
 
@@ -65,6 +66,21 @@ def test_who_has_no_number_is_told() -> None:
     assert warning.headline == "1 student has no number of Moodle, and no feedback in the zip"
     assert warning.notes == ("`zoe`",)
     assert len(names(found)) == 2
+
+
+def test_a_zip_that_is_too_large_for_most_sites_is_told() -> None:
+    report = Page("report.html", Random(1).randbytes(51_000_000))
+
+    def pages(identifier: str) -> tuple[Page, ...]:
+        return (report,) if identifier == "anna" else ()
+
+    large = given([moodler("Ben")])._replace(pages=pages)
+    (warning,) = moodle_feedback(large, Options()).diagnostics
+    assert (warning.rule.code, warning.headline) == (
+        "V752",
+        "the zip has 51 MB, more than most sites of Moodle take",
+    )
+    assert moodle_feedback(large, Options(pages=False)).diagnostics == ()
 
 
 @pytest.mark.parametrize("words", [*HOSTILE, "A_9_assignsubmission_file_", "", "_", "Çelik Ömer"])
