@@ -12,13 +12,14 @@ Examples:
 
 
 @click.command(name="schema", epilog=EPILOG)
-@click.argument("what", type=click.Choice(["result", "class"]))
+@click.argument("what", type=click.Choice(["result", "class", "similarity"]))
 @guarded
 def command(what: str) -> None:
     """Print the JSON Schema of the files that marking writes.
 
     `result` is students/ID/result.json, one marked submission; `class` is staff/results.json,
-    all rows with names, deductions and final marks.
+    all rows with names, deductions and final marks; `similarity` is staff/similarity.json, which
+    programs share what few others have.
     """
     from vrts.marking.schemas import schema
     from vrts.report.json_text import json_text

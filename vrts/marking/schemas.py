@@ -6,10 +6,12 @@ import msgspec
 
 from vrts.marking.result import Result
 from vrts.marking.row import Class
+from vrts.marking.similarity.ranking import Ranking
 
 SCHEMAS: dict[str, tuple[type, str]] = {
     "result": (Result, "Result of one VAL-II submission marked by vrts"),
     "class": (Class, "Marks of a class"),
+    "similarity": (Ranking, "Programs of a class that are alike"),
 }
 
 

@@ -2,9 +2,11 @@
 
 import json
 
+import jsonschema
 import pytest
 
 from tests.unit.marking.similarity.support import EXAMPLES, ORIGINAL, disguised, independent
+from vrts.marking.schemas import schema
 from vrts.marking.similarity.ranking import LEAST_SCORE, Pair, Ranking, similarity, to_bytes
 
 
@@ -134,6 +136,8 @@ def test_no_pair_is_below_the_least_score_and_order_says_most_first() -> None:
 
 def test_the_json_says_that_it_is_no_verdict() -> None:
     data = json.loads(to_bytes(similarity(the_class(ben=ORIGINAL))))
+    jsonschema.validate(data, schema("similarity"))
+    jsonschema.Draft202012Validator.check_schema(schema("similarity"))
     assert "no verdict" in data["note"]
     assert data["schema"] == "vrts.similarity/1"
     assert data["pairs"][0]["first"] == "anna"
