@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import pytest
 from click.testing import CliRunner
 
 from tests.unit.marking.similarity.support import ORIGINAL, disguised, independent
@@ -19,6 +20,9 @@ from vrts.marking.similarity.ranking import similarity
 from vrts.marking.task_folder import read_folder
 from vrts.pipeline.files import CHECKOUT
 
+CORPUS: list[str] = json.loads(
+    (CHECKOUT / "tests" / "data" / "hostile_strings.json").read_text(encoding="utf-8")
+)
 HOSTILE = "</td><script>alert(1)</script>\u202e\x1b[2J"
 EXAMPLE = CHECKOUT / "examples" / "01-cans-on-bases"
 
@@ -38,15 +42,26 @@ def test_a_pair_is_shown_side_by_side_with_links_and_without_a_verdict() -> None
         assert word not in page.lower(), word
 
 
-def test_nothing_foreign_gets_through() -> None:
-    text = ORIGINAL.replace('"missed it"', f'"{HOSTILE}"').replace("50   RETURN", f"; {HOSTILE}")
-    names = {"anna": HOSTILE, "ben": HOSTILE}
-    programs = {"anna": text.encode(), "ben": text.encode()}
-    page = similarity_page(similarity(programs), programs, HOSTILE, names)
-    assert "<script" not in page
-    assert "\u202e" not in page
-    assert "\x1b" not in page
-    assert "alert(1)" in Reader(page).text
+def hostile_page(foreign: str) -> str:
+    """Return the page of two programs with a foreign text wherever one may stand."""
+    line = " ".join(foreign.split())
+    text = ORIGINAL.replace("safe   905", f"{line} 1 2 3\nsafe   905")
+    text = text.replace('"missed it"', f'"{line}"').replace("50   RETURN", f"; {line}")
+    data = text.encode("utf-8", "replace")
+    programs = {"anna": data, "ben": data}
+    return similarity_page(
+        similarity(programs), programs, foreign, {"anna": foreign, "ben": foreign}
+    )
+
+
+@pytest.mark.parametrize("foreign", [*CORPUS, HOSTILE])
+def test_nothing_foreign_gets_through(foreign: str) -> None:
+    page = hostile_page(foreign)
+    read, harmless = Reader(page), Reader(hostile_page("harmless"))
+    known = {(tag, tuple(a)) for tag, a in harmless.elements}
+    assert {(tag, tuple(a)) for tag, a in read.elements} <= known
+    assert all(c.isprintable() or c == "\n" for c in read.text)
+    page.encode("utf-8")
 
 
 def test_a_class_in_which_nobody_is_like_another_is_a_page_too() -> None:
