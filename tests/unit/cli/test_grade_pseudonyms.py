@@ -1,5 +1,6 @@
 """`vrts grade --pseudonyms`: no name in any file but one, also when the class is marked again."""
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -122,3 +123,22 @@ def test_files_named_one_by_one_are_not_told(tmp_path: Path) -> None:
     done = call("grade", *words, "--pseudonyms")
     assert done.exit_code == 0
     assert "kisfaludy" not in (tmp_path / "out" / "staff" / "marking.json").read_text()
+
+
+def test_the_table_of_names_is_obeyed_when_it_was_edited(
+    out: Path, download: Path, tmp_path: Path
+) -> None:
+    shutil.copytree(out, tmp_path / "out")
+    table = tmp_path / "out" / "staff" / NAMES
+    text = table.read_text("utf-8-sig")
+    (line,) = [line for line in text.splitlines() if "Bergmeister" in line]
+    cells = line.split(",")
+    at = text.splitlines()[0].split(",").index("problem")
+    edited = ",".join([*cells[:at], "excused", *cells[at + 1 :]])
+    table.write_text(text.replace(line, edited), "utf-8")
+    for _ in range(2):  # also when it is read the second time
+        done = call("grade", EXAMPLE, download, "-o", tmp_path / "out", "--pseudonyms")
+        assert done.exit_code == 0, done.output
+        rows = class_from_bytes(Layout(tmp_path / "out").results.read_bytes()).rows
+        assert {row.id: row.result.kind.value for row in rows}[cells[0]] == "excused"
+        assert len(rows) == 3
