@@ -87,17 +87,11 @@ class AskProgram(Order, frozen=True, tag="ask_program"):
     name: Name
 
 
-class AskExport(Order, frozen=True, tag="ask_export"):
-    """Write the run so far as a `.vrun` file into the session's folder; answered by `Exported`."""
-
-    ref: Ref
-
-
 class Stop(Order, frozen=True, tag="stop"):
     """End; the end of input means the same."""
 
 
-ToSession = Start | Act | Halt | AskReach | AskSnapshot | AskProgram | AskExport | Stop
+ToSession = Start | Act | Halt | AskReach | AskSnapshot | AskProgram | Stop
 
 # --- from the session -----------------------------------------------------------------------------
 
@@ -153,14 +147,6 @@ class ProgramText(News, frozen=True, tag="program_text"):
     text: str
 
 
-class Exported(News, frozen=True, tag="exported"):
-    """The run is written."""
-
-    ref: int
-    file: str  # name within the session's folder; empty: not written
-    text: str = ""  # why not
-
-
 class Placed(msgspec.Struct, frozen=True):
     """How a movable body lies from a time on, as the viewer's player takes it."""
 
@@ -204,7 +190,7 @@ class Status(News, frozen=True, tag="status"):
     location: tuple[float, ...]  # X Y Z [mm] O A T [degrees], as WHERE shows it
     hand_m: float
     program: str  # that executes or has stopped; empty: none
-    mode: str  # "idle", "running", "waiting", "stopped", "jogging", "braking"
+    mode: str  # "idle", "moving", "running", "waiting", "stopped", "jogging", "braking"
     step: int  # 0: none
     line: int  # of the program's text; 0: none
     text: str  # of that line
@@ -267,7 +253,6 @@ FromSession = (
     | Done
     | Reached
     | ProgramText
-    | Exported
     | Moved
     | Happened
     | Output

@@ -1,0 +1,174 @@
+"""The far past of machines forgotten, so that one that goes on for hours stays small.
+
+From the time given on everything can be asked as before; earlier answers are lost. Motions are
+kept, because pieces and events name them by number.
+"""
+
+from array import array
+from bisect import bisect_right
+from collections.abc import Iterable, Sequence
+from typing import TypeVar
+
+from vrts.engine.cells import Cell, cells_of
+from vrts.engine.context import Context
+from vrts.engine.events import (
+    AnalogChanged,
+    Answered,
+    Event,
+    ProgramEnded,
+    ProgramProgressed,
+    ProgramStarted,
+    Prompted,
+    SignalChanged,
+    SpeedChanged,
+    SwitchChanged,
+)
+from vrts.engine.hand import Hand
+from vrts.engine.log import Log
+from vrts.engine.machine import Machine
+from vrts.engine.outcomes import INSTANT
+from vrts.engine.trace import Trace
+
+Column = TypeVar("Column", "array[int]", "array[float]", "list[object]")
+
+
+def forget(machines: Sequence[Machine], before_s: float) -> None:
+    """Forget what was before a time [s] in machines whose own time is not before it.
+
+    Args:
+        machines: One machine and earlier copies of it; what they share they go on sharing.
+        before_s: From here on everything is kept.
+    """
+    columns = _Columns()
+    for machine in machines:
+        _forget(machine, before_s, columns)
+
+
+class _Columns:
+    """Columns cut at the front, each once, for all that share it."""
+
+    def __init__(self) -> None:
+        self._cut: dict[int, tuple[object, object]] = {}  # by id: the old one, the new one
+
+    def without(self, column: Column, count: int) -> Column:
+        """Return a column without its first entries; the same for the same column."""
+        if count <= 0:
+            return column
+        known = self._cut.get(id(column))
+        if known is None:
+            known = self._cut[id(column)] = (column, column[count:])
+        return known[1]  # type: ignore[return-value]
+
+    def less(self, column: "array[int]", count: int, amount: int) -> "array[int]":
+        """Return a column without its first entries, the others less by an amount."""
+        if count <= 0:
+            return column
+        known = self._cut.get(id(column))
+        if known is None:
+            fewer = array("I", (entry - amount for entry in column[count:]))
+            known = self._cut[id(column)] = (column, fewer)
+        return known[1]  # type: ignore[return-value]
+
+
+def _forget(machine: Machine, before_s: float, columns: _Columns) -> None:
+    system = machine.system
+    tick = int(before_s / machine.tick + INSTANT / machine.tick)
+    first = max(bisect_right(machine.ticks, tick) - 1, 0)
+    finished = machine.counts[first] if machine.counts and machine.ticks[first] <= tick else 0
+    planner = system.planner
+    starts = [piece.start_s for piece in planner.pieces]
+    del planner.pieces[: max(bisect_right(starts, planner.scale.path(before_s)) - 1, 0)]
+    _forget_hand(system.hand, before_s)
+    system.events = _shortened(system.events, before_s)
+    machine.robot.events = machine.process.events = system.events
+    machine.ticks = columns.without(machine.ticks, first)
+    machine.counts = columns.without(machine.counts, first)
+    for cell in _cells(machine):
+        _forget_values(cell, finished, columns)
+    for c in (machine.robot, machine.process):
+        _forget_steps(c.trace, finished, columns)
+
+
+def _forget_hand(hand: Hand, before_s: float) -> None:
+    ends = [stroke.start_s for stroke in hand.strokes]
+    del hand.strokes[: max(bisect_right(ends, before_s) - 1, 0)]
+    for track in hand.placements.values():
+        del track[: max(bisect_right(track, before_s, key=lambda p: p.start_s) - 1, 0)]
+
+
+def _cells(machine: Machine) -> Iterable[Cell]:
+    """Return every cell of a machine, some of them more than once."""
+    yield from machine.system.memory.cells()
+    yield from machine.system.cells()
+    for c in (machine.robot, machine.process):
+        yield from _own_cells(c)
+    if machine.stopped is not None:
+        for frame in machine.stopped.values["frames"]:  # type: ignore[attr-defined]
+            for slot in frame.slots:  # type: ignore[union-attr]
+                yield from cells_of(slot)  # type: ignore[arg-type]
+
+
+def _own_cells(c: Context) -> Iterable[Cell]:
+    for frame in c.frames:
+        for slot in frame.slots:
+            yield from cells_of(slot)
+
+
+def _forget_values(cell: Cell, finished: int, columns: _Columns) -> None:
+    first = bisect_right(cell.since, finished) - 1
+    cell.since = columns.without(cell.since, first)
+    cell.values = columns.without(cell.values, first)  # type: ignore[type-var]
+
+
+def _forget_steps(trace: Trace, finished: int, columns: _Columns) -> None:
+    """Shorten a trace: counts are of the statements that are still listed."""
+    first = bisect_right(trace.begun, finished) - 1
+    if first > 0:
+        gone = trace.counts[first]
+        trace.instructions = columns.without(trace.instructions, gone)
+        trace.begun = columns.without(trace.begun, first)
+        trace.counts = columns.less(trace.counts, first, gone)
+    first = bisect_right(trace.rested, finished) - 1
+    trace.rested = columns.without(trace.rested, first)
+    trace.resting = columns.without(trace.resting, first)
+    first = bisect_right(trace.changed, finished) - 1
+    trace.changed = columns.without(trace.changed, first)
+    trace.activations = columns.without(trace.activations, first)  # type: ignore[type-var]
+
+
+def _shortened(events: Log[Event], before_s: float) -> Log[Event]:
+    """Return the events from a time on, and earlier ones that still tell how things are."""
+    last: dict[object, int] = {}
+    for number, event in enumerate(events):
+        if event.time_s < before_s:
+            for what in _tells(event):
+                last[what] = number
+    told = set(last.values())
+    kept: Log[Event] = Log()
+    for number, event in enumerate(events):
+        if event.time_s >= before_s or number in told:
+            kept.append(event)
+    return kept
+
+
+def _tells(event: Event) -> tuple[object, ...]:
+    """Return of what an event is the latest news, until another one is."""
+    match event:
+        case ProgramStarted(process=process):
+            return (("spell", process),)
+        case ProgramEnded(process=process):
+            return (("spell", process), "question")
+        case ProgramProgressed(process=process):
+            return (("spell", process), ("progress", process))
+        case Prompted() | Answered():
+            return ("question",)
+        case SignalChanged(signal=signal):
+            return (("signal", signal),)
+        case SwitchChanged(switch=switch):
+            return (("switch", switch),)
+        case AnalogChanged(channel=channel):
+            return (("analog", channel),)
+        case SpeedChanged():
+            return ("speed",)
+        case _:
+            return ()

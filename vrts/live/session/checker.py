@@ -1,0 +1,243 @@
+"""Contacts and near misses of what was moved, certified beside the session.
+
+What is new is checked in a child forked from the session, so no frame is late; where there is no
+fork, in the session itself. A check begins where nothing is in the hand, so that the rules of
+grasps hold: what may touch whom depends on how it was grasped.
+"""
+
+import math
+import sys
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from types import TracebackType
+from typing import NamedTuple
+
+import msgspec
+
+from vrts.check.collision import check_collisions
+from vrts.check.collision_findings import EVENT_GAP
+from vrts.engine.events import Cause, Event, Grasped, HandCommanded, Released
+from vrts.engine.records import Motion, Placement, Segment
+from vrts.engine.run import Run
+from vrts.live.session.growing import GrowingRun
+from vrts.live.session.messages import Checked, Json
+from vrts.live.session.session import Session
+from vrts.marking.supervise.forked import ForkedProcess
+from vrts.marking.supervise.limits import Limits
+from vrts.monitor.desk import ALONE
+from vrts.report.replay_data import contact_rows, near_rows
+
+PAUSE = 1.0  # [s] of session time between checks
+BEFORE = 0.1  # [s] before a hand begins to close
+LIMITS = Limits(cpu_s=60, wall_s=120.0, memory=1_000_000_000)
+FORKS = sys.platform != "win32"
+
+
+class _Segments(NamedTuple):
+    """The part of a timeline that is checked."""
+
+    segments: Sequence[Segment]
+
+
+class _Window(NamedTuple):
+    """The part of a run that is checked."""
+
+    timeline: _Segments
+    motions: Sequence[Motion]
+    events: Sequence[Event]
+    placements: Mapping[str, Sequence[Placement]]
+
+
+class Found(msgspec.Struct, frozen=True):
+    """What a check answers with."""
+
+    until_s: float
+    contacts: tuple[Json, ...]
+    near: tuple[Json, ...]
+    undetermined: bool
+
+
+class Checker:
+    """Checks what a session does, some time after it was done."""
+
+    def __init__(self, session: Session) -> None:
+        """Check from the beginning of a session."""
+        self._session = session
+        self._folder = tempfile.TemporaryDirectory()
+        self._child: ForkedProcess | None = None
+        self._asked = (0.0, 0)  # until when, and of which growing run
+        self._looked_s = 0.0
+
+    def __enter__(self) -> "Checker":
+        """Begin."""
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        problem: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        """End with the session."""
+        if self._child is not None:
+            self._child.kill()
+            while not self._child.ended():
+                pass
+        self._folder.cleanup()
+
+    def beat(self) -> None:
+        """Take the answer that has come, and ask for what is new, if it is time."""
+        if self._child is not None:
+            if not self._child.ended():
+                return
+            self._answered(self._child.answer)
+            self._child = None
+        showing, growing = self._session.showing, self._session.growing
+        since = growing.time_s - self._looked_s
+        if 0.0 <= since < PAUSE:
+            return
+        self._looked_s = growing.time_s
+        if not _anything_moved(growing, showing.checked_s):
+            showing.checked_s = growing.time_s
+            return
+        until_s = growing.time_s
+        self._asked = (until_s, id(growing))
+        if FORKS:
+            self._child = ForkedProcess(self._check, Path(self._folder.name), LIMITS)
+        else:
+            self._answered(self._check())
+
+    def _check(self) -> bytes:
+        """Check what is new; carried out in the child."""
+        session = self._session
+        task = session.setting.task
+        found = checked(
+            session.run,
+            session.showing.checked_s,
+            None if task is None else task.near_miss,
+        )
+        return msgspec.json.encode(found)
+
+    def _answered(self, answer: bytes | None) -> None:
+        showing, growing = self._session.showing, self._session.growing
+        until_s, of = self._asked
+        if of != id(growing) or until_s > growing.time_s:
+            return  # the session was reset or rewound meanwhile
+        if answer is None:
+            showing.checked_s = until_s
+            showing.tell(Checked(until_s, (), (), undetermined=True))
+            return
+        found = msgspec.json.decode(answer, type=Found)
+        fresh = Checked(
+            until_s,
+            tuple(_news(showing.contacts, found.contacts)),
+            tuple(_news(showing.near, found.near)),
+            found.undetermined,
+        )
+        showing.checked_s = until_s
+        if fresh.contacts or fresh.near or fresh.undetermined:
+            showing.tell(fresh)
+
+
+def checked(run: Run, since_s: float, near_miss: float | None) -> Found:
+    """Return the contacts and near misses of a run that end after a time [s]."""
+    begin_s = _begin(run, since_s)
+    segments = [s for s in run.timeline.segments if s.end_s > begin_s]
+    window = _Window(
+        _Segments(segments),
+        run.motions,
+        run.events,
+        {name: [p for p in track if p.end_s > begin_s] for name, track in run.placements.items()},
+    )
+    report = check_collisions(run.scene, window, near_miss=near_miss)
+    contacts = [c for c in report.contacts if c.end_s >= since_s]
+    near = [n for n in report.near_misses if n.end_s >= since_s]
+    return Found(
+        run.until_s,
+        tuple(map(_placed_in_program, contact_rows(contacts, None), [c.cause for c in contacts])),
+        tuple(map(_placed_in_program, near_rows(near, None), [n.cause for n in near])),
+        bool(report.undetermined),
+    )
+
+
+def _begin(run: Run, since_s: float) -> float:
+    """Return from when on to check, so that no grasp is cut in two."""
+    begin_s = since_s
+    for closing_s, free_s in reversed(_grasps(run)):
+        if free_s > begin_s:
+            begin_s = min(begin_s, max(closing_s - BEFORE, 0.0))
+    return begin_s
+
+
+def _grasps(run: Run) -> list[tuple[float, float]]:
+    """Return of every grasp when the hand began to close, and when it had left the object."""
+    found: list[tuple[float, float]] = []
+    closing_s = 0.0
+    for event in run.events:
+        match event:
+            case HandCommanded(time_s=time_s):
+                closing_s = time_s
+            case Grasped():
+                found.append((closing_s, math.inf))
+            case Released(time_s=time_s) if found:
+                left = (m.end_s for m in run.motions if m.start_s >= time_s)
+                found[-1] = (found[-1][0], next(left, math.inf))
+            case _:
+                pass
+    return found
+
+
+def _placed_in_program(row: Json, cause: Cause | None) -> Json:
+    """Return a row with the program and the step that brought it about."""
+    if cause is None or cause.program == ALONE:
+        return {**row, "program": "", "line": 0}
+    return {**row, "program": cause.program, "line": cause.step}
+
+
+def _anything_moved(growing: GrowingRun, since_s: float) -> bool:
+    """Return whether arm, hand or an object moved after a time [s]."""
+    system = growing.machine.system
+    planner, hand = system.planner, system.hand
+    if planner.motions and planner.scale.time(planner.end_s) > since_s:
+        return True
+    if hand.strokes and hand.strokes[-1].end_s > since_s:
+        return True
+    return any(track[-1].start_s > since_s for track in hand.placements.values())
+
+
+def _news(known: list[Json], found: Iterable[Json]) -> Iterable[Json]:
+    """Take rows among those that are known; return those that are new, or say more than before."""
+    for row in found:
+        same = next((k for k, other in enumerate(known) if _one_event(other, row)), None)
+        if same is None:
+            known.append(row)
+            yield row
+            continue
+        before = known[same]
+        merged = {**_worse(before, row), "start": before["start"]}
+        merged["end"] = max(_number(before, "end"), _number(row, "end"))
+        if merged != before:
+            known[same] = merged
+            yield merged
+
+
+def _one_event(before: Json, row: Json) -> bool:
+    pair = (row["first"], row["second"])
+    gap = max(
+        _number(row, "start") - _number(before, "end"),
+        _number(before, "start") - _number(row, "end"),
+    )
+    return (before["first"], before["second"]) == pair and gap < EVENT_GAP
+
+
+def _worse(before: Json, row: Json) -> Json:
+    if "depthMm" in row:
+        return row if _number(row, "depthMm") > _number(before, "depthMm") else before
+    return row if _number(row, "distanceMm") < _number(before, "distanceMm") else before
+
+
+def _number(row: Json, name: str) -> float:
+    value = row[name]
+    assert isinstance(value, float | int)
+    return value

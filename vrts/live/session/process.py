@@ -1,0 +1,84 @@
+"""The process of a session: reads orders, keeps the beat, writes messages; one thread.
+
+A program costs at most 100 statements of each kind a tick, so no program makes a beat late; what
+checks collisions is a child of this process.
+"""
+
+import select
+import time
+from collections.abc import Callable
+
+from vrts.live.session.checker import Checker
+from vrts.live.session.inbox import Inbox, Unreadable
+from vrts.live.session.messages import BEAT, Failed, Ready, Start, Stop
+from vrts.live.session.outbox import Outbox, ServerGone
+from vrts.live.session.session import Session
+from vrts.live.session.setting import setting_of
+from vrts.marking.supervise.limits import Limits, impose
+from vrts.pipeline.files import CannotRead
+from vrts.pipeline.settings import Refused
+from vrts.report.viewer_data import scene_data
+
+FIRST = 30.0  # [s] within which the first order has to come
+LIMITS = Limits(cpu_s=12 * 3600, memory=1_000_000_000)
+NO_MEMORY, CANNOT_BEGIN, SERVER_GONE, UNREADABLE = 71, 1, 74, 76  # exit statuses
+
+Clock = Callable[[], float]
+
+
+def serve(descriptor_in: int, descriptor_out: int, clock: Clock = time.monotonic) -> int:
+    """Be the process of a session until it is told to stop; return the exit status."""
+    inbox, outbox = Inbox(descriptor_in), Outbox(descriptor_out)
+    try:
+        return _serve(inbox, outbox, descriptor_in, clock)
+    except ServerGone:
+        return SERVER_GONE
+    except Unreadable as problem:
+        return _failed(outbox, f"an order cannot be read: {problem}", UNREADABLE)
+    except MemoryError:
+        return _failed(outbox, "the session needs more memory than it may use", NO_MEMORY)
+
+
+def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
+    select.select([readable], [], [], FIRST)
+    orders = inbox.orders()
+    start = orders.pop(0) if orders else None
+    if not isinstance(start, Start):
+        return _failed(outbox, "the first order is to be `start`", UNREADABLE)
+    try:
+        setting = setting_of(start)
+    except CannotRead as problem:
+        return _failed(outbox, problem.message, CANNOT_BEGIN)
+    except Refused as refused:
+        headlines = [found.headline for found in refused.diagnostics if found.is_error]
+        return _failed(outbox, "; ".join(headlines[:3]), CANNOT_BEGIN)
+    scene = scene_data(setting.scene, setting.task)
+    impose(LIMITS)
+    session = Session(start, setting, outbox.send, clock)
+    title = setting.task.title if setting.task is not None else ""
+    arm = setting.scene.robot.arm.name
+    outbox.send(Ready(start.session, session.epoch_s, arm, scene, title))
+    with Checker(session) as checker:
+        following = clock()
+        while not inbox.ended:
+            for order in orders:
+                if isinstance(order, Stop):
+                    outbox.flush()
+                    return 0
+                session.take(order)
+            if clock() >= following:
+                session.beat()
+                checker.beat()
+                following = max(following + BEAT, clock())
+            outbox.flush()
+            writable = [outbox] if outbox.waits else []
+            select.select([readable], writable, [], max(following - clock(), 0.0))
+            orders = inbox.orders()
+    return 0
+
+
+def _failed(outbox: Outbox, text: str, status: int) -> int:
+    """Say why it is over."""
+    outbox.send(Failed(text))
+    outbox.flush()
+    return status

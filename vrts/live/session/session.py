@@ -1,0 +1,379 @@
+"""A session: orders with their stamps and beats of the clock in, messages out.
+
+It reads no clock and writes no pipe: `process` does, and tests drive it with times of their own.
+What it does depends on session times only, so `replay` repeats it exactly.
+"""
+
+import dataclasses
+from collections import deque
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+from vrts.engine.faults import RuntimeFault
+from vrts.engine.motion.requests import Stance
+from vrts.engine.run import Run
+from vrts.ir.commands import Command, Load, Panic, SetVariable
+from vrts.ir.module import Module
+from vrts.lang.dialect import DIALECTS
+from vrts.live import actions as do
+from vrts.live.session import messages as m
+from vrts.live.session.conversation import Conversation
+from vrts.live.session.folders import Folders
+from vrts.live.session.growing import GrowingRun
+from vrts.live.session.held_key import HeldKey
+from vrts.live.session.motions import (
+    Instruction,
+    branch_words,
+    displaced,
+    go,
+    instructed,
+    pose_of,
+    turn_joint,
+)
+from vrts.live.session.recording import Unrecordable, recorded
+from vrts.live.session.showing import Showing
+from vrts.live.session.status import runs
+from vrts.monitor.desk import Desk
+from vrts.pipeline.settings import Setting
+from vrts.scene.model import Limits, Scenario
+
+DAY = 86_400.0  # [s]
+LIMITS = Limits(
+    time_s=30 * DAY, statements=2_000_000_000, motions=200_000, output_characters=50_000_000
+)
+MOST_WAITING = 16  # actions
+LATE = 2.0  # [s] behind the clock beyond which that time is given up: the machine slept
+BUSY = "a program is running"
+STOP_FIRST = "stop it first: ABORT, or the panic button"
+
+Send = Callable[[m.News | bytes], None]
+Clock = Callable[[], float]
+
+
+class _Waiting(NamedTuple):
+    """An action whose turn has not come."""
+
+    ref: int
+    stamp_s: float
+    owner: str
+    action: do.Action
+
+
+class Session:
+    """Everything about one session."""
+
+    def __init__(self, start: m.Start, setting: Setting, send: Send, clock: Clock) -> None:
+        """Begin at time 0.
+
+        Args:
+            start: What it is about.
+            setting: Its scene and task, read.
+            send: Takes messages and pose frames for the server.
+            clock: Returns the time of a clock that only goes forward [s].
+        """
+        self.start = start
+        self.setting = setting
+        self._send = send
+        self._clock = clock
+        self._sequence = 0
+        self._folders = Folders(Path(start.folder), start.quota)
+        self._begin(())
+
+    def _begin(self, memory: tuple[Command, ...]) -> None:
+        """Begin at time 0 with something in memory."""
+        planned = self.setting.scenario
+        scenario = planned.scenario if planned is not None else Scenario()
+        scene = self.setting.scene
+        self.growing = GrowingRun(scene, dataclasses.replace(scenario, limits=LIMITS))
+        desk = Desk(self._folders.of("nobody"), DIALECTS[self.start.dialect], replace=True)
+        self.conversation = Conversation(self.growing, desk, self._folders)
+        self._key = HeldKey(self.conversation)
+        self.showing = Showing(self.growing, self.conversation, self._key, self.start.session)
+        self._waiting: deque[_Waiting] = deque()
+        if memory:
+            self.growing.issue(*memory)
+        self.epoch_s = self._clock()
+
+    @property
+    def now_s(self) -> float:
+        """Session time by the clock [s]."""
+        return self._clock() - self.epoch_s
+
+    # --- orders -------------------------------------------------------------------------------
+
+    def take(self, order: m.ToSession) -> None:
+        """Take an order that has arrived."""
+        now_s = self.now_s
+        match order:
+            case m.Halt():
+                self._halt(order, now_s)
+            case m.Act():
+                self._act(order, now_s)
+            case m.AskReach():
+                self._send(self._reach(order))
+            case m.AskSnapshot():
+                self._send(self.showing.snapshot(order.ref))
+            case m.AskProgram():
+                self._send(m.ProgramText(order.ref, order.name, self.program(order.name)))
+            case m.Start() | m.Stop():
+                pass  # the process sees to them
+
+    def beat(self) -> None:
+        """Go on to now, and tell what there is to tell."""
+        now_s = self.now_s
+        if now_s - self.growing.time_s > LATE:
+            self._lose(now_s - self.growing.time_s)
+            now_s = self.growing.time_s
+        self._work(now_s)
+        self._advance(max(now_s, self.growing.time_s))
+        self._send(self.showing.frame(self._sequence))
+        self._sequence += 1
+        for news in self.showing.news():
+            self._send(news)
+
+    def repeat(self, order: m.Act | m.Halt, at_s: float) -> None:
+        """Do again what was done at a time [s].
+
+        Raises:
+            ValueError: The time is in the past.
+        """
+        self.go_on(at_s)
+        if isinstance(order, m.Halt):
+            self._panic()
+        else:
+            self._carry_out(_Waiting(order.ref, at_s, order.owner, order.action))
+
+    def go_on(self, until_s: float) -> None:
+        """Let session time pass, whatever the clock says.
+
+        Raises:
+            ValueError: The time is in the past.
+        """
+        if until_s < self.growing.time_s:
+            raise ValueError(f"{until_s} s is before {self.growing.time_s} s, which was reached")
+        self._advance(until_s)
+
+    @property
+    def run(self) -> Run:
+        """The run so far, which nothing changes any more."""
+        return self.growing.run
+
+    def program(self, name: str) -> str:
+        """Return what was done as VAL-II text."""
+        from vrts.live.session.program import as_program
+
+        return as_program(self.run, name)
+
+    def _act(self, order: m.Act, now_s: float) -> None:
+        waiting = _Waiting(order.ref, order.stamp_s, order.owner, order.action)
+        if _overtakes(order.action):
+            self._advance(self._time_of(order.stamp_s, now_s))
+            self._carry_out(waiting)
+        elif len(self._waiting) >= MOST_WAITING:
+            at_s = self.growing.time_s
+            text = "too much waits to be carried out already"
+            self._send(m.Done(order.ref, at_s, False, text, code="full", counts=False))
+        else:
+            self._waiting.append(waiting)
+            self._work(now_s)
+
+    def _halt(self, order: m.Halt, now_s: float) -> None:
+        self._advance(self._time_of(order.stamp_s, now_s))
+        self._panic()
+        self._send(m.Done(order.ref, self.growing.time_s, True))
+
+    def _panic(self) -> None:
+        """Stop everything, and forget what waits."""
+        self._key.drop()
+        self.conversation.issue(Panic())
+        while self._waiting:
+            gone = self._waiting.popleft()
+            text = "the arm was stopped before it was carried out"
+            at_s = self.growing.time_s
+            self._send(m.Done(gone.ref, at_s, False, text, code="stopped", counts=False))
+
+    def _work(self, now_s: float) -> None:
+        """Carry out what waits, as far as it can be done by now."""
+        while self._waiting and self._waiting[0].stamp_s <= now_s:
+            first = self._waiting[0]
+            self._advance(self._time_of(first.stamp_s, now_s))
+            if not self._its_turn(first.action):
+                return
+            self._waiting.popleft()
+            self._carry_out(first)
+
+    def _its_turn(self, action: do.Action) -> bool:
+        """Return whether nothing given before is still in the way of an action."""
+        growing = self.growing
+        if growing.waits:
+            return False
+        if not isinstance(action, do.Typed | do.Go | do.Step | do.Hand | do.Ready):
+            return True
+        return not growing.machine.robot.running or runs(growing)
+
+    def _time_of(self, stamp_s: float, now_s: float) -> float:
+        """Return when an order takes effect: at its stamp, if that is neither past nor to come."""
+        return max(min(stamp_s, now_s), self.growing.time_s)
+
+    def _advance(self, until_s: float) -> None:
+        self._key.advance(until_s)
+        self.showing.hear()
+
+    # --- actions ------------------------------------------------------------------------------
+
+    def _carry_out(self, given: _Waiting) -> None:
+        """Carry an action out now, and say what became of it."""
+        at_s = self.growing.time_s
+        try:
+            done = self._done(given)
+        except RuntimeFault as fault:
+            text = fault.headline
+            done = m.Done(given.ref, at_s, False, text, _first(fault.help), fault.rule.code)
+        self._send(done)
+
+    def _done(self, given: _Waiting) -> m.Done:
+        ref, at_s, talk = given.ref, self.growing.time_s, self.conversation
+        match given.action:
+            case do.Typed(line=line):
+                line = " ".join(line.splitlines())
+                shown = talk.enter(line, given.owner)
+                self.showing.say(shown)
+                return m.Done(ref, at_s, True, shown)
+            case do.Interrupt():
+                self.showing.say(talk.interrupt(given.owner))
+                return m.Done(ref, at_s, True)
+            case do.Upload(name=name, text=text):
+                shown, refused = talk.upload(name, text, given.owner)
+                self.showing.say(shown)
+                return m.Done(ref, at_s, not refused, refused or shown, code="file" * bool(refused))
+            case do.Go() | do.Step() | do.Hand() | do.Ready() | do.Jog() if runs(self.growing):
+                return m.Done(ref, at_s, False, BUSY, STOP_FIRST, "busy")
+            case do.Go(position_m=position, oat_rad=oat, straight=straight):
+                return self._move(ref, go(self._stance, pose_of(position, oat), straight=straight))
+            case do.Step() as step:
+                return self._move(ref, self._step(step))
+            case do.Hand(open=opens):
+                return self._order(ref, "OPENI" if opens else "CLOSEI")
+            case do.Ready():
+                return self._order(ref, "READY")
+            case do.Jog() as jog:
+                fault = self._key.press(jog)
+                if fault is not None:
+                    raise fault
+                return m.Done(ref, at_s, True)
+            case do.Keep():
+                held = self._key.keep()
+                return m.Done(ref, at_s, held, "" if held else "no key is held", counts=held)
+            case do.LetGo():
+                held = self._key.release()
+                return m.Done(ref, at_s, held, "" if held else "no key is held", counts=held)
+            case do.Record(name=name):
+                return self._record(ref, name)
+            case do.Save(name=name):
+                return self._save(ref, name, given.owner)
+            case do.Reset():
+                return self._reset(ref)
+            case do.Rewind(time_s=time_s):
+                return self._rewind(ref, time_s)
+
+    @property
+    def _stance(self) -> Stance:
+        """From where the next motion starts: the end of those given."""
+        return self.growing.machine.system.planner.stance
+
+    def _step(self, step: do.Step) -> Instruction:
+        by = step.way * step.size
+        if step.frame == "joint":
+            return turn_joint(self._stance, step.axis, by)
+        X_BT = displaced(self._stance, step.frame, step.axis, by)
+        return go(self._stance, X_BT, straight=True)
+
+    def _move(self, ref: int, instruction: Instruction) -> m.Done:
+        self._key.drop()
+        self.conversation.issue(instruction.command)
+        return m.Done(ref, self.growing.time_s, True)
+
+    def _order(self, ref: int, words: str) -> m.Done:
+        """Carry out an instruction without operands."""
+        self.conversation.issue(instructed(words))
+        return m.Done(ref, self.growing.time_s, True)
+
+    def _record(self, ref: int, name: str) -> m.Done:
+        at_s = self.growing.time_s
+        try:
+            command, text = recorded(name, self.conversation.situation)
+        except Unrecordable as problem:
+            return m.Done(ref, at_s, False, str(problem), code="name")
+        self.conversation.issue(command)
+        self.showing.say(text)
+        return m.Done(ref, at_s, True, text)
+
+    def _save(self, ref: int, name: str, owner: str) -> m.Done:
+        from vrts.live.session.program import is_program_name
+
+        at_s = self.growing.time_s
+        if not is_program_name(name):
+            return m.Done(ref, at_s, False, f"`{name}` is no name of a program", code="name")
+        shown, refused = self.conversation.upload(f"{name}.v2", self.program(name), owner)
+        self.showing.say(shown)
+        return m.Done(ref, at_s, not refused, refused or shown, code="file" * bool(refused))
+
+    def _reach(self, order: m.AskReach) -> m.Reached:
+        stance = self._stance
+        X_BT = pose_of(order.position_m, order.oat_rad)
+        try:
+            found = go(stance, X_BT, straight=order.straight).planned
+        except RuntimeFault as fault:
+            return m.Reached(order.ref, False, fault.headline, fault.rule.code)
+        return m.Reached(order.ref, True, "", "", branch_words(stance, found), found.goal)
+
+    # --- other times --------------------------------------------------------------------------
+
+    def _reset(self, ref: int) -> m.Done:
+        """Begin anew; programs and variables stay in memory."""
+        at_s = self.growing.time_s
+        programs = dict(self.conversation.monitor.desk.programs)
+        loads = [p.program for p in programs.values() if p.program is not None]
+        memory: list[Command] = [Load(Module({p.name: p}, ())) for p in loads]
+        for cell, value in self.run.at(at_s).variables.items():
+            name, _, indices = cell.rstrip("]").partition("[")
+            subscripts = tuple(map(int, indices.split(","))) if indices else ()
+            memory.append(SetVariable(name, subscripts, value))
+        self._begin(tuple(memory))
+        self.conversation.monitor.desk.programs.update(programs)
+        self._jumped()
+        return m.Done(ref, at_s, True)
+
+    def _rewind(self, ref: int, time_s: float) -> m.Done:
+        at_s = self.growing.time_s
+        if not self.growing.known_from_s <= time_s <= at_s:
+            text = f"only times from {self.growing.known_from_s:.0f} to {at_s:.0f} s are known"
+            return m.Done(ref, at_s, False, text, code="time")
+        self._key.drop()
+        self.growing.rewind(time_s)
+        self.showing.jumped()
+        self.epoch_s = self._clock() - self.growing.time_s
+        self._jumped()
+        return m.Done(ref, at_s, True)
+
+    def _lose(self, behind_s: float) -> None:
+        """Go on from where the session is: its clock stands still for what was missed."""
+        self.epoch_s += behind_s
+        self._jumped()
+
+    def _jumped(self) -> None:
+        """Say that session time is another one."""
+        self._send(m.Began(self.growing.time_s, self.epoch_s))
+        self._send(self.showing.snapshot(0))
+
+
+def _overtakes(action: do.Action) -> bool:
+    """Return whether an action does not wait for its turn."""
+    if isinstance(action, do.Typed):
+        return action.line.strip().upper() in ("PANIC", "ABORT")
+    return isinstance(action, do.Interrupt | do.Keep | do.LetGo)
+
+
+def _first(help_: tuple[str, ...]) -> str:
+    return help_[0] if help_ else ""

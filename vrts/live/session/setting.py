@@ -1,0 +1,21 @@
+"""Scene and task of a session."""
+
+from pathlib import Path
+
+from vrts.live.session.messages import Start
+from vrts.pipeline.settings import Setting, load_scene, load_task, robot_alone
+
+
+def setting_of(start: Start) -> Setting:
+    """Return what a session is about, read and found right.
+
+    Raises:
+        CannotRead: A file is not there.
+        Refused: A file has errors.
+    """
+    lab = Path(start.lab) if start.lab else None
+    if start.task:
+        return load_task(Path(start.task), start.scene or None, lab=lab)
+    if start.scene:
+        return load_scene(start.scene, lab=lab)
+    return robot_alone()
