@@ -4,10 +4,18 @@ import os
 from datetime import UTC, datetime
 from fractions import Fraction
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from vrts.cli.console import color_option, fail, guarded, say, show_diagnostics
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vrts.marking.exports.given import Options, Page
+    from vrts.marking.layout import Layout
+    from vrts.marking.row import Class
 
 EPILOG = """\b
 Formats:
@@ -107,10 +115,8 @@ def command(
     """
     from vrts.marking.appeals.written import read_written
     from vrts.marking.exports.classroom50 import from_environment
-    from vrts.marking.exports.given import Options, Page
-    from vrts.marking.exports.write import write_exports
+    from vrts.marking.exports.given import Options
     from vrts.marking.overrides import with_overrides
-    from vrts.pipeline.files import read_bytes
     from vrts.pipeline.settings import Refused
 
     written = read_written(folder)
@@ -118,10 +124,8 @@ def command(
     show_diagnostics(overrides.diagnostics, color)
     if overrides.wrong:
         raise Refused(())
-    rows = with_overrides(written.rows, overrides)
-    page = None if fill is None else Page(fill.name, read_bytes(fill))
     options = Options(
-        page,
+        given_page(fill),
         column,
         _full_marks(points),
         not no_comments,
@@ -130,10 +134,32 @@ def command(
         from_environment(os.environ),
         datetime.now(UTC),
     )
+    export(names, with_overrides(written.rows, overrides), written.layout, options, color, target)
+
+
+def given_page(path: Path | None) -> "Page | None":
+    """Return the teacher's file that is to be filled in."""
+    from vrts.marking.exports.given import Page
+    from vrts.pipeline.files import read_bytes
+
+    return None if path is None else Page(path.name, read_bytes(path))
+
+
+def export(
+    names: "Sequence[str]",
+    rows: "Class",
+    layout: "Layout",
+    options: "Options",
+    color: str,
+    target: Path | None = None,
+) -> None:
+    """Write a class in some formats, and say what was written."""
+    from vrts.marking.exports.write import write_exports
+
     paths = write_exports(
         tuple(dict.fromkeys(names)),
         rows,
-        written.layout,
+        layout,
         options,
         tell=lambda found: show_diagnostics(found, color),
         target=target,

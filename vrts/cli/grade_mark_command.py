@@ -21,6 +21,7 @@ from vrts.cli.console import (
     say,
     show_diagnostics,
 )
+from vrts.cli.grade_export_command import NAMES, export, given_page
 from vrts.cli.zones import zone_named
 
 if TYPE_CHECKING:
@@ -39,6 +40,7 @@ Examples:
   vrts grade lab1-staff.zip submissions/ -o out --recordings
   vrts grade task.toml anna.v2 ben.v2 --format json
   vrts grade lab1-student.zip mine.v2
+  vrts grade task.toml download.zip -o out --export moodle --fill Grades-Lab1.csv
   vrts grade task.toml download.zip -o out --backend dask:tcp://192.0.2.1:8786
 
 \b
@@ -85,11 +87,26 @@ change, each with --help.
     help="Mark on a cluster: dask, dask:ADDRESS, slurm or htcondor; see below.",
 )
 @click.option(
-    "--verify",
-    "sample",
+    "--export",
+    "formats",
+    type=click.Choice(NAMES),
+    multiple=True,
+    metavar="FORMAT",
+    help="Write the marks in another format too: see `vrts grade export --help`.",
+)
+@click.option(
+    "--fill",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="The worksheet or grade book to fill in, for `--export moodle` or `canvas`.",
+)
+@click.option("--verify", is_flag=True, help="Mark a random sample again, and compare.")
+@click.option(
+    "--sample",
     type=click.IntRange(1),
-    metavar="N",
-    help="Mark N of them again, picked at random, and compare.",
+    default=10,
+    show_default=True,
+    help="How many `--verify` marks again.",
 )
 @click.option(
     "--pseudonyms",
@@ -114,7 +131,10 @@ def command(
     class_list: Path | None,
     zone: str | None,
     backend: str | None,
-    sample: int | None,
+    formats: tuple[str, ...],
+    fill: Path | None,
+    verify: bool,
+    sample: int,
     pseudonyms: bool,
     again: bool,
     no_pages: bool,
@@ -154,6 +174,8 @@ def command(
     wanted = Wanted(not no_collisions, engine, pages, recordings and folder is not None)
     marker = Marker(place, wanted)
     layout = None if folder is None else Layout(folder)
+    if formats and layout is None:
+        fail("`--export` needs a folder for results", ("name it with `-o`",))
     if pseudonyms and layout is None:
         fail("`--pseudonyms` needs a folder for results", ("name it with `-o`",))
     if layout is not None and not pseudonyms:
@@ -174,11 +196,13 @@ def command(
         say(f"note: {remark}")
     if layout is not None:
         _write(marker, marked, layout, [str(path) for path in submissions], pseudonyms=pseudonyms)
+        if formats:
+            _export(formats, marked, layout, fill, color)
     if form == "json":
         from vrts.marking.row import class_to_bytes
 
         out(class_to_bytes(marked.rows).decode().rstrip("\n"))
-    same = sample is None or _same_again(marker, marked, sample, how.jobs)
+    same = not verify or _same_again(marker, marked, sample, how.jobs)
     if any(done.result.is_fault for done in marked.done):
         sys.exit(FAULT)
     sys.exit(HOLDS if same else WRONG)
@@ -196,6 +220,15 @@ def _same_again(marker: "Marker", marked: "Marked", count: int, jobs: int) -> bo
         say(f"`{one.identifier}`: the result {one.whose} differs: {path} was {old}, is {new}")
     say(f"marked {number} again (sample {seed}): {len(unlike) or 'none'} differ")
     return not unlike
+
+
+def _export(
+    formats: "Sequence[str]", marked: "Marked", layout: "Layout", fill: Path | None, color: str
+) -> None:
+    from vrts.marking.exports.given import Options
+
+    options = Options(given_page(fill), now=datetime.now(UTC))
+    export(formats, marked.rows, layout, options, color)
 
 
 def what_to_mark(

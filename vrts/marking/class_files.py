@@ -2,6 +2,7 @@
 
 from vrts.marking.about import NAME, About
 from vrts.marking.about import to_bytes as about_to_bytes
+from vrts.marking.exports.write import write_marks_table
 from vrts.marking.layout import Layout, write_atomically
 from vrts.marking.overview.page import overview_page
 from vrts.marking.row import Class, class_to_bytes
@@ -9,9 +10,10 @@ from vrts.marking.similarity.files import PAGE
 
 
 def write_class(rows: Class, about: About, layout: Layout) -> None:
-    """Write the rows, what the marking was, and the page of the class."""
+    """Write the rows, also as a table, what the marking was, and the page of the class."""
     write_atomically(layout.results, class_to_bytes(rows))
     write_atomically(layout.staff / NAME, about_to_bytes(about))
+    write_marks_table(rows, layout)
     write_overview(rows, about, layout)
 
 

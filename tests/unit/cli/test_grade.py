@@ -135,9 +135,23 @@ def test_lateness_by_the_rules_of_the_task(home: Path) -> None:
 
 
 def test_a_sample_marked_again_is_the_same(home: Path) -> None:
-    result = vrts("grade", "task", "download", "-o", "out", "--verify", "2", cwd=home)
+    result = vrts("grade", "task", "download", "-o", "out", "--verify", "--sample", "2", cwd=home)
     assert result.returncode == 0
     assert "none differ" in result.stdout + result.stderr
+
+
+def test_marks_come_as_a_table_and_in_other_formats(home: Path) -> None:
+    words = ("--export", "junit", "--export", "moodle-feedback")
+    result = vrts("grade", "task", "download", "-o", "out", *words, cwd=home)
+    assert result.returncode == 0, result.stderr
+    table = (home / "out" / "staff" / "marks.csv").read_text("utf-8-sig").splitlines()
+    assert len(table) == 4
+    assert {"Anna Berg", "Zoltan Kis", "Ida Lind"} == {line.split(",")[1] for line in table[1:]}
+    written = list((home / "out" / "staff" / "exports").iterdir())
+    assert len(written) == 2
+    for path in written:
+        assert str(path.relative_to(home)) in result.stderr + result.stdout
+    assert vrts("grade", "task", "download", "--export", "csv", cwd=home).returncode == 2
 
 
 def test_help_names_the_further_commands(tmp_path: Path) -> None:
