@@ -1,0 +1,98 @@
+// What the server tells, put where it belongs.
+
+const MOST_CHAT = 500;
+const MOST_EVENTS = 500;
+const MOST_CONTACTS = 300;
+const MOST_OUTPUT = 20_000; // characters
+const FIRST = -1; // session number of a room whose session has not begun
+
+/** @typedef {import("./protocol.js").Message} Message */
+/** @typedef {import("./protocol.js").Contact} Contact */
+
+/** Reads messages into the store; what the 3D world needs at its own time goes to the bodies. */
+export class Intake {
+  /**
+   * @param {import("./store.js").Store} store @param {import("./bodies.js").Bodies} bodies
+   * @param {{refused: (message: Message) => void, jumped: () => void}} heard
+   */
+  constructor(store, bodies, heard) {
+    this.store = store;
+    this.bodies = bodies;
+    this.heard = heard;
+  }
+
+  /** @param {Message} message */
+  take(message) {
+    const { store } = this;
+    switch (message.type) {
+      case "welcome":
+        store.set({ you: message.you, name: message.name, supervisor: message.supervisor });
+        if (!message.resumed) store.set({ chat: [] });
+        break;
+      case "snapshot":
+        store.set({ room: message.room, rooms: message.rooms, scenes: message.scenes });
+        if (message.chat.length) store.set({ chat: message.chat });
+        this.state(message);
+        break;
+      case "state": this.state(message); break;
+      case "people": store.set({ people: message.people }); break;
+      case "control": store.set({ control: /** @type {any} */ (message) }); break;
+      case "chat": store.set({ chat: [...store.now.chat, /** @type {any} */ (message)].slice(-MOST_CHAT) }); break;
+      case "now": store.set({ status: message.status }); break;
+      case "event": this.event(message.event); break;
+      case "wall": store.set({ wall: message.rooms, projector: message.projector }); break;
+      case "rooms": this.rooms(message); break;
+      case "refused": this.heard.refused(message); break;
+    }
+  }
+
+  /** @param {Message} message */
+  rooms(message) {
+    const own = message.rooms.find((/** @type {{id: string}} */ room) => room.id === this.store.now.room?.id);
+    this.store.set({ rooms: message.rooms, projector: message.projector, room: own ?? this.store.now.room });
+  }
+
+  /** Everything about the session, whole. @param {Message} message */
+  state(message) {
+    const { state } = message;
+    if (message.session !== this.store.now.session) this.heard.jumped();
+    if (!state) {
+      this.store.set({ session: message.session ?? FIRST, sceneUrl: message.scene_url, alive: false, status: null });
+      return;
+    }
+    this.bodies.reset(state.bodies);
+    this.store.set({
+      session: message.session, sceneUrl: message.scene_url, alive: true, status: state.status, programs: state.programs,
+      contacts: state.contacts, near: state.near, events: state.events, output: state.output,
+    });
+  }
+
+  /** @param {Message} event of the session */
+  event(event) {
+    const { store } = this;
+    switch (event.type) {
+      case "moved": this.bodies.add(event.bodies); break;
+      case "happened": store.set({ events: [...store.now.events, /** @type {any} */ (event)].slice(-MOST_EVENTS) }); break;
+      case "output":
+        store.set({ output: (store.now.output + event.text).slice(-MOST_OUTPUT) });
+        if (store.now.status) store.set({ status: { ...store.now.status, prompt: event.prompt } });
+        break;
+      case "programs": store.set({ programs: event.programs }); break;
+      case "checked":
+        store.set({ contacts: merged(store.now.contacts, event.contacts), near: merged(store.now.near, event.near) });
+        break;
+      case "began": this.heard.jumped(); break;
+    }
+  }
+}
+
+/**
+ * Return rows with newer ones; a contact that has gone on replaces what was known of it.
+ * @param {Contact[]} known @param {Contact[]} fresh
+ */
+function merged(known, fresh) {
+  if (!fresh.length) return known;
+  const key = (/** @type {Contact} */ c) => `${c.first}\n${c.second}\n${c.start}`;
+  const rows = new Map([...known, ...fresh].map((row) => [key(row), row]));
+  return [...rows.values()].sort((a, b) => a.start - b.start).slice(-MOST_CONTACTS);
+}

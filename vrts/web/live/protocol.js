@@ -1,0 +1,129 @@
+// Names of messages and their fields, as the server defines them; a test compares the two.
+
+/** What the browser may send. */
+export const FROM_CLIENT = {
+  join: ["room", "rate", "resume", "seen", "version"],
+  rate: ["rate"],
+  command: ["lease", "number", "action"],
+  panic: [],
+  request_control: [],
+  hand_back: [],
+  raise_hand: ["up"],
+  say: ["text", "private", "to"],
+  reach: ["of", "position_m", "oat_rad", "straight"],
+  program: ["of", "name"],
+  hand_over: ["person"],
+  lock: ["on"],
+  freeze: ["on", "everywhere"],
+  kick: ["person"],
+  mute: ["person", "on"],
+  set_chat: ["on"],
+  set_turn: ["turn_s", "idle_s"],
+  set_scene: ["scene"],
+  make_rooms: ["rooms"],
+  close_room: ["room"],
+  broadcast: ["text", "scene"],
+  watch_wall: ["on"],
+  project: ["room"],
+  export_log: ["of", "room"],
+};
+
+/** What an operator may do: the `action` of a command. */
+export const ACTIONS = {
+  line: ["line"],
+  interrupt: [],
+  upload: ["name", "text"],
+  go: ["position_m", "oat_rad", "straight"],
+  step: ["frame", "axis", "way", "size"],
+  jog: ["frame", "axis", "way", "speed"],
+  keep: [],
+  let_go: [],
+  hand: ["open"],
+  ready: [],
+  record: ["name"],
+  save: ["name"],
+  reset: [],
+  rewind: ["time_s"],
+};
+
+/** What the server sends. */
+export const FROM_SERVER = {
+  welcome: ["you", "name", "supervisor", "room", "resume", "resumed", "rate", "version"],
+  snapshot: ["room", "rooms", "scenes", "number", "session", "scene_url", "state", "chat"],
+  people: ["people"],
+  control: ["holder", "lease", "queue", "locked", "frozen", "chat", "turn_s", "idle_s", "ends"],
+  chat: ["number", "at", "person", "name", "text", "private"],
+  event: ["number", "event"],
+  now: ["status"],
+  state: ["session", "scene_url", "state"],
+  result: ["number", "of", "result"],
+  refused: ["of", "code", "text", "help"],
+  reached: ["of", "result"],
+  program_text: ["of", "result"],
+  wall: ["rooms", "projector"],
+  rooms: ["rooms", "projector"],
+  log_file: ["of", "url"],
+  closed: ["code", "text"],
+};
+
+/** What comes from a session inside of them. */
+export const FROM_SESSION = {
+  moved: ["time_s", "bodies"],
+  happened: ["time_s", "kind", "text", "program", "line"],
+  output: ["time_s", "text", "prompt"],
+  programs: ["programs"],
+  checked: ["checked_s", "contacts", "near", "undetermined", "mark"],
+  began: ["time_s", "epoch_s"],
+  done: ["ref", "at_s", "accepted", "text", "help", "code", "counts"],
+  reached: ["ref", "reachable", "why", "code", "branch", "joints_rad"],
+  status: ["time_s", "joints_rad", "location", "hand_m", "program", "mode", "step", "line", "text", "speed",
+    "signals", "held", "prompt", "contacts", "checked_s", "mark"],
+  snapshot: ["ref", "status", "bodies", "programs", "contacts", "near", "events", "output"],
+};
+
+export const VERSION = 1;
+export const LONGEST_PROGRAM = 200_000; // characters of an uploaded file
+export const LONGEST_CHAT = 1000; // characters
+
+/**
+ * @typedef {{type: string, [field: string]: any}} Message
+ * @typedef {{id: string, name: string, role: "viewer"|"operator"|"supervisor", hand: boolean, muted: boolean,
+ *   away: boolean, rate: number}} Person
+ * @typedef {{id: string, name: string, scene: string, task: string, people: number}} RoomEntry
+ * @typedef {{id: string, task: boolean}} SceneEntry
+ * @typedef {{number: number, at: number, person: string, name: string, text: string, private: boolean}} Chat
+ * @typedef {{holder: string, lease: string, queue: string[], locked: boolean, frozen: boolean, chat: boolean,
+ *   turn_s: number, idle_s: number, ends: number}} Control
+ * @typedef {{time_s: number, joints_rad: number[], location: number[], hand_m: number, program: string, mode: string,
+ *   step: number, line: number, text: string, speed: number, signals: number[], held: string, prompt: string,
+ *   contacts: number, checked_s: number, mark: number | null}} Status
+ * @typedef {{body: string, start: number, lie: string, X: number[], support: string | null}} Placed
+ * @typedef {{name: string, lines: string[], fault: string}} Program
+ * @typedef {{first: string, second: string, parts: string[], text: string, start: number, end: number,
+ *   deepest: number, point: number[], held: string, line: number, depthMm?: number, distanceMm?: number}} Contact
+ * @typedef {{time_s: number, kind: string, text: string, program: string, line: number}} Happened
+ * @typedef {{ref: number, at_s: number, accepted: boolean, text: string, help: string, code: string}} Done
+ * @typedef {{reachable: boolean, why: string, code: string, branch: string[], joints_rad: number[]}} Reached
+ * @typedef {{id: string, name: string, scene: string, scene_url?: string, task: string, operator: string, people: number, hands: string[],
+ *   queue: number, time_s: number, line: string, contacts: number, mark: number | null, joints_rad: number[],
+ *   alive: boolean}} WallRow
+ */
+
+/**
+ * Return a message as text. A field that the protocol does not know is a mistake of ours.
+ * @param {string} type @param {Record<string, unknown>} fields
+ */
+export function packed(type, fields) {
+  known(FROM_CLIENT, type, fields);
+  if (type === "command") {
+    const { type: kind, ...rest } = /** @type {Message} */ (fields.action);
+    known(ACTIONS, kind, rest);
+  }
+  return JSON.stringify({ type, ...fields });
+}
+
+/** @param {Record<string, string[]>} names @param {string} type @param {Record<string, unknown>} fields */
+function known(names, type, fields) {
+  const strange = Object.keys(fields).filter((field) => !names[type]?.includes(field));
+  if (!names[type] || strange.length) throw new Error(`no such message: ${type} ${strange.join(" ")}`);
+}

@@ -1,0 +1,69 @@
+// What the page knows. Panels listen to the names they show.
+
+/**
+ * @typedef {object} Known
+ * @property {"connecting"|"open"|"waiting"|"ended"} connection
+ * @property {string} ended why there is no connection any more
+ * @property {string} you id of one's own person
+ * @property {string} name
+ * @property {boolean} supervisor
+ * @property {import("./protocol.js").RoomEntry | null} room
+ * @property {import("./protocol.js").RoomEntry[]} rooms
+ * @property {string} projector id of the room that it shows
+ * @property {import("./protocol.js").SceneEntry[]} scenes
+ * @property {number} session
+ * @property {string} sceneUrl
+ * @property {boolean} alive whether the session runs
+ * @property {import("./protocol.js").Person[]} people
+ * @property {import("./protocol.js").Control} control
+ * @property {import("./protocol.js").Chat[]} chat
+ * @property {import("./protocol.js").Status | null} status
+ * @property {import("./protocol.js").Program[]} programs
+ * @property {import("./protocol.js").Contact[]} contacts
+ * @property {import("./protocol.js").Contact[]} near
+ * @property {import("./protocol.js").Happened[]} events
+ * @property {string} output the end of what the monitor shows
+ * @property {import("./protocol.js").WallRow[]} wall
+ */
+
+/** @returns {Known} */
+function nothing() {
+  return {
+    connection: "connecting", ended: "", you: "", name: "", supervisor: false, room: null, rooms: [], projector: "",
+    scenes: [], session: -1, sceneUrl: "", alive: false, people: [], chat: [], status: null, programs: [],
+    contacts: [], near: [], events: [], output: "", wall: [],
+    control: { holder: "", lease: "", queue: [], locked: false, frozen: false, chat: true, turn_s: 0, idle_s: 0, ends: 0 },
+  };
+}
+
+/** Holds the values and tells of changes, at once. */
+export class Store {
+  constructor() {
+    this.now = nothing();
+    /** @type {{names: Set<string>, tell: (now: Known) => void}[]} */
+    this.listeners = [];
+  }
+
+  /** @param {Partial<Known>} changes */
+  set(changes) {
+    const now = /** @type {Record<string, unknown>} */ (/** @type {unknown} */ (this.now));
+    const names = Object.entries(changes).filter(([name, value]) => now[name] !== value).map(([name]) => name);
+    Object.assign(this.now, changes);
+    for (const { names: wanted, tell } of this.listeners) if (names.some((name) => wanted.has(name))) tell(this.now);
+  }
+
+  /**
+   * Be told now, and whenever one of some values changes.
+   * @param {(keyof Known)[]} names @param {(now: Known) => void} tell
+   */
+  on(names, tell) {
+    this.listeners.push({ names: new Set(names), tell });
+    tell(this.now);
+  }
+
+  /** Whether one may give commands. */
+  get operator() {
+    const { control, you } = this.now;
+    return you !== "" && control.holder === you;
+  }
+}
