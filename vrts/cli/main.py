@@ -22,6 +22,7 @@ COMMANDS = {
     "view": "see a program move",
     "monitor": "talk to the controller as its operator",
     "teach": "move the arm by keys and record locations",
+    "serve": "share sessions in the browser: a class and one robot",
     "new": "write a scene, a task or a program to begin with",
     "task": "check an assignment, and pack it for students and staff",
     "fmt": "write a program in the canonical layout",

@@ -408,7 +408,7 @@ class LogFile(Message, frozen=True, tag="log_file"):
 class Closed(Message, frozen=True, tag="closed"):
     """The connection ends now, and why."""
 
-    code: str  # "kicked", "room closed", "slow", "replaced", "stopping"
+    code: str  # such as "kicked", "room closed", "replaced", "room", "version"
     text: str
 
 

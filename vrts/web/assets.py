@@ -67,3 +67,13 @@ def _target(path: str, specifier: str) -> str:
     if specifier in BARE:
         return BARE[specifier]
     return posixpath.normpath(posixpath.join(posixpath.dirname(path), specifier))
+
+
+def served(path: str) -> str:
+    """Return a module as a server sends it below `/web/`: bare names become paths."""
+    return _IMPORT.sub(
+        lambda match: (
+            f"{match[1]}{match[2]}/web/{BARE[match[3]]}{match[2]}" if match[3] in BARE else match[0]
+        ),
+        asset(path),
+    )

@@ -1,0 +1,204 @@
+"""A live server in a process of its own, and browsers reduced to their messages."""
+
+import http.client
+import json
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from websockets.exceptions import ConnectionClosed
+from websockets.sync.client import ClientConnection, connect
+
+PATIENCE = 60.0  # [s]; the machine may be busy
+Json = dict[str, Any]
+
+
+class Answer:
+    """An HTTP response."""
+
+    def __init__(self, response: http.client.HTTPResponse) -> None:
+        self.status = response.status
+        self.headers = response.headers
+        self.body = response.read()
+
+    @property
+    def json(self) -> Json:
+        return json.loads(self.body)
+
+    @property
+    def cookie(self) -> str:
+        return (self.headers.get("set-cookie") or "").split(";")[0]
+
+
+class Browser:
+    """A WebSocket, and what came by it."""
+
+    def __init__(self, socket: ClientConnection) -> None:
+        self.socket = socket
+        self.came: list[Json] = []
+        self.frames: list[bytes] = []
+        self.number = 0
+
+    def send(self, type_: str, **fields: Any) -> None:
+        self.socket.send(json.dumps({"type": type_, **fields}))
+
+    def wait(
+        self,
+        type_: str,
+        fits: Callable[[Json], bool] = lambda _: True,
+        patience: float = PATIENCE,
+    ) -> Json:
+        """Return the next message of a type; what comes before it is kept in `came`."""
+        until = time.monotonic() + patience
+        while (left := until - time.monotonic()) > 0:
+            message = self._next(left)
+            if message is not None and message["type"] == type_ and fits(message):
+                return message
+        raise AssertionError(f"no {type_} came; the last: {self.came[-5:]}")
+
+    def quiet(self, seconds: float) -> None:
+        """Take everything that comes meanwhile."""
+        until = time.monotonic() + seconds
+        while (left := until - time.monotonic()) > 0:
+            try:
+                self._next(left)
+            except TimeoutError:
+                return
+
+    def closed(self) -> Json | None:
+        """Read to the end; return the last message, which says why."""
+        try:
+            while True:
+                self._next(PATIENCE)
+        except ConnectionClosed:
+            return self.came[-1] if self.came else None
+
+    def take_control(self) -> str:
+        """Ask for the control right; return the lease."""
+        self.send("request_control")
+        return self.wait("control", lambda m: m["lease"] != "")["lease"]
+
+    def command(self, lease: str, action: str, **fields: Any) -> int:
+        """Send a command; return its number."""
+        self.number += 1
+        self.send("command", lease=lease, number=self.number, action={"type": action, **fields})
+        return self.number
+
+    def _next(self, patience: float) -> Json | None:
+        data = self.socket.recv(timeout=patience)
+        if isinstance(data, bytes):
+            self.frames.append(data)
+            return None
+        message: Json = json.loads(data)
+        self.came.append(message)
+        return message
+
+
+class LiveServer:
+    """`vrts serve` on a free port."""
+
+    def __init__(self, folder: Path, *options: str, scenes: tuple[str, ...] = ("cans-on-bases",)):
+        self.folder = folder
+        self._sockets: list[ClientConnection] = []
+        self._arguments = (*scenes, "--folder", str(folder), *options)
+        self.start("0")
+
+    def start(self, port: str) -> None:
+        words = [sys.executable, "-m", "vrts.cli.main", "serve", *self._arguments, "--port", port]
+        self.process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+        assert self.process.stderr is not None
+        self.said: list[str] = []
+        for line in self.process.stderr:
+            self.said.append(line)
+            if "this machine" in line:
+                break
+        said = "".join(self.said)
+        found = re.search(r"https?://\S+:(\d+)$", said.splitlines()[0])
+        assert found is not None, said
+        self.port = int(found[1])
+        self.host = f"127.0.0.1:{self.port}"
+        self.supervisor_token = re.findall(r"once: \S+#enter=(\S+)", said)[0]
+        self.code = re.findall(r"class code: (\w{6})", said)[0]
+
+    def __enter__(self) -> "LiveServer":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        for socket in self._sockets:
+            socket.close()
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGTERM)
+        assert self.process.stderr is not None
+        self.process.wait(PATIENCE)
+        faults = self.process.stderr.read()
+        self.process.stderr.close()
+        assert "Traceback" not in faults, faults
+
+    def kill(self) -> None:
+        """Kill -9."""
+        self.process.kill()
+        self.process.wait()
+        assert self.process.stderr is not None
+        self.process.stderr.close()
+
+    def request(self, method: str, path: str, body: Any = None, **headers: str) -> Answer:
+        """Ask by HTTP, as a page of the server would."""
+        link = http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE)
+        data = body if isinstance(body, bytes | None) else json.dumps(body).encode()
+        all_headers = {"host": self.host, "origin": f"http://{self.host}"}
+        if body is not None:
+            all_headers["content-type"] = "application/json"
+        all_headers |= {name.replace("_", "-"): value for name, value in headers.items()}
+        try:
+            link.putrequest(method, path, skip_host=True)
+            for name, value in all_headers.items():
+                if value:
+                    link.putheader(name, value)
+            if data is not None:
+                link.putheader("content-length", str(len(data)))
+            link.endheaders(data)
+            return Answer(link.getresponse())
+        finally:
+            link.close()
+
+    def enter(self, name: str, code: str | None = None) -> str:
+        """Enter by the class code; return the cookie."""
+        answer = self.request("POST", "/enter", {"code": code or self.code, "name": name})
+        assert answer.status == 200, answer.body
+        return answer.cookie
+
+    def supervisor(self) -> str:
+        """Enter by the supervisor's link."""
+        return self.enter("", self.supervisor_token)
+
+    def open(self, cookie: str, **headers: str) -> Browser:
+        """Open a WebSocket."""
+        all_headers = {"cookie": cookie, **headers}
+        socket = connect(
+            f"ws://{self.host}/ws",
+            origin=all_headers.pop("origin", f"http://{self.host}"),  # type: ignore[arg-type]
+            additional_headers=all_headers,
+            compression=None,
+            max_size=None,
+            open_timeout=PATIENCE,
+            proxy=None,
+        )
+        self._sockets.append(socket)
+        return Browser(socket)
+
+    def join(self, cookie: str, **fields: Any) -> Browser:
+        """Open a WebSocket and join a room."""
+        browser = self.open(cookie)
+        browser.send("join", **fields)
+        return browser

@@ -1,0 +1,55 @@
+"""What is done to a server's folder from the command line, while it runs or not."""
+
+import time
+from pathlib import Path
+
+from vrts.live.passwords import hashed
+from vrts.live.settings import DATABASE
+from vrts.live.store import log
+from vrts.live.store.accounts import add_account
+from vrts.live.store.database import backup, opened
+
+
+def save_backup(folder: Path, target: Path) -> None:
+    """Copy the database; the server may run meanwhile."""
+    backup(folder / DATABASE, target)
+
+
+def add_user(folder: Path, name: str, password: str, *, supervisor: bool) -> str:
+    """Add a local account; return the name it has.
+
+    Raises:
+        ValueError: The name cannot be shown, or is taken.
+    """
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    kept = hashed(password)
+    connection = opened(folder / DATABASE)
+    try:
+        return add_account(connection, name, time.time(), password=kept, supervisor=supervisor).name
+    finally:
+        connection.close()
+
+
+def purge_user(folder: Path, name: str) -> int:
+    """Forget all accounts of a name and what they wrote; return how many there were."""
+    connection = opened(folder / DATABASE)
+    try:
+        connection.execute("BEGIN IMMEDIATE")
+        rows = connection.execute("SELECT id FROM account WHERE name=?", (name,)).fetchall()
+        for (account,) in rows:
+            log.purge(connection, account)
+        connection.execute("COMMIT")
+        connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")  # nothing is left in the journal
+    finally:
+        connection.close()
+    return len(rows)
+
+
+def verify_logs(folder: Path) -> dict[str, str]:
+    """Return what is wrong with each room's log; empty words: nothing."""
+    connection = opened(folder / DATABASE)
+    try:
+        rooms = connection.execute("SELECT DISTINCT room FROM log ORDER BY room").fetchall()
+        return {room: log.verify(connection, room) for (room,) in rooms}
+    finally:
+        connection.close()

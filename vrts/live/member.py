@@ -1,0 +1,56 @@
+"""Somebody in a room: one place, which outlasts a dropped connection for a while."""
+
+from dataclasses import dataclass, field
+
+from vrts.live import limits
+from vrts.live.door import Door
+from vrts.live.limits import Bucket
+from vrts.live.store.accounts import Account
+from vrts.live.tokens import new_id, new_token
+
+FULL_RATE = 50  # pose frames a second that a session makes
+
+
+@dataclass(slots=True, eq=False)
+class Member:
+    """A place in a room."""
+
+    account: Account
+    room: str
+    rate: int = FULL_RATE
+    id: str = field(default_factory=new_id)
+    resume: str = field(default_factory=new_token)
+    door: Door | None = None  # None: away
+    settled: bool = False  # has been sent a snapshot, and gets what is new
+    seen: int = 0  # number after which a returning client wants to be told; 0: it knows nothing
+    away_since: float = 0.0
+    hand: bool = False
+    wall: bool = False  # watches the wall
+    due: float = 0.0  # when the next pose frame is due
+    bad: int = 0  # messages that could not be read
+    excess: int = 0  # messages beyond the limits
+    messages: Bucket = field(default_factory=lambda: Bucket(*limits.MESSAGES))
+    chat: Bucket = field(default_factory=lambda: Bucket(*limits.CHAT))
+    questions: Bucket = field(default_factory=lambda: Bucket(*limits.QUESTIONS))
+    programs: Bucket = field(default_factory=lambda: Bucket(*limits.PROGRAMS))
+
+    @property
+    def supervisor(self) -> bool:
+        """Whether the account may supervise."""
+        return self.account.supervisor
+
+    def send(self, frame: bytes) -> None:
+        """Send a reliable frame, if there is somebody and they have their snapshot."""
+        if self.door is not None and self.settled:
+            self.door.send(frame)
+
+    def pose(self, frame: bytes, now: float) -> None:
+        """Send a pose frame if one is due."""
+        if self.door is None or not self.settled:
+            return
+        if self.rate < FULL_RATE:
+            if now < self.due:
+                return
+            period = 1.0 / self.rate
+            self.due = max(self.due + period, now)  # frames come when they come
+        self.door.latest("pose", frame)

@@ -1,0 +1,169 @@
+"""The server as a process: the socket it listens at, the words it begins with, uvicorn."""
+
+import ipaddress
+import socket
+import time
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Final, NamedTuple
+
+import uvicorn
+
+from vrts.live.app import application
+from vrts.live.door import DoorProtocol
+from vrts.live.protocol import LONGEST_MESSAGE
+from vrts.live.settings import DATABASE, Settings
+from vrts.live.store.accounts import add_link
+from vrts.live.store.database import opened
+from vrts.live.tokens import new_code, new_token
+
+CODE_S: Final = 12 * 3600.0  # how long a class code lasts
+CODE_USES: Final = 2000
+LINK_S: Final = 12 * 3600.0
+
+
+class Listening(NamedTuple):
+    """Where and how to listen."""
+
+    host: str = "127.0.0.1"
+    port: int = 8000  # 0: any that is free
+    certificate: Path | None = None  # TLS, with its key
+    key: Path | None = None
+    proxy: bool = False  # a proxy on this machine does TLS
+
+
+class Entrances(NamedTuple):
+    """How people come in."""
+
+    address: str
+    supervisor: str  # token, once
+    code: str  # empty: none
+
+
+def serve(
+    settings: Settings,
+    listening: Listening,
+    rooms: tuple[str, ...],
+    say: Callable[[str], None],
+    *,
+    with_code: bool = True,
+) -> None:
+    """Serve until interrupted.
+
+    Args:
+        settings: What to serve; port and TLS are taken from `listening`.
+        listening: Where.
+        rooms: Names of the rooms to begin with.
+        say: Writes a line of words.
+        with_code: Whether there is a class code.
+
+    Raises:
+        OSError: The port cannot be had.
+    """
+    family = socket.AF_INET6 if ":" in listening.host else socket.AF_INET
+    listener = socket.create_server((listening.host, listening.port), family=family, backlog=2048)
+    port = int(listener.getsockname()[1])
+    secure = listening.certificate is not None or listening.proxy
+    settings = replace(settings, port=port, secure=secure, names=(*settings.names, listening.host))
+    settings.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    entrances = _entrances(settings, listening, port, with_code=with_code)
+    app = application(settings, entrances.code, entrances.address, rooms)
+    for line in greeting(settings, listening, entrances):
+        say(line)
+    config = uvicorn.Config(
+        app,
+        ws=DoorProtocol,
+        ws_max_size=LONGEST_MESSAGE,
+        ws_ping_interval=20.0,
+        ws_ping_timeout=20.0,
+        ws_per_message_deflate=False,
+        lifespan="on",
+        log_config=None,
+        access_log=False,
+        server_header=False,
+        proxy_headers=listening.proxy,
+        forwarded_allow_ips="127.0.0.1,::1",
+        timeout_graceful_shutdown=5,
+        ssl_certfile=listening.certificate,
+        ssl_keyfile=listening.key,
+    )
+    uvicorn.Server(config).run(sockets=[listener])
+
+
+def greeting(settings: Settings, listening: Listening, entrances: Entrances) -> list[str]:
+    """Return the words the server begins with: the ways in, and what is exposed."""
+    lines = [
+        f"serving {', '.join(place.id for place in settings.places)} at {entrances.address}",
+        f"supervisor, once: {entrances.address}/#enter={entrances.supervisor}",
+    ]
+    if entrances.code:
+        lines.append(
+            f"class code: {entrances.code}, or {entrances.address}/#enter={entrances.code}"
+        )
+    lines.append(f"kept in {settings.folder}")
+    if is_loopback(listening.host):
+        lines.append("only this machine can reach it; `--host 0.0.0.0` opens it to the network")
+        return lines
+    lines.append(f"EXPOSED: whoever reaches this machine's port {settings.port} gets the page")
+    if not settings.secure:
+        lines.append(
+            "EXPOSED: without TLS everybody on the way can read and change what is sent,"
+            " passwords too; see `--tls-cert`"
+        )
+    return lines
+
+
+def is_loopback(host: str) -> bool:
+    """Return whether only this machine can reach an address."""
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
+def _is_any(host: str) -> bool:
+    """Return whether an address stands for all of this machine."""
+    try:
+        return ipaddress.ip_address(host).is_unspecified
+    except ValueError:
+        return False
+
+
+def _entrances(
+    settings: Settings, listening: Listening, port: int, *, with_code: bool
+) -> Entrances:
+    token, code = new_token(), new_code() if with_code else ""
+    now = time.time()
+    connection = opened(settings.folder / DATABASE)
+    try:
+        add_link(connection, token, now + LINK_S, supervisor=True, name="supervisor")
+        if code:
+            add_link(connection, code, now + CODE_S, uses=CODE_USES)
+    finally:
+        connection.close()
+    return Entrances(_address(settings, listening, port), token, code)
+
+
+def _address(settings: Settings, listening: Listening, port: int) -> str:
+    """Return where browsers find the server."""
+    scheme = "https" if settings.secure else "http"
+    own = [name for name in settings.names if name != listening.host]
+    if own:
+        name = own[0]
+    elif _is_any(listening.host):
+        name = _outward()
+    else:
+        name = f"[{listening.host}]" if ":" in listening.host else listening.host
+    usual = listening.proxy or port == (443 if settings.secure else 80)
+    return f"{scheme}://{name}" if usual else f"{scheme}://{name}:{port}"
+
+
+def _outward() -> str:
+    """Return the address of this machine in its network; nothing is sent to find out."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect(("192.0.2.1", 9))
+        except OSError:
+            return "127.0.0.1"
+        return str(probe.getsockname()[0])

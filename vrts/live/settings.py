@@ -1,0 +1,41 @@
+"""What a server is told when it is started."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final, NamedTuple
+
+DATABASE: Final = "live.sqlite"  # in the server's folder
+SESSIONS: Final = "sessions"  # folder for the sessions' own files
+
+
+class Place(NamedTuple):
+    """A scene of the set."""
+
+    id: str  # what it is called in messages
+    scene: str  # name of the library, or path; empty: the task's
+    task: str  # path of a task file; empty without one
+    lab: str = ""  # path of a lab file
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Of one server."""
+
+    folder: Path  # what it keeps: database, files of sessions
+    places: tuple[Place, ...]  # the set of scenes, at least one
+    names: tuple[str, ...] = ()  # it answers to, besides localhost and addresses
+    secure: bool = False  # browsers reach it by https
+    port: int = 8000  # part of the cookie's name: browsers keep cookies of all ports together
+    alone: bool = False  # one user: the control right comes with entering
+    students_reset: bool = False  # operators may reset and rewind
+    idle_s: float = 120.0  # of new rooms
+    turn_s: float = 0.0
+
+    @property
+    def cookie(self) -> str:
+        """The name of the cookie."""
+        return f"vrts_{self.port}"
+
+    def place(self, id_: str) -> Place | None:
+        """Return a scene of the set."""
+        return next((place for place in self.places if place.id == id_), None)

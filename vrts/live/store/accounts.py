@@ -1,0 +1,125 @@
+"""Accounts, log-ins and join links. Secrets are kept as digests."""
+
+import sqlite3
+from typing import Final, NamedTuple
+
+from vrts.live.names import display_name
+from vrts.live.tokens import digest, new_token
+
+LOGIN_S: Final = 30 * 86_400.0  # how long a cookie lasts
+GUESTS: Final = 5000  # accounts without a password at most
+
+
+class Account(NamedTuple):
+    """Somebody."""
+
+    id: int
+    name: str
+    supervisor: bool
+    room: str | None  # the only one that may be entered
+
+
+def add_account(
+    connection: sqlite3.Connection,
+    name: str,
+    now: float,
+    *,
+    password: str | None = None,
+    supervisor: bool = False,
+    room: str | None = None,
+) -> Account:
+    """Make an account; `password` is a hash.
+
+    Raises:
+        ValueError: The name cannot be shown, or there are too many guests.
+    """
+    taken = {row[0] for row in connection.execute("SELECT name FROM account")}
+    shown = display_name(name, () if password else taken)
+    if not shown:
+        raise ValueError("a name needs a letter or a digit")
+    if password and shown in taken:
+        raise ValueError(f"there is an account `{shown}` already")
+    if password is None and len(taken) >= GUESTS:
+        raise ValueError("there are too many guests")
+    found = connection.execute(
+        "INSERT INTO account (name, password, supervisor, room, created) VALUES (?,?,?,?,?)"
+        " RETURNING id",
+        (shown, password, supervisor, room, now),
+    ).fetchone()
+    return Account(found[0], shown, supervisor, room)
+
+
+def password_of(connection: sqlite3.Connection, name: str) -> tuple[Account, str] | None:
+    """Return an account by its name, with the hash of its password."""
+    row = connection.execute(
+        "SELECT id, name, supervisor, room, password FROM account"
+        " WHERE name=? AND password IS NOT NULL",
+        (display_name(name),),
+    ).fetchone()
+    return None if row is None else (_account(row[:4]), row[4])
+
+
+def log_in(connection: sqlite3.Connection, account: int, now: float) -> str:
+    """Return a new token for an account's cookie."""
+    connection.execute("DELETE FROM login WHERE expires<?", (now,))
+    token = new_token()
+    connection.execute("INSERT INTO login VALUES (?,?,?)", (digest(token), account, now + LOGIN_S))
+    return token
+
+
+def who(connection: sqlite3.Connection, token: str, now: float) -> Account | None:
+    """Return whose cookie holds a token."""
+    row = connection.execute(
+        "SELECT account.id, name, supervisor, room FROM login JOIN account ON account=account.id"
+        " WHERE digest=? AND expires>?",
+        (digest(token), now),
+    ).fetchone()
+    return None if row is None else _account(row)
+
+
+def log_out(connection: sqlite3.Connection, token: str) -> None:
+    """End one cookie."""
+    connection.execute("DELETE FROM login WHERE digest=?", (digest(token),))
+
+
+def log_out_everywhere(connection: sqlite3.Connection, account: int) -> None:
+    """End all cookies of an account."""
+    connection.execute("DELETE FROM login WHERE account=?", (account,))
+
+
+def add_link(
+    connection: sqlite3.Connection,
+    token: str,
+    expires: float,
+    *,
+    supervisor: bool = False,
+    room: str | None = None,
+    name: str | None = None,
+    uses: int = 1,
+) -> None:
+    """Let who knows a token or code enter."""
+    connection.execute(
+        "INSERT INTO link VALUES (?,?,?,?,?,?)",
+        (digest(token), supervisor, room, name, uses, expires),
+    )
+
+
+def enter(connection: sqlite3.Connection, token: str, name: str, now: float) -> Account | None:
+    """Use a link or code; return the new account, None when there is no such link any more.
+
+    Raises:
+        ValueError: The name cannot be shown.
+    """
+    row = connection.execute(
+        "SELECT supervisor, room, name FROM link WHERE digest=? AND expires>? AND uses>0",
+        (digest(token), now),
+    ).fetchone()
+    if row is None:
+        return None
+    supervisor, room, own = row
+    connection.execute("UPDATE link SET uses=uses-1 WHERE digest=?", (digest(token),))
+    return add_account(connection, own or name, now, supervisor=bool(supervisor), room=room)
+
+
+def _account(row: tuple[int, str, int, str | None]) -> Account:
+    return Account(row[0], row[1], bool(row[2]), row[3])

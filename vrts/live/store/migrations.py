@@ -1,0 +1,114 @@
+"""The tables, as numbered steps; a database says in `user_version` how many it has taken."""
+
+import sqlite3
+from typing import Final
+
+STEPS: Final = (
+    """
+    CREATE TABLE account (
+        id INTEGER PRIMARY KEY,
+        name TEXT NOT NULL UNIQUE,
+        password TEXT,
+        supervisor INTEGER NOT NULL DEFAULT 0,
+        room TEXT,
+        created REAL NOT NULL
+    );
+    CREATE TABLE login (
+        digest BLOB PRIMARY KEY,
+        account INTEGER NOT NULL REFERENCES account ON DELETE CASCADE,
+        expires REAL NOT NULL
+    ) WITHOUT ROWID;
+    CREATE TABLE link (
+        digest BLOB PRIMARY KEY,
+        supervisor INTEGER NOT NULL,
+        room TEXT,
+        name TEXT,
+        uses INTEGER NOT NULL,
+        expires REAL NOT NULL
+    ) WITHOUT ROWID;
+    CREATE TABLE room (
+        id TEXT PRIMARY KEY,
+        name TEXT NOT NULL,
+        scene TEXT NOT NULL,
+        place INTEGER NOT NULL,
+        chat INTEGER NOT NULL DEFAULT 1,
+        turn_s REAL NOT NULL DEFAULT 0,
+        idle_s REAL NOT NULL,
+        closed INTEGER NOT NULL DEFAULT 0
+    );
+    CREATE TABLE chat (
+        room TEXT NOT NULL,
+        number INTEGER NOT NULL,
+        at REAL NOT NULL,
+        account INTEGER,
+        name TEXT NOT NULL,
+        text TEXT NOT NULL,
+        private INTEGER NOT NULL,
+        reader INTEGER,
+        PRIMARY KEY (room, number)
+    );
+    CREATE TABLE log (
+        room TEXT NOT NULL,
+        seq INTEGER NOT NULL,
+        session INTEGER NOT NULL,
+        at_s REAL NOT NULL,
+        wall REAL NOT NULL,
+        kind TEXT NOT NULL,
+        accepted INTEGER NOT NULL,
+        person BLOB NOT NULL,
+        content BLOB NOT NULL,
+        previous BLOB NOT NULL,
+        hash BLOB NOT NULL,
+        PRIMARY KEY (room, seq)
+    );
+    CREATE TABLE log_text (
+        room TEXT NOT NULL,
+        seq INTEGER NOT NULL,
+        account INTEGER,
+        salt BLOB NOT NULL,
+        text TEXT NOT NULL,
+        PRIMARY KEY (room, seq)
+    );
+    CREATE INDEX log_text_of ON log_text (account);
+    CREATE TABLE log_name (
+        room TEXT NOT NULL,
+        account INTEGER NOT NULL,
+        salt BLOB NOT NULL,
+        name TEXT NOT NULL,
+        PRIMARY KEY (room, account)
+    );
+    CREATE TRIGGER log_is_append_only BEFORE UPDATE ON log
+        BEGIN SELECT RAISE(ABORT, 'the log is append-only'); END;
+    CREATE TRIGGER log_is_kept BEFORE DELETE ON log
+        BEGIN SELECT RAISE(ABORT, 'the log is append-only'); END;
+    CREATE TABLE counter (name TEXT PRIMARY KEY, value INTEGER NOT NULL);
+    """,
+)
+
+
+class TooNew(Exception):  # noqa: N818 -- names the situation
+    """The database was written by a later vrts."""
+
+
+def migrate(connection: sqlite3.Connection, steps: tuple[str, ...] = STEPS) -> int:
+    """Bring a database to the present tables, each step whole or not at all.
+
+    Returns:
+        How many steps were taken.
+
+    Raises:
+        TooNew: The database has taken more steps than are known.
+    """
+    (version,) = connection.execute("PRAGMA user_version").fetchone()
+    if version > len(steps):
+        raise TooNew(f"the database is of a later version: {version}")
+    for number, step in enumerate(steps[version:], version + 1):
+        try:
+            connection.executescript(
+                f"BEGIN IMMEDIATE; {step} PRAGMA user_version={number}; COMMIT"
+            )
+        except sqlite3.Error:
+            if connection.in_transaction:
+                connection.execute("ROLLBACK")
+            raise
+    return len(steps) - version

@@ -1,0 +1,79 @@
+"""Rooms and their chat, as they outlast the server."""
+
+import sqlite3
+from typing import Final, NamedTuple
+
+HISTORY: Final = 200  # lines of chat that late comers see
+
+
+class KeptRoom(NamedTuple):
+    """A room."""
+
+    id: str
+    name: str
+    scene: str
+    place: int  # in the order of rooms
+    chat: bool
+    turn_s: float
+    idle_s: float
+
+
+class Line(NamedTuple):
+    """A line of chat."""
+
+    room: str
+    number: int
+    at: float
+    account: int | None  # None: the server
+    name: str
+    text: str
+    private: bool
+    reader: int | None  # account that may read a private line besides supervisors
+
+
+def keep_room(connection: sqlite3.Connection, room: KeptRoom) -> None:
+    """Write a room as it is now."""
+    connection.execute(
+        "INSERT INTO room (id, name, scene, place, chat, turn_s, idle_s) VALUES (?,?,?,?,?,?,?)"
+        " ON CONFLICT (id) DO UPDATE SET name=excluded.name, scene=excluded.scene,"
+        " place=excluded.place, chat=excluded.chat, turn_s=excluded.turn_s,"
+        " idle_s=excluded.idle_s",
+        room,
+    )
+
+
+def close_room(connection: sqlite3.Connection, room: str) -> None:
+    """End a room; its log stays."""
+    connection.execute("UPDATE room SET closed=1 WHERE id=?", (room,))
+
+
+def open_rooms(connection: sqlite3.Connection) -> list[KeptRoom]:
+    """Return the rooms that are not closed, in order."""
+    rows = connection.execute(
+        "SELECT id, name, scene, place, chat, turn_s, idle_s FROM room WHERE NOT closed"
+        " ORDER BY place"
+    )
+    return [KeptRoom._make((*row[:4], bool(row[4]), *row[5:])) for row in rows]
+
+
+def keep_line(connection: sqlite3.Connection, line: Line) -> None:
+    """Write a line of chat."""
+    connection.execute("INSERT INTO chat VALUES (?,?,?,?,?,?,?,?)", line)
+
+
+def lines(connection: sqlite3.Connection, room: str) -> list[Line]:
+    """Return the last lines of chat of a room."""
+    rows = connection.execute(
+        "SELECT * FROM chat WHERE room=? ORDER BY number DESC LIMIT ?", (room, HISTORY)
+    ).fetchall()
+    return [Line._make((*row[:6], bool(row[6]), row[7])) for row in reversed(rows)]
+
+
+def next_number(connection: sqlite3.Connection, name: str) -> int:
+    """Return a number that was never returned before, from 1."""
+    (value,) = connection.execute(
+        "INSERT INTO counter VALUES (?, 1) ON CONFLICT (name) DO UPDATE SET value=value+1"
+        " RETURNING value",
+        (name,),
+    ).fetchone()
+    return int(value)
