@@ -32,6 +32,7 @@ class Conversation:
         self.asks = False  # a PROMPT waits for a line
         self._folders = folders
         self._owner = ""
+        self._question = ""  # that a part of the monitor asks
         self._teller = Teller()
         self._robot: ProgramState | None = None  # that was last, DO aside
         self._killed = False
@@ -41,7 +42,7 @@ class Conversation:
         """What stands before the line that is typed next."""
         if self.monitor.at_commands:
             return "" if self.asks else "*" if self.growing.executing else "."
-        return self.monitor.prompt(self.situation)
+        return self._question
 
     @property
     def situation(self) -> Situation:
@@ -110,6 +111,8 @@ class Conversation:
         return self._carried_out(self.monitor.interrupt(self.situation))
 
     def _carried_out(self, turn: Turn) -> str:
+        if turn.mode is not None:
+            self._question = turn.mode.prompt
         shown = self._teller.words(turn.text)
         for command in turn.commands:
             if isinstance(command, Answer):

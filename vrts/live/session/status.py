@@ -65,13 +65,17 @@ def location(growing: GrowingRun) -> tuple[float, ...]:
 
 def step_under_way(growing: GrowingRun) -> Cause | None:
     """Return the step of the motion under way, else the one that a program is at."""
-    planner = growing.machine.system.planner
+    machine = growing.machine
+    planner, robot = machine.system.planner, machine.robot
     path_s = planner.scale.path(growing.time_s)
-    if growing.moving:
-        for motion in reversed(planner.motions):
-            if motion.start_s <= path_s:
-                return motion.cause if path_s < motion.end_s else place(growing.machine.robot)
-    return place(growing.machine.robot)
+    for motion in reversed(planner.motions):
+        if motion.start_s <= path_s:
+            if path_s < motion.end_s:
+                return motion.cause
+            break
+    if robot.finishing and robot.trace.instructions:  # the last step is done, the arm still moves
+        return machine.system.executable.causes[robot.trace.instructions[-1]]
+    return place(robot)
 
 
 def placed(placement: Placement) -> Placed:
