@@ -670,21 +670,21 @@ PATCHES: tuple[Patch, ...] = (
         "vrts/pipeline/settings.py",
         "(lab is not None or scene not in (None, named))",
         "scene not in (None, named)",
-        ("tests/unit/marking/test_lab_of_task.py",),
+        ("tests/unit/assignments/test_lab_of_task.py",),
     ),
     Patch(
         "marks in a changed lab count",
         "vrts/check/manifest.py",
         "return name in (manifest.scene, manifest.lab) or not",
         "return name == manifest.scene or not",
-        ("tests/unit/marking/test_lab_of_task.py",),
+        ("tests/unit/assignments/test_lab_of_task.py",),
     ),
     Patch(
         "packed tasks take labs from anywhere",
-        "vrts/marking/packed.py",
+        "vrts/assignments/packed.py",
         "if lab is not None and normpath(lab) not in bundle.files:",
         "if lab is not None and not lab:",
-        ("tests/unit/marking/test_lab_of_task.py",),
+        ("tests/unit/assignments/test_lab_of_task.py",),
     ),
     Patch(
         "goals are reached from straight above or not at all",
@@ -702,10 +702,10 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "students get what is hidden",
-        "vrts/marking/pack.py",
+        "vrts/assignments/pack.py",
         "_zip(files, files.public, hidden",
         "_zip(files, {**files.public, **files.staff}, hidden",
-        ("tests/unit/marking/test_pack.py",),
+        ("tests/unit/assignments/test_pack.py",),
     ),
     Patch(
         "via points are passed in any direction",

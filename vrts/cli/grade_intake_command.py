@@ -98,7 +98,7 @@ def _task(path: Path | None) -> "Task | None":
     """Return the task, without its hidden part."""
     if path is None:
         return None
-    from vrts.marking.packed import is_packed, load_zip
+    from vrts.assignments.packed import is_packed, load_zip
     from vrts.pipeline.files import find_example
     from vrts.pipeline.settings import TASK_FILE, load_task
 

@@ -264,8 +264,8 @@ def _mark(
     *,
     quiet: bool,
 ) -> "Marked":
+    from vrts.assignments.packed import public_answer
     from vrts.cli.progress import Progress
-    from vrts.marking.packed import public_answer
     from vrts.marking.row_words import row_words
     from vrts.marking.whole_class import mark_whole_class
 

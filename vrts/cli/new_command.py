@@ -50,7 +50,7 @@ def scene(name: Path, origin: str | None, color: str) -> None:
 @guarded
 def program(name: Path, origin: str | None, color: str) -> None:
     """Write the program NAME with all locations of a scene."""
-    from vrts.marking.new_files import new_program
+    from vrts.assignments.new_files import new_program
     from vrts.pipeline.settings import load_scene
 
     file = name if name.suffix else name.with_suffix(".v2")
@@ -71,7 +71,7 @@ def lab(name: Path, color: str) -> None:
     Laid over a scene by `--lab NAME`, or by `lab = "NAME"` in a task, its numbers take the place of
     the scene's: so any scene is that of your own laboratory.
     """
-    from vrts.marking.new_lab import LAB
+    from vrts.assignments.new_lab import LAB
 
     file = name if name.suffix else name.with_suffix(".toml")
     _write(file.parent, {file.name: LAB.encode()})
@@ -90,8 +90,8 @@ def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
     A scene.toml that is there already is taken as the scene. `--from` an example takes its task,
     too; from a scene, and without it, the task is to carry every can to a base.
     """
-    from vrts.marking.new_files import new_program, new_readme, new_staff_task
-    from vrts.marking.task_copy import copied_reference, copied_task, example_folder
+    from vrts.assignments.new_files import new_program, new_readme, new_staff_task
+    from vrts.assignments.task_copy import copied_reference, copied_task, example_folder
     from vrts.pipeline.files import SCENE_FILE
     from vrts.pipeline.settings import STAFF, TASK_FILE, load_scene, load_task
 
@@ -128,8 +128,8 @@ def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
 
 def _carrying(name: Path, setting: "Setting", title: str) -> tuple[bytes, bytes]:
     """Return a task in which everything is carried to a base, and the program that does it."""
-    from vrts.marking.new_files import carryings, new_solution, new_task
-    from vrts.marking.task_check import times_of
+    from vrts.assignments.new_files import carryings, new_solution, new_task
+    from vrts.assignments.task_check import times_of
     from vrts.pipeline.assess import assess
 
     work = carryings(setting.scene)
@@ -149,7 +149,7 @@ def _carrying(name: Path, setting: "Setting", title: str) -> tuple[bytes, bytes]
 
 def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:
     """Return the files of a new scene: a simple one, or a copy."""
-    from vrts.marking.new_scene import new_scene
+    from vrts.assignments.new_scene import new_scene
     from vrts.pipeline.files import SCENE_FILE, find_scene, read_bytes
 
     if origin is None:

@@ -19,7 +19,7 @@ from vrts.cli.console import (
 )
 
 if TYPE_CHECKING:
-    from vrts.marking.task_check import TaskCheck
+    from vrts.assignments.task_check import TaskCheck
     from vrts.pipeline.settings import Setting
 
 EPILOG = """\b
@@ -54,8 +54,8 @@ def check(folder: Path, reference: Path | None, lab: Path | None, color: str) ->
     reach. Proposes times, and lists what everything is worth. With a lab, tells whether the task
     would work there. Exit status 1 when something is wrong.
     """
-    from vrts.marking.task_check import check_task
-    from vrts.marking.task_folder import reference_of
+    from vrts.assignments.task_check import check_task
+    from vrts.assignments.task_folder import reference_of
 
     setting = _setting(folder, lab)
     found = check_task(setting, reference or reference_of(_folder(folder)))
@@ -82,9 +82,9 @@ def pack(folder: Path, target: Path, versions: tuple[str, ...], color: str) -> N
     Students get task.toml, scenario.toml, README.md, start.v2, the scene, and the folders pictures
     and handout: nothing else. The task must pass `vrts task check`.
     """
-    from vrts.marking.pack import staff_zip, student_zip
-    from vrts.marking.task_check import check_task
-    from vrts.marking.task_folder import read_folder, reference_of
+    from vrts.assignments.pack import staff_zip, student_zip
+    from vrts.assignments.task_check import check_task
+    from vrts.assignments.task_folder import read_folder, reference_of
 
     setting = _setting(folder)
     found = check_task(setting, reference_of(_folder(folder)))

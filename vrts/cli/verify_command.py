@@ -96,7 +96,7 @@ def command(
     beside the task unless a scenario is given. Exit status 1 when something is wrong, 3 when a
     check cannot tell.
     """
-    from vrts.marking.packed import is_packed, load_zip, public_answer
+    from vrts.assignments.packed import is_packed, load_zip, public_answer
     from vrts.pipeline.assess import assess
     from vrts.pipeline.settings import setting_for
 

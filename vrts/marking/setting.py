@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from vrts.marking.packed import is_packed, load_zip
+from vrts.assignments.packed import is_packed, load_zip
 from vrts.marking.result import Record
 from vrts.pipeline.settings import Setting, load_task
 

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from vrts.assignments.new_lab import LAB
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.geometry.support import bounds
-from vrts.marking.new_lab import LAB
 from vrts.pipeline.files import CHECKOUT
 from vrts.robots.gripper import TWO_FINGERS
 from vrts.robots.puma import PUMA_761

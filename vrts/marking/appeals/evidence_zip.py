@@ -5,6 +5,7 @@ from typing import BinaryIO
 
 import msgspec
 
+from vrts.base.safe_names import safe
 from vrts.base.zips import BadZip, Flaw, Unpacker
 from vrts.check.manifest import sha256
 from vrts.marking.appeals.evidence import (
@@ -31,7 +32,6 @@ from vrts.marking.layout import LOST, RESULT
 from vrts.marking.report_files import FAULT, RECORDING, REPORT
 from vrts.marking.result import Damaged, Result, from_bytes
 from vrts.marking.row import Row
-from vrts.marking.safe_names import safe
 from vrts.pipeline.files import CannotRead
 
 _FIXED = frozenset(

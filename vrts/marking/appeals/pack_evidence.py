@@ -11,6 +11,7 @@ import msgspec
 
 from vrts import __version__
 from vrts.base.diagnostic import error
+from vrts.base.safe_names import safe
 from vrts.base.zips import packed
 from vrts.check.manifest import sha256
 from vrts.marking.about import About
@@ -38,7 +39,6 @@ from vrts.marking.overrides import change_of
 from vrts.marking.report_files import FAULT, RECORDING, REPORT
 from vrts.marking.result import SCORING, Damaged, Result, from_bytes
 from vrts.marking.row import Row, final_mark, row_of
-from vrts.marking.safe_names import safe
 from vrts.marking.setting import Place
 from vrts.pipeline.settings import Refused
 

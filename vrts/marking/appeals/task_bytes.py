@@ -3,14 +3,14 @@
 from pathlib import Path
 
 from vrts import __version__
+from vrts.assignments.pack import staff_zip
+from vrts.assignments.packed import is_packed
+from vrts.assignments.task_folder import read_folder, with_shapes
 from vrts.base.diagnostic import Rule, error
 from vrts.marking.appeals.evidence import OVER, TASK
 from vrts.marking.appeals.evidence_zip import known_name
-from vrts.marking.pack import staff_zip
-from vrts.marking.packed import is_packed
 from vrts.marking.result import Result
 from vrts.marking.setting import Place, load
-from vrts.marking.task_folder import read_folder, with_shapes
 from vrts.pipeline.files import find_scene, read_bytes
 from vrts.pipeline.settings import STAFF, TASK_FILE, Refused
 

@@ -6,11 +6,11 @@ from importlib.resources import files
 from pathlib import Path
 
 from vrts import __version__
+from vrts.assignments.pack import read_zip, staff_zip
+from vrts.assignments.packed import is_packed
+from vrts.assignments.task_folder import read_folder
 from vrts.base.diagnostic import Rule, error
 from vrts.base.zips import packed
-from vrts.marking.pack import read_zip, staff_zip
-from vrts.marking.packed import is_packed
-from vrts.marking.task_folder import read_folder
 from vrts.pipeline.files import CannotRead, read_bytes
 from vrts.pipeline.settings import Refused, load_task
 

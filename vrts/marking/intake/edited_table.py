@@ -7,6 +7,7 @@ from typing import NamedTuple
 from unicodedata import normalize
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule
+from vrts.base.safe_names import safe
 from vrts.base.source import Span
 from vrts.base.toml_problems import Problems
 from vrts.marking.intake.candidate import inspect
@@ -15,7 +16,6 @@ from vrts.marking.intake.intake_table import COLUMNS, NO, UNKNOWN_TIME, YES
 from vrts.marking.intake.row import Attempt, Intake, Kind, Platform, Problem, Row, Student
 from vrts.marking.intake.table_text import Cell, read_text, table
 from vrts.marking.intake.tree import Tree
-from vrts.marking.safe_names import safe
 
 INTAKE_TABLE = Rule("V700", "intake-table")
 INTAKE_ID = Rule("V701", "intake-id")

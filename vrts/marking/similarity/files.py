@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
 
+from vrts.assignments.pack import read_zip
+from vrts.assignments.packed import is_packed
 from vrts.marking.layout import Layout, write_atomically
 from vrts.marking.marker import Marker
-from vrts.marking.pack import read_zip
-from vrts.marking.packed import is_packed
 from vrts.marking.similarity.page import similarity_page
 from vrts.marking.similarity.ranking import Ranking, similarity, to_bytes
 from vrts.marking.whole_class import Marked

@@ -13,6 +13,8 @@ import pytest
 from click.testing import CliRunner, Result
 
 from tests.unit.marking.appeals.support import BAD, EXAMPLE, GOOD, SECRET, marked_class, submissions
+from vrts.assignments.pack import staff_zip
+from vrts.assignments.task_folder import read_folder
 from vrts.cli.main import vrts
 from vrts.marking.appeals.evidence import CONTENTS, Contents
 from vrts.marking.appeals.evidence_zip import known_name
@@ -22,10 +24,8 @@ from vrts.marking.layout import Layout
 from vrts.marking.one import Wanted
 from vrts.marking.override_text import add_overrides
 from vrts.marking.overrides import Override
-from vrts.marking.pack import staff_zip
 from vrts.marking.result import from_bytes, to_bytes
 from vrts.marking.row import Row
-from vrts.marking.task_folder import read_folder
 
 Spoil = Callable[[dict[str, bytes]], bytes]
 HIDDEN = '[[via]]\nname = "gate 4711"\nat_mm = [600, 200, 500]\nradius_mm = 40\n'

@@ -16,10 +16,10 @@ from click.testing import CliRunner
 
 from tests.support_exports import DATA
 from vrts import __version__
+from vrts.assignments.pack import read_zip, student_zip
+from vrts.assignments.task_folder import read_folder
 from vrts.cli import grade_init_command
 from vrts.marking.exports.autograder_zip import MODE, autograder_zip, staff_task
-from vrts.marking.pack import read_zip, student_zip
-from vrts.marking.task_folder import read_folder
 
 ROOT = Path(__file__).parents[4]
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"

@@ -8,16 +8,16 @@ from click.testing import CliRunner
 
 from tests.unit.marking.similarity.support import ORIGINAL, disguised, independent
 from tests.unit.report.test_html import Reader
+from vrts.assignments.pack import student_zip
+from vrts.assignments.task_folder import read_folder
 from vrts.cli.main import vrts
 from vrts.marking.layout import Layout
 from vrts.marking.marker import Marker
 from vrts.marking.one import Wanted
-from vrts.marking.pack import student_zip
 from vrts.marking.setting import Place
 from vrts.marking.similarity.files import given, write_similarity
 from vrts.marking.similarity.page import similarity_page
 from vrts.marking.similarity.ranking import similarity
-from vrts.marking.task_folder import read_folder
 from vrts.pipeline.files import CHECKOUT
 
 CORPUS: list[str] = json.loads(

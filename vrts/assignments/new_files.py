@@ -4,10 +4,10 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from vrts.assignments.new_sections import new_sections
 from vrts.base.pose import Pose, Vector
 from vrts.base.units import mm
 from vrts.check.task import Task
-from vrts.marking.new_sections import new_sections
 from vrts.report.plain import one_line
 from vrts.scene.block import location_block
 from vrts.scene.model import Mobility, Scene

@@ -9,11 +9,11 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from vrts import __version__
+from vrts.assignments.task_folder import TaskFiles
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.zips import BadZip, Flaw, Unpacker, packed
 from vrts.check.manifest import NAME as MANIFEST
 from vrts.check.manifest import Manifest, altered, manifest_bytes, read_manifest, sha256
-from vrts.marking.task_folder import TaskFiles
 from vrts.pipeline.settings import Refused
 
 BAD_ARCHIVE = Rule("V677", "bad-task-archive")

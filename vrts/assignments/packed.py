@@ -5,8 +5,8 @@ from pathlib import Path
 from posixpath import normpath
 from tempfile import TemporaryDirectory
 
+from vrts.assignments.pack import BAD_ARCHIVE, Bundle, read_zip
 from vrts.base.diagnostic import error
-from vrts.marking.pack import BAD_ARCHIVE, Bundle, read_zip
 from vrts.pipeline.files import SCENE_FILE, read_bytes, read_toml_source
 from vrts.pipeline.settings import TASK_FILE, Refused, Setting, load_task
 

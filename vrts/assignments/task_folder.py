@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
-from vrts.marking.safe_names import safe
+from vrts.base.safe_names import safe
 from vrts.pipeline.files import (
     MAX_TOML,
     SCENE_FILE,

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from vrts.marking.pack import read_zip, staff_zip, student_zip
-from vrts.marking.packed import setting_of
-from vrts.marking.task_folder import read_folder
+from vrts.assignments.pack import read_zip, staff_zip, student_zip
+from vrts.assignments.packed import setting_of
+from vrts.assignments.task_folder import read_folder
 from vrts.pipeline.files import CHECKOUT, CannotRead
 from vrts.pipeline.settings import Refused, load_scene, load_task, setting_for
 

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
+from vrts.assignments.pack import read_zip, staff_zip, student_zip
+from vrts.assignments.packed import setting_of
+from vrts.assignments.task_check import check_task
+from vrts.assignments.task_folder import read_folder
 from vrts.marking.one import Order, Wanted, mark
-from vrts.marking.pack import read_zip, staff_zip, student_zip
-from vrts.marking.packed import setting_of
-from vrts.marking.task_check import check_task
-from vrts.marking.task_folder import read_folder
 from vrts.pipeline.files import CHECKOUT
 from vrts.pipeline.settings import load_task
 

@@ -1,0 +1,1 @@
+"""Assignments: written from templates, checked, copied, and packed for students and staff."""
