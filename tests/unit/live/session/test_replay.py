@@ -1,5 +1,6 @@
 """A session repeated from its log is the same run, and its program makes the same motions."""
 
+import itertools
 import math
 import random
 from pathlib import Path
@@ -11,7 +12,6 @@ from tests.unit.live.session.test_session import ABOVE_TABLE, DOWN, grasp
 from vrts.base.pose import Pose
 from vrts.engine.records import Motion
 from vrts.engine.run import Run
-from vrts.engine.storage.compare import difference
 from vrts.live import actions as do
 from vrts.live.session.program import as_program
 from vrts.live.session.replay import replay
@@ -68,9 +68,9 @@ def test_a_session_is_repeated_exactly_from_its_log(tmp_path: Path) -> None:
     eventful(driven)
     run = driven.session.run
     again = replay(driven.start, driven.log, run.until_s)
-    assert difference(run, again) is None
-    assert again.events == run.events
-    assert again.motions == run.motions
+    assert list(map(repr, again.events)) == list(map(repr, run.events))
+    assert repr(again.motions) == repr(run.motions)
+    assert again.at(again.until_s).variables == run.at(run.until_s).variables
     assert [again.at(t * 0.01).configuration for t in range(int(run.until_s * 100))] == [
         run.at(t * 0.01).configuration for t in range(int(run.until_s * 100))
     ]
@@ -96,9 +96,13 @@ def test_a_session_becomes_a_program_that_makes_the_same_motions(tmp_path: Path)
     again = found.run
     assert again is not None
     before, after = moved(run), moved(again)
-    assert len(before) == len(after) > 10
+    assert len(before) == len(after) >= 10
+    joined = False
     for first, second in zip(before, after, strict=True):
-        assert_same_path(run, first, again, second)
+        assert_same_ends(first, second)
+        if not (joined and first.cut):  # of which the corner is another one
+            assert_same_path(run, first, again, second)
+        joined = first.blended
     assert run.at(run.horizon_s).held == again.at(again.horizon_s).held
     final, same = run.at(run.horizon_s).poses, again.at(again.horizon_s).poses
     for name, X in final.items():
@@ -110,11 +114,15 @@ def moved(run: Run) -> list[Motion]:
     return [m for m in run.motions if math.dist(m.start, m.goal) > 1e-9]
 
 
-def assert_same_path(run: Run, first: Motion, again: Run, second: Motion) -> None:
-    """Compare two motions where they are as far on their way: 0.01 mm, 0.01 degrees."""
+def assert_same_ends(first: Motion, second: Motion) -> None:
+    """Compare kind and end of two motions."""
     assert first.interpolation is second.interpolation
     assert apart(first.X_WT, second.X_WT) < 1e-5
     assert max(abs(a - b) for a, b in zip(first.goal, second.goal, strict=True)) < 1e-5
+
+
+def assert_same_path(run: Run, first: Motion, again: Run, second: Motion) -> None:
+    """Compare the paths of two motions: nowhere more than 0.01 mm from one another."""
     there = [again.at(t).X_WF for t in spread(second, again.horizon_s, 400)]
     for time_s in spread(first, run.horizon_s, 20):
         X_WF = run.at(time_s).X_WF
@@ -130,8 +138,7 @@ def spread(motion: Motion, horizon_s: float, count: int) -> list[float]:
 def off(X: Pose, path: list[Pose]) -> float:
     """Return how far the origin of a pose is from a polyline [m]."""
     return min(
-        _from_line(X.translation, a.translation, b.translation)
-        for a, b in zip(path, path[1:], strict=False)
+        _from_line(X.translation, a.translation, b.translation) for a, b in itertools.pairwise(path)
     )
 
 

@@ -66,30 +66,41 @@ def test_refusals_explain_themselves_and_move_nothing(driven: Driven) -> None:
     line = driven.done(driven.act(do.Go(ABOVE_TABLE, DOWN, straight=True)))
     joint = driven.done(driven.act(do.Step("joint", 1, -1, 1.0)))
     driven.run(0.5)
-    assert not far.accepted and far.code == "V301" and "beyond reach" in far.text
-    assert not line.accepted and line.code == "V305" and line.help == "begin with MOVE"
+    assert not far.accepted
+    assert far.code == "V301"
+    assert "beyond reach" in far.text
+    assert not line.accepted
+    assert line.code == "V305"
+    assert line.help == "begin with MOVE"
     assert joint.accepted  # a joint within its limits
     driven.run(2.0)
     for _ in range(4):
         joint = driven.done(driven.act(do.Step("joint", 1, -1, 1.0)))
         driven.run(2.0)
-    assert not joint.accepted and joint.code == "V303" and "limits" in joint.text
+    assert not joint.accepted
+    assert joint.code == "V303"
+    assert "limits" in joint.text
 
 
 def test_reach_is_answered_at_once_with_branch_and_joints(driven: Driven) -> None:
     driven.session.take(AskReach(3, ABOVE_TABLE, DOWN))
     driven.session.take(AskReach(4, (0.0, 0.0, 0.0), DOWN))
     near, inside = driven.said(Reached)
-    assert near.ref == 3 and near.reachable and near.branch[:2] == ("lefty", "above")
+    assert near.ref == 3
+    assert near.reachable
+    assert near.branch[:2] == ("lefty", "above")
     assert len(near.joints_rad) == 6
-    assert not inside.reachable and inside.why and inside.code == "V301"
+    assert not inside.reachable
+    assert inside.why
+    assert inside.code == "V301"
 
 
 def test_reach_of_a_line_says_where_it_fails(driven: Driven) -> None:
     to_the_table(driven)
     driven.session.take(AskReach(1, (-0.75, -0.15, 0.0), DOWN, straight=True))
     (told,) = driven.said(Reached)
-    assert not told.reachable and "straight line" in told.why
+    assert not told.reachable
+    assert "straight line" in told.why
 
 
 def test_steps_of_the_pendant_move_by_their_size(driven: Driven) -> None:
@@ -201,7 +212,9 @@ def test_keys_are_refused_while_a_program_runs(driven: Driven) -> None:
     driven.typed("EXECUTE loop")
     for action in (do.Jog("joint", 0, 1), do.Go(ABOVE_TABLE, DOWN), do.Ready(), do.Hand(True)):
         done = driven.done(driven.act(action))
-        assert not done.accepted and done.code == "busy" and "panic" in done.help
+        assert not done.accepted
+        assert done.code == "busy"
+        assert "panic" in done.help
 
 
 def test_the_hand_opens_and_closes(driven: Driven) -> None:
@@ -218,7 +231,8 @@ def test_a_grasped_object_is_told_with_its_place_in_the_hand(driven: Driven) -> 
     (moved,) = driven.said(Moved)
     assert driven.frames[-1].flags & HOLDING
     (row,) = moved.bodies
-    assert row.lie == "held" and len(row.X) == 12
+    assert row.lie == "held"
+    assert len(row.X) == 12
     held = driven.said(Status)[-1].held
     assert held == row.body
     driven.act(do.Step("world", 2, 1, 0.1))
@@ -228,7 +242,8 @@ def test_a_grasped_object_is_told_with_its_place_in_the_hand(driven: Driven) -> 
     lies = [row.lie for moved in driven.said(Moved)[1:] for row in moved.bodies]
     assert lies == ["falling", "resting"]
     kinds = [h.text for h in driven.said(Happened) if h.kind == "grasp"]
-    assert kinds[0] == f"{held} grasped" and "to fall 100 mm" in kinds[1]
+    assert kinds[0] == f"{held} grasped"
+    assert "to fall 100 mm" in kinds[1]
 
 
 def grasp(driven: Driven) -> None:
@@ -275,7 +290,8 @@ def test_users_have_folders_of_their_own(driven: Driven, tmp_path: Path) -> None
     assert "one.v2" not in driven.said(Output)[-1].text
     for name in ("../one.v2", "/etc/one.v2", "one.sh", "a/b.v2"):
         done = driven.done(driven.act(do.Upload(name, text)))
-        assert not done.accepted and done.text
+        assert not done.accepted
+        assert done.text
     assert sorted(p.name for p in tmp_path.rglob("*.*")) == ["one.v2"]
 
 
@@ -303,7 +319,8 @@ def test_reset_puts_the_scene_back_and_keeps_the_memory(driven: Driven) -> None:
     driven.run(0.2)
     driven.act(do.Reset())
     (began,) = driven.said(Began)
-    assert began.time_s == 0.0 and began.epoch_s == driven.clock_s
+    assert began.time_s == 0.0
+    assert began.epoch_s == driven.clock_s
     driven.run(0.2)
     assert driven.frames[-1].time_s == pytest.approx(0.2)
     assert not driven.frames[-1].flags & HOLDING

@@ -1,0 +1,110 @@
+"""Limits, names, origins and secrets, one by one."""
+
+import pytest
+
+from vrts.live.limits import ALL_FAILURES, FAILURES, WINDOW, Bucket, FailedLogIns
+from vrts.live.names import LONGEST, display_name, readable
+from vrts.live.origin import Names
+from vrts.live.tokens import digest, new_code, new_token
+
+
+def test_a_bucket_lets_a_burst_through_and_then_its_rate() -> None:
+    bucket = Bucket(rate=10.0, burst=5.0)
+    assert [bucket.take(100.0) for _ in range(6)] == [True] * 5 + [False]
+    assert bucket.take(100.15)
+    assert not bucket.take(100.15)
+    assert sum(bucket.take(200.0) for _ in range(20)) == 5, "sleeping saves up no more than a burst"
+
+
+def test_failures_block_an_address_and_nobody_else() -> None:
+    failed = FailedLogIns()
+    for _ in range(FAILURES):
+        assert not failed.blocked("10.0.0.1", 0.0)
+        failed.failed("10.0.0.1", 0.0)
+    assert failed.blocked("10.0.0.1", 1.0)
+    assert not failed.blocked("10.0.0.2", 1.0)
+    assert not failed.blocked("10.0.0.1", WINDOW + 1.0)
+
+
+def test_guessing_from_many_addresses_ends_too() -> None:
+    failed = FailedLogIns()
+    for n in range(ALL_FAILURES):
+        failed.failed(f"10.0.{n // 250}.{n % 250}", 0.0)
+    assert failed.blocked("192.168.7.7", 1.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "shown"),
+    [
+        ("  Anna  Maria ", "Anna Maria"),
+        ("Ａｎｎａ", "Anna"),
+        ("a\u202eb", "a�b"),
+        ("x\x1b[2Jy", "x␛[2Jy"),
+        ("n" * 99, "n" * LONGEST),
+        ("", ""),
+        (" \u200b ", ""),
+        ("<b>", "<b>"),
+    ],
+)
+def test_names_are_visible(given: str, shown: str) -> None:
+    assert display_name(given) == shown
+
+
+def test_nobody_has_the_name_of_another() -> None:
+    assert display_name("Anna", {"Anna", "Anna (2)"}) == "Anna (3)"
+
+
+def test_texts_keep_their_lines_and_nothing_invisible() -> None:
+    assert readable("one\ntwo\u2066\x07 ") == "one\ntwo�␇"
+
+
+@pytest.mark.parametrize(
+    ("host", "known"),
+    [
+        ("127.0.0.1:8000", True),
+        ("localhost", True),
+        ("[::1]:8000", True),
+        ("192.168.1.20:8000", True),
+        ("lab.example.org", True),
+        ("LAB.example.org.", True),
+        ("evil.example", False),
+        ("lab.example.org.evil.example", False),
+        ("user@localhost", False),
+        ("localhost:port", False),
+        ("", False),
+        ("2130706433.", False),
+    ],
+)
+def test_a_server_answers_to_its_own_names(host: str, known: bool) -> None:
+    assert Names(["lab.example.org"]).known(host) is known
+
+
+@pytest.mark.parametrize(
+    ("origin", "own"),
+    [
+        ("http://127.0.0.1:8000", True),
+        ("http://localhost:8000", False),
+        ("http://127.0.0.1:8001", False),
+        ("https://evil.example", False),
+        ("http://127.0.0.1:8000.evil.example", False),
+        ("http://evil@127.0.0.1:8000", False),
+        ("null", False),
+        ("file://", False),
+        ("", False),
+        ("http://[", False),
+    ],
+)
+def test_only_pages_from_the_host_itself_may_ask(origin: str, own: bool) -> None:
+    assert Names([]).own_page(origin, "127.0.0.1:8000") is own
+
+
+def test_the_usual_port_may_be_left_out() -> None:
+    assert Names(["lab.example.org"]).own_page("https://lab.example.org", "lab.example.org:443")
+
+
+def test_secrets_are_kept_as_digests_and_codes_read_in_any_case() -> None:
+    code = new_code()
+    assert digest(code) == digest(f" {code[:3].lower()}-{code[3:].lower()} ")
+    token = new_token()
+    assert digest(token) != digest(token.swapcase())
+    assert token.encode() not in digest(token)
