@@ -27,7 +27,7 @@ TOO_LOW = (
 
 def entries(count: int) -> Iterator[Entry]:
     """Yield variants of the program of forty objects: no two alike, two of five with contacts."""
-    text = (FOLDER / "program.v2").read_text(encoding="utf-8")
+    text = (FOLDER / "solution.v2").read_text(encoding="utf-8")
     for k in range(count):
         yield Entry(f"s{k:03d}", f"s{k:03d}.v2", _variant(text, k).encode())
 

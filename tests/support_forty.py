@@ -19,4 +19,4 @@ def forty_objects() -> Run:
     scene, problems = read_scene(SourceFile("scene.toml", text))
     assert scene is not None
     assert not problems
-    return execute(compiled((FOLDER / "program.v2").read_text(encoding="utf-8")), scene)
+    return execute(compiled((FOLDER / "solution.v2").read_text(encoding="utf-8")), scene)
