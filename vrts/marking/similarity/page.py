@@ -1,6 +1,7 @@
 """The ranking of similar programs as a page, with what they share side by side."""
 
 from collections.abc import Mapping, Sequence
+from textwrap import dedent
 
 from vrts.base.source import SourceFile
 from vrts.marking.overview.links import staff_report
@@ -147,13 +148,14 @@ def _block(region: Region, first: SourceFile, second: SourceFile) -> Markup:
 
 def _lines(source: SourceFile, start: int, end: int) -> Markup:
     last = min(end, start + MOST_LINES - 1)
+    texts = dedent("\n".join(shown(source.line_text(k)).text for k in range(start, last + 1)))
     rows = [
         element(
             "tr",
             element("td", str(line), class_="line"),
-            element("td", element("code", shown(source.line_text(line)).text)),
+            element("td", element("code", text)),
         )
-        for line in range(start, last + 1)
+        for line, text in enumerate(texts.split("\n"), start)
     ]
     more = [] if last == end else [element("p", f"and {end - last} more lines", class_="where")]
     return element("div", element("table", element("tbody", *rows), class_="code"), *more)
