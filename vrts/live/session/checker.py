@@ -23,6 +23,7 @@ from vrts.engine.run import Run
 from vrts.live.session.growing import GrowingRun
 from vrts.live.session.messages import Checked, Json
 from vrts.live.session.session import Session
+from vrts.live.session.tidying import tidy
 from vrts.marking.supervise.forked import ForkedProcess
 from vrts.marking.supervise.limits import Limits
 from vrts.monitor.desk import ALONE
@@ -104,6 +105,8 @@ class Checker:
         until_s = growing.time_s
         self._asked = (until_s, id(growing))
         if FORKS:
+            growing.drop_run()
+            tidy()  # forking freezes what there is, garbage too
             self._child = ForkedProcess(self._check, Path(self._folder.name), LIMITS)
         else:
             self._answered(self._check())

@@ -100,6 +100,10 @@ class GrowingRun:
             self._run = Run(machine, self.time_s, (machine,))
         return self._run
 
+    def drop_run(self) -> None:
+        """Keep no copy of the machine for `run`."""
+        self._run = None
+
     @property
     def configuration(self) -> Configuration:
         """Joint positions now [rad]."""
@@ -169,12 +173,22 @@ class GrowingRun:
         known_from_s, first = self._kept[at]
         if known_from_s <= self.known_from_s:
             return
+        for _, machine in self._kept[:at]:
+            _release(machine)
         del self._kept[:at]
         self.known_from_s, self._run = known_from_s, None
         forget([self.machine, *(machine for _, machine in self._kept)], known_from_s)
         self._forgotten = first.finished
         self._seen = len(self.machine.system.events) - late
         self._uncrowded = max(MOST_EVENTS, 2 * len(self.machine.system.events))
+
+
+def _release(machine: Machine) -> None:
+    """Let a machine that nobody needs any more go at once: its parts know one another."""
+    system = machine.system
+    del system.robot, system.process
+    machine.robot.clear()
+    machine.process.clear()
 
 
 def _when(entry: tuple[float, int, Event]) -> float:

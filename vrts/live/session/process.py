@@ -14,6 +14,7 @@ from vrts.live.session.messages import BEAT, Failed, Ready, Start, Stop
 from vrts.live.session.outbox import Outbox, ServerGone
 from vrts.live.session.session import Session
 from vrts.live.session.setting import setting_of
+from vrts.live.session.tidying import Tidying
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.settings import Refused
@@ -58,6 +59,7 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
     title = setting.task.title if setting.task is not None else ""
     arm = setting.scene.robot.arm.name
     outbox.send(Ready(start.session, session.epoch_s, arm, scene, title))
+    tidying = Tidying()
     with Checker(session) as checker:
         following = clock()
         while not inbox.ended:
@@ -69,6 +71,7 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
             if clock() >= following:
                 session.beat()
                 checker.beat()
+                tidying.beat(session.growing.time_s)
                 following = max(following + BEAT, clock())
             outbox.flush()
             writable = [outbox] if outbox.waits else []
