@@ -1,0 +1,39 @@
+// Where the page begins: who is there, and which of its faces is wanted.
+
+import { Denied, enter, whoAmI } from "./account.js";
+import { byId } from "./dom.js";
+import { showDoor } from "./pages/door.js";
+import { showProjector } from "./pages/projector.js";
+import { showRoom } from "./pages/room.js";
+import { showWall } from "./pages/wall.js";
+
+/** @returns {Promise<import("./account.js").Me | null>} */
+async function identified() {
+  const token = new URLSearchParams(location.hash.slice(1)).get("enter");
+  if (!token) return whoAmI();
+  history.replaceState(null, "", location.pathname + location.search); // a token is no part of the history
+  try {
+    return await enter(token, "");
+  } catch (error) {
+    const known = await whoAmI();
+    if (known) return known;
+    // a class code's link says who may enter, not who it is
+    const nameless = error instanceof Denied && error.status === 422;
+    showDoor(nameless ? "" : /** @type {Error} */ (error).message, nameless ? token : "");
+    return null;
+  }
+}
+
+/** Show the face of the page that the address asks for. @param {import("./account.js").Me} me */
+function begin(me) {
+  byId("enter").hidden = true;
+  const wanted = new URLSearchParams(location.search);
+  if (wanted.has("wall")) showWall(me);
+  else if (wanted.has("projector")) showProjector(me);
+  else showRoom(me, wanted.get("room") ?? "");
+}
+
+document.addEventListener("entered", (event) => begin(/** @type {CustomEvent} */ (event).detail));
+const me = await identified();
+if (me) begin(me);
+else if (byId("enter").hidden) showDoor("", "");

@@ -1,0 +1,37 @@
+// The page in front of the rooms: class code and name, or an account.
+
+import { enter, logIn } from "../account.js";
+import { byId, onSubmit } from "../dom.js";
+
+let ready = false;
+
+/** @param {string} problem to be shown at once; empty: none @param {string} token that wants a name with it */
+export function showDoor(problem, token) {
+  byId("enter").hidden = false;
+  document.title = "Enter · vrts";
+  tell(problem);
+  if (token) byId("enter-code").value = token;
+  byId(byId("enter-code").value ? "enter-name" : "enter-code").focus();
+  if (ready) return;
+  ready = true;
+  const form = byId("enter-form");
+  onSubmit(form, () => attempt(enter(form.elements.code.value.trim(), form.elements.name.value.trim())));
+  const account = byId("login-form");
+  onSubmit(account, () => attempt(logIn(account.elements.user.value, account.elements.password.value)));
+}
+
+/** @param {Promise<import("../account.js").Me>} entering */
+async function attempt(entering) {
+  try {
+    document.dispatchEvent(new CustomEvent("entered", { detail: await entering }));
+  } catch (error) {
+    tell(/** @type {Error} */ (error).message);
+  }
+}
+
+/** @param {string} text */
+function tell(text) {
+  const place = byId("enter-problem");
+  place.hidden = !text;
+  place.textContent = text;
+}

@@ -1,0 +1,36 @@
+// The projector: the picture alone, large, of the room that the supervisor chooses.
+
+import { byId, make, write } from "../dom.js";
+import { mountOverlay } from "../panels/overlay.js";
+import { mountStatus } from "../panels/status.js";
+import { mountViews } from "../panels/views.js";
+import { started } from "./room.js";
+
+/** @param {import("../account.js").Me} me */
+export function showProjector(me) {
+  byId("room").hidden = false;
+  document.body.classList.add("projector");
+  const app = started("", true);
+  app.store.set({ name: me.name, supervisor: me.supervisor });
+  mountOverlay(app);
+  mountStatus(app);
+  mountViews(app);
+  const title = byId("room-name");
+  const operator = byId("turn");
+  byId("control-button").hidden = byId("panic").hidden = true;
+  app.store.on(["room"], ({ room }) => {
+    write(title, room?.name ?? "Projector");
+    document.title = `${room?.name ?? ""} · projector`;
+    byId("task-name").hidden = !room?.task;
+    write(byId("task-name"), room?.task ?? "");
+  });
+  app.store.on(["control", "people"], ({ control, people }) => {
+    write(operator, people.find(({ id }) => id === control.holder)?.name ?? "nobody has control");
+    write(byId("crowd"), `${people.filter(({ away }) => !away).length} here`);
+  });
+  app.store.on(["connection", "ended"], ({ connection, ended }) => {
+    write(byId("link-state"), ended || connection);
+    byId("link-state").className = `chip ${connection}`;
+  });
+  byId("turn").after(make("a", { href: "/", text: "Room" }));
+}

@@ -1,0 +1,117 @@
+// A room: connection, world and panels put together.
+
+import { Bodies } from "../bodies.js";
+import { Connection, Refusal } from "../connection.js";
+import { byId } from "../dom.js";
+import { Intake } from "../intake.js";
+import { bindKeys } from "../keys.js";
+import { Store } from "../store.js";
+import { Toasts } from "../toasts.js";
+import { World } from "../world.js";
+import { mountButtons } from "../panels/buttons.js";
+import { mountChat } from "../panels/chat.js";
+import { mountHistory } from "../panels/history.js";
+import { mountLead } from "../panels/lead.js";
+import { mountMonitor } from "../panels/monitor.js";
+import { mountOverlay } from "../panels/overlay.js";
+import { mountPendant } from "../panels/pendant.js";
+import { mountPeople } from "../panels/people.js";
+import { mountPointing } from "../panels/pointing.js";
+import { mountPrograms } from "../panels/programs.js";
+import { mountStatus } from "../panels/status.js";
+import { mountTabs } from "../panels/tabs.js";
+import { mountTop } from "../panels/top.js";
+import { mountViews } from "../panels/views.js";
+
+const PHONE = window.matchMedia("(max-width: 700px) and (orientation: portrait)");
+const PHONE_RATE = 15; // frames a second
+
+/**
+ * @typedef {object} App what panels work with
+ * @property {Store} store
+ * @property {Connection} connection
+ * @property {World} world
+ * @property {Toasts} toasts
+ * @property {(action: import("../protocol.js").Message) => Promise<import("../protocol.js").Done>} command give a
+ *   command; rejects when it is refused
+ * @property {(action: import("../protocol.js").Message) => void} act give a command; tells when it is refused
+ * @property {() => void} panic
+ */
+
+/** @param {import("../account.js").Me} me @param {string} wanted id of the room; empty: one's own */
+export function showRoom(me, wanted) {
+  byId("room").hidden = false;
+  const app = started(wanted, false);
+  app.store.set({ name: me.name, supervisor: me.supervisor, rooms: me.rooms });
+  mountTop(app);
+  mountViews(app);
+  mountOverlay(app);
+  mountStatus(app);
+  mountTabs(app);
+  mountMonitor(app);
+  mountButtons(app);
+  mountPendant(app);
+  mountPointing(app);
+  mountPrograms(app);
+  mountHistory(app);
+  mountChat(app);
+  mountPeople(app);
+  mountLead(app);
+  bindKeys(app);
+}
+
+/**
+ * Connect to a room and show its world.
+ * @param {string} room @param {boolean} follow whether to follow what the projector is told
+ * @returns {App}
+ */
+export function started(room, follow) {
+  const store = new Store();
+  const bodies = new Bodies();
+  const toasts = new Toasts(byId("toasts"));
+  const world = new World(byId("canvas"), bodies);
+  const intake = new Intake(store, bodies, {
+    refused: (message) => toasts.warn(new Refusal(/** @type {any} */ (message)).message),
+    jumped: () => world.forget(),
+  });
+  const connection = new Connection({
+    message: (message) => intake.take(message),
+    frame: (frame) => frame.session === store.now.session && world.take(frame),
+    state: (state, why) => store.set({ connection: state, ended: why ?? "" }),
+  });
+  /** @param {import("../protocol.js").Message} action */
+  async function command(action) {
+    /** @type {import("../protocol.js").Done} */
+    const done = await connection.ask("command", { lease: store.now.control.lease, action }, "number");
+    if (!done.accepted) throw new Refusal(done);
+    return done;
+  }
+  /** @type {App} */
+  const app = {
+    store, connection, world, toasts, command,
+    act: (action) => void command(action).catch((error) => toasts.warn(error.message)),
+    panic: () => connection.send("panic") || toasts.warn("there is no connection: the arm cannot be stopped from here"),
+  };
+  connection.rate = PHONE.matches ? PHONE_RATE : connection.rate;
+  PHONE.addEventListener("change", () => connection.setRate(PHONE.matches ? PHONE_RATE : 50));
+  store.on(["sceneUrl"], ({ sceneUrl }) => {
+    byId("no-scene").hidden = Boolean(sceneUrl);
+    world.load(sceneUrl).catch((error) => noView(error, toasts));
+  });
+  store.on(["contacts"], ({ contacts }) => (world.contacts = contacts));
+  store.on(["status"], ({ status }) => status && world.know(status));
+  if (follow) {
+    store.on(["projector"], ({ projector }) => {
+      if (projector && projector !== store.now.room?.id) connection.enter(projector);
+    });
+  }
+  connection.enter(room);
+  Object.assign(window, { vrts: app }); // for tests and for the curious
+  return app;
+}
+
+/** @param {Error} error @param {Toasts} toasts */
+function noView(error, toasts) {
+  if (/webgl/i.test(error.message)) byId("no-view").hidden = false;
+  else toasts.warn(error.message);
+}

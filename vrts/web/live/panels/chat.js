@@ -1,0 +1,59 @@
+// Chat with everybody, or with the supervisors only.
+
+import { byId, choice, make, onSubmit } from "../dom.js";
+import { LONGEST_CHAT } from "../protocol.js";
+import { count } from "./tabs.js";
+
+/** @param {import("../pages/room.js").App} app */
+export function mountChat({ store, connection, toasts }) {
+  const panel = byId("panel-chat");
+  const list = make("ol", { class: "said", role: "log", "aria-label": "Chat", tabindex: "0" });
+  const field = make("input", { id: "chat-text", maxlength: LONGEST_CHAT, placeholder: "Say something", "aria-label": "Message", autocomplete: "off", required: true });
+  const to = choice([], { id: "chat-to", "aria-label": "To whom" });
+  const send = make("button", { class: "main", text: "Send" });
+  const form = make("form", { class: "row say" }, field, to, send);
+  const off = make("p", { class: "soft", text: "The supervisor has turned the chat off." });
+  panel.classList.add("chat");
+  panel.append(list, off, form);
+
+  onSubmit(form, () => {
+    const text = field.value.trim();
+    if (!text) return;
+    const [kind, person = ""] = to.value.split(" ");
+    if (connection.send("say", { text, private: kind !== "all", to: person })) field.value = "";
+    else toasts.warn("there is no connection at the moment");
+  });
+
+  let last = 0;
+  store.on(["chat", "you"], ({ chat, you }) => {
+    const below = list.scrollHeight - list.scrollTop - list.clientHeight < 40;
+    list.replaceChildren(...chat.map((row) => entry(row, you)));
+    if (below) list.scrollTop = list.scrollHeight;
+    const newest = chat.at(-1)?.number ?? 0;
+    if (newest > last && last && chat.at(-1)?.person !== you) count("chat");
+    if (newest > last && last && chat.at(-1)?.person === "") toasts.tell(chat.at(-1)?.text ?? "");
+    last = Math.max(newest, last || 1);
+  });
+  document.addEventListener("panel", () => (list.scrollTop = list.scrollHeight));
+  store.on(["people", "you", "supervisor"], ({ people, you, supervisor }) => {
+    const before = to.value;
+    const others = supervisor ? people.filter(({ id }) => id !== you) : [];
+    const options = [["all", "to all"], ["lead", supervisor ? "to supervisors" : "to the supervisor"], ...others.map(({ id, name }) => [`one ${id}`, `to ${name}`])];
+    to.replaceChildren(...options.map(([value, text]) => make("option", { value, text, selected: value === before })));
+  });
+  store.on(["control", "connection", "people", "you", "supervisor"], ({ control, connection: state, people, you, supervisor }) => {
+    const muted = people.some(({ id, muted: silent }) => id === you && silent);
+    off.textContent = muted ? "The supervisor has muted you." : "The supervisor has turned the chat off.";
+    off.hidden = control.chat && !muted;
+    form.hidden = !supervisor && (!control.chat || muted);
+    field.disabled = send.disabled = state !== "open";
+  });
+}
+
+/** @param {import("../protocol.js").Chat} row @param {string} you */
+function entry(row, you) {
+  const time = new Date(row.at * 1000).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
+  const kind = row.person === "" ? "server" : row.person === you ? "own" : "";
+  const head = make("p", { class: "who" }, make("b", { text: row.name || "Server" }), ` ${time}`, ...(row.private ? [make("span", { class: "tag", text: "private" })] : []));
+  return make("li", { class: kind }, head, make("p", { class: "text", text: row.text }));
+}

@@ -1,0 +1,59 @@
+// What happened: contacts, near misses and events by time; back to an earlier moment.
+
+import { byId, button, make, onSubmit } from "../dom.js";
+
+const MOST = 200; // rows
+const PAUSE = 400; // between drawings at least [ms]
+
+/** @param {import("../pages/room.js").App} app */
+export function mountHistory({ store, world, command, toasts }) {
+  const panel = byId("panel-history");
+  const lights = make("input", { type: "checkbox", id: "show-contacts", change: () => (world.showContacts = lights.checked) });
+  lights.checked = true;
+  const body = make("tbody");
+  const none = make("p", { class: "soft", text: "Nothing has happened yet." });
+  const box = make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Events" },
+    make("table", { class: "events" }, make("caption", { class: "unseen", text: "Events, the last ones first" }),
+      make("thead", {}, make("tr", {}, ...["Time", "What", "Line"].map((text) => make("th", { scope: "col", text })))), body));
+  const time = make("input", { type: "number", id: "rewind-time", min: "0", step: "0.1", value: "0", required: true });
+  const back = make("button", { text: "Rewind" });
+  const rewind = make("form", { class: "row" }, make("label", { text: "To second " }, time), back);
+  const reset = button("Reset the scene", () => attempt({ type: "reset" }));
+  panel.append(
+    make("label", { class: "check" }, lights, "Light up and report contacts"), none, box,
+    make("div", { class: "block" }, make("h2", { text: "Go back" }), make("div", { class: "row" }, reset, rewind)),
+  );
+  onSubmit(rewind, () => attempt({ type: "rewind", time_s: Number(time.value) }));
+
+  /** @param {import("../protocol.js").Message} action */
+  function attempt(action) {
+    command(action).catch((error) => toasts.warn(error.message));
+  }
+
+  let waiting = false;
+  store.on(["events", "contacts", "near"], later);
+  document.addEventListener("panel", later);
+  function later() {
+    if (waiting || panel.hidden) return;
+    waiting = true;
+    window.setTimeout(draw, PAUSE);
+  }
+
+  function draw() {
+    waiting = false;
+    const { events, contacts, near } = store.now;
+    const rows = [
+      ...events.map((row) => ({ t: row.time_s, kind: row.kind, text: row.text, line: row.line ? `${row.program} ${row.line}` : "" })),
+      ...contacts.map((row) => ({ t: row.start, kind: "contact", text: row.text, line: row.line ? String(row.line) : "" })),
+      ...near.map((row) => ({ t: row.start, kind: "near", text: row.text, line: row.line ? String(row.line) : "" })),
+    ].sort((a, b) => b.t - a.t).slice(0, MOST);
+    none.hidden = rows.length > 0;
+    box.hidden = !rows.length;
+    body.replaceChildren(...rows.map((row) => make("tr", { class: row.kind },
+      make("td", { class: "time", text: `${row.t.toFixed(1)} s` }), make("td", { text: row.text }), make("td", { class: "time", text: row.line }))));
+  }
+  store.on(["control", "you", "connection"], () => {
+    const may = store.operator && store.now.connection === "open";
+    reset.disabled = back.disabled = !may;
+  });
+}

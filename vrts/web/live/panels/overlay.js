@@ -1,0 +1,19 @@
+// Over the picture: what touches, what is close, what was checked.
+
+import { byId, make } from "../dom.js";
+
+const CLOSE = 1.5; // how long a near miss is shown after it [s]
+
+/** @param {import("../pages/room.js").App} app */
+export function mountOverlay({ store, world }) {
+  let shown = "";
+  world.watchers.push((state) => {
+    const touching = world.lit(state.t);
+    const near = world.showContacts ? store.now.near.filter((row) => row.start <= state.t && state.t <= row.end + CLOSE) : [];
+    const rows = [...touching.map((row) => ["bad", row.text]), ...near.map((row) => ["warn", row.text])].slice(-4);
+    const key = JSON.stringify(rows);
+    if (key === shown) return;
+    shown = key;
+    byId("overlay").replaceChildren(...rows.map(([kind, text]) => make("span", { class: kind, text })));
+  });
+}

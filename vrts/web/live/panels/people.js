@@ -1,0 +1,61 @@
+// Who is here, in which role, and who waits; for supervisors, what can be done about them.
+
+import { byId, button, make, write } from "../dom.js";
+
+/** @param {import("../pages/room.js").App} app */
+export function mountPeople({ store, connection }) {
+  const panel = byId("panel-people");
+  const hand = button("Raise hand", () => {
+    const { people, you } = store.now;
+    connection.send("raise_hand", { up: !people.find(({ id }) => id === you)?.hand });
+  }, { id: "raise-hand" });
+  const list = make("ul", { class: "people", "aria-label": "People" });
+  panel.append(make("div", { class: "row" }, hand), list);
+
+  store.on(["people", "control", "you", "supervisor"], ({ people, control, you, supervisor }) => {
+    const mine = people.find(({ id }) => id === you);
+    write(hand, mine?.hand ? "Lower hand" : "Raise hand");
+    hand.setAttribute("aria-pressed", String(Boolean(mine?.hand)));
+    const rank = (/** @type {import("../protocol.js").Person} */ person) => {
+      const place = control.queue.indexOf(person.id);
+      return person.id === control.holder ? 0 : place >= 0 ? 1 + place : person.hand ? 1000 : person.role === "supervisor" ? 2000 : 3000;
+    };
+    const rows = [...people].sort((a, b) => rank(a) - rank(b) || a.name.localeCompare(b.name));
+    const focused = document.activeElement?.getAttribute("data-do");
+    list.replaceChildren(...rows.map((person) => row(person, control, you, supervisor, connection)));
+    if (focused) /** @type {HTMLElement | null} */ (list.querySelector(`[data-do="${CSS.escape(focused)}"]`))?.focus();
+  });
+}
+
+/**
+ * @param {import("../protocol.js").Person} person @param {import("../protocol.js").Control} control
+ * @param {string} you @param {boolean} supervisor @param {import("../connection.js").Connection} connection
+ */
+function row(person, control, you, supervisor, connection) {
+  const place = control.queue.indexOf(person.id);
+  const tags = [
+    person.id === control.holder && ["has control", "tag"],
+    place >= 0 && [`${place + 1} in the queue`, "tag"],
+    person.role === "supervisor" && ["supervisor", "tag review"],
+    person.hand && ["hand raised", "tag review"],
+    person.muted && ["muted", "tag quiet"],
+    person.away && ["away", "tag quiet"],
+  ].filter(Boolean);
+  const marks = /** @type {string[][]} */ (tags).map(([text, kind]) => make("span", { class: kind, text }));
+  const name = make("span", { class: "person", text: person.id === you ? `${person.name} (you)` : person.name });
+  const entry = make("li", { class: person.away ? "away" : "" }, name, ...marks);
+  if (supervisor) {
+    const told = (/** @type {string} */ text, /** @type {string} */ type, /** @type {Record<string, unknown>} */ fields) =>
+      button(text, () => connection.send(type, fields), { "data-do": `${type} ${person.id}`, "aria-label": `${text}: ${person.name}` });
+    const buttons = [
+      ...(person.id === control.holder ? [] : [told("Give control", "hand_over", { person: person.id })]),
+      ...(person.id === you ? [] : [
+        told(person.muted ? "Unmute" : "Mute", "mute", { person: person.id, on: !person.muted }),
+        button("Kick", () => window.confirm(`Send ${person.name} away?`) && connection.send("kick", { person: person.id }), { "aria-label": `Kick: ${person.name}` }),
+      ]),
+      ...(person.rate ? [make("span", { class: "soft", text: `${person.rate} fps` })] : []),
+    ];
+    entry.append(make("div", { class: "row small" }, ...buttons));
+  }
+  return entry;
+}

@@ -1,0 +1,37 @@
+// The virtual pointer in its tab: a new one for every scene.
+
+import { byId } from "../dom.js";
+import { VirtualPointer } from "../pointer.js";
+
+/** @param {import("../pages/room.js").App} app */
+export function mountPointing({ store, connection, world, command }) {
+  const place = byId("pointer");
+  /** @type {VirtualPointer | null} */
+  let pointer = null;
+  let before = ""; // mode of the session
+  world.sceneWatchers.push((viewer) => {
+    pointer?.dispose();
+    pointer = null;
+    place.replaceChildren();
+    if (!viewer) return;
+    pointer = new VirtualPointer({
+      viewer, panel: place, state: () => world.state,
+      ask: (question) => connection.ask("reach", { ...question }),
+      go: (action) => command(action),
+    });
+    may();
+  });
+  document.addEventListener("panel", (event) => {
+    if (/** @type {CustomEvent} */ (event).detail !== "panel-pointer") pointer?.show(false);
+  });
+  store.on(["control", "you", "connection"], may);
+  store.on(["status"], ({ status }) => {
+    if (status?.mode === "idle" && pointer?.visible && before !== status.mode) pointer.askAgain();
+    before = status?.mode ?? "";
+  });
+
+  function may() {
+    const why = store.now.connection !== "open" ? "no connection" : store.operator ? "" : "only who has control may go there";
+    pointer?.enable(!why, why);
+  }
+}

@@ -1,0 +1,68 @@
+// The bar on top: room, connection, people, control right, panic.
+
+import { clockOffset } from "../account.js";
+import { byId, make, write } from "../dom.js";
+
+const STATES = { connecting: "connecting …", open: "connected", waiting: "no connection, trying again …", ended: "ended" };
+
+/** @param {import("../pages/room.js").App} app */
+export function mountTop({ store, connection, panic }) {
+  byId("panic").addEventListener("click", panic);
+  byId("room-choice").addEventListener("change", () => {
+    const url = new URL(location.href);
+    url.searchParams.set("room", byId("room-choice").value);
+    history.replaceState(null, "", url);
+    connection.enter(byId("room-choice").value);
+  });
+  byId("control-button").addEventListener("click", () => {
+    const { control, you } = store.now;
+    connection.send(control.holder === you || control.queue.includes(you) ? "hand_back" : "request_control");
+  });
+  store.on(["room", "rooms"], ({ room, rooms }) => {
+    write(byId("room-name"), room?.name ?? "Room");
+    document.title = `${room?.name ?? "Room"} · vrts`;
+    byId("room-pick").hidden = rooms.length < 2;
+    byId("room-name").classList.toggle("unseen", rooms.length >= 2);
+    byId("room-choice").replaceChildren(...rooms.map(({ id, name }) => make("option", { value: id, text: name, selected: id === room?.id })));
+    byId("task-name").hidden = !room?.task;
+    write(byId("task-name"), room?.task ?? "");
+  });
+  store.on(["connection", "ended"], ({ connection: state, ended }) => {
+    const chip = byId("link-state");
+    write(chip, ended || STATES[state]);
+    chip.className = `chip ${state}`;
+  });
+  store.on(["people"], ({ people }) => {
+    const here = people.filter((person) => !person.away).length;
+    write(byId("crowd"), `${here} here`);
+  });
+  store.on(["control", "people", "you"], ({ control, people, you, supervisor }) => {
+    const mine = control.holder === you && you !== "";
+    const place = control.queue.indexOf(you);
+    const waits = place >= 0;
+    write(byId("control-button"), mine ? "Hand back" : waits ? "Leave the queue" : control.holder || control.locked ? "Queue for control" : "Take control");
+    byId("control-button").classList.toggle("main", !mine && !waits && !control.holder && !control.locked);
+    byId("panic").hidden = !mine && !supervisor;
+    document.body.classList.toggle("operates", mine);
+    const holder = people.find((person) => person.id === control.holder)?.name ?? "nobody";
+    const words = mine ? "You have control" : waits ? `${ordinal(place + 1)} in the queue; ${holder} has control` : `${holder} has control`;
+    byId("turn").dataset.words = control.frozen ? "Frozen by the supervisor" : control.locked ? `${words}, locked` : words;
+    byId("turn").classList.toggle("mine", mine && !control.frozen && !control.locked);
+    byId("turn").classList.toggle("stopped", control.frozen || control.locked);
+    tick();
+  });
+
+  /** Show what is left of a turn. */
+  function tick() {
+    const { ends } = store.now.control;
+    const left = Math.max(Math.ceil(ends - (Date.now() / 1000 + clockOffset)), 0);
+    const words = byId("turn").dataset.words ?? "";
+    write(byId("turn"), ends ? `${words}, ${Math.floor(left / 60)}:${String(left % 60).padStart(2, "0")} left` : words);
+  }
+  window.setInterval(tick, 500);
+}
+
+/** @param {number} n */
+function ordinal(n) {
+  return `${n}${n % 100 > 10 && n % 100 < 14 ? "th" : ["th", "st", "nd", "rd"][n % 10] ?? "th"}`;
+}

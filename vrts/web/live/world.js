@@ -1,0 +1,159 @@
+// The 3D world of a room: the viewer of the reports, fed by frames.
+
+import { armFrames } from "../viewer/kinematics.js";
+import { compose, identity } from "../viewer/poses.js";
+import { Viewer } from "../viewer/viewer.js";
+import { Motion } from "./motion.js";
+import { toolFrom } from "./tool.js";
+
+const AFTERGLOW = 1.5; // how long a contact stays lit [s]
+const FARTHER = 1.35; // times
+const RAISED = 0.3; // by which the overview looks higher than the reports' [m]
+const dark = window.matchMedia("(prefers-color-scheme: dark)");
+
+/** @typedef {import("../viewer/replay.js").State} State */
+/** @typedef {import("../viewer/viewer.js").SceneData} SceneData */
+
+/** Shows what the last frames say, at the screen's own rate. */
+export class World {
+  /** @param {HTMLCanvasElement} canvas @param {import("./bodies.js").Bodies} bodies */
+  constructor(canvas, bodies) {
+    this.canvas = canvas;
+    this.bodies = bodies;
+    this.motion = new Motion();
+    /** @type {Viewer | null} */
+    this.viewer = null;
+    /** @type {State | null} */
+    this.state = null;
+    /** @type {import("./protocol.js").Contact[]} */
+    this.contacts = [];
+    this.showContacts = true;
+    this.X_FT = identity();
+    this.frames = 0; // heard
+    this.drawn = 0;
+    /** @type {((state: State, outputs: number, flags: number) => void)[]} */
+    this.watchers = [];
+    /** @type {((viewer: Viewer | null) => void)[]} */
+    this.sceneWatchers = [];
+    this.url = "";
+    dark.addEventListener("change", () => this.viewer?.setTheme(theme()));
+    const tick = () => {
+      this.tick(performance.now() / 1000);
+      requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+  }
+
+  /**
+   * Draw another scene, once it has come.
+   * @param {string} url empty: none
+   */
+  async load(url) {
+    if (url === this.url) return;
+    this.url = url;
+    if (!url) return;
+    const answer = await fetch(url);
+    if (this.url !== url) return; // another one by now
+    if (!answer.ok) throw new Error(`the scene could not be fetched (${answer.status})`);
+    this.begin(await answer.json());
+  }
+
+  /** @param {SceneData} data */
+  begin(data) {
+    const old = this.viewer;
+    for (const tell of this.sceneWatchers) tell(null);
+    if (old) {
+      old.watch.disconnect();
+      old.controls.dispose();
+      old.renderer.dispose();
+      const fresh = /** @type {HTMLCanvasElement} */ (this.canvas.cloneNode());
+      this.canvas.replaceWith(fresh);
+      this.canvas = fresh;
+    }
+    this.viewer = new Viewer(this.canvas, data, theme());
+    this.state = null;
+    look(this.viewer, "overview");
+    for (const tell of this.sceneWatchers) tell(this.viewer);
+  }
+
+  /** Learn from a status which tool is in force. @param {import("./protocol.js").Status} status */
+  know(status) {
+    if (this.viewer) this.X_FT = toolFrom(this.viewer.data.robot.arm, status, this.X_FT);
+  }
+
+  /** @param {import("./frame.js").PoseFrame} frame */
+  take(frame) {
+    this.frames++;
+    this.motion.add(frame, performance.now() / 1000);
+  }
+
+  /** Session time has jumped. */
+  forget() {
+    this.motion.clear();
+  }
+
+  /** @param {number} now [s] */
+  tick(now) {
+    const shown = this.motion.at(now);
+    if (!shown || !this.viewer) return;
+    const q = new Float64Array(7);
+    q.set(shown.joints);
+    q[6] = shown.hand;
+    const { X_BL, X_BF } = armFrames(this.viewer.data.robot.arm, q);
+    const { poses, held } = this.bodies.at(shown.t, X_BF);
+    const state = { t: shown.t, q, v: new Float64Array(7), X_WL: X_BL, X_WF: X_BF, X_WT: compose(X_BF, this.X_FT), bodies: poses, held };
+    if (this.changed(state)) {
+      this.viewer.show(state);
+      this.drawn++;
+    }
+    this.state = state;
+    const lit = this.lit(shown.t);
+    this.viewer.highlight(lit.length ? this.mark(lit) : null);
+    for (const tell of this.watchers) tell(state, shown.outputs, shown.flags);
+  }
+
+  /** Whether there is anything new to draw. @param {State} state */
+  changed(state) {
+    const before = this.state;
+    if (!before || before.q.some((q, joint) => q !== state.q[joint])) return true;
+    for (const [name, X] of state.bodies) {
+      const old = before.bodies.get(name);
+      if (!old || X.some((x, index) => x !== old[index])) return true;
+    }
+    return false;
+  }
+
+  /** Return the contacts to be lit up at a time. @param {number} t [s] */
+  lit(t) {
+    if (!this.showContacts) return [];
+    return this.contacts.filter((contact) => contact.start <= t && t <= contact.end + AFTERGLOW);
+  }
+
+  /** @param {import("./protocol.js").Contact[]} touching @returns {import("../viewer/viewer.js").Mark} */
+  mark(touching) {
+    const known = new Set(this.viewer?.data.bodies.map((body) => body.name));
+    const parts = touching.flatMap((contact) => contact.parts);
+    return {
+      bodies: [...parts, ...touching.map((contact) => contact.second)].filter((name) => known.has(name)),
+      robot: parts.some((name) => !known.has(name)),
+      point: touching[0].point,
+    };
+  }
+}
+
+/**
+ * Look from a preset view point. The overview stands far enough away for an arm that points up.
+ * @param {Viewer} viewer @param {string} name
+ */
+export function look(viewer, name) {
+  viewer.look(name);
+  if (name !== "overview") return;
+  viewer.controls.target.z += RAISED;
+  viewer.camera.position.z += RAISED;
+  viewer.zoom(FARTHER);
+}
+
+/** @returns {"dark"|"light"} */
+export function theme() {
+  return dark.matches ? "dark" : "light";
+}
