@@ -7,6 +7,7 @@ path time; where the operator's speed is not 100 % they are composed with the ti
 
 from bisect import bisect_right
 from collections.abc import Sequence
+from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -46,23 +47,35 @@ class Timeline:
         horizon_s: float,
     ) -> None:
         """Take the tracks in time order, and where arm and hand are before the first of each."""
-        self._pieces = pieces if scale.plain else in_run_time(pieces, scale, horizon_s)
+        self._in_path_time = pieces
+        self._scale = scale
         self._strokes = strokes
         self._configuration = configuration
         self._opening_m = opening_m
         self.horizon_s = horizon_s
         self._segments: tuple[Segment, ...] | None = None
-        self._piece_starts = [piece.start_s for piece in self._pieces]
         self._stroke_starts = [stroke.start_s for stroke in strokes]
         self._batch: Batch | None = None
 
+    @cached_property
+    def _pieces(self) -> Sequence[ArmPiece]:
+        """The pieces in run time."""
+        if self._scale.plain:
+            return self._in_path_time
+        return in_run_time(self._in_path_time, self._scale, self.horizon_s)
+
+    @cached_property
+    def _piece_starts(self) -> Sequence[float]:
+        return [piece.start_s for piece in self._pieces]
+
     def configuration(self, time_s: float) -> Configuration:
-        """Return the joint positions at a time [rad]."""
-        found = bisect_right(self._piece_starts, time_s)
+        """Return the joint positions at a time [rad]. Nothing is composed for it."""
+        path_s = time_s if self._scale.plain else self._scale.path(time_s)
+        found = bisect_right(self._in_path_time, path_s, key=_start)
         if not found:
             return self._configuration
-        piece = self._pieces[found - 1]
-        t = min(time_s, piece.end_s) - piece.start_s
+        piece = self._in_path_time[found - 1]
+        t = min(path_s, piece.end_s) - piece.start_s
         return tuple([value(row, t) for row in piece.rows])  # type: ignore[return-value]
 
     def velocity(self, time_s: float) -> Configuration:
@@ -126,6 +139,10 @@ class Timeline:
         else:
             hand = (opening,)
         return Segment(start, end, (*rows, hand), motion)
+
+
+def _start(piece: ArmPiece) -> float:
+    return piece.start_s
 
 
 def in_run_time(pieces: Sequence[ArmPiece], scale: TimeScale, until_s: float) -> Sequence[ArmPiece]:
