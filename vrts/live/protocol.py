@@ -382,6 +382,7 @@ class WallRow(msgspec.Struct, frozen=True):
     mark: float | None  # public mark live
     joints_rad: tuple[float, ...]  # for the still
     alive: bool  # the session process runs
+    scene_url: str = ""  # what is to be drawn; empty: not there yet
 
 
 class Wall(Message, frozen=True, tag="wall"):
