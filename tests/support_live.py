@@ -8,14 +8,16 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
 from typing import Any
 
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Origin
 
-PATIENCE = 60.0  # [s]; the machine may be busy
+PATIENCE = 25.0  # [s]; the machine may be busy
 Json = dict[str, Any]
 
 
@@ -57,7 +59,10 @@ class Browser:
         """Return the next message of a type; what comes before it is kept in `came`."""
         until = time.monotonic() + patience
         while (left := until - time.monotonic()) > 0:
-            message = self._next(left)
+            try:
+                message = self._next(left)
+            except TimeoutError:
+                break
             if message is not None and message["type"] == type_ and fits(message):
                 return message
         raise AssertionError(f"no {type_} came; the last: {self.came[-5:]}")
@@ -70,6 +75,13 @@ class Browser:
                 self._next(left)
             except TimeoutError:
                 return
+
+    def quiet_until_closed(self) -> None:
+        """Take everything that still comes."""
+        try:
+            self.quiet(PATIENCE)
+        except ConnectionClosed:
+            return
 
     def closed(self) -> Json | None:
         """Read to the end; return the last message, which says why."""
@@ -105,7 +117,7 @@ class LiveServer:
 
     def __init__(self, folder: Path, *options: str, scenes: tuple[str, ...] = ("cans-on-bases",)):
         self.folder = folder
-        self._sockets: list[ClientConnection] = []
+        self._sockets = ExitStack()
         self._arguments = (*scenes, "--folder", str(folder), *options)
         self.start("0")
 
@@ -135,8 +147,7 @@ class LiveServer:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        for socket in self._sockets:
-            socket.close()
+        self.close_browsers()
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGTERM)
         assert self.process.stderr is not None
@@ -144,6 +155,10 @@ class LiveServer:
         faults = self.process.stderr.read()
         self.process.stderr.close()
         assert "Traceback" not in faults, faults
+
+    def close_browsers(self) -> None:
+        """Close all connections."""
+        self._sockets.close()
 
     def kill(self) -> None:
         """Kill -9."""
@@ -161,7 +176,7 @@ class LiveServer:
             all_headers["content-type"] = "application/json"
         all_headers |= {name.replace("_", "-"): value for name, value in headers.items()}
         try:
-            link.putrequest(method, path, skip_host=True)
+            link.putrequest(method, path, skip_host=True, skip_accept_encoding=True)
             for name, value in all_headers.items():
                 if value:
                     link.putheader(name, value)
@@ -185,16 +200,18 @@ class LiveServer:
     def open(self, cookie: str, **headers: str) -> Browser:
         """Open a WebSocket."""
         all_headers = {"cookie": cookie, **headers}
-        socket = connect(
+        link = connect(
             f"ws://{self.host}/ws",
-            origin=all_headers.pop("origin", f"http://{self.host}"),  # type: ignore[arg-type]
+            origin=Origin(all_headers.pop("origin", f"http://{self.host}")),
             additional_headers=all_headers,
             compression=None,
             max_size=None,
+            max_queue=None,
             open_timeout=PATIENCE,
+            close_timeout=1.0,
             proxy=None,
         )
-        self._sockets.append(socket)
+        socket = self._sockets.enter_context(link)
         return Browser(socket)
 
     def join(self, cookie: str, **fields: Any) -> Browser:

@@ -126,8 +126,6 @@ class Hub:
         """Make a room."""
         if len(self.rooms) >= MOST_ROOMS:
             raise NotObeyed("limit", f"there are {MOST_ROOMS} rooms already", "close some")
-        if self.settings.place(scene) is None:
-            raise NotObeyed("scene", f"there is no scene `{scene}` in the set")
         settings = self.settings
         place = max((room.kept.place for room in self.rooms.values()), default=0) + 1
         kept = KeptRoom(new_id(), name, scene, place, True, settings.turn_s, settings.idle_s)
@@ -192,7 +190,7 @@ class Hub:
             member = Member(account, room.id)
             room.members[member.id] = member
         resumed = join.resume == member.resume and room.remembers(join.seen)
-        member.seen = join.seen if resumed else 0
+        member.seen = join.seen if resumed else None
         member.door, member.rate, member.settled = door, join.rate, False
         room.control.back(member.id)
         welcome = Welcome(
@@ -222,8 +220,8 @@ class Hub:
             if member.door is None:
                 continue
             member.settled = True
-            if member.seen:
-                for frame in room.missed(member):
+            if member.seen is not None:
+                for frame in room.missed(member, member.seen):
                     member.send(frame)
             snapshot = Snapshot(
                 room=room.entry,
@@ -233,10 +231,12 @@ class Hub:
                 session=room.session,
                 scene_url=room.scene_url,
                 state=msgspec.Raw(state),
-                chat=() if member.seen else room.chat_for(member),
+                chat=() if member.seen is not None else room.chat_for(member),
             )
             member.send(text_frame(encode(snapshot)))
             member.send(text_frame(encode(room.control_for(member))))
+            all_rooms = Rooms(self.entries(member.account), self.projector)
+            member.send(text_frame(encode(all_rooms)))
 
     def drop(self, member: Member, door: Door) -> None:
         """Take note that a connection is gone; the place is kept for a while."""

@@ -22,7 +22,7 @@ class Member:
     resume: str = field(default_factory=new_token)
     door: Door | None = None  # None: away
     settled: bool = False  # has been sent a snapshot, and gets what is new
-    seen: int = 0  # number after which a returning client wants to be told; 0: it knows nothing
+    seen: int | None = None  # number after which a returning client is told what it missed
     away_since: float = 0.0
     hand: bool = False
     wall: bool = False  # watches the wall

@@ -169,12 +169,10 @@ class Room:
             seen == self.number or (bool(self._told) and self._told[0].number <= seen + 1)
         )
 
-    def missed(self, member: Member) -> list[bytes]:
+    def missed(self, member: Member, seen: int) -> list[bytes]:
         """Return the frames for somebody who came back."""
         return [
-            told.frame
-            for told in self._told
-            if told.number > member.seen and told.to.includes(member)
+            told.frame for told in self._told if told.number > seen and told.to.includes(member)
         ]
 
     def chat_for(self, member: Member) -> tuple[Chat, ...]:
@@ -266,6 +264,7 @@ class Room:
             mark=status.mark,
             joints_rad=status.joints_rad,
             alive=self.process is not None and self.process.ready,
+            scene_url=self.scene_url,
         )
 
     def _role(self, member: Member) -> Role:

@@ -125,8 +125,7 @@ async def _kick(hub: Hub, room: Room, member: Member, message: Kick) -> None:
 
 
 async def _set_scene(hub: Hub, sessions: Sessions, room: Room, member: Member, scene: str) -> None:
-    if hub.settings.place(scene) is None:
-        raise NotObeyed("scene", f"there is no scene `{readable(scene)}` in the set")
+    _known(hub, scene)
     await hub.change(room, room.kept._replace(scene=scene))
     hub.record(room, "scene", member.account, {"scene": scene})
     sessions.begin_anew(room)
@@ -136,6 +135,8 @@ async def _make_rooms(hub: Hub, sessions: Sessions, message: MakeRooms) -> None:
     names = [display_name(wanted.name) for wanted in message.rooms]
     if not all(names):
         raise NotObeyed("name", "a name needs a letter or a digit")
+    for wanted in message.rooms:
+        _known(hub, wanted.scene)
     for name, wanted in zip(names, message.rooms, strict=True):
         sessions.begin(await hub.make_room(name, wanted.scene))
     hub.rooms_changed()
@@ -148,6 +149,11 @@ async def _broadcast(hub: Hub, sessions: Sessions, member: Member, message: Broa
             await hub.say(room, member, text, EVERYBODY, None)
         if message.scene:
             await _set_scene(hub, sessions, room, member, message.scene)
+
+
+def _known(hub: Hub, scene: str) -> None:
+    if hub.settings.place(scene) is None:
+        raise NotObeyed("scene", f"there is no scene `{readable(scene)}` in the set")
 
 
 def _person(room: Room, id_: str) -> Member:

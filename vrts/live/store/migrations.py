@@ -105,7 +105,7 @@ def migrate(connection: sqlite3.Connection, steps: tuple[str, ...] = STEPS) -> i
     for number, step in enumerate(steps[version:], version + 1):
         try:
             connection.executescript(
-                f"BEGIN IMMEDIATE; {step} PRAGMA user_version={number}; COMMIT"
+                f"BEGIN IMMEDIATE; {step}; PRAGMA user_version={number}; COMMIT"
             )
         except sqlite3.Error:
             if connection.in_transaction:
