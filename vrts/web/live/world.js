@@ -7,8 +7,8 @@ import { Motion } from "./motion.js";
 import { toolFrom } from "./tool.js";
 
 const AFTERGLOW = 1.5; // how long a contact stays lit [s]
-const FARTHER = 1.35; // times
-const RAISED = 0.3; // by which the overview looks higher than the reports' [m]
+const FARTHER = 1.42; // times
+const RAISED = 0.42; // by which the overview looks higher than the reports' [m]
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
 
 /** @typedef {import("../viewer/replay.js").State} State */
