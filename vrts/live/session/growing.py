@@ -187,8 +187,6 @@ def _release(machine: Machine) -> None:
     """Let a machine that nobody needs any more go at once: its parts know one another."""
     system = machine.system
     del system.robot, system.process
-    machine.robot.clear()
-    machine.process.clear()
 
 
 def _when(entry: tuple[float, int, Event]) -> float:
