@@ -76,6 +76,10 @@ class Browser:
             except TimeoutError:
                 return
 
+    def take(self) -> None:
+        """Take one message or frame."""
+        self._next(PATIENCE)
+
     def quiet_until_closed(self) -> None:
         """Take everything that still comes."""
         try:
