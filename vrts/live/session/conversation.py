@@ -9,14 +9,14 @@ from collections.abc import Mapping, Sequence
 from vrts.base.source import SourceFile
 from vrts.engine.controller import advance
 from vrts.engine.events import CommandRefused, Event, Found, ProgramStarted
-from vrts.engine.records import ProgramState
+from vrts.engine.records import ProgramState, ProgramStatus
 from vrts.ir.commands import Answer, Command, Do, Kill, Panic, TimedCommand
 from vrts.ir.module import Module
 from vrts.ir.values import Value
 from vrts.live.session.folders import Folders
 from vrts.live.session.growing import GrowingRun
 from vrts.monitor import words
-from vrts.monitor.desk import ALONE, Desk, Situation, Turn, executes
+from vrts.monitor.desk import ALONE, Desk, Situation, Turn
 from vrts.monitor.folder import CannotUse
 from vrts.monitor.monitor import Monitor
 from vrts.monitor.teller import Teller
@@ -51,7 +51,11 @@ class Conversation:
         robot = state.robot
         if robot is None or robot.program != ALONE:
             self._robot = robot
-        shown = robot if executes(robot) else None if self._killed else self._robot
+        if robot is not None and self.growing.executing:
+            running = self.growing.machine.robot.program
+            shown = robot._replace(program=running, status=ProgramStatus.RUNNING)
+        else:
+            shown = None if self._killed else self._robot
         return Situation(state, self._calculate, shown, state.awaits_answer)
 
     # --- in -----------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ from bisect import bisect_right, insort
 
 from vrts.base.stack import deep_stack
 from vrts.engine.controller import start
-from vrts.engine.events import Event
+from vrts.engine.events import Event, ProgramEnded, ProgramStarted
 from vrts.engine.forget import forget
 from vrts.engine.machine import Machine
 from vrts.engine.run import Run
@@ -36,6 +36,7 @@ class GrowingRun:
         self.time_s = 0.0
         self.said: list[str] = []  # what users should know
         self.known_from_s = 0.0  # what was before is forgotten
+        self._begun = -1  # the number of the event with which the robot program began
         self._seen = 0  # events of the machine that were looked at
         self._coming: list[tuple[float, int, Event]] = []  # seen, but their time has not come
         self._kept: list[tuple[float, Machine]] = [(0.0, self.machine.copy())]
@@ -81,14 +82,26 @@ class GrowingRun:
         events = self.machine.system.events
         for number in range(self._seen, len(events)):
             event = events[number]
+            if isinstance(event, ProgramStarted) and not event.process:
+                self._begun = number
             insort(self._coming, (event.time_s, number, event), key=_when)
         self._seen = len(events)
         ripe = 0
         while ripe < len(self._coming) and self._coming[ripe][0] <= self.time_s:
             ripe += 1
-        found = [event for _, _, event in self._coming[:ripe]]
+        found = [
+            event for _, number, event in self._coming[:ripe] if not self._stale(number, event)
+        ]
         del self._coming[:ripe]
         return found
+
+    def _stale(self, number: int, event: Event) -> bool:
+        """Return whether an event is the end of an instruction that another program followed.
+
+        A single instruction ends when the arm will have arrived; when it is replaced on the way,
+        its end is none of the program that has begun meanwhile.
+        """
+        return isinstance(event, ProgramEnded) and not event.process and number < self._begun
 
     # --- asking -------------------------------------------------------------------------------
 
@@ -117,9 +130,12 @@ class GrowingRun:
     @property
     def executing(self) -> bool:
         """Whether a robot program executes, or has ended but the arm still moves for it."""
-        machine = self.machine
-        ended = machine.ended_s
-        return machine.robot.running or (ended is not None and ended > self.time_s)
+        machine, now_s = self.machine, self.time_s
+        if machine.robot.running:
+            return True
+        ended_s = machine.ended_s  # stays where it was when the motion is given up
+        settles_s = machine.system.planner.settled_at
+        return ended_s is not None and ended_s > now_s and settles_s > now_s
 
     @property
     def moving(self) -> bool:
@@ -148,7 +164,7 @@ class GrowingRun:
         self.machine.know(issued)
         self.machine.advance(time_s)
         self.time_s, self._run = time_s, None
-        self._coming, self._seen = [], 0
+        self._coming, self._seen, self._begun = [], 0, -1
         self.news()  # of the past: it was told before
 
     @property
@@ -179,7 +195,10 @@ class GrowingRun:
         self.known_from_s, self._run = known_from_s, None
         forget([self.machine, *(machine for _, machine in self._kept)], known_from_s)
         self._forgotten = first.finished
-        self._seen = len(self.machine.system.events) - late
+        shorter = self._seen - (len(self.machine.system.events) - late)
+        self._seen -= shorter
+        self._begun -= shorter
+        self._coming = [(at_s, known - shorter, event) for at_s, known, event in self._coming]
         self._uncrowded = max(MOST_EVENTS, 2 * len(self.machine.system.events))
 
 

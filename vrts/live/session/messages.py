@@ -126,6 +126,7 @@ class Done(News, frozen=True, tag="done"):
     help: str = ""
     code: str = ""  # of the diagnostic, such as "V331"; "busy", "limit" ... without one
     counts: bool = True  # whether a replay needs it
+    row: str = ""  # of what was recorded: its line of `.LOCATIONS`, as STORE writes it
 
 
 class Reached(News, frozen=True, tag="reached"):

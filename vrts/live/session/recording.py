@@ -2,9 +2,13 @@
 
 import re
 
+from vrts.base.source import SourceFile, Span
 from vrts.ir.commands import SetVariable
+from vrts.ir.module import Datum, Module
 from vrts.ir.values import Type
+from vrts.lang.dialect import VAL2
 from vrts.lang.names import key
+from vrts.lang.store import store_text
 from vrts.monitor.desk import Refused, Situation, cell, is_name
 from vrts.monitor.listings import location_row
 from vrts.monitor.values import fits, here_pose
@@ -34,3 +38,11 @@ def recorded(title: str, now: Situation) -> tuple[SetVariable, str]:
         raise Unrecordable(f"`{name}` is in use for something else") from refused
     value = now.state.configuration if joints else here_pose(now)
     return SetVariable(name, indices, value), f"{cell(name, indices):<12}{location_row(value)}\n"
+
+
+def stored_row(command: SetVariable) -> str:
+    """Return the line of `.LOCATIONS` that STORE writes for a location."""
+    assert command.value is not None
+    span = Span(SourceFile("recorded", ""), 0, 0)
+    datum = Datum(command.name, command.subscripts, command.value, span)
+    return store_text(span.source, Module({}, (datum,)), VAL2).splitlines()[1]

@@ -31,7 +31,7 @@ from vrts.live.session.motions import (
     pose_of,
     turn_joint,
 )
-from vrts.live.session.recording import Unrecordable, recorded
+from vrts.live.session.recording import Unrecordable, recorded, stored_row
 from vrts.live.session.showing import Showing
 from vrts.live.session.status import runs
 from vrts.monitor.desk import Desk
@@ -307,7 +307,7 @@ class Session:
             return m.Done(ref, at_s, False, str(problem), code="name")
         self.conversation.issue(command)
         self.showing.say(text)
-        return m.Done(ref, at_s, True, text)
+        return m.Done(ref, at_s, True, text, row=stored_row(command))
 
     def _save(self, ref: int, name: str, owner: str) -> m.Done:
         from vrts.live.session.program import is_program_name

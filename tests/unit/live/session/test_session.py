@@ -379,3 +379,21 @@ def test_too_many_variables_stop_the_program(driven: Driven) -> None:
     driven.run(25.0, beat_s=0.5)
     assert not driven.frames[-1].flags & RUNNING
     assert any("20,000 variables" in h.text for h in driven.said(Happened))
+
+
+def test_after_a_key_is_let_go_the_monitor_is_free_at_once(driven: Driven) -> None:
+    driven.act(do.Upload("slow.v2", ".PROGRAM slow()\n 10 x = 1\n GOTO 10\n.END\n"))
+    driven.act(do.Jog("joint", 0, 1, 0.2))
+    for _ in range(5):
+        driven.run(0.1)
+        driven.act(do.Keep())
+    driven.act(do.LetGo())
+    driven.run(0.6)
+    status = driven.said(Status)[-1]
+    assert (status.mode, status.prompt) == ("idle", ".")
+    assert "Illegal" not in driven.typed("EXECUTE slow")
+    driven.run(40.0, beat_s=0.1)  # longer than the key would have led
+    assert driven.said(Status)[-1].mode == "running"
+    assert driven.said(Status)[-1].prompt == "*"
+    assert "completed" not in "".join(driven.texts(Output))
+    assert "Illegal" in driven.typed("EXECUTE slow")
