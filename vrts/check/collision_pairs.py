@@ -7,7 +7,7 @@ at once, whatever their intervals.
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -58,8 +58,6 @@ class Rule(NamedTuple):
     grazes: bool  # shallower touches are listed
     counts: bool  # enters minimum clearance
 
-
-_Row: TypeAlias = tuple[int, int, float, float, float, bool, bool, int]
 
 STRICT = Rule(TOLERANCE, grazes=True, counts=True)
 ITSELF = Rule(TOLERANCE, grazes=True, counts=False)  # the arm's own shape is no near miss
@@ -138,13 +136,23 @@ def plan(
     return Plan(arrays, table.pairs(rigid=False), table.pairs(rigid=True), tuple(table.groups))
 
 
+class _Block(NamedTuple):
+    """Every pair of two unions of solids, under one rule for one time."""
+
+    first: tuple[int, ...]
+    second: Sequence[int]
+    interval: tuple[float, float]
+    rule: Rule
+    group: int
+
+
 @dataclass(slots=True)
 class _Table:
     """Collects pairs."""
 
     groups: dict[tuple[str, str], int] = field(default_factory=dict[tuple[str, str], int])
-    rows: list[_Row] = field(default_factory=list[_Row])
-    rigid_rows: list[_Row] = field(default_factory=list[_Row])
+    blocks: list[_Block] = field(default_factory=list[_Block])
+    rigid_blocks: list[_Block] = field(default_factory=list[_Block])
 
     def add(
         self,
@@ -161,23 +169,40 @@ class _Table:
         if end_s <= start_s:
             return
         number = self.groups.setdefault(group, len(self.groups))
-        rows = self.rigid_rows if rigid else self.rows
-        rows += [(i, j, start_s, end_s, *rule, number) for i in first for j in second]
+        blocks = self.rigid_blocks if rigid else self.blocks
+        blocks.append(_Block(tuple(first), second, interval, rule, number))
 
     def pairs(self, *, rigid: bool) -> Pairs:
-        """Return the rows as arrays."""
-        rows = self.rigid_rows if rigid else self.rows
-        columns = list(zip(*rows, strict=True)) if rows else [()] * 8
+        """Return the pairs as arrays."""
+        blocks = self.rigid_blocks if rigid else self.blocks
+        sizes = [len(block.first) * len(block.second) for block in blocks]
+        first, second = _products(blocks)
+
+        def column(values: Sequence[object], kind: type[np.generic]) -> npt.NDArray[Any]:
+            return np.repeat(np.array(values, dtype=kind), sizes)
+
         return Pairs(
-            np.array(columns[0], dtype=np.int64),
-            np.array(columns[1], dtype=np.int64),
-            np.array(columns[2], dtype=np.float64),
-            np.array(columns[3], dtype=np.float64),
-            np.array(columns[4], dtype=np.float64),
-            np.array(columns[5], dtype=np.bool_),
-            np.array(columns[6], dtype=np.bool_),
-            np.array(columns[7], dtype=np.int64),
+            first,
+            second,
+            column([block.interval[0] for block in blocks], np.float64),
+            column([block.interval[1] for block in blocks], np.float64),
+            column([block.rule[0] for block in blocks], np.float64),
+            column([block.rule[1] for block in blocks], np.bool_),
+            column([block.rule[2] for block in blocks], np.bool_),
+            column([block.group for block in blocks], np.int64),
         )
+
+
+def _products(blocks: Sequence[_Block]) -> tuple[Indices, Indices]:
+    """Return the first and the second solid of every pair, block after block."""
+    firsts = np.array([i for block in blocks for i in block.first], dtype=np.int64)
+    seconds = np.array([j for block in blocks for j in block.second], dtype=np.int64)
+    wide = np.array([len(block.second) for block in blocks], dtype=np.int64)
+    high = np.array([len(block.first) for block in blocks], dtype=np.int64)
+    begins = np.repeat(np.cumsum(wide) - wide, high)  # of the second solids, for every first one
+    counts = np.repeat(wide, high)
+    along = np.arange(int(counts.sum())) - np.repeat(np.cumsum(counts) - counts, counts)
+    return np.repeat(firsts, counts), seconds[np.repeat(begins, counts) + along]
 
 
 def _self_pairs(

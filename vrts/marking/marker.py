@@ -14,6 +14,8 @@ from tempfile import TemporaryDirectory
 
 import msgspec
 
+from vrts.assignments.packed import is_packed
+from vrts.assignments.task_folder import reference_of
 from vrts.check.earned import not_reached
 from vrts.marking.one import Marked, Order, Wanted, mark, refused
 from vrts.marking.report_files import FAULT, RECORDING, REPORT, Reader, write_files
@@ -24,6 +26,8 @@ from vrts.pipeline.settings import Setting
 
 STUDENT, STAFF = "student", "staff"  # folders of what a process writes
 WRITTEN = tuple(f"{who}/{name}" for who in (STUDENT, STAFF) for name in (REPORT, RECORDING, FAULT))
+
+IDLE = b".PROGRAM warm()\nSTOP\n.END\n"
 
 
 class Marks(Record, frozen=True):
@@ -71,12 +75,21 @@ class Marker:
         wanted = msgspec.json.encode(self.wanted).decode()
         return key_of(data, *digests, *versions_of_scoring(), wanted)
 
-    def warm_up(self) -> None:
-        """Load all that marking needs, by marking a program that does nothing.
+    @property
+    def folder(self) -> Path:
+        """The folder of the task's file."""
+        path = Path(self.place.task)
+        return path if path.is_dir() else path.parent
 
-        Nothing is recorded: recordings start threads, which must not be there when processes fork.
+    def warm_up(self) -> None:
+        """Load and draw what all submissions share, by marking the reference of the task.
+
+        Without a reference a program that does nothing has to do. Nothing is recorded: recordings
+        start threads, which must not be there when processes fork.
         """
-        order = Order("warm-up", "warm-up.v2", b".PROGRAM warm()\nSTOP\n.END\n")
+        reference = None if is_packed(Path(self.place.task)) else reference_of(self.folder)
+        program = IDLE if reference is None else reference.read_bytes()
+        order = Order("warm-up", "warm-up.v2", program)
         quiet = msgspec.structs.replace(self.wanted, recordings=False)
         if self.wanted.recordings:
             import_module("vrts.report.recording")

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from vrts.scene.scenario_file import ScenarioFile
 
 NO_SUCH_PROGRAM = Rule("V190", "no-such-program")
-CURVE_STEP = 0.1  # [s] between samples of the clearance, for charts
-CURVE_MOST = 600  # samples
+CURVE_STEP = 0.15  # [s] between samples of the clearance, for charts
+CURVE_MOST = 400  # samples
 
 
 def assess(
