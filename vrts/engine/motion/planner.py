@@ -289,7 +289,7 @@ class Planner:
             self._stop_at(path_s, motion.start)
             return True
         steady, rate = self.scale.rate, self.scale.rate_at(now)
-        ramp = self.arm.acceleration_time / steady * (rate / steady)
+        ramp = self.arm.acceleration_time * (rate / steady)
         stop_s = path_s + 0.5 * rate * ramp
         if stop_s >= self.end_s:
             return False  # it comes to rest by itself within that time

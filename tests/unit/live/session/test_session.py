@@ -397,3 +397,13 @@ def test_after_a_key_is_let_go_the_monitor_is_free_at_once(driven: Driven) -> No
     assert driven.said(Status)[-1].prompt == "*"
     assert "completed" not in "".join(driven.texts(Output))
     assert "Illegal" in driven.typed("EXECUTE slow")
+
+
+def test_panic_stops_as_soon_at_a_low_monitor_speed(driven: Driven) -> None:
+    driven.typed("SPEED 5", "DO DRIVE 1,-90,100", seconds=1.0)
+    assert driven.frames[-1].flags & MOVING
+    driven.halt()
+    driven.run(0.3)
+    stopped = driven.frames[-1].joints
+    driven.run(2.0)
+    assert driven.frames[-1].joints == stopped
