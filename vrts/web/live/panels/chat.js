@@ -7,7 +7,7 @@ import { count } from "./tabs.js";
 /** @param {import("../pages/room.js").App} app */
 export function mountChat({ store, connection, toasts }) {
   const panel = byId("panel-chat");
-  const list = make("ol", { class: "said", role: "log", "aria-label": "Chat", tabindex: "0" });
+  const list = make("div", { class: "said", role: "log", "aria-label": "Chat", tabindex: "0" });
   const field = make("input", { id: "chat-text", maxlength: LONGEST_CHAT, placeholder: "Say something", "aria-label": "Message", autocomplete: "off", required: true });
   const to = choice([], { id: "chat-to", "aria-label": "To whom" });
   const send = make("button", { class: "main", text: "Send" });
@@ -55,5 +55,5 @@ function entry(row, you) {
   const time = new Date(row.at * 1000).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
   const kind = row.person === "" ? "server" : row.person === you ? "own" : "";
   const head = make("p", { class: "who" }, make("b", { text: row.name || "Server" }), ` ${time}`, ...(row.private ? [make("span", { class: "tag", text: "private" })] : []));
-  return make("li", { class: kind }, head, make("p", { class: "text", text: row.text }));
+  return make("div", { class: `line ${kind}` }, head, make("p", { class: "text", text: row.text }));
 }
