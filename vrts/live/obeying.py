@@ -6,7 +6,7 @@ by who holds the control right.
 
 import time
 
-from vrts.live.actions import Keep, Record, Reset, Rewind, Save, Typed, Upload
+from vrts.live.actions import Keep, Reset, Rewind, Save, Typed, Upload
 from vrts.live.hub import Hub
 from vrts.live.member import Member
 from vrts.live.names import readable
@@ -99,7 +99,7 @@ def _command(hub: Hub, room: Room, member: Member, message: Command, now: float)
     may_reset = member.supervisor or hub.settings.alone or hub.settings.students_reset
     if isinstance(action, Reset | Rewind) and not may_reset:
         raise NotObeyed("role", "only a supervisor may reset or rewind")
-    if isinstance(action, Upload | Save | Record) and not member.programs.take(now):
+    if isinstance(action, Upload | Save) and not member.programs.take(now):
         raise NotObeyed("rate", "too many files at once", "wait a few seconds")
     if isinstance(action, Typed) and not action.line.isprintable():
         raise NotObeyed("line", "a line has only visible characters")

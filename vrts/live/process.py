@@ -40,6 +40,7 @@ class Head(msgspec.Struct, frozen=True):
     accepted: bool = True
     counts: bool = True
     text: str = ""
+    row: str = ""
     task: msgspec.Raw = msgspec.Raw()
     scene: msgspec.Raw = msgspec.Raw()
 

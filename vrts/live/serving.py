@@ -48,6 +48,7 @@ def serve(
     say: Callable[[str], None],
     *,
     with_code: bool = True,
+    open_link: Callable[[str], None] | None = None,
 ) -> None:
     """Serve until interrupted.
 
@@ -57,6 +58,7 @@ def serve(
         rooms: Names of the rooms to begin with.
         say: Writes a line of words.
         with_code: Whether there is a class code.
+        open_link: Takes the supervisor's link, which lets one browser in, once.
 
     Raises:
         OSError: The port cannot be had.
@@ -71,6 +73,8 @@ def serve(
     app = application(settings, entrances.code, entrances.address, rooms)
     for line in greeting(settings, listening, entrances):
         say(line)
+    if open_link is not None:
+        open_link(f"{entrances.address}/#enter={entrances.supervisor}")
     config = uvicorn.Config(
         app,
         ws=DoorProtocol,

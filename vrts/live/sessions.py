@@ -157,7 +157,8 @@ class Sessions:
             member = room.members.get(asked.person)
             if member is not None and not head.accepted:
                 self._hub.tell_only(member, Refused(asked.of, "keep", head.text))
-            return
+            if not head.counts:
+                return  # a replay needs those that kept the arm moving
         self._hub.spawn(self._acknowledge(room, asked, head, message))
 
     async def _acknowledge(self, room: Room, asked: Asked, head: Head, message: bytes) -> None:
@@ -167,6 +168,10 @@ class Sessions:
             room, asked.kind, None, text.decode(), at_s=head.at_s, accepted=head.accepted
         )._replace(account=asked.account, name=asked.name)
         await self._hub.database.do(lambda connection: store_log.append(connection, entry))
+        if head.row and self._hub.settings.recorded is not None:
+            self._hub.settings.recorded(head.row)
+        if asked.kind == "keep":
+            return
         number = room.next_number()
         result = Result(number, asked.of, _RAW(message))
         room.tell(result, number, Audience(frozenset((asked.person,))))

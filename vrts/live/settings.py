@@ -1,5 +1,6 @@
 """What a server is told when it is started."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -30,6 +31,7 @@ class Settings:
     students_reset: bool = False  # operators may reset and rewind
     idle_s: float = 120.0  # of new rooms
     turn_s: float = 0.0
+    recorded: Callable[[str], None] | None = None  # told the row of every location recorded
 
     @property
     def cookie(self) -> str:

@@ -74,7 +74,7 @@ export const FROM_SESSION = {
   programs: ["programs"],
   checked: ["checked_s", "contacts", "near", "undetermined", "mark"],
   began: ["time_s", "epoch_s"],
-  done: ["ref", "at_s", "accepted", "text", "help", "code", "counts"],
+  done: ["ref", "at_s", "accepted", "text", "help", "code", "counts", "row"],
   reached: ["ref", "reachable", "why", "code", "branch", "joints_rad"],
   status: ["time_s", "joints_rad", "location", "hand_m", "program", "mode", "step", "line", "text", "speed",
     "signals", "held", "prompt", "contacts", "checked_s", "mark"],

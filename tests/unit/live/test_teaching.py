@@ -1,0 +1,122 @@
+"""`vrts teach` in the browser: one user, one link, and a file that is whole after every RECORD."""
+
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.support_live import PATIENCE, Browser, LiveServer
+from vrts.base.source import SourceFile
+from vrts.lang.compiler import compile_source
+from vrts.live.points import PointsFile
+
+
+class Teaching(LiveServer):
+    """`vrts teach` on a free port."""
+
+    def __init__(self, folder: Path) -> None:
+        self.output = folder / "points.v2"
+        super().__init__(folder)
+
+    def start(self, port: str) -> None:
+        words = [sys.executable, "-m", "vrts.cli.main", "teach", "cans-on-bases", "--no-open"]
+        words += ["--port", port, "-o", str(self.output)]
+        self.process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+        assert self.process.stderr is not None
+        first = self.process.stderr.readline()
+        found = re.search(r"http://127\.0\.0\.1:(\d+)/#enter=(\S+)$", first)
+        assert found is not None, first + self.process.stderr.read()
+        self.port, self.supervisor_token = int(found[1]), found[2]
+        self.host = f"127.0.0.1:{self.port}"
+
+
+@pytest.fixture(scope="module")
+def teaching(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Teaching]:
+    server = Teaching(tmp_path_factory.mktemp("teaching"))
+    with server:
+        yield server
+
+
+def rows(path: Path) -> list[str]:
+    return path.read_text().splitlines()
+
+
+def done(browser: Browser, lease: str, action: str, **fields: object) -> dict[str, object]:
+    number = browser.command(lease, action, **fields)
+    return browser.wait("result", lambda message: message["of"] == number)["result"]
+
+
+def test_one_user_records_resets_rewinds_and_leaves_only_the_file(teaching: Teaching) -> None:
+    cookie = teaching.supervisor()
+    again = teaching.request("POST", "/enter", {"code": teaching.supervisor_token, "name": ""})
+    assert again.status == 403, "the link lets in once"
+    browser = teaching.join(cookie)
+    lease = browser.wait("control", lambda message: message["lease"] != "")["lease"]
+    while browser.came[-1]["type"] != "now":
+        browser.wait("now")
+    assert not teaching.output.exists()
+
+    assert done(browser, lease, "record", name="p1")["accepted"]
+    title, first, end = rows(teaching.output)
+    assert (title, end) == (".LOCATIONS", ".END")
+    assert done(browser, lease, "record", name="#q1")["accepted"]
+    refused = done(browser, lease, "record", name="1p")
+    assert not refused["accepted"]
+    assert len(rows(teaching.output)) == 4
+
+    stepped = done(browser, lease, "step", frame="joint", axis=0, way=1, size=0.1)
+    before_s = float(str(stepped["at_s"])) - 0.02
+    browser.wait("now", lambda message: abs(message["status"]["joints_rad"][0] - 0.1) < 1e-6)
+    assert done(browser, lease, "record", name="p2")["accepted"]
+    number = browser.command(lease, "rewind", time_s=before_s)
+    state = browser.wait("state")["state"]
+    assert abs(state["status"]["joints_rad"][0]) < 1e-6
+    assert browser.wait("result", lambda message: message["of"] == number)["result"]["accepted"]
+    assert done(browser, lease, "record", name="p3")["accepted"]
+    assert done(browser, lease, "reset")["accepted"]
+
+    names = [row.split()[0] for row in rows(teaching.output)]
+    assert names == [".LOCATIONS", "p1", "p2", "p3", "#q1", ".END"]
+    found = {row.split()[0]: row.split()[1:] for row in rows(teaching.output)}
+    assert found["p3"] == found["p1"] == first.split()[1:]
+    assert found["p2"] != found["p1"]
+    program = ".PROGRAM a()\nMOVE p2\nMOVE #q1\n.END\n" + teaching.output.read_text()
+    compiled = compile_source(SourceFile("points.v2", program))
+    assert compiled.module is not None
+    assert not [d for d in compiled.diagnostics if d.severity.value == "error"]
+
+
+def test_ctrl_c_ends_it_and_says_what_was_written(tmp_path: Path) -> None:
+    server = Teaching(tmp_path)
+    with server:
+        time.sleep(0.5)
+        server.process.send_signal(signal.SIGINT)
+        assert server.process.wait(PATIENCE) == 0
+        assert server.process.stderr is not None
+        said = server.process.stderr.read()
+        assert "nothing is written" in said
+        assert "Traceback" not in said
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_location_recorded_again_is_replaced_and_others_stand_in_order(tmp_path: Path) -> None:
+    points = PointsFile(tmp_path / "p.v2")
+    for row in ("#r 1", "b[10] 2", "b[9] 3", "a 4", "a 5"):
+        points.add(row)
+    assert rows(points.path) == [".LOCATIONS", "a 5", "b[9] 3", "b[10] 2", "#r 1", ".END"]
+    assert len(points) == 4
+    assert [path.name for path in tmp_path.iterdir()] == ["p.v2"]
+
+
+def test_a_file_that_is_there_is_not_replaced_unasked(tmp_path: Path) -> None:
+    (tmp_path / "p.v2").write_text("mine")
+    words = [sys.executable, "-m", "vrts.cli.main", "teach", "cans-on-bases", "-o", "p.v2"]
+    found = subprocess.run(words, capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert found.returncode == 2
+    assert "`p.v2` is there already" in found.stderr
+    assert (tmp_path / "p.v2").read_text() == "mine"
