@@ -23,6 +23,7 @@ COMMANDS = {
     "monitor": "talk to the controller as its operator",
     "teach": "move the arm by keys and record locations",
     "serve": "share sessions in the browser: a class and one robot",
+    "replay": "repeat a live session from its log",
     "new": "write a scene, a task or a program to begin with",
     "task": "check an assignment, and pack it for students and staff",
     "fmt": "write a program in the canonical layout",

@@ -31,6 +31,7 @@ class Logged(NamedTuple):
     hash: bytes
     name: str | None  # None: purged, or the server
     text: str | None  # None: purged
+    salt: bytes | None  # with which the text's digest was made
 
 
 def append(connection: sqlite3.Connection, entry: Entry) -> int:
@@ -65,7 +66,7 @@ def append(connection: sqlite3.Connection, entry: Entry) -> int:
 def records(connection: sqlite3.Connection, room: str) -> Iterator[Logged]:
     """Return the records of a room in order."""
     rows = connection.execute(
-        "SELECT log.*, log_name.name, log_text.text FROM log"
+        "SELECT log.*, log_name.name, log_text.text, log_text.salt FROM log"
         " LEFT JOIN log_text USING (room, seq)"
         " LEFT JOIN log_name ON log_name.room=log.room AND log_name.account=log_text.account"
         " WHERE log.room=? ORDER BY seq",
@@ -73,7 +74,7 @@ def records(connection: sqlite3.Connection, room: str) -> Iterator[Logged]:
     )
     for row in rows:
         record = Record._make((*row[:6], bool(row[6]), *row[7:10]))
-        yield Logged(record, row[10], row[11], row[12])
+        yield Logged(record, *row[10:14])
 
 
 def verify(connection: sqlite3.Connection, room: str) -> str:
@@ -115,6 +116,7 @@ def export(connection: sqlite3.Connection, room: str, *, names: bool) -> bytes:
             "content": r.content.hex(),
             "previous": r.previous.hex(),
             "hash": logged.hash.hex(),
+            "salt": None if logged.salt is None else logged.salt.hex(),
             "text": None if logged.text is None else msgspec.Raw(logged.text.encode()),
         }
         if names:
