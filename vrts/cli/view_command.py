@@ -4,7 +4,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import webbrowser
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +19,7 @@ from vrts.cli.console import (
     show_diagnostics,
     write_file,
 )
+from vrts.cli.run_page import AGAIN, assessed, open_page, write_page
 
 if TYPE_CHECKING:
     from vrts.report.assessment import Assessment
@@ -92,27 +92,12 @@ def _of_program(file: Path, scene: str | None, task: Path | None, curve: bool) -
 
 def _of_run(file: Path) -> "Assessment":
     """Return what is known of a saved run, checked again without its task."""
-    from vrts.check.judge import judge
-    from vrts.pipeline.assess import with_curve
     from vrts.pipeline.files import read_bytes, shown
-    from vrts.report.assessment import Assessment
     from vrts.run_files import load_run
 
     run = load_run(read_bytes(file), shown(file), file.parent).run
     assert run is not None
-    main = run.module.main
-    source = run.module.programs[main].span.source if main is not None else None
-    found = Assessment(
-        file.stem,
-        file.name,
-        source,
-        (),
-        module=run.module,
-        scene=run.scene,
-        run=run,
-        judgement=judge(run.scene, run, None),
-    )
-    return with_curve(found)
+    return assessed(file.stem, file.name, run)
 
 
 def _check_recording(file: Path) -> None:
@@ -150,10 +135,7 @@ def _show(found: "Assessment", viewer: str, target: Path | None, *, no_open: boo
 
         write_recording(found, path)
     else:
-        from vrts.report.page import page
-        from vrts.report.stills import page_stills
-
-        write_file(path, page(found, page_stills(found)).encode())
+        write_page(found, path)
     if target is not None:
         say(f"wrote {target}")
     if not no_open:
@@ -161,18 +143,16 @@ def _show(found: "Assessment", viewer: str, target: Path | None, *, no_open: boo
 
 
 def _open(path: Path, viewer: str) -> None:
-    again = "`--no-open` writes it for another machine"
     if viewer == "browser":
-        if not webbrowser.open(path.resolve().as_uri()):
-            fail("no browser was found here", (again,), status=WRONG)
+        open_page(path)
         return
     program = shutil.which("rerun", path=str(Path(sys.executable).parent)) or shutil.which("rerun")
     if program is None:
-        fail("the Rerun viewer is not installed here", (again,), status=WRONG)
+        fail("the Rerun viewer is not installed here", (AGAIN,), status=WRONG)
     ended = subprocess.run(  # noqa: S603 -- our own file
         [program, "--bind", "127.0.0.1", "--port", "auto", str(path)],
         stderr=subprocess.DEVNULL,
         check=False,
     )
     if ended.returncode:
-        fail("the Rerun viewer could not show it; it needs a display", (again,), status=WRONG)
+        fail("the Rerun viewer could not show it; it needs a display", (AGAIN,), status=WRONG)

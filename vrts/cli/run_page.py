@@ -1,0 +1,48 @@
+"""A run that is there already, as a page with a replay."""
+
+import webbrowser
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from vrts.cli.console import WRONG, fail, write_file
+
+if TYPE_CHECKING:
+    from vrts.engine.run import Run
+    from vrts.report.assessment import Assessment
+
+AGAIN = "`--no-open` writes it for another machine"
+
+
+def assessed(identifier: str, title: str, run: "Run") -> "Assessment":
+    """Return what is known of a run, checked again without its task."""
+    from vrts.check.judge import judge
+    from vrts.monitor.desk import ALONE
+    from vrts.pipeline.assess import with_curve
+    from vrts.report.assessment import Assessment
+
+    main = run.module.main
+    found = Assessment(
+        identifier,
+        title,
+        run.module.programs[main].span.source if main not in (None, ALONE) else None,
+        (),
+        module=run.module,
+        scene=run.scene,
+        run=run,
+        judgement=judge(run.scene, run, None),
+    )
+    return with_curve(found)
+
+
+def write_page(found: "Assessment", path: Path) -> None:
+    """Write the page."""
+    from vrts.report.page import page
+    from vrts.report.stills import page_stills
+
+    write_file(path, page(found, page_stills(found)).encode())
+
+
+def open_page(path: Path) -> None:
+    """Open a page in the browser."""
+    if not webbrowser.open(path.resolve().as_uri()):
+        fail("no browser was found here", (AGAIN,), status=WRONG)
