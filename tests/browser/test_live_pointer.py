@@ -169,11 +169,11 @@ def test_align_makes_the_arrow_vertical_and_keeps_the_point(view: Opened) -> Non
 def test_buttons_go_along_the_arrow_by_the_step(view: Opened) -> None:
     view.page.select_option("[aria-label='Step in millimetres']", "50")
     before = pose(view)
-    view.page.click("[aria-label='Ahead along the arrow']")
+    view.page.click("[aria-label='Approach along the arrow']")
     after = pose(view)
     expected = [p + 0.05 * a for p, a in zip(before["point"], before["ahead"], strict=True)]
     assert near(after["point"], expected)
-    view.page.click("[aria-label='Back along the arrow']")
+    view.page.click("[aria-label='Back off along the arrow']")
     assert near(pose(view)["point"], before["point"])
     view.page.select_option("[aria-label='Step in millimetres']", "10")
 

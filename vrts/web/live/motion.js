@@ -11,10 +11,6 @@ const JUMP = 1; // a frame further off than this begins anew [s]
 /** Remembers the last frames and the offset between the session's clock and the page's. */
 export class Motion {
   constructor() {
-    this.clear();
-  }
-
-  clear() {
     /** @type {PoseFrame[]} */
     this.frames = [];
     this.offset = Infinity; // page's clock minus session time, least delay seen [s]
@@ -22,6 +18,11 @@ export class Motion {
     this.jitter = 0; // [s]
     this.heard = 0;
     this.shown = -Infinity;
+  }
+
+  /** Forget all, as when session time jumps. */
+  clear() {
+    Object.assign(this, new Motion());
   }
 
   /**

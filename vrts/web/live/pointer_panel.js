@@ -54,7 +54,7 @@ export class PointerPanel {
     this.stage = 1;
     this.hint = make("p", { class: "pointer-hint" });
     this.placing = make("div", { class: "pointer-pads", role: "group", "aria-label": "Move with the arrow keys" },
-      this.pad("Base", "base", "Base of the arrow"), this.pad("Tip", "tip", "Tip of the arrow"), this.pad("Both", "hand", "Whole pointer"));
+      this.pad("Base", "base", "Base of the arrow"), this.pad("Tip", "tip", "Tip of the arrow"), this.pad("Both", "hand", "Both ends"));
     this.turning = make("div", { class: "pointer-pads", role: "group", "aria-label": "Turn about the arrow" },
       button("⟲ Turn", () => wishes.turn(this.angle), { "aria-label": "Turn counter-clockwise about the arrow" }),
       this.pad("Keys", "turn", "Turn with the arrow keys"),
@@ -76,8 +76,8 @@ export class PointerPanel {
       group("pointer-tools",
         button("Align", () => this.wishes.align(), { title: "Arrow vertical" }),
         button("Snap to gripper", () => this.wishes.snap(), { title: "Where the hand is now" }),
-        button("← Back off", () => this.wishes.along(-this.distance), { title: "Back along the arrow", "aria-label": "Back along the arrow" }),
-        button("Approach →", () => this.wishes.along(this.distance), { title: "Ahead along the arrow", "aria-label": "Ahead along the arrow" })),
+        button("← Back off", () => this.wishes.along(-this.distance), { title: "Back along the arrow", "aria-label": "Back off along the arrow" }),
+        button("Approach →", () => this.wishes.along(this.distance), { title: "Ahead along the arrow", "aria-label": "Approach along the arrow" })),
       this.hint,
       group("pointer-end", this.ways, this.next, this.goButton),
       this.said);

@@ -58,14 +58,14 @@ export function mountPendant(app) {
   function moving(axis, way) {
     const element = button(way > 0 ? "+" : "−", () => hold || stepOnce(axis, way), { class: "jog" });
     const down = () => hold && !element.disabled && key.press({ frame, axis, way, speed: Number(speed.value) });
-    element.addEventListener("pointerdown", (event) => {
+    element.addEventListener("pointerdown", (/** @type {PointerEvent} */ event) => {
       if (!hold) return;
       element.setPointerCapture(event.pointerId);
       down();
     });
     for (const end of ["pointerup", "pointercancel", "lostpointercapture", "blur"]) element.addEventListener(end, () => key.release());
     element.addEventListener("contextmenu", (event) => event.preventDefault());
-    element.addEventListener("keydown", (event) => [" ", "Enter"].includes(event.key) && !event.repeat && down());
+    element.addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => [" ", "Enter"].includes(event.key) && !event.repeat && down());
     element.addEventListener("keyup", () => key.release());
     return element;
   }
@@ -105,7 +105,7 @@ export function mountPendant(app) {
     });
   }
 
-  panel.addEventListener("keydown", (event) => {
+  panel.addEventListener("keydown", (/** @type {KeyboardEvent} */ event) => {
     if (["INPUT", "SELECT"].includes(/** @type {HTMLElement} */ (event.target).tagName) || event.ctrlKey || event.altKey || event.metaKey) return;
     const plus = PLUS.indexOf(event.key);
     const axis = Math.max(plus, MINUS.indexOf(event.key));
