@@ -26,7 +26,7 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
         settings: What it is told.
         code: The class code; empty: there is none.
         address: Where browsers find the server, without a slash at the end.
-        rooms: Names of the rooms to begin with, where the database has none.
+        rooms: Names of the rooms to begin with, in the first scene, where the database has none.
     """
     hub = Hub(settings, Database(settings.folder / DATABASE))
     sessions = Sessions(hub)
@@ -36,9 +36,8 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
     async def lifespan(_: Starlette) -> AsyncGenerator[None, None]:
         await hub.open_kept()
         if not hub.rooms:
-            for number, name in enumerate(rooms):
-                place = settings.places[number % len(settings.places)]
-                await hub.make_room(name, place.id)
+            for name in rooms:
+                await hub.make_room(name, settings.places[0].id)
         for room in hub.rooms.values():
             sessions.begin(room)
         hub.spawn(hub.pulse())
