@@ -114,3 +114,46 @@ def test_a_killed_server_has_kept_all_that_it_acknowledged(tmp_path: Path) -> No
         assert log.verify(after, room) == ""
     after.close()
     assert count == len(kept) + 3
+
+
+def settled(server: LiveServer, name: str, **fields: str) -> Browser:
+    browser = server.join(server.enter(name), **fields)
+    state = browser.wait("snapshot")["state"]
+    browser.wait("control")
+    if state is None:
+        browser.wait("state")
+    return browser
+
+
+def test_an_endless_program_delays_nobody(tmp_path: Path) -> None:
+    names = tmp_path / "rooms.txt"
+    names.write_text("One\nTwo\n")
+    with LiveServer(tmp_path / "live", "--rooms", str(names)) as server:
+        anna = settled(server, "Anna")
+        rooms = next(m["rooms"] for m in anna.came if m["type"] == "snapshot")
+        ben = settled(server, "Ben", room=rooms[1]["id"])
+        lease = anna.take_control()
+        anna.command(lease, "upload", name="x.v2", text=".PROGRAM x()\n10 GOTO 10\n.END\n")
+        anna.command(lease, "line", line="EXECUTE x")
+        anna.wait("now", lambda m: m["status"]["mode"] == "running")
+        for browser in (anna, ben):
+            browser.quiet(0.2)
+            browser.frames.clear()
+            browser.quiet(2.0)
+            times = [unpacked(frame).time_s for frame in browser.frames]
+            assert times[-1] - times[0] > 1.0, "session time follows the clock"
+            assert len(times) > 30
+        anna.send("panic")
+        anna.wait("now", lambda m: m["status"]["mode"] != "running")
+
+
+def test_a_session_that_dies_begins_anew(tmp_path: Path) -> None:
+    with LiveServer(tmp_path / "live") as server:
+        anna = settled(server, "Anna")
+        (session,) = psutil.Process(server.process.pid).children()
+        session.kill()
+        anna.wait("chat", lambda m: "begins anew" in m["text"])
+        anna.wait("state")
+        lease = anna.take_control()
+        number = anna.command(lease, "line", line="DO READY")
+        assert anna.wait("result", lambda m: m["of"] == number)["result"]["accepted"]
