@@ -7,24 +7,35 @@ from typing import TYPE_CHECKING
 from vrts.cli.console import WRONG, fail, write_file
 
 if TYPE_CHECKING:
+    from vrts.base.source import SourceFile
     from vrts.engine.run import Run
     from vrts.report.assessment import Assessment
 
 AGAIN = "`--no-open` writes it for another machine"
 
 
-def assessed(identifier: str, title: str, run: "Run") -> "Assessment":
-    """Return what is known of a run, checked again without its task."""
+def assessed(
+    identifier: str, title: str, run: "Run", source: "SourceFile | None" = None
+) -> "Assessment":
+    """Return what is known of a run, checked again without its task.
+
+    Args:
+        identifier: Short name, for files.
+        title: Above the page.
+        run: What is to be seen.
+        source: The program to be shown; None: the one that was executed first.
+    """
     from vrts.check.judge import judge
-    from vrts.monitor.desk import ALONE
     from vrts.pipeline.assess import with_curve
     from vrts.report.assessment import Assessment
 
     main = run.module.main
+    if source is None and main is not None:
+        source = run.module.programs[main].span.source
     found = Assessment(
         identifier,
         title,
-        run.module.programs[main].span.source if main not in (None, ALONE) else None,
+        source,
         (),
         module=run.module,
         scene=run.scene,

@@ -80,3 +80,20 @@ def test_the_command_prints_what_happened(
     assert done.returncode == 0, done.stderr
     assert "DRIVE 1,20,100" in done.stdout
     assert "the chain is unbroken; session 1 of 1 in cans-on-bases" in done.stderr
+
+
+def test_the_page_shows_the_session_with_what_was_done_as_a_program(
+    recorded: tuple[bytes, tuple[float, ...]], tmp_path: Path
+) -> None:
+    log, page = tmp_path / "log.jsonl", tmp_path / "session.html"
+    log.write_bytes(recorded[0])
+    words = [sys.executable, "-m", "vrts.cli.main", "replay", str(log), "--page", "--no-open"]
+    done = subprocess.run([*words, "-o", str(page)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert f"wrote {page}" in done.stderr
+    text = page.read_text(encoding="utf-8")
+    shown = text.split('<div class="program">')[1].split("</div>")[0]
+    assert "session" in shown
+    assert "DRIVE" in shown or "MOVE" in shown
+    assert "unreadable" not in text.split("</header>")[0]
+    assert str(tmp_path) not in text
