@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from vrts.marking.layout import Layout
     from vrts.marking.marker import Marker
     from vrts.marking.marking import Done
+    from vrts.marking.row import Row
     from vrts.marking.setting import Place
     from vrts.marking.whole_class import HowTo, Marked
 
@@ -271,23 +272,23 @@ def _mark(
 
     progress = Progress()
     order: list[str] = []  # ids whose lines are still to come
-    waiting: dict[str, Done] = {}
+    waiting: dict[str, tuple[Done, Row]] = {}
 
     def begun(identifiers: "Sequence[str]") -> None:
         order.extend(identifiers)
         progress.begin(len(order))
 
-    def told(done: "Done") -> None:
-        waiting[done.entry.identifier] = done
+    def told(done: "Done", row: "Row") -> None:
+        waiting[row.id] = done, row
         while order and order[0] in waiting:
-            line(waiting.pop(order.pop(0)))
+            line(*waiting.pop(order.pop(0)))
         progress.step(reused=done.reused)
 
-    def line(done: "Done") -> None:
+    def line(done: "Done", row: "Row") -> None:
         if quiet:
             return
         progress.clear()
-        out(row_words(done.result, done.entry.title or done.entry.identifier))
+        out(row_words(row, done.entry.title))
         answer = public_answer(done.result.ready, marker.whole)
         if answer is not None:
             out(f"      {answer}")

@@ -171,11 +171,12 @@ def change_of(after_lateness: Fraction | None, overrides: Iterable[Override]) ->
 
 def with_overrides(rows: Class, overrides: Overrides) -> Class:
     """Return the rows of a class with these changes by hand, and no others."""
-    changed = tuple(_changed(row, overrides.changes.get(row.id, ())) for row in rows.rows)
+    changed = tuple(with_change(row, overrides) for row in rows.rows)
     return msgspec.structs.replace(rows, rows=changed)
 
 
-def _changed(row: Row, overrides: tuple[Override, ...]) -> Row:
+def with_change(row: Row, overrides: Overrides) -> Row:
+    """Return a row with the changes by hand that are for it, and no others."""
     after_lateness = final_mark(row.result.exact_mark, row.late, None)
-    change = change_of(after_lateness, overrides)
+    change = change_of(after_lateness, overrides.changes.get(row.id, ()))
     return row_of(row.result, row.student, row.handed_in, row.late, change)

@@ -2,27 +2,48 @@
 
 from fractions import Fraction
 
+from vrts.base.safe_names import safe
+from vrts.marking.exports.steps import steps
 from vrts.marking.result import Result
+from vrts.marking.row import Row
 from vrts.report.plain import one_line, width
-from vrts.report.quantities import mark
+from vrts.report.quantities import lost, mark
 
 NAME_WIDTH = 28
 LONGEST = 110  # characters of the cause
 
 
-def row_words(result: Result, name: str) -> str:
-    """Return mark, name and cause of a result; a second line where it has to be reviewed."""
-    number = result.exact_mark
-    shown = "  - " if number is None else f"{mark(number):>4}"
+def row_words(row: Row, title: str) -> str:
+    """Return final mark, name and cause; further lines for what is beside the computed mark.
+
+    Args:
+        row: Of the submission.
+        title: Of its program; shown where it tells as much as the id.
+    """
+    result, final = row.result, row.exact_final
+    shown = "  - " if final is None else f"{mark(final):>4}"
     cause = one_line(result.cause)
     if len(cause) > LONGEST:
         cause = cause[: LONGEST - 1] + "…"
-    title = one_line(name)
-    row = f"{shown}  {title}{' ' * max(0, NAME_WIDTH - width(title))}  {cause}"
-    if not result.review:
-        return row
-    reasons = "; ".join(one_line(reason) for reason in result.review)
-    between = ""
-    if result.lowest is not None and result.lowest != result.mark and number is not None:
-        between = f" {mark(Fraction(str(result.lowest)))} to {mark(number)}"
-    return f"{row}\n      review{between}: {reasons}"
+    name = one_line(title if safe(title.rsplit(".", 1)[0]) == row.id else row.id)
+    lines = [f"{shown}  {name}{' ' * max(0, NAME_WIDTH - width(name))}  {cause}"]
+    beside = steps(row)
+    if beside:
+        computed = "no mark" if result.exact_mark is None else mark(result.exact_mark)
+        told = (f"{lost(-step.points)} {step.title} ({one_line(step.sentence)})" for step in beside)
+        lines.append(f"      computed {computed}; {'; '.join(told)}")
+    if result.review:
+        lines.append(f"      review{_between(result)}: {_reasons(result)}")
+    return "\n".join(lines)
+
+
+def _reasons(result: Result) -> str:
+    return "; ".join(one_line(reason) for reason in result.review)
+
+
+def _between(result: Result) -> str:
+    """Return between which marks the right one lies, where that is known."""
+    highest = result.exact_mark
+    if result.lowest is None or highest is None or result.lowest == result.mark:
+        return ""
+    return f" {mark(Fraction(str(result.lowest)))} to {mark(highest)}"

@@ -25,13 +25,13 @@ from vrts.marking.layout import Layout, write_atomically
 from vrts.marking.marker import Marker
 from vrts.marking.marking import Done, Entry, mark_class
 from vrts.marking.override_text import load_overrides
-from vrts.marking.overrides import NONE, with_overrides
+from vrts.marking.overrides import NONE, with_change
 from vrts.marking.pseudonyms import NAMES, key_for, names_table, pseudonymised, write_names
 from vrts.marking.remote.backend import Backend
 from vrts.marking.remote.mark_on_dask import mark_on_dask
 from vrts.marking.result import Damaged
-from vrts.marking.row import Class
-from vrts.pipeline.files import read_bytes
+from vrts.marking.row import Class, Row
+from vrts.pipeline.files import CannotRead, read_bytes
 from vrts.pipeline.settings import Refused
 
 
@@ -68,7 +68,7 @@ def mark_whole_class(
     how: HowTo,
     *,
     begun: Callable[[Sequence[str]], None] = lambda _: None,
-    told: Callable[[Done], None] = lambda _: None,
+    told: Callable[[Done, Row], None] = lambda _, __: None,
 ) -> Marked:
     """Mark a class, and write for every submission what belongs to it.
 
@@ -78,7 +78,7 @@ def mark_whole_class(
         layout: Where the results go; None: nowhere.
         how: Processes, what to mark again, the edited table, on which cluster.
         begun: Told the ids of all submissions, in the order of the rows.
-        told: Told each submission as it is done.
+        told: Told each submission as it is done, with its row in the list of marks.
 
     Raises:
         CannotRead: There is nothing of the kind.
@@ -119,25 +119,27 @@ def mark_whole_class(
         if how.pseudonyms and layout is not None:
             key = key_for(layout)
             tree, found = pseudonymised(tree, named, key)
+        if not found:
+            what = "the files" if not isinstance(submissions, Path) else f"`{submissions.name}`"
+            raise CannotRead(f"nothing was handed in: {what} holds no program", remarks)
         names = [row.identifier for row in found]
         changes = NONE if layout is None else load_overrides(layout.overrides, names)
         begun(names)
         done: dict[str, Done] = {}
+        rows: dict[str, Row] = {}
+        by_name = {row.identifier: row for row in found}
         for one in mark(tuple(entries(tree, found)), layout, how.backend):
-            done[one.entry.identifier] = one
-            told(one)
+            name = one.entry.identifier
+            done[name] = one
+            rows[name] = with_change(class_row(by_name[name], one.result, task.late), changes)
+            told(one, rows[name])
     written = write_rows(found) if key is None else names_table(named, key)
     if layout is not None and key is not None:
         write_names(layout, written)
     elif layout is not None and table != layout.intake:
         write_atomically(layout.intake, written)
-    computed = Class(
-        "vrts.class/1",
-        task.title,
-        tuple(class_row(row, done[row.identifier].result, task.late) for row in found),
-    )
     return Marked(
-        with_overrides(computed, changes),
+        Class("vrts.class/1", task.title, tuple(rows[row.identifier] for row in found)),
         tuple(done[row.identifier] for row in found),
         remarks,
         (*warnings, *said, *changes.diagnostics),

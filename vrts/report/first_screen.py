@@ -17,6 +17,7 @@ from vrts.report.plain import capital, one_line
 from vrts.report.quantities import at_time, lost
 
 NOTHING_LOST = "Nothing was lost: every goal is reached and nothing was touched"
+NOT_LOOKED_FOR = "Nothing was lost, but contacts were not looked for: collisions are switched off"
 SEEN = Fraction(1, 20)  # points; less is shown as 0.0
 NOTHING_WRONG = "Nothing was found to be wrong"
 
@@ -87,7 +88,8 @@ def _cause(
     if a.grade and compiled:
         losses = [loss for loss in a.grade.losses if loss.kind != "rounding" and loss.points > 0]
         if not losses:
-            return (NOTHING_LOST, None, None, None)
+            off = a.judgement is not None and a.judgement.collisions is None
+            return (NOT_LOOKED_FOR if off else NOTHING_LOST, None, None, None)
         worst = losses[0]
         sentence = f"{capital(worst.sentence)} ({lost(worst.points)})"
         return (sentence, _loop_hint(a, worst) or worst.hint or None, worst.moment, worst.span)

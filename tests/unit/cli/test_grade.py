@@ -106,7 +106,13 @@ def test_changes_by_hand_survive_marking_again_beside_the_computed_mark(home: Pa
         'who = "jb"\ndate = "2026-11-20"\n'
     )
     for words in ((), ("--again",)):
-        assert vrts("grade", "task", "download", "-o", "out", *words, cwd=home).returncode == 0
+        said = vrts("grade", "task", "download", "-o", "out", *words, cwd=home)
+        assert said.returncode == 0
+        assert f" 8.5  {identifier}" in said.stdout
+        assert "computed 7.0; +1.5 change by hand (shown in the lab)" in said.stdout
+        told = (home / "out" / "students" / identifier / "feedback.txt").read_text()
+        assert "Final mark: 8.5 of 10" in told
+        assert "shown in the lab" in told
         row = rows(home)["Zoltan Kis"]
         assert (row["result"]["mark"], row["final"]) == (7.0, 8.5)
         assert row["change"]["reason"] == "shown in the lab"
@@ -132,6 +138,23 @@ def test_lateness_by_the_rules_of_the_task(home: Path) -> None:
     row = rows(home)["Zoltan Kis"]
     assert (row["result"]["mark"], row["late"]["deduction"], row["final"]) == (7.0, "2", 5.0)
     assert row["late"]["by_s"] == 25 * 3600
+
+
+def test_nothing_handed_in_is_a_wrong_call(home: Path) -> None:
+    (home / "empty").mkdir()
+    result = vrts("grade", "task", "empty", "-o", "out", cwd=home)
+    assert result.returncode == 2
+    assert "`empty` holds no program" in result.stderr
+    assert not (home / "out").exists()
+
+
+def test_what_was_not_looked_for_is_not_said_to_be_there_or_not(home: Path) -> None:
+    words = ("--no-collisions", "-o", "out")
+    said = vrts("grade", "task", "download", *words, cwd=home)
+    assert said.returncode == 0
+    assert "nothing was touched" not in said.stdout
+    assert "contacts were not looked for" in said.stdout
+    assert "contacts were not looked for" in (home / "out" / "staff" / "marks.csv").read_text()
 
 
 def test_a_sample_marked_again_is_the_same(home: Path) -> None:

@@ -5,8 +5,10 @@ from itertools import chain, islice
 from pathlib import Path
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
+from vrts.marking.exports.feedback import NAME as FEEDBACK
+from vrts.marking.exports.feedback import feedback_text
 from vrts.marking.exports.formats import FORMATS
-from vrts.marking.exports.given import Given, Options, Page
+from vrts.marking.exports.given import Given, Options, Page, returned
 from vrts.marking.exports.marks_table import NAME as MARKS
 from vrts.marking.exports.marks_table import marks_csv
 from vrts.marking.layout import RESULT, Layout, write_atomically
@@ -80,6 +82,16 @@ def write_marks_table(rows: Class, layout: Layout) -> Path:
     path = layout.staff / MARKS
     write_atomically(path, marks_csv(rows))
     return path
+
+
+def write_feedback(rows: Class, layout: Layout) -> None:
+    """Write `feedback.txt` for every student: the final mark, and how it came to be.
+
+    Raises:
+        Refused: A student's own result is missing or damaged.
+    """
+    for told in returned(read_given(rows, layout)):
+        write_atomically(layout.student(told.row.id) / FEEDBACK, feedback_text(told))
 
 
 def read_given(rows: Class, layout: Layout) -> Given:
