@@ -1,5 +1,6 @@
 """What hostile pages, clients and people try against a real server."""
 
+import contextlib
 import json
 import sqlite3
 import time
@@ -230,8 +231,9 @@ def test_one_account_has_few_connections(server: LiveServer) -> None:
 def test_a_flood_is_refused_and_then_ended(server: LiveServer) -> None:
     anna = server.join(server.enter("Flood"))
     anna.wait("control")
-    for _ in range(EXCESS + 300):
-        anna.socket.send('{"type":"rate","rate":50}')
+    with contextlib.suppress(ConnectionClosed):  # it may end before all are sent
+        for _ in range(EXCESS + 300):
+            anna.socket.send('{"type":"rate","rate":50}')
     closed = anna.closed()
     assert closed is not None
     assert closed["type"] == "closed"
