@@ -216,6 +216,12 @@ def test_numbers_are_typed_and_stepped(view: Opened) -> None:
     assert fields(view)[:3] == [812.5, -241.0, -50.0]
     view.page.click("[aria-label='A down']")
     assert fields(view)[3:] == [30.0, 55.0, 10.0]
+    view.page.fill(field("Z"), "-50")
+    view.page.keyboard.press("Enter")
+    assert view.page.input_value(field("Z")) == "−50.00"
+    view.page.fill(field("Z"), "-50.004")
+    view.page.keyboard.press("Enter")
+    assert pose(view)["point"][2] == pytest.approx(-0.050004, abs=1e-12)
     expected = rotation_from_oat(30.0, 55.0, 10.0)
     assert pose(view)["R"] == pytest.approx(list(expected), abs=1e-15)
 

@@ -149,7 +149,7 @@ export class PointerPanel {
   /** @param {number} i @param {1|-1} way @param {number} size */
   step(i, way, size = 1) {
     const entered = parsed(this.fields[i].input.value);
-    const from = entered === null || this.same(i, entered) ? this.numbers[i] : entered;
+    const from = entered === null || this.untouched(i) ? this.numbers[i] : entered;
     const next = from + way * size * Number(i < 3 ? this.mm.value : this.deg.value);
     this.wishes.type(this.numbers.map((n, k) => (k === i ? Math.round(next * 1e6) / 1e6 : n)));
   }
@@ -159,13 +159,13 @@ export class PointerPanel {
     const { input } = this.fields[i];
     const entered = parsed(input.value);
     input.setAttribute("aria-invalid", String(entered === null));
-    if (entered === null || this.same(i, entered)) return;
+    if (entered === null || this.untouched(i)) return;
     this.wishes.type(this.numbers.map((n, k) => (k === i ? entered : n)));
   }
 
-  /** Whether a field shows the number it has, rounded. @param {number} i @param {number} entered */
-  same(i, entered) {
-    return entered.toFixed(DIGITS[i]) === this.numbers[i].toFixed(DIGITS[i]);
+  /** Whether a field shows its number as it was written there, rounded. @param {number} i */
+  untouched(i) {
+    return this.fields[i].input.value === figure(this.numbers[i], DIGITS[i]);
   }
 
   /** @param {number} i */
