@@ -2,10 +2,12 @@
 
 What two programs share counts one, divided by the number of other programs that have it too: what
 everybody writes counts next to nothing, whatever it is. What comes with the task counts nothing.
+Programs that are the same throughout share all of it, unless most of the class has them.
 """
 
 from collections import Counter, defaultdict
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from itertools import combinations, islice
 from typing import Annotated, Literal, NamedTuple, TypeVar
 
 import msgspec
@@ -97,6 +99,7 @@ def similarity(
     names = list(found)
     together = [(groups or {}).get(name, "") for name in names]
     code = _shares([{value for value, _, _ in found[name].prints} for name in names])
+    code.update(dict.fromkeys(_same([found[name] for name in names]), 1.0))
     values = _shares([{value.numbers for value in found[name].taught} for name in names])
     scored: list[tuple[float, str, str, float, float]] = []
     for pair in code.keys() | values.keys():
@@ -123,6 +126,21 @@ def similarity(
         for score, first, second, by_code, by_values in scored[:MOST_PAIRS]
     )
     return Ranking("vrts.similarity/1", NOTE, len(names), K, W, pairs)
+
+
+def _same(programs: Sequence[Fingerprinted]) -> Iterator[tuple[int, int]]:
+    """Yield pairs of programs whose own code is the same throughout.
+
+    What most of a class has in the same words was given to them, whoever forgot to say so.
+    """
+    alike: dict[tuple[int, ...], list[int]] = defaultdict(list)
+    for k, program in enumerate(programs):
+        if program.prints:
+            alike[tuple(value for value, _, _ in program.prints)].append(k)
+    most = max(COMMON_FLOOR, len(programs) // 2)
+    groups = [members for members in alike.values() if len(members) <= most]
+    pairs = (pair for members in groups for pair in combinations(members, 2))
+    yield from islice(pairs, MOST_PAIRS)
 
 
 def to_bytes(ranking: Ranking) -> bytes:

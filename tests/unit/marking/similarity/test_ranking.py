@@ -141,3 +141,12 @@ def test_the_json_says_that_it_is_no_verdict() -> None:
     assert "no verdict" in data["note"]
     assert data["schema"] == "vrts.similarity/1"
     assert data["pairs"][0]["first"] == "anna"
+
+
+def test_programs_that_are_the_same_are_said_to_be_the_same() -> None:
+    for number in (2, 11):
+        same = {f"copy{n}": ORIGINAL for n in range(number)}
+        ranking = similarity(the_class(**same))
+        found = between(ranking, "copy0", "copy1")
+        assert found is not None
+        assert found.score == found.code == 1.0
