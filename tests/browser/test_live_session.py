@@ -12,7 +12,7 @@ pytestmark = pytest.mark.browser
 
 PROGRAM = """\
 .PROGRAM wave
-SPEED 20 ALWAYS
+SPEED 8 ALWAYS
 DRIVE 1, 60, 100
 TYPE "half <b>way</b>"
 DRIVE 1, -60, 100
@@ -90,8 +90,9 @@ def test_a_program_runs_with_its_line_lit_and_panic_stops_it(operator: Desk, vie
     page.set_input_files(
         "#upload", {"name": "wave.v2", "mimeType": "text/plain", "buffer": PROGRAM.encode()}
     )
-    page.click("text=Execute")
     viewer.page.click("#tab-programs")
+    viewer.until("document.querySelector('.source li') !== null")
+    page.click("text=Execute")
     for one in (operator, viewer):
         one.until("document.querySelector('.source .lit')?.textContent.includes('DRIVE 1, 60')")
     operator.until("document.body.classList.contains('runs')")
@@ -101,6 +102,7 @@ def test_a_program_runs_with_its_line_lit_and_panic_stops_it(operator: Desk, vie
     operator.until(
         "vrts.store.now.status.mode === 'stopped' || vrts.store.now.status.mode === 'idle'"
     )
+    viewer.page.wait_for_timeout(1000)
     stopped = viewer.joint(1)
     viewer.page.wait_for_timeout(300)
     assert viewer.joint(1) == stopped
@@ -147,6 +149,23 @@ def test_a_dropped_connection_comes_back_without_losing_chat(operator: Desk, vie
     operator.until("vrts.store.operator")
     operator.page.click("#hand-open")
     viewer.until("vrts.world.state.q[6] > 0.01")
+
+
+def test_a_contact_lights_up_and_names_the_bodies(operator: Desk, viewer: Desk) -> None:
+    for line in ("DO MOVE #PPOINT(0,-30,90,0,0,0)", "DO MOVE #PPOINT(0,10,90,0,0,0)"):
+        operator.until("document.getElementById('terminal-prompt').textContent === '.'")
+        operator.type(line)
+        operator.until("document.getElementById('terminal-prompt').textContent === '*'")
+    viewer.until(
+        "document.querySelector('#overlay .bad')?.textContent.includes('touches')"
+        " && JSON.parse(vrts.world.viewer.highlighted)?.robot === true"
+    )
+    operator.until("vrts.store.now.contacts.length > 0")
+    operator.page.click("#tab-history")
+    operator.until("document.querySelector('.events .contact')?.textContent.includes('touches')")
+    operator.page.uncheck("#show-contacts")
+    operator.until("document.querySelector('#overlay .bad') === null")
+    operator.page.check("#show-contacts")
 
 
 def test_the_supervisor_takes_over_freezes_and_makes_rooms(
