@@ -61,6 +61,6 @@ def test_the_installed_wheel_marks_the_example(wheel: Path, tmp_path: Path) -> N
         text=True,
         check=True,
     )
-    marks = {row["id"]: row["mark"] for row in json.loads(result.stdout)["results"]}
+    marks = {row["id"]: row["final"] for row in json.loads(result.stdout)["rows"]}
     assert marks["solution"] == 10.0
     assert marks["hits-base"] == 7.0
