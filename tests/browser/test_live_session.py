@@ -8,7 +8,7 @@ from playwright.sync_api import Browser
 from tests.browser.support_sessions import IDLE, Desk, student, supervisor
 from tests.support_live import LiveServer
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.live]
 
 PROGRAM = """\
 .PROGRAM wave
