@@ -10,10 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.check.collision_grips import NEAR_MISS
-from vrts.check.collision_pairs import Pairs, Plan, plan
+from vrts.check.collision_pairs import Pairs, Plan
 from vrts.check.collision_state import Instants, RunRecord, instants
-from vrts.check.curves import curves
+from vrts.check.of_run import motion_of, plan_of
 from vrts.engine.records import GRAVITY
+from vrts.geometry.narrow import engine as engine_by_name
 from vrts.geometry.narrow import pair, transform
 from vrts.geometry.solids import Places
 from vrts.scene.model import Scene
@@ -32,8 +33,9 @@ def clearance_curve(
 
     It is at most `FAR`. Nearer than `near_miss` [m] is a near miss; None: as usual.
     """
-    motion = curves(run.timeline.segments)
-    todo = plan(scene, run, motion, near_miss=NEAR_MISS if near_miss is None else near_miss)
+    motion = motion_of(run)
+    threshold = NEAR_MISS if near_miss is None else near_miss
+    todo = plan_of(scene, run, engine_by_name(None), threshold, clearance=True)
     rows = np.flatnonzero(todo.pairs.counts)
     found = np.full(len(time_s), FAR)
     if not len(rows):

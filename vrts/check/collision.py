@@ -23,11 +23,11 @@ from vrts.check.collision_findings import (
     slack_of,
 )
 from vrts.check.collision_grips import NEAR_MISS
-from vrts.check.collision_pairs import Pairs, Plan, plan
+from vrts.check.collision_pairs import Pairs, Plan
 from vrts.check.collision_search import search
 from vrts.check.collision_state import Prober, RunRecord
-from vrts.check.curves import curves
 from vrts.check.near_misses import Within, near_misses
+from vrts.check.of_run import motion_of, plan_of
 from vrts.check.pair_rows import joined
 from vrts.check.second_opinion import Witness, disagreements
 from vrts.check.verdict import Clearance, CollisionReport, NearMiss
@@ -57,10 +57,10 @@ def check_collisions(
     """
     if all(segment.end_s <= segment.start_s for segment in run.timeline.segments):
         return CollisionReport((), (), (), None, certified=True, statistics=MappingProxyType({}))
-    motion = curves(run.timeline.segments)
+    motion = motion_of(run)
     by = engine_by_name(engine)
     threshold = NEAR_MISS if near_miss is None else near_miss
-    todo = plan(scene, run, motion, by, threshold, clearance=clearance)
+    todo = plan_of(scene, run, by, threshold, clearance=clearance)
     interval = (motion.start_s, max(motion.end_s, float(todo.pairs.end_s.max(initial=0.0))))
     prober = Prober(scene.robot.arm, motion, todo.solids, by)
     pairs = joined(todo.pairs, todo.rigid)
