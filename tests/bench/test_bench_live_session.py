@@ -1,7 +1,8 @@
 """Half an hour of a session at 50 beats a second, on a clock that only the benchmark drives.
 
-The budget of a beat is 2 ms of the processor (median): ten sessions share a core with room to spare. Memory is that
-of the process: what is older than ten minutes is forgotten, so the last ten minutes add nothing.
+The budget of a beat is 2 ms of the processor (median): ten sessions share a core with room to
+spare. Memory is that of the process: what is older than ten minutes is forgotten, so the last ten
+minutes add nothing.
 """
 
 import resource
