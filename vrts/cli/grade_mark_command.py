@@ -309,6 +309,7 @@ def _write(
     from vrts import __version__
     from vrts.marking.about import About
     from vrts.marking.class_files import write_class, write_overview
+    from vrts.marking.exports.write import write_feedback
     from vrts.marking.pseudonyms import nameless_about
     from vrts.marking.similarity.files import compare_class
 
@@ -325,6 +326,7 @@ def _write(
     )
     about = nameless_about(about) if pseudonyms else about
     write_class(marked.rows, about, layout)
+    write_feedback(marked.rows, layout)
     compare_class(marked, marker, layout)
     write_overview(marked.rows, about, layout)  # again: it links to what was compared
     say(f"wrote {layout.overview}")

@@ -2,7 +2,7 @@
 
 from vrts.marking.about import NAME, About
 from vrts.marking.about import to_bytes as about_to_bytes
-from vrts.marking.exports.write import write_feedback, write_marks_table
+from vrts.marking.exports.write import write_marks_table
 from vrts.marking.layout import Layout, write_atomically
 from vrts.marking.overview.page import overview_page
 from vrts.marking.row import Class, class_to_bytes
@@ -14,7 +14,6 @@ def write_class(rows: Class, about: About, layout: Layout) -> None:
     write_atomically(layout.results, class_to_bytes(rows))
     write_atomically(layout.staff / NAME, about_to_bytes(about))
     write_marks_table(rows, layout)
-    write_feedback(rows, layout)
     write_overview(rows, about, layout)
 
 
