@@ -3,7 +3,7 @@
 from itertools import pairwise
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.support_programs import ROOT, cans, compiled, program
@@ -218,6 +218,15 @@ def test_a_fork_with_the_same_commands_is_the_same_run(
 
 @settings(max_examples=15)
 @given(TIMED, TIMED, MOMENTS)
+@example(
+    [
+        TimedCommand(0.0, Execute("main")),
+        TimedCommand(0.001, Abort()),
+        TimedCommand(0.036, Execute("main")),
+    ],
+    [TimedCommand(0.0, Execute("main"))],
+    0.035,
+)
 def test_forks_leave_each_other_alone(
     commands: list[TimedCommand], others: list[TimedCommand], time_s: float
 ) -> None:

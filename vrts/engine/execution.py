@@ -18,7 +18,7 @@ from vrts.engine.outcomes import (
     SWITCHED,
     LimitReached,
 )
-from vrts.engine.process import next_cycle, note_progress, place
+from vrts.engine.process import next_cycle, note_progress, place, rest
 from vrts.engine.reactions import ERROR_PRIORITY, Watch
 from vrts.engine.records import Ending
 
@@ -54,11 +54,7 @@ def _run_steps(machine: "Machine", c: Context, most: int) -> None:
             _catch(machine, c, fault)
         if left > 0 and c.running:
             _react(machine, c, look=False)
-    if c.frames:
-        frame = c.frames[-1]
-        program = machine.system.executable.programs[frame.program]
-        following = program.base + min(frame.index, len(program.causes) - 1)
-        c.trace.rest(machine.finished, following)
+    rest(c, machine.finished)
 
 
 def _run_frame(machine: "Machine", c: Context, left: int) -> int:

@@ -15,6 +15,7 @@ from vrts.engine.context import Context
 from vrts.engine.events import Cause, Event
 from vrts.engine.motion.time_scale import TimeScale
 from vrts.engine.outcomes import INSTANT
+from vrts.engine.process import next_instruction
 from vrts.engine.records import ArmPiece, Ending, Motion, Placement
 from vrts.engine.timeline import Stroke
 from vrts.engine.trace import Trace
@@ -144,14 +145,10 @@ def history_of(machine: "Machine") -> History:
 
 
 def _program(machine: "Machine", c: Context) -> ProgramHistory:
-    place = None
-    if c.frames:
-        known = machine.system.executable.programs[c.frames[-1].program]
-        place = known.base + min(c.frames[-1].index, len(known.causes) - 1)
     return ProgramHistory(
         c.is_robot,
         c.trace,
-        place,
+        next_instruction(c),
         c.ending,
         c.cycles_done,
         c.cycles_left,

@@ -34,7 +34,7 @@ from vrts.engine.outcomes import (
     INSTANT,
 )
 from vrts.engine.process import end as end_program
-from vrts.engine.process import note_progress, place
+from vrts.engine.process import note_progress, place, rest
 from vrts.engine.records import Ending
 from vrts.engine.sensing import Sensing
 from vrts.engine.signals import Signals
@@ -327,6 +327,8 @@ class Machine:
             self.obeyed += 1
             self.finished += 1  # so that before and after can be told apart
             obey(command, self, now)
+            for c in (self.robot, self.process):
+                rest(c, self.finished)
             self.ticks.append(self.last_tick)
             self.counts.append(self.finished)
 
@@ -393,6 +395,7 @@ class Machine:
             return
         self.robot.finished = self.finished
         self.robot.restore(self.stopped)
+        rest(self.robot, self.finished)
         self.stopped = None
         note_progress(self.robot, self.ended_s)
 

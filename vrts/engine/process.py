@@ -96,6 +96,21 @@ def place(c: Context) -> Cause | None:
     return causes[min(frame.index, len(causes) - 1)]
 
 
+def rest(c: Context, finished: int) -> None:
+    """Note where a program rests, after a number of finished statements of both programs."""
+    following = next_instruction(c)
+    if following is not None:
+        c.trace.rest(finished, following)
+
+
+def next_instruction(c: Context) -> int | None:
+    """Return the number of the instruction that comes next, of those of all programs."""
+    if not c.frames:
+        return None
+    program = c.system.executable.programs[c.frames[-1].program]
+    return program.base + min(c.frames[-1].index, len(program.causes) - 1)
+
+
 def after_step(program: Program, index: int) -> int:
     """Return the first instruction of the step after that of an instruction."""
     step = program.origins[min(index, len(program.origins) - 1)].step

@@ -39,8 +39,8 @@ class Trace:
         self.instructions = array("I")  # one for every statement, in order
         self.begun = array("I")  # statements finished when a slice began
         self.counts = array("I")  # of them, those of this program
-        self.rested = array("I")  # statements finished when the program rested: waited, or had
-        # used its share of a tick
+        self.rested = array("I")  # statements finished when the program rested: waited, had used
+        # its share of a tick, or was given a command
         self.resting = array("I")  # beside `rested`: the instruction that came next
         self.changed = array("I")  # statements finished when the innermost program changed
         self.activations: list[Activation | None] = []  # beside `changed`
@@ -79,9 +79,9 @@ class Trace:
             known: How many there are; what comes later belongs to another future.
         """
         k = bisect_right(self.rested, finished) - 1
-        if k >= 0 and self.rested[k] == finished:
-            return self.resting[k]
         count = self.executed(finished)
+        if k >= 0 and self.executed(self.rested[k]) == count:  # it has rested since
+            return self.resting[k]
         return self.instructions[count] if count < self.executed(known) else None
 
     def activation(self, finished: int) -> Activation | None:

@@ -11,7 +11,7 @@ class Limits:
 
     cpu_s: int = 120
     wall_s: float = 300.0
-    memory: int = 1_500_000_000  # bytes in use, what is shared with the parent included
+    memory: int = 1_500_000_000  # bytes in use beyond what it begins with
     file: int = 64_000_000  # bytes of any file it writes
     files: int = 256  # open at once
     answer: int = 8_000_000  # bytes of its answer

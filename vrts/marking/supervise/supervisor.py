@@ -44,6 +44,7 @@ class _Running(NamedTuple, Generic[Order]):
     order: Order
     process: Process
     folder: Path
+    inherited: int  # bytes of memory it has from the parent
 
 
 class Supervisor(Generic[Order]):
@@ -96,13 +97,15 @@ class Supervisor(Generic[Order]):
                 self._running.remove(running)
                 yield self._finished(running)
             for running in self._running:
-                self._watch(running.process)
+                self._watch(running)
 
     def _start(self, order: Order) -> None:
         self._number += 1
         folder = self._staging / str(self._number)
         folder.mkdir(parents=True)
+        inherited = 0
         if self._fork:
+            inherited = psutil.Process().memory_info().rss
 
             def work() -> bytes:
                 return self._worker.work(order, folder)
@@ -111,7 +114,7 @@ class Supervisor(Generic[Order]):
         else:
             command, data = self._worker.command(order, folder)
             process = SpawnedProcess(command, data, folder, self._limits)
-        self._running.append(_Running(order, process, folder))
+        self._running.append(_Running(order, process, folder, inherited))
 
     def _wait(self) -> None:
         if self._fork:
@@ -119,7 +122,8 @@ class Supervisor(Generic[Order]):
         else:
             spawned.wait([r.process for r in self._running], _WATCH)  # type: ignore[misc]
 
-    def _watch(self, process: Process) -> None:
+    def _watch(self, running: _Running[Order]) -> None:
+        process = running.process
         if time.monotonic() - process.started > self._limits.wall_s:
             self._end(process, Loss.WALL)
         try:
@@ -129,7 +133,7 @@ class Supervisor(Generic[Order]):
         except psutil.Error:
             return  # it is gone: the next look at its answer tells
         self._peaks[process.pid] = max(self._peaks.get(process.pid, 0), memory)
-        if memory > self._limits.memory:
+        if memory > running.inherited + self._limits.memory:
             self._end(process, Loss.MEMORY)
         if cpu > self._limits.cpu_s + 1.0:  # where the system has no limit of its own
             self._end(process, Loss.TIME)

@@ -43,6 +43,8 @@ def do(what: str, folder: Path) -> bytes:
         case "loop":
             while True:
                 pass
+        case "nap":
+            time.sleep(0.3)
         case "hang":
             time.sleep(60)
         case "segfault":
@@ -121,6 +123,16 @@ def test_answers_come_back_and_losses_are_told_apart(tmp_path: Path, fork: bool)
     assert "no reason" in lost["raise"].detail
     assert "Segmentation fault" in lost["segfault"].detail
     assert "File too large" in lost["big file"].detail
+
+
+@pytest.mark.skipif(not CAN_FORK, reason="nothing is forked here")
+def test_what_a_parent_has_loaded_is_not_counted(tmp_path: Path) -> None:
+    loaded = bytearray(b"x") * (LIMITS.memory + 50_000_000)
+    found = run(tmp_path, "nap", "grow", fork=True)
+    assert len(loaded) > LIMITS.memory
+    assert found["nap"].outcome == Answer(b"nap")
+    assert isinstance(found["grow"].outcome, Lost)
+    assert found["grow"].outcome.loss is Loss.MEMORY
 
 
 @pytest.mark.parametrize("fork", WAYS)
