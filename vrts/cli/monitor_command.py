@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.console import guarded, out, say
+from vrts.cli.console import fail, guarded, lab_option, out, say
 
 EPILOG = """\b
 Examples:
@@ -22,6 +22,7 @@ at that simulated time in s.
 @click.command(name="monitor", epilog=EPILOG)
 @click.argument("files", metavar="[FILE]...", nargs=-1)
 @click.option("--scene", help="Name or path of a scene; without it the robot stands alone.")
+@lab_option
 @click.option(
     "--scenario", type=click.Path(path_type=Path), help="What happens in the cell: a scenario file."
 )
@@ -38,6 +39,7 @@ at that simulated time in s.
 def command(
     files: tuple[str, ...],
     scene: str | None,
+    lab: Path | None,
     scenario: Path | None,
     dialect: str,
     replace: bool,
@@ -47,6 +49,8 @@ def command(
 
     Files are read and written in the working folder only. Ctrl-C stops a program, Ctrl-D leaves.
     """
+    if lab is not None and scene is None:
+        fail("a lab is laid over a scene", ("give `--scene NAME`, too",))
     from vrts.monitor.opening import opened
     from vrts.monitor.transcript import transcript
     from vrts.report.plain import plain_text
@@ -56,6 +60,7 @@ def command(
         files,
         scene,
         dialect,
+        lab=lab,
         scenario=scenario,
         asks=at_terminal,
         replace=replace,

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.console import WRONG, fail, guarded, say
+from vrts.cli.console import WRONG, fail, guarded, lab_option, say
 
 EPILOG = """\b
 Examples:
@@ -31,6 +31,7 @@ Examples:
     show_default=True,
     help="What is kept: accounts, rooms, logs, users' files.",
 )
+@lab_option
 @click.option(
     "--rooms", type=click.Path(path_type=Path), help="File with the name of a room a line."
 )
@@ -55,6 +56,7 @@ def command(
     host: str,
     port: int,
     folder: Path,
+    lab: Path | None,
     rooms: Path | None,
     names: tuple[str, ...],
     tls_cert: Path | None,
@@ -99,7 +101,7 @@ def command(
     named = tuple(line.strip() for line in lines if line.strip())
     settings = Settings(
         folder,
-        places_of(scenes),
+        places_of(scenes, lab),
         names,
         students_reset=students_reset,
         idle_s=float(idle),

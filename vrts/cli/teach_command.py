@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.console import WRONG, fail, guarded, say, write_file
+from vrts.cli.console import WRONG, fail, guarded, lab_option, say, write_file
 
 EPILOG = """\b
 Examples:
@@ -20,6 +20,7 @@ Examples:
 @click.option(
     "-o", "--output", type=click.Path(path_type=Path), required=True, help="File for the locations."
 )
+@lab_option
 @click.option("--terminal", is_flag=True, help="Use the keys of the terminal as the pendant.")
 @click.option("--overwrite", is_flag=True, help="Replace the file if it is there.")
 @click.option("--no-open", is_flag=True, help="Say the link, but open no browser.")
@@ -28,7 +29,13 @@ Examples:
 )
 @guarded
 def command(
-    scene: str, output: Path, terminal: bool, overwrite: bool, no_open: bool, port: int
+    scene: str,
+    output: Path,
+    lab: Path | None,
+    terminal: bool,
+    overwrite: bool,
+    no_open: bool,
+    port: int,
 ) -> None:
     """Move the arm in SCENE, record locations, write them as `.LOCATIONS`.
 
@@ -42,16 +49,16 @@ def command(
             fail("the pendant needs a terminal")
         fail(f"`{output}` is there already", ("give another name, or `--overwrite`",))
     if terminal:
-        _by_keys(scene, output)
+        _by_keys(scene, lab, output)
     else:
-        _in_browser(scene, output, port, opens=not no_open)
+        _in_browser(scene, lab, output, port, opens=not no_open)
 
 
 def _at_terminal() -> bool:
     return sys.stdin.isatty() and sys.stdout.isatty()
 
 
-def _by_keys(scene: str, output: Path) -> None:
+def _by_keys(scene: str, lab: Path | None, output: Path) -> None:
     from vrts.monitor.opening import opened
     from vrts.monitor.pendant import points_text
 
@@ -59,7 +66,7 @@ def _by_keys(scene: str, output: Path) -> None:
         fail("the pendant needs a terminal")
     from vrts.monitor.pendant_screen import teach
 
-    dialogue, _ = opened((), scene, "val2", asks=False)
+    dialogue, _ = opened((), scene, "val2", asks=False, lab=lab)
     pendant = teach(dialogue, time.monotonic)
     if pendant.done == "write" and pendant.recorded:
         write_file(output, points_text(pendant).encode())
@@ -68,13 +75,13 @@ def _by_keys(scene: str, output: Path) -> None:
         say("nothing is written")
 
 
-def _in_browser(scene: str, output: Path, port: int, *, opens: bool) -> None:
+def _in_browser(scene: str, lab: Path | None, output: Path, port: int, *, opens: bool) -> None:
     try:
         from vrts.live.teaching import teach
     except ModuleNotFoundError as missing:
         hints = ("install them with `pip install 'vrts[live]'`", "`--terminal` needs none of them")
         fail(f"teaching in the browser needs the package {missing.name}", hints, WRONG)
-    count = teach(scene, output, port, say, opens=opens)
+    count = teach(scene, output, port, say, lab=lab, opens=opens)
     say(_written(count, output) if count else "nothing is written")
 
 

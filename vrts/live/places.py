@@ -9,18 +9,24 @@ from vrts.pipeline.files import SCENE_FILE, CannotRead, find_example, find_scene
 from vrts.pipeline.settings import TASK_FILE
 
 
-def places_of(names: Sequence[str]) -> tuple[Place, ...]:
+def places_of(names: Sequence[str], lab: Path | None = None) -> tuple[Place, ...]:
     """Return the set of scenes; a name is a scene, a task file, or a folder with a task.
 
+    Args:
+        names: As they are named on the command line.
+        lab: File of a lab that is laid over all of them.
+
     Raises:
-        CannotRead: There is no such scene or task, or two have the same name.
+        CannotRead: There is no such scene, task or lab, or two have the same name.
     """
+    if lab is not None and not lab.is_file():
+        raise CannotRead(f"there is no lab `{lab}`", ("`vrts new lab NAME` writes one",))
     places: dict[str, Place] = {}
     for name in names:
         place = _place(name)
         if place.id in places:
             raise CannotRead(f"there are two scenes `{place.id}`", ("rename one",))
-        places[place.id] = place
+        places[place.id] = place._replace(lab=str(lab.resolve()) if lab is not None else "")
     return tuple(places.values())
 
 

@@ -14,7 +14,15 @@ from vrts.live.settings import Settings
 ROOM = "Teaching"
 
 
-def teach(scene: str, output: Path, port: int, say: Callable[[str], None], *, opens: bool) -> int:
+def teach(
+    scene: str,
+    output: Path,
+    port: int,
+    say: Callable[[str], None],
+    *,
+    lab: Path | None = None,
+    opens: bool,
+) -> int:
     """Serve one user on this machine until interrupted; return how many locations were recorded.
 
     Nothing but the file of locations is left behind.
@@ -24,10 +32,11 @@ def teach(scene: str, output: Path, port: int, say: Callable[[str], None], *, op
         output: The file of locations; replaced when the first one is recorded.
         port: 0: any that is free.
         say: Writes a line of words.
+        lab: File of a lab that is laid over the scene.
         opens: Whether a browser is opened.
 
     Raises:
-        CannotRead: There is no such scene.
+        CannotRead: There is no such scene or lab.
         OSError: The port cannot be had.
     """
     points = PointsFile(output)
@@ -47,7 +56,7 @@ def teach(scene: str, output: Path, port: int, say: Callable[[str], None], *, op
     with tempfile.TemporaryDirectory(prefix="vrts-teach-") as folder:
         settings = Settings(
             Path(folder),
-            places_of((scene,)),
+            places_of((scene,), lab),
             alone=True,
             students_reset=True,
             idle_s=0.0,

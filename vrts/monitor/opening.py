@@ -29,6 +29,7 @@ def opened(
     dialect: str,
     *,
     asks: bool,
+    lab: Path | None = None,
     scenario: Path | None = None,
     replace: bool = False,
     overwrite: bool = False,
@@ -39,17 +40,18 @@ def opened(
         files: Read first, from anywhere: the user named them.
         scene: Name or path; None: the robot alone.
         dialect: Name of the dialect.
+        lab: A file with a lab that is laid over the scene.
         scenario: A file that says how the robot stands at first, and what happens in the cell.
         asks: Whether the monitor asks before what cannot be undone.
         replace: Whether LOAD replaces programs.
         overwrite: Whether STORE replaces files unasked.
 
     Raises:
-        CannotRead: A file, the scene or the scenario is not there.
+        CannotRead: A file, the scene, the lab or the scenario is not there.
         Refused: Scene or scenario have errors, or a file is no text.
     """
     beside = Path(files[0]).parent if files else None
-    setting = load_scene(scene, beside) if scene else robot_alone()
+    setting = load_scene(scene, beside, lab=lab) if scene else robot_alone()
     if scenario is not None:
         setting = with_scenario(setting, scenario)
     begins = setting.scenario.scenario if setting.scenario is not None else Scenario()

@@ -1,0 +1,46 @@
+"""The set of scenes of a server, and the lab that is laid over it."""
+
+from pathlib import Path
+
+import pytest
+
+from vrts.live.places import places_of
+from vrts.live.session.messages import Start
+from vrts.live.session.setting import setting_of
+from vrts.monitor.opening import opened
+from vrts.pipeline.files import CannotRead
+from vrts.robots.puma import PUMA_761, PUMA_762
+
+LAB = """
+[lab]
+title = "Cellar"
+
+[lab.robot]
+name = "puma762"
+"""
+
+
+@pytest.fixture
+def lab(tmp_path: Path) -> Path:
+    path = tmp_path / "cellar.toml"
+    path.write_text(LAB)
+    return path
+
+
+def test_a_session_stands_in_the_lab_it_is_told(lab: Path, tmp_path: Path) -> None:
+    (place,) = places_of(("cans-on-bases",), lab)
+    found = setting_of(Start(1, str(tmp_path), place.scene, place.task, place.lab))
+    (plain,) = places_of(("cans-on-bases",))
+    without = setting_of(Start(1, str(tmp_path), plain.scene, plain.task, plain.lab))
+    assert found.scene.title == f"{without.scene.title}, in Cellar"
+    assert (without.scene.robot.arm, found.scene.robot.arm) == (PUMA_761, PUMA_762)
+
+
+def test_the_monitor_speaks_to_the_arm_of_the_lab(lab: Path) -> None:
+    dialogue, _ = opened((), "cans-on-bases", "val2", asks=False, lab=lab)
+    assert dialogue.controller.run.scene.robot.arm == PUMA_762
+
+
+def test_a_lab_that_is_not_there_is_told(tmp_path: Path) -> None:
+    with pytest.raises(CannotRead, match="no lab"):
+        places_of(("cans-on-bases",), tmp_path / "none.toml")
