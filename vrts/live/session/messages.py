@@ -202,6 +202,7 @@ class Status(News, frozen=True, tag="status"):
     contacts: int  # certified so far
     checked_s: float  # up to this time
     mark: float | None = None  # of the public checks, where there is a task
+    tool: tuple[float, ...] = ()  # pose of TOOL in the flange frame
 
 
 class ProgramEntry(msgspec.Struct, frozen=True):

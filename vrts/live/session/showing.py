@@ -18,7 +18,7 @@ from vrts.live.session.messages import (
     Snapshot,
     Status,
 )
-from vrts.live.session.status import Placements, location, mode, pose_frame, step_under_way
+from vrts.live.session.status import Placements, location, mode, pose_frame, step_under_way, tool
 from vrts.monitor.desk import ALONE
 from vrts.monitor.programs import StoredProgram
 from vrts.report.event_words import event_text
@@ -172,6 +172,7 @@ class Showing:
             contacts=len(self.contacts),
             checked_s=self.checked_s,
             mark=self.mark,
+            tool=tool(growing),
         )
 
     def snapshot(self, ref: int) -> Snapshot:

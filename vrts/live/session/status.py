@@ -1,6 +1,7 @@
 """What a session shows of its machine: frames and states, without a `Run` and its cost."""
 
 from vrts.base.oat import components
+from vrts.base.pose import Pose
 from vrts.engine.events import Cause
 from vrts.engine.process import place
 from vrts.engine.records import Ending, Placement
@@ -63,6 +64,11 @@ def location(growing: GrowingRun) -> tuple[float, ...]:
     return tuple(round(number, 4) + 0.0 for number in components(X_VT))
 
 
+def tool(growing: GrowingRun) -> tuple[float, ...]:
+    """Return the pose of the tool in force, in the flange frame; lengths in m."""
+    return _numbers(growing.machine.system.planner.tool)
+
+
 def step_under_way(growing: GrowingRun) -> Cause | None:
     """Return the step of the motion under way, else the one that a program is at."""
     machine = growing.machine
@@ -80,12 +86,11 @@ def step_under_way(growing: GrowingRun) -> Cause | None:
 
 def placed(placement: Placement) -> Placed:
     """Return a placement as clients take it."""
-    X = placement.X
     return Placed(
         placement.body,
         placement.start_s,
         placement.lie.value,
-        tuple(round(number, 9) + 0.0 for number in (*X.rotation, *X.translation)),
+        _numbers(placement.X),
         placement.support,
     )
 
@@ -124,6 +129,11 @@ class Placements:
             found += map(placed, reversed(fresh))
             self._told[name] = track[-1]
         return tuple(found)
+
+
+def _numbers(X: Pose) -> tuple[float, ...]:
+    """Return a pose as clients take it: the rotation row by row, then the translation."""
+    return tuple(round(number, 9) + 0.0 for number in (*X.rotation, *X.translation))
 
 
 def _same(a: Placement, b: Placement) -> bool:

@@ -1,10 +1,9 @@
 // The 3D world of a room: the viewer of the reports, fed by frames.
 
 import { armFrames } from "../viewer/kinematics.js";
-import { compose, identity } from "../viewer/poses.js";
+import { compose, identity, poseFrom } from "../viewer/poses.js";
 import { Viewer } from "../viewer/viewer.js";
 import { Motion } from "./motion.js";
-import { toolFrom } from "./tool.js";
 
 const AFTERGLOW = 1.5; // how long a contact stays lit [s]
 const FARTHER = 1.42; // times
@@ -78,7 +77,7 @@ export class World {
 
   /** Learn from a status which tool is in force. @param {import("./protocol.js").Status} status */
   know(status) {
-    if (this.viewer) this.X_FT = toolFrom(this.viewer.data.robot.arm, status, this.X_FT);
+    this.X_FT = poseFrom(status.tool);
   }
 
   /** @param {import("./frame.js").PoseFrame} frame */
