@@ -383,6 +383,8 @@ class WallRow(msgspec.Struct, frozen=True):
     joints_rad: tuple[float, ...]  # for the still
     alive: bool  # the session process runs
     scene_url: str = ""  # what is to be drawn; empty: not there yet
+    hand_m: float = 0.0  # opening
+    bodies: tuple[msgspec.Raw, ...] = ()  # how each movable body lies: `session.messages.Placed`
 
 
 class Wall(Message, frozen=True, tag="wall"):

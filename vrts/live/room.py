@@ -75,11 +75,24 @@ class Watched(msgspec.Struct, frozen=True):
 
     time_s: float = 0.0
     joints_rad: tuple[float, ...] = ()
+    hand_m: float = 0.0
     text: str = ""
     contacts: int = 0
     mark: float | None = None
 
 
+class _Placed(msgspec.Struct, frozen=True):
+    """What the wall reads of a session's `Moved` or `Snapshot`: rows of `Placed`."""
+
+    bodies: tuple[msgspec.Raw, ...] = ()
+
+
+class _Body(msgspec.Struct, frozen=True):
+    body: str
+
+
+_placed = msgspec.json.Decoder(_Placed)
+_body = msgspec.json.Decoder(_Body)
 _watched = msgspec.json.Decoder(Watched)
 
 
@@ -99,6 +112,7 @@ class Room:
     asked: dict[int, Asked] = field(default_factory=dict[int, Asked])
     joining: list[Member] = field(default_factory=list[Member])  # wait for a snapshot
     status: bytes = b""  # JSON of the last `Status`
+    placed: dict[str, msgspec.Raw] = field(default_factory=dict[str, msgspec.Raw])  # by body
     halting: bool = False  # a panic is on its way
     crowd_changed: float = 0.0  # since when people are to be told who is here; 0: they know
     _told: deque[Told] = field(default_factory=deque[Told])
@@ -157,6 +171,13 @@ class Room:
         for member in self.members.values():
             if member.door is not None and member.settled:
                 member.door.latest("now", frame)
+
+    def place(self, message: bytes, *, whole: bool) -> None:
+        """Learn how bodies lie from a session's `Moved`, or all of them from its `Snapshot`."""
+        if whole:
+            self.placed.clear()
+        for row in _placed.decode(message).bodies:  # later rows of a body replace earlier ones
+            self.placed[_body.decode(row).body] = row.copy()
 
     def audience(self, to: Audience) -> Iterable[Member]:
         """Return who is meant."""
@@ -265,6 +286,8 @@ class Room:
             joints_rad=status.joints_rad,
             alive=self.process is not None and self.process.ready,
             scene_url=self.scene_url,
+            hand_m=status.hand_m,
+            bodies=tuple(self.placed.values()),
         )
 
     def _role(self, member: Member) -> Role:

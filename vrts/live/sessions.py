@@ -118,6 +118,7 @@ class Sessions:
             case "snapshot":
                 self._hub.settle(room, message)
                 if head.ref in (0, process.first_snapshot):
+                    room.place(message, whole=True)
                     room.show(State(room.session, room.scene_url, _RAW(message)))
             case "ready":
                 room.task = msgspec.json.decode(head.task, type=str) if head.task else ""
@@ -133,6 +134,8 @@ class Sessions:
             case "failed" | "exported":
                 pass  # `SessionProcess.failure` has it; nobody asked for an export
             case _:
+                if head.type == "moved":
+                    room.place(message, whole=False)
                 number = room.next_number()
                 room.tell(Happened(number, _RAW(message)), number)
 
@@ -181,6 +184,7 @@ class Sessions:
         asked, room.asked = room.asked, {}
         room.halting = False
         room.status = b""
+        room.placed.clear()
         for one in asked.values():
             member = room.members.get(one.person)
             if member is not None:

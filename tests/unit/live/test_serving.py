@@ -298,8 +298,9 @@ def test_rooms_walls_and_logs(server: LiveServer) -> None:
     told = boss.wait("rooms", lambda m: len(m["rooms"]) == 3)
     group = next(room for room in told["rooms"] if room["name"] == "Group 1")
     boss.send("watch_wall", on=True)
-    row = boss.wait("wall", lambda m: all(r["alive"] for r in m["rooms"]))["rooms"][1]
+    row = boss.wait("wall", lambda m: all(r["bodies"] for r in m["rooms"]))["rooms"][1]
     assert (row["name"], len(row["joints_rad"])) == ("Group 1", 6)
+    assert [(body["lie"], len(body["X"])) for body in row["bodies"]] == [("resting", 12)]
     boss.send("project", room=group["id"])
     boss.wait("rooms", lambda m: m["projector"] == group["id"])
 

@@ -106,7 +106,7 @@ export const LONGEST_CHAT = 1000; // characters
  * @typedef {{reachable: boolean, why: string, code: string, branch: string[], joints_rad: number[]}} Reached
  * @typedef {{id: string, name: string, scene: string, scene_url?: string, task: string, operator: string, people: number, hands: string[],
  *   queue: number, time_s: number, line: string, contacts: number, mark: number | null, joints_rad: number[],
- *   alive: boolean}} WallRow
+ *   alive: boolean, hand_m: number, bodies: Placed[]}} WallRow
  */
 
 /**

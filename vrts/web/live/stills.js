@@ -2,6 +2,7 @@
 
 import { armFrames } from "../viewer/kinematics.js";
 import { Viewer } from "../viewer/viewer.js";
+import { Bodies } from "./bodies.js";
 import { make } from "./dom.js";
 import { look, theme } from "./world.js";
 
@@ -18,16 +19,19 @@ export class Stills {
 
   /** @param {HTMLCanvasElement} canvas @param {import("./protocol.js").WallRow} row */
   async draw(canvas, row) {
-    const key = `${row.scene_url} ${row.joints_rad.map((q) => q.toFixed(3)).join(" ")} ${theme()}`;
+    const key = JSON.stringify([row.scene_url, row.joints_rad.map((q) => q.toFixed(3)), row.hand_m.toFixed(3), row.bodies, theme()]);
     if (!row.scene_url || !row.joints_rad.length || this.drawn.get(canvas) === key) return;
     this.drawn.set(canvas, key);
     const viewer = await this.viewer(row.scene, row.scene_url);
     if (!viewer) return;
     const q = new Float64Array(7);
     q.set(row.joints_rad);
-    q[6] = viewer.data.robot.gripper.openingMax;
+    q[6] = row.hand_m;
     const { X_BL, X_BF } = armFrames(viewer.data.robot.arm, q);
-    viewer.snapshot(canvas, { t: row.time_s, q, v: new Float64Array(7), X_WL: X_BL, X_WF: X_BF, X_WT: X_BF, bodies: new Map(), held: [] }, null);
+    const bodies = new Bodies();
+    bodies.reset(row.bodies);
+    const { poses, held } = bodies.at(row.time_s, X_BF);
+    viewer.snapshot(canvas, { t: row.time_s, q, v: new Float64Array(7), X_WL: X_BL, X_WF: X_BF, X_WT: X_BF, bodies: poses, held }, null);
   }
 
   /** Return the viewer of a scene; null when there are too many already. @param {string} scene @param {string} url */
