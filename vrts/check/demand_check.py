@@ -7,10 +7,11 @@ import numpy as np
 
 from vrts.base.diagnostic import NO_DATA, Datum, Diagnostic, Label, Moment, Rule, Severity
 from vrts.check.certified import Array, Peak, highest, peak
-from vrts.check.curves import Curves, curves, lasting_of
+from vrts.check.curves import Curves, lasting_of
 from vrts.check.demand_values import bound_of, close_of, quantity
 from vrts.check.demand_words import broken, reached, rule_of, wanted
 from vrts.check.demands import DEMAND, Demand, Keeps
+from vrts.check.of_run import motion_of
 from vrts.check.program_rules import check_rule
 from vrts.check.rounding import exact_deg, exact_mm, exact_s
 from vrts.check.singularity import on_lines
@@ -28,8 +29,7 @@ def check_demands(
     run: Run, demands: tuple[Demand, ...], engine: str | None = None
 ) -> tuple[Verdict, ...]:
     """Return a verdict for every demand; `engine` measures distances, as for collisions."""
-    lasting = lasting_of(run.timeline.segments)
-    motion = curves(lasting) if lasting else None
+    motion = motion_of(run) if lasting_of(run.timeline.segments) else None
     return tuple(_verdict(run, motion, demand, engine) for demand in demands)
 
 

@@ -12,8 +12,9 @@ import numpy.typing as npt
 
 from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, Severity
 from vrts.base.units import deg
-from vrts.check.curves import Curves, curves, lasting_of
+from vrts.check.curves import Curves, lasting_of
 from vrts.check.extremes import fastest, first_outside
+from vrts.check.of_run import motion_of
 from vrts.check.singularity import measured
 from vrts.check.verdict import Answer, Verdict
 from vrts.engine.records import Motion, Segment
@@ -46,7 +47,7 @@ def check_limits(run: Run) -> Verdict:
     segments = lasting_of(run.timeline.segments)
     if all(segment.motion is None for segment in segments):
         return _verdict((), 0.0, {})
-    known = curves(segments)
+    known = motion_of(run)
     bounds = known.pieces
     moving = known.motions >= 0
     shares: Array = bounds.speed[:, :6] / np.array(run.scene.robot.arm.speed)

@@ -4,7 +4,8 @@ import numpy as np
 
 from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, Severity
 from vrts.base.units import deg, mm
-from vrts.check.curves import curves, lasting_of
+from vrts.check.curves import lasting_of
+from vrts.check.of_run import motion_of
 from vrts.check.rounding import exact_deg, exact_mm, exact_s
 from vrts.check.verdict import Answer, Verdict
 from vrts.check.vias import Lack, Passed, Visits
@@ -97,11 +98,10 @@ def _best(visits: Visits, lack: Lack) -> dict[str, float]:
 
 def _finding(run: Run, rule: Rule, severity: Severity, headline: str, time_s: float) -> Diagnostic:
     time_s = min(time_s, run.horizon_s)
-    segments = lasting_of(run.timeline.segments)
     when = f"at {float(exact_s(time_s)):.3f} s"
-    if not segments:
+    if not lasting_of(run.timeline.segments):
         return Diagnostic(rule, severity, headline)
-    motion = curves(segments)
+    motion = motion_of(run)
     at = np.array([time_s])
     index = int(motion.motions[motion.piece_at(at)[0]])
     label = None if index < 0 else Label(run.motions[index].cause.span, when)

@@ -12,6 +12,7 @@ import numpy as np
 
 from vrts.base.units import DEG, MM
 from vrts.check.curves import Curves, curves, lasting_of
+from vrts.check.of_run import motion_of
 from vrts.check.targets import judged_at
 from vrts.check.task import Task, ViaPoint
 from vrts.check.tool_motion import Bounded, tool_angle, tool_distance, tool_speed
@@ -114,12 +115,12 @@ def visits_of(run: Run, vias: Sequence[ViaPoint], until_s: float = math.inf) -> 
     """
     if not vias:
         return ()
-    segments: Sequence[Segment] = lasting_of(run.timeline.segments)
-    if not segments:  # no time passes
+    if lasting_of(run.timeline.segments):
+        motion = motion_of(run)
+    else:  # no time passes
         state = run.at(0.0)
         rows = tuple((value,) for value in (*state.configuration, state.hand_opening))
-        segments = (Segment(0.0, 1.0, rows, None),)
-    motion = curves(segments)
+        motion = curves((Segment(0.0, 1.0, rows, None),))
     return tuple(_visits(run, motion, via, until_s) for via in vias)
 
 
