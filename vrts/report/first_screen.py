@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from vrts.base.diagnostic import Diagnostic, Moment
-from vrts.base.source import Span
+from vrts.base.source import SourceFile, Span
 from vrts.check.grade import Loss, Status
 from vrts.check.verdict import Answer, Verdict
 from vrts.engine.records import Ending
@@ -94,7 +94,7 @@ def _cause(
         sentence = f"{capital(worst.sentence)} ({lost(worst.points)})"
         return (sentence, _loop_hint(a, worst) or worst.hint or None, worst.moment, worst.span)
     if errors:
-        return _of_diagnostic(errors[0])
+        return _of_diagnostic(errors[0], a.source)
     for verdict in verdicts:
         if verdict.answer is not Answer.HOLDS:
             return (capital(verdict.summary), None, None, None)
@@ -114,9 +114,12 @@ def _loop_hint(a: Assessment, worst: Loss) -> str | None:
     return f"line {first.primary.span.line}: {first.primary.text}"
 
 
-def _of_diagnostic(d: Diagnostic) -> tuple[str, str | None, Moment | None, Span | None]:
+def _of_diagnostic(
+    d: Diagnostic, shown: SourceFile | None
+) -> tuple[str, str | None, Moment | None, Span | None]:
     span = d.primary.span if d.primary else None
-    where = f"line {span.line}" if span else ""
+    # lines of other texts, such as an instruction typed at the monitor, would be looked for in vain
+    where = f"line {span.line}" if span and span.source is shown else ""
     when = at_time(d.moment.time_s) if d.moment else ""
     place = ", ".join(part for part in (when, where) if part)
     sentence = f"{place}: {d.headline}" if place else d.headline

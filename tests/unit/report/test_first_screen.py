@@ -1,9 +1,11 @@
 """The first screen: the same answer, in the same order, on every medium."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 from tests.support_reports import HOSTILE, SYNTAX, broken, compiled, contact_loss, grade
 from vrts.base.diagnostic import error
+from vrts.base.source import SourceFile
 from vrts.check.grade import Loss
 from vrts.report.first_screen import NOTHING_LOST, first_screen
 from vrts.report.text import assessment_text
@@ -29,6 +31,11 @@ def test_what_does_not_compile_shows_its_first_error_as_the_cause() -> None:
     assert screen.hint == "begin with IF"
     assert screen.status == "does not compile"
     assert not screen.ready
+
+
+def test_a_line_of_a_text_that_is_not_shown_has_no_number() -> None:
+    typed = SourceFile("typed", "MOVE there")
+    assert first_screen(replace(broken(), source=typed)).cause == "Unexpected `THEN`"
 
 
 def test_the_text_keeps_the_order_of_the_first_screen() -> None:
