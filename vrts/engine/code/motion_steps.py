@@ -107,7 +107,9 @@ class MotionStepCompiler:
                     return BLOCKED
                 c.phase, c.wake = WAITED, planner.motion_end
                 return BLOCKED
-            start = c.now if c.phase == WAITED else c.now + planner.arm.tick
+            # a command waited for this tick already, which is the next one after it was given
+            due = c.phase == WAITED or c.at_once
+            start = c.now if due else c.now + planner.arm.tick
             intent = _intent(c, target)
             dry = c.system.is_on("DRY.RUN")
             c.fault = planner.begin(intent, start, target.pose, cause, dry=dry)

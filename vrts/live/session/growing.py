@@ -103,6 +103,12 @@ class GrowingRun:
         """
         return isinstance(event, ProgramEnded) and not event.process and number < self._begun
 
+    @property
+    def next_tick_s(self) -> float:
+        """Time of the next tick [s], the first at which what is given now may show."""
+        tick = self.machine.tick
+        return (math.floor(self.time_s / tick + 1e-9) + 1) * tick
+
     # --- asking -------------------------------------------------------------------------------
 
     @property

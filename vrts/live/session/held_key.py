@@ -1,6 +1,5 @@
 """Hold to move: a key of the pendant that is held, and what follows from its heartbeat."""
 
-import math
 from dataclasses import dataclass
 
 from vrts.engine.faults import RuntimeFault
@@ -33,7 +32,6 @@ class HeldKey:
         """Begin with no key held."""
         self._conversation = conversation
         self._growing = conversation.growing
-        self._tick = self._growing.machine.tick
         self._held: _Held | None = None
         self.said: list[str] = []  # what users should know about it
 
@@ -76,7 +74,7 @@ class HeldKey:
             deadline = self._held.heard_s + SILENCE
             following = until_s
             if not self._held.moves:
-                following = (math.floor(growing.time_s / self._tick + 1e-9) + 1) * self._tick
+                following = growing.next_tick_s
             growing.advance(max(min(deadline, following, until_s), growing.time_s))
             if growing.time_s >= deadline:
                 self.release()

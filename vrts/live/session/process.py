@@ -8,9 +8,10 @@ import select
 import time
 from collections.abc import Callable
 
+from vrts.live.session.beats import AFTER_TICK, Beats, shows
 from vrts.live.session.checker import Checker
 from vrts.live.session.inbox import Inbox, Unreadable
-from vrts.live.session.messages import BEAT, Failed, Ready, Start, Stop
+from vrts.live.session.messages import Failed, Ready, Start, Stop
 from vrts.live.session.outbox import Outbox, ServerGone
 from vrts.live.session.session import Session
 from vrts.live.session.setting import setting_of
@@ -61,21 +62,24 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
     outbox.send(Ready(start.session, session.epoch_s, arm, scene, title))
     tidying = Tidying()
     with Checker(session) as checker:
-        following = clock()
+        beats = Beats(clock())
         while not inbox.ended:
             for order in orders:
                 if isinstance(order, Stop):
                     outbox.flush()
                     return 0
                 session.take(order)
-            if clock() >= following:
+                if shows(order):
+                    beats.bring_forward(session.epoch_s + session.growing.next_tick_s + AFTER_TICK)
+            if clock() >= beats.due_s:
                 session.beat()
+                outbox.flush()  # who watches does not wait for what follows
                 checker.beat()
                 tidying.beat(session.growing.time_s)
-                following = max(following + BEAT, clock())
+                beats.kept(clock())
             outbox.flush()
             writable = [outbox] if outbox.waits else []
-            select.select([readable], writable, [], max(following - clock(), 0.0))
+            select.select([readable], writable, [], max(beats.due_s - clock(), 0.0))
             orders = inbox.orders()
     return 0
 
