@@ -94,8 +94,10 @@ def _lower(
     near &= (pairs.start_s[rows] <= now) & (now <= pairs.end_s[rows])
     order = np.flatnonzero(near)
     order = order[np.lexsort((least[order], instant[order]))]
-    columns = (column[order].tolist() for column in (instant, least, first, second, a, b))
-    for k, gap, i, j, at, other in zip(*columns, strict=True):
+    indices: list[tuple[int, ...]] = list(
+        zip(*(c[order].tolist() for c in (instant, first, second, a, b)), strict=True)
+    )
+    for (k, i, j, at, other), gap in zip(indices, least[order].tolist(), strict=True):
         if gap < found[k]:
             distance = pair(todo.solids.shapes[i], todo.solids.shapes[j]).distance(
                 transform(boxes.rotations[at], boxes.origins[at]),
@@ -119,7 +121,8 @@ def _boxes(todo: Plan, state: Instants) -> _Boxes:
 
 def _apart(todo: Plan, rows: Indices, boxes: _Boxes, few: int) -> Array:
     """Return what pairs keep apart at least over a few times each, shape (rows, groups) [m]."""
-    groups: Indices = np.arange(0, boxes.at.shape[1], few)
+    count: int = boxes.at.shape[1]
+    groups: Indices = np.arange(0, count, few)
     low = np.minimum.reduceat(boxes.low[boxes.at], groups, axis=1).reshape(-1, 3)
     high = np.maximum.reduceat(boxes.high[boxes.at], groups, axis=1).reshape(-1, 3)
     own = np.arange(len(groups))
