@@ -18,9 +18,9 @@ from vrts.ir.module import Module
 from vrts.robots.model import Configuration
 from vrts.scene.model import Scenario, Scene
 
-CHECKPOINT = 30.0  # [s] between states kept for going back
-REACH = 600.0  # [s] of history that is kept
-FORGETTING = 60.0  # [s] between looks at what is older
+CHECKPOINT = 30.0  # [s] between states kept for going back; a whole number
+REACH = 3600.0  # [s] of history that is kept
+FORGETTING = 60.0  # [s] between looks at what is older; a whole number
 MOST_STATEMENTS = 5_000_000  # of history, beyond which it is shortened, however young it is
 MOST_EVENTS = 100_000
 MOST_CELLS = 20_000  # variables and array elements
@@ -30,8 +30,8 @@ TOO_MANY = "the arm and the programs were stopped: there are more than 20,000 va
 class GrowingRun:
     """The machine of a session, and everything that is known of its past."""
 
-    def __init__(self, scene: Scene, scenario: Scenario) -> None:
-        """Begin at time 0."""
+    def __init__(self, scene: Scene, scenario: Scenario, *, forgets: bool = True) -> None:
+        """Begin at time 0; `forgets`: whether history is shortened."""
         self.machine: Machine = start(Module({}, ()), scene, scenario).machine.copy()
         self.time_s = 0.0
         self.said: list[str] = []  # what users should know
@@ -41,7 +41,7 @@ class GrowingRun:
         self._coming: list[tuple[float, int, Event]] = []  # seen, but their time has not come
         self._kept: list[tuple[float, Machine]] = [(0.0, self.machine.copy())]
         self._run: Run | None = None
-        self._looked_s = 0.0  # when history was shortened last, or could have been
+        self._forgets = forgets
         self._forgotten = 0  # statements of the history that is forgotten
         self._uncrowded = MOST_EVENTS  # events that are not too many
 
@@ -66,15 +66,18 @@ class GrowingRun:
         while (second := math.floor(self.time_s) + 1.0) <= until_s:
             self.machine.advance(second)
             self.time_s = second
-            if self.machine.running and self.machine.system.memory.size > MOST_CELLS:
-                self.issue(Panic())
-                self.said.append(TOO_MANY)
+            self._tidy_up()
         self.machine.advance(until_s)
         self.time_s = until_s
-        if until_s - self._kept[-1][0] >= CHECKPOINT:
-            self._kept.append((until_s, self.machine.copy()))
-        if self._crowded or until_s - self._looked_s >= FORGETTING:
-            self._looked_s = until_s
+
+    def _tidy_up(self) -> None:
+        """Do what is due at a whole second: so a session that is repeated does the same."""
+        if self.machine.running and self.machine.system.memory.size > MOST_CELLS:
+            self.issue(Panic())
+            self.said.append(TOO_MANY)
+        if self.time_s % CHECKPOINT == 0.0:
+            self._kept.append((self.time_s, self.machine.copy()))
+        if self._forgets and (self._crowded or self.time_s % FORGETTING == 0.0):
             self._forget()
 
     def news(self) -> list[Event]:
@@ -189,7 +192,7 @@ class GrowingRun:
             before = max(before, 0.5 * (self.known_from_s + self.time_s))
         before = max(before, 0.0)
         late = len(self.machine.system.events) - self._seen
-        at = bisect_right(self._kept, before, key=lambda entry: entry[0]) - 1
+        at = max(bisect_right(self._kept, before, key=lambda entry: entry[0]) - 1, 0)
         if self._crowded and self._kept[-1][0] > self.known_from_s:
             at = max(at, 1)
         known_from_s, first = self._kept[at]
