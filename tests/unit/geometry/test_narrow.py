@@ -1,11 +1,12 @@
 """Exact distances in closed form, and objects that outlive the caches that made them."""
 
 import gc
+import math
 
 import numpy as np
 import pytest
 
-from vrts.base.pose import IDENTITY, translation
+from vrts.base.pose import IDENTITY, Pose, translation
 from vrts.geometry.first import ERROR, Pair, distance, nearest, pair, placed, solid, transform
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
 
@@ -29,6 +30,21 @@ def test_poses_of_pieces_are_composed() -> None:
     assert distance(can, translation(0, 0, 1.0), Piece(BOX, IDENTITY), IDENTITY) == pytest.approx(
         0.9, abs=ERROR
     )
+
+
+@pytest.mark.parametrize("off", [1e-309, 1e-23, 1e-18])
+def test_edges_that_touch_and_are_parallel_but_for_rounding_only_touch(off: float) -> None:
+    low = ((0.0, 0.0, 0.0), (0.25, 0.0, 0.0), (0.0, 0.25, 0.0), (0.0, 0.0, 0.25))
+    corner = Piece(Hull((*low, (0.25, 0.25, 0.25))), IDENTITY)
+    for angle in np.linspace(1.9, 2.9, 30).tolist():
+        c, s = math.cos(angle), math.sin(angle)
+        X_WB = Pose((1.0, off, off, off, c, -s, -off, s, c), (0.0, 0.0, 0.0))
+        found = nearest(corner, IDENTITY, corner, X_WB)
+        assert found.distance == pytest.approx(0.0, abs=ERROR)
+        assert math.hypot(*found.normal) == pytest.approx(1.0, abs=1e-6)
+        both = Pair(corner.shape, corner.shape)
+        apart = both.distance(placed(IDENTITY), placed(X_WB))
+        assert (apart, tuple(both.normal)) == (found.distance, found.normal)
 
 
 def test_a_pair_outlives_the_cache_of_its_solids() -> None:
