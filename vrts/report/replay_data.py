@@ -6,10 +6,13 @@ short a segment is: a joint at 3 rad is right to 0.2 µrad, the tool to 0.5 µm.
 """
 
 import base64
-import sys
 import zlib
-from array import array
 from collections.abc import Iterable, Sequence
+from itertools import chain
+from typing import TypeAlias
+
+import numpy as np
+import numpy.typing as npt
 
 from vrts.base.source import SourceFile
 from vrts.check.verdict import ContactEvent, NearMiss
@@ -29,7 +32,11 @@ from vrts.report.replay_lanes import (
 )
 from vrts.report.viewer_data import Json, pose_numbers
 
+Array: TypeAlias = npt.NDArray[np.float64]
+Indices: TypeAlias = npt.NDArray[np.int64]
+
 MOST_EVENTS = 2000  # rows of the list
+LEVEL = 1  # of zlib: higher ones save a hundredth of the bytes
 
 
 def run_data(run: Run, source: SourceFile | None) -> Json:
@@ -109,35 +116,36 @@ def _end(run: Run) -> float:
     return run.horizon_s if run.horizon_s < float("inf") else max(last, run.ended_s or 0.0)
 
 
-def _segments(segments: Iterable[Segment]) -> Json:
-    kept = list(segments)
-    counts = array("B")
-    coefficients = array("f")
-    for segment in kept:
-        assert len(segment.coefficients) == COORDINATES
-        length = segment.end_s - segment.start_s
-        for row in segment.coefficients:
-            sent = _of_share(row, length)
-            counts.append(len(sent))
-            coefficients.extend(sent)
-    knots = array("d", [kept[0].start_s, *(segment.end_s for segment in kept)])
+def _segments(segments: Sequence[Segment]) -> Json:
+    rows = [row for segment in segments for row in segment.coefficients]
+    assert len(rows) == COORDINATES * len(segments)
+    lengths = np.array([segment.end_s - segment.start_s for segment in segments])
+    counts, coefficients = _of_share(rows, np.repeat(lengths, COORDINATES))
+    knots = np.array([segments[0].start_s, *(segment.end_s for segment in segments)])
     return {
-        "knots": _packed(knots),
-        "counts": _packed(counts),
-        "coefficients": _packed(coefficients),
+        "knots": _packed(knots, "<f8"),
+        "counts": _packed(counts, "u1"),
+        "coefficients": _packed(coefficients, "<f4"),
     }
 
 
-def _of_share(row: Sequence[float], length: float) -> list[float]:
-    """Return coefficients in powers of t / length, without the zeros at the end; at least one."""
-    count = len(row)
-    while count > 1 and row[count - 1] == 0.0:
-        count -= 1
-    scale, scaled = 1.0, [row[0]]
-    for k in range(1, count):
-        scale *= length
-        scaled.append(row[k] * scale)
-    return scaled
+def _of_share(rows: Sequence[Sequence[float]], lengths: Array) -> tuple[Indices, Array]:
+    """Return how many coefficients each row has, and all of them, in powers of t / length.
+
+    Zeros at the end of a row are left out, but for its first coefficient.
+    """
+    counts = np.fromiter(map(len, rows), np.int64, len(rows))
+    flat = np.fromiter(chain.from_iterable(rows), np.float64, int(counts.sum()))
+    begins = np.cumsum(counts) - counts
+    powers = np.arange(len(flat)) - np.repeat(begins, counts)
+    last = np.maximum.reduceat(np.where(flat != 0.0, powers, 0), begins)
+    sent = powers <= np.repeat(last, counts)
+    flat, powers, lengths = flat[sent], powers[sent], np.repeat(lengths, counts)[sent]
+    scales = np.ones(len(flat))
+    for power in range(1, int(last.max()) + 1):
+        higher = powers >= power
+        scales[higher] *= lengths[higher]
+    return last + 1, flat * scales
 
 
 def _still(run: Run) -> Segment:
@@ -147,12 +155,10 @@ def _still(run: Run) -> Segment:
     return Segment(0.0, 0.0, rows, None)
 
 
-def _packed(numbers: "array[float] | array[int]") -> str:
-    """Return little-endian numbers, deflated (loops repeat themselves), in base64."""
-    if sys.byteorder == "big":
-        numbers = array(numbers.typecode, numbers)
-        numbers.byteswap()
-    return base64.b64encode(zlib.compress(numbers.tobytes())).decode("ascii")
+def _packed(numbers: Indices | Array, kind: str) -> str:
+    """Return numbers of a kind, deflated (loops repeat themselves), in base64."""
+    data = zlib.compress(numbers.astype(kind).tobytes(), LEVEL)
+    return base64.b64encode(data).decode("ascii")
 
 
 def _tools(run: Run) -> list[Json]:
