@@ -52,7 +52,7 @@ def write_files(
 
 def _write_pages(rows: tuple[tuple[Marked, Reader], ...], hidden: Collection[str]) -> None:
     from vrts.report.audience import Audience, for_student
-    from vrts.report.page import page, replay_scripts
+    from vrts.report.page import page_parts, replay_scripts
     from vrts.report.stills import page_stills
 
     made: dict[int, tuple[Assessment, dict[str, bytes], list[Markup]]] = {}
@@ -64,5 +64,8 @@ def _write_pages(rows: tuple[tuple[Marked, Reader], ...], hidden: Collection[str
         full, stills, scripts = made[id(a)]
         audience = Audience.GRADER if reader.grader else Audience.STUDENT
         more = 0 if reader.grader else reader.setting.more
-        text = page(full, stills, audience=audience, more=more, hidden=hidden, scripts=scripts)
-        (reader.folder / REPORT).write_bytes(text.encode())
+        parts = page_parts(
+            full, stills, audience=audience, more=more, hidden=hidden, scripts=scripts
+        )
+        with (reader.folder / REPORT).open("wb") as file:
+            file.writelines(part.encode() for part in parts)

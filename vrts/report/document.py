@@ -6,7 +6,7 @@ content policy forbids everything else.
 
 from collections.abc import Sequence
 
-from vrts.report.html import Child, element, raw
+from vrts.report.html import Child, Markup, element, joined, raw
 from vrts.web.assets import asset
 
 POLICY = (
@@ -17,6 +17,11 @@ POLICY = (
 
 def document(title: str, style: str, body: Sequence[Child], scripts: Sequence[Child]) -> str:
     """Return a whole HTML document with a style sheet of ours and the content policy."""
+    return "".join(document_parts(title, style, body, joined(scripts)))
+
+
+def document_parts(title: str, style: str, body: Sequence[Child], *scripts: Markup) -> list[str]:
+    """Return the same in parts: scripts are long, and stay as they are."""
     head = element(
         "head",
         element("meta", charset="utf-8"),
@@ -26,5 +31,6 @@ def document(title: str, style: str, body: Sequence[Child], scripts: Sequence[Ch
         element("title", title),
         raw("style", asset("report/base.css") + asset(style)),
     )
-    content = element("body", element("main", *body), *scripts)
-    return "<!doctype html>\n" + element("html", head, content, lang="en") + "\n"
+    main = element("main", *body)
+    begin = f'<!doctype html>\n<html lang="en">{head}<body>{main}'
+    return [begin, *scripts, "</body></html>\n"]

@@ -1,12 +1,13 @@
 """One self-contained HTML page about one program."""
 
 from collections.abc import Collection, Mapping, Sequence
+from functools import cache
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.report.assessment import Assessment
 from vrts.report.audience import Audience, for_student, needs_review
-from vrts.report.document import document
+from vrts.report.document import document_parts
 from vrts.report.first_screen import first_screen
 from vrts.report.html import Markup, element, json_script, raw
 from vrts.report.listing import listing
@@ -51,7 +52,22 @@ def page(
     hidden: Collection[str] = (),
     scripts: Sequence[Markup] | None = None,
 ) -> str:
-    """Return the page.
+    """Return the page; `page_parts` tells what it is made of."""
+    return "".join(
+        page_parts(a, stills, audience=audience, more=more, hidden=hidden, scripts=scripts)
+    )
+
+
+def page_parts(
+    a: Assessment,
+    stills: Mapping[str, bytes],
+    *,
+    audience: Audience = Audience.STUDENT,
+    more: int = 0,
+    hidden: Collection[str] = (),
+    scripts: Sequence[Markup] | None = None,
+) -> list[str]:
+    """Return the page in parts that follow one another: the long ones are never put together.
 
     Args:
         a: What was found. For a student it has to come from public checks alone.
@@ -87,7 +103,7 @@ def page(
         element("footer", element("p", "Written by vrts")),
     ]
     moving = replay_scripts(a) if scripts is None else scripts
-    return document(one_line(a.title), "report/page.css", body, moving)
+    return document_parts(one_line(a.title), "report/page.css", body, *moving)
 
 
 # --- replay and program -------------------------------------------------------------------------
@@ -138,12 +154,17 @@ def replay_scripts(a: Assessment) -> list[Markup]:
         "moment": screen.moment.time_s if screen.moment else None,
         "clearance": [[seconds(t), millimetres(distance)] for t, distance in a.clearance],
     }
+    return [json_script("data", data), *_modules()]
+
+
+@cache
+def _modules() -> tuple[Markup, ...]:
+    """Return the modules that show a replay."""
     entry = f'import "{module_name(ENTRY)}";'
-    return [
-        json_script("data", data),
+    return (
         raw("script", import_map(ENTRY), type="importmap"),
         raw("script", entry, type="module"),
-    ]
+    )
 
 
 # --- below --------------------------------------------------------------------------------------

@@ -73,6 +73,8 @@ def width(text: str) -> int:
 
 def shown(line: str) -> Shown:
     """Return a source line as it appears: tabs expanded, characters without shape replaced."""
+    if line.isascii() and line.isprintable():  # nearly always
+        return Shown(_disarmed(line), tuple(range(len(line) + 1)))
     parts: list[str] = []
     columns: list[int] = []
     at = 0
