@@ -73,7 +73,8 @@ def draw(
     n = screen.samples
     # a pixel more on each side: the line of a solid can come from its neighbour
     top, left = max(int(rows[0]) - 1, 0), max(int(columns[0]) - 1, 0)
-    bottom, right = int(rows[-1]) + 2, int(columns[-1]) + 2
+    bottom = min(int(rows[-1]) + 2, screen.height)
+    right = min(int(columns[-1]) + 2, screen.width)
     part = buffer[top * n : bottom * n, left * n : right * n]
     number = numbers(part)
     solid = seen.solid.take(number)

@@ -122,3 +122,11 @@ def test_edges_are_smooth(scene: Scene) -> None:
     fine = pixels(still(scene, HIGH, size=(320, 240), camera=camera)).astype(float)
     mean = fine.reshape(120, 2, 160, 2, 3).mean(axis=(1, 3))
     assert np.abs(smooth - mean).mean() < 0.75 * np.abs(rough - mean).mean()
+
+
+def test_what_reaches_an_edge_is_where_a_wider_picture_shows_it(scene: Scene) -> None:
+    camera = Camera(eye=(1.75, -1.35, 0.45), look_at=(0.86, -0.25, -0.14))
+    narrow = pixels(still(scene, HIGH, size=(120, 120), camera=camera))
+    middle = pixels(still(scene, HIGH, size=(240, 120), camera=camera))[:, 60:180]
+    differs = (np.abs(narrow.astype(int) - middle) > 8).any(axis=2)
+    assert differs.mean() < 0.005
