@@ -15,6 +15,7 @@ from vrts.pipeline.programs import ProgramFile, Reading
 from vrts.pipeline.settings import Refused
 
 HOLDS, WRONG, WRONG_CALL, UNDETERMINED, FAULT = 0, 1, 2, 3, 70
+INTERRUPTED = 130  # by Ctrl-C, as shells tell it
 
 UNAVAILABLE = {
     "coal": "this needs the package pin, which has no wheel for this machine (Windows): run vrts"
@@ -138,6 +139,9 @@ def guarded(function: Command) -> Command:
         except Refused as problem:
             show_diagnostics(problem.diagnostics, str(kwargs.get("color", "auto")))
             sys.exit(WRONG)
+        except KeyboardInterrupt:
+            say("interrupted")
+            sys.exit(INTERRUPTED)
         except BrokenPipeError:
             raise
         except ModuleNotFoundError as missing:

@@ -22,16 +22,18 @@ from vrts.cli.console import (
     show_diagnostics,
 )
 from vrts.cli.grade_export_command import NAMES, export, given_page
+from vrts.cli.progress import Progress
+from vrts.cli.what_to_mark import require_folder, what_to_mark
 from vrts.cli.zones import zone_named
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from vrts.marking.about import About
     from vrts.marking.layout import Layout
     from vrts.marking.marker import Marker
     from vrts.marking.marking import Done
     from vrts.marking.row import Row
-    from vrts.marking.setting import Place
     from vrts.marking.whole_class import HowTo, Marked
 
 EPILOG = """\b
@@ -156,7 +158,7 @@ def command(
     `staff/students/ID` is for those who mark and has what is to be reviewed, the facts for an
     appeal, and hidden checks. Marks, the overview of the class, and a ranking of programs that are
     alike are in `staff`. A second call marks only what has changed since, and one that was
-    interrupted goes on. Exit status 0 when every row has a result.
+    interrupted (exit status 130) goes on. Exit status 0 when every row has a result.
 
     With --pseudonyms no name of a person or file is in the output but in staff/names.csv, which
     only its owner may read; ids are made with the key in staff/pseudonyms.key, and stay the same
@@ -171,6 +173,7 @@ def command(
     from vrts.marking.whole_class import HowTo
 
     place, found = what_to_mark(task, submissions, lab)
+    require_folder(folder)
     pages = folder is not None and not no_pages
     wanted = Wanted(not no_collisions, engine, pages, recordings and folder is not None)
     marker = Marker(place, wanted)
@@ -191,14 +194,18 @@ def command(
         zone_named(zone) if zone else None,
         pseudonyms,
     )
-    marked = _mark(marker, found, layout, how, quiet=form == "json")
-    show_diagnostics((*marker.whole.stamps, *marked.warnings), color)
-    for remark in marked.remarks:
-        say(f"note: {remark}")
-    if layout is not None:
-        _write(marker, marked, layout, [str(path) for path in submissions], pseudonyms=pseudonyms)
-        if formats:
-            _export(formats, marked, layout, fill, color)
+    about = _about(marker, [str(path) for path in submissions], pseudonyms=pseudonyms)
+    progress = Progress()
+    then = "nothing is kept without `-o`" if layout is None else "the same call goes on"
+    with progress.interruptible(then):
+        marked = _mark(marker, found, layout, how, about, progress, quiet=form == "json")
+        show_diagnostics((*marker.whole.stamps, *marked.warnings), color)
+        for remark in marked.remarks:
+            say(f"note: {remark}")
+        if layout is not None:
+            _write(marker, marked, layout, about)
+    if layout is not None and formats:
+        _export(formats, marked, layout, fill, color)
     if form == "json":
         from vrts.marking.row import class_to_bytes
 
@@ -232,57 +239,36 @@ def _export(
     export(formats, marked.rows, layout, options, color)
 
 
-def what_to_mark(
-    task: str, submissions: tuple[Path, ...], lab: Path | None
-) -> "tuple[Place, Path | Sequence[Path]]":
-    """Return where the task is, and what is to be marked."""
-    from vrts.marking.setting import Place
-    from vrts.marking.submissions import of_example
-    from vrts.pipeline.files import find_example
-    from vrts.pipeline.settings import TASK_FILE
-
-    folder = find_example(task)
-    path = folder / TASK_FILE if folder is not None else Path(task)
-    place = Place(str(path), lab=None if lab is None else str(lab))
-    if not submissions:
-        if folder is None:
-            fail("no submissions given", ("name files, a folder or a zip after the task",))
-        return place, of_example(folder)
-    missing = [str(p) for p in submissions if not p.exists()]
-    if missing:
-        fail(f"there is no `{missing[0]}`")
-    alone = len(submissions) == 1 and (
-        submissions[0].is_dir() or submissions[0].suffix.lower() == ".zip"
-    )
-    return place, submissions[0] if alone else submissions
-
-
 def _mark(
     marker: "Marker",
     submissions: "Path | Sequence[Path]",
     layout: "Layout | None",
     how: "HowTo",
+    about: "About",
+    progress: Progress,
     *,
     quiet: bool,
 ) -> "Marked":
     from vrts.assignments.packed import public_answer
-    from vrts.cli.progress import Progress
+    from vrts.marking.class_files import begin_class
     from vrts.marking.row_words import row_words
     from vrts.marking.whole_class import mark_whole_class
 
-    progress = Progress()
     order: list[str] = []  # ids whose lines are still to come
     waiting: dict[str, tuple[Done, Row]] = {}
 
     def begun(identifiers: "Sequence[str]") -> None:
+        if layout is not None:
+            begin_class(about, layout)
         order.extend(identifiers)
         progress.begin(len(order))
 
     def told(done: "Done", row: "Row") -> None:
+        progress.step(reused=done.reused)
         waiting[row.id] = done, row
         while order and order[0] in waiting:
             line(*waiting.pop(order.pop(0)))
-        progress.step(reused=done.reused)
+        progress.show()
 
     def line(done: "Done", row: "Row") -> None:
         if quiet:
@@ -298,33 +284,37 @@ def _mark(
     return marked
 
 
-def _write(
-    marker: "Marker",
-    marked: "Marked",
-    layout: "Layout",
-    submissions: "Sequence[str]",
-    *,
-    pseudonyms: bool,
-) -> None:
+def _about(marker: "Marker", submissions: "Sequence[str]", *, pseudonyms: bool) -> "About":
+    """Return what a marking is that begins now."""
     from vrts import __version__
     from vrts.marking.about import About
-    from vrts.marking.class_files import write_class, write_overview
-    from vrts.marking.exports.write import write_feedback
     from vrts.marking.pseudonyms import nameless_about
-    from vrts.marking.similarity.files import compare_class
 
+    assert marker.whole.task is not None
     about = About(
         "vrts.marking/1",
-        marked.rows.title,
+        marker.whole.task.title,
         marker.place,
         tuple(submissions),
         marker.wanted,
         __version__,
         tuple(sys.argv),
-        datetime.now(UTC),
-        marked.intake_sha256,
+        None,
+        begun=datetime.now(UTC),
     )
-    about = nameless_about(about) if pseudonyms else about
+    return nameless_about(about) if pseudonyms else about
+
+
+def _write(marker: "Marker", marked: "Marked", layout: "Layout", about: "About") -> None:
+    import msgspec
+
+    from vrts.marking.class_files import write_class, write_overview
+    from vrts.marking.exports.write import write_feedback
+    from vrts.marking.similarity.files import compare_class
+
+    about = msgspec.structs.replace(
+        about, finished=datetime.now(UTC), intake_sha256=marked.intake_sha256
+    )
     write_class(marked.rows, about, layout)
     write_feedback(marked.rows, layout)
     compare_class(marked, marker, layout)

@@ -2,11 +2,18 @@
 
 import sys
 from collections.abc import Iterable, Iterator
+from datetime import UTC, datetime
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from vrts.cli.console import HOLDS, WRONG, color_option, fail, guarded, out, show_diagnostics
+from vrts.cli.what_to_mark import require_folder
+
+if TYPE_CHECKING:
+    from vrts.marking.about import About
+    from vrts.marking.remote.plan import Key
 
 EPILOG = """\b
 Examples:
@@ -40,18 +47,46 @@ def command(plan: Path, results: tuple[Path, ...], folder: Path, color: str) -> 
     or folders of them. Results that are damaged, or belong to another plan, are refused one by one.
     It can be called again with further results. Exit status 1 when results are refused or missing.
     """
+    from vrts.marking.about import NAME
+    from vrts.marking.class_files import begin_class
     from vrts.marking.layout import Layout
     from vrts.marking.pseudonyms import require_names
     from vrts.marking.remote.merge import merge
     from vrts.marking.remote.plan import read_key
 
+    require_folder(folder)
     require_names(Layout(folder))
     key = read_key(plan)
+    if not (Layout(folder).staff / NAME).exists():
+        begin_class(_about(key), Layout(folder))
     merged = merge(key, list(_zips(results)), Layout(folder))
     show_diagnostics(merged.findings, color)
     total = sum(len(sent.entries) for sent in key.shards) + len(key.others)
     out(f"{folder}: {total - len(merged.missing)} of {total} submissions have results")
     sys.exit(WRONG if merged.findings else HOLDS)
+
+
+def _about(key: "Key") -> "About":
+    """Return what is known of a marking whose lists are still to be made."""
+    from vrts import __version__
+    from vrts.marking.about import About
+    from vrts.marking.one import Wanted
+    from vrts.marking.setting import Place
+
+    task = key.staff.task
+    command = tuple(sys.argv)
+    begun = datetime.now(UTC)
+    return About(
+        "vrts.marking/1",
+        task.title,
+        Place(task.name),
+        (),
+        Wanted(),
+        __version__,
+        command,
+        None,
+        begun=begun,
+    )
 
 
 def _zips(places: Iterable[Path]) -> Iterator[Path]:

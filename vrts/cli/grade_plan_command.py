@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from vrts.cli.console import color_option, fail, guarded, lab_option, out, say, show_diagnostics
-from vrts.cli.grade_mark_command import what_to_mark
+from vrts.cli.what_to_mark import require_folder, what_to_mark
 from vrts.cli.zones import zone_named
 
 EPILOG = """\b
@@ -98,6 +98,7 @@ def command(
     from vrts.marking.remote.plan import KEY, SHARDS, write_plan
     from vrts.marking.whole_class import HowTo
 
+    require_folder(folder)
     if (folder / KEY).exists() and not force:
         hints = ("`--force` plans anew; results of the old plan cannot be merged then",)
         fail(f"there is a plan in `{folder}` already", hints)

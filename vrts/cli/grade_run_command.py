@@ -60,8 +60,10 @@ def command(shard: Path, target: Path, jobs: int, color: str) -> None:
 
     def done(row: "Done") -> None:
         progress.step(reused=row.reused)
+        progress.show()
 
-    results = run_shard(found, data, work, jobs=jobs, done=done)
+    with progress.interruptible("the same call goes on"):
+        results = run_shard(found, data, work, jobs=jobs, done=done)
     progress.clear()
     write_file(path, results)
     shutil.rmtree(work, ignore_errors=True)

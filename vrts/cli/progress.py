@@ -2,8 +2,12 @@
 
 import sys
 import time
+from collections.abc import Generator
+from contextlib import contextmanager
 
 import click
+
+from vrts.cli.console import INTERRUPTED, say
 
 SHOWN_EVERY = 0.1  # [s]
 ERASE = "\r\x1b[K"
@@ -30,6 +34,9 @@ class Progress:
         """Count one more."""
         self._done += 1
         self._made += not reused
+
+    def show(self) -> None:
+        """Write the line again, if it is old."""
         now = time.monotonic()
         if self._shown and (now - self._last > SHOWN_EVERY or self._done == self._all):
             self._last = now
@@ -44,6 +51,21 @@ class Progress:
         rate = self._made / seconds
         minutes, rest = divmod(round(left / rate), 60)
         return f"{text}, {rate:.1f} a second, {minutes}:{rest:02d} left"
+
+    @contextmanager
+    def interruptible(self, then: str) -> Generator[None]:
+        """When Ctrl-C ends what is inside, tell how far it was, and end with a status of its own.
+
+        Args:
+            then: What becomes of what is marked.
+        """
+        try:
+            yield
+        except KeyboardInterrupt:
+            self.clear()
+            begun = f"{self._done} of {self._all} {'is' if self._done == 1 else 'are'} marked; "
+            say(f"interrupted: {begun if self._all else ''}{then}")
+            sys.exit(INTERRUPTED)
 
     def clear(self) -> None:
         """Take the line away."""

@@ -65,8 +65,9 @@ def command(
     hand, exports in staff/exports, similarity and overview: in students and staff, by the names
     that vrts gives them. Anything else stays, and is named. So do downloads, evidence, and what was
     exported elsewhere. The age is that of the marking, as staff/marking.json tells it, and not that
-    of files; younger markings stay. Folders in which no marking was written are refused, and no
-    link is followed. In a small class sorted marks may tell who had which.
+    of files; younger markings stay. One that was interrupted is as old as its begin. Folders in
+    which no marking was written are refused, and no link is followed. In a small class sorted marks
+    may tell who had which.
     """
     from vrts.marking.purge import State, look, purge
 
@@ -96,7 +97,8 @@ def _line(one: "Looked") -> str:
     if one.about is None:
         return f"{where}: purged before"
     ago = "today" if one.age.days < 1 else f"{one.age.days} days ago"
-    start = f"{where}: {_plain(one.about.title)}, marked {ago}"
+    did = "begun, and not ended," if one.about.finished is None else "marked"
+    start = f"{where}: {_plain(one.about.title)}, {did} {ago}"
     return f"{start}, {one.state.value}: {_count(one)}"
 
 

@@ -2,6 +2,7 @@
 
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -129,7 +130,8 @@ def watch_scene(
         draw(place, svg, lab, color)
 
     files = [place] if lab is None else [place, lab]
-    watch(files, redraw, clock=time.monotonic, sleep=time.sleep, until=until)
+    with suppress(KeyboardInterrupt):  # how it ends
+        watch(files, redraw, clock=time.monotonic, sleep=time.sleep, until=until)
 
 
 def draw(place: Path, svg: Path | None, lab: Path | None, color: str) -> None:

@@ -1,5 +1,6 @@
 """`vrts serve`."""
 
+from contextlib import suppress
 from pathlib import Path
 
 import click
@@ -108,7 +109,8 @@ def command(
         turn_s=float(turn),
     )
     listening = Listening(host, port, tls_cert, tls_key, behind_proxy)
-    serve(settings, listening, named, say, with_code=not no_code)
+    with suppress(KeyboardInterrupt):  # how it ends
+        serve(settings, listening, named, say, with_code=not no_code)
 
 
 def administer(

@@ -1,4 +1,8 @@
-"""What a marking was: by which task, with which options, when. Stands beside its results."""
+"""What a marking was: by which task, with which options, when. Stands beside its results.
+
+It is written first, and again in the end: where results are, there is always something that tells
+what they are of.
+"""
 
 from datetime import datetime
 from typing import Literal
@@ -23,8 +27,16 @@ class About(Record, frozen=True):
     wanted: Wanted
     vrts: str
     command: tuple[str, ...]
-    finished: datetime  # with its offset
+    finished: datetime | None  # with its offset; None: it goes on, or was interrupted
     intake_sha256: str = ""  # of intake.csv as written; "": it was edited
+    begun: datetime | None = None  # with its offset; None: of an earlier vrts
+
+    @property
+    def when(self) -> datetime:
+        """The end of the marking; while there is none, its begin."""
+        found = self.finished or self.begun
+        assert found is not None, "nothing else is read"
+        return found
 
 
 def to_bytes(about: About) -> bytes:
@@ -39,6 +51,9 @@ def from_bytes(data: bytes) -> About:
         Damaged: It is none.
     """
     try:
-        return msgspec.json.decode(data, type=About)
+        about = msgspec.json.decode(data, type=About)
     except msgspec.MsgspecError as problem:
         raise Damaged(str(problem)) from problem
+    if about.finished is None and about.begun is None:
+        raise Damaged("it does not tell when the marking was")
+    return about

@@ -1,7 +1,7 @@
 """Deletes what a marking wrote about persons: by name what vrts writes, and nothing else.
 
-How old a marking is, it says itself; dates of files tell when they were copied. Links are not
-followed.
+How old a marking is, it says itself, from its begin on; dates of files tell when they were copied.
+Links are not followed.
 """
 
 import os
@@ -29,13 +29,16 @@ A_LINK = Rule("V769", "link-in-the-way")
 
 RESULTS = "results.json"
 FOLDERS = (STUDENTS, f"{STAFF}/{STUDENTS}", f"{STAFF}/exports", f"{STAFF}/{STAGING}")
-FILES = tuple(
-    f"{STAFF}/{name}{end}"
-    for name in (
-        *("index.html", RESULTS, "marks.csv", "intake.csv", "overrides.toml"),
-        *("names.csv", "pseudonyms.key", "similarity.html", "similarity.json"),
-    )
-    for end in ("", ".part")
+FILES = (
+    *(
+        f"{STAFF}/{name}{end}"
+        for name in (
+            *("index.html", RESULTS, "marks.csv", "intake.csv", "overrides.toml"),
+            *("names.csv", "pseudonyms.key", "similarity.html", "similarity.json"),
+        )
+        for end in ("", ".part")
+    ),
+    f"{STAFF}/{about.NAME}.part",
 )
 MARKER = f"{STAFF}/{about.NAME}"  # deleted last: where it is, there may be more
 LARGEST_ABOUT = 4_000_000  # bytes
@@ -73,7 +76,7 @@ def look(folder: Path, older_than: timedelta, now: datetime) -> Looked:
     if not _is_file(folder / MARKER) and _is_file(folder / STAFF / STATISTICS):
         return Looked(folder, State.PURGED, None, timedelta(0), 0, 0, ())
     marked = _about(folder)
-    age = now - marked.finished
+    age = now - marked.when
     state = State.DUE if age >= older_than else State.YOUNG
     sizes = [path.lstat().st_size for path in _all_files(folder)]
     return Looked(folder, state, marked, age, len(sizes), sum(sizes), tuple(_left(folder)))
@@ -128,7 +131,7 @@ def _about(folder: Path) -> About:
         marked = about.from_bytes(place.read_bytes())
     except Damaged as problem:
         raise _not_ours(folder, f"its `{MARKER}` is not as vrts writes it") from problem
-    if marked.finished.tzinfo is None:
+    if marked.when.tzinfo is None:
         raise _not_ours(folder, f"its `{MARKER}` does not tell when the marking was")
     return marked
 

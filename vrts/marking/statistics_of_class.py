@@ -49,7 +49,7 @@ def statistics_of(rows: Class, about: About) -> Statistics:
         "vrts.statistics/1",
         rows.title,
         results[0].task.name if results else "",
-        about.finished.date().isoformat(),
+        about.when.date().isoformat(),
         about.vrts,
         len(results),
         tuple(sorted(row.final for row in rows.rows if row.final is not None)),

@@ -62,6 +62,19 @@ def find_scene(name: str, beside: Path | None = None) -> Path:
     raise CannotRead(f"there is no scene `{name}`", (f"scenes: {', '.join(scene_names())}",))
 
 
+def example_names() -> tuple[str, ...]:
+    """Return the names of the examples that come with vrts."""
+    return tuple(
+        sorted(
+            {
+                path.parent.name
+                for folder in library_folders()
+                for path in (folder / "examples").glob("*/task.toml")
+            }
+        )
+    )
+
+
 def find_example(name: str) -> Path | None:
     """Return the folder of an example: a path, or a name of the library."""
     if Path(name).is_dir():

@@ -91,7 +91,7 @@ def pack_evidence(
         program,
         inside,
         about.wanted,
-        about.finished.isoformat(),
+        about.when.isoformat(),
         _command(about),
         versions(),
         {},

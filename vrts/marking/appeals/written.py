@@ -75,12 +75,13 @@ def read_written(folder: Path) -> Written:
         Refused: No marking has been written there, or not by this vrts.
     """
     layout = Layout(folder)
-    rows = read_class(layout.results, folder)
     try:
         how = about.from_bytes(_read(layout.staff / about.NAME, folder, LARGEST_ABOUT))
     except Damaged as problem:
         raise no_marking(folder, f"`{about.NAME}` is not as vrts writes it") from problem
-    return Written(layout, rows, how)
+    if how.finished is None:
+        raise no_marking(folder, "it goes on, or was interrupted: the same call goes on")
+    return Written(layout, read_class(layout.results, folder), how)
 
 
 def read_class(path: Path, shown: Path | None = None) -> Class:

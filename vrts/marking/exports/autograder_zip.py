@@ -45,6 +45,8 @@ def staff_task(path: Path) -> bytes:
         CannotRead: There is no task.
         Refused: The task has errors, or is the students' where there is a hidden part.
     """
+    if not path.exists():
+        raise CannotRead(f"there is no task `{path}`")
     if not is_packed(path):
         folder = path if path.is_dir() else path.parent
         return staff_zip(read_folder(folder), load_task(folder, staff=True).hidden)
