@@ -22,7 +22,7 @@ from vrts.base.pose import (
     translation,
 )
 from vrts.geometry.shapes import Box, Cylinder, Piece
-from vrts.geometry.support import Bounds, bounds
+from vrts.geometry.support import Bounds, bounds, span
 
 TOUCHING = 1e-5  # [m] nearer than this is contact
 SIDE_STEP = 1e-4  # [m] step past a body that is touched at its side
@@ -90,7 +90,7 @@ def _descend(
         (standing, piece)
         for standing in others
         for piece in standing.pieces
-        if _under(mine, bounds((piece,), standing.X_WO))
+        if _under(mine, piece, standing.X_WO)
     ]
     if not below:
         return None
@@ -112,11 +112,18 @@ def _descend(
     return None
 
 
-def _under(mine: Bounds, theirs: Bounds) -> bool:
-    """Return whether a box can be met by another one on its way straight down."""
+def _under(mine: Bounds, piece: Piece, X_WO: Pose) -> bool:
+    """Return whether the box of a piece can be met by another box on its way straight down."""
+    X_WP = X_WO @ piece.X_OP
+    rotation, (x, y, z) = X_WP
     (ax, ay, _), (bx, by, bz) = mine
-    (cx, cy, cz), (dx, dy, _) = theirs
-    return ax < dx and cx < bx and ay < dy and cy < by and cz < bz
+    lower, upper = span(piece.shape, rotation[0:3])
+    if not (ax < upper + x and lower + x < bx):
+        return False  # most are elsewhere
+    lower, upper = span(piece.shape, rotation[3:6])
+    if not (ay < upper + y and lower + y < by):
+        return False
+    return span(piece.shape, rotation[6:9])[0] + z < bz
 
 
 def _carries(bottom: Face, top: Face) -> bool:

@@ -129,13 +129,14 @@ class Timeline:
         motion = None
         if piece is not None and start < piece.end_s - INSTANT:
             motion = piece.motion
-            rows = tuple([shifted(row, start - piece.start_s) for row in piece.rows])
+            by = start - piece.start_s
+            rows = tuple([shifted(row, by) for row in piece.rows]) if by else piece.rows
         else:
             rows = tuple([(position,) for position in self.configuration(start)])
-        opening, after = self.opening(start), self.opening(end)
+        opening = self.opening(start)
         found = bisect_right(self._stroke_starts, start)
         if found and self._strokes[found - 1].end_s > start:
-            hand = (opening, (after - opening) / (end - start))
+            hand = (opening, (self.opening(end) - opening) / (end - start))
         else:
             hand = (opening,)
         return Segment(start, end, (*rows, hand), motion)

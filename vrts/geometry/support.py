@@ -74,7 +74,19 @@ def reach(shape: Shape, direction: Vector) -> float:
         case Cylinder(radius=radius, half_length=half_length):
             return radius * math.hypot(x, y) + half_length * abs(z)
         case Hull(points=points):
-            return max(x * px + y * py + z * pz for px, py, pz in points)
+            return max([x * px + y * py + z * pz for px, py, pz in points])
+
+
+def span(shape: Shape, direction: Vector) -> tuple[float, float]:
+    """Return the smallest and the largest scalar product of points of a shape with a direction."""
+    match shape:
+        case Hull(points=points):
+            x, y, z = direction
+            products = [x * px + y * py + z * pz for px, py, pz in points]
+            return min(products), max(products)
+        case _:  # symmetric
+            largest = reach(shape, direction)
+            return -largest, largest
 
 
 def extent(piece: Piece, X_WO: Pose, direction: Vector) -> Interval:
@@ -82,8 +94,8 @@ def extent(piece: Piece, X_WO: Pose, direction: Vector) -> Interval:
     X_WP = X_WO @ piece.X_OP
     local = rotate(transpose(X_WP.rotation), direction)
     offset = dot(X_WP.translation, direction)
-    backward = (-local[0], -local[1], -local[2])
-    return Interval(offset - reach(piece.shape, backward), offset + reach(piece.shape, local))
+    lower, upper = span(piece.shape, local)
+    return Interval(offset + lower, offset + upper)
 
 
 def extent_of(pieces: Iterable[Piece], X_WO: Pose, direction: Vector) -> Interval:
@@ -103,12 +115,9 @@ def half_box(shape: Shape, rotation: Rotation) -> tuple[Vector, Vector]:
         shape: In its frame P.
         rotation: Orientation of P in W; the corners are relative to P's origin.
     """
-    lower: list[float] = []
-    upper: list[float] = []
-    for row in (rotation[0:3], rotation[3:6], rotation[6:9]):
-        upper.append(reach(shape, row))
-        lower.append(-reach(shape, (-row[0], -row[1], -row[2])))
-    return (lower[0], lower[1], lower[2]), (upper[0], upper[1], upper[2])
+    rows = (rotation[0:3], rotation[3:6], rotation[6:9])
+    (ax, bx), (ay, by), (az, bz) = [span(shape, row) for row in rows]
+    return (ax, ay, az), (bx, by, bz)
 
 
 def bounds(pieces: Iterable[Piece], X_WO: Pose) -> Bounds:

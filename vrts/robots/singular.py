@@ -8,6 +8,7 @@ from vrts.robots.model import Arm, Configuration, SerialArm
 
 NEAR_WRIST = math.radians(1.0)  # joint 5 nearer to zero counts as singular [assumed]
 NEAR_ELBOW = math.radians(1.0)  # elbow nearer to straight counts as singular [assumed]
+SINE_NEAR_ELBOW = math.sin(NEAR_ELBOW)
 NEAR_SHOULDER = 10e-3  # wrist nearer to the axis of joint 1 counts as singular [m] [assumed]
 
 
@@ -21,7 +22,7 @@ def singular_at(arm: Arm, q: Configuration) -> str | None:
         return "singular" if near_singular(arm, q) else None
     if abs(shoulder_reach(arm, q)) < NEAR_SHOULDER:
         return "shoulder"
-    if abs(elbow_reach(arm, q)) < math.hypot(arm.a3, arm.d4) * math.sin(NEAR_ELBOW):
+    if abs(elbow_reach(arm, q)) < math.hypot(arm.a3, arm.d4) * SINE_NEAR_ELBOW:
         return "elbow"
     if abs(q[4]) < NEAR_WRIST:
         return "wrist"

@@ -7,7 +7,7 @@ The wrist centre decouples position from orientation [Pieper1968]_; arm branches
 import math
 
 from vrts.base.pose import Pose, Vector
-from vrts.robots.limits import turned
+from vrts.robots.limits import all_turned
 from vrts.robots.model import (
     ArmBranch,
     Configuration,
@@ -107,27 +107,18 @@ def solve(
     au = c1 * r13 + s1 * r23
     ax, ay, az = c23 * au - s23 * r33, c1 * r23 - s1 * r13, s23 * au + c23 * r33
     s5 = math.sqrt(ax * ax + ay * ay)
-    q1, q2, q3, q4, q5, q6 = near
     if s5 > WRIST_SINGULAR:
         if wrist is Wrist.FLIP:
             t4, t5 = math.atan2(-ay, -ax), math.atan2(-s5, az)
         else:
             t4, t5 = math.atan2(ay, ax), math.atan2(s5, az)
     else:
-        t4, t5 = q4, (0.0 if az > 0.0 else math.pi)
+        t4, t5 = near[3], (0.0 if az > 0.0 else math.pi)
     s4, c4 = math.sin(t4), math.cos(t4)
     nx, ny = c23 * (c1 * r11 + s1 * r21) - s23 * r31, c1 * r21 - s1 * r11
     ox, oy = c23 * (c1 * r12 + s1 * r22) - s23 * r32, c1 * r22 - s1 * r12
     t6 = math.atan2(c4 * ny - s4 * nx, c4 * oy - s4 * ox)
-    lower, upper = arm.lower, arm.upper
-    return (
-        turned(t1, q1, lower[0], upper[0]),
-        turned(t2, q2, lower[1], upper[1]),
-        turned(t3, q3, lower[2], upper[2]),
-        turned(t4, q4, lower[3], upper[3]),
-        turned(t5, q5, lower[4], upper[4]),
-        turned(t6, q6, lower[5], upper[5]),
-    )
+    return all_turned((t1, t2, t3, t4, t5, t6), near, arm.lower, arm.upper)
 
 
 def reach_error(arm: SphericalWristArm, X_BF: Pose) -> tuple[str, float] | None:

@@ -81,15 +81,17 @@ def round_corner(
     following = Leg(intent.path, after, arrival, intent.settings.acceleration_times(arm)[1])
     start = arrival - half
     first, second = leg.path, intent.path
+    slowing, slowed = before.tail(), before.end
+    over = after.end - INSTANT
 
     def course_before(t: float) -> Course:
         assert isinstance(first, LinePath)
-        return first.course(*at(before.tail(), min(t - leg.departure, before.end)))
+        return first.course(*at(slowing, min(t - leg.departure, slowed)))
 
     def course_after(t: float) -> Course:
         assert isinstance(second, LinePath)
         x = t - arrival
-        return second.course(*((1.0, 0.0) if x >= after.end - INSTANT else parameter(after, x)))
+        return second.course(*((1.0, 0.0) if x >= over else parameter(after, x)))
 
     zone = round(2.0 * half / arm.tick)
     if isinstance(second, JointPath):
@@ -98,11 +100,11 @@ def round_corner(
             pieces = [_both(first, second, before, after, start, 2.0 * half), *rest]
             return _corner(start, pieces, following, intent)
         times = _times(start, zone, arm.tick)
-        head = after.head()
+        head, begun = after.head(), second.change
 
         def joining(k: int) -> Offset:
             u, rate = at(head, times[k] - arrival)
-            return Offset(_scaled(second.change, u), _scaled(second.change, rate))
+            return Offset(_scaled(begun, u), _scaled(begun, rate))
 
         points = follow(
             arm,
@@ -116,13 +118,13 @@ def round_corner(
     count = zone + round((after.end - half) / arm.tick)
     times = _times(start, count, arm.tick)
     if isinstance(first, JointPath):
-        tail = before.tail()
+        left = first.change
 
         def leaving(k: int) -> Offset:
             if k >= zone:
                 return Offset(STILL, STILL)
-            u, rate = at(tail, times[k] - leg.departure)
-            return Offset(_scaled(first.change, u - 1.0), _scaled(first.change, rate))
+            u, rate = at(slowing, times[k] - leg.departure)
+            return Offset(_scaled(left, u - 1.0), _scaled(left, rate))
 
         points = follow(
             arm,
@@ -199,4 +201,5 @@ def _times(start: float, count: int, tick: float) -> list[float]:
 
 
 def _scaled(change: Configuration, u: float) -> Configuration:
-    return tuple(u * d for d in change)  # type: ignore[return-value]
+    d1, d2, d3, d4, d5, d6 = change
+    return (u * d1, u * d2, u * d3, u * d4, u * d5, u * d6)

@@ -44,7 +44,7 @@ class JointPath(NamedTuple):
     @property
     def change(self) -> Configuration:
         """Goal minus start [rad]."""
-        return tuple(b - a for a, b in zip(self.start, self.goal, strict=True))  # type: ignore[return-value]
+        return tuple([b - a for a, b in zip(self.start, self.goal, strict=True)])  # type: ignore[return-value]
 
 
 class Turning(NamedTuple):

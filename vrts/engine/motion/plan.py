@@ -152,10 +152,9 @@ def follow_line(
 
 def parameter(scaling: Profile, x: float) -> tuple[float, float]:
     """Return u and du/dx at a time from the nominal departure."""
-    rise, cruise_end = scaling.cruise
-    if x <= rise:
+    if x <= scaling.rise:
         return at(scaling.head(), x)
-    if x < cruise_end:
+    if x < scaling.duration - scaling.fall:  # the end of constant speed
         return x / scaling.duration, 1.0 / scaling.duration
     return at(scaling.tail(), x)
 

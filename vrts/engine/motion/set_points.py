@@ -123,16 +123,16 @@ def joined(points: SetPoints) -> list[Piece]:
     for k in range(len(times) - 1):
         step = times[k + 1] - times[k]
         inverse = 1.0 / step
-        rows = tuple(
+        rows = [
             (
                 a,
                 va,
-                (3.0 * (b - a) * inverse - 2.0 * va - vb) * inverse,
-                (va + vb - 2.0 * (b - a) * inverse) * inverse * inverse,
+                (3.0 * (change := b - a) * inverse - 2.0 * va - vb) * inverse,
+                (va + vb - 2.0 * change * inverse) * inverse * inverse,
             )
             for a, b, va, vb in zip(q[k], q[k + 1], rates[k], rates[k + 1], strict=True)
-        )
-        pieces.append((times[k], times[k + 1], rows))
+        ]
+        pieces.append((times[k], times[k + 1], tuple(rows)))
     return pieces
 
 
@@ -145,8 +145,8 @@ def deviation(arm: Arm, X_FT: Pose, path: LinePath, pieces: Sequence[Piece]) -> 
     largest = 0.0
     for start, end, rows in pieces:
         h = 0.5 * (end - start)
-        q = tuple(c[0] + h * (c[1] + h * (c[2] + h * c[3])) for c in rows)
-        offset = subtract((forward(arm, q) @ X_FT).translation, origin)  # type: ignore[arg-type]
+        q = tuple([c[0] + h * (c[1] + h * (c[2] + h * c[3])) for c in rows])
+        offset = subtract(forward(arm, q).apply(X_FT.translation), origin)  # type: ignore[arg-type]
         along = dot(offset, direction)
         largest = max(largest, dot(offset, offset) - along * along)
     return math.sqrt(max(largest, 0.0))
@@ -155,7 +155,7 @@ def deviation(arm: Arm, X_FT: Pose, path: LinePath, pieces: Sequence[Piece]) -> 
 def _estimated(points: SetPoints, k: int) -> Configuration:
     before, after = max(k - 1, 0), min(k + 1, len(points.times) - 1)
     span = points.times[after] - points.times[before]
-    return tuple((b - a) / span for a, b in zip(points.q[before], points.q[after], strict=True))  # type: ignore[return-value]
+    return tuple([(b - a) / span for a, b in zip(points.q[before], points.q[after], strict=True)])  # type: ignore[return-value]
 
 
 def _jump(
@@ -167,10 +167,9 @@ def _jump(
     a finding of the speed check, not a stop.
     """
     fast = None
-    for joint in range(6):
-        step = abs(after[joint] - before[joint])
-        if step > arm.speed[joint] * step_s:
-            fast = (joint + 1, step / step_s, 0.0, arm.speed[joint])
+    for joint, (a, b, speed) in enumerate(zip(before, after, arm.speed, strict=True), 1):
+        if abs(b - a) > speed * step_s:
+            fast = (joint, abs(b - a) / step_s, 0.0, speed)
             break
     if fast is None or not has_branches(arm):
         return fast
@@ -180,4 +179,6 @@ def _jump(
 
 
 def _plus(a: Configuration, b: Configuration) -> Configuration:
-    return tuple(x + y for x, y in zip(a, b, strict=True))  # type: ignore[return-value]
+    a1, a2, a3, a4, a5, a6 = a
+    b1, b2, b3, b4, b5, b6 = b
+    return (a1 + b1, a2 + b2, a3 + b3, a4 + b4, a5 + b5, a6 + b6)
