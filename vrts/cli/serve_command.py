@@ -78,6 +78,10 @@ def command(
     SCENES are names or files of scenes, task files, or folders with a task: the set that the
     supervisor may choose from. Students open the page and type the class code.
 
+    However it ends, by kill -9 too: started again with the same folder, every room goes on where it
+    was, with arm and programs stopped. What was done is done again from the log, exactly; where
+    that cannot be, for another scene or a purged user, the room begins anew and is told why.
+
     It listens on this machine only unless `--host` says otherwise. For https give `--tls-cert` and
     `--tls-key`, or put a proxy before it that passes `Host` and WebSockets on, with
     `--behind-proxy --name lab.example.org`.

@@ -35,11 +35,11 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncGenerator[None, None]:
         await hub.open_kept()
+        for room in hub.rooms.values():
+            sessions.begin(room, carries_on=True)
         if not hub.rooms:
             for name in rooms:
-                await hub.make_room(name, settings.places[0].id)
-        for room in hub.rooms.values():
-            sessions.begin(room)
+                sessions.begin(await hub.make_room(name, settings.places[0].id))
         hub.spawn(hub.pulse())
         yield
         sessions.stop()

@@ -34,6 +34,7 @@ from vrts.live.store import log as store_log
 from vrts.live.store.accounts import Account
 from vrts.live.store.database import Database
 from vrts.live.store.log import Entry
+from vrts.live.store.progress import keep_reached
 from vrts.live.store.rooms import (
     KeptRoom,
     Line,
@@ -91,6 +92,7 @@ class Hub:
             if now >= wall_due:
                 wall_due = now + 1.0
                 self._show_wall()
+                self._keep_reached()
 
     def _pulse_room(self, room: Room, now: float) -> None:
         for member in list(room.members.values()):
@@ -103,6 +105,13 @@ class Hub:
         # a crowd is told less often: everybody is told about everybody
         if room.crowd_changed and now - room.crowd_changed > 0.004 * len(room.members):
             room.show_people(frozenset(self.muted))
+
+    def _keep_reached(self) -> None:
+        """Keep how far sessions have come: after a restart they go on from there."""
+        known = [room.reached for room in self.rooms.values()]
+        found = [reached for reached in known if reached is not None]
+        if found:
+            self.database.submit(lambda connection: keep_reached(connection, found))
 
     def _show_wall(self) -> None:
         watching = [m for m in self.everybody() if m.wall]

@@ -43,6 +43,8 @@ class Head(msgspec.Struct, frozen=True):
     row: str = ""
     task: msgspec.Raw = msgspec.Raw()
     scene: msgspec.Raw = msgspec.Raw()
+    carried_s: float | None = None
+    anew: str = ""
 
 
 _heads = msgspec.json.Decoder(Head)

@@ -22,6 +22,8 @@ from vrts.live.protocol import (
     RoomEntry,
     WallRow,
 )
+from vrts.live.session.frame import unpacked
+from vrts.live.store.progress import Reached
 from vrts.live.store.rooms import HISTORY, KeptRoom
 
 REMEMBERED: Final = 4000  # reliable messages for those who come back
@@ -114,6 +116,7 @@ class Room:
     status: bytes = b""  # JSON of the last `Status`
     placed: dict[str, msgspec.Raw] = field(default_factory=dict[str, msgspec.Raw])  # by body
     halting: bool = False  # a panic is on its way
+    frame: bytes = b""  # the last pose frame; empty: session time is another one since
     crowd_changed: float = 0.0  # since when people are to be told who is here; 0: they know
     _told: deque[Told] = field(default_factory=deque[Told])
     _bytes: int = 0
@@ -130,6 +133,11 @@ class Room:
         return RoomEntry(kept.id, kept.name, kept.scene, self.task, len(self.members))
 
     @property
+    def reached(self) -> Reached | None:
+        """How far the session has come; None: that is not known now."""
+        return Reached(self.id, self.session, unpacked(self.frame).time_s) if self.frame else None
+
+    @property
     def scene_url(self) -> str:
         """Where the scene can be fetched; empty while the session begins."""
         ready = self.process is not None and self.process.ready
@@ -139,6 +147,7 @@ class Room:
 
     def pose(self, payload: bytes, now: float) -> None:
         """Pass a pose frame on to those for whom one is due."""
+        self.frame = payload
         frame = binary_frame(payload)
         for member in self.members.values():
             member.pose(frame, now)

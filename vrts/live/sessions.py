@@ -3,20 +3,25 @@
 import asyncio
 import hashlib
 import time
+from pathlib import Path
 from typing import Final
 
 import msgspec
 
 from vrts import __version__
 from vrts.live.hub import Hub
+from vrts.live.logged_sessions import JUMPS, LogFault
 from vrts.live.process import Head, SessionProcess
 from vrts.live.protocol import Happened, Program, Reach, Refused, Result, State
 from vrts.live.room import EVERYBODY, Asked, Audience, Room, encode
+from vrts.live.session.carrying_on import write_entries
 from vrts.live.session.messages import Start
 from vrts.live.settings import SESSIONS
 from vrts.live.store import log as store_log
 from vrts.live.store.rooms import next_number
+from vrts.live.unfinished import Unfinished, unfinished
 
+BEFORE: Final = "before.jsonl"  # in a session's folder: what was done before the server ended
 STARTING: Final = 2  # sessions that begin at the same time
 MOST_FAILURES: Final = 4  # in a row, after which a room waits for its supervisor
 WELL_S: Final = 60.0  # a session that went on for so long ends the row
@@ -34,10 +39,10 @@ class Sessions:
         self._starting = asyncio.Semaphore(STARTING)
         self._wake: dict[str, asyncio.Event] = {}
 
-    def begin(self, room: Room) -> None:
-        """Keep a session going in a room until it is closed."""
+    def begin(self, room: Room, *, carries_on: bool = False) -> None:
+        """Keep a session going in a room until it is closed, the one it had or another."""
         self._wake[room.id] = asyncio.Event()
-        self._hub.spawn(self._keep_going(room))
+        self._hub.spawn(self._keep_going(room, carries_on=carries_on))
 
     def stop(self) -> None:
         """Have no room wait for its supervisor any more: the server ends."""
@@ -50,13 +55,15 @@ class Sessions:
         if room.process is not None:
             room.process.stop()
 
-    async def _keep_going(self, room: Room) -> None:
+    async def _keep_going(self, room: Room, *, carries_on: bool) -> None:
         hub, wake = self._hub, self._wake[room.id]
         failures = 0
         while not hub.stopping and room.id in hub.rooms:
             wake.clear()
             began = time.monotonic()
-            process = await self._one(room)
+            before = await self._before(room) if carries_on else None
+            carries_on = False
+            process = await self._one(room, before)
             if wake.is_set() or hub.stopping or room.id not in hub.rooms:
                 failures = 0
                 continue
@@ -72,8 +79,20 @@ class Sessions:
                 failures = 0
         self._wake.pop(room.id, None)
 
-    async def _one(self, room: Room) -> SessionProcess:
-        """Run a session to its end."""
+    async def _before(self, room: Room) -> Unfinished | None:
+        """Return the session that a room had; where it cannot go on, say so."""
+        try:
+            return await self._hub.database.do(lambda c: unfinished(c, room.id, room.kept.scene))
+        except LogFault as problem:
+            await self._say_anew(room, str(problem))
+            return None
+
+    async def _say_anew(self, room: Room, why: str) -> None:
+        text = f"the server was started again, and the session begins anew: {why}"
+        await self._hub.say(room, None, text, EVERYBODY, None)
+
+    async def _one(self, room: Room, before: Unfinished | None) -> SessionProcess:
+        """Run a session to its end, one that goes on where there was one before."""
         hub = self._hub
         number = await hub.database.do(lambda connection: next_number(connection, "session"))
         room.session = number % _NUMBERS + 1
@@ -92,6 +111,8 @@ class Sessions:
             self._take(room, process, head, message)
 
         start = Start(room.session, str(folder), place.scene, place.task, place.lab)
+        if before is not None:
+            start = await asyncio.to_thread(_with_before, start, folder / BEFORE, before)
         process = SessionProcess(start, on_pose, on_message)
         await self._starting.acquire()
         try:
@@ -123,12 +144,14 @@ class Sessions:
             case "ready":
                 room.task = msgspec.json.decode(head.task, type=str) if head.task else ""
                 scene = hashlib.sha256(process.scene).hexdigest()
-                what: dict[str, object] = {
-                    "scene": room.kept.scene,
-                    "scene_sha256": scene,
-                    "vrts": __version__,
-                }
-                self._hub.record(room, "begin", None, what)
+                if head.carried_s is None:
+                    what: dict[str, object] = {"scene": room.kept.scene, "scene_sha256": scene}
+                    self._hub.record(room, "begin", None, {**what, "vrts": __version__})
+                else:
+                    what = {"at_s": head.carried_s, "vrts": __version__}
+                    self._hub.record(room, "carry_on", None, what)
+                if head.anew:
+                    self._hub.spawn(self._say_anew(room, head.anew))
                 self._hub.rooms_changed()
                 process.first_snapshot = process.ask_snapshot()
             case "failed" | "exported":
@@ -156,6 +179,8 @@ class Sessions:
             return
         if asked.kind == "panic":
             room.halting = False
+        if asked.kind in JUMPS:
+            room.frame = b""
         if asked.kind == "keep":
             member = room.members.get(asked.person)
             if member is not None and not head.accepted:
@@ -183,7 +208,7 @@ class Sessions:
         """Tell those who wait for answers that there will be none."""
         asked, room.asked = room.asked, {}
         room.halting = False
-        room.status = b""
+        room.status = room.frame = b""
         room.placed.clear()
         for one in asked.values():
             member = room.members.get(one.person)
@@ -195,3 +220,15 @@ class Sessions:
                 entry = self._hub.entry(room, one.kind, None, text, at_s=0.0, accepted=False)
                 self._hub.record_entry(entry._replace(account=one.account, name=one.name))
         self._hub.settle(room, b"null")
+
+
+def _with_before(start: Start, file: Path, before: Unfinished) -> Start:
+    """Return the first message to a session that goes on, with what was done in it written."""
+    file.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    write_entries(file, before.session.entries)
+    return msgspec.structs.replace(
+        start,
+        before=str(file),
+        until_s=before.until_s,
+        scene_sha256=before.session.scene_sha256,
+    )

@@ -47,6 +47,9 @@ class Start(Order, frozen=True, tag="start"):
     lab: str = ""  # path of a lab file
     dialect: str = "val2"
     quota: int = 64_000_000  # bytes of users' folders and of history, each
+    before: str = ""  # file of what was done before the server ended; the session removes it
+    until_s: Stamp = 0.0  # how far the session had come then
+    scene_sha256: str = ""  # of `Ready.scene` then; with another scene it begins anew
 
 
 class Act(Order, frozen=True, tag="act"):
@@ -108,6 +111,8 @@ class Ready(News, frozen=True, tag="ready"):
     arm: str
     scene: Json  # what the viewer draws (`scene_data`)
     task: str  # title; empty without one
+    carried_s: float | None = None  # it goes on from then; None: it begins
+    anew: str = ""  # why it does not go on, where it was to
 
 
 class Failed(News, frozen=True, tag="failed"):

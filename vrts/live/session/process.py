@@ -4,21 +4,33 @@ A program costs at most 100 statements of each kind a tick, so no program makes 
 checks collisions is a child of this process.
 """
 
+import hashlib
 import select
 import time
 from collections.abc import Callable
+from pathlib import Path
+
+import msgspec
 
 from vrts.live.session.beats import AFTER_TICK, Beats, shows
-from vrts.live.session.checker import Checker
+from vrts.live.session.carrying_on import (
+    CannotCarryOn,
+    Interrupted,
+    Voice,
+    carry_on,
+    empty,
+    read_entries,
+)
+from vrts.live.session.checker import Checker, warm_up
 from vrts.live.session.inbox import Inbox, Unreadable
-from vrts.live.session.messages import Failed, Ready, Start, Stop
+from vrts.live.session.messages import Failed, Json, Ready, Start, Stop
 from vrts.live.session.outbox import Outbox, ServerGone
 from vrts.live.session.session import Session
 from vrts.live.session.setting import setting_of
 from vrts.live.session.tidying import Tidying
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.settings import Refused, Setting
 from vrts.report.viewer_data import scene_data
 
 FIRST = 30.0  # [s] within which the first order has to come
@@ -56,10 +68,15 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
         return _failed(outbox, "; ".join(headlines[:3]), CANNOT_BEGIN)
     scene = scene_data(setting.scene, setting.task)
     impose(LIMITS)
-    session = Session(start, setting, outbox.send, clock)
+    warm_up(setting)
+    try:
+        session, anew = _begun(start, setting, scene, outbox, readable, clock)
+    except Interrupted:
+        return 0
     title = setting.task.title if setting.task is not None else ""
     arm = setting.scene.robot.arm.name
-    outbox.send(Ready(start.session, session.epoch_s, arm, scene, title))
+    carried_s = session.growing.time_s if start.before and not anew else None
+    outbox.send(Ready(start.session, session.epoch_s, arm, scene, title, carried_s, anew))
     tidying = Tidying()
     with Checker(session) as checker:
         beats = Beats(clock())
@@ -82,6 +99,36 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
             select.select([readable], writable, [], max(beats.due_s - clock(), 0.0))
             orders = inbox.orders()
     return 0
+
+
+def _begun(
+    start: Start, setting: Setting, scene: Json, outbox: Outbox, readable: int, clock: Clock
+) -> tuple[Session, str]:
+    """Return a session that begins or goes on, and why it begins anew where it was to go on.
+
+    Raises:
+        Interrupted: The server has something else to say.
+    """
+
+    def wanted() -> bool:
+        return not select.select([readable], [], [], 0.0)[0]
+
+    anew = ""
+    if start.before:
+        voice = Voice()
+        session = Session(start, setting, voice, clock)
+        try:
+            entries = read_entries(Path(start.before))
+            if hashlib.sha256(msgspec.json.encode(scene)).hexdigest() != start.scene_sha256:
+                raise CannotCarryOn("its scene or task is another one now")
+            carry_on(session, voice, entries, start.until_s, wanted=wanted)
+        except CannotCarryOn as problem:
+            anew = str(problem)
+            empty(Path(start.folder))
+        else:
+            voice.to = outbox.send
+            return session, ""
+    return Session(start, setting, outbox.send, clock), anew
 
 
 def _failed(outbox: Outbox, text: str, status: int) -> int:

@@ -63,7 +63,9 @@ class _Waiting(NamedTuple):
 class Session:
     """Everything about one session."""
 
-    def __init__(self, start: m.Start, setting: Setting, send: Send, clock: Clock) -> None:
+    def __init__(
+        self, start: m.Start, setting: Setting, send: Send, clock: Clock, *, forgets: bool = True
+    ) -> None:
         """Begin at time 0.
 
         Args:
@@ -71,11 +73,13 @@ class Session:
             setting: Its scene and task, read.
             send: Takes messages and pose frames for the server.
             clock: Returns the time of a clock that only goes forward [s].
+            forgets: Whether what is long past is forgotten.
         """
         self.start = start
         self.setting = setting
         self._send = send
         self._clock = clock
+        self._forgets = forgets
         self._sequence = 0
         self._folders = Folders(Path(start.folder), start.quota)
         self._begin(())
@@ -85,7 +89,8 @@ class Session:
         planned = self.setting.scenario
         scenario = planned.scenario if planned is not None else Scenario()
         scene = self.setting.scene
-        self.growing = GrowingRun(scene, dataclasses.replace(scenario, limits=LIMITS))
+        scenario = dataclasses.replace(scenario, limits=LIMITS)
+        self.growing = GrowingRun(scene, scenario, forgets=self._forgets)
         desk = Desk(self._folders.of("nobody"), DIALECTS[self.start.dialect], replace=True)
         self.conversation = Conversation(self.growing, desk, self._folders)
         self._key = HeldKey(self.conversation)
@@ -153,6 +158,14 @@ class Session:
         if until_s < self.growing.time_s:
             raise ValueError(f"{until_s} s is before {self.growing.time_s} s, which was reached")
         self._advance(until_s)
+
+    def stand_still(self, why: str) -> None:
+        """Stop everything where it is, say why, and let the clock go on from here."""
+        self._panic()
+        self.growing.said.append(why)
+        self.showing.hear()
+        self.showing.tell_again()
+        self.epoch_s = self._clock() - self.growing.time_s
 
     @property
     def run(self) -> Run:
@@ -315,6 +328,10 @@ class Session:
         at_s = self.growing.time_s
         if not is_program_name(name):
             return m.Done(ref, at_s, False, f"`{name}` is no name of a program", code="name")
+        if self.growing.known_from_s > 0.0:
+            text = f"what was done before {self.growing.known_from_s:.0f} s is forgotten"
+            help_ = "reset the scene, and do what the program is to do"
+            return m.Done(ref, at_s, False, text, help_, "time")
         shown, refused = self.conversation.upload(f"{name}.v2", self.program(name), owner)
         self.showing.say(shown)
         return m.Done(ref, at_s, not refused, refused or shown, code="file" * bool(refused))

@@ -96,6 +96,10 @@ class Showing:
         self.near = [row for row in self.near if _start(row) <= time_s]
         self.checked_s = min(self.checked_s, time_s)
 
+    def tell_again(self) -> None:
+        """Have the state told with the next beat, though nothing has changed."""
+        self._status, self._status_s = None, -1.0
+
     def _note(self, event: Event) -> None:
         if isinstance(event, ProgramStarted) and not event.process:
             self._alone = event.program == ALONE

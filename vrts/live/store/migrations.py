@@ -83,6 +83,14 @@ STEPS: Final = (
         BEGIN SELECT RAISE(ABORT, 'the log is append-only'); END;
     CREATE TABLE counter (name TEXT PRIMARY KEY, value INTEGER NOT NULL);
     """,
+    """
+    CREATE TABLE reached (
+        room TEXT PRIMARY KEY,
+        session INTEGER NOT NULL,
+        time_s REAL NOT NULL,
+        seq INTEGER
+    ) WITHOUT ROWID;
+    """,
 )
 
 

@@ -1,0 +1,52 @@
+"""How far sessions have come, and what was done in the last one of a room: to carry it on."""
+
+import sqlite3
+from collections.abc import Iterable
+from typing import NamedTuple
+
+
+class Reached(NamedTuple):
+    """A session time that was reached."""
+
+    room: str
+    session: int  # number
+    time_s: float
+
+
+class Kept(NamedTuple):
+    """A record of the log of a room, as far as a session needs it."""
+
+    seq: int
+    session: int
+    kind: str
+    account: int | None  # None: the server itself, or purged
+    text: str | None  # None: purged
+
+
+def keep_reached(connection: sqlite3.Connection, reached: Iterable[Reached]) -> None:
+    """Write how far sessions have come, each since the last record of its room's log."""
+    connection.executemany(
+        "INSERT INTO reached VALUES (?1,?2,?3,(SELECT max(seq) FROM log WHERE room=?1))"
+        " ON CONFLICT (room) DO UPDATE SET session=excluded.session, time_s=excluded.time_s,"
+        " seq=excluded.seq",
+        reached,
+    )
+
+
+def reached(connection: sqlite3.Connection, room: str, session: int, since: int) -> float:
+    """Return how far a session has come [s], if that is known since a record; else 0."""
+    row = connection.execute(
+        "SELECT time_s FROM reached WHERE room=? AND session=? AND seq>=?", (room, session, since)
+    ).fetchone()
+    return float(row[0]) if row else 0.0
+
+
+def last_session(connection: sqlite3.Connection, room: str) -> list[Kept]:
+    """Return the records of a room since its last session began; none: there was no session."""
+    rows = connection.execute(
+        "SELECT seq, session, kind, account, text FROM log LEFT JOIN log_text USING (room, seq)"
+        " WHERE room=?1 AND seq>=(SELECT max(seq) FROM log WHERE room=?1 AND kind='begin')"
+        " ORDER BY seq",
+        (room,),
+    )
+    return [Kept._make(row) for row in rows]
