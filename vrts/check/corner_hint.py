@@ -28,8 +28,8 @@ def corner_hints(run: Run, report: CollisionReport, engine: str | None) -> Mappi
         for number, event in enumerate(report.contacts)
         if (motion := _rounded(run, event)) is not None
     }
-    if not corners or run.ending not in PROGRAM_ENDS:
-        return {}
+    if not corners or run.ending not in PROGRAM_ENDS or not run.history.closed:
+        return {}  # of a session nobody can say what its operator would have done then
     stopping = _stopping(run)
     if stopping.ending not in PROGRAM_ENDS:
         return {}  # it did not get there

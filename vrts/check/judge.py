@@ -14,15 +14,28 @@ from vrts.scene.model import Scene
 
 
 def judge(
-    scene: Scene, run: Run, task: Task | None, *, collisions: bool = True, engine: str | None = None
+    scene: Scene,
+    run: Run,
+    task: Task | None,
+    *,
+    collisions: bool = True,
+    engine: str | None = None,
+    report: CollisionReport | None = None,
 ) -> Judgement:
     """Return all verdicts: the program's ending, collisions, limits, and what the task asks for.
 
-    `engine` measures the distances of collisions: "coal", "fcl", or None for the better there is.
+    Args:
+        scene: What stands where.
+        run: What happened in it.
+        task: What was asked for; None: nothing.
+        collisions: Whether to check them.
+        engine: Measures the distances of collisions: "coal", "fcl", or None for the better there is.
+        report: What is known about the collisions of the run; None: they are to be checked.
     """
     found: list[Verdict] = [_program(run)]
-    report: CollisionReport | None = None
-    if collisions:
+    if report is not None:
+        found.append(collision_verdict(report, run))
+    elif collisions:
         near_miss = None if task is None else task.near_miss
         report = check_collisions(scene, run, engine=engine, near_miss=near_miss)
         found.append(collision_verdict(report, run, corner_hints(run, report, engine)))
