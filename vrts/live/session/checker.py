@@ -6,8 +6,10 @@ grasps hold: what may touch whom depends on how it was grasped.
 """
 
 import math
+import os
 import sys
 import tempfile
+import time
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
@@ -22,14 +24,19 @@ from vrts.engine.records import Motion, Placement, Segment
 from vrts.engine.run import Run
 from vrts.live.session.growing import GrowingRun
 from vrts.live.session.messages import Checked, Json
+from vrts.live.session.motions import instructed
 from vrts.live.session.session import Session
 from vrts.live.session.tidying import tidy
 from vrts.marking.supervise.forked import ForkedProcess
 from vrts.marking.supervise.limits import Limits
 from vrts.monitor.desk import ALONE
+from vrts.pipeline.settings import Setting
 from vrts.report.replay_data import contact_rows, near_rows
+from vrts.scene.model import Scenario
 
 PAUSE = 1.0  # [s] of session time between checks
+REST = 20.0  # times as long as a check took is waited at least: ten sessions share the machine
+NICENESS = 10  # of checks, which may be late, to frames, which may not
 BEFORE = 0.1  # [s] before a hand begins to close
 LIMITS = Limits(cpu_s=60, wall_s=120.0, memory=1_000_000_000)
 FORKS = sys.platform != "win32"
@@ -69,6 +76,7 @@ class Checker:
         self._child: ForkedProcess | None = None
         self._asked = (0.0, 0)  # until when, and of which growing run
         self._looked_s = 0.0
+        self._pause = PAUSE
 
     def __enter__(self) -> "Checker":
         """Begin."""
@@ -93,10 +101,11 @@ class Checker:
             if not self._child.ended():
                 return
             self._answered(self._child.answer)
+            self._pause = max(PAUSE, REST * (time.monotonic() - self._child.started))
             self._child = None
         showing, growing = self._session.showing, self._session.growing
         since = growing.time_s - self._looked_s
-        if 0.0 <= since < PAUSE:
+        if 0.0 <= since < self._pause:
             return
         self._looked_s = growing.time_s
         if not _anything_moved(growing, showing.checked_s):
@@ -107,12 +116,17 @@ class Checker:
         if FORKS:
             growing.drop_run()
             tidy()  # forking freezes what there is, garbage too
-            self._child = ForkedProcess(self._check, Path(self._folder.name), LIMITS)
+            self._child = ForkedProcess(self._check_aside, Path(self._folder.name), LIMITS)
         else:
             self._answered(self._check())
 
+    def _check_aside(self) -> bytes:
+        """Check what is new, in the child."""
+        os.nice(NICENESS)
+        return self._check()
+
     def _check(self) -> bytes:
-        """Check what is new; carried out in the child."""
+        """Check what is new."""
         session = self._session
         task = session.setting.task
         found = checked(
@@ -141,6 +155,14 @@ class Checker:
         showing.checked_s = until_s
         if fresh.contacts or fresh.near or fresh.undetermined:
             showing.tell(fresh)
+
+
+def warm_up(setting: Setting) -> None:
+    """Check a short motion, so that no child has to load and prepare what all of them need."""
+    growing = GrowingRun(setting.scene, Scenario())
+    growing.issue(instructed("DRIVE 6,1,100"))
+    growing.advance(1.0)
+    checked(growing.run, 0.0, None)
 
 
 def checked(run: Run, since_s: float, near_miss: float | None) -> Found:

@@ -1,5 +1,7 @@
 """What is certified of a session in pieces is what is certified of it as a whole."""
 
+import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -73,3 +75,50 @@ def finish(driven: Driven, checker: Checker) -> None:
             return
         time.sleep(0.02)
     raise AssertionError("the check does not come to an end")
+
+
+WARM = """\
+import sys, tempfile
+from pathlib import Path
+from tests.unit.live.session.support import Driven
+from vrts.live import actions as do
+from vrts.live.session.checker import checked, warm_up
+driven = Driven(Path(tempfile.mkdtemp()))
+driven.act(do.Go((0.75, -0.15, -0.36), (0.0, 1.5707963267948966, 0.0)))
+driven.run(3.0)
+warm_up(driven.session.setting)
+before = set(sys.modules)
+assert checked(driven.session.run, 0.0, None).contacts
+print(sorted(set(sys.modules) - before))
+"""
+
+
+def test_no_check_has_to_load_anything_after_the_first() -> None:
+    words = [sys.executable, "-c", WARM]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=60.0, check=True)
+    assert done.stdout == "[]\n"
+
+
+@pytest.mark.parametrize(("rest", "again"), [(0.0, True), (1e6, False)])
+def test_checks_rest_the_longer_the_longer_they_take(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, rest: float, *, again: bool
+) -> None:
+    monkeypatch.setattr("vrts.live.session.checker.REST", rest)
+    driven = Driven(tmp_path)
+    with Checker(driven.session) as checker:
+        driven.act(do.Go((0.75, -0.15, 0.0), DOWN))
+        driven.run(1.1)
+        first_s = checked_after(driven, checker, 0.0, seconds=20.0)
+        assert first_s == pytest.approx(1.1)
+        driven.run(1.1)
+        second_s = checked_after(driven, checker, first_s, seconds=20.0 if again else 0.5)
+        assert (second_s > first_s) is again
+
+
+def checked_after(driven: Driven, checker: Checker, before_s: float, *, seconds: float) -> float:
+    """Return until when is checked, as soon as that is another time, or after a while."""
+    end_s = time.monotonic() + seconds
+    while time.monotonic() < end_s and driven.session.showing.checked_s == before_s:
+        checker.beat()
+        time.sleep(0.01)
+    return driven.session.showing.checked_s
