@@ -5,13 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vrts.report.ground import Ground, ground
-from vrts.report.layer import Layer, Screen, draw, empty_layer
+from vrts.report.draw import Places, Screen, Shown, draw
 from vrts.report.lighting import ShadowMap, from_srgb, shadow_map
-from vrts.report.outlines import Mask
 from vrts.report.placing import Fixed, Placed, place_fixed
 from vrts.report.projection import Projected, project
-from vrts.report.raster import NOTHING, Array32, Indices, rasterise
+from vrts.report.raster import Array32, Indices, Mask, rasterise
 from vrts.report.solids import Solid
 
 ALARM = np.array(from_srgb("#e11d2a"), np.float32)  # bodies in contact
@@ -32,7 +30,13 @@ class View(NamedTuple):
 
     seen: Projected
     buffer: Indices  # (height * samples, width * samples)
-    ground: Ground
+
+
+class Backdrop(NamedTuple):
+    """The picture of a stage, and where its light comes from."""
+
+    picture: Array32  # (3, height, width)
+    places: Places
 
 
 @lru_cache(maxsize=KEPT)
@@ -43,30 +47,33 @@ def stage(fixed: tuple[Fixed, ...]) -> Stage:
 
 
 @lru_cache(maxsize=KEPT)
-def view(fixed: tuple[Fixed, ...], floor_m: float, screen: Screen) -> View:
-    """Return what a camera sees of what never moves, above a floor at a height [m]."""
-    at = stage(fixed)
+def view(fixed: tuple[Fixed, ...], screen: Screen) -> View:
+    """Return what a camera sees of what never moves."""
     width, height = screen.width * screen.samples, screen.height * screen.samples
-    seen = project(at.placed, screen.camera, width, height)
+    seen = project(stage(fixed).placed, screen.camera, width, height)
     buffer = rasterise(seen.screen, seen.near, width, height)
     buffer.flags.writeable = False
-    around = ground(screen.camera, (screen.width, screen.height), floor_m, at.shadows)
-    return View(seen, buffer, around)
+    return View(seen, buffer)
 
 
 @lru_cache(maxsize=KEPT)
 def backdrop(
     fixed: tuple[Fixed, ...], floor_m: float, screen: Screen, highlight: frozenset[str]
-) -> Layer:
-    """Return the same with colours; highlighted bodies in the colour of alarm."""
-    at, shown = stage(fixed), view(fixed, floor_m, screen)
-    layer = empty_layer(screen)
-    wanted = any_sample(shown.buffer != NOTHING, screen.samples)
+) -> Backdrop:
+    """Return the same as a picture, above a floor at a height [m].
+
+    Highlighted bodies have the colour of alarm.
+    """
+    at, shown = stage(fixed), view(fixed, screen)
+    shape = (screen.height, screen.width)
+    solid, floor = (np.full((k, shape[0] * shape[1]), np.nan, np.float32) for k in (3, 2))
+    found = Backdrop(np.empty((3, *shape), np.float32), Places(solid, floor))
     table = colors(at.placed.solids, highlight)
-    draw(layer, screen, shown.buffer, shown.seen, table, at.shadows, wanted)
-    for values in layer:
+    what = Shown(shown.buffer, shown.seen, table, floor_m, (at.shadows,))
+    draw(found.picture, screen, what, np.ones(shape, np.bool_), found.places)
+    for values in (found.picture, *found.places):
         values.flags.writeable = False
-    return layer
+    return found
 
 
 def any_sample(samples: Mask, n: int) -> Mask:
@@ -79,9 +86,9 @@ def any_sample(samples: Mask, n: int) -> Mask:
 
 
 def colors(solids: tuple[Solid, ...], highlight: frozenset[str]) -> Array32:
-    """Return the colour of every solid, shape (n, 3), linear."""
+    """Return the colour of every solid, shape (3, n), linear."""
     table = np.array([solid.color for solid in solids], np.float32).reshape(-1, 3)
     for number, solid in enumerate(solids):
         if solid.name in highlight or solid.group in highlight:
             table[number] += ALARM_SHARE * (ALARM - table[number])
-    return table
+    return np.ascontiguousarray(table.T)

@@ -1,12 +1,22 @@
 """Light on the triangles that a picture shows: one sun with shadows, the sky, a gleam."""
 
+from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
 from vrts.report.camera import axes
-from vrts.report.raster import NOTHING, Array, Array32, Numbers, nearness, rasterise, signed_area
+from vrts.report.raster import (
+    NOTHING,
+    Array,
+    Array32,
+    Mask,
+    Numbers,
+    nearness,
+    rasterise,
+    signed_area,
+)
 
 Pixels: TypeAlias = npt.NDArray[np.uint8]
 
@@ -48,6 +58,13 @@ class ShadowMap(NamedTuple):
         at: Array32 = (along - origin) * np.float32(self.texels_m)
         np.clip(at, 1, count - 2, out=at)
         return at.astype(np.int32)
+
+    def covers(self, along: Array32) -> Mask:
+        """Return which points in its frame can lie in its shadow, shape of one row of `along`."""
+        rows, columns = self.nearness.shape
+        x, y = along[0] - self.origin[0], along[1] - self.origin[1]
+        inside = (x > 0) & (x < np.float32(columns / self.texels_m))
+        return inside & (y > 0) & (y < np.float32(rows / self.texels_m))
 
     def shadow(self, along: Array32) -> Array32:
         """Return how deep in a soft shadow points lie, shape (2, ...), from 0 to 1."""
@@ -100,34 +117,43 @@ def shadow_map(corners: Array, side: int) -> ShadowMap:
     return ShadowMap(low.astype(np.float32), texels, near.astype(np.float32), soft)
 
 
-def shade(
-    color: Array32, normals: Array32, view: Array32, sunlight: Array32
-) -> tuple[Array32, Array32]:
-    """Return the linear light that surfaces send to the eye: of the sky, and of the sun.
+def sunlight(maps: Sequence[ShadowMap], along: Array32) -> Array32:
+    """Return the share of the sun that all shadows leave to points in its frame, (3, n)."""
+    light = np.ones(along.shape[1:], np.float32)
+    for shadows in maps:
+        light *= shadows.lit(along)
+    return light
+
+
+def shade(color: Array32, normal: Array32, view: Array32, arriving: Array32) -> Array32:
+    """Return the linear light that surfaces send to the eye, shape (3, n).
 
     Args:
-        color: Of the surface, linear RGB, shape (n, 3).
-        normals: Unit, in W, shape (n, 3).
-        view: Unit, towards the eye, in W, shape (n, 3).
-        sunlight: Share of the sun that arrives, shape (n,).
+        color: Of the surface, linear RGB, shape (3, n).
+        normal: Unit, in the frame of the sun, shape (3, n).
+        view: Unit, towards the eye, in the frame of the sun, shape (3, n).
+        arriving: Share of the sun that arrives, shape (n,).
     """
-    sun = SUN.astype(np.float32)
-    slope = normals @ sun
-    sky = normals[:, 2] * np.float32(0.5 * (SKY_LIGHT - GROUND_LIGHT))
-    sky += np.float32(0.5 * (SKY_LIGHT + GROUND_LIGHT))
+    up = SUN_FRAME[:, 2].astype(np.float32)
+    slope = -normal[2]
+    light = up @ normal
+    light *= np.float32(0.5 * (SKY_LIGHT - GROUND_LIGHT))
+    light += np.float32(0.5 * (SKY_LIGHT + GROUND_LIGHT))
     # head light: the silhouettes of round things darken, so that they look round
-    head = np.abs(np.einsum("ij,ij->i", normals, view))
-    sky *= np.float32(0.55) + np.float32(0.45) * head
-    half = view + sun
-    half /= np.sqrt(np.einsum("ij,ij->i", half, half))[:, None]
-    gleam = np.maximum(np.einsum("ij,ij->i", normals, half), 0)
+    head = np.einsum("ij,ij->j", normal, view)
+    light *= np.float32(0.55) + np.float32(0.45) * np.abs(head)
+    # of the direction between eye and sun
+    gleam = head + slope
+    gleam /= np.sqrt(np.maximum(2 - 2 * view[2], np.float32(1e-6)))
+    np.maximum(gleam, 0, out=gleam)
     for _ in range(GLOSS_SQUARINGS):
         gleam *= gleam
-    arriving = sunlight * (slope > 0)
+    arriving = arriving * (slope > 0)
     gleam *= arriving * np.float32(GLEAM)
-    direct = color * (slope * arriving * np.float32(SUN_LIGHT))[:, None]
-    direct += gleam[:, None]
-    return color * sky[:, None], direct
+    light += slope * arriving * np.float32(SUN_LIGHT)
+    shaded = color * light
+    shaded += gleam
+    return shaded
 
 
 def _blurred(picture: Array32, radius: int) -> Array32:
@@ -148,7 +174,9 @@ _BYTES = np.round(255 * _SRGB).astype(np.uint8)
 
 def to_srgb(linear: Array32) -> Pixels:
     """Return linear light, where 1 is white, as sRGB bytes [IEC 61966-2-1]."""
-    return _BYTES[(np.clip(linear, 0, 1) * np.float32(_STEPS)).astype(np.int32)]
+    steps = linear * np.float32(_STEPS)
+    np.clip(steps, 0, _STEPS, out=steps)
+    return _BYTES.take(steps.astype(np.int32))
 
 
 def from_srgb(code: str) -> tuple[float, float, float]:

@@ -1,14 +1,9 @@
 """Thin dark lines where a solid ends before another, and where it has an edge."""
 
-from typing import TypeAlias
-
 import numpy as np
-import numpy.typing as npt
 
 from vrts.report.projection import Projected
-from vrts.report.raster import Array32, Indices, Numbers, nearness
-
-Mask: TypeAlias = npt.NDArray[np.bool_]
+from vrts.report.raster import Array32, Indices, Mask, Numbers, nearness, numbers
 
 LINE = 0.42  # how much of the light an outline keeps
 CREASE_LINE = 0.80  # the same of an inner edge
@@ -41,8 +36,9 @@ def outlines(
         far = other & ~nearer
         keep[behind][y[far], x[far]] = LINE
         x, y, after, before = x[~other], y[~other], after[~other], before[~other]
-        place = np.array([x, y], np.float32).T + np.array(corner, np.float32) + np.float32(0.5)
-        edge = _edges(seen, (after, place + np.array(step, np.float32)), (before, place))
+        place = np.array([x + (corner[0] + 0.5), y + (corner[1] + 0.5)], np.float32)
+        next_to = place + np.array(step, np.float32)[:, None]
+        edge = _edges(seen, (after, next_to), (before, place))
         y, x = y[edge], x[edge]
         keep[behind][y, x] = np.minimum(keep[behind][y, x], CREASE_LINE)
     return keep
@@ -50,13 +46,13 @@ def outlines(
 
 def _edges(seen: Projected, one: tuple[Indices, Array32], other: tuple[Indices, Array32]) -> Mask:
     """Return between which pixels (keys and places) of one solid there is an edge."""
-    cosine = np.einsum("ij,ij->i", _normals(seen, *one), _normals(seen, *other))
+    cosine = np.einsum("ij,ij->j", _normals(seen, *one), _normals(seen, *other))
     a, b = nearness(one[0]), nearness(other[0])
     return (cosine < SHARP) | (np.abs(a - b) > STEP * np.maximum(a, b))
 
 
 def _normals(seen: Projected, keys: Indices, place: Array32) -> Array32:
-    planes = seen.planes.take(keys.astype(np.int32), axis=0)[:, :, :3]
-    facing = planes[:, 0] * place[:, :1] + planes[:, 1] * place[:, 1:] + planes[:, 2]
-    facing /= np.sqrt(np.einsum("ij,ij->i", facing, facing))[:, None]
+    planes = seen.planes[:3].take(numbers(keys), axis=2)
+    facing = planes[:, 0] * place[0] + planes[:, 1] * place[1] + planes[:, 2]
+    facing /= np.sqrt(np.einsum("ij,ij->j", facing, facing))
     return facing

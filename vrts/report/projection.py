@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vrts.report.camera import Camera
+from vrts.report.lighting import SUN_FRAME
 from vrts.report.placing import Placed
 from vrts.report.raster import Array, Array32, Indices, Numbers, plane, signed_area
 
@@ -18,7 +19,7 @@ class Projected(NamedTuple):
 
     screen: Array  # (m, 3, 2) column and row of each corner, pixels
     near: Array  # (m, 3) 1/depth of each corner [1/m]
-    planes: Array32  # (1 + m, 3, 4), by number: of column, row and 1; for normal and 1/depth
+    planes: Array32  # (4, 3, 1 + m): normal in the sun's frame and 1/depth; of column, row, 1
     solid: Numbers  # (1 + m,), by number; NO_SOLID for NOTHING
 
 
@@ -34,10 +35,10 @@ def project(placed: Placed, camera: Camera, width: int, height: int) -> Projecte
     shown &= (high > 0).all(1) & (low < (width, height)).all(1)
     screen, depth, normals, solid = screen[shown], depth[shown], normals[shown], solid[shown]
     near = 1 / depth
-    values = [normals[:, :, k] * near for k in range(3)]
-    planes = np.zeros((1 + len(screen), 3, 4), np.float32)
-    for k, value in enumerate([*values, near]):
-        planes[1:, :, k] = plane(screen, value)
+    turned = normals @ SUN_FRAME.T
+    planes = np.zeros((4, 3, 1 + len(screen)), np.float32)
+    for k, value in enumerate([*(turned[:, :, k] * near for k in range(3)), near]):
+        planes[k, :, 1:] = plane(screen, value).T
     return Projected(screen, near, planes, np.append(NO_SOLID, solid).astype(np.int32))
 
 
@@ -51,7 +52,7 @@ def joined(one: Projected, other: Projected, solids: int) -> Projected:
     return Projected(
         np.concatenate([one.screen, other.screen]),
         np.concatenate([one.near, other.near]),
-        np.concatenate([one.planes, other.planes[1:]]),
+        np.concatenate([one.planes, other.planes[:, :, 1:]], axis=2),
         np.concatenate([one.solid, other.solid[1:] + solids]),
     )
 

@@ -18,6 +18,7 @@ Array: TypeAlias = npt.NDArray[np.float64]
 Array32: TypeAlias = npt.NDArray[np.float32]
 Indices: TypeAlias = npt.NDArray[np.int64]
 Numbers: TypeAlias = npt.NDArray[np.int32]
+Mask: TypeAlias = npt.NDArray[np.bool_]
 
 NOTHING = 0  # an empty pixel, and its number; the first triangle is number 1
 FARTHEST = 1e-30  # nearness is positive

@@ -12,14 +12,12 @@ import numpy as np
 from vrts.base.pose import Pose, Vector
 from vrts.report.backdrop import ALARM, any_sample, backdrop, colors, stage, view
 from vrts.report.camera import Camera, axes, bounds, close_up, fitting
-from vrts.report.ground import Ground
-from vrts.report.layer import Layer, Screen, draw
+from vrts.report.draw import Places, Screen, Shown, draw
 from vrts.report.lighting import ShadowMap, shadow_map, to_srgb
-from vrts.report.outlines import Mask
-from vrts.report.placing import Fixed, Placed, fixed_parts, place_moving
+from vrts.report.placing import Placed, fixed_parts, place_moving
 from vrts.report.png import png
 from vrts.report.projection import NEAR, focal_length, joined, project
-from vrts.report.raster import Array, Array32, rasterise
+from vrts.report.raster import Array, Array32, Mask, rasterise
 from vrts.robots.model import Configuration
 from vrts.scene.model import Scene
 
@@ -27,8 +25,6 @@ SIZE = (1200, 800)
 SAMPLES = 2  # a side: sub-pixels of a pixel
 GRID_M = 0.04  # cameras stand on a grid, so that their backdrops serve again
 MAP = 512  # longer side of the shadow map of what moves, texels; more for wide pictures
-
-BAND = 24  # rows composed at once: what is worked on stays near the processor
 
 NOWHERE: Mapping[str, Pose] = MappingProxyType({})
 
@@ -71,49 +67,39 @@ def still(
             )
         )
     screen = Screen(camera, *size, samples)
-    layer = _with_moving(fixed, floor_m, screen, moving, frozenset(highlight))
-    shadows = shadow_map(moving.corners, max(MAP, size[0]))
-    picture = _composed(layer, view(fixed, floor_m, screen).ground, shadows)
-    if marker is not None:
+    at, seen = stage(fixed), view(fixed, screen)
+    width, height = size[0] * samples, size[1] * samples
+    added = project(moving, camera, width, height)
+    first = len(seen.seen.solid)
+    shown = Shown(
+        rasterise(added.screen, added.near, width, height, first=first, onto=seen.buffer),
+        joined(seen.seen, added, len(standing.solids)),
+        colors((*standing.solids, *moving.solids), frozenset(highlight)),
+        floor_m,
+        (at.shadows, shadow_map(moving.corners, max(MAP, size[0]))),
+    )
+    if marker is None:
+        own = frozenset(highlight) & {part.name for part in fixed}
+        before = backdrop(fixed, floor_m, screen, own)
+        picture = before.picture.copy()
+        wanted = any_sample(shown.buffer != seen.buffer, samples)
+        wanted |= _darkened(before.places, shown.shadows[-1]).reshape(wanted.shape)
+        draw(picture, screen, shown, _grown(wanted))
+    else:  # close pictures seldom have a place in common
+        picture = np.empty((3, size[1], size[0]), np.float32)
+        draw(picture, screen, shown, np.ones((size[1], size[0]), np.bool_))
         _ring(picture, camera, marker)
-    return png(to_srgb(picture))
+    return png(np.ascontiguousarray(to_srgb(picture).transpose(1, 2, 0)))
 
 
-def _with_moving(
-    fixed: tuple[Fixed, ...],
-    floor_m: float,
-    screen: Screen,
-    moving: Placed,
-    highlight: frozenset[str],
-) -> Layer:
-    """Return the backdrop with what moves before it: only pixels that change are drawn."""
-    at, shown = stage(fixed), view(fixed, floor_m, screen)
-    own = highlight & {part.name for part in fixed}
-    layer = backdrop(fixed, floor_m, screen, own).copy()
-    width, height = screen.width * screen.samples, screen.height * screen.samples
-    added = project(moving, screen.camera, width, height)
-    first = len(shown.seen.solid)
-    buffer = rasterise(added.screen, added.near, width, height, first=first, onto=shown.buffer)
-    changed = _grown(any_sample(buffer != shown.buffer, screen.samples))
-    seen = joined(shown.seen, added, len(at.placed.solids))
-    table = colors((*at.placed.solids, *moving.solids), highlight)
-    draw(layer, screen, buffer, seen, table, at.shadows, changed)
-    return layer
-
-
-def _composed(layer: Layer, around: Ground, moving: ShadowMap) -> Array32:
-    """Return solids before the ground, with the shadows of what moves on both."""
-    height, width = layer.share.shape
-    picture = np.empty((height, width, 3), np.float32)
-    for top in range(0, height, BAND):
-        rows = slice(top, top + BAND)
-        share = layer.share[rows]
-        sun = moving.lit(layer.along[:, rows])
-        band = picture[rows]
-        np.multiply(layer.direct[rows], sun[:, :, None], out=band)
-        band += layer.ambient[rows]
-        band += around.seen(rows, moving) * (1 - share)[:, :, None]
-    return picture
+def _darkened(places: Places, moving: ShadowMap) -> Mask:
+    """Return to which of the pixels with known places a shadow map brings less light."""
+    found = np.zeros(places.floor.shape[1], np.bool_)
+    at = np.flatnonzero(moving.covers(places.solid))
+    found[at] = moving.lit(places.solid[:, at]) < 1
+    at = np.flatnonzero(moving.covers(places.floor))
+    found[at] |= moving.shadow(places.floor[:, at]) > 0
+    return found
 
 
 def _whole_scene(scene: Scene, parts: Sequence[Placed], size: tuple[int, int]) -> Camera:
@@ -162,7 +148,7 @@ def _grown(mask: Mask) -> Mask:
 
 def _ring(picture: Array32, camera: Camera, point: Vector) -> None:
     """Draw a ring with a light rim round a point, over everything."""
-    height, width, _ = picture.shape
+    _, height, width = picture.shape
     local = camera.axes() @ np.subtract(point, camera.eye)
     if local[2] <= NEAR:
         return
@@ -170,10 +156,9 @@ def _ring(picture: Array32, camera: Camera, point: Vector) -> None:
     radius = height / 22
     room = radius + height / 130 + 1
     top, left = max(int(y - room), 0), max(int(x - room), 0)
-    part = picture[top : max(int(y + room) + 2, 0), left : max(int(x + room) + 2, 0)]
-    rows, columns = np.indices(part.shape[:2]) + 0.5
+    part = picture[:, top : max(int(y + room) + 2, 0), left : max(int(x + room) + 2, 0)]
+    rows, columns = np.indices(part.shape[1:]) + 0.5
     away = np.hypot(columns + left - x, rows + top - y)
     for thickness, color in ((height / 130, np.ones(3)), (height / 260, ALARM)):
-        share = np.clip(thickness + 0.5 - np.abs(away - radius), 0, 1)
-        share = share.astype(np.float32)[:, :, None]
-        part += share * (np.asarray(color, np.float32) - part)
+        share = np.clip(thickness + 0.5 - np.abs(away - radius), 0, 1).astype(np.float32)
+        part += share * (np.asarray(color, np.float32)[:, None, None] - part)

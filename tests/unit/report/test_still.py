@@ -85,7 +85,7 @@ def test_pictures_from_near_the_same_place_share_what_never_moves(scene: Scene) 
     x, y, z = scene.body("base1").X_WO.translation
     for k in range(4):
         still(scene, HIGH, size=SIZE, marker=(round(x, 1) + 0.002 * k, y, z), highlight=("base1",))
-    assert backdrop.backdrop.cache_info().misses == 1
+    assert backdrop.view.cache_info().misses == 1
 
 
 def test_only_what_moved_and_its_shadow_change(scene: Scene) -> None:

@@ -1,0 +1,168 @@
+"""The pixels of a picture: what they show, with the light of sun and sky on it.
+
+A pixel has several samples a side. Where all show one smooth face one of them, in the middle, is
+shaded for all: only edges cost more than a pixel. Values stand in rows, a column for every sample.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vrts.report.camera import Camera
+from vrts.report.ground import ground
+from vrts.report.lighting import SUN_FRAME, ShadowMap, shade, sunlight
+from vrts.report.outlines import outlines
+from vrts.report.projection import NO_SOLID, Projected, focal_length
+from vrts.report.raster import Array32, Indices, Mask, Numbers, numbers
+
+OFFSET_M = 0.006  # before its surface a place is looked up in a shadow map
+AT_ONCE = 8192  # samples shaded: what is worked on stays near the processor
+
+
+class Screen(NamedTuple):
+    """Where a picture is drawn."""
+
+    camera: Camera
+    width: int  # pixels
+    height: int  # pixels
+    samples: int  # a side of a pixel
+
+
+class Shown(NamedTuple):
+    """What a screen shows."""
+
+    buffer: Indices  # (height * samples, width * samples)
+    seen: Projected  # the triangles in it
+    colors: Array32  # (3, solids) of every solid, linear RGB
+    floor_m: float  # z of the floor in W
+    shadows: tuple[ShadowMap, ...]  # of everything that throws one
+
+
+class Places(NamedTuple):
+    """Where the light of pixels comes from, in the frame of the sun [m]; nan: from nowhere."""
+
+    solid: Array32  # (3, height * width) a little before what is seen
+    floor: Array32  # (2, height * width)
+
+
+def draw(
+    picture: Array32, screen: Screen, shown: Shown, wanted: Mask, places: Places | None = None
+) -> None:
+    """Draw pixels into a picture.
+
+    Args:
+        picture: Linear light, shape (3, height, width).
+        screen: Where it is drawn.
+        shown: What it shows.
+        wanted: Shape (height, width): which pixels are drawn.
+        places: Where to note from where their light comes.
+    """
+    rows, columns = np.nonzero(wanted.any(1))[0], np.nonzero(wanted.any(0))[0]
+    if not len(rows):
+        return
+    n = screen.samples
+    # a pixel more on each side: the line of a solid can come from its neighbour
+    top, left = max(int(rows[0]) - 1, 0), max(int(columns[0]) - 1, 0)
+    bottom = min(int(rows[-1]) + 2, screen.height)
+    right = min(int(columns[-1]) + 2, screen.width)
+    part = shown.buffer[top * n : bottom * n, left * n : right * n]
+    number = numbers(part)
+    solid = shown.seen.solid.take(number)
+    keep = outlines(part, number, solid, shown.seen, (left * n, top * n))
+    chosen = _chosen(solid, keep, wanted[top:bottom, left:right], n)
+    whole, rest = (
+        (pixel // (right - left) + top) * screen.width + pixel % (right - left) + left
+        for pixel in (chosen.whole, chosen.rest)
+    )
+    at = np.concatenate([whole, rest[chosen.owner]])
+    triangle = number.take(chosen.shown)
+    place = chosen.place + np.array([[left * n], [top * n]], np.float32)
+    light = np.empty((3, len(at)), np.float32)
+    for k in range(0, len(at), AT_ONCE):
+        now = slice(k, k + AT_ONCE)
+        light[:, now], before = _shaded(screen, shown, triangle[now], place[:, now])
+        if places is not None:
+            places.solid[:, at[now]] = before
+    share = np.bincount(chosen.owner, minlength=len(rest)) / n**2
+    open_to = np.flatnonzero(share < 1)
+    floor = ground(
+        screen.camera,
+        (screen.width, screen.height),
+        shown.floor_m,
+        rest[open_to],
+        shown.shadows,
+    )
+    if places is not None:
+        places.floor[:, rest[open_to]] = floor.along
+    free = (1 - share[open_to]).astype(np.float32)
+    for k, flat in enumerate(picture.reshape(3, -1)):
+        flat[whole] = light[k, : len(whole)]
+        weighted = light[k, len(whole) :] * chosen.weight
+        mixed = np.bincount(chosen.owner, weighted, len(rest)).astype(np.float32)
+        mixed[open_to] += floor.light[k] * free
+        flat[rest] = mixed
+
+
+class _Chosen(NamedTuple):
+    """The samples that are shaded: one for each whole pixel, then those of the others."""
+
+    whole: Indices  # (w,) pixels that show one smooth face
+    rest: Indices  # (r,) other pixels
+    owner: Indices  # (k,) in `rest`, of the samples of these
+    shown: Indices  # (w + k,) samples whose triangles are shaded
+    place: Array32  # (2, w + k) column and row where, in samples
+    weight: Array32  # (k,)
+
+
+def _chosen(solid: Numbers, keep: Array32, wanted: Mask, n: int) -> _Chosen:
+    """Choose samples of wanted pixels from the solids and outlines of all samples."""
+    first = solid[::n, ::n]
+    same = wanted & (first != NO_SOLID)
+    plain = keep == 1
+    for i in range(n):
+        for j in range(n):
+            same &= (solid[i::n, j::n] == first) & plain[i::n, j::n]
+    whole, rest = np.flatnonzero(same), np.flatnonzero(wanted & ~same)
+    width, columns = solid.shape[1], wanted.shape[1]
+    begin = whole // columns * (n * width) + whole % columns * n
+    corners = np.array([[i * width + j] for i in range(n) for j in range(n)])
+    index = rest // columns * (n * width) + rest % columns * n + corners
+    owners = solid.reshape(-1)[index]
+    sample, owner = np.nonzero(owners != NO_SOLID)
+    others = index[sample, owner]
+    at = np.concatenate([begin, others])
+    place = np.empty((2, len(at)), np.float32)
+    place[0], place[1] = at % width, at // width
+    place[:, : len(whole)] += n / 2
+    place[:, len(whole) :] += 0.5
+    return _Chosen(whole, rest, owner, at, place, keep.take(others) * np.float32(1 / n**2))
+
+
+def _shaded(
+    screen: Screen, shown: Shown, triangle: Numbers, place: Array32
+) -> tuple[Array32, Array32]:
+    """Return light and place in the sun's frame of samples, each of shape (3, n).
+
+    Places on the screen are column and row in samples, shape (2, n).
+    """
+    width, height = screen.width * screen.samples, screen.height * screen.samples
+    focal = focal_length(screen.camera, height)
+    to_sun = SUN_FRAME @ screen.camera.axes().T  # of right, down, forward of the camera
+    slants = (to_sun[:, :2] / focal).astype(np.float32)
+    middle = to_sun @ (-width / 2 / focal, -height / 2 / focal, 1.0)
+    eye = SUN_FRAME @ screen.camera.eye
+    planes = shown.seen.planes.take(triangle, axis=2)
+    facing = planes[:, 0]
+    facing *= place[0]
+    facing += planes[:, 1] * place[1]
+    facing += planes[:, 2]
+    near, normal = facing[3], facing[:3]
+    normal *= 1 / np.sqrt(np.einsum("ij,ij->j", normal, normal))
+    ray = slants @ place
+    ray += middle.astype(np.float32)[:, None]
+    before = ray / near
+    before += normal * np.float32(OFFSET_M)
+    before += eye.astype(np.float32)[:, None]
+    ray *= -1 / np.sqrt(np.einsum("ij,ij->j", ray, ray))
+    color = shown.colors.take(shown.seen.solid.take(triangle), axis=1)
+    return shade(color, normal, ray, sunlight(shown.shadows, before)), before
