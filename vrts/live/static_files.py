@@ -9,7 +9,7 @@ from typing import Final, NamedTuple
 from starlette.requests import Request
 from starlette.responses import Response
 
-from vrts.web.assets import served
+from vrts.web.assets import served, served_page
 
 TYPES: Final = {
     "css": "text/css; charset=utf-8",
@@ -68,8 +68,15 @@ class StaticFiles:
         return self._contents[path]
 
     def _read(self, path: str) -> Content:
-        plain = served(path).encode() if path.endswith(".js") else self._files[path].read_bytes()
-        return content(plain, TYPES[path.rsplit(".", 1)[-1]])
+        kind = path.rsplit(".", 1)[-1]
+        match kind:
+            case "js":
+                plain = served(path).encode()
+            case "html":
+                plain = served_page(path).encode()
+            case _:
+                plain = self._files[path].read_bytes()
+        return content(plain, TYPES[kind])
 
 
 def _listed(folder: Traversable, prefix: str) -> list[tuple[str, Traversable]]:

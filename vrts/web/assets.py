@@ -15,6 +15,7 @@ THREE = "vendor/three/three.module.min.js"
 BARE = {"three": THREE}
 
 _IMPORT = re.compile(r"""(\bfrom\s*|\bimport\s*)(["'])(three|\.{1,2}/[^"'\n]+)\2""")
+_SCRIPT = re.compile(r"""<script type="module" src="/web/([^"]+)">""")
 
 
 @cache
@@ -67,6 +68,19 @@ def _target(path: str, specifier: str) -> str:
     if specifier in BARE:
         return BARE[specifier]
     return posixpath.normpath(posixpath.join(posixpath.dirname(path), specifier))
+
+
+def served_page(path: str) -> str:
+    """Return a page as a server sends it: it names all that its modules need.
+
+    A browser asks for all of it at once then; it would find the imports of imports only when it has
+    read them, a round at a time.
+    """
+    text = asset(path)
+    entries = (match[1] for match in _SCRIPT.finditer(text))
+    needed = dict.fromkeys(module for entry in entries for module in closure(entry))
+    links = (f'  <link rel="modulepreload" href="/web/{module}">\n' for module in needed)
+    return text.replace("</head>", f"{''.join(links)}</head>", 1)
 
 
 def served(path: str) -> str:

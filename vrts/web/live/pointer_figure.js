@@ -42,8 +42,8 @@ class EndFrame extends Group {
     this.square = drawn(new PlaneGeometry(0.062, 0.062), paint(BLUE, 0.28), 30);
     this.add(this.square, this.ball);
     this.add(arm(new Vector3(1, 0, 0), RED, 0.75), arm(new Vector3(0, 1, 0), GREEN, 0.75));
-    this.up = arm(new Vector3(0, 0, way), BLUE, 1);
-    this.add(this.up);
+    this.axis = arm(new Vector3(0, 0, way), BLUE, 1);
+    this.add(this.axis);
   }
 
   /** Return where the handle for the height is, in the world. */
@@ -76,6 +76,10 @@ export class PointerFigure extends Group {
     this.data = data;
     /** @type {MeshBasicMaterial[]} */
     this.tinted = [];
+    /** @type {{side: number, made: Group}[]} */
+    this.fingers = [];
+    /** @type {Mesh[]} */
+    this.knobs = [];
     this.ghost = this.makeGhost();
     this.shaft = drawn(new CylinderGeometry(0.0042, 0.0042, 1, 14), this.tint(0.95), 29);
     this.head = drawn(new ConeGeometry(0.0135, 0.04, 24), this.tint(1), 29);
@@ -157,7 +161,7 @@ export class PointerFigure extends Group {
     this.ring.quaternion.copy(new Quaternion().setFromRotationMatrix(new Matrix4().fromArray(Array.from(X))));
     this.tip.way = ahead.z > 0.3 ? 1 : -1;
     this.base.way = -this.tip.way;
-    for (const end of [this.base, this.tip]) end.up.quaternion.setFromUnitVectors(UP, new Vector3(0, 0, end.way));
+    for (const end of [this.base, this.tip]) end.axis.quaternion.setFromUnitVectors(UP, new Vector3(0, 0, end.way));
     this.dropPlumb(pose.point);
   }
 
@@ -182,12 +186,15 @@ export class PointerFigure extends Group {
     this.outline?.color.copy(color);
   }
 
-  /** Keep the handles as large as they look, whatever the distance. */
+  /**
+   * Keep the handles as large as they look, whatever the distance.
+   * @override
+   */
   updateMatrixWorld(/** @type {boolean} */ force) {
     const eye = this.camera.position;
     for (const end of [this.base, this.tip]) end.scale.setScalar(0.6 * eye.distanceTo(end.position));
     const share = 0.6 * eye.distanceTo(this.ring.position);
-    for (const knob of this.knobs ?? []) knob.scale.setScalar(share);
+    for (const knob of this.knobs) knob.scale.setScalar(share);
     super.updateMatrixWorld(force);
   }
 

@@ -4,7 +4,8 @@ import { armFrames } from "../viewer/kinematics.js";
 import { Viewer } from "../viewer/viewer.js";
 import { Bodies } from "./bodies.js";
 import { make } from "./dom.js";
-import { look, theme } from "./world.js";
+import { theme } from "./themes.js";
+import { look } from "./world.js";
 
 const MOST_VIEWERS = 6; // browsers allow a limited number of WebGL contexts
 

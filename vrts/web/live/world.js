@@ -4,11 +4,12 @@ import { armFrames } from "../viewer/kinematics.js";
 import { compose, identity, poseFrom } from "../viewer/poses.js";
 import { Viewer } from "../viewer/viewer.js";
 import { Motion } from "./motion.js";
+import { onTheme, theme } from "./themes.js";
 
 const AFTERGLOW = 1.5; // how long a contact stays lit [s]
+const LATER = 2_000; // after the first picture reflections are worked out [ms]
 const FARTHER = 1.42; // times
 const RAISED = 0.42; // by which the overview looks higher than the reports' [m]
-const dark = window.matchMedia("(prefers-color-scheme: dark)");
 
 /** @typedef {import("../viewer/replay.js").State} State */
 /** @typedef {import("../viewer/viewer.js").SceneData} SceneData */
@@ -35,7 +36,7 @@ export class World {
     /** @type {((viewer: Viewer | null) => void)[]} */
     this.sceneWatchers = [];
     this.url = "";
-    dark.addEventListener("change", () => this.viewer?.setTheme(theme()));
+    onTheme(() => this.viewer?.setTheme(theme()));
     const tick = () => {
       this.tick(performance.now() / 1000);
       requestAnimationFrame(tick);
@@ -69,8 +70,10 @@ export class World {
       this.canvas.replaceWith(fresh);
       this.canvas = fresh;
     }
-    this.viewer = new Viewer(this.canvas, data, theme());
+    const viewer = new Viewer(this.canvas, data, theme(), { reflections: false });
+    this.viewer = viewer;
     this.state = null;
+    window.setTimeout(() => this.viewer === viewer && viewer.reflect(), LATER);
     look(this.viewer, "overview");
     for (const tell of this.sceneWatchers) tell(this.viewer);
   }
@@ -150,9 +153,4 @@ export function look(viewer, name) {
   viewer.controls.target.z += RAISED;
   viewer.camera.position.z += RAISED;
   viewer.zoom(FARTHER);
-}
-
-/** @returns {"dark"|"light"} */
-export function theme() {
-  return dark.matches ? "dark" : "light";
 }

@@ -39,6 +39,8 @@ export const VIEWS = {
 /** @typedef {{bodies: string[], robot: boolean, point: number[] | null}} Mark what touches */
 
 const CLOSE = [0.62, -0.62, 0.36]; // from a contact to the eye that looks at it [m]
+const SOFT_REFLECTING = 0.3; // light from all sides beside what materials reflect
+const SOFT_ALONE = 2.2; // in place of it
 const RED = 0xe5322d;
 const YELLOW = 0xffd43b;
 const GREEN = 0x2f9e44;
@@ -50,8 +52,9 @@ export class Viewer {
    * @param {HTMLCanvasElement} canvas
    * @param {SceneData} data
    * @param {keyof typeof THEMES} theme
+   * @param {{reflections?: boolean}} options without reflections the first picture comes sooner; `reflect` adds them
    */
-  constructor(canvas, data, theme) {
+  constructor(canvas, data, theme, { reflections = true } = {}) {
     this.canvas = canvas;
     this.data = data;
     this.renderer = new WebGLRenderer({ canvas, antialias: true });
@@ -87,6 +90,7 @@ export class Viewer {
     this.scene.add(this.goals, this.contact);
     this.highlighted = "";
     this.light();
+    if (reflections) this.reflect();
     this.setTheme(theme);
     this.look("overview");
     this.watch = new ResizeObserver(() => this.resize());
@@ -94,8 +98,9 @@ export class Viewer {
     this.resize();
   }
 
-  /** Lights that do not depend on the theme: a soft room to reflect, and a sun with shadow. */
-  light() {
+  /** Let materials reflect a soft room. Half of the work of a first picture where no GPU helps. */
+  reflect() {
+    if (this.scene.environment) return;
     const room = new Scene();
     room.add(new Mesh(new BoxGeometry(10, 10, 6), new MeshBasicMaterial({ color: 0x70757c, side: BackSide })));
     for (const [x, y, z, w, d, h, glow] of [[0, 0, 2.9, 4, 4, 0.1, 6], [4.8, 2, 1, 0.1, 3, 2.5, 5], [-3, -4.8, 1.5, 4, 0.1, 2, 4]]) {
@@ -106,6 +111,12 @@ export class Viewer {
     const maker = new PMREMGenerator(this.renderer);
     this.scene.environment = maker.fromScene(room, 0, 0.1, 100, { size: 64 }).texture;
     maker.dispose();
+    if (this.soft) this.soft.intensity = SOFT_REFLECTING;
+    this.requestDraw();
+  }
+
+  /** Lights that do not depend on the theme: a sun with shadow, and the sky. */
+  light() {
     this.sun = new DirectionalLight(0xfff4e6, 2);
     this.sun.position.set(1.6, -2.2, 4.2);
     this.sun.target.position.set(0.5, 0, -0.6);
@@ -114,8 +125,8 @@ export class Viewer {
     Object.assign(this.sun.shadow.camera, { left: -2.4, right: 2.4, top: 2.4, bottom: -2.4, near: 0.5, far: 9 });
     this.sun.shadow.normalBias = 0.012;
     this.sun.shadow.radius = 2.5;
-    
-    this.scene.add(this.sun, this.sun.target, new HemisphereLight(0xffffff, 0xb9a98f, 0.3));
+    this.soft = new HemisphereLight(0xffffff, 0xb9a98f, SOFT_ALONE);
+    this.scene.add(this.sun, this.sun.target, this.soft);
   }
 
   /** @param {keyof typeof THEMES} theme */

@@ -2,6 +2,7 @@
 
 import { byId, make, write } from "../dom.js";
 import { mountOverlay } from "../panels/overlay.js";
+import { mountSettings } from "../panels/settings.js";
 import { mountStatus } from "../panels/status.js";
 import { mountViews } from "../panels/views.js";
 import { started } from "./room.js";
@@ -14,6 +15,7 @@ export function showProjector(me) {
   app.store.set({ name: me.name, supervisor: me.supervisor });
   mountOverlay(app);
   mountStatus(app);
+  mountSettings(app);
   mountViews(app);
   const title = byId("room-name");
   const operator = byId("turn");

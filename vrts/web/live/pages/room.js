@@ -18,13 +18,11 @@ import { mountPendant } from "../panels/pendant.js";
 import { mountPeople } from "../panels/people.js";
 import { mountPointing } from "../panels/pointing.js";
 import { mountPrograms } from "../panels/programs.js";
+import { mountSettings, wantedRate } from "../panels/settings.js";
 import { mountStatus } from "../panels/status.js";
 import { mountTabs } from "../panels/tabs.js";
 import { mountTop } from "../panels/top.js";
 import { mountViews } from "../panels/views.js";
-
-const PHONE = window.matchMedia("(max-width: 700px) and (orientation: portrait)");
-const PHONE_RATE = 15; // frames a second
 
 /**
  * @typedef {object} App what panels work with
@@ -57,6 +55,7 @@ export function showRoom(me, wanted) {
   mountChat(app);
   mountPeople(app);
   mountLead(app);
+  mountSettings(app);
   bindKeys(app);
 }
 
@@ -92,8 +91,7 @@ export function started(room, follow) {
     act: (action) => void command(action).catch((error) => toasts.warn(error.message)),
     panic: () => connection.send("panic") || toasts.warn("there is no connection: the arm cannot be stopped from here"),
   };
-  connection.rate = PHONE.matches ? PHONE_RATE : connection.rate;
-  PHONE.addEventListener("change", () => connection.setRate(PHONE.matches ? PHONE_RATE : 50));
+  connection.rate = wantedRate();
   store.on(["sceneUrl"], ({ sceneUrl }) => {
     byId("no-scene").hidden = Boolean(sceneUrl);
     world.load(sceneUrl).catch((error) => noView(error, toasts));
