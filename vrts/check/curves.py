@@ -19,6 +19,7 @@ from vrts.engine.records import COORDINATES, Segment
 Array: TypeAlias = npt.NDArray[np.float64]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
+ALL = slice(None)  # coordinates
 VELOCITY_JUMP = 1e-6  # [rad/s, m/s] a larger step between pieces is a jump
 
 
@@ -66,14 +67,14 @@ class Curves:
         """Return the piece that holds each time: the later one at a joint, the nearest outside."""
         return np.maximum(np.searchsorted(self.starts, t, side="right") - 1, 0)
 
-    def values(self, t: Array) -> Array:
-        """Return the coordinates, shape (m, 7), at times of shape (m,). Constant outside."""
+    def values(self, t: Array, which: slice = ALL) -> Array:
+        """Return coordinates, shape (m, 7) or fewer, at times of shape (m,). Constant outside."""
         at = self.piece_at(t)
         u = self._local(at, t)
-        found = _values(self.powers[at], u[:, None])
-        if self.high is not None:
-            rows, high = self._high(at)
-            found[rows] = self.high.value.at(high, u[rows])
+        found = _values(self.powers[:, which][at], u[:, None])
+        rows, high = self._high(at)
+        if self.high is not None and len(rows):
+            found[rows] = self.high.value.at(high, u[rows])[:, which]
         return found
 
     def velocities(self, t: Array) -> Array:
@@ -120,6 +121,35 @@ class Curves:
             a[between] = np.maximum(a[between], inner)
         return _as_spread(a)
 
+    def turn(self, start: Array, middle: Array, end: Array, which: slice) -> Array:
+        """Return how far coordinates are from where they are at middles at most, shape (m, k).
+
+        Args:
+            start: Starts of intervals, shape (m,), in s.
+            middle: Instants within them.
+            end: Their ends.
+            which: Of the seven coordinates; fewer are less work.
+        """
+        values = self.values(middle, which)
+        lower, upper = self._range(start, end, which)
+        return np.maximum(upper - values, values - lower)
+
+    def _range(self, t0: Array, t1: Array, which: slice) -> tuple[Array, Array]:
+        """Return the smallest and the largest values over intervals, both (m, k); see `spread`."""
+        at = self.piece_at(t0)
+        ends = self.ends[at]
+        whole = np.array_equal(t0, self.starts[at]) and np.array_equal(t1, ends)
+        if whole or (t1 > ends).any():
+            spread = self.spread(t0, t1)
+            return spread.lower[:, which], spread.upper[:, which]
+        u0, u1 = self._local(at, t0), self._local(at, t1)
+        lower, upper = self._range_of_cubics(self.powers[:, which][at], at, u0, u1, which)
+        rows, high = self._high(at)
+        if self.high is not None and len(rows):
+            low, most = self.high.value.range(high, u0[rows], u1[rows])
+            lower[rows], upper[rows] = low[:, which], most[:, which]
+        return lower, upper
+
     def _local(self, at: Indices, t: Array) -> Array:
         """Return times since the start of pieces, kept inside them."""
         start = self.starts[at]
@@ -133,39 +163,49 @@ class Curves:
 
     def _velocities(self, at: Indices, u: Array) -> Array:
         found = _velocities(self.powers[at], u[:, None])
-        if self.high is not None:
-            rows, high = self._high(at)
+        rows, high = self._high(at)
+        if self.high is not None and len(rows):
             found[rows] = self.high.velocity.at(high, u[rows])
         return found
 
     def _within(self, at: Indices, u0: Array, u1: Array) -> Array:
         """Return [upper, -lower, speed, acceleration], (m, 28), over parts of single pieces."""
         found = self._within_cubics(at, u0, u1)
-        if self.high is not None:
-            rows, high = self._high(at)
+        rows, high = self._high(at)
+        if self.high is not None and len(rows):
             found[rows] = self.high.within(high, u0[rows], u1[rows])
         return found
 
     def _within_cubics(self, at: Indices, u0: Array, u1: Array) -> Array:
         powers = self.powers[at]
-        a, b = u0[:, None], u1[:, None]
-        at_a, at_b = _values(powers, a), _values(powers, b)
-        upper, lower = np.maximum(at_a, at_b), np.minimum(at_a, at_b)
-        turns, values = self.turns[at], self.turn_values[at]
-        inside = (turns > a[:, :, None]) & (turns < b[:, :, None])
-        if inside.any():
-            upper = np.maximum(upper, np.where(inside, values, -np.inf).max(axis=2))
-            lower = np.minimum(lower, np.where(inside, values, np.inf).min(axis=2))
-        speed = np.maximum(np.abs(_velocities(powers, a)), np.abs(_velocities(powers, b)))
+        found = np.empty((len(at), 4 * COORDINATES))
+        upper, lower, speed, acceleration = np.split(found, 4, axis=1)
+        lower[:], upper[:] = self._range_of_cubics(powers, at, u0, u1, ALL)
+        np.negative(lower, out=lower)
+        ends = np.stack([u0, u1])[:, :, None]
+        np.abs(_velocities(powers, ends)).max(axis=0, out=speed)
         bends = self.bends[at]
-        inside = (bends > a) & (bends < b)
+        inside = (bends > ends[0]) & (bends < ends[1])
         if inside.any():
-            speed = np.maximum(speed, np.where(inside, self.bend_speeds[at], 0.0))
-        acceleration = np.maximum(
-            np.abs(2.0 * powers[:, :, 2] + 6.0 * powers[:, :, 3] * a),
-            np.abs(2.0 * powers[:, :, 2] + 6.0 * powers[:, :, 3] * b),
-        )
-        return np.concatenate([upper, -lower, speed, acceleration], axis=1)
+            np.maximum(speed, np.where(inside, self.bend_speeds[at], 0.0), out=speed)
+        np.abs(_accelerations(powers, ends)).max(axis=0, out=acceleration)
+        return found
+
+    def _range_of_cubics(
+        self, powers: Array, at: Indices, u0: Array, u1: Array, which: slice
+    ) -> tuple[Array, Array]:
+        """Return the smallest and the largest values over parts of single pieces, both (m, k)."""
+        at_ends = _values(powers, np.stack([u0, u1])[:, :, None])
+        lower, upper = np.minimum(*at_ends), np.maximum(*at_ends)
+        turns = self.turns[:, which][at]
+        inside = (turns > u0[:, None, None]) & (turns < u1[:, None, None])
+        if inside.any():
+            values = self.turn_values[:, which][at]
+            for turn in range(2):
+                now, value = inside[:, :, turn], values[:, :, turn]
+                lower = np.minimum(lower, np.where(now, value, np.inf))
+                upper = np.maximum(upper, np.where(now, value, -np.inf))
+        return lower, upper
 
 
 def curves(segments: Sequence[Segment]) -> Curves:
@@ -231,6 +271,10 @@ def _values(powers: Array, u: Array) -> Array:
 
 def _velocities(powers: Array, u: Array) -> Array:
     return powers[..., 1] + u * (2.0 * powers[..., 2] + u * 3.0 * powers[..., 3])
+
+
+def _accelerations(powers: Array, u: Array) -> Array:
+    return 2.0 * powers[..., 2] + 6.0 * powers[..., 3] * u
 
 
 def _roots(c: Array, b: Array, a: Array) -> Array:

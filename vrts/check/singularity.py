@@ -107,10 +107,12 @@ def in_words(keeps: Keeps, distance: float) -> str:
 
 
 def _angle(joint: int, zero: float, motion: Curves) -> Quantity:
+    this = slice(joint, joint + 1)
+
     def near(start: Array, middle: Array, end: Array) -> tuple[Array, Array]:
-        away = motion.values(middle)[:, joint] - zero
+        away = motion.values(middle, this)[:, 0] - zero
         found = -np.abs(away - np.pi * np.round(away / np.pi))
-        return found, np.minimum(found + turning(motion, start, middle, end)[:, joint], 0.0)
+        return found, np.minimum(found + motion.turn(start, middle, end, this)[:, 0], 0.0)
 
     return near
 
@@ -118,13 +120,14 @@ def _angle(joint: int, zero: float, motion: Curves) -> Quantity:
 def _shoulder(arm: SphericalWristArm, motion: Curves) -> Quantity:
     forearm = math.hypot(arm.a3, arm.d4)
     reach = np.array((arm.a2 + forearm, forearm))  # of the wrist from the axes of joints 2 and 3
+    these = slice(1, 3)
 
     def near(start: Array, middle: Array, end: Array) -> tuple[Array, Array]:
-        values = motion.values(middle)
-        q2, q23 = values[:, 1], values[:, 1] + values[:, 2]
+        values = motion.values(middle, these)
+        q2, q23 = values[:, 0], values[:, 0] + values[:, 1]
         out = arm.a2 * np.cos(q2) + arm.a3 * np.cos(q23) + arm.d4 * np.sin(q23)
         found = -np.abs(out)
-        turn = turning(motion, start, middle, end)[:, 1:3]
+        turn = motion.turn(start, middle, end, these)
         return found, np.minimum(found + turn @ reach, 0.0)
 
     return near

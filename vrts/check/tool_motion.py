@@ -23,9 +23,7 @@ Bounded: TypeAlias = Callable[[Array, Array, Array], tuple[Array, Array]]
 
 def turning(motion: Curves, start: Array, middle: Array, end: Array) -> Array:
     """Return how far each joint is from where it is at middles at most, (m, 6) [rad]."""
-    values = motion.values(middle)
-    spread = motion.spread(start, end)
-    return np.maximum(spread.upper - values, values - spread.lower)[:, :6]
+    return motion.turn(start, middle, end, slice(0, 6))
 
 
 def tips(scene: Scene, motion: Curves, t: Array) -> Array:

@@ -22,6 +22,7 @@ from vrts.marking.supervise.limits import Limits, impose
 LOG = "child.log"
 FAILED, NO_MEMORY = 70, 71  # exit statuses
 _CHUNK = 1 << 16
+_SELDOM = 100_000  # objects made, and not yet gone, between looks for rings of dead ones
 _PR_SET_PDEATHSIG = 1  # [linux/prctl.h]
 
 
@@ -123,6 +124,7 @@ def _be_child(
         _redirect(log, out)
         impose(limits)
         faulthandler.enable(2)
+        gc.set_threshold(_SELDOM)
         data = work()
         while data:
             data = data[os.write(out, data) :]
