@@ -19,8 +19,6 @@ Examples:
   vrts grade intake submissions/ --program pick -o intake.csv
 """
 
-TABLE = "intake.csv"
-
 
 @click.command(name="intake", epilog=EPILOG)
 @click.argument("place", type=click.Path(path_type=Path))
@@ -61,16 +59,19 @@ def command(
     """Tell who handed in which program in PLACE, and what is wrong.
 
     PLACE is a folder or a zip: a download of Moodle, Canvas or Gradescope, a folder for each
-    student, or files side by side. Writes intake.csv beside it (with -o elsewhere), which may be
-    edited: another file, another id, an own deadline in `due`, `excused` as the problem; `vrts
-    grade` obeys it. Exit status 1 when a row has a problem.
+    student, or files side by side. Writes intake.csv into a folder or beside a zip (with -o
+    elsewhere), which may be edited: another file, another id, an own deadline in `due`, `excused`
+    as the problem; `vrts grade` obeys it. Its column `download` tells of which download it is:
+    where there is one of another, it is called NAME-intake.csv. Exit status 1 when a row has a
+    problem.
     """
     from vrts.marking.intake.intake_table import write_rows
+    from vrts.marking.intake.own_table import place_of_table
     from vrts.marking.intake.roster import read_roster
     from vrts.marking.intake.take_in import take_in
     from vrts.pipeline.files import read_bytes
 
-    table = target or (place / TABLE if place.is_dir() else place.parent / TABLE)
+    table = target or place_of_table(place)
     if table.exists() and not force:
         fail(f"`{table}` is there already", ("`--force` writes it anew; edits in it are lost",))
     asked = _task(task)
@@ -87,10 +88,11 @@ def command(
     wanted = program or (None if asked is None else asked.program)
     intake = take_in(place, program=wanted, zone=times, roster=roster)
     out(_text(intake))
-    write_file(table, write_rows(intake.rows, delimiter))
+    write_file(table, write_rows(intake.rows, delimiter, place.absolute().name))
     for remark in intake.remarks:
         say(f"note: {remark}")
-    say(f"wrote {table}")
+    obeys = f"vrts grade {task or 'TASK'} {place}{'' if target is None else f' --intake {table}'}"
+    say(f"wrote {table}: change what is not right, and `{obeys}` obeys it")
     sys.exit(WRONG if any(row.problem for row in intake.rows) else HOLDS)
 
 

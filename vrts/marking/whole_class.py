@@ -14,8 +14,8 @@ from vrts.marking.about import NAME as ABOUT
 from vrts.marking.about import from_bytes as about_from_bytes
 from vrts.marking.class_marks import Mark, class_row, entries, with_best_attempts
 from vrts.marking.intake.edited_table import read_rows
-from vrts.marking.intake.intake_table import NAME as TABLE
 from vrts.marking.intake.intake_table import write_rows
+from vrts.marking.intake.own_table import OwnTable, own_table, remark_on
 from vrts.marking.intake.roster import read_roster
 from vrts.marking.intake.row import Intake
 from vrts.marking.intake.row import Row as Found
@@ -40,7 +40,7 @@ class HowTo(NamedTuple):
 
     jobs: int = 1
     again: bool = False  # also what is marked already
-    table: Path | None = None  # intake.csv as edited; None: the one in the folder, if there is one
+    table: Path | None = None  # intake.csv as edited; None: that of the download, if there is one
     backend: Backend | None = None  # a cluster; None: this machine
     roster: Path | None = None  # the class, as Moodle or Canvas export it
     zone: tzinfo | None = None  # of times without one; None: that of the task's deadline
@@ -111,7 +111,7 @@ def mark_whole_class(
                 staging=Path(staging),
             )
 
-        table = table_for(submissions, layout, how)
+        table, about_table = table_for(submissions, tree, layout, how)
         found, remarks, warnings = take_in_class(
             task, tree, table, lambda asked: mark(asked, None, None), how
         )
@@ -120,8 +120,8 @@ def mark_whole_class(
             key = key_for(layout)
             tree, found = pseudonymised(tree, named, key)
         if not found:
-            what = "the files" if not isinstance(submissions, Path) else f"`{submissions.name}`"
-            raise CannotRead(f"nothing was handed in: {what} holds no program", remarks)
+            what = f"`{_name(submissions)}` holds" if _name(submissions) else "the files hold"
+            raise CannotRead(f"nothing was handed in: {what} no program", remarks)
         names = [row.identifier for row in found]
         changes = NONE if layout is None else load_overrides(layout.overrides, names)
         begun(names)
@@ -133,7 +133,10 @@ def mark_whole_class(
             done[name] = one
             rows[name] = with_change(class_row(by_name[name], one.result, task.late), changes)
             told(one, rows[name])
-    written = write_rows(found) if key is None else names_table(named, key)
+    if key is None:
+        written = write_rows(found, download=_name(submissions))
+    else:
+        written = names_table(named, key)
     if layout is not None and key is not None:
         write_names(layout, written)
     elif layout is not None and table != layout.intake:
@@ -141,7 +144,7 @@ def mark_whole_class(
     return Marked(
         Class("vrts.class/1", task.title, tuple(rows[row.identifier] for row in found)),
         tuple(done[row.identifier] for row in found),
-        remarks,
+        (*about_table, *remarks),
         (*warnings, *said, *changes.diagnostics),
         "" if table is not None else sha256(written).hexdigest(),
         {row.identifier: row.group for row in found},
@@ -181,18 +184,29 @@ def take_in_class(
     return TakenIn(found, intake.remarks, warnings)
 
 
-def table_for(submissions: Path | Sequence[Path], layout: Layout | None, how: HowTo) -> Path | None:
-    """Return the edited table: the one given, beside the download, or of an earlier marking."""
-    if how.table is not None:
-        return how.table
+def table_for(
+    submissions: Path | Sequence[Path], tree: Tree, layout: Layout | None, how: HowTo
+) -> OwnTable:
+    """Return the edited table: the one given, that of the download, or of an earlier marking.
+
+    Raises:
+        CannotRead: It cannot be read.
+    """
     if not isinstance(submissions, Path):
-        return None
-    home = submissions if submissions.is_dir() else submissions.parent
-    places = [home / TABLE]
-    if layout is not None:
+        return OwnTable(how.table)
+    if how.table is not None:
+        return OwnTable(how.table, remark_on(how.table, submissions))
+    found = own_table(submissions, tree)
+    if found.path is None and layout is not None:
         own = layout.staff / NAMES if how.pseudonyms else layout.intake
-        places += [own] if _edited(layout, own) else []
-    return next((place for place in places if place.is_file()), None)
+        if own.is_file() and _edited(layout, own):
+            return found._replace(path=own)
+    return found
+
+
+def _name(submissions: Path | Sequence[Path]) -> str:
+    """Return the name of a download; files named one by one have none."""
+    return submissions.absolute().name if isinstance(submissions, Path) else ""
 
 
 def _edited(layout: Layout, table: Path) -> bool:

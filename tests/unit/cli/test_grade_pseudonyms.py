@@ -1,5 +1,6 @@
 """`vrts grade --pseudonyms`: no name in any file but one, also when the class is marked again."""
 
+import csv
 import shutil
 from pathlib import Path
 
@@ -67,11 +68,12 @@ def test_no_name_is_anywhere_but_in_one_table(out: Path) -> None:
 def test_marks_are_those_of_the_same_programs(out: Path) -> None:
     layout = Layout(out)
     rows = {row.id: row for row in class_from_bytes(layout.results.read_bytes()).rows}
-    lines = (out / "staff" / NAMES).read_text("utf-8-sig").splitlines()[1:]
-    ids = {line.split(",")[2].strip('"'): line.split(",")[0] for line in lines if line.count(",")}
+    with (out / "staff" / NAMES).open(encoding="utf-8-sig", newline="") as file:
+        people = list(csv.DictReader(file))
+    ids = {line["name"]: line[COLUMN] for line in people}
     assert rows[ids["Annegret Bergmeister"]].final == 10.0
     assert rows[ids["Zoltán Kisfaludy"]].final not in (None, 10.0)
-    identifier = next(line.split(",")[1] for line in lines if "Bergmeister" in line)
+    identifier = next(line["id"] for line in people if "Bergmeister" in line["name"])
     assert pseudonym(identifier, key_for(layout)) == ids["Annegret Bergmeister"]
 
 

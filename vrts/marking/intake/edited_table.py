@@ -6,11 +6,12 @@ from difflib import get_close_matches
 from typing import NamedTuple
 from unicodedata import normalize
 
-from vrts.base.diagnostic import Diagnostic, Label, Rule
+from vrts.base.diagnostic import Diagnostic, Label, Rule, error
 from vrts.base.safe_names import safe
 from vrts.base.source import Span
 from vrts.base.toml_problems import Problems
 from vrts.marking.intake.candidate import inspect
+from vrts.marking.intake.content import is_zip
 from vrts.marking.intake.file_names import same_name
 from vrts.marking.intake.intake_table import COLUMNS, NO, UNKNOWN_TIME, YES
 from vrts.marking.intake.row import Attempt, Intake, Kind, Platform, Problem, Row, Student
@@ -24,6 +25,7 @@ NOTHING_CHOSEN = Rule("V703", "nothing-chosen")
 INTAKE_PROBLEM = Rule("V704", "intake-problem")
 INTAKE_VALUE = Rule("V705", "intake-value")
 NOT_IN_TABLE = Rule("V706", "not-in-table")
+OTHER_DOWNLOAD = Rule("V790", "table-of-another-download")
 
 REQUIRED = ("id", "file", "problem")
 LARGEST = 16_000_000  # bytes of a table
@@ -53,17 +55,24 @@ def read_rows(data: bytes, name: str, tree: Tree, fresh: Intake) -> EditedTable:
     lines = table(source, COLUMNS)
     columns = [cell.text.strip().casefold() for cell in lines[0]] if lines else []
     lacking = [column for column in REQUIRED if column not in columns]
+    if is_zip(data):
+        workbook = f"`{name}` is a workbook, and no table of text"
+        problems.error(INTAKE_TABLE, workbook, None, help=("save it as `CSV UTF-8`",))
+        return EditedTable(None, problems.in_order())
     if lacking or len(data) > LARGEST:
         names = ", ".join(f"`{column}`" for column in lacking)
         problems.error(
             INTAKE_TABLE,
             f"`{name}` has no column {names}" if lacking else f"`{name}` is too large",
             Span(source, 0, len(source.line_text(1))) if lacking else None,
-            help=("`vrts grade intake` writes the table anew",),
+            help=("save it as `CSV UTF-8`, with the names of the columns in the first line",),
         )
         return EditedTable(None, problems.in_order())
     reader = _Reader(problems, tree, columns)
     rows = tuple(row for line in lines[1:] if (row := reader.row(line)) is not None)
+    if reader.is_of_another():
+        return EditedTable(None, (_of_another(name, len(reader.missing), lines[0][0].span),))
+    reader.tell_missing()
     more = _unlisted(rows, fresh)
     if more:
         _tell(problems, more, lines[0][0].span)
@@ -78,6 +87,8 @@ class _Reader:
         self._tree = tree
         self._columns = columns
         self._taken: dict[str, Span] = {}  # identifiers
+        self._there = 0  # files that rows name, and that are in the download
+        self.missing: list[tuple[str, Span]] = []  # those that are not
 
     def row(self, line: Sequence[Cell]) -> Row | None:
         cells = dict(zip(self._columns, line, strict=False))
@@ -145,9 +156,20 @@ class _Reader:
             return None, None
         candidate = inspect(self._tree, name) or inspect(self._tree, name.strip())
         if candidate is None:
-            self._no_file(name, cell.span)
+            self.missing.append((name, cell.span))
             return None, None
+        self._there += 1
         return candidate.file, candidate.problem
+
+    def is_of_another(self) -> bool:
+        """Return whether no file that rows name is in the download, and not for lost letters."""
+        lost = any("?" in name or "�" in name for name, _ in self.missing)
+        return len(self.missing) > 1 and not self._there and not lost
+
+    def tell_missing(self) -> None:
+        """Report the files that are not in the download."""
+        for name, span in self.missing:
+            self._no_file(name, span)
 
     def _no_file(self, name: str, span: Span) -> None:
         close = get_close_matches(name, self._tree.files, 1, 0.6)
@@ -240,6 +262,12 @@ class _Reader:
         self, cell: Cell, headline: str, remedy: str = "write such as 2026-11-30T23:59:00+01:00"
     ) -> None:
         self._problems.error(INTAKE_VALUE, headline, cell.span, help=(remedy,))
+
+
+def _of_another(name: str, count: int, span: Span) -> Diagnostic:
+    headline = f"`{name}` is not about this download: none of its {count} files is in it"
+    remedies = ("name the right table with `--intake`", "without a table all is taken as found")
+    return error(OTHER_DOWNLOAD, headline, Label(span), help=remedies)
 
 
 def _unlisted(rows: tuple[Row, ...], fresh: Intake) -> list[Row]:

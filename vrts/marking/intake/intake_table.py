@@ -21,26 +21,28 @@ COLUMNS = (
     "group",
     "attempts",
     "others",
+    "download",
 )
 NAME = "intake.csv"
 YES, NO = "yes", "no"
 UNKNOWN_TIME = "-"
 
 
-def write_rows(rows: Iterable[Row], delimiter: str = ",") -> bytes:
+def write_rows(rows: Iterable[Row], delimiter: str = ",", download: str = "") -> bytes:
     """Return the table of rows, as spreadsheets read it: UTF-8 with its mark, RFC 4180.
 
     Args:
         rows: Of the intake.
         delimiter: Between fields; spreadsheets of many languages want `;`.
+        download: Name of the file or folder that they are of.
     """
     lines = [delimiter.join(COLUMNS)]
-    lines += [delimiter.join(field(text) for text in _texts(row)) for row in rows]
+    lines += [delimiter.join(field(text) for text in (*_texts(row), download)) for row in rows]
     return BOM + "".join(f"{line}\r\n" for line in lines).encode()
 
 
 def _texts(row: Row) -> tuple[str, ...]:
-    """Return the fields of a row, in the order of the columns."""
+    """Return the fields of a row, in the order of the columns, up to the download."""
     student = row.student
     return (
         row.identifier,

@@ -10,6 +10,8 @@ from vrts.report.csv_field import FORMULA, FULL_WIDTH, TEXT_MARK, text_field
 DELIMITERS = (",", ";", "\t")
 BOM = b"\xef\xbb\xbf"  # without it Excel takes UTF-8 for the code page of the machine
 
+LOOK = 200  # bytes, to tell the encoding
+
 STARTS = (*FORMULA, *FULL_WIDTH)
 _MONTH = r"(?:jan|feb|m[aä]r|apr|ma[iy]|jun|jul|aug|sep|o[ck]t|nov|de[cz])[a-z.]*"
 _CONVERTED = re.compile(  # what a spreadsheet makes a number, a date or a truth value of
@@ -17,6 +19,7 @@ _CONVERTED = re.compile(  # what a spreadsheet makes a number, a date or a truth
     r"|true|false|wahr|falsch|vrai|faux",
     re.IGNORECASE,
 )
+_SEPARATOR = re.compile(r'"?sep=([,;\t|])"?\n', re.IGNORECASE)
 
 
 class Cell(NamedTuple):
@@ -27,9 +30,10 @@ class Cell(NamedTuple):
 
 
 def read_text(data: bytes, name: str) -> SourceFile:
-    """Return the text of a table: UTF-8, UTF-16 with its mark, else the code page of Windows."""
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        text = data.decode("utf-16", errors="replace")
+    """Return the text of a table: UTF-8, UTF-16, else the code page of Windows."""
+    wide = _utf16(data)
+    if wide is not None:
+        text = data.decode(wide, errors="replace")
     else:
         try:
             text = data.decode("utf-8-sig")
@@ -38,11 +42,27 @@ def read_text(data: bytes, name: str) -> SourceFile:
     return SourceFile(name, text.replace("\r\n", "\n").replace("\r", "\n"))
 
 
+def _utf16(data: bytes) -> str | None:
+    """Return which UTF-16 a text is in, by its mark or by the zeros of Latin letters."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "utf-16"
+    start = data[:LOOK]
+    low, high = start[::2].count(0), start[1::2].count(0)
+    if max(low, high) * 4 < len(start):
+        return None
+    return "utf-16-le" if high > low else "utf-16-be"
+
+
 def table(source: SourceFile, columns: Collection[str]) -> list[list[Cell]]:
     """Return the rows of a table, separated by whatever finds most of the columns, in lower case.
 
-    Where none finds any, by whatever finds most columns at all.
+    Where none finds any, by whatever finds most columns at all. A line that names the delimiter
+    for Excel, as `sep=;`, is obeyed.
     """
+    named = _SEPARATOR.match(source.text)
+    if named is not None:
+        rows = _rows(source, named[1], start=named.end())
+        return [row for row in rows if any(cell.text.strip() for cell in row)]
 
     def found(delimiter: str) -> tuple[int, int]:
         cells = [cell for row in _rows(source, delimiter, most=1) for cell in row]
@@ -52,8 +72,10 @@ def table(source: SourceFile, columns: Collection[str]) -> list[list[Cell]]:
     return [row for row in _rows(source, best) if any(cell.text.strip() for cell in row)]
 
 
-def _rows(source: SourceFile, delimiter: str, most: int = 1_000_000) -> list[list[Cell]]:
-    text, at = source.text, 0
+def _rows(
+    source: SourceFile, delimiter: str, most: int = 1_000_000, start: int = 0
+) -> list[list[Cell]]:
+    text, at = source.text, start
     rows: list[list[Cell]] = []
     while at < len(text) and len(rows) < most:
         row: list[Cell] = []

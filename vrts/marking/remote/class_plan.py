@@ -42,12 +42,13 @@ def plan_class(
     task = marker.whole.task
     assert task is not None
     with open_place(submissions) as tree, TemporaryDirectory(prefix="vrts-") as staging:
+        table = table_for(submissions, tree, None, how)
         taken = take_in_class(
             task,
             tree,
-            table_for(submissions, None, how),
+            table.path,
             lambda asked: mark_class(marker, asked, None, jobs=how.jobs, staging=Path(staging)),
             how,
         )
         plan = make_plan(marker, tuple(entries(tree, taken.rows)), shards)
-    return PlannedClass(plan, taken.remarks, taken.warnings)
+    return PlannedClass(plan, (*table.remarks, *taken.remarks), taken.warnings)

@@ -29,6 +29,7 @@ FILES = {
     "'t Hooft; Ö_104_assignsubmission_file_/pick.v2": PICK,
     "00123_105_assignsubmission_file_/": b"",
 }
+ONES = ("utf-8", "utf-8-sig", "cp1252")
 CET = timezone(timedelta(hours=1))
 
 
@@ -75,7 +76,7 @@ def test_a_table_of_attempts_and_times_comes_back(tmp_path: Path) -> None:
     assert read(place, write_rows(rows)) == (rows, ())
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
+@pytest.mark.parametrize("encoding", [*ONES, "utf-16", "utf-16-le", "utf-16-be"])
 @pytest.mark.parametrize("delimiter", [",", ";", "\t"])
 def test_a_table_may_be_saved_by_any_spreadsheet(
     place: Path, encoding: str, delimiter: str
@@ -85,6 +86,15 @@ def test_a_table_may_be_saved_by_any_spreadsheet(
     data = write_rows(rows).decode("utf-8-sig")
     csv.writer(text, delimiter=delimiter).writerows(csv.reader(io.StringIO(data, newline="")))
     assert read(place, text.getvalue().encode(encoding)) == (rows, ())
+    named = f"sep={delimiter}\r\n{text.getvalue()}"
+    assert read(place, named.encode(encoding)) == (rows, ())
+
+
+def test_a_workbook_is_named_as_one(place: Path) -> None:
+    rows, (found,) = read(place, zipped({"xl/workbook.xml": b"<x/>"}))
+    assert rows is None
+    assert found.headline == "`intake.csv` is a workbook, and no table of text"
+    assert found.help == ("save it as `CSV UTF-8`",)
 
 
 def test_no_field_is_a_formula_or_changed_by_a_spreadsheet(place: Path) -> None:
@@ -258,6 +268,20 @@ def test_close_names_and_lost_letters_are_told(place: Path) -> None:
         "letters were lost: save the table as `CSV UTF-8`",
         f"did you mean `{name.replace('?', 'Ö')}`?",
     )
+
+
+def test_a_table_of_another_download_is_told_once(place: Path) -> None:
+    header, row = line(file="x/a.v2").decode().splitlines()
+    other = row.replace("anna", "ben").replace("a.v2", "b.v2")
+    rows, (found,) = read(place, f"{header}\n{row}\n{other}\n".encode())
+    assert rows is None
+    assert found.rule.code == "V790"
+    assert found.headline == (
+        "`intake.csv` is not about this download: none of its 2 files is in it"
+    )
+    mine = row.replace("anna", "carl").replace("x/a.v2", f"{ANNA}/a.v2")
+    diagnostics = read(place, f"{header}\n{row}\n{other}\n{mine}\n".encode()).diagnostics
+    assert [d.rule.code for d in diagnostics if d.is_error] == ["V702", "V702"]
 
 
 def test_hand_ins_that_came_later_are_told(place: Path) -> None:
