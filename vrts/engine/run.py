@@ -1,5 +1,6 @@
 """The record of one execution: everything that happened up to a horizon, at any time."""
 
+import math
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from functools import cached_property
@@ -162,7 +163,7 @@ class Run:
 
     @cached_property
     def _events(self) -> tuple[Event, ...]:
-        known = (e for e in self.history.events if e.time_s <= self.horizon_s)
+        known = (e for e in _without_given_up(self.history.events) if e.time_s <= self.horizon_s)
         return tuple(sorted(known, key=_order))
 
     @property
@@ -241,6 +242,25 @@ class Run:
         strokes = [stroke.end_s for stroke in hand.strokes[-1:]]
         landings = [track[-1].start_s for track in hand.placements.values()]
         return max([0.0, *strokes, *landings])
+
+
+def _without_given_up(events: Sequence[Event]) -> list[Event]:
+    """Return events without ends of the robot program that another program came before.
+
+    A single instruction ends when the arm will have arrived; where another one replaces it on the
+    way, that time never comes for it.
+    """
+    begun_s = math.inf  # of the program that came next
+    kept: list[Event] = []
+    for event in reversed(events):
+        if isinstance(event, ProgramStarted | ProgramProgressed | ProgramEnded):
+            if not event.process and event.time_s > begun_s:
+                continue
+            if isinstance(event, ProgramStarted) and not event.process:
+                begun_s = event.time_s
+        kept.append(event)
+    kept.reverse()
+    return kept
 
 
 def _order(event: Event) -> tuple[int, int]:
