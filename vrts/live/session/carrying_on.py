@@ -12,7 +12,7 @@ from pathlib import Path
 import msgspec
 
 from vrts.live.session.messages import Done, News
-from vrts.live.session.replay import Entry
+from vrts.live.session.replay import Entry, same_answer
 from vrts.live.session.session import Session
 
 LONGEST = 300.0  # [s] of processor time; an hour of a class takes a few
@@ -107,7 +107,7 @@ def carry_on(
             go_on(entry.at_s)
             voice.done = None
             session.repeat(entry.order, entry.at_s)
-            if not _same(entry.done, voice.done):
+            if not same_answer(entry.done, voice.done):
                 raise CannotCarryOn("what was done has other results now")
         go_on(max(until_s, session.growing.time_s))
     except ValueError as problem:  # an order before the one that came earlier
@@ -120,15 +120,3 @@ def empty(folder: Path) -> None:
     for place in folder.iterdir():
         if place.is_dir() and not place.is_symlink():
             shutil.rmtree(place)
-
-
-def _same(before: Done | None, now: Done | None) -> bool:
-    """Return whether an answer is the one that was given before, as far as both are known."""
-    if before is None or now is None:
-        return True
-    return (before.accepted, before.code, before.text, before.row) == (
-        now.accepted,
-        now.code,
-        now.text,
-        now.row,
-    )

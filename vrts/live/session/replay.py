@@ -5,6 +5,8 @@ import tempfile
 from collections.abc import Iterable
 from typing import NamedTuple
 
+import msgspec
+
 from vrts.engine.run import Run
 from vrts.live.actions import Rewind, Save
 from vrts.live.session.messages import Act, Done, Halt, News, Start
@@ -27,13 +29,15 @@ class Entry(NamedTuple):
         return isinstance(asked, Rewind | Save) and self.done is not None and not self.done.accepted
 
 
+class Differs(ValueError):  # noqa: N818 -- names the situation
+    """What is done again has other results than it had."""
+
+
 def replay(
     start: Start,
     entries: Iterable[Entry],
     until_s: float | None = None,
     setting: Setting | None = None,
-    *,
-    whole: bool = False,
 ) -> Run:
     """Return the run of a session, with a horizon at its last entry or at a time [s].
 
@@ -44,7 +48,6 @@ def replay(
         entries: Its log, in order.
         until_s: How far it went on after the last entry; None: not at all.
         setting: Scene and task, if they are read already.
-        whole: Whether all of it can be asked, however long it is; otherwise the last hour.
 
     Raises:
         ValueError: The log does not fit: a time lies before what came earlier.
@@ -52,24 +55,62 @@ def replay(
         Refused: They have errors.
     """
     with tempfile.TemporaryDirectory() as folder:
-        begun = Start(
-            start.session,
-            folder,
-            start.scene,
-            start.task,
-            start.lab,
-            start.dialect,
-            start.quota,
-        )
-        setting = setting or setting_of(start)
-        session = Session(begun, setting, _ignore, _no_clock, forgets=not whole)
+        begun = msgspec.structs.replace(start, folder=folder)
+        session = Session(begun, setting or setting_of(start), _ignore, _no_clock)
         for entry in entries:
-            if not entry.was_refused:
-                session.repeat(entry.order, entry.at_s)
+            session.repeat(entry.order, entry.at_s)
             session.showing.news()  # nobody hears it, and it is not to pile up
         if until_s is not None and not math.isnan(until_s):
             session.go_on(until_s)
         return session.run
+
+
+def replay_whole(setting: Setting, entries: Iterable[Entry], most_s: float) -> Run:
+    """Return the run of a session with all of its history, until everything is at rest.
+
+    Every answer is compared with the one that was given, so it is the session as it was.
+
+    Args:
+        setting: Scene and task.
+        entries: Its log, in order.
+        most_s: How long to go on after the last entry at most [s].
+
+    Raises:
+        Differs: It is not: scene, task or vrts are not what they were.
+        ValueError: A time lies before what came earlier.
+    """
+    heard: dict[int, Done] = {}
+
+    def hear(news: News | bytes) -> None:
+        if isinstance(news, Done):
+            heard[news.ref] = news
+
+    with tempfile.TemporaryDirectory() as folder:
+        session = Session(Start(0, folder), setting, hear, _no_clock, forgets=False)
+        for entry in entries:
+            if entry.was_refused:
+                continue
+            session.repeat(entry.order, entry.at_s)
+            session.showing.news()
+            if not same_answer(entry.done, heard.pop(entry.order.ref, None)):
+                raise Differs(f"what was done at {entry.at_s:.3f} s has other results now")
+        latest = session.growing.time_s + most_s
+        while not session.at_rest and session.growing.time_s < latest:
+            session.go_on(min(session.growing.time_s + 1.0, latest))
+            session.showing.news()
+        return session.run
+
+
+def same_answer(before: Done | None, now: Done | None) -> bool:
+    """Return whether an answer is the one that was given before, as far as both are known."""
+    if before is None or now is None:
+        return True
+    return (before.accepted, before.code, before.text, before.row) == (
+        now.accepted,
+        now.code,
+        now.text,
+        now.row,
+    )
 
 
 def _ignore(news: News | bytes) -> None:

@@ -168,6 +168,13 @@ class Session:
         self.epoch_s = self._clock() - self.growing.time_s
 
     @property
+    def at_rest(self) -> bool:
+        """Whether nothing is under way: no program, no motion, no command."""
+        growing = self.growing
+        busy = growing.waits or growing.moving or growing.braking or growing.executing
+        return not (busy or growing.machine.process.running)
+
+    @property
     def run(self) -> Run:
         """The run so far, which nothing changes any more."""
         return self.growing.run
