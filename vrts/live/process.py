@@ -24,6 +24,7 @@ from vrts.live.session.messages import (
 )
 
 LONGEST: Final = 16 * 1024 * 1024  # bytes of a message from a session
+CHUNK: Final = 256 * 1024  # bytes read at once
 BEHIND: Final = 1024 * 1024  # bytes that may wait for a session
 END_S: Final = 3.0  # how long a session may take to end
 
@@ -151,22 +152,23 @@ class SessionProcess:
 
     async def _read(self, process: asyncio.subprocess.Process) -> None:
         assert process.stdout is not None
-        read = process.stdout.readexactly
+        begun = bytearray()
         try:
-            while True:
-                (length,) = LENGTH.unpack(await read(LENGTH.size))
-                if not 0 < length <= LONGEST:
-                    self.failure = "the session sent what cannot be read"
-                    return
-                message = await read(length)
-                if message[0] == _POSE:
-                    self._on_pose(message)
-                else:
-                    self._take(message)
-        except asyncio.IncompleteReadError:
+            while data := await process.stdout.read(CHUNK):
+                begun += data
+                self._take_all(_whole(begun))
             self.failure = self.failure or "the session ended"
-        except msgspec.DecodeError:
+        except (msgspec.DecodeError, _BadLength):
             self.failure = "the session sent what cannot be read"
+
+    def _take_all(self, messages: list[bytes]) -> None:
+        """Take messages; of several pose frames the last, so that who is late shows what is now."""
+        poses = [number for number, message in enumerate(messages) if message[0] == _POSE]
+        for number, message in enumerate(messages):
+            if message[0] != _POSE:
+                self._take(message)
+            elif number == poses[-1]:
+                self._on_pose(message)
 
     def _take(self, message: bytes) -> None:
         head = _heads.decode(message)
@@ -189,6 +191,31 @@ class SessionProcess:
         except TimeoutError:
             process.kill()
             await process.wait()
+
+
+class _BadLength(Exception):  # noqa: N818 -- names the situation
+    """What comes is no message."""
+
+
+def _whole(begun: bytearray) -> list[bytes]:
+    """Take all messages that are whole off the front of what has come.
+
+    Raises:
+        _BadLength: A message is too long, or has no content.
+    """
+    found: list[bytes] = []
+    at = 0
+    while len(begun) - at >= LENGTH.size:
+        (length,) = LENGTH.unpack_from(begun, at)
+        if not 0 < length <= LONGEST:
+            raise _BadLength
+        end = at + LENGTH.size + length
+        if len(begun) < end:
+            break
+        found.append(bytes(begun[at + LENGTH.size : end]))
+        at = end
+    del begun[:at]
+    return found
 
 
 def _environment() -> dict[str, str]:
