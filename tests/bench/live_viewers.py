@@ -1,115 +1,101 @@
-"""Viewers for the benchmark of the live server: many connections, little work for each frame.
+"""Viewers for the benchmark of the live server: a process of its own, on the last core.
 
-`python -m tests.bench.live_viewers PORT VIEWERS SECONDS COOKIE...` prints one JSON object.
+Reads a `Plan` as JSON from standard input, prints "measuring" when all viewers have settled, and a
+`Seen` as JSON when it is over.
 """
 
-import asyncio
 import json
-import struct
+import os
+import select
 import sys
 import time
-from typing import cast
+from array import array
+from typing import NamedTuple
 
-import uvloop
+from tests.bench.live_socket import LiveSocket, clock_offset, session_time
 
-_TIME = struct.Struct("<d")
-_AT = 8  # where a pose frame has its time
-
-REQUEST = (
-    "GET /ws HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nOrigin: http://127.0.0.1:{port}\r\n"
-    "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
-    "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\nCookie: {cookie}\r\n\r\n"
-)
+SETTLING = 4.0  # [s]
 
 
-def masked(text: str) -> bytes:
-    """Return a client's frame; the mask is zero, which is allowed."""
-    payload = text.encode()
-    assert len(payload) < 126
-    return bytes((0x81, 0x80 | len(payload), 0, 0, 0, 0)) + payload
+class Plan(NamedTuple):
+    """Who connects, and for how long."""
+
+    port: int
+    seconds: float
+    viewers: list[tuple[str, str, float]]  # cookie, room, clock at session time 0 [s]
 
 
-class Viewer(asyncio.Protocol):
-    """One connection."""
+class Seen(NamedTuple):
+    """What all viewers together have seen; delays in ms, from the session time of a frame."""
 
-    def __init__(self, port: int, cookie: str, delays: list[float]) -> None:
-        self._request = REQUEST.format(port=port, cookie=cookie).encode()
-        self._delays = delays
-        self._data = bytearray()
-        self._open = False
-        self.measuring = False
-        self.count = 0
-
-    def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        self._transport = cast("asyncio.Transport", transport)  # uvloop has its own
-        self._transport.write(self._request)
-
-    def data_received(self, data: bytes) -> None:
-        now = time.monotonic()
-        buffer = self._data
-        buffer += data
-        if not self._open:
-            end = buffer.find(b"\r\n\r\n")
-            if end < 0:
-                return
-            assert buffer.startswith(b"HTTP/1.1 101"), bytes(buffer)
-            del buffer[: end + 4]
-            self._open = True
-            self._transport.write(masked('{"type":"join"}'))
-        at = 0
-        while len(buffer) - at >= 2:
-            length, head = buffer[at + 1], 2
-            if length == 126:
-                if len(buffer) - at < 4:
-                    break
-                length, head = int.from_bytes(buffer[at + 2 : at + 4], "big"), 4
-            elif length == 127:
-                if len(buffer) - at < 10:
-                    break
-                length, head = int.from_bytes(buffer[at + 2 : at + 10], "big"), 10
-            if len(buffer) - at < head + length:
-                break
-            if buffer[at] == 0x82 and self.measuring:
-                (sent,) = _TIME.unpack_from(buffer, at + head + _AT)
-                self._delays.append(now - sent)
-                self.count += 1
-            at += head + length
-        del buffer[:at]
+    fps: float
+    slowest_fps: float
+    arrived: tuple[float, float, float]  # at the viewer's socket: p50, p95, p99
+    read: tuple[float, float, float]  # by this process
+    used_s: float  # processor time of this process
 
 
-async def main(port: int, viewers: int, seconds: float, cookies: list[str]) -> None:
+def percentiles(delays: "array[float]") -> tuple[float, float, float]:
+    """Return p50, p95 and p99 [ms]."""
+    ordered = sorted(delays)
+    p50, p95, p99 = (1e3 * ordered[int(share * len(ordered))] for share in (0.5, 0.95, 0.99))
+    return p50, p95, p99
+
+
+class _Seeing:
+    """All viewers, read one after another as something comes."""
+
+    def __init__(self) -> None:
+        self._poll = select.epoll()
+        self._viewers: dict[int, tuple[LiveSocket, float]] = {}
+        self.measures = False
+        self.counts: dict[int, int] = {}
+        self.arrived, self.read = array("d"), array("d")
+
+    def join(self, viewer: LiveSocket, epoch_s: float) -> None:
+        self._poll.register(viewer, select.EPOLLIN)
+        self._viewers[viewer.fileno()] = (viewer, epoch_s)
+        self.counts[viewer.fileno()] = 0
+
+    def look(self, patience_s: float) -> None:
+        """Take what there is, or what comes within a time [s]."""
+        for number, _ in self._poll.poll(patience_s):
+            viewer, epoch_s = self._viewers[number]
+            for came in viewer.take():
+                if came.opcode == 2 and self.measures:
+                    sent_s = epoch_s + session_time(came.payload)
+                    self.arrived.append(came.stamp_s - sent_s)
+                    self.read.append(time.monotonic() - sent_s)
+                    self.counts[number] += 1
+
+
+def watch(plan: Plan) -> Seen:
     """Connect, let it settle, measure."""
-    loop = asyncio.get_running_loop()
-    delays: list[float] = []
-    connected: list[Viewer] = []
-    for n in range(viewers):
-        cookie = cookies[n % len(cookies)]
-        _, viewer = await loop.create_connection(
-            lambda cookie=cookie: Viewer(port, cookie, delays), "127.0.0.1", port
-        )
-        connected.append(viewer)
-    await asyncio.sleep(5.0)
+    offset = clock_offset()
+    seeing = _Seeing()
+    for cookie, room, epoch_s in plan.viewers:
+        seeing.join(LiveSocket(plan.port, cookie, offset, room=room), epoch_s)
+        seeing.look(0.0)
+    begin_s = time.monotonic() + SETTLING
+    while time.monotonic() < begin_s:
+        seeing.look(0.1)
     print("measuring", flush=True)
-    began = time.monotonic()
-    for viewer in connected:
-        viewer.measuring = True
-    await asyncio.sleep(seconds)
-    for viewer in connected:
-        viewer.measuring = False
-    passed = time.monotonic() - began
-    least = min(delays)
-    delays = sorted(delay - least for delay in delays)
-    rates = [viewer.count / passed for viewer in connected]
-    found = {
-        "fps": sum(rates) / viewers,
-        "slowest_fps": min(rates),
-        "p50_ms": 1e3 * delays[len(delays) // 2],
-        "p95_ms": 1e3 * delays[int(0.95 * len(delays))],
-        "p99_ms": 1e3 * delays[int(0.99 * len(delays))],
-        "generator": time.process_time(),
-    }
-    print(json.dumps(found), flush=True)
+    used_s = time.process_time()
+    seeing.measures = True
+    end_s = time.monotonic() + plan.seconds
+    while time.monotonic() < end_s:
+        seeing.look(0.1)
+    rates = [count / plan.seconds for count in seeing.counts.values()]
+    return Seen(
+        sum(rates) / len(rates),
+        min(rates),
+        percentiles(seeing.arrived),
+        percentiles(seeing.read),
+        time.process_time() - used_s,
+    )
 
 
 if __name__ == "__main__":
-    uvloop.run(main(int(sys.argv[1]), int(sys.argv[2]), float(sys.argv[3]), sys.argv[4:]))
+    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+    given = Plan(*json.load(sys.stdin))
+    print(json.dumps(watch(given)._asdict()), flush=True)
