@@ -119,11 +119,17 @@ class Browser:
 class LiveServer:
     """`vrts serve` on a free port."""
 
-    def __init__(self, folder: Path, *options: str, scenes: tuple[str, ...] = ("cans-on-bases",)):
+    def __init__(
+        self,
+        folder: Path,
+        *options: str,
+        scenes: tuple[str, ...] = ("cans-on-bases",),
+        port: str = "0",
+    ):
         self.folder = folder
         self._sockets = ExitStack()
         self._arguments = (*scenes, "--folder", str(folder), *options)
-        self.start("0")
+        self.start(port)
 
     def start(self, port: str) -> None:
         words = [sys.executable, "-m", "vrts.cli.main", "serve", *self._arguments, "--port", port]
@@ -135,9 +141,9 @@ class LiveServer:
             if "this machine" in line:
                 break
         said = "".join(self.said)
-        found = re.search(r"https?://\S+:(\d+)$", said.splitlines()[0])
+        found = re.search(r"https?://[^\s:]+(?::(\d+))?$", said.splitlines()[0])
         assert found is not None, said
-        self.port = int(found[1])
+        self.port = int(found[1] or port)
         self.host = f"127.0.0.1:{self.port}"
         self.supervisor_token = re.findall(r"once: \S+#enter=(\S+)", said)[0]
         self.code = re.findall(r"class code: (\w{6})", said)[0]
