@@ -35,7 +35,7 @@ from vrts.report.replay_data import contact_rows, near_rows
 from vrts.scene.model import Scenario
 
 PAUSE = 1.0  # [s] of session time between checks
-REST = 20.0  # times as long as a check took is waited at least: ten sessions share the machine
+REST = 40.0  # times as long as a check took is waited at least: ten sessions share the machine
 NICENESS = 10  # of checks, which may be late, to frames, which may not
 BEFORE = 0.1  # [s] before a hand begins to close
 LIMITS = Limits(cpu_s=60, wall_s=120.0, memory=1_000_000_000)
