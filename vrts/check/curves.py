@@ -105,13 +105,17 @@ class Curves:
             return _as_spread(self.each[first])  # whole pieces are known
         u0 = self._local(first, t0)
         u1 = self._local(last, t1)
-        length = self.ends - self.starts
-        a = self._within(first, u0, np.where(several, length[first], u1))
         split = np.nonzero(several)[0]
         if len(split) == 0:
-            return _as_spread(a)
-        later = last[split]
-        b = self._within(later, np.zeros(len(split)), u1[split])
+            return _as_spread(self._within(first, u0, u1))
+        # to the end of the first piece, and from the start of the last one
+        until = np.where(several, self.ends[first] - self.starts[first], u1)
+        both = self._within(
+            np.concatenate([first, last[split]]),
+            np.concatenate([u0, np.zeros(len(split))]),
+            np.concatenate([until, u1[split]]),
+        )
+        a, b = both[: len(first)], both[len(first) :]
         a[split] = np.maximum(a[split], b)
         between = split[last[split] > first[split] + 1]
         if len(between):
@@ -178,11 +182,12 @@ class Curves:
 
     def _within_cubics(self, at: Indices, u0: Array, u1: Array) -> Array:
         powers = self.powers[at]
-        found = np.empty((len(at), 4 * COORDINATES))
-        upper, lower, speed, acceleration = np.split(found, 4, axis=1)
-        lower[:], upper[:] = self._range_of_cubics(powers, at, u0, u1, ALL)
-        np.negative(lower, out=lower)
-        ends = np.stack([u0, u1])[:, :, None]
+        n = COORDINATES
+        found = np.empty((len(at), 4 * n))
+        speed, acceleration = found[:, 2 * n : 3 * n], found[:, 3 * n :]
+        lower, found[:, :n] = self._range_of_cubics(powers, at, u0, u1, ALL)
+        np.negative(lower, out=found[:, n : 2 * n])
+        ends = np.array((u0, u1))[:, :, None]
         np.abs(_velocities(powers, ends)).max(axis=0, out=speed)
         bends = self.bends[at]
         inside = (bends > ends[0]) & (bends < ends[1])
@@ -195,7 +200,7 @@ class Curves:
         self, powers: Array, at: Indices, u0: Array, u1: Array, which: slice
     ) -> tuple[Array, Array]:
         """Return the smallest and the largest values over parts of single pieces, both (m, k)."""
-        at_ends = _values(powers, np.stack([u0, u1])[:, :, None])
+        at_ends = _values(powers, np.array((u0, u1))[:, :, None])
         lower, upper = np.minimum(*at_ends), np.maximum(*at_ends)
         turns = self.turns[:, which][at]
         inside = (turns > u0[:, None, None]) & (turns < u1[:, None, None])

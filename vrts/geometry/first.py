@@ -41,12 +41,14 @@ def solid(shape: Shape) -> coal.CollisionGeometry:
 
 def transform(rotation: Array, translation: Array) -> Transform:
     """Return a placement from arrays of shape (3, 3) and (3,)."""
-    return coal.Transform3s(rotation, translation)
+    made = coal.Transform3s.Identity()  # a sixth of the time of finding the right constructor
+    made.setTransform(rotation, translation)
+    return made
 
 
 def placed(X_WP: Pose) -> Transform:
     """Return a placement from a pose."""
-    return coal.Transform3s(
+    return transform(
         np.array(X_WP.rotation).reshape(3, 3), np.array(X_WP.translation, dtype=np.float64)
     )
 

@@ -26,6 +26,9 @@ class StdVec_Vec3s:
 
 class Transform3s:
     def __init__(self, rotation: Array, translation: Array) -> None: ...
+    @staticmethod
+    def Identity() -> Transform3s: ...
+    def setTransform(self, rotation: Array, translation: Array) -> None: ...
 
 class DistanceRequest:
     enable_signed_distance: bool
