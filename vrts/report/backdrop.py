@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vrts.report.draw import Places, Screen, Shown, draw
+from vrts.report.draw import Places, Screen, Shown, bands, draw
 from vrts.report.lighting import ShadowMap, from_srgb, shadow_map
 from vrts.report.placing import Fixed, Placed, place_fixed
 from vrts.report.projection import Projected, project
@@ -25,17 +25,11 @@ class Stage(NamedTuple):
     shadows: ShadowMap
 
 
-class View(NamedTuple):
-    """What one camera sees of a stage, without colours."""
-
-    seen: Projected
-    buffer: Indices  # (height * samples, width * samples)
-
-
 class Backdrop(NamedTuple):
     """The picture of a stage, and where its light comes from."""
 
-    picture: Array32  # (3, height, width)
+    buffer: Indices  # (height * samples, width * samples)
+    light: Array32  # (3, height, width) linear
     places: Places
 
 
@@ -47,13 +41,10 @@ def stage(fixed: tuple[Fixed, ...]) -> Stage:
 
 
 @lru_cache(maxsize=KEPT)
-def view(fixed: tuple[Fixed, ...], screen: Screen) -> View:
+def view(fixed: tuple[Fixed, ...], screen: Screen) -> Projected:
     """Return what a camera sees of what never moves."""
     width, height = screen.width * screen.samples, screen.height * screen.samples
-    seen = project(stage(fixed).placed, screen.camera, width, height)
-    buffer = rasterise(seen.screen, seen.near, width, height)
-    buffer.flags.writeable = False
-    return View(seen, buffer)
+    return project(stage(fixed).placed, screen.camera, width, height)
 
 
 @lru_cache(maxsize=KEPT)
@@ -64,16 +55,19 @@ def backdrop(
 
     Highlighted bodies have the colour of alarm.
     """
-    at, shown = stage(fixed), view(fixed, screen)
-    shape = (screen.height, screen.width)
-    solid, floor = (np.full((k, shape[0] * shape[1]), np.nan, np.float32) for k in (3, 2))
-    found = Backdrop(np.empty((3, *shape), np.float32), Places(solid, floor))
-    table = colors(at.placed.solids, highlight)
-    what = Shown(shown.buffer, shown.seen, table, floor_m, (at.shadows,))
-    draw(found.picture, screen, what, np.ones(shape, np.bool_), found.places)
-    for values in (found.picture, *found.places):
+    at, seen = stage(fixed), view(fixed, screen)
+    shown = Shown(seen, colors(at.placed.solids, highlight), floor_m, (at.shadows,))
+    shape, n = (screen.height, screen.width), screen.samples
+    buffer = rasterise(seen.screen, seen.near, screen.width * n, screen.height * n)
+    light, solid, floor = (np.full((k, *shape), np.nan, np.float32) for k in (3, 3, 2))
+    for band in bands(screen.height):
+        rows = band.rows
+        noted = Places(solid[:, rows], floor[:, rows])
+        fine = buffer[rows.start * n : rows.stop * n]
+        draw(light[:, rows], screen, shown, fine, band.whole(screen.width), rows.start, noted)
+    for values in (buffer, light, solid, floor):
         values.flags.writeable = False
-    return found
+    return Backdrop(buffer, light, Places(solid, floor))
 
 
 def any_sample(samples: Mask, n: int) -> Mask:

@@ -4,6 +4,7 @@ A pixel has several samples a side. Where all show one smooth face one of them, 
 shaded for all: only edges cost more than a pixel. Values stand in rows, a column for every sample.
 """
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +18,7 @@ from vrts.report.raster import Array32, Indices, Mask, Numbers, numbers
 
 OFFSET_M = 0.006  # before its surface a place is looked up in a shadow map
 AT_ONCE = 8192  # samples shaded: what is worked on stays near the processor
+BAND = 40  # rows of pixels
 
 
 class Screen(NamedTuple):
@@ -31,8 +33,7 @@ class Screen(NamedTuple):
 class Shown(NamedTuple):
     """What a screen shows."""
 
-    buffer: Indices  # (height * samples, width * samples)
-    seen: Projected  # the triangles in it
+    seen: Projected  # the triangles on it
     colors: Array32  # (3, solids) of every solid, linear RGB
     floor_m: float  # z of the floor in W
     shadows: tuple[ShadowMap, ...]  # of everything that throws one
@@ -41,21 +42,52 @@ class Shown(NamedTuple):
 class Places(NamedTuple):
     """Where the light of pixels comes from, in the frame of the sun [m]; nan: from nowhere."""
 
-    solid: Array32  # (3, height * width) a little before what is seen
-    floor: Array32  # (2, height * width)
+    solid: Array32  # (3, height, width) a little before what is seen
+    floor: Array32  # (2, height, width)
+
+
+class Band(NamedTuple):
+    """Rows of pixels that are drawn together: what is worked on stays near the processor."""
+
+    rows: slice  # with a row more on each side, whose solids can draw lines here
+    own: slice  # the rows of the band itself
+    inner: slice  # the same, counted from the first of `rows`
+
+    def whole(self, width: int) -> Mask:
+        """Return the pixels of the band itself among those of `rows`."""
+        wanted = np.zeros((self.rows.stop - self.rows.start, width), np.bool_)
+        wanted[self.inner] = True
+        return wanted
+
+
+def bands(height: int) -> Iterator[Band]:
+    """Yield the bands of a picture, from top to bottom."""
+    for top in range(0, height, BAND):
+        bottom = min(top + BAND, height)
+        first = max(top - 1, 0)
+        rows = slice(first, min(bottom + 1, height))
+        yield Band(rows, slice(top, bottom), slice(top - first, bottom - first))
 
 
 def draw(
-    picture: Array32, screen: Screen, shown: Shown, wanted: Mask, places: Places | None = None
+    picture: Array32,
+    screen: Screen,
+    shown: Shown,
+    buffer: Indices,
+    wanted: Mask,
+    row: int,
+    places: Places | None = None,
 ) -> None:
-    """Draw pixels into a picture.
+    """Draw pixels into some rows of a picture.
 
     Args:
-        picture: Linear light, shape (3, height, width).
+        picture: Linear light, shape (3, rows, width).
         screen: Where it is drawn.
         shown: What it shows.
-        wanted: Shape (height, width): which pixels are drawn.
-        places: Where to note from where their light comes.
+        buffer: The triangles that are seen, shape (rows * samples, width * samples).
+        wanted: Shape (rows, width): which pixels are drawn.
+        row: The first of the rows.
+        places: Where to note from where their light comes, of the same rows.
     """
     rows, columns = np.nonzero(wanted.any(1))[0], np.nonzero(wanted.any(0))[0]
     if not len(rows):
@@ -63,12 +95,11 @@ def draw(
     n = screen.samples
     # a pixel more on each side: the line of a solid can come from its neighbour
     top, left = max(int(rows[0]) - 1, 0), max(int(columns[0]) - 1, 0)
-    bottom = min(int(rows[-1]) + 2, screen.height)
-    right = min(int(columns[-1]) + 2, screen.width)
-    part = shown.buffer[top * n : bottom * n, left * n : right * n]
+    bottom, right = min(int(rows[-1]) + 2, len(wanted)), min(int(columns[-1]) + 2, screen.width)
+    part = buffer[top * n : bottom * n, left * n : right * n]
     number = numbers(part)
     solid = shown.seen.solid.take(number)
-    keep = outlines(part, number, solid, shown.seen, (left * n, top * n))
+    keep = outlines(part, number, solid, shown.seen, (left * n, (row + top) * n))
     chosen = _chosen(solid, keep, wanted[top:bottom, left:right], n)
     whole, rest = (
         (pixel // (right - left) + top) * screen.width + pixel % (right - left) + left
@@ -76,24 +107,24 @@ def draw(
     )
     at = np.concatenate([whole, rest[chosen.owner]])
     triangle = number.take(chosen.shown)
-    place = chosen.place + np.array([[left * n], [top * n]], np.float32)
+    place = chosen.place + np.array([[left * n], [(row + top) * n]], np.float32)
     light = np.empty((3, len(at)), np.float32)
     for k in range(0, len(at), AT_ONCE):
         now = slice(k, k + AT_ONCE)
         light[:, now], before = _shaded(screen, shown, triangle[now], place[:, now])
         if places is not None:
-            places.solid[:, at[now]] = before
+            places.solid.reshape(3, -1)[:, at[now]] = before
     share = np.bincount(chosen.owner, minlength=len(rest)) / n**2
     open_to = np.flatnonzero(share < 1)
     floor = ground(
         screen.camera,
         (screen.width, screen.height),
         shown.floor_m,
-        rest[open_to],
+        rest[open_to] + row * screen.width,
         shown.shadows,
     )
     if places is not None:
-        places.floor[:, rest[open_to]] = floor.along
+        places.floor.reshape(2, -1)[:, rest[open_to]] = floor.along
     free = (1 - share[open_to]).astype(np.float32)
     for k, flat in enumerate(picture.reshape(3, -1)):
         flat[whole] = light[k, : len(whole)]

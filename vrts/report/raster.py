@@ -33,8 +33,9 @@ def rasterise(
     *,
     first: int = 1,
     onto: Indices | None = None,
+    top: int = 0,
 ) -> Indices:
-    """Return the buffer of a screen, shape (height, width).
+    """Return the buffer of a screen, or of some of its rows, shape (height, width).
 
     Args:
         points: Corners on the screen, shape (m, 3, 2): column, row, in pixels; pixel (r, c) covers
@@ -42,13 +43,17 @@ def rasterise(
         near: What grows towards the eye and is linear on the screen (1/depth for a perspective),
             shape (m, 3), positive.
         width: Of the screen in pixels.
-        height: Of the screen in pixels.
+        height: Of the screen, or how many rows of it, in pixels.
         first: Number of the first triangle, at least 1.
         onto: A buffer in which these triangles appear too; it stays as it is.
+        top: The first row.
     """
     buffer = np.zeros((height, width), np.int64) if onto is None else onto.copy()
-    if not len(points):
+    rows = points[:, :, 1]
+    there = np.flatnonzero((rows.max(1) > top) & (rows.min(1) < top + height))
+    if not len(there):
         return buffer
+    points, near = points[there] - (0, top), near[there]
     triangle, row, left, right = _rows(points, height)
     start = np.ceil(left.clip(0, width) - 0.5).astype(np.int64)
     count = np.ceil(right.clip(0, width) - 0.5).astype(np.int64) - start
@@ -57,7 +62,7 @@ def rasterise(
     slope = plane(points, near)[triangle]
     begin = slope[:, 1] * (row + 0.5) + slope[:, 2] + slope[:, 0] * (start + 0.5)
     base = row * width + start
-    number = triangle + first
+    number = there[triangle] + first
     slant = slope[:, 0].astype(np.float32)
     ends = np.cumsum(count)
     total = int(ends[-1]) if len(ends) else 0

@@ -10,13 +10,13 @@ from types import MappingProxyType
 import numpy as np
 
 from vrts.base.pose import Pose, Vector
-from vrts.report.backdrop import ALARM, any_sample, backdrop, colors, stage, view
+from vrts.report.backdrop import ALARM, Backdrop, any_sample, backdrop, colors, stage, view
 from vrts.report.camera import Camera, axes, bounds, close_up, fitting
-from vrts.report.draw import Places, Screen, Shown, draw
+from vrts.report.draw import Band, Places, Screen, Shown, bands, draw
 from vrts.report.lighting import ShadowMap, shadow_map, to_srgb
 from vrts.report.placing import Placed, fixed_parts, place_moving
 from vrts.report.png import png
-from vrts.report.projection import NEAR, focal_length, joined, project
+from vrts.report.projection import NEAR, Projected, focal_length, joined, project
 from vrts.report.raster import Array, Array32, Mask, rasterise
 from vrts.robots.model import Configuration
 from vrts.scene.model import Scene
@@ -68,37 +68,64 @@ def still(
         )
     screen = Screen(camera, *size, samples)
     at, seen = stage(fixed), view(fixed, screen)
-    width, height = size[0] * samples, size[1] * samples
-    added = project(moving, camera, width, height)
-    first = len(seen.seen.solid)
+    added = project(moving, camera, size[0] * samples, size[1] * samples)
     shown = Shown(
-        rasterise(added.screen, added.near, width, height, first=first, onto=seen.buffer),
-        joined(seen.seen, added, len(standing.solids)),
+        joined(seen, added, len(standing.solids)),
         colors((*standing.solids, *moving.solids), frozenset(highlight)),
         floor_m,
         (at.shadows, shadow_map(moving.corners, max(MAP, size[0]))),
     )
-    if marker is None:
-        own = frozenset(highlight) & {part.name for part in fixed}
-        before = backdrop(fixed, floor_m, screen, own)
-        picture = before.picture.copy()
-        wanted = any_sample(shown.buffer != seen.buffer, samples)
-        wanted |= _darkened(before.places, shown.shadows[-1]).reshape(wanted.shape)
-        draw(picture, screen, shown, _grown(wanted))
-    else:  # close pictures seldom have a place in common
-        picture = np.empty((3, size[1], size[0]), np.float32)
-        draw(picture, screen, shown, np.ones((size[1], size[0]), np.bool_))
-        _ring(picture, camera, marker)
-    return png(np.ascontiguousarray(to_srgb(picture).transpose(1, 2, 0)))
+    own = frozenset(highlight) & {part.name for part in fixed}
+    # close pictures seldom have a place in common: their backdrops are not worth it
+    before = backdrop(fixed, floor_m, screen, own) if marker is None else None
+    pixels = np.empty((size[1], size[0], 3), np.uint8)
+    for band in bands(size[1]):
+        if before is None:
+            light = _whole(screen, shown, band)
+        else:
+            light = _changed(screen, shown, band, before, added)
+        if marker is not None:
+            _ring(light, band, screen, marker)
+        pixels[band.own] = to_srgb(light[:, band.inner]).transpose(1, 2, 0)
+    return png(pixels)
+
+
+def _whole(screen: Screen, shown: Shown, band: Band) -> Array32:
+    """Return the light of a band's rows."""
+    n, rows = screen.samples, band.rows
+    light = np.empty((3, rows.stop - rows.start, screen.width), np.float32)
+    width, height = screen.width * n, light.shape[1] * n
+    buffer = rasterise(shown.seen.screen, shown.seen.near, width, height, top=rows.start * n)
+    draw(light, screen, shown, buffer, band.whole(screen.width), rows.start)
+    return light
+
+
+def _changed(
+    screen: Screen, shown: Shown, band: Band, before: Backdrop, added: Projected
+) -> Array32:
+    """Return the same from a backdrop: only what the added triangles change is drawn."""
+    n, rows = screen.samples, band.rows
+    onto = before.buffer[rows.start * n : rows.stop * n]
+    height, width = onto.shape
+    first = len(shown.seen.screen) - len(added.screen) + 1
+    buffer = rasterise(
+        added.screen, added.near, width, height, first=first, onto=onto, top=rows.start * n
+    )
+    wanted = any_sample(buffer != onto, n)
+    places = Places(*(values[:, rows] for values in before.places))
+    wanted |= _darkened(places, shown.shadows[-1])
+    light = before.light[:, rows].copy()
+    draw(light, screen, shown, buffer, _grown(wanted) & band.whole(screen.width), rows.start)
+    return light
 
 
 def _darkened(places: Places, moving: ShadowMap) -> Mask:
     """Return to which of the pixels with known places a shadow map brings less light."""
-    found = np.zeros(places.floor.shape[1], np.bool_)
-    at = np.flatnonzero(moving.covers(places.solid))
-    found[at] = moving.lit(places.solid[:, at]) < 1
-    at = np.flatnonzero(moving.covers(places.floor))
-    found[at] |= moving.shadow(places.floor[:, at]) > 0
+    found = np.zeros(places.floor.shape[1:], np.bool_)
+    at = np.nonzero(moving.covers(places.solid))
+    found[at] = moving.lit(places.solid[:, *at]) < 1
+    at = np.nonzero(moving.covers(places.floor))
+    found[at] |= moving.shadow(places.floor[:, *at]) > 0
     return found
 
 
@@ -146,19 +173,21 @@ def _grown(mask: Mask) -> Mask:
     return grown
 
 
-def _ring(picture: Array32, camera: Camera, point: Vector) -> None:
-    """Draw a ring with a light rim round a point, over everything."""
-    _, height, width = picture.shape
+def _ring(light: Array32, band: Band, screen: Screen, point: Vector) -> None:
+    """Draw a ring with a light rim round a point into the rows of a band, over everything."""
+    camera, height = screen.camera, screen.height
     local = camera.axes() @ np.subtract(point, camera.eye)
     if local[2] <= NEAR:
         return
-    x, y = local[:2] / local[2] * focal_length(camera, height) + (width / 2, height / 2)
+    x, y = local[:2] / local[2] * focal_length(camera, height) + (screen.width / 2, height / 2)
     radius = height / 22
     room = radius + height / 130 + 1
-    top, left = max(int(y - room), 0), max(int(x - room), 0)
-    part = picture[:, top : max(int(y + room) + 2, 0), left : max(int(x + room) + 2, 0)]
+    first = max(int(y - room), band.rows.start) - band.rows.start
+    last = max(int(y + room) + 2 - band.rows.start, 0)
+    left = max(int(x - room), 0)
+    part = light[:, first:last, left : max(int(x + room) + 2, 0)]
     rows, columns = np.indices(part.shape[1:]) + 0.5
-    away = np.hypot(columns + left - x, rows + top - y)
+    away = np.hypot(columns + left - x, rows + (band.rows.start + first) - y)
     for thickness, color in ((height / 130, np.ones(3)), (height / 260, ALARM)):
         share = np.clip(thickness + 0.5 - np.abs(away - radius), 0, 1).astype(np.float32)
         part += share * (np.asarray(color, np.float32)[:, None, None] - part)
