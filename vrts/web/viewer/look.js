@@ -7,8 +7,8 @@ import { Color, MeshStandardMaterial } from "three";
 export const THEMES = {
   light: { sky: 0xe4e9ee, floor: 0xb9c0c7, minor: 0xa5adb5, major: 0x8d97a1, text: "#38424c", halo: "#ffffff",
     ambient: 0.5, sun: 2.6 },
-  dark: { sky: 0x16191e, floor: 0x262b32, minor: 0x343b44, major: 0x4d5762, text: "#d5dce3", halo: "#12151a",
-    ambient: 0.3, sun: 2.2 },
+  dark: { sky: 0x262b32, floor: 0x3a424b, minor: 0x4b5560, major: 0x65717e, text: "#e3e9ef", halo: "#181c21",
+    ambient: 0.45, sun: 2.3 },
 };
 
 const WARM_WHITE = 0xe6dfd0; // the arm castings of the series: a warm light grey

@@ -4,6 +4,7 @@ import { byId, make, write } from "../dom.js";
 import { mountOverlay } from "../panels/overlay.js";
 import { mountSettings } from "../panels/settings.js";
 import { mountStatus } from "../panels/status.js";
+import { STATES } from "../panels/top.js";
 import { mountViews } from "../panels/views.js";
 import { started } from "./room.js";
 
@@ -31,8 +32,8 @@ export function showProjector(me) {
     write(byId("crowd"), `${people.filter(({ away }) => !away).length} here`);
   });
   app.store.on(["connection", "ended"], ({ connection, ended }) => {
-    write(byId("link-state"), ended || connection);
+    write(byId("link-state"), ended || STATES[connection]);
     byId("link-state").className = `chip ${connection}`;
   });
-  byId("turn").after(make("a", { href: "/", text: "Room" }));
+  byId("turn").after(make("a", { class: "button", href: "/", text: "To my room" }));
 }

@@ -69,7 +69,7 @@ class Card {
     this.facts = make("dl", { class: "facts" });
     this.tags = make("p", { class: "tags" });
     this.project = button("Project", () => connection.send("project", { room: id }));
-    this.open = make("a", { href: `/?room=${encodeURIComponent(id)}`, text: "Open" });
+    this.open = make("a", { class: "button", href: `/?room=${encodeURIComponent(id)}`, text: "Open" });
     this.element = make("article", { class: "room-card", "data-room": id }, this.canvas, this.title, this.task, this.line, this.facts, this.tags,
       make("div", { class: "row" }, this.open, this.project));
   }
@@ -78,7 +78,8 @@ class Card {
   show(row, projected) {
     write(this.title, row.name);
     write(this.task, row.task || row.scene);
-    write(this.line, row.line || " ");
+    write(this.line, row.line);
+    this.line.hidden = !row.line;
     this.project.setAttribute("aria-label", `Project ${row.name}`);
     this.open.setAttribute("aria-label", `Open ${row.name}`);
     const facts = [

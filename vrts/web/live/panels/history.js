@@ -50,10 +50,15 @@ export function mountHistory({ store, world, command, toasts }) {
     none.hidden = rows.length > 0;
     box.hidden = !rows.length;
     body.replaceChildren(...rows.map((row) => make("tr", { class: row.kind },
-      make("td", { class: "time", text: `${row.t.toFixed(1)} s` }), make("td", { text: row.text }), make("td", { class: "time", text: row.line }))));
+      make("td", { class: "time", text: `${row.t.toFixed(1)} s` }), make("td", {}, ...breakable(row.text)), make("td", { class: "time", text: row.line }))));
   }
   store.on(["control", "you", "connection"], () => {
     const may = store.operator && store.now.connection === "open";
     reset.disabled = back.disabled = !may;
   });
+}
+
+/** Return a text that may break after its commas, as long numbers should not. @param {string} text @returns {(Node | string)[]} */
+function breakable(text) {
+  return text.split(/(?<=,)/).flatMap((part) => [part, make("wbr")]);
 }

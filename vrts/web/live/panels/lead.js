@@ -40,14 +40,15 @@ export function mountLead({ store, connection, toasts }) {
     if (told("make_rooms", { rooms: wanted.map((name) => ({ name: name.slice(0, 64), scene: roomScene.value })) })) names.value = "";
   });
   const rooms = make("ul", { class: "rooms", "aria-label": "Rooms" });
-  store.on(["rooms", "projector", "room"], ({ rooms: all, projector, room }) => {
+  store.on(["rooms", "projector", "room", "people"], ({ rooms: all, projector, room, people }) => {
+    const crowd = (/** @type {import("../protocol.js").RoomEntry} */ one) => (one.id === room?.id ? people.length : one.people);
     rooms.replaceChildren(...all.map((one) => make("li", {},
       make("span", { class: "person", text: one.name }),
-      make("span", { class: "soft", text: ` ${one.people} people, ${one.task || one.scene}` }),
+      make("span", { class: "soft", text: ` ${crowd(one) === 1 ? "1 person" : `${crowd(one)} people`}, ${one.task || one.scene}` }),
       ...(one.id === room?.id ? [make("span", { class: "tag", text: "you are here" })] : []),
       ...(one.id === projector ? [make("span", { class: "tag review", text: "projector" })] : []),
       make("div", { class: "row small" },
-        make("a", { href: `/?room=${encodeURIComponent(one.id)}`, text: "Open", "aria-label": `Open ${one.name}` }),
+        make("a", { class: "button", href: `/?room=${encodeURIComponent(one.id)}`, text: "Open", "aria-label": `Open ${one.name}` }),
         button("Project", () => told("project", { room: one.id }), { "aria-label": `Project ${one.name}` }),
         button("Log", () => log(one.id), { "aria-label": `Log of ${one.name}` }),
         button("Close", () => window.confirm(`Close ${one.name} for good?`) && told("close_room", { room: one.id }), { "aria-label": `Close ${one.name}` })))));
@@ -94,10 +95,10 @@ export function mountLead({ store, connection, toasts }) {
   panel.append(
     make("div", { class: "block first" }, make("h2", { text: "This room" }),
       make("div", { class: "row" }, button("Take control", () => told("hand_over", { person: store.now.you })),
-        button("Free control", () => told("hand_over", { person: "" })), lock, freeze, chat), times,
+        button("Free control", () => told("hand_over", { person: "" }))), make("div", { class: "row" }, lock, freeze, chat), times,
       make("div", { class: "row" }, scene, begin)),
     make("div", { class: "block" }, make("h2", { text: "All rooms" }),
-      make("div", { class: "row" }, make("a", { href: "/?wall", text: "Wall" }), make("a", { href: "/?projector", text: "Projector" }),
+      make("div", { class: "row" }, make("a", { class: "button", href: "/?wall", text: "Wall" }), make("a", { class: "button", href: "/?projector", text: "Projector" }),
         button("Freeze all", () => told("freeze", { on: true, everywhere: true })), button("Unfreeze all", () => told("freeze", { on: false, everywhere: true }))),
       broadcast, rooms),
     make("div", { class: "block" }, make("h2", { text: "New rooms" }), make("label", { for: "new-rooms", class: "soft", text: "One name a line" }), names,

@@ -3,7 +3,7 @@
 import { clockOffset } from "../account.js";
 import { byId, make, write } from "../dom.js";
 
-const STATES = { connecting: "connecting …", open: "connected", waiting: "no connection, trying again …", ended: "ended" };
+export const STATES = { connecting: "connecting …", open: "connected", waiting: "no connection, trying again …", ended: "ended" };
 
 /** @param {import("../pages/room.js").App} app */
 export function mountTop({ store, connection, panic }) {
