@@ -1,5 +1,6 @@
 """The application: routes, and what starts and ends with it."""
 
+import gc
 from collections.abc import AsyncGenerator
 from contextlib import asynccontextmanager
 
@@ -41,6 +42,8 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
             for name in rooms:
                 sessions.begin(await hub.make_room(name, settings.places[0].id))
         hub.spawn(hub.pulse())
+        gc.collect()
+        gc.freeze()  # what is loaded is needed for good: no collection has to look at it again
         yield
         sessions.stop()
         await hub.stop()
