@@ -1,0 +1,48 @@
+"""A session that goes on and on: what it keeps has an end."""
+
+import gc
+from pathlib import Path
+
+import pytest
+
+from tests.unit.live.session.support import Driven
+from vrts.live import actions as do
+from vrts.live.session import growing
+
+LOOP = """\
+.PROGRAM loop()
+10 DRIVE 1,30,100
+    SIGNAL 3
+    TYPE "there ", n
+    DRIVE 1,-30,100
+    SIGNAL -3
+    n = n + 1
+    GOTO 10
+.END
+"""
+
+
+def test_a_looping_program_leaves_nothing_behind_but_its_motions(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(growing, "REACH", 30.0)
+    monkeypatch.setattr(growing, "CHECKPOINT", 10.0)
+    monkeypatch.setattr(growing, "FORGETTING", 10.0)
+    driven = Driven(tmp_path)
+    driven.act(do.Upload("loop.v2", LOOP))
+    driven.run(0.1)
+    driven.typed("DO n = 0", "EXECUTE loop,-1")
+    driven.run(60.0)
+    objects, motions = counted(driven)
+    driven.run(120.0)
+    objects_after, motions_after = counted(driven)
+    assert motions_after - motions > 200
+    assert objects_after - objects < 2 * (motions_after - motions) + 100
+
+
+def counted(driven: Driven) -> tuple[int, int]:
+    """Return how many objects there are, and how many motions there were."""
+    for heard in (driven.news, driven.frames, driven.log):
+        heard.clear()
+    gc.collect()
+    return len(gc.get_objects()), len(driven.session.growing.machine.system.planner.motions)
