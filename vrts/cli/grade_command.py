@@ -15,8 +15,10 @@ SUBCOMMANDS = {
     "reproduce": "mark what is in an evidence zip again, and compare",
     "diff": "compare two markings of a class",
     "change": "change a mark by hand",
+    "session": "mark sessions of the live server",
 }
 MARK = "mark"
+SESSION = "session"
 HELP = ("-h", "--help")
 
 
@@ -26,7 +28,8 @@ class GradeGroup(click.Group):
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Put in the name of the subcommand that is left out."""
         if not args or (args[0] not in SUBCOMMANDS and args[0] != MARK):
-            args = [MARK, *args]
+            of_sessions = any(word.split("=")[0] == f"--{SESSION}" for word in args)
+            args = [SESSION if of_sessions else MARK, *args]
         return super().parse_args(ctx, args)
 
     def list_commands(self, ctx: click.Context) -> list[str]:

@@ -58,7 +58,7 @@ scheduler only you can reach. Without Dask: vrts grade plan, run and merge.
 
 \b
 Further: vrts grade intake | plan | run | merge | export | init | evidence | reproduce | diff |
-change, each with --help.
+change, each with --help. Sessions of the live server: vrts grade [TASK] --session FILE.
 """
 
 

@@ -44,7 +44,7 @@ def read_log(data: bytes) -> tuple[LoggedSession, ...]:
         if (head.schema, head.version) != ("vrts/live-log", 1):
             raise LogFault("this is no log of a live session")
         _verify(head, rows)
-        return sessions_of(map(_log_row, rows))
+        return tuple(s.require_whole() for s in sessions_of(map(_log_row, rows)))
     except msgspec.DecodeError as problem:
         raise LogFault(f"this is no log of a live session: {problem}") from problem
 

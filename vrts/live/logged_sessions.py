@@ -42,6 +42,18 @@ class LoggedSession(NamedTuple):
     entries: tuple[Entry, ...]
     jumped: int = 0  # record after which session time was another one; 0: none
     over: bool = False  # another scene was asked for
+    purged: int = 0  # the first record of which a part was purged; 0: none
+
+    def require_whole(self) -> "LoggedSession":
+        """Return it if it can be done again.
+
+        Raises:
+            LogFault: What a person did in it was purged.
+        """
+        if self.purged:
+            problem = f"record {self.purged} was purged, so the session cannot be replayed"
+            raise LogFault(problem)
+        return self
 
 
 class _Begin(msgspec.Struct, frozen=True):
@@ -62,7 +74,6 @@ def sessions_of(rows: Iterable[LogRow]) -> tuple[LoggedSession, ...]:
     """Return the sessions of a room from its records, in order.
 
     Raises:
-        LogFault: What a person did was purged.
         msgspec.DecodeError: A text is none of a log.
     """
     found: list[LoggedSession] = []
@@ -78,8 +89,11 @@ def sessions_of(rows: Iterable[LogRow]) -> tuple[LoggedSession, ...]:
             stopped = msgspec.json.decode(row.text or b"", type=_CarryOn)
             entries.append(Entry(stopped.at_s, Halt(row.seq, stopped.at_s)))
             found[-1] = found[-1]._replace(number=row.session)
-        elif found and row.session == found[-1].number:
-            entry = _entry(row)
+        elif found and row.session == found[-1].number and row.kind not in NO_COMMANDS:
+            if row.text is None:
+                found[-1] = found[-1]._replace(purged=found[-1].purged or row.seq)
+                continue
+            entry = _entry(row, row.text)
             if entry is not None:
                 entries.append(entry)
             if row.kind in JUMPS:
@@ -95,13 +109,9 @@ def _close(found: list[LoggedSession], entries: list[Entry]) -> None:
     entries.clear()
 
 
-def _entry(row: LogRow) -> Entry | None:
-    """Return a command that a replay needs, None when the row is something else."""
-    if row.kind in NO_COMMANDS:
-        return None
-    if row.text is None:
-        raise LogFault(f"record {row.seq} was purged, so the session cannot be replayed")
-    command = msgspec.json.decode(row.text, type=_Command)
+def _entry(row: LogRow, text: bytes) -> Entry | None:
+    """Return a command that a replay needs, None when it had no effect."""
+    command = msgspec.json.decode(text, type=_Command)
     done = command.result
     if done is None or not done.counts:
         return None

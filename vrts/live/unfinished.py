@@ -35,15 +35,17 @@ def unfinished(connection: Connection, room: str, scene: str) -> Unfinished | No
     if wrong:
         raise LogFault(wrong)
     try:
-        (session,) = sessions_of(map(_log_row, rows))
+        (session,) = sessions_of(map(log_row, rows))
     except msgspec.DecodeError as problem:
         raise LogFault(f"its log cannot be read: {problem}") from problem
     if session.over or session.scene != scene:
         return None
+    session.require_whole()
     until_s = progress.reached(connection, room, session.number, session.jumped)
     return Unfinished(session, until_s)
 
 
-def _log_row(kept: Kept) -> LogRow:
+def log_row(kept: Kept) -> LogRow:
+    """Return a record of the database as what sessions are made of."""
     text = None if kept.text is None else kept.text.encode()
     return LogRow(kept.seq, kept.session, kept.kind, f"p{kept.account}", text)

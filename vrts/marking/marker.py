@@ -101,9 +101,12 @@ class Marker:
         return msgspec.json.encode(self._work(order, folder, self.wanted))
 
     def _work(self, order: Order, folder: Path, wanted: Wanted) -> Marks:
-        staff = mark(order, self.whole, wanted)
-        student = staff if self.public is self.whole else mark(order, self.public, wanted)
+        staff = self._mark(order, self.whole, wanted)
+        student = staff if self.public is self.whole else self._mark(order, self.public, wanted)
         return self._finished(staff, student, order.data, folder, wanted)
+
+    def _mark(self, order: Order, setting: Setting, wanted: Wanted) -> Marked:
+        return mark(order, setting, wanted)
 
     def _finished(
         self, staff: Marked, student: Marked, data: bytes | None, folder: Path, wanted: Wanted

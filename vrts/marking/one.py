@@ -1,9 +1,10 @@
 """Marks one program, whatever it contains."""
 
 import traceback
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.check.grade import Status
@@ -15,6 +16,10 @@ from vrts.report.assessment import Assessment
 
 UNREADABLE = Rule("V191", "unreadable-file")
 FAULT = Rule("V192", "fault-in-vrts")
+
+
+class NotMarkable(Exception):  # noqa: N818 -- names the situation
+    """There is nothing that could be marked, by nobody's fault; the text says why."""
 
 
 class Order(NamedTuple):
@@ -42,19 +47,34 @@ class Marked:
     fault: str | None  # traceback of a fault in vrts itself
 
 
-def mark(order: Order, setting: Setting, wanted: Wanted) -> Marked:
-    """Mark a program; where there are hidden scenes, the lowest mark counts.
+Assessed: TypeAlias = Callable[[Order, Setting, Wanted], Assessment]
+
+
+def assessed(order: Order, setting: Setting, wanted: Wanted) -> Assessment:
+    """Compile, run, check and mark a program."""
+    return assess(
+        order.data,
+        setting=setting,
+        identifier=order.identifier,
+        title=order.title,
+        collisions=wanted.collisions,
+        engine=wanted.engine,
+    )
+
+
+def mark(order: Order, setting: Setting, wanted: Wanted, assessed: Assessed = assessed) -> Marked:
+    """Mark a program, or whatever `assessed` knows; of hidden scenes the lowest mark counts.
 
     The one place where any exception is caught: a fault of ours must not look like one of the
     student's. The row says so, and the traceback is kept. Memory that is used up is no fault.
     """
     try:
-        found = _assessed(order, setting, wanted)
+        found = assessed(order, setting, wanted)
         for variant in setting.variants:
-            other = _assessed(order, variant, wanted)
+            other = assessed(order, variant, wanted)
             if _mark_of(other) < _mark_of(found):
                 found = other
-    except MemoryError:
+    except (MemoryError, NotMarkable):
         raise
     except Exception:
         why = error(
@@ -70,17 +90,6 @@ def refused(identifier: str, title: str, sentence: str, setting: Setting) -> Mar
     """Return what there is to say of a file that is no program."""
     why = error(UNREADABLE, sentence)
     return Marked(_nothing(Order(identifier, title, b""), setting, why), None)
-
-
-def _assessed(order: Order, setting: Setting, wanted: Wanted) -> Assessment:
-    return assess(
-        order.data,
-        setting=setting,
-        identifier=order.identifier,
-        title=order.title,
-        collisions=wanted.collisions,
-        engine=wanted.engine,
-    )
 
 
 def _mark_of(a: Assessment) -> Fraction:

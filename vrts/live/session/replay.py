@@ -77,7 +77,6 @@ def replay_whole(setting: Setting, entries: Iterable[Entry], most_s: float) -> R
 
     Raises:
         Differs: It is not: scene, task or vrts are not what they were.
-        ValueError: A time lies before what came earlier.
     """
     heard: dict[int, Done] = {}
 
@@ -90,6 +89,8 @@ def replay_whole(setting: Setting, entries: Iterable[Entry], most_s: float) -> R
         for entry in entries:
             if entry.was_refused:
                 continue
+            if entry.at_s < session.growing.time_s:
+                raise Differs(f"{entry.at_s:.3f} s lies before what came earlier")
             session.repeat(entry.order, entry.at_s)
             session.showing.news()
             if not same_answer(entry.done, heard.pop(entry.order.ref, None)):

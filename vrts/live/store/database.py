@@ -9,18 +9,20 @@ import asyncio
 import os
 import sqlite3
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from concurrent.futures import Future
+from contextlib import contextmanager
 from pathlib import Path
 from queue import SimpleQueue
 from typing import Any, TypeVar
 
-from vrts.live.store.migrations import migrate
+from vrts.live.store.migrations import STEPS, migrate
 
 Answer = TypeVar("Answer")
 Connection = sqlite3.Connection
 Job = Callable[[sqlite3.Connection], Any]
 
+_MAGIC = b"SQLite format 3\0"
 _TOGETHER = 200  # jobs of one commit
 
 
@@ -35,6 +37,32 @@ def opened(path: Path) -> sqlite3.Connection:
     connection.execute("PRAGMA secure_delete=ON")  # what is purged is overwritten
     migrate(connection)
     return connection
+
+
+def is_database(path: Path) -> bool:
+    """Return whether a file is a SQLite database."""
+    with path.open("rb") as file:
+        return file.read(len(_MAGIC)) == _MAGIC
+
+
+@contextmanager
+def read_only(path: Path) -> Generator[sqlite3.Connection]:
+    """Open a database to read, while a server uses it or not; nothing is changed.
+
+    Raises:
+        ValueError: It is none that this version can read.
+    """
+    try:
+        connection = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", uri=True)
+        try:
+            (version,) = connection.execute("PRAGMA user_version").fetchone()
+            if not 0 < version <= len(STEPS):
+                raise ValueError("it is no database of this version of vrts")
+            yield connection
+        finally:
+            connection.close()
+    except sqlite3.Error as problem:
+        raise ValueError(str(problem)) from problem
 
 
 def backup(path: Path, target: Path) -> None:

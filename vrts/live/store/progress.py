@@ -41,6 +41,21 @@ def reached(connection: sqlite3.Connection, room: str, session: int, since: int)
     return float(row[0]) if row else 0.0
 
 
+def rooms_with_logs(connection: sqlite3.Connection) -> list[tuple[str, str]]:
+    """Return id and name of every room, closed ones too, in order."""
+    return connection.execute("SELECT id, name FROM room ORDER BY place, id").fetchall()
+
+
+def all_records(connection: sqlite3.Connection, room: str) -> list[Kept]:
+    """Return all records of a room."""
+    rows = connection.execute(
+        "SELECT seq, session, kind, account, text FROM log LEFT JOIN log_text USING (room, seq)"
+        " WHERE room=? ORDER BY seq",
+        (room,),
+    )
+    return [Kept._make(row) for row in rows]
+
+
 def last_session(connection: sqlite3.Connection, room: str) -> list[Kept]:
     """Return the records of a room since its last session began; none: there was no session."""
     rows = connection.execute(
