@@ -9,7 +9,8 @@ from enum import IntEnum
 from typing import TYPE_CHECKING, NamedTuple
 
 from vrts.engine.cells import Bound, Cell, Memory, copy_bound
-from vrts.engine.events import Cause, Event, Found
+from vrts.engine.event_log import EventLog
+from vrts.engine.events import Cause, Found
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.log import Log
 from vrts.engine.reactions import Watch
@@ -129,7 +130,7 @@ class System:
         self.hand = hand
         self.signals = signals
         self.terminal = terminal
-        self.events: Log[Event] = Log()
+        self.events = EventLog()
         self.timers: dict[int, float] = {}  # time at which a timer stood at zero [s]
         self.random_state = seed & 0xFFFFFFFF
         self.switches: dict[str, bool] = {}  # those that differ from the start

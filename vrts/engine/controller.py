@@ -70,6 +70,32 @@ def truncate(run: Run, time_s: float) -> Run:
     return Run(machine, time_s, tuple(kept))
 
 
+@deep_stack()
+def forked(run: Run, commands: Sequence[TimedCommand], until_s: float) -> Run:
+    """Return the run that it would have been with commands at an earlier moment of it.
+
+    Commands that were issued later than the first of these are forgotten; no further ones come.
+
+    Args:
+        run: A run that can go on.
+        commands: What the controller is told, in order; a command may come within a tick.
+        until_s: How far the other run goes.
+
+    Raises:
+        OutOfHorizon: The first command is not within the run.
+    """
+    first = commands[0]
+    if not 0.0 <= first.time_s <= run.until_s:
+        raise OutOfHorizon(first.time_s, run.until_s)
+    tick = run.machine.tick
+    kept = [m for m in run.checkpoints if m.last_tick * tick < first.time_s - 0.5 * tick]
+    machine = kept[-1].copy()
+    machine.closed = True
+    earlier = tuple(c for c in run.machine.issued if c.order <= first.order)
+    machine.know((*earlier, *commands))
+    return _grown(machine, machine.now, until_s, tuple(kept))
+
+
 def execute(
     module: Module, scene: Scene, scenario: Scenario | None = None, program: str | None = None
 ) -> Run:

@@ -47,8 +47,18 @@ def _run_steps(machine: "Machine", c: Context, most: int) -> None:
     """Execute statements until the program waits, ends, or has used its share of the tick."""
     left = most
     while left > 0 and c.running:
+        due = machine.due_after
+        share = left if due is None else min(left, max(due - machine.finished, 0))
+        if share == 0:
+            machine.obey(c.now)
+            continue
+        before = machine.finished
         try:
-            left = _run_frame(machine, c, left)
+            unused = _run_frame(machine, c, share)
+            if unused or machine.finished - before >= share:  # else it waits, or has ended
+                left += unused - share
+            else:
+                left = 0
         except RuntimeFault as fault:
             left -= 1
             _catch(machine, c, fault)

@@ -11,6 +11,7 @@ from typing import TypeVar
 
 from vrts.engine.cells import Cell, cells_of
 from vrts.engine.context import Context
+from vrts.engine.event_log import EventLog
 from vrts.engine.events import (
     AnalogChanged,
     Answered,
@@ -24,7 +25,6 @@ from vrts.engine.events import (
     SwitchChanged,
 )
 from vrts.engine.hand import Hand
-from vrts.engine.log import Log
 from vrts.engine.machine import Machine
 from vrts.engine.outcomes import INSTANT
 from vrts.engine.trace import Trace
@@ -136,7 +136,7 @@ def _forget_steps(trace: Trace, finished: int, columns: _Columns) -> None:
     trace.activations = columns.without(trace.activations, first)  # type: ignore[type-var]
 
 
-def _shortened(events: Log[Event], before_s: float) -> Log[Event]:
+def _shortened(events: EventLog, before_s: float) -> EventLog:
     """Return the events from a time on, and earlier ones that still tell how things are."""
     last: dict[object, int] = {}
     for number, event in enumerate(events):
@@ -144,10 +144,11 @@ def _shortened(events: Log[Event], before_s: float) -> Log[Event]:
             for what in _tells(event):
                 last[what] = number
     told = set(last.values())
-    kept: Log[Event] = Log()
-    for number, event in enumerate(events):
+    kept = EventLog()
+    kept.counted = events.counted
+    for number, (event, finished) in enumerate(zip(events, events.numbers, strict=True)):
         if event.time_s >= before_s or number in told:
-            kept.append(event)
+            kept.add(event, finished)
     return kept
 
 

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from vrts.engine.cells import Bound, Cell
 from vrts.engine.context import Context
-from vrts.engine.events import Cause, Event
+from vrts.engine.event_log import EventLog
+from vrts.engine.events import Cause
 from vrts.engine.motion.time_scale import TimeScale
 from vrts.engine.outcomes import INSTANT
 from vrts.engine.process import next_instruction
@@ -97,7 +98,7 @@ class History:
     arm: ArmHistory
     hand: HandHistory
     memory: MemoryHistory
-    events: Sequence[Event]
+    events: EventLog
 
     def finished_at(self, time_s: float) -> int:
         """Return how many statements are finished at a time."""

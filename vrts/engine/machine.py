@@ -122,6 +122,11 @@ class Machine:
     def _wire(self) -> None:
         self.system.robot, self.system.process = self.robot, self.process
         self.system.hand.planner = self.system.planner
+        self.system.events.counted = self.counted
+
+    def counted(self) -> int:
+        """Return how many statements are finished, the one under way included."""
+        return max(self.finished, self.robot.finished, self.process.finished)
 
     def write(self) -> None:
         """Begin to add to the shared histories; part from versions that went on before."""
@@ -187,7 +192,7 @@ class Machine:
 
     def know(self, issued: tuple[TimedCommand, ...]) -> None:
         """Take these for all commands ever issued; those obeyed are among them."""
-        self.issued = tuple(sorted(issued, key=lambda c: c.time_s))
+        self.issued = tuple(sorted(issued, key=lambda c: c.order))
         coming = self._next_command()
         if coming is not None:  # a tick that was to be skipped may be needed now
             self.next_tick = min(self.next_tick, max(self._tick_of(coming), self.last_tick + 1))
@@ -233,15 +238,16 @@ class Machine:
         system = self.system
         self.robot.now = self.process.now = now
         self._note_motions(now)
-        self._obey(now)
+        self.obey(now)
         self._bring_faults_about(now)
         self._sample(now)
         system.hand.settle_until(now, system.events)
         before = self.finished
         on = system.signals.changes
-        for c in (self.robot, self.process):
-            if c.running:
-                execute(self, c, now)
+        self._execute(now)
+        while self._due_now():  # what a debugger does at the end of the tick
+            self.obey(now)
+            self._execute(now)
         progress = self.finished != before
         if progress:
             self.ticks.append(tick)
@@ -252,6 +258,11 @@ class Machine:
         else:
             following = self._future()
             self._skip_to(following if following is not None else now)
+
+    def _execute(self, now: float) -> None:
+        for c in (self.robot, self.process):
+            if c.running:
+                execute(self, c, now)
 
     def _plan_next(self, now: float, *, progress: bool, stirred: bool) -> None:
         """Choose the next tick that has to be run."""
@@ -321,9 +332,23 @@ class Machine:
             events.append(MotionEnded(finish, self.arrived, motion.cause))
             self.arrived += 1
 
-    def _obey(self, now: float) -> None:
+    @property
+    def due_after(self) -> int | None:
+        """Statements after which the next command of this tick is to be obeyed."""
+        if self.obeyed >= len(self.issued):
+            return None
+        timed = self.issued[self.obeyed]
+        return timed.after if timed.time_s <= self.now + INSTANT else None
+
+    def _due_now(self) -> bool:
+        return self.due_after is not None and self.due_after <= self.finished
+
+    def obey(self, now: float) -> None:
+        """Obey the commands that are due."""
         while self.obeyed < len(self.issued) and self.issued[self.obeyed].time_s <= now + INSTANT:
-            command = self.issued[self.obeyed].command
+            time_s, command, after = self.issued[self.obeyed]
+            if after is not None and after > self.finished and time_s > now - self.tick + INSTANT:
+                return  # it comes within this tick
             self.obeyed += 1
             self.finished += 1  # so that before and after can be told apart
             obey(command, self, now)

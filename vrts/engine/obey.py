@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from vrts.engine.cells import UNDEFINED, cells_of
+from vrts.engine.cells import UNDEFINED, Array, cells_of
 from vrts.engine.code.executable import Executable
 from vrts.engine.code.setting_steps import change_monitor_speed
 from vrts.engine.context import Context
@@ -97,6 +97,10 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
         case k.SetVariable(name=name, subscripts=subscripts, value=value):
             cell = system.executable.variable(system.memory, name, subscripts)
             cell.assign(UNDEFINED if value is None else value, machine.finished)
+        case k.SetLocal(process=of_process):
+            _set_local(machine, process if of_process else robot, command)
+        case k.GoTo(step=step, process=of_process):
+            _go_to(machine, process if of_process else robot, step, now)
         case k.DeleteVariables(names=names):
             for name in names:
                 _forget(machine, name)
@@ -228,6 +232,33 @@ def _repeat_motion(machine: "Machine", now: float) -> None:
         intent = to_joints(planner.stance, planner.dest, settings, cut.speed_fraction, None)
     start = max(now + machine.tick, planner.motion_end)
     planner.begin(intent, start, planner.destination, cut.cause)
+
+
+def _set_local(machine: "Machine", c: Context, command: k.SetLocal) -> None:
+    if not c.frames:
+        raise _Refused(NOT_EXECUTING)
+    frame = c.frames[-1]
+    program = machine.system.executable.programs[frame.program].program
+    names = [slot.name for slot in (*program.formals, *program.autos)]
+    if command.name not in names:
+        raise _Refused(UNKNOWN)
+    bound = frame.slots[names.index(command.name)]
+    if isinstance(bound, Array) != bool(command.subscripts):
+        raise _Refused(UNKNOWN)
+    cell = bound.element(command.subscripts) if isinstance(bound, Array) else bound
+    cell.assign(UNDEFINED if command.value is None else command.value, machine.finished)
+
+
+def _go_to(machine: "Machine", c: Context, step: int, now: float) -> None:
+    if not c.frames:
+        raise _Refused(NOT_EXECUTING)
+    frame = c.frames[-1]
+    steps = machine.system.executable.programs[frame.program].program.steps
+    if not 1 <= step <= len(steps):
+        raise _Refused(UNKNOWN)
+    frame.index = steps[step - 1]
+    c.phase, c.operands, c.fault = 0, None, None
+    c.wake = now
 
 
 def _forget(machine: "Machine", name: str) -> None:

@@ -167,6 +167,17 @@ class Run:
         return tuple(sorted(known, key=_order))
 
     @property
+    def event_numbers(self) -> Sequence[int]:
+        """Beside `events`: how many statements were finished with each."""
+        return self._event_numbers
+
+    @cached_property
+    def _event_numbers(self) -> Sequence[int]:
+        log = self.history.events
+        both = (p for p in zip(log, log.numbers, strict=True) if p[0].time_s <= self.horizon_s)
+        return [number for _, number in sorted(both, key=lambda pair: _order(pair[0]))]
+
+    @property
     def findings(self) -> tuple[Diagnostic, ...]:
         """Diagnostics of the engine, in time order."""
         return tuple(event.diagnostic for event in self.events if isinstance(event, Found))
@@ -224,6 +235,18 @@ class Run:
         if not 0.0 <= time_s <= self.horizon_s:
             raise OutOfHorizon(time_s, self.horizon_s)
         return State(self, time_s, None)
+
+    def at_moment(self, time_s: float, finished: int) -> State:
+        """Return the state at a time when a number of statements is finished: within its tick.
+
+        Raises:
+            OutOfHorizon: The run does not reach so far.
+        """
+        if not 0.0 <= time_s <= self.horizon_s:
+            raise OutOfHorizon(time_s, self.horizon_s)
+        if not 0 <= finished <= self.statements:
+            raise OutOfHorizon(finished, self.statements)
+        return State(self, time_s, finished)
 
     def at_statement(self, finished: int) -> State:
         """Return the state after a number of statements, in any order of asking.

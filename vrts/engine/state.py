@@ -1,7 +1,7 @@
 """A run at one instant: all that can be asked."""
 
 from bisect import bisect_right
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, TypeVar
 
 from vrts.base.pose import IDENTITY, Pose
@@ -21,6 +21,7 @@ from vrts.engine.events import (
     SwitchChanged,
 )
 from vrts.engine.history import ProgramHistory
+from vrts.engine.outcomes import INSTANT
 from vrts.engine.records import (
     Ending,
     Lie,
@@ -48,12 +49,12 @@ FINISHED = (Ending.COMPLETED.value, Ending.HALTED.value)  # nothing is left to g
 class State:
     """A run at one instant; parts are worked out when they are asked for."""
 
-    __slots__ = ("_finished", "_run", "time_s")
+    __slots__ = ("_finished", "_run", "_within", "time_s")
 
     def __init__(self, run: "Run", time_s: float, finished: int | None) -> None:
         """Remember the run and the instant; None is after all that happened in its tick."""
         self._run = run
-        self._finished = finished
+        self._finished = self._within = finished
         self.time_s = time_s
 
     @property
@@ -134,11 +135,8 @@ class State:
     def signals(self) -> frozenset[int]:
         """Signals that are on."""
         on: set[int] = set()
-        for event in self._run.events:
-            if event.time_s > self.time_s:
-                break
-            if isinstance(event, SignalChanged):
-                (on.add if event.on else on.discard)(event.signal)
+        for event in self._events(SignalChanged):
+            (on.add if event.on else on.discard)(event.signal)
         return frozenset(on)
 
     @property
@@ -240,9 +238,7 @@ class State:
     def awaits_answer(self) -> bool:
         """Whether a PROMPT waits for a line."""
         asked = False
-        for event in self._run.events:
-            if event.time_s > self.time_s:
-                break
+        for event in self._happened():
             if isinstance(event, Prompted):
                 asked = True
             elif isinstance(event, Answered | ProgramEnded):
@@ -288,11 +284,18 @@ class State:
     # --- parts --------------------------------------------------------------------------------
 
     def _events(self, kind: type[E]) -> list[E]:
-        return [
-            event
-            for event in self._run.events
-            if event.time_s <= self.time_s and isinstance(event, kind)
-        ]
+        return [event for event in self._happened() if isinstance(event, kind)]
+
+    def _happened(self) -> Iterator[Event]:
+        """Go through what has happened; within a tick as far as statements are finished."""
+        run = self._run
+        count = bisect_right(run.events, self.time_s, key=lambda event: event.time_s)
+        if self._within is None:
+            yield from run.events[:count]
+            return
+        for event, number in zip(run.events[:count], run.event_numbers[:count], strict=True):
+            if number <= self._within or event.time_s < self.time_s - INSTANT:
+                yield event
 
     def _stack(self, program: ProgramHistory) -> tuple[Cause, ...]:
         causes = self._run.history.code.causes

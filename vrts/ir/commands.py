@@ -107,6 +107,22 @@ class SetVariable(NamedTuple):
     value: Value | None
 
 
+class SetLocal(NamedTuple):
+    """Give an argument or automatic variable of the innermost program a value, or none."""
+
+    name: str  # as Slot.name
+    subscripts: tuple[int, ...]
+    value: Value | None
+    process: bool = False  # of the process control program
+
+
+class GoTo(NamedTuple):
+    """Let the innermost program go on with another of its steps."""
+
+    step: int
+    process: bool = False  # the process control program
+
+
 class DeleteVariables(NamedTuple):
     """Forget variables; a name stands for all elements of an array."""
 
@@ -144,6 +160,8 @@ Command: TypeAlias = (
     | Answer
     | ForceSignals
     | SetVariable
+    | SetLocal
+    | GoTo
     | DeleteVariables
     | Load
     | DeletePrograms
@@ -151,7 +169,17 @@ Command: TypeAlias = (
 
 
 class TimedCommand(NamedTuple):
-    """A command and the simulated time [s] at which it is issued."""
+    """A command and the simulated time [s] at which it is issued.
+
+    It takes effect at the beginning of a tick; or, as a debugger wants it, within the tick of this
+    time as soon as a number of statements of both programs is finished.
+    """
 
     time_s: float
     command: Command
+    after: int | None = None  # statements
+
+    @property
+    def order(self) -> tuple[float, int]:
+        """What comes first is carried out first."""
+        return self.time_s, -1 if self.after is None else self.after

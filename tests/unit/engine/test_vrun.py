@@ -95,7 +95,7 @@ def test_the_same_run_gives_the_same_bytes(which: Callable[[], Simulated]) -> No
 
 def test_a_file_is_json_and_arrays_that_numpy_reads_without_pickle() -> None:
     with np.load(io.BytesIO(file_of(busy)), allow_pickle=False) as arrays:
-        assert json.loads(arrays["vrun.json"])["format"] == "vrts.run/1"
+        assert json.loads(arrays["vrun.json"])["format"] == "vrts.run/2"
         for name in arrays.files:
             if name != "vrun.json":
                 assert arrays[name].dtype.kind in "uif"
@@ -247,7 +247,7 @@ def test_encrypted_members_are_not_taken() -> None:
 def test_other_formats_are_named() -> None:
     found = refusal(with_manifest(DATA, lambda m: m.update(format="vrts.run/9", vrts="8.0")))
     assert found.rule.code == "V542"
-    assert found.notes == ("it is `vrts.run/9` of vrts 8.0; this vrts reads `vrts.run/1`",)
+    assert found.notes == ("it is `vrts.run/9` of vrts 8.0; this vrts reads `vrts.run/2`",)
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@ from vrts import __version__
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.base.pose import Pose
 from vrts.engine.cells import Cell
+from vrts.engine.event_log import EventLog
 from vrts.engine.events import (
     Cause,
     Event,
@@ -169,7 +170,7 @@ def _run(saved: SavedRun, module: Module, scene: Scene) -> Run:
             _cell(known, system.get("base")),
             {name: _cell(known, row) for name, row in named(system.get("parameters")).items()},
         ),
-        events=plain.read(tuple[Event, ...], said.get("events")),
+        events=_events(plain.read(tuple[Event, ...], said.get("events")), tables, finished),
     )
     _check_events(history)
     return Run(history, _time(said.get("until_s")))
@@ -206,6 +207,16 @@ def _checked_counts(tables: Mapping[str, Table], finished: int) -> "array[int]":
     require(ascending(ticks) and ascending(counts), "ticks are not in order")
     check_below(counts, finished + 1, "ticks")
     return counts_of(counts)
+
+
+def _events(events: tuple[Event, ...], tables: Mapping[str, Table], finished: int) -> EventLog:
+    numbers = counts_of(tables["event_numbers"])
+    require(len(numbers) == len(events), "events have no numbers")
+    check_below(tables["event_numbers"], finished + 1, "events")
+    log = EventLog()
+    for event, count in zip(events, numbers, strict=True):
+        log.add(event, count)
+    return log
 
 
 def _commands(commands: tuple[TimedCommand, ...], module: Module) -> tuple[TimedCommand, ...]:

@@ -1,6 +1,7 @@
 """A run to the bytes of a `.vrun` file."""
 
 import json
+from array import array
 from bisect import bisect_right
 
 from vrts import __version__
@@ -23,8 +24,9 @@ from vrts.ir.commands import DeletePrograms, Do, Load, TimedCommand
 from vrts.robots.model import Configuration
 from vrts.scene.model import Scenario
 
-FORMAT = "vrts.run/1"
+FORMAT = "vrts.run/2"
 MAIN_LAYOUT = {
+    "event_numbers": ("<u4", 0),  # beside the events: statements finished with each
     "ticks": ("<u4", 0),  # in which statements were executed
     "counts": ("<u4", 0),  # statements finished after each
     "memory": ("<u4", 0),  # numbers of the names of global variables
@@ -67,6 +69,7 @@ def _parts(run: Run, origin: Origin) -> tuple[Json, dict[str, Table]]:
     tables = {
         "ticks": column(history.ticks[:kept], "<u4"),
         "counts": column(history.counts[:kept], "<u4"),
+        "event_numbers": column(array("I", history.events.numbers), "<u4"),
         "memory": column(names, "<u4"),
         **write_arm(history.arm, plain),
         **write_traces(traces, history.finished, cells),

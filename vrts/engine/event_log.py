@@ -1,0 +1,50 @@
+"""Everything that happened, and beside it after how many statements."""
+
+from collections.abc import Callable, Sequence
+from itertools import islice
+
+from vrts.engine.events import Event
+from vrts.engine.log import Log
+
+
+def _none() -> int:
+    return 0
+
+
+class EventLog(Log[Event]):
+    """Events in the order in which they came about.
+
+    `numbers` are the statements finished with the one that caused an event, so that before and
+    after can be told apart within a tick.
+    """
+
+    __slots__ = ("_numbers", "counted")
+
+    def __init__(self) -> None:
+        """Start empty."""
+        super().__init__()
+        self._numbers: list[int] = []
+        self.counted: Callable[[], int] = _none  # statements, the one under way included
+
+    def append(self, item: Event) -> None:
+        """Add an event of now."""
+        self.add(item, self.counted())
+
+    def add(self, item: Event, number: int) -> None:
+        """Add an event that came with a number of statements."""
+        if len(self._numbers) != len(self):
+            self._numbers = self._numbers[: len(self)]
+        self._numbers.append(number)
+        super().append(item)
+
+    @property
+    def numbers(self) -> Sequence[int]:
+        """Statements finished with each event, in the same order."""
+        return list(islice(self._numbers, len(self)))
+
+    def copy(self) -> "EventLog":
+        """Return a log with the same events that can go on by itself."""
+        other = EventLog()
+        other._items, other._length = self._items, self._length
+        other._numbers, other.counted = self._numbers, self.counted
+        return other
