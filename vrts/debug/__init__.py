@@ -1,0 +1,1 @@
+"""Debugging: breakpoints, steps and alarms as questions to a run, forward and backward."""

@@ -1,0 +1,121 @@
+"""Expressions of the language, worked out at any instant of a run.
+
+The controller works them out itself, on a fork of the run that is thrown away: what it would
+answer if it were asked at that instant.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from vrts.base.source import SourceFile
+from vrts.debug.passages import Instant
+from vrts.engine.controller import forked
+from vrts.engine.events import CommandRefused, Found
+from vrts.engine.run import Run, State
+from vrts.ir.commands import Command, Do, Panic, SetVariable, TimedCommand
+from vrts.ir.module import Module
+from vrts.ir.values import Value
+from vrts.lang.dialect import Dialect
+from vrts.lang.names import key
+from vrts.monitor import words
+from vrts.monitor.desk import ALONE, ANSWER, executes
+from vrts.monitor.programs import in_view
+
+LONGEST = 250  # characters
+
+
+class CannotTell(ValueError):  # noqa: N818 -- names the situation
+    """An expression has no value; the text says why."""
+
+
+def evaluate(run: Run, at: Instant, text: str, dialect: Dialect) -> Value:
+    """Return the value of an expression at an instant.
+
+    Args:
+        run: A run that can go on.
+        at: When it is asked; arguments and automatic variables are those of the innermost program.
+        text: A real, a string, a transformation or a precision point; one line.
+        dialect: Of the program.
+
+    Raises:
+        CannotTell: It cannot be read, or has no value then.
+    """
+    text = text.strip()
+    if not text or len(text) > LONGEST or "\n" in text:
+        raise CannotTell("an expression is one line of at most 250 characters")
+    state = run.at_moment(at.time_s, at.finished)
+    known = {**state.variables, **state.locals}
+    simple = known.get(key(text.replace(" ", "")))
+    if simple is not None:
+        return simple
+    first = ""
+    for target in _targets(text, dialect):
+        found = _module(f"{target} = {text}", known, dialect)
+        if isinstance(found, str):
+            first = first or found
+            continue
+        answer = worked_out(run, at, found)
+        if isinstance(answer, str):
+            raise CannotTell(answer)
+        return answer[key(target.split()[-1])]
+    raise CannotTell(first)
+
+
+def worked_out(run: Run, at: Instant, module: Module) -> Mapping[str, Value] | str:
+    """Execute a module of one step beside a run; return the variables then, or why it failed."""
+    state = run.at_moment(at.time_s, at.finished)
+    commands: list[Command] = [_known_as(name, value) for name, value in state.locals.items()]
+    if executes(state.robot):  # which excludes DO, so the fork stops it first
+        commands.append(Panic())
+    commands.append(Do(module))
+    until = at.time_s + 2.0 * run.history.tick_s
+    timed = commands_at(run, at, commands)
+    fork = forked(run, timed, max(until, timed[0].time_s + 2.0 * run.history.tick_s))
+    for event, number in zip(fork.events, fork.event_numbers, strict=True):
+        if number > at.finished:
+            if isinstance(event, CommandRefused):
+                return words.starred(event.words)
+            if isinstance(event, Found) and event.diagnostic.is_error:
+                return event.diagnostic.headline
+    return fork.at(fork.horizon_s).variables
+
+
+def commands_at(run: Run, at: Instant, commands: Sequence[Command]) -> list[TimedCommand]:
+    """Return commands that take effect at an instant: within its tick where it is within one."""
+    tick = run.history.tick_s
+    on_tick = abs(at.time_s / tick - round(at.time_s / tick)) < 1e-6
+    after = at.finished if on_tick else None
+    return [TimedCommand(at.time_s, command, after) for command in commands]
+
+
+def _known_as(name: str, value: Value) -> SetVariable:
+    """Return what makes a local variable one that a step of its own can read."""
+    base, _, inside = name.rstrip("]").partition("[")
+    return SetVariable(
+        base, tuple(int(part) for part in inside.split(",")) if inside else (), value
+    )
+
+
+def _targets(text: str, dialect: Dialect) -> tuple[str, ...]:
+    set_ = "POINT" if dialect.is_as else "SET"
+    real, string = ANSWER, f"${ANSWER}"
+    pose, joints = f"{set_} {ANSWER}", f"{set_} #{ANSWER}"
+    if text[0] in '$"':
+        return string, real
+    if text[0] == "#":
+        return joints, real
+    return real, pose, string, joints
+
+
+def _module(step: str, known: Mapping[str, Value], dialect: Dialect) -> Module | str:
+    """Return a step as a program of its own, or why it is none."""
+    source = SourceFile("expression", f".PROGRAM {ALONE}\n{step}\n.END\n")
+    found = in_view(source, (step,), {}, known, dialect)
+    error = next((d for d in found.diagnostics if d.is_error), None)
+    if error is not None or found.module is None:
+        return error.headline if error is not None else "this is no expression"
+    return Module({ALONE: found.module.programs[ALONE]}, ())
+
+
+def at(run: Run, instant: Instant) -> State:
+    """Return the state at an instant."""
+    return run.at_moment(instant.time_s, instant.finished)
