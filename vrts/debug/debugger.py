@@ -146,7 +146,8 @@ class Debugger:
         passages = self._passages[process]
         here = passages.following(self.at)
         self._trail.append(self.stop)
-        later = np.flatnonzero(passages.begins[here + 1 :]) + here + 1
+        first = here + (here < passages.count and passages.instant(here) <= self.at)
+        later = np.flatnonzero(passages.begins[first:]) + first
         if way is not Way.INTO and here < passages.count:
             depth = passages.depths[here] - (way is Way.OUT)
             later = later[passages.depths[later] <= depth]

@@ -70,9 +70,10 @@ class Passages:
     def depths(self) -> NDArray[np.int64]:
         """How many programs called each other when each was executed."""
         trace = self._program.trace
-        depths = [0, *(_depth(activation) for activation in trace.activations)]
+        depths = np.asarray([0, *(_depth(activation) for activation in trace.activations)])
         changed = np.frombuffer(trace.changed, np.uint32)
-        return np.asarray(depths)[np.searchsorted(changed, self.before, side="right")]
+        found: NDArray[np.int64] = depths[np.searchsorted(changed, self.before, side="right")]
+        return found
 
     @cached_property
     def begins(self) -> NDArray[np.bool_]:

@@ -37,6 +37,13 @@ class EventLog(Log[Event]):
         self._numbers.append(number)
         super().append(item)
 
+    def not_finished(self, count: int) -> None:
+        """Take what a statement did before it began to wait for what came before it."""
+        k = len(self) - 1
+        while k >= 0 and self._numbers[k] > count:
+            self._numbers[k] = count
+            k -= 1
+
     @property
     def numbers(self) -> Sequence[int]:
         """Statements finished with each event, in the same order."""

@@ -98,6 +98,8 @@ def _run_frame(machine: "Machine", c: Context, left: int) -> int:
             elif outcome == BLOCKED:
                 trace.instructions.pop()
                 finished -= 1
+                c.finished = finished
+                c.system.events.not_finished(finished)
                 frame.index = index
                 return 0
             else:

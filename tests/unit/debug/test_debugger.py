@@ -255,6 +255,7 @@ def test_an_answer_can_be_given_where_the_program_is_stuck() -> None:
     d = debugger('.PROGRAM main\n PROMPT "how many? ", k\n TYPE k*2\n.END\n')
     assert d.go_on().why is Why.END
     assert d.asks
+    assert max(d.run.event_numbers) <= d.run.statements
     assert d.change([Answer("21")]) == []
     assert d.go_on().why is Why.END
     assert d.state.output.endswith("42\r\n")

@@ -1,0 +1,222 @@
+"""The debug adapter as editors use it: over pipes, forward and backward."""
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.support_dap import Client
+from tests.support_programs import ROOT
+from tests.unit.debug.test_debugger import TEXT
+
+HITS = ROOT / "examples/01-cans-on-bases/submissions/hits-base.v2"
+EXAMPLES = sorted((ROOT / "examples").glob("*/solution.v2"))
+
+
+@pytest.fixture
+def client() -> Iterator[Client]:
+    with Client() as made:
+        yield made
+
+
+@pytest.fixture
+def program(tmp_path: Path) -> Path:
+    path = tmp_path / "loop.v2"
+    path.write_text(TEXT)
+    return path
+
+
+def test_steps_and_breakpoints_go_both_ways(client: Client, program: Path) -> None:
+    assert client.launch(program, [5], dialect="val2+")["reason"] == "entry"
+    assert client.line() == 2
+    assert client.go("continue")["reason"] == "breakpoint"
+    assert (client.line(), client.value("n")) == (5, "0")
+    assert client.go("next")["reason"] == "step"
+    assert (client.line(), client.value("n")) == (6, "1")
+    client.go("stepIn")
+    trace = client.do("stackTrace", threadId=1)["stackFrames"]
+    assert [frame["name"] for frame in trace] == ["twice, step 1", "main, step 5"]
+    assert Path(trace[0]["source"]["path"]) == program
+    client.go("stepOut")
+    assert client.line() == 7
+    for line in (15, 6, 5):
+        client.go("stepBack")
+        assert client.line() == line
+    assert client.go("continue")["reason"] == "breakpoint"
+    assert client.value("n+10") == "11"
+    client.go("reverseContinue")
+    assert client.value("n") == "0"
+    assert client.go("reverseContinue")["reason"] == "entry"
+    threads = client.do("threads")["threads"]
+    assert [thread["name"] for thread in threads] == ["robot program", "process control program"]
+
+
+def test_a_wait_of_the_other_program_is_stepped_by_itself(client: Client, program: Path) -> None:
+    client.launch(program, dialect="val2+")
+    client.go("next", threadId=2)
+    stopped = client.go("next", threadId=2)
+    assert stopped["threadId"] == 2
+    assert client.line(2) == 21
+    assert "5" in client.shown()["Signals"]["on"]["value"]
+
+
+def test_the_first_contact_is_where_it_stops(client: Client) -> None:
+    client.launch(HITS)
+    client.do("setExceptionBreakpoints", filters=["contact"])
+    stopped = client.go("continue")
+    assert (stopped["reason"], stopped["threadId"]) == ("exception", 1)
+    assert "base" in stopped["text"]
+    told = client.do("exceptionInfo", threadId=1)
+    assert told["exceptionId"] == "contact"
+    time_s = float(client.shown()["Time"]["time"]["value"].split()[0])
+    client.go("stepBack")
+    assert float(client.shown()["Time"]["time"]["value"].split()[0]) < time_s
+    assert "under way" in client.shown()["Time"]
+
+
+def test_another_value_is_another_future(client: Client, program: Path) -> None:
+    client.launch(program, [5], dialect="val2+")
+    client.go("continue")
+    reals = next(
+        scope["variablesReference"]
+        for scope in client.do("scopes", frameId=100_000)["scopes"]
+        if scope["name"] == "Variables"
+    )
+    client.do("variables", variablesReference=reals)
+    given = client.do("setVariable", variablesReference=reals, name="n", value="1+2")
+    assert given["value"] == "3"
+    assert client.value("n") == "3"
+    assert client.go("continue")["reason"] == "pause"
+    assert client.output() == "done 8\n" or "8" in client.output()
+    client.go("restart")
+    assert client.go("continue")["reason"] == "breakpoint"
+    assert client.value("n") == "0"
+
+
+def test_the_console_takes_commands_and_expressions(client: Client, program: Path) -> None:
+    client.launch(program, [9], dialect="val2+")
+    client.go("continue")
+    assert client.value("DX(HERE)", "repl") == "700"
+    assert "JT1" in client.value("WHERE", "repl")
+    assert client.value("n = 3", "repl") == "3"
+    client.event("invalidated")
+    assert client.value("n", "repl") == "3"
+    assert client.value("SPEED 50", "repl") == ""
+    assert "50" in client.shown()["Arm"]["speed"]["value"]
+    assert "no value" in client.value("nosuch", "repl")
+    assert "nobody" in client.value("nobody 5", "repl").lower() or client.value("!", "repl")
+
+
+def test_data_breakpoints_and_log_points(client: Client, program: Path) -> None:
+    client.launch(program, dialect="val2+")
+    assert client.do("dataBreakpointInfo", name="nosuch")["dataId"] is None
+    info = client.do("dataBreakpointInfo", name="seen")
+    client.do("setDataBreakpoints", breakpoints=[{"dataId": info["dataId"]}])
+    client.lines(program, 9, logMessage="n = {n}")
+    stopped = client.go("continue")
+    assert stopped["reason"] == "data breakpoint"
+    assert stopped["text"] == "seen: 0 -> 1"
+    client.do("threads")
+    logged = [e["body"]["output"] for e in client.events if e["event"] == "output"]
+    assert any("n = 1" in text for text in logged)
+
+
+def test_ticks_goto_and_targets(client: Client, program: Path) -> None:
+    client.launch(program, [8], dialect="val2+")
+    client.go("continue")
+    before = client.shown()["Time"]["time"]["value"]
+    client.go("next", granularity="instruction")
+    assert client.shown()["Time"]["time"]["value"] != before
+    client.go("stepBack", granularity="instruction")
+    assert client.shown()["Time"]["time"]["value"] == before
+    targets = client.do("gotoTargets", source={"path": str(program)}, line=12)["targets"]
+    assert client.go("goto", targetId=targets[0]["id"])["reason"] == "goto"
+    assert client.line() == 12
+    assert client.go("continue")["reason"] == "pause"
+    found = client.do("breakpointLocations", source={"path": str(program)}, line=14, endLine=18)
+    assert [place["line"] for place in found["breakpoints"]] == [15, 17, 18]
+
+
+def test_a_program_that_waits_for_a_line_is_answered(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "ask.v2"
+    path.write_text('.PROGRAM main\n PROMPT "how many? ", k\n TYPE k*2\n.END\n')
+    client.launch(path)
+    client.go("continue")
+    client.value("21", "repl")
+    client.go("continue")
+    assert "42" in client.output()
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.parent.name)
+def test_every_example_goes_forward_and_back(client: Client, example: Path) -> None:
+    client.launch(example)
+    client.do("setExceptionBreakpoints", filters=["contact", "run-time-error"])
+    lines = [client.line()]
+    times: list[str] = []
+    for _ in range(12):
+        if client.go("next")["reason"] == "pause":
+            break
+        lines.append(client.line())
+        times.append(client.shown()["Time"]["time"]["value"])
+    client.go("continue")
+    client.go("reverseContinue")
+    for _ in times:
+        client.go("next")
+    for k in range(len(times) - 1, 0, -1):
+        client.go("stepBack")
+        assert client.line() == lines[k]
+        assert client.shown()["Time"]["time"]["value"] == times[k - 1]
+    assert client.go("continue")["reason"] == "pause", "nothing touches anything"
+
+
+def test_what_does_not_compile_is_told(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "bad.v2"
+    path.write_text(".PROGRAM main\n MOVE\n.END\n")
+    client.do("initialize")
+    refused = client.ask("launch", program=str(path))
+    assert not refused["success"]
+    assert "line 2" in refused["message"]
+    missing = client.ask("launch", program=str(tmp_path / "none.v2"))
+    assert not missing["success"]
+    assert "none.v2" in missing["message"]
+
+
+def test_bad_messages_do_no_harm(client: Client, program: Path) -> None:
+    assert not client.ask("next", threadId=1)["success"], "nothing is being debugged"
+    client.launch(program, dialect="val2+")
+    client.raw(b"Content-Length: 5\r\n\r\n{nope")
+    assert "malformed" in client.event("output")["output"]
+    client.raw(b"Content-Length: 2\r\n\r\n[]")
+    for command, arguments in (
+        ("nonsense", {}),
+        ("__class__", {}),
+        ("setBreakpoints", {"source": 5}),
+        ("setBreakpoints", {"source": {"path": str(program)}, "breakpoints": [{"line": "x"}]}),
+        ("variables", {"variablesReference": 99_999}),
+        ("goto", {"targetId": -1}),
+        ("evaluate", {"expression": "1/0"}),
+        ("evaluate", {"expression": "x" * 5_000}),
+        ("setVariable", {"variablesReference": 1, "name": "JT1", "value": "5"}),
+    ):
+        assert not client.ask(command, **arguments)["success"], command
+    assert client.line() == 2, "and it still answers"
+
+
+def test_it_ends_with_its_client(program: Path) -> None:
+    client = Client()
+    client.launch(program, dialect="val2+")
+    assert client.leave() == 0
+    other = Client()
+    other.raw(b"x" * 10_000)
+    assert other.leave() == 0
+
+
+def test_a_program_that_changes_on_disk_is_debugged_as_it_was(
+    client: Client, program: Path, tmp_path: Path
+) -> None:
+    client.launch(program, [5], dialect="val2+")
+    shutil.copy(HITS, program)
+    client.go("continue")
+    assert client.line() == 5
+    assert client.value("n") == "0"

@@ -1,0 +1,137 @@
+"""The operator's dialogue at any instant of a run: commands of the monitor, and expressions."""
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import SourceFile
+from vrts.debug.debugger import Debugger
+from vrts.debug.evaluating import CannotTell, evaluate, worked_out
+from vrts.ir.commands import Answer, SetLocal, SetVariable
+from vrts.ir.module import Module
+from vrts.ir.values import Type, Value, type_of_value
+from vrts.lang.commands import read_command
+from vrts.lang.names import key
+from vrts.monitor import words
+from vrts.monitor.desk import Desk, Situation
+from vrts.monitor.folder import WorkingFolder
+from vrts.monitor.listings import value_text
+from vrts.monitor.monitor import Monitor
+
+_ASSIGNED = re.compile(
+    r"\s*(?P<name>[$#]?[A-Za-z][\w.]*)\s*(?:\[(?P<index>[^\]=]{1,60})\])?\s*=\s*(?P<value>[^=].*)"
+)
+
+
+class Console:
+    """Reads lines; what they change is another future of the run."""
+
+    def __init__(self, debugger: Debugger, folder: Path, sources: Sequence[SourceFile]) -> None:
+        """Take a debugger, the folder of files, and the sources that are in memory."""
+        self._debugger = debugger
+        desk = Desk(WorkingFolder(folder), debugger.dialect, asks=False, replace=True)
+        self._monitor = Monitor(desk)
+        for source in sources:
+            self._monitor.load(source, self._now)
+
+    def enter(self, line: str) -> str:
+        """Take a line; return what there is to show.
+
+        While the program waits for a line of the terminal, the line is that. Otherwise it is an
+        expression, a value given to a variable (`x = 5`), or a command of the monitor.
+        """
+        debugger = self._debugger
+        if self._monitor.at_commands:
+            if debugger.asks:
+                return _refused(debugger.change([Answer(line)]))
+            assigned = _ASSIGNED.fullmatch(line)
+            if assigned is not None:
+                name, index = assigned["name"], assigned["index"]
+                shown = self.give(f"{name}[{index}]" if index else name, assigned["value"])
+                return f"{shown}\n"
+            try:
+                value = evaluate(debugger.run, debugger.at, line, debugger.dialect)
+            except CannotTell as problem:
+                if not _is_command(line, debugger):
+                    return f"{problem}\n"
+            else:
+                return f"{value_text(value)}\n"
+        turn = self._monitor.enter(line, self._now)
+        text = turn.text
+        if turn.commands:
+            text += _refused(debugger.change(turn.commands))
+        return text
+
+    def give(self, name: str, text: str) -> str:
+        """Give a variable the value of an expression; return the value as it is shown.
+
+        Raises:
+            CannotTell: The expression has no value, or one of another kind than the variable.
+        """
+        debugger = self._debugger
+        base, _, inside = name.replace(" ", "").rstrip("]").partition("[")
+        base = key(base)
+        subscripts = tuple(self._whole(part) for part in inside.split(",")) if inside else ()
+        value = evaluate(debugger.run, debugger.at, text, debugger.dialect)
+        _fits(base, value)
+        state = debugger.state
+        local = any(known.partition("[")[0] == base for known in _slots(debugger))
+        command = SetLocal if local else SetVariable
+        before = (state.locals if local else state.variables).get(_cell(base, subscripts))
+        if before is not None and type_of_value(before) is not type_of_value(value):
+            raise CannotTell(f"`{name}` holds a value of another kind")
+        refused = debugger.change([command(base, subscripts, value)])
+        if refused:
+            raise CannotTell(refused[0])
+        return value_text(value)
+
+    def _whole(self, text: str) -> int:
+        value = evaluate(self._debugger.run, self._debugger.at, text, self._debugger.dialect)
+        if not isinstance(value, float) or not 0.0 <= value <= 32767.0:
+            raise CannotTell("an index is from 0 to 32767")
+        return round(value)
+
+    @property
+    def _now(self) -> Situation:
+        debugger = self._debugger
+        state = debugger.state
+        return Situation(state, self._calculate, state.robot, debugger.asks)
+
+    def _calculate(self, module: Module) -> Mapping[str, Value] | str:
+        return worked_out(self._debugger.run, self._debugger.at, module)
+
+
+def _slots(debugger: Debugger) -> Sequence[str]:
+    """Return the arguments and automatic variables of the innermost program."""
+    stack = debugger.state.call_stack
+    if not stack:
+        return ()
+    program = debugger.run.module.programs.get(stack[-1].program)
+    return () if program is None else [s.name for s in (*program.formals, *program.autos)]
+
+
+def _fits(name: str, value: Value) -> None:
+    wanted = {"$": Type.STRING, "#": Type.JOINTS}.get(name[0])
+    kind = type_of_value(value)
+    if wanted is not None and kind is not wanted:
+        raise CannotTell(f"`{name}` cannot hold such a value")
+    if wanted is None and kind in (Type.STRING, Type.JOINTS):
+        raise CannotTell(f"`{name}` cannot hold such a value")
+
+
+def _cell(name: str, subscripts: tuple[int, ...]) -> str:
+    return f"{name}[{','.join(map(str, subscripts))}]" if subscripts else name
+
+
+def _is_command(line: str, debugger: Debugger) -> bool:
+    command, found = read_command(SourceFile("console", line), debugger.dialect)
+    return command is not None or not any(_unknown(d) for d in found)
+
+
+def _unknown(found: Diagnostic) -> bool:
+    return found.rule.slug in ("unknown-command", "invalid-command")
+
+
+def _refused(said: Sequence[str]) -> str:
+    return "".join(f"{words.starred(text)}" for text in said)

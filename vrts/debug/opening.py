@@ -1,0 +1,81 @@
+"""A debugging session ready to begin: program, scene and what happens in it, run to its end."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import SourceFile
+from vrts.debug.console import Console
+from vrts.debug.debugger import Debugger
+from vrts.engine.controller import execute
+from vrts.lang.dialect import Dialect
+from vrts.pipeline.assess import no_program, scenario_for, without_repeats
+from vrts.pipeline.files import read_bytes
+from vrts.pipeline.programs import ProgramFile, Reading, compile_bytes
+from vrts.pipeline.settings import robot_alone, setting_for
+
+
+class Asked(NamedTuple):
+    """What is to be debugged, and where."""
+
+    program: Path
+    scene: str | None = None  # name or path; None: the task's, else the robot alone
+    task: Path | None = None  # None: the one beside the program, unless a scene is given
+    scenario: Path | None = None
+    lab: Path | None = None
+    entry: str | None = None  # program to execute; None: the task's, else the first
+    others: tuple[Path, ...] = ()  # compiled together with the program
+    dialect: str | None = None  # None: as file name and content tell
+    text: bytes | None = None  # of the program, where it is not as the file has it
+
+
+class Opened(NamedTuple):
+    """A session; without a debugger the program could not be executed."""
+
+    debugger: Debugger | None
+    console: Console | None
+    sources: tuple[SourceFile, ...]  # named by their absolute paths
+    diagnostics: tuple[Diagnostic, ...]
+    dialect: Dialect | None = None
+
+
+def opened(asked: Asked, collisions_near_m: float | None = None) -> Opened:
+    """Compile and execute a program.
+
+    Args:
+        asked: Which program, and where.
+        collisions_near_m: How near a near miss is [m]; None: as the task says, or as assumed.
+
+    Raises:
+        CannotRead: A file or the scene is not there.
+        Refused: Scene, task, scenario or lab have errors.
+    """
+    path = asked.program.resolve()
+    data = asked.text if asked.text is not None else read_bytes(path)
+    setting = setting_for(
+        path, scene=asked.scene, task=asked.task, scenario=asked.scenario, lab=asked.lab
+    )
+    if setting is None:
+        setting = robot_alone()
+    others = tuple(ProgramFile(read_bytes(p), str(p.resolve())) for p in asked.others)
+    _, compilation, found = compile_bytes(data, str(path), Reading(asked.dialect, others=others))
+    if compilation is None or compilation.module is None or compilation.module.main is None:
+        return Opened(None, None, (), found)
+    module, task = compilation.module, setting.task
+    name = asked.entry or (task.program if task is not None else None)
+    if name is not None and name.lower() not in module.programs:
+        return Opened(None, None, (), (*found, no_program(module, name)))
+    scenario = scenario_for(task, setting.scenario)
+    run = execute(module, setting.scene, scenario, name.lower() if name else None)
+    near = collisions_near_m if task is None else task.near_miss
+    dialect = compilation.dialect
+    debugger = Debugger(run, dialect, near)
+    sources = _sources(debugger)
+    console = Console(debugger, path.parent, sources)
+    return Opened(debugger, console, sources, without_repeats(found, run.findings), dialect)
+
+
+def _sources(debugger: Debugger) -> tuple[SourceFile, ...]:
+    programs: Sequence[SourceFile] = [p.span.source for p in debugger.run.module.programs.values()]
+    return tuple({source.name: source for source in programs}.values())
