@@ -1,0 +1,86 @@
+"""`vrts debug`."""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.console import WRONG, color_option, fail, guarded, lab_option, say, show_diagnostics
+
+if TYPE_CHECKING:
+    from vrts.debug.opening import Opened
+
+EPILOG = """\b
+Examples:
+  vrts debug prog.v2
+  vrts debug prog.v2 --scene cans-on-bases
+n and N go a step forward and back, c and C to the next stop and the last one, : takes a command
+of the monitor; ? shows all keys.
+"""
+
+
+@click.command(name="debug", epilog=EPILOG)
+@click.argument("program", type=click.Path(path_type=Path))
+@click.option("--scene", help="Name or path of a scene; without it the task's, or the robot alone.")
+@click.option("--task", type=click.Path(path_type=Path), help="Task file, or its folder.")
+@click.option(
+    "--scenario", type=click.Path(path_type=Path), help="What happens in the cell: a scenario file."
+)
+@lab_option
+@click.option("--entry", help="Program to execute; without it the task's, or the first.")
+@click.option(
+    "--with",
+    "others",
+    type=click.Path(path_type=Path),
+    multiple=True,
+    metavar="FILE",
+    help="Compile together with the programs and data of FILE.",
+)
+@click.option(
+    "--dialect",
+    type=click.Choice(["val2", "val2+", "val", "vplus", "as"]),
+    help="Language of the family; left out, file name and content tell.",
+)
+@color_option
+@guarded
+def command(
+    program: Path,
+    scene: str | None,
+    task: Path | None,
+    scenario: Path | None,
+    lab: Path | None,
+    entry: str | None,
+    others: tuple[Path, ...],
+    dialect: str | None,
+    color: str,
+) -> None:
+    """Debug PROGRAM at the terminal, with time running both ways."""
+    from vrts.debug.opening import Asked, opened
+
+    if not (sys.stdin.isatty() and sys.stdout.isatty()):
+        fail("debugging needs a terminal", ("editors use `vrts dap`",))
+    found = opened(Asked(program, scene, task, scenario, lab, entry, others, dialect))
+    if found.debugger is None or found.console is None:
+        show_diagnostics(found.diagnostics, color)
+        sys.exit(WRONG)
+    from vrts.debug.alarms import Filter
+    from vrts.debug.screen import debug
+
+    found.debugger.wishes.filters = frozenset({Filter.CONTACT, Filter.ERROR})
+    debug(found.debugger, found.console, lambda time_s: _show(found, time_s))
+    say(f"left at {found.debugger.at.time_s:.3f} s")
+
+
+def _show(found: "Opened", time_s: float) -> str:
+    """Write the replay of the run as it goes now, and open it at a time."""
+    import tempfile
+
+    from vrts.cli.run_page import assessed, open_page, write_page
+
+    assert found.debugger is not None
+    name = Path(found.sources[0].name)
+    path = Path(tempfile.mkdtemp(prefix="vrts-")) / f"{name.stem}.html"
+    write_page(assessed(name.stem, name.name, found.debugger.run), path)
+    open_page(path, time_s)
+    return f"{path} at {time_s:.3f} s"
