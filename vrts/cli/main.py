@@ -24,6 +24,7 @@ COMMANDS = {
     "teach": "move the arm by keys and record locations",
     "serve": "share sessions in the browser: a class and one robot",
     "replay": "repeat a live session from its log",
+    "debug": "debug a program at the terminal, forward and backward",
     "dap": "debug programs from an editor, forward and backward",
     "new": "write a scene, a task or a program to begin with",
     "task": "check an assignment, and pack it for students and staff",

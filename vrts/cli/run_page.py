@@ -53,7 +53,8 @@ def write_page(found: "Assessment", path: Path) -> None:
     write_file(path, page(found, page_stills(found)).encode())
 
 
-def open_page(path: Path) -> None:
-    """Open a page in the browser."""
-    if not webbrowser.open(path.resolve().as_uri()):
+def open_page(path: Path, time_s: float | None = None) -> None:
+    """Open a page in the browser, at a time [s] of its replay if one is given."""
+    at = "" if time_s is None else f"#t={time_s:.3f}"
+    if not webbrowser.open(path.resolve().as_uri() + at):
         fail("no browser was found here", (AGAIN,), status=WRONG)

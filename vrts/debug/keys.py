@@ -109,7 +109,9 @@ class Keyboard:
             self._say("no step of a program follows here")
             return
         wishes = self._debugger.wishes
-        there = [point for point in wishes.lines if (point.source, point.line) == (place[0], found.line)]
+        there = [
+            point for point in wishes.lines if (point.source, point.line) == (place[0], found.line)
+        ]
         if there:
             wishes.lines = [point for point in wishes.lines if point not in there]
         else:

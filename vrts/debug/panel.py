@@ -1,6 +1,6 @@
 """What the terminal shows while a program is debugged: rows of styled text, for any size."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
@@ -21,10 +21,7 @@ Row: TypeAlias = list[Piece]
 SIDE = 46  # columns of the values beside the source
 LEAST_WIDTH, LEAST_HEIGHT = 72, 20
 TERMINAL_ROWS = 5
-HELP = (
-    "n over  s into  o out  c go on  t tick   in capitals the same backward   "
-    "b breakpoint  a alarms  g go to line  r again  : command  ? help  q end"
-)
+HELP = " n s o c t: forward   N S C T: back   b breakpoint   : command   ? all keys   q end"
 KEYS = """\
 Forward                         Backward
   n  next step, over calls        N  back to where the last step came from
@@ -127,11 +124,13 @@ def source_rows(debugger: Debugger, view: View, width: int, height: int) -> list
     moving = motion.span.line if motion is not None and motion.span.source is source else None
     rows: list[Row] = []
     for line in range(first, min(first + height, count + 1)):
-        mark = {True: "◆", False: "●"}.get(points.get(line, None), " ")  # type: ignore[arg-type]
+        mark = " " if line not in points else "◆" if points[line] else "●"
         here = "▶" if line == cause.span.line else "~" if line == moving else " "
         text = visible(source.line_text(line).replace("\t", "    "))
         style = "here" if line == cause.span.line else "chosen" if line == view.cursor else ""
-        rows.append([("point", mark), ("dim", f"{line:4d} "), (style, f"{here} {text}"[: width - 6])])
+        rows.append(
+            [("point", mark), ("dim", f"{line:4d} "), (style, f"{here} {text}"[: width - 6])]
+        )
     return rows
 
 
@@ -145,7 +144,12 @@ def value_rows(debugger: Debugger, height: int) -> list[Row]:
         [("head", "JT4-6 "), ("", "".join(joints[3:]))],
         [("head", "X Y Z "), ("", "".join(f"{v:8.1f}" for v in X[:3])), ("dim", "  mm")],
         [("head", "O A T "), ("", "".join(f"{v:8.1f}" for v in X[3:]))],
-        [("head", "hand  "), ("", f"{mm(state.hand_opening):8.1f}"), ("dim", " mm "), ("", _held(state.held))],
+        [
+            ("head", "hand  "),
+            ("", f"{mm(state.hand_opening):8.1f}"),
+            ("dim", " mm "),
+            ("", _held(state.held)),
+        ],
         [("head", "on    "), ("", _signals(state.signals))],
     ]
     rows += _variables("arguments, AUTO", state.locals, height - len(rows))
@@ -178,7 +182,9 @@ def _column(time_s: float, horizon_s: float, length: int) -> int:
 
 def _title(debugger: Debugger, view: View, width: int) -> Row:
     cause = current(debugger, process=view.process)
-    where = "" if cause is None else f"{one_line(cause.program)} {cause.step}, line {cause.span.line}"
+    where = (
+        "" if cause is None else f"{one_line(cause.program)} {cause.step}, line {cause.span.line}"
+    )
     thread = "process control program " if view.process else ""
     stop = debugger.stop
     style = "alarm" if stop.why is Why.ALARM else "title"
@@ -202,8 +208,8 @@ def _terminal(debugger: Debugger, view: View, width: int) -> list[Row]:
     return [*rows, *([[]] * (TERMINAL_ROWS - 1 - len(rows)))]
 
 
-def _variables(title: str, values: dict[str, Value] | object, room: int) -> list[Row]:
-    if not isinstance(values, dict) or not values or room < 2:
+def _variables(title: str, values: Mapping[str, Value], room: int) -> list[Row]:
+    if not values or room < 2:
         return []
     names = sorted(values, key=name_order)
     rows: list[Row] = [[("dim", f"── {title} ")]]
@@ -225,7 +231,8 @@ def _signals(on: Iterable[int]) -> str:
 
 def _fitted(row: Row, width: int) -> Row:
     """Return a row cut or filled to a width."""
-    left, found = width, Row()
+    left = width
+    found: Row = []
     for style, text in row:
         if left <= 0:
             break

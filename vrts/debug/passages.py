@@ -88,8 +88,7 @@ class Passages:
         steps = step[self.instructions]
         other = np.ones(self.count, bool)
         other[1:] = (steps[1:] != steps[:-1]) | (self.depths[1:] != self.depths[:-1])
-        begins: NDArray[np.bool_] = first[self.instructions] | other
-        return begins
+        return np.logical_or(first[self.instructions], other)
 
     def cause(self, number: int) -> Cause:
         """Return the step of a statement."""

@@ -45,7 +45,8 @@ for (const button of document.querySelectorAll("button.seek")) {
   button.addEventListener("click", () => watch(Number(/** @type {HTMLElement} */ (button).dataset.t)));
 }
 if (viewer) drawSnapshots(viewer, replay, data.contacts, mark);
-jump(data.moment ?? 0);
+const asked = new URLSearchParams(location.hash.slice(1)).get("t"); // page.html#t=3.2
+jump(asked === null ? data.moment ?? 0 : Math.min(Math.max(Number(asked) || 0, 0), replay.end));
 
 /** @typedef {{start: number, end: number, first: string, second: string, parts: string[], text: string, point: number[], deepest: number, held: string | null, line: number}} Contact */
 

@@ -1,0 +1,69 @@
+"""`vrts debug` in a real terminal."""
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tests.support_programs import ROOT
+from tests.support_tmux import Terminal
+
+pytestmark = pytest.mark.skipif(shutil.which("tmux") is None, reason="needs tmux")
+HITS = ROOT / "examples/01-cans-on-bases/submissions/hits-base.v2"
+SIZE = (120, 36)
+
+
+def time_of(screen: str) -> float:
+    found = re.search(r"(\d+\.\d{3}) s of", screen)
+    assert found is not None, screen
+    return float(found[1])
+
+
+def test_a_contact_is_found_and_undone(tmp_path: Path) -> None:
+    with Terminal(["debug", str(HITS)], tmp_path, SIZE) as terminal:
+        first = terminal.expect("▶ SPEED 60 ALWAYS", "0.000 s of")
+        bar = next(line for line in first.splitlines() if " s of " in line)
+        assert "!" in bar, "the time bar shows where something touches"
+        terminal.send("n")
+        terminal.expect("▶ OPENI")
+        terminal.send("N")
+        terminal.expect("▶ SPEED 60 ALWAYS")
+        terminal.send("c")
+        there = terminal.expect("ALARM: can1 touches base1", "holds can1")
+        terminal.send("T")
+        back = terminal.expect("4.8")
+        assert time_of(back) < time_of(there)
+        terminal.send("c")
+        terminal.expect("ALARM")
+        terminal.send("C")
+        terminal.expect("at the beginning", "0.000 s of")
+
+
+def test_breakpoints_values_and_commands(tmp_path: Path) -> None:
+    with Terminal(["debug", str(HITS)], tmp_path, SIZE) as terminal:
+        terminal.expect("▶ SPEED 60 ALWAYS")
+        terminal.send("Down", "Down", "Down", "Down", "b")
+        terminal.expect("●   7   APPRO can1_grip, 100")
+        terminal.send("c")
+        terminal.expect("▶ APPRO can1_grip, 100", "breakpoint")
+        terminal.send(":")
+        terminal.send("-l", "offset = DX(can1_grip)+1")
+        terminal.send("Enter")
+        terminal.expect("offset", "801")
+        terminal.send(":")
+        terminal.send("-l", "WHERE")
+        terminal.send("Enter")
+        terminal.expect("JT1")
+        terminal.send("?")
+        terminal.expect("Forward", "Backward")
+        terminal.send("?")
+        terminal.send("q")
+        assert "left at" in terminal.said()
+
+
+def test_a_small_terminal_is_told(tmp_path: Path) -> None:
+    with Terminal(["debug", str(HITS)], tmp_path, (60, 15)) as terminal:
+        terminal.expect("at least 72 x 20")
+        terminal.send("q")
+        assert "left at" in terminal.said()
