@@ -32,7 +32,7 @@ def test_a_contact_is_found_and_undone(tmp_path: Path) -> None:
         terminal.send("c")
         there = terminal.expect("ALARM: can1 touches base1", "holds can1")
         terminal.send("T")
-        back = terminal.expect("4.8")
+        back = terminal.expect("line 12  step")
         assert time_of(back) < time_of(there)
         terminal.send("c")
         terminal.expect("ALARM")

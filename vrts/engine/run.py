@@ -163,8 +163,15 @@ class Run:
 
     @cached_property
     def _events(self) -> tuple[Event, ...]:
-        known = (e for e in _without_given_up(self.history.events) if e.time_s <= self.horizon_s)
-        return tuple(sorted(known, key=_order))
+        log = list(self.history.events)
+        return tuple([log[k] for k in self._in_order])
+
+    @cached_property
+    def _in_order(self) -> list[int]:
+        """Which events of the log were up to the horizon, in time order."""
+        log = list(self.history.events)
+        known = [k for k in _not_given_up(log) if log[k].time_s <= self.horizon_s]
+        return sorted(known, key=lambda k: _order(log[k]))
 
     @property
     def event_numbers(self) -> Sequence[int]:
@@ -173,9 +180,8 @@ class Run:
 
     @cached_property
     def _event_numbers(self) -> Sequence[int]:
-        log = self.history.events
-        both = (p for p in zip(log, log.numbers, strict=True) if p[0].time_s <= self.horizon_s)
-        return [number for _, number in sorted(both, key=lambda pair: _order(pair[0]))]
+        numbers = self.history.events.numbers
+        return [numbers[k] for k in self._in_order]
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:
@@ -267,21 +273,22 @@ class Run:
         return max([0.0, *strokes, *landings])
 
 
-def _without_given_up(events: Sequence[Event]) -> list[Event]:
-    """Return events without ends of the robot program that another program came before.
+def _not_given_up(events: Sequence[Event]) -> list[int]:
+    """Return which events stay without ends of the robot program that another program came before.
 
     A single instruction ends when the arm will have arrived; where another one replaces it on the
     way, that time never comes for it.
     """
     begun_s = math.inf  # of the program that came next
-    kept: list[Event] = []
-    for event in reversed(events):
+    kept: list[int] = []
+    for k in range(len(events) - 1, -1, -1):
+        event = events[k]
         if isinstance(event, ProgramStarted | ProgramProgressed | ProgramEnded):
             if not event.process and event.time_s > begun_s:
                 continue
             if isinstance(event, ProgramStarted) and not event.process:
                 begun_s = event.time_s
-        kept.append(event)
+        kept.append(k)
     kept.reverse()
     return kept
 
