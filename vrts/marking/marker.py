@@ -8,7 +8,6 @@ import base64
 import sys
 from collections.abc import Iterable
 from dataclasses import replace
-from importlib import import_module
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -92,7 +91,9 @@ class Marker:
         order = Order("warm-up", "warm-up.v2", program)
         quiet = msgspec.structs.replace(self.wanted, recordings=False)
         if self.wanted.recordings:
-            import_module("vrts.report.recording")
+            from vrts.report.recording import prepare_shapes  # rerun is heavy
+
+            prepare_shapes(self.whole.scene)
         with TemporaryDirectory(prefix="vrts-") as folder:
             self._work(order, Path(folder), quiet)
 

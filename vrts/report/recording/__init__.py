@@ -20,7 +20,9 @@ from vrts.report.recording.motion import send_motion
 from vrts.report.recording.names import Array
 from vrts.report.recording.plots import send_plots
 from vrts.report.recording.program_log import log_summary, send_log
-from vrts.report.recording.shapes import log_shapes
+from vrts.report.recording.shapes import log_shapes, prepare_shapes
+
+__all__ = ["RATE_HZ", "prepare_shapes", "write_recording"]
 
 APPLICATION = "vrts"
 RATE_HZ = 50.0  # poses a second, as the original system broadcast them

@@ -69,24 +69,22 @@ def followed(
 
 
 def quaternions(rotations: Array) -> npt.NDArray[np.float32]:
-    """Return unit quaternions x, y, z, w, shape (n, 4), from the largest part of each."""
-    r = rotations
-    trace = np.einsum("nii->n", r)
-    parts = np.stack([r[:, 0, 0], r[:, 1, 1], r[:, 2, 2], trace], axis=1)
-    chosen = np.argmax(parts, axis=1)
-    q = np.empty((len(r), 4))
-    for k in range(3):
-        rows, i, j = chosen == k, (k + 1) % 3, (k + 2) % 3
-        m = r[rows]
-        q[rows, k] = 1.0 + m[:, k, k] - m[:, i, i] - m[:, j, j]
-        q[rows, i] = m[:, i, k] + m[:, k, i]
-        q[rows, j] = m[:, j, k] + m[:, k, j]
-        q[rows, 3] = m[:, j, i] - m[:, i, j]
-    rows, m = chosen == 3, r[chosen == 3]
-    q[rows, 3] = 1.0 + trace[rows]
-    for k in range(3):
-        i, j = (k + 1) % 3, (k + 2) % 3
-        q[rows, k] = m[:, j, i] - m[:, i, j]
+    """Return unit quaternions x, y, z, w, shape (n, 4), from the largest part of each.
+
+    With q = (x, y, z, w), the matrix 4 q q' follows from the rotation without a root; its row of
+    the largest part is a multiple of q.
+    """
+    xx, xy, xz, yx, yy, yz, zx, zy, zz = rotations.reshape(-1, 9).T.copy()
+    rows = np.array(
+        [
+            [1 + xx - yy - zz, yx + xy, zx + xz, zy - yz],
+            [yx + xy, 1 - xx + yy - zz, zy + yz, xz - zx],
+            [zx + xz, zy + yz, 1 - xx - yy + zz, yx - xy],
+            [zy - yz, xz - zx, yx - xy, 1 + xx + yy + zz],
+        ]
+    )
+    largest = np.argmax(np.einsum("iin->in", rows), axis=0)
+    q = rows[largest, :, np.arange(len(largest))]
     return (q / np.linalg.norm(q, axis=1, keepdims=True)).astype(np.float32)
 
 
