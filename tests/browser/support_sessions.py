@@ -1,5 +1,6 @@
 """Pages of a live server: an operator's and viewers', each a browser context of its own."""
 
+import time
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -7,7 +8,9 @@ from playwright.sync_api import Browser, BrowserContext, Page
 
 from tests.support_live import LiveServer
 
-PATIENCE = 20.0  # [s]
+PATIENCE = 60.0  # [s]; the machine may be busy
+# pixels of a picture cost much where no GPU helps, and no test here looks at them
+DOTS = 0.25  # pixels to a dot of the page, each way
 # before anybody has entered, GET /me says so
 EXPECTED = "the server responded with a status of 401"
 
@@ -23,12 +26,13 @@ class Desk:
 
     def complaints(self) -> list[str]:
         """Return what the browser found fault with."""
-        ignored = (EXPECTED, "GPU stall due to ReadPixels")
+        ignored = (EXPECTED, "GPU stall due to ReadPixels", "ERR_INTERNET_DISCONNECTED")
         return [m for m in self.messages if not any(words in m for words in ignored)]
 
     def until(self, condition: str, patience: float = PATIENCE) -> None:
         """Wait for a condition; Playwright's own waiting needs `eval`, which the page forbids."""
-        for _ in range(int(patience / 0.05)):
+        until = time.monotonic() + patience
+        while time.monotonic() < until:
             if self.page.evaluate(condition):
                 return
             self.page.wait_for_timeout(50)
@@ -40,10 +44,27 @@ class Desk:
         self.page.fill("#terminal-line", line)
         self.page.press("#terminal-line", "Enter")
 
+    def ask(self, line: str) -> None:
+        """Enter a line at the monitor, and wait until it has been carried out."""
+        self.until(READY)
+        shown = self.value("vrts.store.now.output.length")
+        self.type(line)
+        self.until(f"vrts.store.now.output.length > {shown} && {READY}")
+
     def joint(self, number: int) -> float:
         """Return a joint as it is shown [degrees]."""
         text: str = self.page.inner_text(f".f-j{number} dd")
         return float(text.replace("−", "-"))
+
+    def rests(self) -> bool:
+        """Return whether the arm stands still for a while of session time."""
+        state = "[vrts.world.state.t, ...vrts.world.state.q]"
+        told = float(self.value("vrts.store.now.status.time_s"))
+        self.until(f"vrts.world.state.t > {told}")  # what is shown is a little behind
+        before: list[float] = self.value(state)
+        self.until(f"vrts.world.state.t > {before[0] + 0.4}")
+        after: list[float] = self.value(state)
+        return after[1:] == before[1:]
 
     def value(self, expression: str) -> Any:
         """Evaluate an expression of the page."""
@@ -58,6 +79,7 @@ def desk(
         viewport={"width": width, "height": 844 if width < 500 else 640},
         color_scheme="dark" if dark else "light",
         reduced_motion="reduce",
+        device_scale_factor=DOTS,
     )
     context.set_default_timeout(PATIENCE * 1000)
     opened = Desk(context.new_page(), context)
@@ -87,3 +109,4 @@ def student(browser: Browser, server: LiveServer, name: str, **look: Any) -> Des
 
 SHOWN = "Boolean(window.vrts?.world?.state)"
 IDLE = "vrts.store.now.status.mode === 'idle'"
+READY = "vrts.store.now.status.prompt === '.' && vrts.store.now.status.mode === 'idle'"
