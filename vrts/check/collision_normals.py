@@ -13,7 +13,7 @@ import numpy.typing as npt
 from vrts.check.collision_nodes import Level
 from vrts.check.curves import Curves
 from vrts.engine.records import GRAVITY
-from vrts.geometry.solids import Solids
+from vrts.geometry.solids import JOINTS, Solids
 
 Array: TypeAlias = npt.NDArray[np.float64]
 Indices: TypeAlias = npt.NDArray[np.int64]
@@ -44,25 +44,27 @@ def approach(
     frames = level.state.frames
     node, outer, inner, base = rows
     normal, at, arms, centre = normals
-    velocity = curves.velocities(level.middle)[node]
+    velocity = curves.velocities(level.middle[node])
     speed, acceleration = level.spread.speed[node], level.spread.acceleration[node]
     h = level.half[node]
-    v = np.zeros((len(node), 3))
-    w = np.zeros((len(node), 3))
-    curve = np.zeros(len(node))  # bound on the acceleration of any point
-    faster = np.zeros(len(node))  # sum of joint speeds further in
-    for joint in range(1, 7):
-        rate = np.where(base < joint, velocity[:, joint - 1], 0.0)
-        axis = frames.rotations[joint, :, :, 2][node]
-        offset = centre - frames.origins[joint][node]
-        turned = axis * rate[:, None]
-        w += turned * (arms[joint - 1, at] > 0.0)[:, None]
-        v += _cross(turned, offset) * (arms[joint - 1, at] > 0.0)[:, None]
-        arm = np.where(base < joint, arms[joint - 1, at], 0.0)
-        top = np.where(base < joint, speed[:, joint - 1], 0.0)
-        # |d2x/dq_i dq_j| is at most the distance from the outer of the two axes
-        curve += arm * (acceleration[:, joint - 1] + top * (2.0 * faster + top))
-        faster += np.where(arm > 0.0, top, 0.0)
+    # all joints at once, shape (6, r): those that move one solid against the other
+    between = base < np.arange(1, JOINTS + 1)[:, None]
+    far = arms[:, at]
+    arm = np.where(between, far, 0.0)
+    axis = frames.rotations[1:, :, :, 2][:, node]
+    offset = centre - frames.origins[1:][:, node]
+    rate = np.where(between & (far > 0.0), velocity[:, :JOINTS].T, 0.0)
+    turned = axis * rate[:, :, None]
+    w = turned.sum(axis=0)
+    v = _cross(turned, offset).sum(axis=0)
+    top = np.where(between, speed[:, :JOINTS].T, 0.0)
+    summed = np.cumsum(np.where(arm > 0.0, top, 0.0), axis=0)
+    faster = summed[-1]  # sum of all joint speeds
+    before = np.zeros_like(top)  # and of those further in
+    before[1:] = summed[:-1]
+    # bound on the acceleration of any point:
+    # |d2x/dq_i dq_j| is at most the distance from the outer of the two axes
+    curve = (arm * (acceleration[:, :JOINTS].T + top * (2.0 * before + top))).sum(axis=0)
     slides = solids.slides[outer]
     turned = (frames.rotations[6][node] @ solids.slide[outer][:, :, None])[:, :, 0]
     v += turned * velocity[:, 6, None]
@@ -79,7 +81,11 @@ def approach(
 
 
 def _cross(a: Array, b: Array) -> Array:
-    """Return vector products, shape (r, 3); much faster than numpy's for few vectors."""
-    x, y, z = a.T
-    u, v, w = b.T
-    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=1)
+    """Return vector products, shape (..., 3); much faster than numpy's for few vectors."""
+    x, y, z = a[..., 0], a[..., 1], a[..., 2]
+    u, v, w = b[..., 0], b[..., 1], b[..., 2]
+    found = np.empty_like(a)
+    found[..., 0] = y * w - z * v
+    found[..., 1] = z * u - x * w
+    found[..., 2] = x * v - y * u
+    return found

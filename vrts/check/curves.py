@@ -253,11 +253,9 @@ def _powers(segments: Sequence[Segment], length: Array) -> tuple[Array, HighPiec
     rows = [row for segment in segments for row in segment.coefficients]
     counts = np.fromiter(map(len, rows), np.int64, len(rows))
     flat = np.fromiter(chain.from_iterable(rows), np.float64, int(counts.sum()))
-    first = np.cumsum(counts) - counts
+    order = np.arange(len(flat)) - np.repeat(np.cumsum(counts) - counts, counts)
     powers = np.zeros((len(rows), CUBIC))
-    for power in range(CUBIC):
-        has = np.nonzero(counts > power)[0]
-        powers[has, power] = flat[first[has] + power]
+    powers[np.arange(CUBIC) < counts[:, None]] = flat[order < CUBIC]  # row after row, both
     powers = powers.reshape(len(segments), COORDINATES, CUBIC)
     high_at = np.full(len(segments), -1, dtype=np.int64)
     longest = counts.reshape(len(segments), COORDINATES).max(axis=1)

@@ -31,9 +31,13 @@ def evaluate(powers: Array, u: Array) -> Array:
         powers: Coefficients, shape (..., p), with p at least 1.
         u: Places; its shape broadcasts against (...).
     """
-    total = powers[..., -1] + np.zeros_like(u)
-    for k in range(powers.shape[-1] - 2, -1, -1):
-        total = total * u + powers[..., k]
+    if powers.shape[-1] == 1:
+        return powers[..., 0] + np.zeros_like(u)
+    total = powers[..., -1] * u
+    total += powers[..., -2]
+    for k in range(powers.shape[-1] - 3, -1, -1):
+        total *= u
+        total += powers[..., k]
     return total
 
 

@@ -140,13 +140,15 @@ class Solids:
         ball = self.ball[solid]
         turn = motion.turn[instant]
         bound[JOINTS] = moved
+        axis = instants.frames.rotations[1:, :, :, 2][:, instant]
+        offset = centres - instants.frames.origins[1:][:, instant]
+        along = np.einsum("jmi,jmi->jm", offset, axis)
+        square = np.einsum("jmi,jmi->jm", offset, offset) - along * along
+        away = np.sqrt(np.maximum(square, 0.0)) + ball
+        further_in = frame < np.arange(1, JOINTS + 1)[:, None]  # joints that do not move it
         for joint in range(JOINTS, 0, -1):
-            axis = instants.frames.rotations[joint, :, :, 2][instant]
-            offset = centres - instants.frames.origins[joint][instant]
-            along = np.einsum("mi,mi->m", offset, axis)
-            square = np.einsum("mi,mi->m", offset, offset) - along * along
-            arm = np.sqrt(np.maximum(square, 0.0)) + ball + moved
-            arm[frame < joint] = 0.0
+            arm = away[joint - 1] + moved
+            arm[further_in[joint - 1]] = 0.0
             arms[joint - 1] = arm
             moved = moved + arm * turn[:, joint - 1]
             bound[joint - 1] = moved
