@@ -26,6 +26,13 @@ class EventLog(Log[Event]):
         self._numbers: list[int] = []
         self.counted: Callable[[], int] = _none  # statements, the one under way included
 
+    @classmethod
+    def of(cls, events: list[Event], numbers: list[int]) -> "EventLog":
+        """Return a log that takes these lists over; as many numbers as events."""
+        log = cls()
+        log._items, log._length, log._numbers = events, len(events), numbers
+        return log
+
     def append(self, item: Event) -> None:
         """Add an event of now."""
         self.add(item, self.counted())
@@ -51,7 +58,11 @@ class EventLog(Log[Event]):
 
     def copy(self) -> "EventLog":
         """Return a log with the same events that can go on by itself."""
+        return self.first(len(self))
+
+    def first(self, count: int) -> "EventLog":
+        """Return a copy that has the first events only."""
         other = EventLog()
-        other._items, other._length = self._items, self._length
+        other._items, other._length = self._items, count
         other._numbers, other.counted = self._numbers, self.counted
         return other

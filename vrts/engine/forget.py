@@ -5,7 +5,7 @@ kept, because pieces and events name them by number.
 """
 
 from array import array
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Sequence
 from typing import TypeVar
 
@@ -40,8 +40,9 @@ def forget(machines: Sequence[Machine], before_s: float) -> None:
         before_s: From here on everything is kept.
     """
     columns = _Columns()
+    events = _Events(before_s)
     for machine in machines:
-        _forget(machine, before_s, columns)
+        _forget(machine, before_s, columns, events)
 
 
 class _Columns:
@@ -70,16 +71,57 @@ class _Columns:
         return known[1]  # type: ignore[return-value]
 
 
-def _forget(machine: Machine, before_s: float, columns: _Columns) -> None:
+class _Events:
+    """Logs of events without those before a time that tell nothing any more.
+
+    Logs that share their items go on sharing: the first one shortened serves the others, if they
+    are shorter by events of later times only.
+    """
+
+    def __init__(self, before_s: float) -> None:
+        self._before_s = before_s
+        self._whole: EventLog | None = None
+        self._short = EventLog()
+        self._kept: list[int] = []  # which events of the whole the short one has
+        self._settled = 0  # events of the whole, the last of which is the last before the time
+
+    def shortened(self, events: EventLog) -> EventLog:
+        """Return the events from the time on, and earlier ones that still tell how things are."""
+        whole = self._whole
+        if (
+            whole is None
+            or not whole.shares_with(events)
+            or not (self._settled <= len(events) <= len(whole))
+        ):
+            self._shorten(events)
+        found = self._short.first(bisect_left(self._kept, len(events)))
+        found.counted = events.counted
+        return found
+
+    def _shorten(self, events: EventLog) -> None:
+        last: dict[object, int] = {}
+        every = list(events)
+        early = [n for n, event in enumerate(every) if event.time_s < self._before_s]
+        for number in early:
+            for what in _tells(every[number]):
+                last[what] = number
+        gone = set(early).difference(last.values())
+        self._whole, self._settled = events, early[-1] + 1 if early else 0
+        self._kept = [number for number in range(len(every)) if number not in gone]
+        numbers = events.numbers
+        self._short = EventLog.of([every[n] for n in self._kept], [numbers[n] for n in self._kept])
+
+
+def _forget(machine: Machine, before_s: float, columns: _Columns, events: _Events) -> None:
     system = machine.system
     tick = int(before_s / machine.tick + INSTANT / machine.tick)
     first = max(bisect_right(machine.ticks, tick) - 1, 0)
     finished = machine.counts[first] if machine.counts and machine.ticks[first] <= tick else 0
     planner = system.planner
-    starts = [piece.start_s for piece in planner.pieces]
-    del planner.pieces[: max(bisect_right(starts, planner.scale.path(before_s)) - 1, 0)]
+    pieces, path_s = planner.pieces, planner.scale.path(before_s)
+    del pieces[: max(bisect_right(pieces, path_s, key=lambda piece: piece.start_s) - 1, 0)]
     _forget_hand(system.hand, before_s)
-    system.events = _shortened(system.events, before_s)
+    system.events = events.shortened(system.events)
     machine.robot.events = machine.process.events = system.events
     machine.ticks = columns.without(machine.ticks, first)
     machine.counts = columns.without(machine.counts, first)
@@ -90,8 +132,8 @@ def _forget(machine: Machine, before_s: float, columns: _Columns) -> None:
 
 
 def _forget_hand(hand: Hand, before_s: float) -> None:
-    ends = [stroke.start_s for stroke in hand.strokes]
-    del hand.strokes[: max(bisect_right(ends, before_s) - 1, 0)]
+    strokes = hand.strokes
+    del strokes[: max(bisect_right(strokes, before_s, key=lambda stroke: stroke.start_s) - 1, 0)]
     for track in hand.placements.values():
         del track[: max(bisect_right(track, before_s, key=lambda p: p.start_s) - 1, 0)]
 
@@ -134,22 +176,6 @@ def _forget_steps(trace: Trace, finished: int, columns: _Columns) -> None:
     first = bisect_right(trace.changed, finished) - 1
     trace.changed = columns.without(trace.changed, first)
     trace.activations = columns.without(trace.activations, first)  # type: ignore[type-var]
-
-
-def _shortened(events: EventLog, before_s: float) -> EventLog:
-    """Return the events from a time on, and earlier ones that still tell how things are."""
-    last: dict[object, int] = {}
-    for number, event in enumerate(events):
-        if event.time_s < before_s:
-            for what in _tells(event):
-                last[what] = number
-    told = set(last.values())
-    kept = EventLog()
-    kept.counted = events.counted
-    for number, (event, finished) in enumerate(zip(events, events.numbers, strict=True)):
-        if event.time_s >= before_s or number in told:
-            kept.add(event, finished)
-    return kept
 
 
 def _tells(event: Event) -> tuple[object, ...]:

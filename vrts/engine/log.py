@@ -33,6 +33,10 @@ class Log(Sequence[Item], Generic[Item]):
         other._items, other._length = self._items, self._length
         return other
 
+    def shares_with(self, other: "Log[Item]") -> bool:
+        """Return whether both have the same items, as far as either goes."""
+        return self._items is other._items
+
     def __len__(self) -> int:
         """Return the number of items."""
         return self._length

@@ -19,6 +19,8 @@ from vrts.robots.model import Configuration
 from vrts.scene.model import Scenario, Scene
 
 CHECKPOINT = 30.0  # [s] between states kept for going back; a whole number
+RECENT = 600.0  # [s] after which only states `SPARSE` apart are kept
+SPARSE = 120.0  # [s], a whole number
 REACH = 3600.0  # [s] of history that is kept
 FORGETTING = 60.0  # [s] between looks at what is older; a whole number
 MOST_STATEMENTS = 5_000_000  # of history, beyond which it is shortened, however young it is
@@ -76,6 +78,7 @@ class GrowingRun:
             self.issue(Panic())
             self.said.append(TOO_MANY)
         if self.time_s % CHECKPOINT == 0.0:
+            self._thin_out()
             self._kept.append((self.time_s, self.machine.copy()))
         if self._forgets and (self._crowded or self.time_s % FORGETTING == 0.0):
             self._forget()
@@ -184,6 +187,16 @@ class GrowingRun:
             machine.finished - self._forgotten > MOST_STATEMENTS
             or len(machine.system.events) > self._uncrowded
         )
+
+    def _thin_out(self) -> None:
+        """Let go of states that others are near enough to, in what is long past."""
+        recent_s, kept = self.time_s - RECENT, self._kept[:1]
+        for time_s, machine in self._kept[1:]:
+            if time_s > recent_s or time_s % SPARSE == 0.0:
+                kept.append((time_s, machine))
+            else:
+                _release(machine)
+        self._kept = kept
 
     def _forget(self) -> None:
         """Shorten the history to `REACH`, or by half of it where it is too long."""

@@ -8,6 +8,8 @@ from tests.unit.live.session.support import Driven
 from vrts.base.source import SourceFile
 from vrts.engine.controller import advance, start
 from vrts.engine.events import Event
+from vrts.engine.forget import forget
+from vrts.engine.machine import Machine
 from vrts.engine.run import Run
 from vrts.ir.commands import Execute, Load, MonitorSpeed, Panic, TimedCommand
 from vrts.ir.module import Module
@@ -111,6 +113,41 @@ def test_what_is_forgotten_is_only_what_is_old(
     whole.advance(whole.time_s + 20.0)
     for k in range(50):
         same(short.run, whole.run, short.time_s - 0.4 * k)
+
+
+def test_of_what_is_long_past_few_states_are_kept_and_any_time_can_be_gone_back_to(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    whole = grown(300.0)
+    released: list[Machine] = []
+    monkeypatch.setattr("vrts.live.session.growing._release", released.append)
+    monkeypatch.setattr("vrts.live.session.growing.CHECKPOINT", 3.0)
+    monkeypatch.setattr("vrts.live.session.growing.RECENT", 30.0)
+    monkeypatch.setattr("vrts.live.session.growing.SPARSE", 24.0)
+    thin = grown(300.0)
+    assert len(released) == 79  # every 3 s until 267 s, but for 11 that are 24 s apart
+    for time_s in (290.3, 275.0, 100.3, 50.0, 1.7):
+        thin.rewind(time_s)
+        whole.rewind(time_s)
+        same(thin.run, whole.run, time_s)
+    thin.advance(20.0)
+    whole.advance(20.0)
+    same(thin.run, whole.run, 20.0)
+
+
+def test_machines_of_the_past_share_their_events_when_some_are_forgotten() -> None:
+    growing = grown(100.0)
+    earlier = growing.machine.copy()
+    growing.advance(130.0)
+    forget([growing.machine, earlier], 60.0)
+    now, then = growing.machine.system.events, earlier.system.events
+    assert len(now) > len(then)
+    assert now.shares_with(then)
+    assert now[: len(then)] == then[:]
+    assert now.numbers[: len(then)] == then.numbers
+    growing.machine.issue((TimedCommand(130.0, Panic()),))
+    growing.advance(131.0)
+    assert len(then) < len(now), "what the one adds the other has not"
 
 
 def test_news_come_once_and_in_order() -> None:
