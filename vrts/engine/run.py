@@ -248,11 +248,8 @@ class Run:
         Raises:
             OutOfHorizon: The run does not reach so far.
         """
-        if not 0.0 <= time_s <= self.horizon_s:
-            raise OutOfHorizon(time_s, self.horizon_s)
-        if not 0 <= finished <= self.statements:
-            raise OutOfHorizon(finished, self.statements)
-        return State(self, time_s, finished)
+        known = self.at(time_s), self.at_statement(finished)
+        return State(self, known[0].time_s, known[1].finished)
 
     def at_statement(self, finished: int) -> State:
         """Return the state after a number of statements, in any order of asking.
