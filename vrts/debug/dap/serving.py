@@ -1,5 +1,6 @@
 """The adapter on two streams: requests in, responses and events out, until the client is gone."""
 
+import contextlib
 from threading import Lock
 from typing import Any, BinaryIO
 
@@ -29,22 +30,23 @@ def serve(incoming: BinaryIO, outgoing: BinaryIO) -> None:
     """Serve one client until it disconnects or its end of the stream is closed."""
     writer = _Writer(outgoing)
     adapter = Adapter(writer.event)
-    while not adapter.over:
-        try:
-            message = read_message(incoming)
-        except Malformed as problem:
-            words = f"a malformed message came: {problem}\n"
-            writer.event("output", {"category": "important", "output": words})
-            continue
-        if message is None or not _answered(adapter, writer, message):
-            return
+    with contextlib.suppress(BrokenPipeError):  # nobody listens any more: that is the end
+        while not adapter.over:
+            try:
+                message = read_message(incoming)
+            except Malformed as problem:
+                words = f"a malformed message came: {problem}\n"
+                writer.event("output", {"category": "important", "output": words})
+                continue
+            if message is None:
+                return
+            _answer(adapter, writer, message)
 
 
-def _answered(adapter: Adapter, writer: _Writer, message: Message) -> bool:
-    """Answer a message; return whether somebody still listens."""
+def _answer(adapter: Adapter, writer: _Writer, message: Message) -> None:
     command, number = message.get("command"), message.get("seq")
     if message.get("type") != "request" or not isinstance(command, str):
-        return True
+        return
     response: dict[str, Any] = {
         "type": "response",
         "request_seq": number if isinstance(number, int) else 0,
@@ -57,10 +59,6 @@ def _answered(adapter: Adapter, writer: _Writer, message: Message) -> bool:
     except BadRequest as problem:
         shown = {"id": 1, "format": str(problem), "showUser": True}
         response |= {"success": False, "message": str(problem), "body": {"error": shown}}
-    try:
-        writer.send(response)
-        for name, event in events:
-            writer.event(name, event)
-    except BrokenPipeError:
-        return False
-    return True
+    writer.send(response)
+    for name, event in events:
+        writer.event(name, event)
