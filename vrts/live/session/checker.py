@@ -1,4 +1,4 @@
-"""Contacts and near misses of what was moved, certified beside the session.
+"""Contacts and near misses of what was moved, certified beside the session, and the mark of it.
 
 What is new is checked in a child forked from the session, so no frame is late; where there is no
 fork, in the session itself. A check begins where nothing is in the hand, so that the rules of
@@ -25,6 +25,7 @@ from vrts.engine.run import Run
 from vrts.live.session.growing import GrowingRun
 from vrts.live.session.messages import Checked, Json
 from vrts.live.session.motions import instructed
+from vrts.live.session.public_mark import Judged, PublicMark, judged
 from vrts.live.session.session import Session
 from vrts.live.session.tidying import tidy
 from vrts.marking.supervise.forked import ForkedProcess
@@ -35,6 +36,7 @@ from vrts.report.replay_data import contact_rows, near_rows
 from vrts.scene.model import Scenario
 
 PAUSE = 1.0  # [s] of session time between checks
+STRETCH = 300.0  # [s] of session time that is checked at once at most, as after a restart
 REST = 40.0  # times as long as a check took is waited at least: ten sessions share the machine
 NICENESS = 10  # of checks, which may be late, to frames, which may not
 BEFORE = 0.1  # [s] before a hand begins to close
@@ -64,6 +66,7 @@ class Found(msgspec.Struct, frozen=True):
     contacts: tuple[Json, ...]
     near: tuple[Json, ...]
     undetermined: bool
+    judged: Judged | None = None  # the public mark, where it was asked for
 
 
 class Checker:
@@ -77,6 +80,8 @@ class Checker:
         self._asked = (0.0, 0)  # until when, and of which growing run
         self._looked_s = 0.0
         self._pause = PAUSE
+        self._mark = PublicMark(session)
+        self._judges = False  # whether the mark was asked for
 
     def __enter__(self) -> "Checker":
         """Begin."""
@@ -100,8 +105,9 @@ class Checker:
         if self._child is not None:
             if not self._child.ended():
                 return
-            self._answered(self._child.answer)
-            self._pause = max(PAUSE, REST * (time.monotonic() - self._child.started))
+            judging_s = self._answered(self._child.answer)
+            took_s = time.monotonic() - self._child.started - judging_s
+            self._pause = max(PAUSE, REST * took_s)
             self._child = None
         showing, growing = self._session.showing, self._session.growing
         since = growing.time_s - self._looked_s
@@ -110,9 +116,13 @@ class Checker:
         self._looked_s = growing.time_s
         if not _anything_moved(growing, showing.checked_s):
             showing.checked_s = growing.time_s
-            return
-        until_s = growing.time_s
+            if not self._mark.due:
+                return
+        until_s = min(growing.time_s, showing.checked_s + STRETCH)
         self._asked = (until_s, id(growing))
+        self._judges = until_s == growing.time_s and self._mark.due
+        if self._judges:
+            self._mark.asked()
         if FORKS:
             growing.drop_run()
             tidy()  # forking freezes what there is, garbage too
@@ -127,34 +137,40 @@ class Checker:
 
     def _check(self) -> bytes:
         """Check what is new."""
-        session = self._session
+        session, showing = self._session, self._session.showing
         task = session.setting.task
-        found = checked(
-            session.run,
-            session.showing.checked_s,
-            None if task is None else task.near_miss,
-        )
+        near_miss = None if task is None else task.near_miss
+        found = checked(session.run, showing.checked_s, near_miss, self._asked[0])
+        if self._judges and task is not None:
+            contacts = list(showing.contacts)
+            for _ in _news(contacts, found.contacts):
+                pass
+            found = msgspec.structs.replace(found, judged=judged(session.run, task, contacts))
         return msgspec.json.encode(found)
 
-    def _answered(self, answer: bytes | None) -> None:
+    def _answered(self, answer: bytes | None) -> float:
+        """Take an answer; return how long the judging in it took [s]."""
         showing, growing = self._session.showing, self._session.growing
         until_s, of = self._asked
         if of != id(growing) or until_s > growing.time_s:
-            return  # the session was reset or rewound meanwhile
+            return 0.0  # the session was reset or rewound meanwhile
         if answer is None:
             showing.checked_s = until_s
-            showing.tell(Checked(until_s, (), (), undetermined=True))
-            return
+            showing.tell(Checked(until_s, (), (), undetermined=True, mark=showing.mark))
+            return 0.0
         found = msgspec.json.decode(answer, type=Found)
+        changed = self._mark.answered(found.judged)
         fresh = Checked(
             until_s,
             tuple(_news(showing.contacts, found.contacts)),
             tuple(_news(showing.near, found.near)),
             found.undetermined,
+            showing.mark,
         )
         showing.checked_s = until_s
-        if fresh.contacts or fresh.near or fresh.undetermined:
+        if fresh.contacts or fresh.near or fresh.undetermined or changed:
             showing.tell(fresh)
+        return 0.0 if found.judged is None else found.judged.took_s
 
 
 def warm_up(setting: Setting) -> None:
@@ -165,10 +181,10 @@ def warm_up(setting: Setting) -> None:
     checked(growing.run, 0.0, None)
 
 
-def checked(run: Run, since_s: float, near_miss: float | None) -> Found:
-    """Return the contacts and near misses of a run that end after a time [s]."""
+def checked(run: Run, since_s: float, near_miss: float | None, until_s: float = math.inf) -> Found:
+    """Return the contacts and near misses that end after a time and begin before another [s]."""
     begin_s = _begin(run, since_s)
-    segments = [s for s in run.timeline.segments if s.end_s > begin_s]
+    segments = [s for s in run.timeline.segments if begin_s < s.end_s and s.start_s < until_s]
     window = _Window(
         _Segments(segments),
         run.motions,

@@ -206,7 +206,7 @@ class Status(News, frozen=True, tag="status"):
     prompt: str
     contacts: int  # certified so far
     checked_s: float  # up to this time
-    mark: float | None = None  # of the public checks, where there is a task
+    mark: float | None = None  # of the public checks so far; None: no task, or not judged yet
     tool: tuple[float, ...] = ()  # pose of TOOL in the flange frame
 
 
@@ -225,13 +225,13 @@ class Programs(News, frozen=True, tag="programs"):
 
 
 class Checked(News, frozen=True, tag="checked"):
-    """Contacts and near misses found since the message before; rows as in the replay's data."""
+    """What was found since the message before, or another mark; rows as in the replay's data."""
 
     checked_s: float  # certified up to here
     contacts: tuple[Json, ...]
     near: tuple[Json, ...]
     undetermined: bool = False
-    mark: float | None = None
+    mark: float | None = None  # as in `Status`
 
 
 class Began(News, frozen=True, tag="began"):

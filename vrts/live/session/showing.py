@@ -95,6 +95,7 @@ class Showing:
         self.contacts = [row for row in self.contacts if _start(row) <= time_s]
         self.near = [row for row in self.near if _start(row) <= time_s]
         self.checked_s = min(self.checked_s, time_s)
+        self.mark = None
 
     def tell_again(self) -> None:
         """Have the state told with the next beat, though nothing has changed."""
