@@ -1,7 +1,7 @@
 """Where pictures are taken from."""
 
 import math
-from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -27,7 +27,14 @@ class Camera(NamedTuple):
 
     def axes(self) -> Array:
         """Return rows right, down, forward: unit vectors in W, shape (3, 3)."""
-        return axes(np.subtract(self.look_at, self.eye))
+        return _axes_of(self)
+
+
+@lru_cache(maxsize=64)
+def _axes_of(camera: Camera) -> Array:
+    found = axes(np.subtract(camera.look_at, camera.eye))
+    found.flags.writeable = False
+    return found
 
 
 def axes(forward: Array) -> Array:
@@ -106,11 +113,10 @@ def _hidden(origin: Array, direction: Array, corners: Array, reach: float) -> fl
     return float(np.count_nonzero(met))
 
 
-def bounds(points: Sequence[Array]) -> Array:
-    """Return the eight corners of each cloud's box, shape (8 n, 3)."""
-    boxes = [(cloud.min(0), cloud.max(0)) for cloud in points if len(cloud)]
-    picks = [(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)]
-    return np.array([[box[i][0], box[j][1], box[k][2]] for box in boxes for i, j, k in picks])
+def bounds(low: Array, high: Array) -> Array:
+    """Return the eight corners of boxes given by two of them, shapes (n, 3) and (8 n, 3)."""
+    picks = np.array([(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)], np.bool_)
+    return np.where(picks, high[:, None], low[:, None]).reshape(-1, 3)
 
 
 def _vector(values: Array) -> Vector:

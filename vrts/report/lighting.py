@@ -32,6 +32,7 @@ BIAS = 0.006  # [m] a surface does not shade itself
 TAPS = ((-1, 0), (0, -1), (1, 0), (0, 1))  # texels round the one of a point: a softer edge
 SOFT_TEXELS = 4  # side of a texel of the soft shadow, in texels
 SOFT_M = 0.028  # radius of its blur, done three times
+BAND = 96  # rows of a map that are drawn together
 
 
 class ShadowMap(NamedTuple):
@@ -105,9 +106,14 @@ def shadow_map(corners: Array, side: int) -> ShadowMap:
     screen = (turned[:, :, :2] - low) * texels
     facing = signed_area(screen) < -1e-9
     farthest = float(turned[:, :, 2].max()) + 1.0
-    seen = rasterise(screen[facing], farthest - turned[facing][:, :, 2], columns, rows)
-    covered = seen != NOTHING
-    near = np.where(covered, nearness(seen) - np.float32(farthest), np.float32(-np.inf))
+    screen, before = screen[facing], farthest - turned[facing][:, :, 2]
+    near = np.empty((rows, columns), np.float32)
+    covered = np.empty((rows, columns), np.bool_)
+    for top in range(0, rows, BAND):  # what is worked on stays near the processor
+        now = slice(top, top + BAND)
+        seen = rasterise(screen, before, columns, len(near[now]), top=top)
+        covered[now] = seen != NOTHING
+        near[now] = np.where(covered[now], nearness(seen) - np.float32(farthest), -np.inf)
     blocks = covered.reshape(rows // SOFT_TEXELS, SOFT_TEXELS, columns // SOFT_TEXELS, SOFT_TEXELS)
     soft = blocks.sum(axis=(1, 3), dtype=np.uint8) * np.float32(1 / SOFT_TEXELS**2)
     radius = max(round(SOFT_M * texels / SOFT_TEXELS), 1)

@@ -131,18 +131,23 @@ def _darkened(places: Places, moving: ShadowMap) -> Mask:
 
 def _whole_scene(scene: Scene, parts: Sequence[Placed], size: tuple[int, int]) -> Camera:
     """Return a camera from the side of the work, a little from above, with all in the picture."""
-    clouds = [
-        part.corners[part.solid == number].reshape(-1, 3)
-        for part in parts
-        for number in range(len(part.solids))
-    ]
+    boxes = np.concatenate([_boxes(part) for part in parts])
     angle = _front(scene) + math.radians(62.0)
     towards = -np.array([math.cos(angle), math.sin(angle), math.tan(math.radians(21.0))])
-    found = fitting(bounds(clouds), towards, size)
+    found = fitting(boxes, towards, size)
     frame = axes(towards)
     eye = frame @ np.array(found.eye) / GRID_M
     eye = np.append(np.round(eye[:2]), np.floor(eye[2])) * GRID_M
     return Camera(_vector(eye @ frame), _vector(eye @ frame + frame[2]))
+
+
+def _boxes(part: Placed) -> Array:
+    """Return the corners of the boxes round all solids; their triangles follow one another."""
+    begins = np.flatnonzero(np.diff(part.solid, prepend=-1))
+    if not len(begins):
+        return np.empty((0, 3))
+    low = np.minimum.reduceat(part.corners.min(axis=1), begins)
+    return bounds(low, np.maximum.reduceat(part.corners.max(axis=1), begins))
 
 
 def _on_grid(point: Vector) -> Vector:
