@@ -13,7 +13,7 @@ const FIRST = -1; // session number of a room whose session has not begun
 export class Intake {
   /**
    * @param {import("./store.js").Store} store @param {import("./bodies.js").Bodies} bodies
-   * @param {{refused: (message: Message) => void, jumped: () => void}} heard
+   * @param {{refused: (message: Message) => void, jumped: () => void, now: () => number}} heard `now`: session time that is shown [s]
    */
   constructor(store, bodies, heard) {
     this.store = store;
@@ -78,9 +78,12 @@ export class Intake {
         if (store.now.status) store.set({ status: { ...store.now.status, prompt: event.prompt } });
         break;
       case "programs": store.set({ programs: event.programs }); break;
-      case "checked":
-        store.set({ contacts: merged(store.now.contacts, event.contacts), near: merged(store.now.near, event.near) });
+      case "checked": {
+        // what is found late is shown late, but it is shown
+        const heard = (/** @type {Contact} */ row) => ({ ...row, heard: this.heard.now() });
+        store.set({ contacts: merged(store.now.contacts, event.contacts.map(heard)), near: merged(store.now.near, event.near.map(heard)) });
         break;
+      }
       case "began": this.heard.jumped(); break;
     }
   }

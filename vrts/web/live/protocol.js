@@ -100,7 +100,8 @@ export const LONGEST_CHAT = 1000; // characters
  * @typedef {{body: string, start: number, lie: string, X: number[], support: string | null}} Placed
  * @typedef {{name: string, lines: string[], fault: string}} Program
  * @typedef {{first: string, second: string, parts: string[], text: string, start: number, end: number,
- *   deepest: number, point: number[], held: string, line: number, depthMm?: number, distanceMm?: number}} Contact
+ *   deepest: number, point: number[], held: string, line: number, depthMm?: number, distanceMm?: number,
+ *   heard?: number}} Contact `heard`: session time at which the page learnt of it [s]
  * @typedef {{time_s: number, kind: string, text: string, program: string, line: number}} Happened
  * @typedef {{ref: number, at_s: number, accepted: boolean, text: string, help: string, code: string}} Done
  * @typedef {{reachable: boolean, why: string, code: string, branch: string[], joints_rad: number[]}} Reached

@@ -6,7 +6,7 @@ import { Viewer } from "../viewer/viewer.js";
 import { Motion } from "./motion.js";
 import { onTheme, theme } from "./themes.js";
 
-const AFTERGLOW = 1.5; // how long a contact stays lit [s]
+const AFTERGLOW = 2.5; // how long a contact stays lit after its end, or after it was heard of [s]
 const LATER = 2_000; // after the first picture reflections are worked out [ms]
 const FARTHER = 1.42; // times
 const RAISED = 0.42; // by which the overview looks higher than the reports' [m]
@@ -128,7 +128,7 @@ export class World {
   /** Return the contacts to be lit up at a time. @param {number} t [s] */
   lit(t) {
     if (!this.showContacts) return [];
-    return this.contacts.filter((contact) => contact.start <= t && t <= contact.end + AFTERGLOW);
+    return this.contacts.filter(({ start, end, heard }) => start <= t && t <= Math.max(end, heard ?? end) + AFTERGLOW);
   }
 
   /** @param {import("./protocol.js").Contact[]} touching @returns {import("../viewer/viewer.js").Mark} */

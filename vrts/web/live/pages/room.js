@@ -72,6 +72,7 @@ export function started(room, follow) {
   const intake = new Intake(store, bodies, {
     refused: (message) => toasts.warn(new Refusal(/** @type {any} */ (message)).message),
     jumped: () => world.forget(),
+    now: () => world.state?.t ?? 0,
   });
   const connection = new Connection({
     message: (message) => intake.take(message),

@@ -9,7 +9,7 @@ export function mountOverlay({ store, world }) {
   let shown = "";
   world.watchers.push((state) => {
     const touching = world.lit(state.t);
-    const near = world.showContacts ? store.now.near.filter((row) => row.start <= state.t && state.t <= row.end + CLOSE) : [];
+    const near = world.showContacts ? store.now.near.filter((row) => row.start <= state.t && state.t <= Math.max(row.end, row.heard ?? row.end) + CLOSE) : [];
     const rows = [...touching.map((row) => ["bad", row.text]), ...near.map((row) => ["warn", row.text])].slice(-4);
     const key = JSON.stringify(rows);
     if (key === shown) return;
