@@ -126,17 +126,22 @@ def test_an_endless_program_delays_no_beat_and_panic_ends_it(piped: Piped) -> No
     piped.send(Act(1, now_of(ready), "ada", do.Upload("loop.v2", ENDLESS)))
     piped.send(Act(2, now_of(ready), "ada", do.Typed("DO x = 0")))
     piped.listen(0.3)
+    piped.frames.clear()
+    piped.listen(1.5)
+    idle = len(piped.frames)  # 75 are due; a busy machine has fewer, and will have fewer below
     piped.send(Act(3, now_of(ready), "ada", do.Typed("EXECUTE loop")))
     piped.listen(0.5)
     piped.frames.clear()
     piped.listen(3.0)
     running = [frame for _, frame in piped.frames if frame.flags & RUNNING]
-    assert len(running) >= 140  # 150 are due
+    assert len(running) >= 0.8 * 2 * idle
     times = [frame.time_s for frame in running]
     gaps = sorted(b - a for a, b in itertools.pairwise(times))
     assert gaps[len(gaps) // 2] == pytest.approx(0.020, abs=0.004)
     piped.send(Halt(4, now_of(ready)))
-    piped.listen(0.5)
+    until = time.monotonic() + 10.0
+    while piped.frames[-1][1].flags & RUNNING and time.monotonic() < until:
+        piped.listen(0.2)
     assert not piped.frames[-1][1].flags & RUNNING
     outputs = "".join(n.text for n in piped.news if isinstance(n, Output))
     assert "Program stopped at loop" in outputs
