@@ -228,6 +228,7 @@ def _release(machine: Machine) -> None:
     """Let a machine that nobody needs any more go at once: its parts know one another."""
     system = machine.system
     del system.robot, system.process
+    del machine.system, machine.robot, machine.process
 
 
 def _when(entry: tuple[float, int, Event]) -> float:
