@@ -4,11 +4,8 @@ Run by hand: `python -m pytest tests/bench/test_bench_live.py -s`. A looping pro
 of every session. Delays are from the session time that a frame tells to its arrival at the viewer's
 socket, by the kernel's stamp, and to when the viewers' process has read it; the second holds that
 process's own lateness too. Beside them stands how late a process wakes that only sleeps, before the
-load and under it, and how much of the machine others use: figures of a busy machine say little.
-
-Aims, on two idle cores: 100 viewers: 50 frames a second, p95 at most 5 ms, 20 % of a core; 500: 49
-frames a second each, 20 ms, 80 %, 100 MB; the same with ten sessions. A command shows after 35 ms
-(median) and 60 ms (p95).
+load and under it, and how much of the machine others use. Where an aim is missed on a busy machine
+there is no verdict; `chrt -f 5 python -m pytest ...` lets the benchmark go before all others.
 """
 
 import json
@@ -19,6 +16,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -29,6 +27,20 @@ from vrts.live.session.frame import unpacked
 
 SECONDS = 15.0
 COMMANDS = 40
+BUSY = 0.3  # cores that others use, beyond which a missed aim says nothing
+
+
+class Aims(NamedTuple):
+    """What is asked of the server, on two cores of which one is the viewers'."""
+
+    fps: float  # of the slowest viewer
+    p95_ms: float  # from the session's beat to the viewer's socket
+    used: float  # cores, by the server's process
+    megabytes: float = 100.0
+
+
+AIMS = {100: Aims(49.0, 5.0, 0.2), 500: Aims(49.0, 20.0, 0.8)}
+COMMAND_MS = (35.0, 60.0)  # median and p95, from the command to the first changed frame
 
 
 class Viewers:
@@ -70,13 +82,21 @@ def test_viewers(tmp_path: Path, rooms: int, count: int) -> None:
         meanwhile = metronome.so_far()
         others = spent.all - spent.server - spent.sessions - seen.used_s / spent.at_s
         sizes = [child.memory_info().rss / 1e6 for child in stage.process.children()]
+        own = stage.process.memory_info().rss / 1e6
+        aims = AIMS[count]
+        holds = (
+            seen.slowest_fps >= aims.fps
+            and seen.arrived[1] <= aims.p95_ms
+            and spent.server <= aims.used
+            and own <= aims.megabytes
+        )
         print(
-            f"\n{count} viewers of {rooms} sessions: {seen.fps:.1f} fps"
-            f" (slowest {seen.slowest_fps:.1f})\n"
+            f"\n{count} viewers of {rooms} sessions: {verdict(others, holds=holds)}:"
+            f" {seen.fps:.1f} fps (slowest {seen.slowest_fps:.1f})\n"
             f"  delay p50, p95, p99: at the socket {words(seen.arrived)} ms,"
             f" read {words(seen.read)} ms\n"
             f"  server {100 * spent.server:.0f} % of a core,"
-            f" {stage.process.memory_info().rss / 1e6:.0f} MB;"
+            f" {own:.0f} MB;"
             f" sessions with their checks {100 * spent.sessions:.0f} %,"
             f" {statistics.mean(sizes):.0f} MB each;"
             f" viewers {100 * seen.used_s / spent.at_s:.0f} %\n"
@@ -100,9 +120,11 @@ def test_command_to_first_changed_frame(tmp_path: Path, count: int) -> None:
         if viewers is not None:
             viewers.seen()
         others = spent.all - spent.server - spent.sessions
+        found = (statistics.median(times), times[int(0.95 * COMMANDS)])
+        holds = found[0] <= COMMAND_MS[0] and found[1] <= COMMAND_MS[1]
         print(
-            f"\ncommand to first changed frame, {count} viewers: median"
-            f" {statistics.median(times):.0f} ms, p95 {times[int(0.95 * COMMANDS)]:.0f} ms\n"
+            f"\ncommand to first changed frame, {count} viewers:"
+            f" {verdict(others, holds=holds)}: median {found[0]:.0f} ms, p95 {found[1]:.0f} ms\n"
             f"  the machine: wakes late by {words(late)} ms; others and viewers use"
             f" {100 * others:.0f} % of its {os.cpu_count()} cores"
         )
@@ -124,6 +146,13 @@ def answered(operator: Operator, number: int) -> float:
         for came in socket.take():
             if came.opcode == 2 and unpacked(came.payload).joints != still:
                 return 1e3 * (came.stamp_s - begin_s)
+
+
+def verdict(others: float, *, holds: bool) -> str:
+    """Return what can be said, where others use so many cores."""
+    if holds:
+        return "as asked"
+    return "NOT AS ASKED" if others < BUSY else "not as asked, but the machine is busy"
 
 
 def words(figures: tuple[float, ...]) -> str:
