@@ -5,6 +5,7 @@ Contacts never push or stop anything else, and nothing bounces, slips or rolls.
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 from vrts.base.pose import (
@@ -21,7 +22,7 @@ from vrts.base.pose import (
     subtract,
     translation,
 )
-from vrts.geometry.shapes import Box, Cylinder, Piece
+from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 from vrts.geometry.support import Bounds, bounds, span
 
 TOUCHING = 1e-5  # [m] nearer than this is contact
@@ -151,16 +152,19 @@ def _aligned(X_WO: Pose, bottom: Face, top: Face) -> Pose:
 def _face_along(piece: Piece, X_WO: Pose, direction: Vector) -> Face | None:
     """Return the face of a piece that looks most along a direction, in W."""
     X_WP = X_WO @ piece.X_OP
-    best = max(_faces(piece), key=lambda face: dot(rotate(X_WP.rotation, face.normal), direction))
+    best = max(
+        _faces(piece.shape), key=lambda face: dot(rotate(X_WP.rotation, face.normal), direction)
+    )
     normal = rotate(X_WP.rotation, best.normal)
     if dot(normal, direction) <= 0.0:
         return None
     return Face(normal, tuple(X_WP.apply(corner) for corner in best.corners))
 
 
-def _faces(piece: Piece) -> list[Face]:
-    """Return the flat faces of a piece in its own frame."""
-    match piece.shape:
+@lru_cache(maxsize=256)
+def _faces(shape: Shape) -> tuple[Face, ...]:
+    """Return the flat faces of a shape in its own frame."""
+    match shape:
         case Box(half_extents=(a, b, c)):
             found: list[Face] = []
             for axis in range(3):
@@ -176,10 +180,10 @@ def _faces(piece: Piece) -> list[Face]:
                         point[i], point[k] = u * half[i], v * half[k]
                         corners.append((point[0], point[1], point[2]))
                     found.append(Face((normal[0], normal[1], normal[2]), tuple(corners)))
-            return found
+            return tuple(found)
         case Cylinder(radius=radius, half_length=half_length):
             ring = [math.tau * k / CORNERS for k in range(CORNERS)]
-            return [
+            return tuple(
                 Face(
                     (0.0, 0.0, side),
                     tuple(
@@ -188,24 +192,24 @@ def _faces(piece: Piece) -> list[Face]:
                     ),
                 )
                 for side in (-1.0, 1.0)
-            ]
-        case _:
-            return _hull_faces(piece)
+            )
+        case Hull(points=points):
+            return _hull_faces(points)
 
 
-def _hull_faces(piece: Piece) -> list[Face]:
+def _hull_faces(points: Sequence[Vector]) -> tuple[Face, ...]:
     import numpy as np
 
     from vrts.geometry.hull import faces
 
-    hull = faces(np.array(piece.shape.points))  # type: ignore[union-attr]
+    hull = faces(np.array(points))
     corners: list[Vector] = [(x, y, z) for x, y, z in hull.vertices.tolist()]
     found: list[Face] = []
     for polygon in hull.polygons:
-        points = tuple(corners[index] for index in polygon)
-        normal = cross(subtract(points[1], points[0]), subtract(points[2], points[1]))
-        found.append(Face(scale(normal, 1.0 / math.sqrt(dot(normal, normal))), points))
-    return found
+        ring = tuple(corners[index] for index in polygon)
+        normal = cross(subtract(ring[1], ring[0]), subtract(ring[2], ring[1]))
+        found.append(Face(scale(normal, 1.0 / math.sqrt(dot(normal, normal))), ring))
+    return tuple(found)
 
 
 Point = tuple[float, float]
@@ -224,8 +228,9 @@ def _clipped(subject: list[Point], window: list[Point]) -> list[Point]:
     """Return the common part of two convex polygons (Sutherland and Hodgman)."""
     for a, b in zip(window, window[1:] + window[:1], strict=True):
         kept: list[Point] = []
-        for p, q in zip(subject, subject[1:] + subject[:1], strict=True):
-            p_in, q_in = _left(a, b, p), _left(a, b, q)
+        sides = [_left(a, b, p) for p in subject]
+        edges = zip(subject, subject[1:] + subject[:1], sides, sides[1:] + sides[:1], strict=True)
+        for p, q, p_in, q_in in edges:
             if p_in >= 0.0:
                 kept.append(p)
             if p_in * q_in < 0.0:

@@ -8,7 +8,18 @@ import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from vrts.base.pose import Pose, add, cross, dot, rotate, scale, subtract
+from vrts.base.pose import (
+    Pose,
+    Rotation,
+    Vector,
+    add,
+    cross,
+    dot,
+    multiply,
+    rotate,
+    scale,
+    subtract,
+)
 from vrts.engine.motion.paths import Course, LinePath
 from vrts.engine.motion.polynomials import Row
 from vrts.robots.branch import has_branches
@@ -86,9 +97,15 @@ def follow(
         obstacle = Obstacle(kind, k - 1, detail)
         return SetPoints(list(times[:k]), points, rates, branch, crossed, near, obstacle)
 
+    turned: Rotation | None = None
+    rotation: Rotation = X_TF.rotation  # of F in B
+    carried: Vector = lever  # from T to F, in B
     for k in range(1, len(times)):
         X_BT, v, w = courses(k)
-        X_BF = X_BT @ X_TF
+        if X_BT.rotation is not turned:  # a tool that does not turn has one rotation all along
+            turned = X_BT.rotation
+            rotation, carried = multiply(turned, X_TF.rotation), rotate(turned, lever)
+        X_BF = Pose(rotation, add(carried, X_BT.translation))
         found = track(arm, X_BF, branch, q)
         if found is None:
             kind, excess = reach_error(arm, X_BF) or ("too far", 0.0)
@@ -106,7 +123,7 @@ def follow(
         near = near or singular_at(arm, following)
         q = following
         points.append(point)
-        velocity = add(v, cross(w, rotate(X_BT.rotation, lever)))
+        velocity = add(v, cross(w, carried))
         stands = velocity == w == (0.0, 0.0, 0.0)
         found_rate = STILL if stands else joint_velocity(arm, q, velocity, w)
         if found_rate is not None and offset is not None:
