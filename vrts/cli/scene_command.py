@@ -78,17 +78,18 @@ def show(name: str, svg: Path | None, lab: Path | None, color: str) -> None:
 def check(name: str, lab: Path | None, color: str) -> None:
     """Look for what cannot be meant in scene NAME, or in the folder of a task.
 
-    Finds overlaps, floating objects, objects too wide for the hand, locations out of reach on every
-    arm branch or inside bodies; and in a task goals out of reach, in the air or inside bodies, and
-    via points out of reach. Exit status 1 when something is wrong; warnings are no errors.
+    Finds overlaps, floating objects, objects too wide for the hand, objects and locations out of
+    reach on every arm branch, locations inside bodies; and in a task goals out of reach, in the air
+    or inside bodies, and via points out of reach. Exit status 1 when something is wrong; warnings
+    are no errors.
     """
     from vrts.check.feasible import task_findings
     from vrts.report.plain import one_line
-    from vrts.scene.checks import scene_findings
+    from vrts.scene.checks import scene_findings, without_repeats
 
     setting = _setting(name, lab)
     scene, task = setting.scene, setting.task
-    found = [*setting.diagnostics, *scene_findings(scene)]
+    found = list(without_repeats(setting.diagnostics, scene_findings(scene)))
     if task is not None:
         found += task_findings(scene, task)
     show_diagnostics(found, color)
@@ -140,7 +141,7 @@ def draw(place: Path, svg: Path | None, lab: Path | None, color: str) -> None:
     from vrts.pipeline.settings import Refused, load_scene
     from vrts.report.scene_drawing import scene_svg
     from vrts.report.scene_text import scene_text
-    from vrts.scene.checks import scene_findings
+    from vrts.scene.checks import scene_findings, without_repeats
 
     if sys.stdout.isatty():
         click.clear()
@@ -153,7 +154,8 @@ def draw(place: Path, svg: Path | None, lab: Path | None, color: str) -> None:
         say(problem.message)
         return
     out(scene_text(setting.scene))
-    show_diagnostics([*setting.diagnostics, *scene_findings(setting.scene)], color)
+    findings = scene_findings(setting.scene)
+    show_diagnostics(without_repeats(setting.diagnostics, findings), color)
     if svg is not None:
         write_file(svg, scene_svg(setting.scene).encode())
         say(f"wrote {svg}")

@@ -18,7 +18,7 @@ from vrts.geometry.support import bounds, extent_of
 from vrts.robots.model import Elbow, Gripper, Shoulder
 from vrts.scene.clearance import Placed, clearance, placed_body, placed_robot
 from vrts.scene.model import Body, Mobility, Scene
-from vrts.scene.reach import branches
+from vrts.scene.reach import branches, obstacle
 
 TOO_WIDE = Rule("V615", "too-wide")
 NO_PLACE = Rule("V618", "no-place")
@@ -79,7 +79,8 @@ def find_places(
         height = grip_height(scene.robot.gripper, body)
         place = None if height is None else _grip(scene, body, height)
         if height is None or place is None:
-            _warn_no_place(f"`{body.name}` cannot be gripped from above", body, problems)
+            why = None if height is None else _out_of_reach(scene, body.X_WO.translation, height)
+            _warn_no_place(f"`{body.name}` cannot be gripped from above", body, problems, why)
             continue
         heights[body.name] = height
         found[name] = place.X_WT
@@ -91,7 +92,9 @@ def find_places(
             place = _put(scene, base, body, heights[body.name])
             if place is None:
                 headline = f"`{body.name}` cannot be set down on `{base.name}` from above"
-                _warn_no_place(headline, base, problems)
+                top = (*base.X_WO.translation[:2], bounds(base.pieces, base.X_WO).upper[2])
+                why = _out_of_reach(scene, top, heights[body.name])
+                _warn_no_place(headline, base, problems, why)
             else:
                 found[name] = place.X_WT
     safe = None if "safe" in given else _safe(scene, movable)
@@ -266,15 +269,21 @@ def _warn_too_wide(gripper: Gripper, body: Body, problems: Problems) -> None:
     )
 
 
-def _warn_no_place(headline: str, body: Body, problems: Problems) -> None:
+def _out_of_reach(scene: Scene, foot: Vector, height: float) -> str | None:
+    """Return why the hand, straight down, does not get to what stands at a point; None: it does."""
+    X_WP = _down(add(foot, (0.0, 0.0, height)), ALONG_Y)
+    why = obstacle(scene.robot, X_WP @ scene.robot.gripper.X_FP.inverse())
+    return None if why is None else f"with the hand straight down: {why}"
+
+
+def _warn_no_place(headline: str, body: Body, problems: Problems, why: str | None) -> None:
     least = math.degrees(LEAST_MARGIN)
+    tried = f"hand down, LEFTY ABOVE, clear of neighbours, {least:.0f} degrees inside the limits"
     problems.warning(
         NO_PLACE,
         headline,
         body.span,
-        notes=(
-            f"hand down, LEFTY ABOVE, clear of neighbours, {least:.0f} degrees inside the limits",
-        ),
+        notes=(why or tried,),
         help=("move it, or give the location in [locations]",),
         data={"body": body.name},
     )

@@ -5,6 +5,7 @@ from itertools import product
 from typing import NamedTuple
 
 from vrts.base.pose import Pose
+from vrts.base.units import mm
 from vrts.robots.branch import has_branches
 from vrts.robots.kinematics import reach_error, solve
 from vrts.robots.model import ArmBranch, Configuration, Elbow, Robot, Shoulder, Wrist
@@ -87,6 +88,23 @@ def branches(robot: Robot, X_BF: Pose) -> tuple[BranchReach, ...]:
         if configuration is not None:
             found.append(BranchReach(branch, configuration, margin(robot, configuration)))
     return tuple(found)
+
+
+def obstacle(robot: Robot, X_BF: Pose) -> str | None:
+    """Return why no arm branch puts the flange at a pose, for a sentence; None where one does."""
+    ways = branches(robot, X_BF)
+    best = max(ways, key=lambda way: way.margin.amount, default=None)
+    if best is not None:
+        if best.within_limits:
+            return None
+        beyond = math.degrees(-best.margin.amount)
+        return f"joint {best.margin.joint} would be {beyond:.0f} degrees beyond its limit"
+    error = reach_error(robot.arm, X_BF)
+    if error is None:
+        return "out of reach"
+    kind, amount = error
+    what = "beyond reach" if kind == "too far" else "too close to the robot"
+    return f"{mm(amount):.0f} mm {what}"
 
 
 def margin(robot: Robot, q: Configuration) -> Margin:

@@ -260,6 +260,7 @@ def test_scene_check_tells_what_the_reader_refuses_and_what_it_lets_pass(tmp_pat
     for change, code, status in (
         (("radius_mm = 30", "radius_mm = 50"), "V615", 0),
         (("at_mm = [850, -300]", "at_mm = [850, -300]\nturn_deg = 5"), "nothing", 0),
+        (('at_mm = [850, -300]\non = "table"', 'at_mm = [2850, -300]\non = "floor"'), "V791", 1),
         (("radius_mm = 30", "radius_mm = 50"), "make it narrower", 0),
         (("height_mm = 115", "height_mm = 15"), "V618", 0),
         (("at_mm = [850, -300]", "at_mm = [950, 300]"), "V613", 1),
