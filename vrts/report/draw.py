@@ -18,7 +18,7 @@ from vrts.report.raster import Array32, Indices, Mask, Numbers, numbers
 
 OFFSET_M = 0.006  # before its surface a place is looked up in a shadow map
 AT_ONCE = 8192  # samples shaded: what is worked on stays near the processor
-BAND = 40  # rows of pixels
+BAND = 72  # rows of pixels
 
 
 class Screen(NamedTuple):

@@ -32,7 +32,7 @@ BIAS = 0.006  # [m] a surface does not shade itself
 TAPS = ((-1, 0), (0, -1), (1, 0), (0, 1))  # texels round the one of a point: a softer edge
 SOFT_TEXELS = 4  # side of a texel of the soft shadow, in texels
 SOFT_M = 0.028  # radius of its blur, done three times
-BAND = 96  # rows of a map that are drawn together
+BAND = 192  # rows of a map that are drawn together
 
 
 class ShadowMap(NamedTuple):

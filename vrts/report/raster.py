@@ -49,8 +49,9 @@ def rasterise(
         top: The first row.
     """
     buffer = np.zeros((height, width), np.int64) if onto is None else onto.copy()
-    rows = points[:, :, 1]
-    there = np.flatnonzero((rows.max(1) > top) & (rows.min(1) < top + height))
+    a, b, c = (points[:, k, 1] for k in range(3))
+    lowest, highest = np.maximum(np.maximum(a, b), c), np.minimum(np.minimum(a, b), c)
+    there = np.flatnonzero((lowest > top) & (highest < top + height))
     if not len(there):
         return buffer
     points, near = points[there] - (0, top), near[there]
