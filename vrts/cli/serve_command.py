@@ -78,6 +78,10 @@ def command(
     SCENES are names or files of scenes, task files, or folders with a task: the set that the
     supervisor may choose from. Students open the page and type the class code.
 
+    Who is sent away cannot enter that room again until they are allowed: known by account, and as a
+    guest by browser and name. A class code lets in whoever knows it: another browser and another
+    name are another guest. Where that matters, use `--no-code`, accounts and join links.
+
     However it ends, by kill -9 too: started again with the same folder, every room goes on where it
     was, with arm and programs stopped. What was done is done again from the log, exactly; where
     that cannot be, for another scene or a purged user, the room begins anew and is told why.

@@ -1,10 +1,11 @@
 """What is done to a server's folder from the command line, while it runs or not."""
 
+import shutil
 import time
 from pathlib import Path
 
 from vrts.live.passwords import hashed
-from vrts.live.settings import DATABASE
+from vrts.live.settings import DATABASE, SESSIONS
 from vrts.live.store import log
 from vrts.live.store.accounts import add_account
 from vrts.live.store.database import backup, opened
@@ -31,7 +32,10 @@ def add_user(folder: Path, name: str, password: str, *, supervisor: bool) -> str
 
 
 def purge_user(folder: Path, name: str) -> int:
-    """Forget all accounts of a name and what they wrote; return how many there were."""
+    """Forget all accounts of a name and what they wrote; return how many there were.
+
+    A server that is running ends their connections within a second or so.
+    """
     connection = opened(folder / DATABASE)
     try:
         connection.execute("BEGIN IMMEDIATE")
@@ -42,6 +46,9 @@ def purge_user(folder: Path, name: str) -> int:
         connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")  # nothing is left in the journal
     finally:
         connection.close()
+    for (account,) in rows:  # the files that they have written
+        for place in (folder / SESSIONS).glob(f"*/p{int(account)}"):
+            shutil.rmtree(place)
     return len(rows)
 
 

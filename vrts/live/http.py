@@ -10,15 +10,18 @@ from starlette.responses import Response
 
 from vrts.live.guard import refused
 from vrts.live.hub import Hub
+from vrts.live.names import display_name
 from vrts.live.protocol import Enter, LogIn, Me
 from vrts.live.qr_code import qr_svg
 from vrts.live.static_files import PAGE, Content, StaticFiles, content
 from vrts.live.store import accounts
 from vrts.live.store.accounts import LOGIN_S, Account
+from vrts.live.store.bars import inherit
 from vrts.live.store.database import Connection
 from vrts.live.store.log import export
 
 LONGEST_BODY: Final = 8 * 1024  # bytes
+LONGEST_TOKEN: Final = 128  # characters
 JSON: Final = "application/json"
 
 Body = TypeVar("Body")
@@ -54,9 +57,17 @@ class Pages:
         if hub.failures.blocked(address, time.monotonic()):
             return _wait()
 
+        tokens = [token for token in self._tokens(request.cookies) if token]
+        barred: list[tuple[str, str]] = []  # room and name
+
         def let_in(connection: Connection) -> tuple[Account, str] | None:
             account = accounts.enter(connection, body.code, body.name, now)
-            return account and (account, accounts.log_in(connection, account.id, now))
+            if account is None:
+                return None
+            before = [accounts.who(connection, token, now) for token in tokens]
+            had = [old.id for old in before if old is not None]
+            barred.extend(inherit(connection, account.id, display_name(body.name), had))
+            return account, accounts.log_in(connection, account.id, now)
 
         try:
             found = await hub.database.do(let_in)
@@ -65,6 +76,9 @@ class Pages:
         if found is None:
             hub.failures.failed(address, time.monotonic())
             return refused(403, "code", "there is no such code or link", "ask for a new one")
+        for room, name in barred:
+            if room in hub.rooms:
+                hub.rooms[room].barred[found[0].id] = name
         return self._logged_in(*found)
 
     async def login(self, request: Request) -> Response:
@@ -88,11 +102,17 @@ class Pages:
         return self._logged_in(account, token)
 
     async def logout(self, request: Request) -> Response:
-        """End the cookie."""
-        token = request.cookies.get(self._hub.settings.cookie, "")
-        await self._hub.database.do(lambda c: accounts.log_out(c, token))
+        """End the cookie; of who was sent away something stays that lets nobody in."""
+        settings = self._hub.settings
+        account = await self.who(request.cookies)
         answer = Response(status_code=204)
-        answer.delete_cookie(self._hub.settings.cookie)
+        answer.delete_cookie(settings.cookie)
+        token = request.cookies.get(settings.cookie, "")
+        barred = account and any(account.id in room.barred for room in self._hub.rooms.values())
+        if barred:
+            self._set(answer, _was(settings.cookie), token)
+        else:
+            await self._hub.database.do(lambda c: accounts.log_out(c, token))
         return answer
 
     async def me(self, request: Request) -> Response:
@@ -149,7 +169,7 @@ class Pages:
     async def who(self, cookies: dict[str, str]) -> Account | None:
         """Return whose cookie this is."""
         token = cookies.get(self._hub.settings.cookie, "")
-        if not token or len(token) > 128:
+        if not token or len(token) > LONGEST_TOKEN:
             return None
         return await self._hub.database.do(lambda c: accounts.who(c, token, time.time()))
 
@@ -164,17 +184,25 @@ class Pages:
 
     def _logged_in(self, account: Account, token: str) -> Response:
         answer = self._me(account)
-        settings = self._hub.settings
+        self._set(answer, self._hub.settings.cookie, token)
+        return answer
+
+    def _set(self, answer: Response, name: str, token: str) -> None:
         answer.set_cookie(
-            settings.cookie,
+            name,
             token,
             max_age=int(LOGIN_S),
             path="/",
-            secure=settings.secure,
+            secure=self._hub.settings.secure,
             httponly=True,
             samesite="strict",
         )
-        return answer
+
+    def _tokens(self, cookies: dict[str, str]) -> list[str]:
+        """Return the tokens that a browser has, that of who was sent away too."""
+        name = self._hub.settings.cookie
+        found = [cookies.get(name, ""), cookies.get(_was(name), "")]
+        return [token for token in found if len(token) <= LONGEST_TOKEN]
 
     def _me(self, account: Account) -> Response:
         return _json(Me(account.name, account.supervisor, self._hub.entries(account)))
@@ -193,6 +221,11 @@ async def _body(request: Request, kind: type[Body]) -> Body | Response:
         return msgspec.json.decode(data, type=kind)
     except msgspec.DecodeError as problem:
         return refused(400, "body", str(problem))
+
+
+def _was(cookie: str) -> str:
+    """Return the name of the cookie of who was sent away and logged out."""
+    return f"{cookie}_was"
 
 
 def _json(value: object) -> Response:

@@ -31,7 +31,8 @@ from vrts.live.refusal import NotObeyed
 from vrts.live.room import EVERYBODY, Audience, Room, encode
 from vrts.live.settings import Settings
 from vrts.live.store import log as store_log
-from vrts.live.store.accounts import Account
+from vrts.live.store.accounts import Account, existing
+from vrts.live.store.bars import bars_of
 from vrts.live.store.database import Database
 from vrts.live.store.log import Entry
 from vrts.live.store.progress import keep_reached
@@ -93,6 +94,7 @@ class Hub:
                 wall_due = now + 1.0
                 self._show_wall()
                 self._keep_reached()
+                await self._send_purged_away()
 
     def _pulse_room(self, room: Room, now: float) -> None:
         for member in list(room.members.values()):
@@ -102,9 +104,22 @@ class Hub:
                 self.remove(room, member)
         if room.control.pass_time(now):
             self.control_changed(room)
+        room.set_pace()
         # a crowd is told less often: everybody is told about everybody
         if room.crowd_changed and now - room.crowd_changed > 0.004 * len(room.members):
             room.show_people(frozenset(self.muted))
+
+    async def _send_purged_away(self) -> None:
+        """End the places of accounts that were purged meanwhile, from the command line."""
+        present = {member.account.id for member in self.everybody()}
+        if not present:
+            return
+        there = await self.database.do(lambda connection: existing(connection, present))
+        for account in present - there:
+            for member in [m for m in self.everybody() if m.account.id == account]:
+                for room in self.rooms.values():
+                    room.forget(member.account.name)
+                self.send_away(member, "kicked", "your account was removed")
 
     def _keep_reached(self) -> None:
         """Keep how far sessions have come: after a restart they go on from there."""
@@ -147,6 +162,7 @@ class Hub:
             room.number = line.number
             said = Chat(line.number, line.at, "", line.name, line.text, line.private)
             room.chat.append((said, _readers(line) if line.private else EVERYBODY))
+        room.barred = await self.database.do(lambda connection: bars_of(connection, kept.id))
         self.rooms[kept.id] = room
         self.projector = self.projector or kept.id
         return room
@@ -172,7 +188,11 @@ class Hub:
     def entries(self, account: Account) -> tuple[RoomEntry, ...]:
         """Return the rooms that somebody may enter."""
         only = None if account.supervisor else account.room
-        return tuple(room.entry for room in self.rooms.values() if only in (None, room.id))
+        return tuple(
+            room.entry
+            for room in self.rooms.values()
+            if only in (None, room.id) and account.id not in room.barred
+        )
 
     def rooms_changed(self) -> None:
         """Tell everybody which rooms there are."""
@@ -301,7 +321,7 @@ class Hub:
         self.spawn(self._record(entry))
 
     async def _record(self, entry: Entry) -> None:
-        await self.database.do(lambda connection: store_log.append(connection, entry))
+        await self.database.do(lambda connection: store_log.append_now(connection, entry))
 
     def entry(
         self,
@@ -361,10 +381,13 @@ class Hub:
         only = None if account.supervisor else account.room
         if only is not None and wanted not in ("", only):
             raise NotObeyed("room", "this link is for another room")
-        id_ = wanted or only or next(iter(self.rooms), "")
+        free = (room.id for room in self.rooms.values() if account.id not in room.barred)
+        id_ = wanted or only or next(free, next(iter(self.rooms), ""))
         room = self.rooms.get(id_)
         if room is None:
             raise NotObeyed("room", "there is no such room any more")
+        if account.id in room.barred:
+            raise NotObeyed("kicked", "the supervisor has sent you away from this room")
         return room
 
     def _returning(self, room: Room, account: Account, join: Join) -> Member | None:

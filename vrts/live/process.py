@@ -18,6 +18,7 @@ from vrts.live.session.messages import (
     AskReach,
     AskSnapshot,
     Halt,
+    Pace,
     Start,
     Stop,
     ToSession,
@@ -122,6 +123,10 @@ class SessionProcess:
         self._ref += 1
         self._send(AskProgram(self._ref, name))
         return self._ref
+
+    def set_pace(self, rate: int) -> None:
+        """Have so many pose frames made a second."""
+        self._send(Pace(rate))
 
     def ask_snapshot(self) -> int:
         """Ask for everything that is now."""

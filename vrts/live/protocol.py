@@ -117,9 +117,19 @@ class Freeze(Strict, frozen=True, tag="freeze"):
 
 
 class Kick(Strict, frozen=True, tag="kick"):
-    """Supervisor: send somebody away; the account's cookies end."""
+    """Supervisor: send somebody away from the room, who cannot enter it again until `Allow`.
+
+    An account is known by itself, a guest by the browser's cookie and the name: whoever takes
+    another browser and another name comes in again with the class code.
+    """
 
     person: Id
+
+
+class Allow(Strict, frozen=True, tag="allow"):
+    """Supervisor: let those enter the room again who were sent away under a name."""
+
+    name: Annotated[str, Meta(max_length=64)]  # of `People.barred`
 
 
 class Mute(Strict, frozen=True, tag="mute"):
@@ -208,6 +218,7 @@ FromClient = (
     | Lock
     | Freeze
     | Kick
+    | Allow
     | Mute
     | SetChat
     | SetTurn
@@ -297,6 +308,7 @@ class People(Message, frozen=True, tag="people"):
     """Who is here."""
 
     people: tuple[Person, ...]
+    barred: tuple[str, ...] = ()  # names of those who were sent away; told to supervisors only
 
 
 class Control(Message, frozen=True, tag="control"):

@@ -9,7 +9,7 @@ import msgspec
 
 from vrts.live.control import ControlRight
 from vrts.live.door import binary_frame, text_frame
-from vrts.live.member import Member
+from vrts.live.member import FULL_RATE, Member
 from vrts.live.process import SessionProcess
 from vrts.live.protocol import (
     Chat,
@@ -23,6 +23,7 @@ from vrts.live.protocol import (
     WallRow,
 )
 from vrts.live.session.frame import unpacked
+from vrts.live.store.bars import Bars
 from vrts.live.store.progress import Reached
 from vrts.live.store.rooms import HISTORY, KeptRoom
 
@@ -108,6 +109,7 @@ class Room:
     process: SessionProcess | None = None
     task: str = ""  # title
     frozen: bool = False
+    barred: Bars = field(default_factory=dict[int, str])  # who may not enter
     members: dict[str, Member] = field(default_factory=dict[str, Member])
     control: ControlRight = field(default_factory=ControlRight)
     chat: "deque[tuple[Chat, Audience]]" = field(default_factory=lambda: deque(maxlen=HISTORY))
@@ -115,6 +117,7 @@ class Room:
     joining: list[Member] = field(default_factory=list[Member])  # wait for a snapshot
     status: bytes = b""  # JSON of the last `Status`
     placed: dict[str, msgspec.Raw] = field(default_factory=dict[str, msgspec.Raw])  # by body
+    pace: int = FULL_RATE  # pose frames a second that the session makes
     halting: bool = False  # a panic is on its way
     frame: bytes = b""  # the last pose frame; empty: session time is another one since
     crowd_changed: float = 0.0  # since when people are to be told who is here; 0: they know
@@ -150,7 +153,23 @@ class Room:
         self.frame = payload
         frame = binary_frame(payload)
         for member in self.members.values():
-            member.pose(frame, now)
+            member.pose(frame, now, self.pace)
+
+    def set_pace(self) -> None:
+        """Have as many pose frames made as the fastest wants."""
+        wanted = (m.rate for m in self.members.values() if m.door is not None)
+        pace = max(FULL_RATE, *wanted, 0)
+        if pace != self.pace and self.process is not None and self.process.ready:
+            self.pace = pace
+            self.process.set_pace(pace)
+
+    def forget(self, name: str) -> None:
+        """Forget what somebody said who was purged."""
+        kept = [(line, to) for line, to in self.chat if line.name != name]
+        self.chat.clear()
+        self.chat.extend(kept)
+        self._told.clear()
+        self._bytes = 0
 
     def next_number(self) -> int:
         """Return the number of the reliable message that is sent next."""
@@ -259,7 +278,7 @@ class Room:
             member.send(with_rates if member.supervisor else without)
 
     def people(self, muted: frozenset[int], *, rates: bool) -> People:
-        """Return who is here."""
+        """Return who is here; `rates`: with what only supervisors are told."""
         return People(
             tuple(
                 Person(
@@ -272,7 +291,8 @@ class Room:
                     member.rate if rates else 0,
                 )
                 for member in self.members.values()
-            )
+            ),
+            tuple(sorted(set(self.barred.values()))) if rates else (),
         )
 
     def wall_row(self) -> WallRow:

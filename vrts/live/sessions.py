@@ -11,6 +11,7 @@ import msgspec
 from vrts import __version__
 from vrts.live.hub import Hub
 from vrts.live.logged_sessions import JUMPS, LogFault
+from vrts.live.member import FULL_RATE
 from vrts.live.process import Head, SessionProcess
 from vrts.live.protocol import Happened, Program, Reach, Refused, Result, State
 from vrts.live.room import EVERYBODY, Asked, Audience, Room, encode
@@ -96,6 +97,7 @@ class Sessions:
         hub = self._hub
         number = await hub.database.do(lambda connection: next_number(connection, "session"))
         room.session = number % _NUMBERS + 1
+        room.pace = FULL_RATE
         place = hub.settings.place(room.kept.scene) or hub.settings.places[0]
         folder = hub.settings.folder / SESSIONS / f"{room.id}-{number}"
         begun = False
@@ -195,7 +197,7 @@ class Sessions:
         entry = self._hub.entry(
             room, asked.kind, None, text.decode(), at_s=head.at_s, accepted=head.accepted
         )._replace(account=asked.account, name=asked.name)
-        await self._hub.database.do(lambda connection: store_log.append(connection, entry))
+        await self._hub.database.do(lambda connection: store_log.append_now(connection, entry))
         if head.row and self._hub.settings.recorded is not None:
             self._hub.settings.recorded(head.row)
         if asked.kind == "keep":

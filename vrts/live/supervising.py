@@ -6,6 +6,7 @@ from vrts.live.hub import Hub
 from vrts.live.member import Member
 from vrts.live.names import display_name, readable
 from vrts.live.protocol import (
+    Allow,
     Broadcast,
     CloseRoom,
     ExportLog,
@@ -25,13 +26,14 @@ from vrts.live.protocol import (
 from vrts.live.refusal import NotObeyed
 from vrts.live.room import EVERYBODY, Room
 from vrts.live.sessions import Sessions
-from vrts.live.store.accounts import log_out_everywhere
+from vrts.live.store.bars import allow, bar
 
 Supervision = (
     HandOver
     | Lock
     | Freeze
     | Kick
+    | Allow
     | Mute
     | SetChat
     | SetTurn
@@ -58,6 +60,12 @@ async def supervise(
             _control(hub, room, member, message)
         case Kick():
             await _kick(hub, room, member, message)
+        case Allow():
+            await hub.database.do(lambda connection: allow(connection, room.id, message.name))
+            room.barred = {a: name for a, name in room.barred.items() if name != message.name}
+            hub.record(room, "allow", member.account, {"name": message.name})
+            hub.crowd_changed(room)
+            hub.rooms_changed()
         case Mute():
             account = _person(room, message.person).account.id
             (hub.muted.add if message.on else hub.muted.discard)(account)
@@ -117,11 +125,12 @@ async def _kick(hub: Hub, room: Room, member: Member, message: Kick) -> None:
     account = _person(room, message.person).account
     if account.supervisor:
         raise NotObeyed("role", "a supervisor cannot be sent away")
-    await hub.database.do(lambda connection: log_out_everywhere(connection, account.id))
+    await hub.database.do(lambda connection: bar(connection, room.id, account.id, account.name))
+    room.barred[account.id] = account.name
     hub.record(room, "kick", member.account, {"whom": account.id})
-    for other in hub.everybody():
+    for other in list(room.members.values()):
         if other.account.id == account.id:
-            hub.send_away(other, "kicked", "the supervisor has sent you away")
+            hub.send_away(other, "kicked", "the supervisor has sent you away from this room")
 
 
 async def _set_scene(hub: Hub, sessions: Sessions, room: Room, member: Member, scene: str) -> None:

@@ -93,6 +93,7 @@ SUPERVISION: list[dict[str, Any]] = [
     {"type": "lock", "on": True},
     {"type": "freeze", "on": True, "everywhere": True},
     {"type": "kick", "person": "x"},
+    {"type": "allow", "name": "x"},
     {"type": "mute", "person": "x", "on": True},
     {"type": "set_chat", "on": False},
     {"type": "set_turn", "turn_s": 1, "idle_s": 1},

@@ -1,4 +1,4 @@
-"""When a session beats: 50 times a second, and once sooner when a command is about to show."""
+"""When a session beats: 50 times a second or as told, once sooner when a command is to show."""
 
 import math
 
@@ -13,6 +13,7 @@ class Beats:
 
     def __init__(self, now_s: float) -> None:
         """Have the first one due now [s]."""
+        self.period_s = BEAT
         self._regular_s = now_s
         self._early_s = math.inf
 
@@ -30,7 +31,7 @@ class Beats:
         due_s = self.due_s
         if due_s >= self._early_s:
             self._early_s = math.inf
-        self._regular_s = max(due_s + BEAT, now_s)
+        self._regular_s = max(due_s + self.period_s, now_s)
 
 
 def shows(order: ToSession) -> bool:

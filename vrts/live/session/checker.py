@@ -38,6 +38,7 @@ from vrts.scene.model import Scenario
 PAUSE = 1.0  # [s] of session time between checks
 STRETCH = 300.0  # [s] of session time that is checked at once at most, as after a restart
 REST = 40.0  # times as long as a check took is waited at least: ten sessions share the machine
+LONGEST_PAUSE = 10.0  # [s]
 NICENESS = 10  # of checks, which may be late, to frames, which may not
 BEFORE = 0.1  # [s] before a hand begins to close
 LIMITS = Limits(cpu_s=60, wall_s=120.0, memory=1_000_000_000)
@@ -107,7 +108,7 @@ class Checker:
                 return
             judging_s = self._answered(self._child.answer)
             took_s = time.monotonic() - self._child.started - judging_s
-            self._pause = max(PAUSE, REST * took_s)
+            self._pause = min(max(PAUSE, REST * took_s), LONGEST_PAUSE)
             self._child = None
         showing, growing = self._session.showing, self._session.growing
         since = growing.time_s - self._looked_s

@@ -23,7 +23,7 @@ from msgspec import Meta
 from vrts.live.actions import Action, Name, Number
 
 LENGTH: Final = struct.Struct("<I")  # before every message from the session
-BEAT: Final = 0.020  # [s] between pose frames
+BEAT: Final = 0.020  # [s] between pose frames, unless `Pace` says otherwise
 SILENCE: Final = 0.200  # [s] without `Keep` after which a held key counts as released
 LONGEST_ORDER: Final = 1 << 20  # bytes of a line to the session
 
@@ -90,11 +90,17 @@ class AskProgram(Order, frozen=True, tag="ask_program"):
     name: Name
 
 
+class Pace(Order, frozen=True, tag="pace"):
+    """How many pose frames to make a second."""
+
+    rate: Annotated[int, Meta(ge=1, le=60)]
+
+
 class Stop(Order, frozen=True, tag="stop"):
     """End; the end of input means the same."""
 
 
-ToSession = Start | Act | Halt | AskReach | AskSnapshot | AskProgram | Stop
+ToSession = Start | Act | Halt | AskReach | AskSnapshot | AskProgram | Pace | Stop
 
 # --- from the session -----------------------------------------------------------------------------
 

@@ -23,7 +23,7 @@ from vrts.live.session.carrying_on import (
 )
 from vrts.live.session.checker import Checker, warm_up
 from vrts.live.session.inbox import Inbox, Unreadable
-from vrts.live.session.messages import Failed, Json, Ready, Start, Stop
+from vrts.live.session.messages import Failed, Json, Pace, Ready, Start, Stop
 from vrts.live.session.outbox import Outbox, ServerGone
 from vrts.live.session.session import Session
 from vrts.live.session.setting import setting_of
@@ -85,6 +85,8 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
                 if isinstance(order, Stop):
                     outbox.flush()
                     return 0
+                if isinstance(order, Pace):
+                    beats.period_s = 1.0 / order.rate
                 session.take(order)
                 if shows(order):
                     beats.bring_forward(session.epoch_s + session.growing.next_tick_s + AFTER_TICK)

@@ -1,6 +1,8 @@
 """Accounts, log-ins and join links. Secrets are kept as digests."""
 
+import json
 import sqlite3
+from collections.abc import Iterable
 from typing import Final, NamedTuple
 
 from vrts.live.names import display_name
@@ -82,11 +84,6 @@ def log_out(connection: sqlite3.Connection, token: str) -> None:
     connection.execute("DELETE FROM login WHERE digest=?", (digest(token),))
 
 
-def log_out_everywhere(connection: sqlite3.Connection, account: int) -> None:
-    """End all cookies of an account."""
-    connection.execute("DELETE FROM login WHERE account=?", (account,))
-
-
 def add_link(
     connection: sqlite3.Connection,
     token: str,
@@ -119,6 +116,15 @@ def enter(connection: sqlite3.Connection, token: str, name: str, now: float) -> 
     supervisor, room, own = row
     connection.execute("UPDATE link SET uses=uses-1 WHERE digest=?", (digest(token),))
     return add_account(connection, own or name, now, supervisor=bool(supervisor), room=room)
+
+
+def existing(connection: sqlite3.Connection, accounts: Iterable[int]) -> set[int]:
+    """Return which of some accounts are there."""
+    found = connection.execute(
+        "SELECT id FROM account WHERE id IN (SELECT value FROM json_each(?))",
+        (json.dumps(sorted(accounts)),),
+    )
+    return {row[0] for row in found}
 
 
 def _account(row: tuple[int, str, int, str | None]) -> Account:

@@ -63,6 +63,17 @@ def append(connection: sqlite3.Connection, entry: Entry) -> int:
     return seq
 
 
+def append_now(connection: sqlite3.Connection, entry: Entry) -> None:
+    """Append a record of what has just happened; of who was purged meanwhile no more is kept."""
+    if entry.account is None:
+        append(connection, entry)
+        return
+    row = connection.execute("SELECT 1 FROM account WHERE id=?", (entry.account,)).fetchone()
+    seq = append(connection, entry if row else entry._replace(account=None, name=""))
+    if row is None:
+        connection.execute("DELETE FROM log_text WHERE room=? AND seq=?", (entry.room, seq))
+
+
 def records(connection: sqlite3.Connection, room: str) -> Iterator[Logged]:
     """Return the records of a room in order."""
     rows = connection.execute(

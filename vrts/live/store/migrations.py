@@ -91,6 +91,14 @@ STEPS: Final = (
         seq INTEGER
     ) WITHOUT ROWID;
     """,
+    """
+    CREATE TABLE barred (
+        room TEXT NOT NULL,
+        account INTEGER NOT NULL REFERENCES account ON DELETE CASCADE,
+        name TEXT NOT NULL,
+        PRIMARY KEY (room, account)
+    ) WITHOUT ROWID;
+    """,
 )
 
 

@@ -16,6 +16,7 @@ export const FROM_CLIENT = {
   lock: ["on"],
   freeze: ["on", "everywhere"],
   kick: ["person"],
+  allow: ["name"],
   mute: ["person", "on"],
   set_chat: ["on"],
   set_turn: ["turn_s", "idle_s"],
@@ -50,7 +51,7 @@ export const ACTIONS = {
 export const FROM_SERVER = {
   welcome: ["you", "name", "supervisor", "room", "resume", "resumed", "rate", "version"],
   snapshot: ["room", "rooms", "scenes", "number", "session", "scene_url", "state", "chat"],
-  people: ["people"],
+  people: ["people", "barred"],
   control: ["holder", "lease", "queue", "locked", "frozen", "chat", "turn_s", "idle_s", "ends"],
   chat: ["number", "at", "person", "name", "text", "private"],
   event: ["number", "event"],

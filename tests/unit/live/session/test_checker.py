@@ -38,6 +38,7 @@ def test_pieces_tell_what_the_whole_tells(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, forks: bool
 ) -> None:
     monkeypatch.setattr("vrts.live.session.checker.FORKS", forks)
+    monkeypatch.setattr("vrts.live.session.checker.REST", 0.0)
     driven = Driven(tmp_path)
     with Checker(driven.session) as checker:
         carry_into_things(driven, checker)
