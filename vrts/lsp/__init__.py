@@ -1,0 +1,1 @@
+"""The language server: what an editor shows of programs while they are written."""

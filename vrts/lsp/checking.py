@@ -1,0 +1,48 @@
+"""The diagnostics of a buffer, with what other files of its group add to it."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from vrts.base.diagnostic import Diagnostic, Severity
+from vrts.lang.compiler import Options, compile_source
+from vrts.lang.usage import UNDEFINED_LOCATION, UNDEFINED_PROGRAM, UNDEFINED_VARIABLE
+from vrts.lsp.documents import Document
+
+_FAMILIES = {
+    UNDEFINED_PROGRAM: "program",
+    UNDEFINED_LOCATION: "variable",
+    UNDEFINED_VARIABLE: "variable",
+}
+
+
+def check(document: Document, group: Sequence[Document] = ()) -> tuple[Diagnostic, ...]:
+    """Return what is wrong with a buffer.
+
+    Args:
+        document: The buffer.
+        group: Files that belong together with it. What they define is only noted as coming from
+            elsewhere.
+    """
+    if document.refusal is not None:
+        return (document.refusal,)
+    if not document.source.text.strip():
+        return ()
+    found = compile_source(document.source, Options(dialect=None)).diagnostics
+    return tuple(_linked(diagnostic, document, group) for diagnostic in found)
+
+
+def _linked(diagnostic: Diagnostic, document: Document, group: Sequence[Document]) -> Diagnostic:
+    family = _FAMILIES.get(diagnostic.rule)
+    name = diagnostic.data.get("name")
+    if family is None or not isinstance(name, str):
+        return diagnostic
+    for other in group:
+        if other is not document and name in other.names.defined(family):
+            return replace(
+                diagnostic,
+                severity=Severity.NOTE,
+                notes=(f"`{other.source.name}` has it",),
+                help=(f"check both together: `--with {other.source.name}`",),
+                fix=None,
+            )
+    return diagnostic

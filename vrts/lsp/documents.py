@@ -1,0 +1,125 @@
+"""Program files as an editor holds them: buffers that are open, and the files beside them."""
+
+import os
+from collections.abc import Iterable, Iterator
+from functools import cached_property
+from pathlib import Path
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import SourceFile
+from vrts.lang.detection import detect
+from vrts.lang.dialect import Dialect
+from vrts.lang.reading import decode
+from vrts.lsp.names import Names, names_of
+
+SUFFIXES = frozenset({".v2", ".pg", ".val", ".val2", ".as", ".lc", ".rv", ".st"})  # of the family
+MOST_FILES = 500  # of one folder that are looked at
+MOST_BYTES = 1_000_000  # of a file beside an open one
+_CONTROLS = {0: " ", 12: " ", 26: " "}  # which a file may hold: columns stay as the editor counts
+
+
+class Document:
+    """The text of one file, and what is known of it. Never changes: an edit makes another."""
+
+    def __init__(self, path: str, text: str) -> None:
+        """Take the text; a file that cannot be a program counts as empty.
+
+        Args:
+            path: Absolute, or any name for a buffer that is in no file.
+            text: As the editor holds it, with line ends of any kind.
+        """
+        self.path = path
+        text = text.replace("\r\n", "\n").replace("\r", "\n").translate(_CONTROLS)
+        found = decode(text.encode("utf-8", "replace"), os.path.basename(path))
+        blank = not text.strip()  # nothing is written yet: no reason for a complaint
+        self.refusal = found if isinstance(found, Diagnostic) and not blank else None
+        self.source = SourceFile(os.path.basename(path), text if self.refusal is None else "")
+
+    @cached_property
+    def dialect(self) -> Dialect:
+        """Language of the family, as file name and content tell."""
+        return detect(self.source)[0]
+
+    @cached_property
+    def names(self) -> Names:
+        """Every name of the text and its uses."""
+        return names_of(self.source, self.dialect)
+
+
+class _OnDisk(NamedTuple):
+    modified_ns: int
+    size: int
+    document: Document
+
+
+class Documents:
+    """Buffers by their paths, and the program files of the folders that they are in."""
+
+    def __init__(self) -> None:
+        self.open: dict[str, Document] = {}
+        self._on_disk: dict[str, _OnDisk] = {}
+
+    def put(self, path: str, text: str) -> Document:
+        """Take the text of a buffer; return its document."""
+        document = self.open[path] = Document(path, text)
+        return document
+
+    def close(self, path: str) -> None:
+        """Forget a buffer: its file counts again."""
+        self.open.pop(path, None)
+
+    def beside(self, path: str) -> list[Document]:
+        """Return the program files of the folder of a file, itself not included, by name."""
+        return [d for d in self.in_folder(os.path.dirname(path)) if d.path != path]
+
+    def in_folder(self, folder: str) -> list[Document]:
+        """Return the program files of a folder by name: buffers as they are, the rest as saved."""
+        paths = set(_program_files(folder)) if folder else set[str]()
+        paths.update(path for path in self.open if os.path.dirname(path) == folder)
+        found = (self.open.get(path) or self._saved(path) for path in sorted(paths))
+        return [document for document in found if document is not None]
+
+    def everywhere(self, folders: Iterable[str]) -> list[Document]:
+        """Return the program files of some folders and of those with open buffers."""
+        wanted = {*folders, *(os.path.dirname(path) for path in self.open)}
+        return [document for folder in sorted(wanted) for document in self.in_folder(folder)]
+
+    def _saved(self, path: str) -> Document | None:
+        """Return a file on disk; None when it is gone, unreadable, too large or no program."""
+        try:
+            status = os.stat(path)
+            known = self._on_disk.get(path)
+            if known and (known.modified_ns, known.size) == (status.st_mtime_ns, status.st_size):
+                return known.document
+            if status.st_size > MOST_BYTES:
+                return None
+            data = Path(path).read_bytes()
+        except OSError:
+            return None  # files come and go while a folder is looked at
+        found = decode(data, os.path.basename(path))
+        if isinstance(found, Diagnostic):
+            return None
+        document = Document(path, found.text)
+        self._on_disk[path] = _OnDisk(status.st_mtime_ns, status.st_size, document)
+        return document
+
+
+def is_program_file(path: str) -> bool:
+    """Return whether a file is of the family, by its name."""
+    return os.path.splitext(path)[1].lower() in SUFFIXES
+
+
+def _program_files(folder: str) -> Iterator[str]:
+    """Return the paths of the first program files of a folder, links to elsewhere left out."""
+    try:
+        with os.scandir(folder) as entries:
+            names = sorted(
+                entry.name
+                for entry in entries
+                if is_program_file(entry.name) and entry.is_file(follow_symlinks=False)
+            )
+    except OSError:
+        return  # a folder that is not there holds nothing
+    for name in names[:MOST_FILES]:
+        yield os.path.join(folder, name)

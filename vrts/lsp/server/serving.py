@@ -1,0 +1,30 @@
+"""A server with all its features, from the first message of a client to its end."""
+
+import sys
+from typing import BinaryIO, cast
+
+from vrts.base.stack import DEPTH
+from vrts.lsp.server import syncing
+from vrts.lsp.server.session import Session
+from vrts.lsp.server.stream import Bounded
+
+SWITCH_S = 0.001  # how soon the thread that checks lets an answer through
+
+
+def serve(incoming: BinaryIO, outgoing: BinaryIO) -> None:
+    """Serve one client until it leaves or is gone."""
+    sys.setrecursionlimit(DEPTH)  # once for all threads: it counts for the whole process
+    sys.setswitchinterval(SWITCH_S)
+    session = session_with_features()
+    try:
+        session.start_io(cast(BinaryIO, Bounded(incoming)), outgoing)
+    finally:
+        session.leave()
+
+
+def session_with_features() -> Session:
+    """Return a server that answers everything it can."""
+    session = Session()
+    for features in (syncing,):
+        features.register(session)
+    return session
