@@ -4,7 +4,7 @@ import time
 from dataclasses import dataclass, field
 from typing import Any
 
-from playwright.sync_api import Browser, BrowserContext, Page
+from playwright.sync_api import Browser, BrowserContext, Error, Page
 
 from tests.support_live import LiveServer
 
@@ -33,11 +33,19 @@ class Desk:
         """Wait for a condition; Playwright's own waiting needs `eval`, which the page forbids."""
         until = time.monotonic() + patience
         while time.monotonic() < until:
-            if self.page.evaluate(condition):
+            if self._holds(condition):
                 return
             self.page.wait_for_timeout(50)
         shown = self.page.evaluate("document.getElementById('toasts').textContent")
         raise AssertionError(f"never true: {condition}; notices: {shown}; {self.messages[-3:]}")
+
+    def _holds(self, condition: str) -> bool:
+        try:
+            return bool(self.page.evaluate(condition))
+        except Error as fault:
+            if "Execution context was destroyed" not in str(fault):
+                raise
+            return False  # another page is on its way
 
     def type(self, line: str) -> None:
         """Enter a line at the monitor."""

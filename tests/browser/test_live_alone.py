@@ -47,7 +47,7 @@ def test_an_account_lets_in_and_logging_out_lets_nobody_in(
                 view.until("document.getElementById('enter-problem').textContent.includes('wrong')")
         view.until(SHOWN)
         view.page.click("#settings-button")
-        view.page.click("#log-out")
+        view.page.click("#log-out", no_wait_after=True)
         view.until("!document.getElementById('enter').hidden")
         view.context.close()
 

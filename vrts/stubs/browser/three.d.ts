@@ -324,6 +324,7 @@ export class PMREMGenerator {
 export class WebGLRenderer {
   constructor(options?: { canvas?: HTMLCanvasElement; antialias?: boolean });
   domElement: HTMLCanvasElement;
+  getContext(): WebGL2RenderingContext;
   shadowMap: { enabled: boolean; type: number };
   toneMapping: number;
   setPixelRatio(ratio: number): void;

@@ -73,7 +73,7 @@ export class World {
     const viewer = new Viewer(this.canvas, data, theme(), { reflections: false });
     this.viewer = viewer;
     this.state = null;
-    window.setTimeout(() => this.viewer === viewer && viewer.reflect(), LATER);
+    window.setTimeout(() => this.viewer === viewer && !viewer.software && viewer.reflect(), LATER);
     look(this.viewer, "overview");
     for (const tell of this.sceneWatchers) tell(this.viewer);
   }

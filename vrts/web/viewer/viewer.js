@@ -41,6 +41,7 @@ export const VIEWS = {
 const CLOSE = [0.62, -0.62, 0.36]; // from a contact to the eye that looks at it [m]
 const SOFT_REFLECTING = 0.3; // light from all sides beside what materials reflect
 const SOFT_ALONE = 2.2; // in place of it
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 const RED = 0xe5322d;
 const YELLOW = 0xffd43b;
 const GREEN = 0x2f9e44;
@@ -113,6 +114,13 @@ export class Viewer {
     maker.dispose();
     if (this.soft) this.soft.intensity = SOFT_REFLECTING;
     this.requestDraw();
+  }
+
+  /** Whether the processor draws, for want of a graphics card: what is dear should be left out. */
+  get software() {
+    const gl = this.renderer.getContext();
+    const names = gl.getExtension("WEBGL_debug_renderer_info");
+    return SOFTWARE.test(String(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER)));
   }
 
   /** Lights that do not depend on the theme: a sun with shadow, and the sky. */
