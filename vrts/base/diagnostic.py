@@ -46,6 +46,7 @@ class Moment(NamedTuple):
     time_s: float  # simulated time [s]
     configuration: tuple[float, ...]  # joint positions [rad], then hand opening [m]
     bodies: tuple[str, ...] = ()  # names of the bodies involved
+    deepest: bool = False  # of a contact that began before
 
 
 class Fix(NamedTuple):

@@ -2,6 +2,7 @@
 
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from types import MappingProxyType
 
 from vrts.base.diagnostic import Datum, Diagnostic, Label, Moment, Rule, Severity
@@ -179,7 +180,9 @@ def _diagnostic(
         "depth_mm": _mm(event.depth_m),
         "point_mm": tuple(_mm(value) for value in event.point),
     }
-    return _told(rule, severity, headline, where, event, event.deepest_s, data, hints, run)
+    found = _told(rule, severity, headline, where, event, event.deepest_s, data, hints, run)
+    assert found.moment is not None
+    return replace(found, moment=found.moment._replace(deepest=True))
 
 
 def _who_and_when(event: ContactEvent | NearMiss) -> dict[str, Datum]:

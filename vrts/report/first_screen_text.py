@@ -7,7 +7,7 @@ from vrts.report.assessment import Assessment
 from vrts.report.first_screen import FirstScreen, first_screen
 from vrts.report.palette import Palette, Style, worded
 from vrts.report.plain import line_start, one_line, width, yes_no
-from vrts.report.quantities import at_time, lost, mark
+from vrts.report.quantities import lost, mark, when
 from vrts.report.review import review_of
 from vrts.report.sketch import sketch
 
@@ -57,7 +57,7 @@ def _picture(a: Assessment, screen: FirstScreen, palette: Palette) -> list[str]:
         point,
         palette,
     )
-    return [*lines, palette.paint(Style.FAINT, f"  {at_time(time_s)}")]
+    return [*lines, palette.paint(Style.FAINT, f"  {when(screen.moment)}")]
 
 
 def _loss_rows(screen: FirstScreen) -> list[Row]:

@@ -2,11 +2,12 @@
 
 import base64
 
+from vrts.base.diagnostic import Moment
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import FirstScreen
 from vrts.report.html import Markup, element, prose
 from vrts.report.plain import capital, one_line, yes_no
-from vrts.report.quantities import at_time, lost, mark, seconds
+from vrts.report.quantities import at_time, lost, mark, seconds, when
 
 
 def first_screen_section(
@@ -86,7 +87,7 @@ def _loss_table(screen: FirstScreen) -> Markup:
             "tr",
             element("td", lost(loss.points), class_="number"),
             element("td", prose(capital(one_line(loss.sentence)))),
-            element("td", watch_button(loss.moment.time_s) if loss.moment else None, class_="act"),
+            element("td", moment_button(loss.moment) if loss.moment else None, class_="act"),
         )
         for loss in screen.losses
     ]
@@ -125,11 +126,16 @@ def _verdict_table(screen: FirstScreen) -> Markup | None:
 def _picture(screen: FirstScreen, picture: bytes | None) -> Markup | None:
     if picture is None:
         return None
-    caption = capital(at_time(screen.moment.time_s)) if screen.moment else "The scene"
+    caption = capital(when(screen.moment)) if screen.moment else "The scene"
     source = "data:image/png;base64," + base64.b64encode(picture).decode("ascii")
     image = element("img", src=source, alt=f"{caption}. {screen.cause}", class_="still")
     button = watch_button(screen.moment.time_s, "Watch this moment") if screen.moment else None
     return element("figure", image, element("figcaption", caption + " ", button), class_="moment")
+
+
+def moment_button(moment: Moment) -> Markup:
+    """Return a button that shows a moment, and says so where a contact is deepest."""
+    return watch_button(moment.time_s, when(moment) if moment.deepest else None)
 
 
 def watch_button(time_s: float, text: str | None = None) -> Markup:

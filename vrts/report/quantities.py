@@ -6,7 +6,7 @@ The rule: 1 ms, 0.01 mm, 0.01 degrees [architecture.md, rules that several parts
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from vrts.base.diagnostic import Datum
+from vrts.base.diagnostic import Datum, Moment
 from vrts.base.units import deg, mm
 
 MINUS = "−"  # U+2212, as wide as the digits
@@ -33,6 +33,11 @@ def degrees(angle_rad: float) -> float:
 def at_time(time_s: float) -> str:
     """Return a time for a sentence: `at 12.4 s`."""
     return f"at {time_s:.1f} s"
+
+
+def when(moment: Moment) -> str:
+    """Return the time of a moment for a sentence: `at 12.4 s`, `deepest at 12.4 s`."""
+    return f"deepest {at_time(moment.time_s)}" if moment.deepest else at_time(moment.time_s)
 
 
 def points(value: Fraction) -> str:

@@ -8,7 +8,7 @@ from vrts.base.diagnostic import Diagnostic, Moment, Severity
 from vrts.report.excerpt import blocks, excerpt, gutter_width
 from vrts.report.palette import BY_SEVERITY, Palette, Style, worded
 from vrts.report.plain import one_line
-from vrts.report.quantities import at_time, joint_degrees
+from vrts.report.quantities import joint_degrees, when
 
 if TYPE_CHECKING:  # `vrts compile` shows diagnostics and needs no engine
     from vrts.report.assessment import Assessment
@@ -40,7 +40,7 @@ def moment_text(moment: Moment) -> str:
     joints = " ".join(f"{value:g}" for value in joint_degrees(moment.configuration))
     parts = [" and ".join(one_line(body) for body in moment.bodies)] if moment.bodies else []
     parts += [f"joints {joints} deg"] if joints else []
-    return f"{at_time(moment.time_s)}: {'; '.join(parts)}" if parts else at_time(moment.time_s)
+    return f"{when(moment)}: {'; '.join(parts)}" if parts else when(moment)
 
 
 def assessment_text(a: "Assessment", *, color: bool) -> str:

@@ -1,6 +1,7 @@
 """`vrts grade --pseudonyms`: no name in any file but one, also when the class is marked again."""
 
 import csv
+import re
 import shutil
 from pathlib import Path
 
@@ -117,6 +118,19 @@ def test_exports_have_the_names_again(out: Path, tmp_path: Path) -> None:
     lines = (tmp_path / "marks.csv").read_text("utf-8-sig").splitlines()
     (anna,) = [line for line in lines if "Annegret Bergmeister" in line]
     assert ",10" in anna
+
+
+def test_who_is_not_in_the_worksheet_is_told_by_name(out: Path, tmp_path: Path) -> None:
+    sheet = tmp_path / "worksheet.csv"
+    sheet.write_text(
+        "Identifier,Full name,Email address,Status,Grade,Maximum Grade\n"
+        "Participant 1234,Annegret Bergmeister,a@example.org,Submitted,,10.00\n"
+    )
+    words = ("--to", "moodle", "--fill", sheet, "-o", tmp_path / "filled.csv")
+    done = call("grade", "export", out, *words)
+    assert done.exit_code == 0, done.output
+    lacking = re.findall(r"`([^`]+)` \(`[a-z]{4}-[a-z]{4}-[a-z]{4}`\)", done.stderr)
+    assert sorted(lacking) == ["Laszlo Laszlo", "Zoltán Kisfaludy"]
 
 
 def test_files_named_one_by_one_are_not_told(tmp_path: Path) -> None:

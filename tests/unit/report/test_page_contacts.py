@@ -16,6 +16,7 @@ from vrts.report.stills import (
     shown_first,
     worst_first,
 )
+from vrts.report.text import assessment_text
 
 ROOT = Path(__file__).parent.parent.parent.parent
 HITS_BASE = ROOT / "examples" / "01-cans-on-bases" / "submissions" / "hits-base.v2"
@@ -51,6 +52,19 @@ def test_the_moment_and_the_three_deepest_other_contacts_have_stills() -> None:
     pictures = [a for tag, a in read.elements if tag == "img"]
     assert len(pictures) == 4
     assert all(picture["alt"] for picture in pictures)
+
+
+def test_times_of_a_contact_say_whether_they_are_its_begin_or_where_it_is_deepest() -> None:
+    a = assess(HITS_BASE)
+    shown = Reader(page(a, page_stills(a))).text
+    assert "At 4.9 s, line 11" in shown
+    assert "Watch at 4.9 s" in shown
+    # the loss, the picture, the finding
+    assert shown.count("deepest at 5.0 s") + shown.count("Deepest at 5.0 s") == 3
+    assert "At 5.0 s" not in shown
+    text = assessment_text(a, color=False)
+    assert "\n  deepest at 5.0 s\n" in text
+    assert "= deepest at 5.0 s: robot and base1" in text
 
 
 def test_what_ran_not_has_no_pictures() -> None:

@@ -5,12 +5,14 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule, warning
+from vrts.base.safe_names import safe
 from vrts.marking.exports.feedback import FINAL, feedback_html
 from vrts.marking.exports.given import Given, Options, Product, Returned
 from vrts.marking.exports.matching import Line, match
 from vrts.marking.exports.numbers import decimal, parsed
 from vrts.marking.exports.sheet import Sheet
 from vrts.marking.exports.steps import FULL
+from vrts.marking.row import Row
 from vrts.report.plain import one_line
 
 NOT_IN_FILE = Rule("V743", "student-without-row")
@@ -73,7 +75,7 @@ def fill(
     found = (
         *_listed(
             NOT_IN_FILE,
-            [f"`{row.id}`" for row in matches.rows],
+            [_who(row) for row in matches.rows],
             "of the class is not in the file",
             "of the class are not in the file",
             "look whether the file is of this class, and enter these marks by hand",
@@ -87,7 +89,7 @@ def fill(
         ),
         *_listed(
             BY_NAME,
-            [f"`{_title(line)}` is `{row.id}`" for line, row in matches.by_name],
+            [f"`{_title(line)}` is {_who(row)}" for line, row in matches.by_name],
             "was found by name only",
             "were found by name only",
             "look whether this is who is meant",
@@ -144,6 +146,12 @@ def _may_comment(sheet: Sheet, row: int, at: int | None) -> bool:
 
 def _title(line: Line) -> str:
     return one_line(line.name) or f"row {line.row + 1}"
+
+
+def _who(row: Row) -> str:
+    """Return the name of a student with the id; where they are the same, the id."""
+    name = one_line(row.student.name)
+    return f"`{row.id}`" if safe(name) == row.id or not name else f"`{name}` (`{row.id}`)"
 
 
 def _listed(

@@ -5,9 +5,12 @@ from collections.abc import Sequence
 from vrts.marking.overview.links import staff_report
 from vrts.marking.overview.words import has_report, name_of, reasons, tenth, to_review, who
 from vrts.marking.row import Row
-from vrts.report.html import Markup, element
+from vrts.report.html import Markup, element, prose
 
 FIRST = 12  # shown at once
+BETWEEN = (
+    "The mark as given is the higher one; it would be the lower one if all in doubt went wrong."
+)
 
 
 def reviews(rows: Sequence[Row], *, pages: bool) -> Markup | None:
@@ -25,17 +28,18 @@ def reviews(rows: Sequence[Row], *, pages: bool) -> Markup | None:
     return element(
         "section",
         element("h2", "Look at these first"),
-        element(
-            "p",
-            "The mark as given is the higher one; it would be the lower one if all in doubt went"
-            " wrong.",
-            class_="where",
-        ),
+        element("p", BETWEEN, class_="where") if any(map(_is_range, found)) else None,
         element("ol", *items[:FIRST], class_="reviews"),
         more if rest else None,
         id="review",
         class_="review-box",
     )
+
+
+def _is_range(row: Row) -> bool:
+    """Return whether the right mark may be lower than the one that is given."""
+    result = row.result
+    return result.mark is not None and result.lowest is not None and result.lowest < result.mark
 
 
 def _order(row: Row) -> tuple[bool, float, str]:
@@ -68,4 +72,4 @@ def _item(row: Row, *, pages: bool) -> Markup:
 
 
 def _lines(texts: Sequence[str]) -> list[Markup]:
-    return [element("span", text) for text in texts]
+    return [element("span", prose(text)) for text in texts]

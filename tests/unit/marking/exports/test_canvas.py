@@ -114,7 +114,9 @@ def test_first_and_last_names_semicolons_and_a_mark() -> None:
     ben = row("b", 7.3, student=Student("Somebody", login="BEN2"))
     found = filled(book, given([row("a", 8.5, student=Student("Anna Ady")), ben]))
     assert text(found) == book.replace("anna1;A;", "anna1;A;8,5").replace("ben2;A;", "ben2;A;7,3")
-    assert [(d.rule.code, d.notes) for d in found.diagnostics] == [("V745", ("`Ady Anna` is `a`",))]
+    assert [(d.rule.code, d.notes) for d in found.diagnostics] == [
+        ("V745", ("`Ady Anna` is `Anna Ady` (`a`)",))
+    ]
 
 
 def test_ids_of_the_student_information_system_count() -> None:

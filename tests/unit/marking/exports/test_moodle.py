@@ -169,9 +169,9 @@ def test_students_are_found_by_number_then_address_then_name() -> None:
     assert grades == ["10.00", "20.00", "30.00", ""]
     assert codes(found) == ["V743", "V744", "V745"]
     assert [d.notes for d in found.diagnostics] == [
-        ("`z`",),
+        ("`Zoe` (`z`)",),
         ("`Nobody`",),
-        ("`Çelik Ömer` is `y`",),
+        ("`Çelik Ömer` is `omer celik` (`y`)",),
     ]
 
 

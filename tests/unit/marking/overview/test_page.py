@@ -74,6 +74,17 @@ def test_what_is_to_be_reviewed_comes_widest_range_first_and_before_that_what_ha
     assert "memory was used up" in first
     assert "the mark is between" not in first
     assert "good" not in first
+    assert "The mark as given is the higher one" in first
+
+
+def test_of_two_marks_is_spoken_only_where_there_are_two_and_names_have_no_backticks() -> None:
+    words = ("`a.v2` cannot be read",)
+    for mark in (None, 7.0):
+        read = page(plain_row("one", mark=mark, lowest=mark, review=words))
+        first = section(read, "Look at these first", "Slowest programs")
+        assert "a.v2 cannot be read" in first
+        assert "`" not in first
+        assert "the higher one" not in first
 
 
 def test_the_slowest_and_those_that_touch_most_are_listed() -> None:
