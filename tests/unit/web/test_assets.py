@@ -9,7 +9,7 @@ from importlib.resources import files
 
 import pytest
 
-from vrts.web.assets import THREE, asset, closure, import_map, module_name
+from vrts.web.assets import THREE, asset, closure, import_map, module_name, served_page
 
 VENDOR = files("vrts.web").joinpath("vendor")
 VENDORED = tomllib.loads(VENDOR.joinpath("vendored.toml").read_text())
@@ -47,3 +47,12 @@ def test_our_modules_use_no_path_of_the_page() -> None:
     for path in ours:
         assert not re.search(r"https?://(?!www\.w3\.org/2000/svg)", asset(path)), path
         assert "innerHTML" not in asset(path), path
+
+
+def test_a_page_names_every_module_it_needs_before_it_is_asked() -> None:
+    page = served_page("live/index.html")
+    named = re.findall(r'<link rel="modulepreload" href="/web/([^"]+)">', page)
+    assert set(named) == {*closure("live/main.js"), *closure("live/early.js")}
+    assert len(named) == len(set(named)) > 50
+    assert THREE in named
+    assert page.index("modulepreload") < page.index("<body>")
