@@ -1,15 +1,17 @@
 """Program files as an editor holds them: buffers that are open, and the files beside them."""
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
+from vrts.ir.module import Datum
 from vrts.lang.detection import detect
 from vrts.lang.dialect import Dialect
+from vrts.lang.loading import contents
 from vrts.lang.reading import decode
 from vrts.lsp.names import Names, names_of
 
@@ -45,6 +47,12 @@ class Document:
     def names(self) -> Names:
         """Every name of the text and its uses."""
         return names_of(self.source, self.dialect)
+
+    @cached_property
+    def data(self) -> Mapping[tuple[str, tuple[int, ...]], Datum]:
+        """Values of the data sections, by name and subscripts; the last one holds."""
+        found = contents(self.source, self.dialect).data
+        return {(datum.name, datum.subscripts): datum for datum in found}
 
 
 class _OnDisk(NamedTuple):

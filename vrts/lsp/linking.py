@@ -14,10 +14,12 @@ def group(document: Document, beside: Sequence[Document]) -> list[Document]:
     """
     found: list[Document] = [document]
     waiting: list[Document] = [document]
-    left = list(beside)
+    left: list[Document] = list(beside)
     while waiting and left:
         one = waiting.pop()
-        joined = [other for other in left if _belong(one, other) or _belong(other, one)]
+        joined: list[Document] = [
+            other for other in left if _belong(one, other) or _belong(other, one)
+        ]
         left = [other for other in left if other not in joined]
         found += joined
         waiting += joined

@@ -12,7 +12,7 @@ from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.splitter import Section, split
 from vrts.lang.syntax import Formal
-from vrts.lsp.uses import Kind, Role, Use, uses, variable_kind
+from vrts.lsp.uses import Kind, Role, Use, read_line, variable_kind
 
 _HEADER_NAME = re.compile(r"\.?PROGRAM[ \t]+(?P<name>[A-Za-z][\w.]*)", re.IGNORECASE | re.ASCII)
 _DATUM = re.compile(r"(?P<name>[$#]?[A-Za-z][\w.]*)[ \t]*(?:\[[^\]]*\])?", re.ASCII)
@@ -145,7 +145,7 @@ def _of_program(program: ProgramNames, dialect: Dialect) -> Iterator[Occurrence]
         target = Target(program.name, "program")
         place = (program.name_start, program.name_end)
         yield Occurrence(target, Kind.PROGRAM, Role.WRITE, *place, sure=True)
-    lines = [(line.start, uses(line.text, dialect)) for line in program.section.lines]
+    lines = [(line.start, read_line(line.text, dialect).uses) for line in program.section.lines]
     own = {key(formal.name.text) for formal in program.formals if formal.name.text}
     own.update(use.name for _, found in lines for use in found if use.role is Role.OWN)
     for formal in program.formals:

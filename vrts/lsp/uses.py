@@ -14,6 +14,7 @@ from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.splitter import Line
 from vrts.lang.steps import StepParser
+from vrts.lang.structure import word_of
 from vrts.lang.syntax import (
     Application,
     Assignment,
@@ -86,9 +87,16 @@ _ARITHMETIC = frozenset({"+", "-", "*", "/", "MOD", "AND", "OR", "XOR", "<", ">"
 _NOT_NAMES = OPERATORS.keys() | QUALIFIERS.keys()
 
 
+class ReadLine(NamedTuple):
+    """What a line of a program says."""
+
+    word: str | None  # a word of structure: IF, FOR, ELSE, END ...
+    uses: tuple[Use, ...]  # its names, in their order
+
+
 @lru_cache(1 << 16)
-def uses(text: str, dialect: Dialect) -> tuple[Use, ...]:
-    """Return the names on a line of a program in their order; never fails.
+def read_line(text: str, dialect: Dialect) -> ReadLine:
+    """Return what a line of a program says; never fails.
 
     Args:
         text: The line without comment and outer blanks.
@@ -101,12 +109,14 @@ def uses(text: str, dialect: Dialect) -> tuple[Use, ...]:
     found: list[Use] = []
     if label is not None:
         found.append(Use(str(label.number), Kind.LABEL, Role.WRITE, label.start, label.end))
-    statement = parser.step(line).statement
+    step = parser.step(line)
+    statement = step.statement
     if isinstance(statement, Bad):
         found += _of_words(parser, rest, at, dialect)
     elif statement is not None:
         found += _Walk(dialect).statement(statement)
-    return tuple(sorted(set(found), key=lambda use: (use.start, use.end)))
+    ordered = tuple(sorted(set(found), key=lambda use: (use.start, use.end)))
+    return ReadLine(word_of(step), ordered)
 
 
 def variable_kind(name: str) -> Kind:
