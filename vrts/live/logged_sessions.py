@@ -19,7 +19,7 @@ NO_COMMANDS = frozenset(  # records of what else happened in a room
 JUMPS = frozenset(("reset", "rewind"))  # after which session time is another one
 
 
-class LogFault(Exception):  # noqa: N818 -- names the situation
+class LogFault(ValueError):  # noqa: N818 -- names the situation
     """A log cannot be read, was changed, or cannot be replayed."""
 
 

@@ -15,7 +15,7 @@ from vrts.live.member import FULL_RATE
 from vrts.live.process import Head, SessionProcess
 from vrts.live.protocol import Happened, Program, Reach, Refused, Result, State
 from vrts.live.room import EVERYBODY, Asked, Audience, Room, encode
-from vrts.live.session.carrying_on import write_entries
+from vrts.live.session.carrying_on import empty, write_entries
 from vrts.live.session.messages import Start
 from vrts.live.settings import SESSIONS
 from vrts.live.store import log as store_log
@@ -152,6 +152,7 @@ class Sessions:
                 else:
                     what = {"at_s": head.carried_s, "vrts": __version__}
                     self._hub.record(room, "carry_on", None, what)
+                    self._hub.spawn(_empty_earlier(Path(process.start.folder), room.id))
                 if head.anew:
                     self._hub.spawn(self._say_anew(room, head.anew))
                 self._hub.rooms_changed()
@@ -234,3 +235,14 @@ def _with_before(start: Start, file: Path, before: Unfinished) -> Start:
         until_s=before.until_s,
         scene_sha256=before.session.scene_sha256,
     )
+
+
+async def _empty_earlier(own: Path, room: str) -> None:
+    """Remove users' files from the earlier folders of a room; its session has made them again."""
+
+    def work() -> None:
+        for folder in own.parent.glob(f"{room}-*"):
+            if folder != own:
+                empty(folder)
+
+    await asyncio.to_thread(work)

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from tests.support_live import Browser, Json, LiveServer
+from vrts.live.administration import purge_user
 from vrts.live.log_file import read_log
 from vrts.live.places import places_of
 from vrts.live.session.carrying_on import STOPPED
@@ -84,6 +85,8 @@ def test_a_killed_server_goes_on_with_everything_where_it_was(tmp_path: Path) ->
         assert "42" in typed(back, again, "LISTR a")
         assert "7" in typed(back, again, "LISTR turns")
         assert "here" in typed(back, again, "LISTL here")
+        files = list((tmp_path / "live/sessions").glob("*/p*/swing.v2"))
+        assert len(files) == 1, "made again, and gone from where it was"
         typed(back, again, "PROCEED")
         back.wait("now", lambda m: m["status"]["mode"] in ("running", "waiting"))
         back.send("panic")
@@ -101,6 +104,42 @@ def test_a_killed_server_goes_on_with_everything_where_it_was(tmp_path: Path) ->
     assert run.at(end.time_s).configuration == pytest.approx(end.joints, abs=1e-6)
     middle = run.at(stands.time_s).configuration
     assert middle == pytest.approx(stands.joints, abs=1e-6), "it came to rest where it was"
+
+
+def test_where_it_cannot_go_on_it_begins_anew_and_says_why(tmp_path: Path) -> None:
+    folder, names = tmp_path / "live", tmp_path / "rooms.txt"
+    names.write_text("One\nTwo\n")
+    both = ("cans-on-bases", "one-can-ur5")
+    server = LiveServer(folder, "--rooms", str(names), scenes=both)
+    anna, _ = settled(server, server.enter("Anna"))
+    number = anna.command(anna.take_control(), "line", line="DO a = 1")
+    anna.wait("result", lambda m: m["of"] == number)
+    supervisor = server.supervisor()
+    boss = server.join(supervisor)
+    other = boss.wait("rooms")["rooms"][1]["id"]
+    away = server.join(supervisor, room=other)
+    away.wait("control")
+    away.send("set_scene", scene="one-can-ur5")
+    away.wait("state", lambda m: "can2" not in str(m["state"]))
+    server.kill()
+    server.close_browsers()
+    assert purge_user(folder, "Anna") == 1
+
+    server.start(str(server.port))
+    with server:
+        ben, state = settled(server, server.enter("Ben"))
+        assert state["status"]["time_s"] < 60.0
+        assert not state["events"]
+        chat = next(m for m in ben.came if m["type"] == "snapshot")["chat"]
+        said = [line["text"] for line in chat if not line["person"]]
+        said += [m["text"] for m in ben.came if m["type"] == "chat"]
+        assert any("begins anew" in text and "was purged" in text for text in said)
+        number = ben.command(ben.take_control(), "line", line="LISTR a")
+        told = ben.wait("result", lambda m: m["of"] == number)["result"]["text"]
+        assert "Undefined" in told
+        boss = server.join(supervisor, room=other)
+        entry = boss.wait("snapshot")["room"]
+        assert (entry["scene"], entry["id"]) == ("one-can-ur5", other)
 
 
 def reached(folder: Path, room: str, *, beyond: float) -> tuple[float, ...]:

@@ -116,7 +116,7 @@ def carry_on(
 
 
 def empty(folder: Path) -> None:
-    """Remove the folders of users, which belong to a session that was not carried on."""
+    """Remove the folders of users, of a session that did not go on or goes on elsewhere."""
     for place in folder.iterdir():
         if place.is_dir() and not place.is_symlink():
-            shutil.rmtree(place)
+            shutil.rmtree(place, ignore_errors=True)  # its process may be about to end only

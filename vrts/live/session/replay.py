@@ -39,7 +39,7 @@ def replay(
     until_s: float | None = None,
     setting: Setting | None = None,
 ) -> Run:
-    """Return the run of a session, with a horizon at its last entry or at a time [s].
+    """Return the run of a session with all of its history, up to its last entry or a time [s].
 
     Files of users are written into a folder that is removed again.
 
@@ -56,10 +56,12 @@ def replay(
     """
     with tempfile.TemporaryDirectory() as folder:
         begun = msgspec.structs.replace(start, folder=folder)
-        session = Session(begun, setting or setting_of(start), _ignore, _no_clock)
+        setting = setting or setting_of(start)
+        session = Session(begun, setting, _ignore, _no_clock, forgets=False)
         for entry in entries:
-            session.repeat(entry.order, entry.at_s)
-            session.showing.news()  # nobody hears it, and it is not to pile up
+            if not entry.was_refused:
+                session.repeat(entry.order, entry.at_s)
+                session.showing.news()  # nobody hears it, and it is not to pile up
         if until_s is not None and not math.isnan(until_s):
             session.go_on(until_s)
         return session.run
