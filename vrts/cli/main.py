@@ -26,6 +26,7 @@ COMMANDS = {
     "replay": "repeat a live session from its log",
     "debug": "debug a program at the terminal, forward and backward",
     "dap": "debug programs from an editor, forward and backward",
+    "editor": "set up VS Code, Neovim or Emacs for VAL-II",
     "lsp": "help an editor while programs are written",
     "new": "write a scene, a task or a program to begin with",
     "task": "check an assignment, and pack it for students and staff",

@@ -1,0 +1,84 @@
+// VAL-II in VS Code: `vrts lsp` tells what is wrong while you type, `vrts dap` debugs.
+//
+// Programs are run by the command of the setting `vrts.path`, which a workspace cannot change.
+
+"use strict";
+
+const vscode = require("vscode");
+const { LanguageClient } = require("./vendor/languageclient.js");
+
+const LANGUAGE = "val2";
+/** @type {any} */
+let client;
+
+/** The command to start. */
+function command() {
+  return vscode.workspace.getConfiguration("vrts").get("path") || "vrts";
+}
+
+/** The program that a command is about: that of an argument, else the one being edited. */
+function programOf(/** @type {any} */ argument) {
+  if (argument instanceof vscode.Uri) return argument.fsPath;
+  if (typeof argument === "string") return vscode.Uri.parse(argument).fsPath;
+  const editor = vscode.window.activeTextEditor;
+  return editor && editor.document.languageId === LANGUAGE ? editor.document.uri.fsPath : undefined;
+}
+
+/** Run a command of vrts on a program, in the terminal panel; no shell reads its name. */
+async function inTerminal(/** @type {string} */ word, /** @type {any} */ argument) {
+  const program = programOf(argument);
+  if (!program) return;
+  await vscode.workspace.saveAll(false);
+  const execution = new vscode.ProcessExecution(command(), [word, program]);
+  const scope = vscode.TaskScope.Workspace;
+  const task = new vscode.Task({ type: "vrts", command: word }, scope, word, "vrts", execution);
+  await vscode.tasks.executeTask(task);
+}
+
+/** Debug a program. */
+async function debug(/** @type {any} */ argument) {
+  const program = programOf(argument);
+  if (!program) return;
+  const folder = vscode.workspace.getWorkspaceFolder(vscode.Uri.file(program));
+  const wish = { type: "vrts", request: "launch", name: "Debug", program, stopOnEntry: true };
+  await vscode.debug.startDebugging(folder, wish);
+}
+
+/** A configuration without a program is about the one being edited. */
+const configurations = {
+  resolveDebugConfiguration(/** @type {any} */ _folder, /** @type {any} */ config) {
+    const complete = { type: "vrts", request: "launch", name: "Debug", ...config };
+    complete.program = complete.program || programOf(undefined);
+    return complete.program ? complete : undefined;
+  },
+};
+
+const adapters = {
+  createDebugAdapterDescriptor() {
+    return new vscode.DebugAdapterExecutable(command(), ["dap"]);
+  },
+};
+
+exports.activate = async function activate(/** @type {any} */ context) {
+  context.subscriptions.push(
+    vscode.debug.registerDebugAdapterDescriptorFactory("vrts", adapters),
+    vscode.debug.registerDebugConfigurationProvider("vrts", configurations),
+    vscode.commands.registerCommand("vrts.run", (argument) => inTerminal("run", argument)),
+    vscode.commands.registerCommand("vrts.verify", (argument) => inTerminal("verify", argument)),
+    vscode.commands.registerCommand("vrts.debug", debug),
+  );
+  const server = { command: command(), args: ["lsp"] };
+  const documents = [{ language: LANGUAGE, scheme: "file" }, { language: LANGUAGE, scheme: "untitled" }];
+  client = new LanguageClient("vrts", "VAL-II", server, { documentSelector: documents });
+  try {
+    await client.start();
+  } catch (problem) {
+    client = undefined;
+    const words = `vrts cannot be started (${problem}): is it installed, with vrts[ide]? Setting: vrts.path`;
+    void vscode.window.showWarningMessage(words);
+  }
+};
+
+exports.deactivate = function deactivate() {
+  return client ? client.stop() : undefined;
+};
