@@ -3,8 +3,8 @@
 Poses are twelve numbers: the rotation row by row, then the translation. The shapes of these values
 are written as types in `vrts/web/viewer/*.js`.
 
-Boxes and cylinders stay what they are, and the viewer rounds their edges. As triangles in a GLB file
-the same scenes are three to four times as large, compressed or not, and want a loader besides.
+Boxes and cylinders stay what they are, and the viewer rounds their edges. As triangles in a GLB
+file the same scenes are up to four times as large, compressed or not, and want a loader besides.
 """
 
 from collections.abc import Sequence
