@@ -11,7 +11,7 @@ import time
 import warnings
 from collections.abc import Iterator, Sequence
 from concurrent.futures import CancelledError
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from tempfile import TemporaryDirectory
 from types import TracebackType
 from typing import TYPE_CHECKING, NamedTuple
@@ -89,8 +89,8 @@ class DaskCluster:
         trace: TracebackType | None,
     ) -> None:
         """Leave the cluster; what was started for this ends."""
-        self._client.close()
-        self._left.close()
+        with suppress(OSError), self._left:  # whoever is gone need not be told that we go
+            self._client.close()
 
     def run(self, cuts: Sequence[Cut]) -> Iterator[Outcome]:
         """Yield every shard as it is over, with its results or without."""
@@ -99,6 +99,7 @@ class DaskCluster:
             futures = {self._submit(cut): cut for cut in cuts}
         done = as_completed(list(futures), loop=self._client.loop)
         counted = worked = time.monotonic()
+        words = "no worker came"
         try:
             while not done.is_empty():
                 if done.has_ready():
@@ -111,13 +112,18 @@ class DaskCluster:
                 if now - counted < _COUNT:
                     continue
                 counted = now
-                worked = now if self._client.nthreads() else worked
+                try:
+                    worked = now if self._client.nthreads() else worked
+                except OSError:
+                    words = "the scheduler is gone"
+                    break
                 if now - worked > ALONE_S and not self._queue:
                     break
             for cut in futures.values():
-                yield Outcome(cut, None, "no worker came")
+                yield Outcome(cut, None, words)
         finally:
-            self._client.cancel(list(futures), force=True)
+            with suppress(OSError):  # where the scheduler is gone there is nothing to give up
+                self._client.cancel(list(futures), force=True)
 
     def _submit(self, cut: Cut) -> "Future[bytes]":
         return self._client.submit(mark_in_child, cut.data, cut.longest_s, pure=False)

@@ -22,7 +22,7 @@ STRANGE = "\n".join(f"dear reader, line {k} is a letter" for k in range(40)).enc
 HIDDEN = '[[via]]\nname = "secretgate"\nat_mm = [612.34, 345.67, 123.45]\nradius_mm = 12\n'
 
 CLASS = (
-    Entry("Ünal-Ayşe_4711", 'Ayşe\'s <pick> & "place".v2', GOOD),
+    Entry("Ünal-Ayşe_471108150815", 'Ayşe\'s <pick> & "place".v2', GOOD),
     Entry("smith-ben", "smith ben.v2", BAD),
     Entry("cara", "cara_homework.txt", TYPO),
     Entry("dora", "", None, Kind.MISSING, "nothing was handed in"),
@@ -31,8 +31,8 @@ CLASS = (
     Entry("fritz", "fritz.v2", b"\x00\x01\x02\xff not a program"),
 )
 NAMES = (
-    "Ünal", "Ayşe", "4711", "smith", "ben.v2", "cara", "homework", "dora", "emil", "letter.v2",
-    "fritz", "gina", "photo",
+    "Ünal", "Ayşe", "471108150815", "smith", "ben.v2", "cara", "homework", "dora", "emil",
+    "letter.v2", "fritz", "gina", "photo",
 )  # fmt: skip
 
 

@@ -96,7 +96,7 @@ def test_files_of_a_plan_are_for_their_owner_only(sent: Sent) -> None:
 def test_merging_in_parts_and_twice_changes_nothing(sent: Sent, tmp_path: Path) -> None:
     first = sent.merge(tmp_path, sent.results[1])
     assert codes(first.findings) == ["V726"]
-    assert first.missing == ("Ünal-Ayşe_4711", "smith-ben")
+    assert first.missing == ("Ünal-Ayşe_471108150815", "smith-ben")
     (incomplete,) = first.findings
     assert incomplete.headline == "2 of 5 submissions have no result yet"
     assert incomplete.notes[1] == "they are in shard 1"
