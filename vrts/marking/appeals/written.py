@@ -63,7 +63,10 @@ class Written(NamedTuple):
             headline = f"{len(found)} students of this class are called `{wanted}`"
         else:
             close = get_close_matches(wanted, self.known, 1, 0.6)
-            remedy = f"did you mean `{close[0]}`?" if close else "write the id, as in `intake.csv`"
+            part = wanted.casefold()
+            inside = [name for name in self.known if part and part in name.casefold()]
+            meant = ", ".join(f"`{name}`" for name in (close or inside[:5]))
+            remedy = f"did you mean {meant}?" if meant else "write the id, as in `intake.csv`"
             headline = f"there is no student `{wanted}` in this class"
         raise Refused((error(NOBODY, headline, help=(remedy,)),))
 

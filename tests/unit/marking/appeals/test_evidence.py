@@ -328,6 +328,8 @@ def test_who_is_not_in_the_class_is_told(marked: Marked) -> None:
     assert found.exit_code == 1
     assert "error[V761 nobody-of-that-name]: there is no student `anan`" in found.stderr
     assert "did you mean `anna`?" in found.stderr
+    part = call("evidence", "NN", "--from", marked.out)
+    assert "did you mean `anna`?" in part.stderr
     assert "V760" in call("evidence", "anna", "--from", marked.download).stderr
 
 
