@@ -1,0 +1,83 @@
+"""Hover, completion and signature help."""
+
+from lsprotocol import types
+
+from vrts.lsp.completing import Proposal, What, complete
+from vrts.lsp.hovering import hover
+from vrts.lsp.linking import group
+from vrts.lsp.reaching import reach_text
+from vrts.lsp.server.session import Session
+from vrts.lsp.signatures import signature
+
+_KINDS = {
+    What.INSTRUCTION: types.CompletionItemKind.Keyword,
+    What.QUALIFIER: types.CompletionItemKind.Keyword,
+    What.FUNCTION: types.CompletionItemKind.Function,
+    What.CONSTANT: types.CompletionItemKind.Constant,
+    What.PROGRAM: types.CompletionItemKind.Module,
+    What.LABEL: types.CompletionItemKind.Reference,
+    What.LOCATION: types.CompletionItemKind.Struct,
+    What.VARIABLE: types.CompletionItemKind.Variable,
+    What.SIGNAL: types.CompletionItemKind.Value,
+    What.SECTION: types.CompletionItemKind.Module,
+}
+
+
+def register(session: Session) -> None:
+    """Answer what helps with the word under the cursor."""
+
+    @session.feature(types.TEXT_DOCUMENT_HOVER)
+    async def hovering(server: Session, params: types.HoverParams) -> types.Hover | None:
+        document = server.document(params.text_document.uri)
+        places = server.places(document)
+        found = hover(document, places.offset(params.position), server.group(document))
+        if found is None:
+            return None
+        about = found.about
+        place = found.place
+        if place is not None:
+            reached = await server.aside(lambda: reach_text(document.path, place))
+            about += f"\n\n```\n{reached}\n```" if reached else ""
+        text = f"```val2\n{found.code}\n```\n{about}"
+        content = types.MarkupContent(types.MarkupKind.Markdown, text)
+        return types.Hover(content, places.range(found.start, found.end))
+
+    @session.feature(
+        types.TEXT_DOCUMENT_COMPLETION,
+        types.CompletionOptions(trigger_characters=["$", "#", ".", "("]),
+    )
+    def completion(server: Session, params: types.CompletionParams) -> types.CompletionList:
+        document = server.document(params.text_document.uri)
+        places = server.places(document)
+        beside = server.documents.beside(document.path)
+        found = complete(document, places.offset(params.position), group(document, beside), beside)
+        replaced = places.range(found.start, found.end)
+        items = [_item(proposal, replaced) for proposal in found.proposals]
+        return types.CompletionList(is_incomplete=False, items=items)
+
+    @session.feature(
+        types.TEXT_DOCUMENT_SIGNATURE_HELP,
+        types.SignatureHelpOptions(trigger_characters=["(", ",", " "]),
+    )
+    def signature_help(
+        server: Session, params: types.SignatureHelpParams
+    ) -> types.SignatureHelp | None:
+        document = server.document(params.text_document.uri)
+        offset = server.places(document).offset(params.position)
+        found = signature(document, offset, server.group(document))
+        if found is None:
+            return None
+        parameters = [types.ParameterInformation(text) for text in found.parameters]
+        shown = types.SignatureInformation(found.text, found.about, parameters)
+        return types.SignatureHelp([shown], 0, found.active)
+
+
+def _item(proposal: Proposal, replaced: types.Range) -> types.CompletionItem:
+    return types.CompletionItem(
+        proposal.text,
+        kind=_KINDS[proposal.what],
+        detail=proposal.detail or None,
+        documentation=proposal.about or None,
+        sort_text=f"{proposal.rank}{proposal.text.lower()}",
+        text_edit=types.TextEdit(replaced, proposal.text),
+    )
