@@ -68,6 +68,7 @@ def test_it_can_be_scrubbed_both_ways(report: Opened) -> None:
 def test_it_plays_forward_and_backward(report: Opened) -> None:
     middle = 0.6 * RUN_S  # far from both ends, where playing stops by itself
     seek(report, middle)
+    report.page.evaluate("vrts.player.speed = 0.2")  # so that a slow machine stays far from them
     report.page.focus("#stage")
     report.page.keyboard.press("Space")
     until(report, f"vrts.player.t > {middle + 0.1}")
@@ -76,6 +77,7 @@ def test_it_plays_forward_and_backward(report: Opened) -> None:
     report.page.keyboard.press("b")
     stopped = clock(report)
     assert not report.page.evaluate("vrts.player.playing")
+    report.page.evaluate("vrts.player.speed = 1")
     report.page.keyboard.press("ArrowRight")
     assert clock(report) == pytest.approx(stopped + 0.1, abs=2e-3)
     report.page.keyboard.press("End")
