@@ -32,6 +32,7 @@ class Session(LanguageServer):
         self.documents = Documents()
         self._uris: dict[str, str] = {}  # of open buffers, as the client writes them
         self._checks: dict[str, asyncio.Task[None]] = {}
+        self._found: dict[str, tuple[Document, tuple[Diagnostic, ...]]] = {}
         self._worker = ThreadPoolExecutor(1, "check")  # one: answers come first
 
     # --- buffers --------------------------------------------------------------------------------
@@ -51,6 +52,7 @@ class Session(LanguageServer):
         path = path_of(uri)
         self.documents.close(path)
         self._uris.pop(path, None)
+        self._found.pop(path, None)
         task = self._checks.pop(path, None)
         if task is not None:
             task.cancel()
@@ -91,6 +93,20 @@ class Session(LanguageServer):
         """Do work in the thread that checks, so that answers need not wait for it."""
         return await asyncio.get_running_loop().run_in_executor(self._worker, work)
 
+    async def diagnostics_of(self, document: Document) -> tuple[Diagnostic, ...]:
+        """Return what is wrong with a buffer, as told last, or worked out now."""
+        known = self._found.get(document.path)
+        return known[1] if known and known[0] is document else await self._checked(document)
+
+    async def _checked(self, document: Document) -> tuple[Diagnostic, ...]:
+        def work() -> tuple[Diagnostic, ...]:
+            return check(document, self.group(document))
+
+        found = await self.aside(work)
+        if self.documents.open.get(document.path) is document:
+            self._found[document.path] = document, found
+        return found
+
     def leave(self) -> None:
         """End what goes on in the background."""
         for task in self._checks.values():
@@ -111,11 +127,7 @@ class Session(LanguageServer):
         if document is None:
             return
         version = self.version_of(document)
-
-        def work() -> tuple[Diagnostic, ...]:
-            return check(document, self.group(document))
-
-        found = await self.aside(work)
+        found = await self._checked(document)
         if self.documents.open.get(path) is not document:
             return  # there is another text by now
         places = self.places(document)
