@@ -47,6 +47,28 @@ def test_bounds_over_pieces_and_parts_of_them_are_those_of_dense_samples() -> No
         assert spread.acceleration[0, 0] == pytest.approx(slopes[steady].max(), rel=1e-3)
 
 
+@pytest.mark.parametrize("which", [slice(0, 1), slice(1, 3), slice(0, 6)])
+@pytest.mark.parametrize(
+    "times",
+    [
+        [(0.1, 0.9), (1.2, 1.9), (2.1, 2.9), (3.2, 3.3)],  # parts of pieces, of all kinds
+        [(0.0, 1.0), (1.0, 2.0), (2.0, 3.0), (3.0, 4.0)],  # whole pieces
+        [(0.5, 2.5), (0.0, 4.0)],  # more than one
+    ],
+)
+def test_some_coordinates_turn_as_far_as_they_do_among_all(
+    times: list[tuple[float, float]], which: slice
+) -> None:
+    known = curves(line())
+    start, end = np.array(times).T
+    middle = 0.5 * (start + end)
+    values, spread = known.values(middle), known.spread(start, end)
+    farthest = np.maximum(spread.upper - values, values - spread.lower)
+    assert (known.values(middle, which) == values[:, which]).all()
+    assert (known.turn(start, middle, end, which) == farthest[:, which]).all()
+    assert (farthest[:, 0] > 0.0).any()
+
+
 def test_the_acceleration_of_a_blend_is_largest_in_between() -> None:
     known = curves([segment(QUARTIC)])
     whole = known.pieces

@@ -8,7 +8,15 @@ import pytest
 from vrts.base.pose import IDENTITY, Pose, Vector, dot, rotation_about, translation
 from vrts.geometry.mesh import tessellate
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
-from vrts.geometry.support import Interval, bounds, extent, extent_of, reach, support
+from vrts.geometry.support import (
+    Interval,
+    bounds,
+    extent,
+    extent_of,
+    reach,
+    span,
+    support,
+)
 
 AXIS: Vector = (1 / math.sqrt(3), 1 / math.sqrt(3), 1 / math.sqrt(3))
 X_WO = Pose(rotation_about(AXIS, 0.7), (0.3, -0.2, 0.5))
@@ -60,3 +68,11 @@ def test_no_pieces_have_no_bounds() -> None:
 def test_overlap_of_intervals_is_negative_for_a_gap() -> None:
     assert Interval(0.0, 2.0).overlap(Interval(1.0, 5.0)) == 1.0
     assert Interval(0.0, 1.0).overlap(Interval(3.0, 4.0)) == -2.0
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS)
+@pytest.mark.parametrize("piece", PIECES)
+def test_a_span_reaches_forward_and_backward(piece: Piece, direction: Vector) -> None:
+    x, y, z = direction
+    lower, upper = span(piece.shape, direction)
+    assert (lower, upper) == (-reach(piece.shape, (-x, -y, -z)), reach(piece.shape, direction))
