@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser
 
-from tests.browser.support_sessions import IDLE, Desk, student, supervisor
+from tests.browser.support_sessions import IDLE, SHOWN, Desk, student, supervisor
 from tests.support_live import LiveServer
 
 pytestmark = pytest.mark.browser
@@ -216,6 +216,8 @@ def test_the_right_passes_through_the_queue(operator: Desk, viewer: Desk) -> Non
 def test_a_supervisor_mutes_broadcasts_reads_logs_and_sends_away(
     browser: Browser, server: LiveServer, operator: Desk, viewer: Desk
 ) -> None:
+    operator.type("WHERE")
+    operator.until("vrts.store.now.output.includes('.WHERE')")
     lead = supervisor(browser, server)
     lead.page.on("dialog", lambda dialog: dialog.accept())
     lead.page.click("#tab-people")
@@ -234,8 +236,8 @@ def test_a_supervisor_mutes_broadcasts_reads_logs_and_sends_away(
     with lead.page.expect_download() as coming:
         lead.page.get_by_label("Log of").first.click()
     log = coming.value.path().read_text()
-    assert '"DO DEPARTS 200"' in log
-    assert log.count("\n") > 20
+    assert '"line":"WHERE"' in log
+    assert log.count("\n") > 3
 
     lead.page.click("#panel-lead button:text('Take control')")
     operator.until("!vrts.store.operator && document.getElementById('ready').disabled")
@@ -243,6 +245,10 @@ def test_a_supervisor_mutes_broadcasts_reads_logs_and_sends_away(
     lead.page.get_by_label("Kick: Ben").click()
     viewer.until("vrts.store.now.connection === 'ended'")
     viewer.page.reload()
-    viewer.until("!document.getElementById('enter').hidden")
+    viewer.until("window.vrts?.store.now.connection === 'ended'")
+    lead.page.get_by_label("Let in again: Ben").click()
+    lead.until("vrts.store.now.barred.length === 0")
+    viewer.page.reload()
+    viewer.until(SHOWN)
     assert lead.complaints() == []
     lead.context.close()

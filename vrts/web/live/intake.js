@@ -35,7 +35,7 @@ export class Intake {
         this.state(message);
         break;
       case "state": this.state(message); break;
-      case "people": store.set({ people: message.people }); break;
+      case "people": store.set({ people: message.people, barred: message.barred }); break;
       case "control": store.set({ control: /** @type {any} */ (message) }); break;
       case "chat": store.set({ chat: [...store.now.chat, /** @type {any} */ (message)].slice(-MOST_CHAT) }); break;
       case "now": store.set({ status: message.status }); break;

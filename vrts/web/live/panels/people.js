@@ -10,7 +10,14 @@ export function mountPeople({ store, connection }) {
     connection.send("raise_hand", { up: !people.find(({ id }) => id === you)?.hand });
   }, { id: "raise-hand" });
   const list = make("ul", { class: "people", "aria-label": "People" });
-  panel.append(make("div", { class: "row" }, hand), list);
+  const away = make("ul", { class: "people", "aria-label": "Sent away" });
+  const sentAway = make("div", { class: "block", hidden: true }, make("h2", { text: "Sent away" }), away);
+  panel.append(make("div", { class: "row" }, hand), list, sentAway);
+  store.on(["barred", "supervisor"], ({ barred, supervisor }) => {
+    sentAway.hidden = !supervisor || !barred.length;
+    away.replaceChildren(...barred.map((name) => make("li", {}, make("span", { class: "person", text: name }),
+      make("div", { class: "row small" }, button("Let in again", () => connection.send("allow", { name }), { "aria-label": `Let in again: ${name}` })))));
+  });
 
   store.on(["people", "control", "you", "supervisor"], ({ people, control, you, supervisor }) => {
     const mine = people.find(({ id }) => id === you);
