@@ -37,7 +37,7 @@ def _linked(diagnostic: Diagnostic, document: Document, group: Sequence[Document
     if family is None or not isinstance(name, str):
         return diagnostic
     for other in group:
-        if other is not document and name in other.names.defined(family):
+        if other is not document and name in _defined(other, family):
             return replace(
                 diagnostic,
                 severity=Severity.NOTE,
@@ -46,3 +46,8 @@ def _linked(diagnostic: Diagnostic, document: Document, group: Sequence[Document
                 fix=None,
             )
     return diagnostic
+
+
+def _defined(document: Document, family: str) -> frozenset[str]:
+    names = document.names
+    return names.defined_programs if family == "program" else names.defined_variables

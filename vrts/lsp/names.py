@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Iterator
-from functools import cached_property
+from functools import cache, cached_property
 from typing import NamedTuple
 
 from vrts.base.source import SourceFile
@@ -14,6 +14,7 @@ from vrts.lang.splitter import Section, split
 from vrts.lang.syntax import Formal
 from vrts.lsp.uses import Kind, Role, Use, read_line, variable_kind
 
+MOST_KEPT = 2000  # programs
 _HEADER_NAME = re.compile(r"\.?PROGRAM[ \t]+(?P<name>[A-Za-z][\w.]*)", re.IGNORECASE | re.ASCII)
 _DATUM = re.compile(r"(?P<name>[$#]?[A-Za-z][\w.]*)[ \t]*(?:\[[^\]]*\])?", re.ASCII)
 _SHARED = frozenset({Kind.FUNCTION, Kind.CONSTANT, Kind.SIGNAL})  # the same in every file
@@ -90,20 +91,37 @@ class Names:
         found = [p for p in self.programs if p.start <= offset]
         return found[-1] if found else None
 
-    def defined(self, family: str) -> set[str]:
-        """Return the shared names of a family that this source gives a value or a place."""
-        return {
+    @cached_property
+    def defined_programs(self) -> frozenset[str]:
+        """Programs that stand here."""
+        return self._defined("program")
+
+    @cached_property
+    def defined_variables(self) -> frozenset[str]:
+        """Shared names that get a value here."""
+        return self._defined("variable")
+
+    @cached_property
+    def missing_programs(self) -> frozenset[str]:
+        """Programs that are called here and stand elsewhere."""
+        return self._used("program") - self.defined_programs
+
+    @cached_property
+    def missing_variables(self) -> frozenset[str]:
+        """Shared names that are used here and get their values elsewhere."""
+        return self._used("variable") - self.defined_variables
+
+    def _used(self, family: str) -> frozenset[str]:
+        return frozenset(t.name for t in self.by_target if t.family == family and not t.program)
+
+    def _defined(self, family: str) -> frozenset[str]:
+        return frozenset(
             target.name
             for target, found in self.by_target.items()
             if target.family == family
             and not target.program
             and any(o.role is Role.WRITE for o in found)
-        }
-
-    def missing(self, family: str) -> set[str]:
-        """Return the shared names of a family that are used here and defined elsewhere."""
-        used = {t.name for t in self.by_target if t.family == family and not t.program}
-        return used - self.defined(family)
+        )
 
     def kind_of(self, target: Target) -> Kind | None:
         """Return what a target is; None when it does not occur."""
@@ -124,7 +142,7 @@ def names_of(source: SourceFile, dialect: Dialect) -> Names:
         if section.kind == "program":
             program = _program(section, source)
             programs.append(program)
-            found += _of_program(program, dialect)
+            found += _of_program(program, source, dialect)
         else:
             data.append(section)
             found += _of_data(section)
@@ -140,7 +158,29 @@ def _program(section: Section, source: SourceFile) -> ProgramNames:
     return ProgramNames(name, formals, section, at + match.start("name"), at + match.end("name"))
 
 
-def _of_program(program: ProgramNames, dialect: Dialect) -> Iterator[Occurrence]:
+def _of_program(program: ProgramNames, source: SourceFile, dialect: Dialect) -> list[Occurrence]:
+    """Return the names of a program; one whose text is known is not read again."""
+    known = _summaries(dialect)
+    at = program.start
+    text = source.text[at : program.end]
+    summary = known.get(text)
+    if summary is None:
+        if len(known) >= MOST_KEPT:
+            known.clear()
+        summary = known[text] = tuple(
+            Occurrence(t, kind, role, start - at, end - at, sure)
+            for t, kind, role, start, end, sure in _read(program, dialect)
+        )
+    return [Occurrence(t, k, r, s + at, e + at, sure) for t, k, r, s, e, sure in summary]
+
+
+@cache
+def _summaries(dialect: Dialect) -> dict[str, tuple[Occurrence, ...]]:
+    """Return the names of programs of a dialect by their text; offsets count from its start."""
+    return {}
+
+
+def _read(program: ProgramNames, dialect: Dialect) -> Iterator[Occurrence]:
     if program.name_end > program.name_start:
         target = Target(program.name, "program")
         place = (program.name_start, program.name_end)

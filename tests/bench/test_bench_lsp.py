@@ -1,0 +1,94 @@
+"""The language server: how long answers take while a file of 2,000 lines is typed."""
+
+import statistics
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from tests.bench.test_bench_compile import realistic
+from tests.support_lsp import Client
+from vrts.lsp.colouring import coloured
+from vrts.lsp.completing import complete
+from vrts.lsp.documents import Document
+from vrts.lsp.finding import references
+from vrts.lsp.folding import folds
+from vrts.lsp.hovering import hover
+from vrts.lsp.linking import group
+from vrts.lsp.signatures import signature
+from vrts.lsp.symbols import symbols
+
+LINES = 2_000
+LIMIT_S = 0.050
+KEYS = 15
+LINKED, LINK_LIMIT_S = 200, 0.010
+
+
+def typed(text: str, key: int) -> tuple[Document, int]:
+    """Return the text with one more letter in its middle, and the offset after it."""
+    at = text.index("\n", len(text) // 2) + 1
+    line = "        MOVES part" + "xyz"[key % 3] * (key // 3) + "\n"
+    return Document("/bench/a.v2", text[:at] + line + text[at:]), at + len(line) - 1
+
+
+def test_answers_while_typing() -> None:
+    text = realistic(LINES)
+    answers: dict[str, Callable[[Document, int, list[Document]], object]] = {
+        "names": lambda d, _, __: d.names.by_target,
+        "hover": hover,
+        "completion": complete,
+        "signature": signature,
+        "references": references,
+        "symbols": lambda d, _, __: symbols(d),
+        "folding": lambda d, _, __: folds(d),
+        "colours": lambda d, _, __: list(coloured(d)),
+    }
+    typed(text, 0)[0].names  # noqa: B018 -- the file was open before
+    list(coloured(typed(text, 0)[0]))
+    print(f"\n{text.count(chr(10)):,} lines, processor time of an answer after a key:")
+    slowest = 0.0
+    for name, answer in answers.items():
+        times: list[float] = []
+        for key in range(KEYS):
+            document, offset = typed(text, key)
+            began = time.process_time()
+            answer(document, offset, group(document, []))
+            times.append(time.process_time() - began)
+        median = statistics.median(times)
+        slowest = max(slowest, median)
+        print(f"  {name:<12} {1000 * median:5.1f} ms, at most {1000 * max(times):5.1f} ms")
+    assert slowest <= LIMIT_S
+
+
+def test_linking() -> None:
+    body = "        CALL p{}\n        MOVE s{}\n.END\n"
+    texts = [f".PROGRAM p{n}\n" + body.format(n + 1, n) for n in range(LINKED)]
+    documents = [Document(f"/bench/{n}.v2", text) for n, text in enumerate(texts)]
+    for document in documents:
+        document.names.by_target  # noqa: B018 -- summaries are kept
+    group(documents[0], documents[1:])
+    began = time.process_time()
+    found = group(documents[0], documents[1:])
+    seconds = time.process_time() - began
+    print(f"\nlinking {LINKED} files in a row: {1000 * seconds:.1f} ms")
+    assert len(found) == LINKED
+    assert seconds <= LINK_LIMIT_S
+
+
+def test_round_trips(tmp_path: Path) -> None:
+    text = realistic(LINES)
+    line = text.count("\n") // 2
+    times: dict[str, list[float]] = {"completion": [], "hover": []}
+    with Client(tmp_path) as client:
+        client.open("a.v2", text)
+        client.diagnostics("a.v2")
+        client.change("a.v2", "        MOVES \n", (line, 0), (line, 0))
+        for key in range(KEYS):
+            client.change("a.v2", "x", (line, 14 + key), (line, 14 + key))
+            for method, found in times.items():
+                began = time.perf_counter()
+                client.about(method, "a.v2", (line, 15 + key))
+                found.append(time.perf_counter() - began)
+            time.sleep(0.25)  # a check begins meanwhile
+    print()
+    for method, found in times.items():
+        print(f"{method} by a client, wall clock: median {1000 * statistics.median(found):.0f} ms")
