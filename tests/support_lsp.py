@@ -35,12 +35,12 @@ class Client:
         for thread in self._threads:
             thread.start()
         general = {"general": {"positionEncodings": encodings}} if encodings else {}
-        edits = {"workspaceEdit": {"documentChanges": True}}
+        able = {"inlayHint": {"refreshSupport": True}}
         self.able = self.do(
             "initialize",
             processId=None,
             rootUri=folder.as_uri(),
-            capabilities={**general, "workspace": edits},
+            capabilities={**general, "workspace": able},
         )["capabilities"]
         self.tell("initialized")
 
@@ -166,6 +166,16 @@ class Client:
         if found in self.notifications:
             self.notifications.remove(found)
         return found["params"]
+
+    def requested(self, method: str) -> None:
+        """Wait for a request of the server; it is answered with nothing."""
+        if not any(m["method"] == method for m in self.requests):
+
+            def matches(m: dict[str, Any]) -> bool:
+                return m.get("method") == method
+
+            self._next(matches)
+        self.requests = [m for m in self.requests if m["method"] != method]
 
     def _listen(self) -> None:
         stream = self.process.stdout

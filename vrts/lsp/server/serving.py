@@ -4,7 +4,7 @@ import sys
 from typing import BinaryIO, cast
 
 from vrts.base.stack import DEPTH
-from vrts.lsp.server import helping, marking, outlining, referring, syncing
+from vrts.lsp.server import helping, marking, outlining, referring, running, syncing
 from vrts.lsp.server.session import Session
 from vrts.lsp.server.stream import Bounded
 
@@ -25,6 +25,6 @@ def serve(incoming: BinaryIO, outgoing: BinaryIO) -> None:
 def session_with_features() -> Session:
     """Return a server that answers everything it can."""
     session = Session()
-    for features in (syncing, outlining, helping, referring, marking):
+    for features in (syncing, outlining, helping, referring, marking, running):
         features.register(session)
     return session

@@ -118,7 +118,7 @@ class Session(LanguageServer):
         if running is not None:
             running.cancel()
         task = asyncio.get_running_loop().create_task(self._check(path))
-        task.add_done_callback(_report)
+        task.add_done_callback(report_fault)
         self._checks[path] = task
 
     async def _check(self, path: str) -> None:
@@ -137,7 +137,7 @@ class Session(LanguageServer):
         )
 
 
-def _report(task: asyncio.Task[None]) -> None:
+def report_fault(task: asyncio.Task[None]) -> None:
     """Show a fault of ours: nobody waits for the end of a check."""
     problem = None if task.cancelled() else task.exception()
     if problem is not None:
