@@ -1,4 +1,4 @@
-"""When each motion of a program ends, from a run within bounds.
+"""When each motion of a program ends and how near it comes, from a run within bounds.
 
 `python -m vrts.lsp.timing` reads one JSON document from stdin and writes one to stdout, so that
 the server never waits for a run and loses nothing with it.
@@ -8,10 +8,16 @@ import json
 import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from vrts.engine.run import Run
+    from vrts.pipeline.settings import Setting
 
 MOST_TIMES = 3  # of one step that are told
 _STATEMENTS, _MOTIONS, _SIMULATED_S, _CPU_S = 200_000, 5_000, 600.0, 20
+STEP_S = 0.05  # between samples of the clearance
+_SAMPLES = 1000
 
 
 class Timing(NamedTuple):
@@ -21,6 +27,7 @@ class Timing(NamedTuple):
     ends_s: tuple[float, ...]  # the first few times, since the program began [s]
     takes_s: float  # how long the first one takes [s]
     times: int  # how often the line moved the arm
+    clearance_mm: float | None = None  # the least that was sampled; None: far, or no scene
 
 
 def timings(path: str, text: str, others: list[tuple[str, str]]) -> list[Timing]:
@@ -61,6 +68,7 @@ def timings(path: str, text: str, others: list[tuple[str, str]]) -> list[Timing]
     run = execute(
         module, setting.scene, replace(scenario, limits=limits), entry.lower() if entry else None
     )
+    curve = _clearance_curve(setting, run)
     by_line: dict[int, list[tuple[float, float]]] = {}
     for motion in run.motions:
         span = motion.cause.span
@@ -68,15 +76,45 @@ def timings(path: str, text: str, others: list[tuple[str, str]]) -> list[Timing]
             times = motion.start_s - run.started_s, motion.end_s - run.started_s
             by_line.setdefault(span.line, []).append(times)
     return [
-        Timing(line, tuple(end for _, end in m[:MOST_TIMES]), m[0][1] - m[0][0], len(m))
-        for line, m in sorted(by_line.items())
+        Timing(
+            line,
+            tuple(end for _, end in moved[:MOST_TIMES]),
+            moved[0][1] - moved[0][0],
+            len(moved),
+            _least(curve, moved),
+        )
+        for line, moved in sorted(by_line.items())
     ]
+
+
+def _clearance_curve(setting: "Setting", run: "Run") -> list[tuple[float, float]]:
+    """Return times since the program began [s] and clearances [mm]; none without a task."""
+    if setting.task is None or run.horizon_s <= 0.0:
+        return []
+    import numpy as np
+
+    from vrts.base.units import mm
+    from vrts.check.clearance_curve import FAR, clearance_curve
+
+    count = min(int(run.horizon_s / STEP_S) + 2, _SAMPLES)
+    times = np.linspace(0.0, run.horizon_s, count)
+    values = clearance_curve(setting.scene, run, times, setting.task.near_miss)
+    rows = zip(times.tolist(), values.tolist(), strict=True)
+    return [(time - run.started_s, mm(value)) for time, value in rows if value < FAR]
+
+
+def _least(curve: list[tuple[float, float]], moved: list[tuple[float, float]]) -> float | None:
+    """Return the least clearance [mm] sampled during some motions."""
+    inside = (value for time, value in curve if any(start <= time <= end for start, end in moved))
+    return min(inside, default=None)
 
 
 def hint(timing: Timing) -> str:
     """Return what to show behind a motion."""
     shown = ", ".join(f"{end:.1f}" for end in timing.ends_s)
-    return f"{shown}{' ...' if timing.times > len(timing.ends_s) else ''} s"
+    text = f"{shown}{' ...' if timing.times > len(timing.ends_s) else ''} s"
+    near = timing.clearance_mm
+    return text if near is None else f"{text}, {near:.0f} mm"
 
 
 def main() -> None:

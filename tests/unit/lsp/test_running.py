@@ -55,6 +55,16 @@ def test_times_are_those_of_the_run() -> None:
     told = by_line[last.cause.span.line]
     if told.times <= len(told.ends_s):
         assert told.ends_s[-1] == pytest.approx(last.end_s - run.started_s)
+    judgement = assess(path).judgement
+    assert judgement is not None
+    near = [timing.clearance_mm for timing in found if timing.clearance_mm is not None]
+    collisions = judgement.collisions
+    assert collisions is not None
+    assert collisions.clearance is not None
+    certified = collisions.clearance
+    assert min(near) >= 1000 * (certified.distance_m - certified.tolerance_m)
+    assert min(near) <= 1000 * certified.distance_m + 5  # and samples come near to it
+    assert hint(Timing(3, (4.1,), 1.0, 1, 12.4)) == "4.1 s, 12 mm"
 
 
 def test_repeated_motions_tell_the_first_times() -> None:

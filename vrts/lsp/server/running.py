@@ -10,7 +10,7 @@ from lsprotocol import types
 from vrts.lsp.documents import Document
 from vrts.lsp.lenses import lenses
 from vrts.lsp.server.session import Session, report_fault
-from vrts.lsp.timing import Timing, hint
+from vrts.lsp.timing import STEP_S, Timing, hint
 
 DELAY_S = 0.7  # after the last key, before a program is run
 PATIENCE_S = 60.0  # for a run, whatever it does
@@ -106,7 +106,7 @@ class Runs:
         found: list[Any] = json.loads(answer) if process.returncode == 0 and answer else []
         self._done[document.path] = (
             document,
-            [Timing(line, tuple(ends), takes, times) for line, ends, takes, times in found],
+            [Timing(line, tuple(ends), *more) for line, ends, *more in found],
         )
         workspace = self.session.client_capabilities.workspace
         hints = workspace.inlay_hint if workspace is not None else None
@@ -121,4 +121,7 @@ def _line_end(document: Document, line: int) -> int:
 
 def _tooltip(timing: Timing) -> str:
     often = "once" if timing.times == 1 else f"{timing.times} times"
-    return f"takes {timing.takes_s:.2f} s; moves the arm {often}; seconds since the start"
+    text = f"takes {timing.takes_s:.2f} s; moves the arm {often}; seconds since the start"
+    if timing.clearance_mm is None:
+        return text
+    return f"{text}; least clearance seen every {STEP_S} s: `vrts verify` proves more"
