@@ -1,9 +1,12 @@
 """The language server: how long answers take while a file of 2,000 lines is typed."""
 
+import gc
 import statistics
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
+
+import pytest
 
 from tests.bench.test_bench_compile import realistic
 from tests.support_lsp import Client
@@ -14,6 +17,7 @@ from vrts.lsp.finding import references
 from vrts.lsp.folding import folds
 from vrts.lsp.hovering import hover
 from vrts.lsp.linking import group
+from vrts.lsp.server.serving import RARELY
 from vrts.lsp.signatures import signature
 from vrts.lsp.symbols import symbols
 
@@ -28,6 +32,14 @@ def typed(text: str, key: int) -> tuple[Document, int]:
     at = text.index("\n", len(text) // 2) + 1
     line = "        MOVES part" + "xyz"[key % 3] * (key // 3) + "\n"
     return Document("/bench/a.v2", text[:at] + line + text[at:]), at + len(line) - 1
+
+
+@pytest.fixture(autouse=True)
+def as_in_the_server() -> Iterator[None]:
+    before = gc.get_threshold()
+    gc.set_threshold(*RARELY)
+    yield
+    gc.set_threshold(*before)
 
 
 def test_answers_while_typing() -> None:

@@ -1,5 +1,6 @@
 """A server with all its features, from the first message of a client to its end."""
 
+import gc
 import sys
 from typing import BinaryIO, cast
 
@@ -9,12 +10,14 @@ from vrts.lsp.server.session import Session
 from vrts.lsp.server.stream import Bounded
 
 SWITCH_S = 0.001  # how soon the thread that checks lets an answer through
+RARELY = (50_000, 50, 50)  # collections: summaries are many, live long and have no cycles
 
 
 def serve(incoming: BinaryIO, outgoing: BinaryIO) -> None:
     """Serve one client until it leaves or is gone."""
     sys.setrecursionlimit(DEPTH)  # once for all threads: it counts for the whole process
     sys.setswitchinterval(SWITCH_S)
+    gc.set_threshold(*RARELY)
     session = session_with_features()
     try:
         session.start_io(cast(BinaryIO, Bounded(incoming)), outgoing)
