@@ -28,7 +28,9 @@ of the monitor; ? shows all keys.
     "--scenario", type=click.Path(path_type=Path), help="What happens in the cell: a scenario file."
 )
 @lab_option
-@click.option("--entry", help="Program to execute; without it the task's, or the first.")
+@click.option(
+    "--program", "entry", help="Program of the file to execute; the task's, or the first, otherwise."
+)
 @click.option(
     "--with",
     "others",

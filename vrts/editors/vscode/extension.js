@@ -24,24 +24,31 @@ function programOf(/** @type {any} */ argument) {
   return editor && editor.document.languageId === LANGUAGE ? editor.document.uri.fsPath : undefined;
 }
 
-/** Run a command of vrts on a program, in the terminal panel; no shell reads its name. */
-async function inTerminal(/** @type {string} */ word, /** @type {any} */ argument) {
+/**
+ * Run a command of vrts on a file, in the terminal panel; no shell reads its name.
+ * @param {string} word @param {any} argument @param {any} entry the program of the file, if one is meant
+ */
+async function inTerminal(word, argument, entry) {
   const program = programOf(argument);
   if (!program) return;
   await vscode.workspace.saveAll(false);
-  const execution = new vscode.ProcessExecution(command(), [word, program]);
+  const which = typeof entry === "string" ? ["--program", entry] : [];
+  const execution = new vscode.ProcessExecution(command(), [word, program, ...which]);
   const scope = vscode.TaskScope.Workspace;
   const task = new vscode.Task({ type: "vrts", command: word }, scope, word, "vrts", execution);
   await vscode.tasks.executeTask(task);
 }
 
-/** Debug a program. */
-async function debug(/** @type {any} */ argument) {
+/**
+ * Debug a file.
+ * @param {any} argument @param {any} entry the program of the file, if one is meant
+ */
+async function debug(argument, entry) {
   const program = programOf(argument);
   if (!program) return;
   const folder = vscode.workspace.getWorkspaceFolder(vscode.Uri.file(program));
   const wish = { type: "vrts", request: "launch", name: "Debug", program, stopOnEntry: true };
-  await vscode.debug.startDebugging(folder, wish);
+  await vscode.debug.startDebugging(folder, typeof entry === "string" ? { ...wish, entry } : wish);
 }
 
 /** A configuration without a program is about the one being edited. */
@@ -63,8 +70,8 @@ exports.activate = async function activate(/** @type {any} */ context) {
   context.subscriptions.push(
     vscode.debug.registerDebugAdapterDescriptorFactory("vrts", adapters),
     vscode.debug.registerDebugConfigurationProvider("vrts", configurations),
-    vscode.commands.registerCommand("vrts.run", (argument) => inTerminal("run", argument)),
-    vscode.commands.registerCommand("vrts.verify", (argument) => inTerminal("verify", argument)),
+    vscode.commands.registerCommand("vrts.run", (file, entry) => inTerminal("run", file, entry)),
+    vscode.commands.registerCommand("vrts.verify", (file) => inTerminal("verify", file, undefined)),
     vscode.commands.registerCommand("vrts.debug", debug),
   );
   const server = { command: command(), args: ["lsp"] };
