@@ -29,7 +29,9 @@ of the monitor; ? shows all keys.
 )
 @lab_option
 @click.option(
-    "--program", "entry", help="Program of the file to execute; the task's, or the first, otherwise."
+    "--program",
+    "entry",
+    help="Program of the file to execute; the task's, or the first, otherwise.",
 )
 @click.option(
     "--with",
