@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 import threading
+from collections.abc import Sequence
 from pathlib import Path
 from queue import Empty, Queue
 from typing import Any
@@ -70,7 +71,7 @@ class Client:
         }
         data = json.dumps(message).encode()
         self.raw(b"Content-Length: %d\r\n\r\n" % len(data) + data)
-        return self._next(lambda m: m.get("request_seq") == self._number)
+        return self._next("request_seq", self._number)
 
     def do(self, command: str, **arguments: Any) -> dict[str, Any]:
         """Send a request that has to succeed; return the body of its response."""
@@ -84,7 +85,7 @@ class Client:
             if known["event"] == name:
                 self.events.remove(known)
                 return known["body"]
-        found = self._next(lambda m: m.get("event") == name)
+        found = self._next("event", name)
         self.events.remove(found)
         return found["body"]
 
@@ -93,7 +94,7 @@ class Client:
         self.do(command, **{"threadId": 1, **arguments})
         return self.event("stopped")
 
-    def launch(self, program: Path, lines: list[int] = [], **more: Any) -> dict[str, Any]:  # noqa: B006
+    def launch(self, program: Path, lines: Sequence[int] = (), **more: Any) -> dict[str, Any]:
         """Begin as editors do; return the body of the first stop."""
         self.do("initialize", adapterID="vrts", linesStartAt1=True)
         self.do("launch", program=str(program), **more)
@@ -138,7 +139,8 @@ class Client:
         self.events = [m for m in self.events if m["event"] != "output"]
         return "".join(m["body"]["output"] for m in found if m["body"]["category"] == "stdout")
 
-    def _next(self, wanted: Any) -> dict[str, Any]:
+    def _next(self, field: str, value: object) -> dict[str, Any]:
+        """Return the next message of which a field has a value; keep the events before it."""
         while True:
             try:
                 message = self._came.get(timeout=PATIENCE)
@@ -147,5 +149,5 @@ class Client:
             assert message is not None, "the adapter is gone"
             if message["type"] == "event":
                 self.events.append(message)
-            if wanted(message):
+            if message.get(field) == value:
                 return message

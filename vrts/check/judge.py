@@ -29,7 +29,7 @@ def judge(
         run: What happened in it.
         task: What was asked for; None: nothing.
         collisions: Whether to check them.
-        engine: Measures the distances of collisions: "coal", "fcl", or None for the better there is.
+        engine: Measures distances of collisions: "coal", "fcl", or None for the better there is.
         report: What is known about the collisions of the run; None: they are to be checked.
     """
     found: list[Verdict] = [_program(run)]

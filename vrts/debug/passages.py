@@ -86,9 +86,10 @@ class Passages:
             first[k] = not same
             step[k] = step[k - 1] + (not same)
         steps = step[self.instructions]
-        other = np.ones(self.count, bool)
+        other: NDArray[np.bool_] = np.ones(self.count, np.bool_)
         other[1:] = (steps[1:] != steps[:-1]) | (self.depths[1:] != self.depths[:-1])
-        return np.logical_or(first[self.instructions], other)
+        other[first[self.instructions]] = True
+        return other
 
     def cause(self, number: int) -> Cause:
         """Return the step of a statement."""

@@ -5,6 +5,7 @@ import zipfile
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from io import BytesIO
+from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
 from vrts import __version__
@@ -58,11 +59,9 @@ def _files(folder: Traversable, name: str) -> list[tuple[str, bytes]]:
     return found
 
 
-def _manifest(package: dict[str, object]) -> str:
+def _manifest(package: dict[str, Any]) -> str:
     name, publisher = (quoteattr(str(package[key])) for key in ("name", "publisher"))
-    engines = package["engines"]
-    assert isinstance(engines, dict)
-    code = quoteattr(str(engines["vscode"]))
+    code = quoteattr(package["engines"]["vscode"])
     title, about = (escape(str(package[key])) for key in ("displayName", "description"))
     kind = "Microsoft.VisualStudio"
     return f"""<?xml version="1.0" encoding="utf-8"?>
