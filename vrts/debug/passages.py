@@ -1,7 +1,7 @@
 """Where a program passed: every statement it executed, and the instants at which steps begin."""
 
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -85,11 +85,9 @@ class Passages:
             same = causes[k][:2] == causes[k - 1][:2]
             first[k] = not same
             step[k] = step[k - 1] + (not same)
-        steps = step[self.instructions]
-        other: NDArray[np.bool_] = np.ones(self.count, np.bool_)
-        other[1:] = (steps[1:] != steps[:-1]) | (self.depths[1:] != self.depths[:-1])
-        other[first[self.instructions]] = True
-        return other
+        steps, depths = step[self.instructions], self.depths
+        other = (np.diff(steps, prepend=-1) != 0) | (np.diff(depths, prepend=0) != 0)
+        return cast("NDArray[np.bool_]", first[self.instructions] | other)
 
     def cause(self, number: int) -> Cause:
         """Return the step of a statement."""
