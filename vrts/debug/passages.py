@@ -1,7 +1,7 @@
 """Where a program passed: every statement it executed, and the instants at which steps begin."""
 
 from functools import cached_property
-from typing import NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -87,11 +87,11 @@ class Passages:
             step[k] = step[k - 1] + (not same)
         steps, depths = step[self.instructions], self.depths
         other = (np.diff(steps, prepend=-1) != 0) | (np.diff(depths, prepend=0) != 0)
-        return cast("NDArray[np.bool_]", first[self.instructions] | other)
+        return first[self.instructions] | other
 
     def cause(self, number: int) -> Cause:
         """Return the step of a statement."""
-        return self.run.history.code.causes[self.instructions[number]]
+        return self.run.history.code.causes[int(self.instructions[number])]
 
     def following(self, instant: Instant) -> int:
         """Return which statement comes next at an instant; `count` when none does."""

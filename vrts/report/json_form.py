@@ -4,7 +4,6 @@ Times in s, lengths in mm, angles in degrees, rounded by the shared rule; marks 
 numbers and, exactly, as fractions.
 """
 
-from collections.abc import Iterable
 from fractions import Fraction
 
 from vrts.base.units import mm
@@ -18,12 +17,6 @@ from vrts.report.quantities import millimetres, rounded_data, seconds
 from vrts.report.review import review_of
 
 ASSESSMENT_SCHEMA = "vrts.assessment/1"
-RESULTS_SCHEMA = "vrts.results/1"
-
-
-def results_json(assessments: Iterable[Assessment]) -> Json:
-    """Return one document with a short row for each assessment, in the order given."""
-    return {"schema": RESULTS_SCHEMA, "results": [result_json(a) for a in assessments]}
 
 
 def result_json(a: Assessment) -> Json:

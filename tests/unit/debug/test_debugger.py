@@ -141,6 +141,12 @@ def test_a_step_that_waits_is_reached_before_it_waits() -> None:
     assert 5 not in d.state.signals
 
 
+def test_a_step_is_reached_when_the_one_before_is_done() -> None:
+    robot = debugger().passages(process=False)
+    assert (robot.reached[1:] == robot.before[:-1] + 1).all()
+    assert (robot.before > robot.reached).any(), "the other program went on meanwhile"
+
+
 def test_lines_stop_forward_and_backward() -> None:
     d = debugger()
     d.wishes.lines = [Breakpoint(7, "main.v2", 5)]

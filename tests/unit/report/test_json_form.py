@@ -8,18 +8,15 @@ from tests.support_reports import HOSTILE, SYNTAX, broken, compiled, contact_los
 from vrts.base.diagnostic import Label, Moment, error
 from vrts.base.units import DEG
 from vrts.check.grade import Loss
-from vrts.report.json_form import assessment_json, diagnostic_json, results_json
+from vrts.report.json_form import assessment_json, diagnostic_json, result_json
 
 
 def as_read(value: object) -> Any:
     return json.loads(json.dumps(value, allow_nan=False))
 
 
-def test_results_have_a_row_for_each_in_order() -> None:
-    document = as_read(results_json([compiled(grade(contact_loss())), broken()]))
-    assert set(document) == {"schema", "results"}
-    assert document["schema"] == "vrts.results/1"
-    first, second = document["results"]
+def test_a_row_tells_status_mark_and_losses() -> None:
+    first, second = (as_read(result_json(a)) for a in (compiled(grade(contact_loss())), broken()))
     assert (first["id"], first["status"], first["mark"]) == ("submission-07", "graded", 8.5)
     assert (second["id"], second["status"], second["mark"]) == ("broken", "does not compile", 0.0)
     assert first["losses"][0]["points_exact"] == "3/2"
@@ -87,5 +84,4 @@ def test_exact_values_are_rounded_by_their_unit() -> None:
 
 
 def test_hostile_text_survives_as_data() -> None:
-    document = as_read(results_json([broken(title=HOSTILE)]))
-    assert document["results"][0]["title"] == HOSTILE
+    assert as_read(result_json(broken(title=HOSTILE)))["title"] == HOSTILE
