@@ -913,8 +913,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "what a child inherits counts as its memory",
         "vrts/marking/supervise/supervisor.py",
-        "if memory > running.inherited + self._limits.memory:",
-        "if memory > self._limits.memory:",
+        "if private > running.inherited + self._limits.memory:",
+        "if private > self._limits.memory:",
         ("tests/unit/marking/supervise/test_supervisor.py",),
     ),
     Patch(

@@ -105,7 +105,7 @@ class Supervisor(Generic[Order]):
         folder.mkdir(parents=True)
         inherited = 0
         if self._fork:
-            inherited = psutil.Process().memory_info().rss
+            inherited = _private(psutil.Process())
 
             def work() -> bytes:
                 return self._worker.work(order, folder)
@@ -128,12 +128,12 @@ class Supervisor(Generic[Order]):
             self._end(process, Loss.WALL)
         try:
             seen = psutil.Process(process.pid)
-            memory = seen.memory_info().rss
+            memory, private = seen.memory_info().rss, _private(seen)
             cpu = sum(seen.cpu_times()[:2])
         except psutil.Error:
             return  # it is gone: the next look at its answer tells
         self._peaks[process.pid] = max(self._peaks.get(process.pid, 0), memory)
-        if memory > running.inherited + self._limits.memory:
+        if private > running.inherited + self._limits.memory:
             self._end(process, Loss.MEMORY)
         if cpu > self._limits.cpu_s + 1.0:  # where the system has no limit of its own
             self._end(process, Loss.TIME)
@@ -173,6 +173,12 @@ class Supervisor(Generic[Order]):
 
 def _cpu_signal() -> int:
     return int(getattr(signal, "SIGXCPU", 0))
+
+
+def _private(process: psutil.Process) -> int:
+    """Return the bytes of memory that a process has written; where that is not told, all of it."""
+    found = process.memory_info()
+    return int(found.rss - getattr(found, "shared", 0))
 
 
 def _words(log: Path) -> str:
