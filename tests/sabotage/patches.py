@@ -908,7 +908,7 @@ PATCHES: tuple[Patch, ...] = (
         "vrts/engine/machine.py",
         "                rest(c, self.finished)\n",
         "                pass\n",
-        ("tests/unit/debug/test_debugger.py",),
+        ("tests/unit/engine/test_forked.py",),
     ),
     Patch(
         "what a child inherits counts as its memory",

@@ -96,6 +96,8 @@ def test_a_wait_is_left_by_going_elsewhere() -> None:
     assert waiting.call_stack[-1].step == 9
     other = forked(run, [TimedCommand(0.3, GoTo(10))], LONG)
     assert (run.at(0.4).variables["x"], other.at(0.4).variables["x"]) == (4.0, 10.0)
+    told = other.at_statement(waiting.finished + 1)  # the command is done, nothing else yet
+    assert told.call_stack[-1].step == 10
 
 
 def test_what_comes_later_than_a_fork_is_forgotten() -> None:
