@@ -1,12 +1,10 @@
 """Breakpoints on lines: which instructions a line stands for, and when a run comes there."""
 
 import re
-from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
 
-from vrts.base.source import SourceFile
 from vrts.debug.passages import Passages
 from vrts.engine.history import Code
 
@@ -32,11 +30,6 @@ class Resolved(NamedTuple):
 
     line: int  # at which it stops: that of the next step if the line itself has none
     instructions: frozenset[int]
-
-
-def sources_of(code: Code) -> Mapping[str, SourceFile]:
-    """Return every source that executable steps come from, by name."""
-    return {cause.span.source.name: cause.span.source for cause in code.causes}
 
 
 def resolve(code: Code, source: str, line: int) -> Resolved | None:

@@ -10,7 +10,7 @@ from vrts.base.source import SourceFile
 from vrts.debug.passages import Instant
 from vrts.engine.controller import forked
 from vrts.engine.events import CommandRefused, Found
-from vrts.engine.run import Run, State
+from vrts.engine.run import Run
 from vrts.ir.commands import Command, Do, Panic, SetVariable, TimedCommand
 from vrts.ir.module import Module
 from vrts.ir.values import Value
@@ -114,8 +114,3 @@ def _module(step: str, known: Mapping[str, Value], dialect: Dialect) -> Module |
     if error is not None or found.module is None:
         return error.headline if error is not None else "this is no expression"
     return Module({ALONE: found.module.programs[ALONE]}, ())
-
-
-def at(run: Run, instant: Instant) -> State:
-    """Return the state at an instant."""
-    return run.at_moment(instant.time_s, instant.finished)

@@ -9,7 +9,6 @@ from vrts.base.source import SourceFile
 from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger
 from vrts.engine.controller import execute
-from vrts.lang.dialect import Dialect
 from vrts.pipeline.assess import no_program, scenario_for, without_repeats
 from vrts.pipeline.files import read_bytes
 from vrts.pipeline.programs import ProgramFile, Reading, compile_bytes
@@ -27,7 +26,6 @@ class Asked(NamedTuple):
     entry: str | None = None  # program to execute; None: the task's, else the first
     others: tuple[Path, ...] = ()  # compiled together with the program
     dialect: str | None = None  # None: as file name and content tell
-    text: bytes | None = None  # of the program, where it is not as the file has it
 
 
 class Opened(NamedTuple):
@@ -37,29 +35,29 @@ class Opened(NamedTuple):
     console: Console | None
     sources: tuple[SourceFile, ...]  # named by their absolute paths
     diagnostics: tuple[Diagnostic, ...]
-    dialect: Dialect | None = None
 
 
-def opened(asked: Asked, collisions_near_m: float | None = None) -> Opened:
+def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
     """Compile and execute a program.
 
     Args:
         asked: Which program, and where.
-        collisions_near_m: How near a near miss is [m]; None: as the task says, or as assumed.
+        near_miss_m: How near a near miss is [m]; None: as the task says, or as assumed.
 
     Raises:
         CannotRead: A file or the scene is not there.
         Refused: Scene, task, scenario or lab have errors.
     """
     path = asked.program.resolve()
-    data = asked.text if asked.text is not None else read_bytes(path)
     setting = setting_for(
         path, scene=asked.scene, task=asked.task, scenario=asked.scenario, lab=asked.lab
     )
     if setting is None:
         setting = robot_alone()
     others = tuple(ProgramFile(read_bytes(p), str(p.resolve())) for p in asked.others)
-    _, compilation, found = compile_bytes(data, str(path), Reading(asked.dialect, others=others))
+    _, compilation, found = compile_bytes(
+        read_bytes(path), str(path), Reading(asked.dialect, others=others)
+    )
     if compilation is None or compilation.module is None or compilation.module.main is None:
         return Opened(None, None, (), found)
     module, task = compilation.module, setting.task
@@ -68,12 +66,11 @@ def opened(asked: Asked, collisions_near_m: float | None = None) -> Opened:
         return Opened(None, None, (), (*found, no_program(module, name)))
     scenario = scenario_for(task, setting.scenario)
     run = execute(module, setting.scene, scenario, name.lower() if name else None)
-    near = collisions_near_m if task is None else task.near_miss
-    dialect = compilation.dialect
-    debugger = Debugger(run, dialect, near)
+    near = near_miss_m if task is None else task.near_miss
+    debugger = Debugger(run, compilation.dialect, near)
     sources = _sources(debugger)
     console = Console(debugger, path.parent, sources)
-    return Opened(debugger, console, sources, without_repeats(found, run.findings), dialect)
+    return Opened(debugger, console, sources, without_repeats(found, run.findings))
 
 
 def _sources(debugger: Debugger) -> tuple[SourceFile, ...]:

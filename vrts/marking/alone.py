@@ -15,12 +15,12 @@ from vrts.marking.supervise.forked import NO_MEMORY
 from vrts.marking.supervise.limits import Limits, impose
 
 
-def main() -> None:
-    """Do as standard input says."""
+def main(kind: type[Marker] = Marker) -> None:
+    """Do as standard input says, by a kind of marker."""
     told = msgspec.json.decode(sys.stdin.buffer.read(), type=Told)
     impose(Limits())
     try:
-        marker = Marker(told.place, told.wanted)
+        marker = kind(told.place, told.wanted)
         order = Order(told.identifier, told.title, base64.b64decode(told.program))
         answer = marker.work(order, Path(told.folder))
     except MemoryError:
