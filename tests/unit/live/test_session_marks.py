@@ -14,6 +14,7 @@ from tests.unit.live.session.support import Driven
 from vrts.live import actions as do
 from vrts.live.session.messages import Act, Done
 from vrts.live.session.replay import Entry
+from vrts.live.session_marker import SessionMarker, entries_to_bytes
 from vrts.live.store import log
 from vrts.live.store.database import opened
 from vrts.live.store.log import Entry as Logged
@@ -166,3 +167,16 @@ def test_what_cannot_be_repeated_has_no_mark(kept: Path, tmp_path: Path) -> None
     assert "cannot be repeated" in other["cause"]
     assert altered["mark"] is None
     assert "was changed" in altered["cause"]
+
+
+def test_a_session_marked_in_a_process_of_its_own_has_the_same_mark(tmp_path: Path) -> None:
+    marker = SessionMarker(Place(str(TASK)), Wanted())
+    order = Order("s", "s", entries_to_bytes(tried(tmp_path / "session")))
+    here, there = tmp_path / "here", tmp_path / "there"
+    here.mkdir()
+    there.mkdir()
+    command, told = marker.command(order, there)
+    done = subprocess.run(command, input=told, capture_output=True, check=True)
+    mine, other = (msgspec.json.decode(data) for data in (marker.work(order, here), done.stdout))
+    assert mine["staff"] == other["staff"]
+    assert mine["staff"]["mark"] is not None
