@@ -1,0 +1,1 @@
+"""A verified program on its way to a real controller: plan, bundle, transfer, other dialects."""

@@ -1,0 +1,1 @@
+"""What a real robot did, beside what was simulated."""
