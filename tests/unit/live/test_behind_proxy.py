@@ -39,8 +39,8 @@ class Behind(NamedTuple):
     def open(self, cookie: str, origin: str) -> ClientConnection:
         """Open a WebSocket."""
         return connect(
-            f"ws://{NAME}/ws",  # over a socket that does TLS already
-            sock=self.link(),
+            f"ws://{NAME}/ws",
+            sock=socket.create_connection(("127.0.0.1", self.proxy.plain_port)),
             origin=Origin(origin),
             additional_headers={"cookie": cookie},
             compression=None,
