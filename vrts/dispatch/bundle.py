@@ -1,0 +1,183 @@
+"""A bundle: one file with everything that goes to a controller, and what was verified about it.
+
+It is a zip of `manifest.json`, `sheet.html`, `programs/NAME.v2` for every program, and of
+`locations.lc`, `reals.rv` and `strings.st` as far as there are such data. The same content gives
+the same bytes. A bundle is opened without trusting it: names, sizes, hashes and characters are
+checked before anything is believed. That it is sound does not show who has made it.
+"""
+
+import hashlib
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+
+import msgspec
+
+from vrts.base.diagnostic import Rule, error
+from vrts.base.zips import BadZip, Unpacker, packed
+from vrts.dispatch.manifest import Manifest, Member
+from vrts.pipeline.settings import Refused
+
+BAD_BUNDLE = Rule("V800", "bad-bundle")
+
+MANIFEST = "manifest.json"
+SHEET = "sheet.html"
+LOCATIONS, REALS, STRINGS = "locations.lc", "reals.rv", "strings.st"
+MOST_BYTES = 20_000_000  # of all files, unpacked
+MOST_CONTENTS = 1_000_000  # bytes of the table of contents
+MODE = 0o644  # of the files
+_PROGRAM = re.compile(r"programs/([a-z][a-z0-9._]{0,30})\.v2")
+_TITLES = {LOCATIONS: ".LOCATIONS", REALS: ".REALS", STRINGS: ".STRINGS"}
+_TEXT = re.compile(r"[ -~\n]*\n")  # printable 7-bit ASCII in whole lines
+_ROW = re.compile(r"(\S+) +(\S.*)")
+NO_MEMBERS: tuple[Member, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Bundle:
+    """Programs and data as they are to be sent, and what was verified about them."""
+
+    manifest: Manifest
+    programs: Mapping[str, str]  # canonical text by name, from .PROGRAM to .END
+    locations: str  # .LOCATIONS section as the controller will hold it; "" where there are none
+    reals: str  # .REALS section
+    strings: str  # .STRINGS section
+    sheet: str  # the operator's page, HTML
+
+    @property
+    def profile(self) -> str:
+        """Name of the profile it was planned for."""
+        return self.manifest.profile
+
+
+def rows(section: str) -> tuple[tuple[str, str], ...]:
+    """Return names, with subscripts, and values as printed, of a data section of a bundle."""
+    found = [_ROW.fullmatch(line) for line in section.splitlines()[1:-1]]
+    return tuple((row[1], row[2]) for row in found if row is not None)
+
+
+def bundle_bytes(bundle: Bundle) -> bytes:
+    """Return the file of a bundle; its manifest gains the list of files."""
+    members = {name: text.encode() for name, text in sorted(_texts(bundle).items())}
+    files = tuple(Member(name, digest_of(data), len(data)) for name, data in members.items())
+    manifest = msgspec.structs.replace(bundle.manifest, files=files)
+    said = msgspec.json.format(msgspec.json.encode(manifest), indent=1) + b"\n"
+    return packed({MANIFEST: said, **members}, MODE)
+
+
+def read_bundle(data: bytes) -> Bundle:
+    """Return the bundle that a file holds.
+
+    Raises:
+        Refused: It is none, is damaged, or was changed.
+    """
+    try:
+        zipped = Unpacker(data, contents=MOST_CONTENTS)
+        _check_contents(zipped)
+        manifest = msgspec.json.decode(zipped.read(MANIFEST), type=Manifest)
+        texts = {member.name: _member(zipped, member) for member in manifest.files}
+    except BadZip as problem:
+        named = f" (`{problem.member[:60]}`)" if problem.member else ""
+        raise bad_bundle(f"its zip file is {problem.flaw.value}{named}") from problem
+    except msgspec.MsgspecError as problem:
+        raise bad_bundle(f"`{MANIFEST}`: {problem}") from problem
+    if [MANIFEST, *texts] != list(zipped.sizes):
+        raise bad_bundle("its files are not those that its manifest lists")
+    if SHEET not in texts:
+        raise bad_bundle(f"`{SHEET}` is missing")
+    programs = {
+        found[1]: _program(found[1], text)
+        for name, text in texts.items()
+        if (found := _PROGRAM.fullmatch(name)) is not None
+    }
+    if manifest.entry not in programs:
+        raise bad_bundle("the program to execute is not in it")
+    data_texts = {name: _section(name, texts.get(name, "")) for name in _TITLES}
+    return Bundle(
+        manifest,
+        MappingProxyType(programs),
+        data_texts[LOCATIONS],
+        data_texts[REALS],
+        data_texts[STRINGS],
+        texts[SHEET],
+    )
+
+
+def with_sheet(bundle: Bundle, sheet: str) -> Bundle:
+    """Return a bundle with another sheet."""
+    return replace(bundle, sheet=sheet)
+
+
+def digest_of(data: bytes) -> str:
+    """Return the sha256 by which files are named."""
+    return hashlib.sha256(data).hexdigest()
+
+
+def content_digest(bundle: Bundle) -> str:
+    """Return the sha256 of what is sent: programs and data, each with its name."""
+    sent = {name: text for name, text in _texts(bundle).items() if name != SHEET}
+    whole = "".join(f"{name}\n{text}" for name, text in sorted(sent.items()))
+    return digest_of(whole.encode())
+
+
+def bad_bundle(why: str) -> Refused:
+    """Return what to raise for a file that is no sound bundle."""
+    headline = f"this is no bundle of `vrts dispatch plan`: {why[:200]}"
+    remedy = "copy the file again, or plan anew; a bundle is not for editing"
+    return Refused((error(BAD_BUNDLE, headline, help=(remedy,)),))
+
+
+def _texts(bundle: Bundle) -> dict[str, str]:
+    texts = {f"programs/{name}.v2": text for name, text in bundle.programs.items()}
+    sections = {LOCATIONS: bundle.locations, REALS: bundle.reals, STRINGS: bundle.strings}
+    return {**texts, **{n: text for n, text in sections.items() if text}, SHEET: bundle.sheet}
+
+
+def _check_contents(zipped: Unpacker) -> None:
+    for name, member in zipped.members.items():
+        known = name in (MANIFEST, SHEET, *_TITLES) or _PROGRAM.fullmatch(name) is not None
+        if not known or not member.plain:
+            raise bad_bundle(f"its file `{name[:60]!a}` does not belong there")
+    if MANIFEST not in zipped.sizes:
+        raise bad_bundle(f"`{MANIFEST}` is missing")
+    total = sum(zipped.sizes.values())
+    if total > MOST_BYTES:
+        raise bad_bundle(f"it unpacks to {total:,} bytes, the limit is {MOST_BYTES:,}")
+
+
+def _member(zipped: Unpacker, member: Member) -> str:
+    if member.name == MANIFEST or zipped.sizes.get(member.name) != member.bytes:
+        raise bad_bundle(f"`{member.name!a}` is not there, or has another length")
+    data = zipped.read(member.name)
+    if digest_of(data) != member.sha256:
+        raise bad_bundle(f"`{member.name}` was changed: its hash is another")
+    try:
+        return data.decode()
+    except UnicodeDecodeError as problem:
+        raise bad_bundle(f"`{member.name}` is no text") from problem
+
+
+def _program(name: str, text: str) -> str:
+    lines = _lines(f"programs/{name}.v2", text)
+    heads = [line for line in lines if line.startswith(".")]
+    begins = re.fullmatch(rf"\.PROGRAM {re.escape(name)}(\W.*)?", lines[0]) is not None
+    if not begins or not lines[-1].startswith(".END") or len(heads) != 2:
+        raise bad_bundle(f"`programs/{name}.v2` is not one program of that name")
+    return text
+
+
+def _section(name: str, text: str) -> str:
+    if not text:
+        return ""
+    lines = _lines(name, text)
+    sound = lines[0] == _TITLES[name] and lines[-1] == ".END" and len(lines) > 2
+    if not sound or any(_ROW.fullmatch(line) is None for line in lines[1:-1]):
+        raise bad_bundle(f"`{name}` is not one section {_TITLES[name]}")
+    return text
+
+
+def _lines(name: str, text: str) -> list[str]:
+    if _TEXT.fullmatch(text) is None:
+        raise bad_bundle(f"`{name}` holds more than lines of 7-bit ASCII")
+    return text.split("\n")[:-1]

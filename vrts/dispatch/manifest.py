@@ -1,0 +1,113 @@
+"""What a bundle says about itself: what was verified, in what, how, and who waived what.
+
+Lengths are in mm, angles in degrees and times in s, rounded by the shared rule.
+"""
+
+from typing import Annotated, Literal
+
+from msgspec import Meta
+
+from vrts.marking.result import Digest, Record
+
+SCHEMA = "vrts.bundle/1"
+
+Words = Annotated[str, Meta(max_length=2_000)]
+
+
+class Member(Record, frozen=True):
+    """A file of the bundle."""
+
+    name: Annotated[str, Meta(max_length=100)]
+    sha256: Digest
+    bytes: Annotated[int, Meta(ge=0)]
+
+
+class Thing(Record, frozen=True):
+    """Something that the program was verified with."""
+
+    title: Words
+    sha256: Digest
+
+
+class Answered(Record, frozen=True):
+    """The answer of one check."""
+
+    check: Words
+    answer: Literal["holds", "violated", "undetermined"]
+    summary: Words
+
+
+class Verified(Record, frozen=True):
+    """One scenario, and what came of it."""
+
+    scenario: Words
+    sha256: Digest | None  # of the scenario file; None: a run as it is without one
+    ending: Words
+    duration_s: float | None
+    statements: int
+    motions: int
+    mark: float | None
+    clearance_mm: float | None  # None: something touches, or nothing could
+    verdicts: tuple[Answered, ...]
+
+
+class Executed(Record, frozen=True):
+    """The steps of one program that some scenario executed, of those that do something."""
+
+    program: Words
+    steps: Annotated[int, Meta(description="instructions that the controller carries out")]
+    executed: int
+    motions: int
+    motions_executed: int
+    not_executed: tuple[int, ...]  # numbers of steps
+
+
+class Reads(Record, frozen=True):
+    """What the path of a program may depend on beside its own text and data."""
+
+    inputs: tuple[Words, ...]
+    timers: tuple[Words, ...]
+    unset: tuple[Words, ...]  # variables that were read before the program gave them a value
+
+
+class Margin(Record, frozen=True):
+    """How far the world may differ from the scene before something goes wrong."""
+
+    name: Words  # "objects +-3 mm"
+    answer: Literal["holds", "violated", "undetermined"]
+    method: Literal["proven", "sampled"]
+    clearance_mm: float | None  # that is left, at least, in what was looked at
+    sentence: Words
+
+
+class Waiver(Record, frozen=True):
+    """A refusal that somebody has answered for."""
+
+    code: Annotated[str, Meta(pattern=r"^V\d{3}$")]
+    who: Annotated[str, Meta(min_length=1, max_length=200)]
+    reason: Annotated[str, Meta(min_length=1, max_length=1_000)]
+    refused: tuple[Words, ...]  # headlines of what would have been refused
+
+
+class Manifest(Record, frozen=True):
+    """The whole."""
+
+    schema: Literal["vrts.bundle/1"]
+    vrts: Words  # version that verified
+    title: Words  # name of the program's file
+    entry: Words  # the program to execute
+    program: Thing  # the file as it was given
+    scene: Thing
+    robot: Thing
+    task: Thing | None
+    profile: Words  # name of the profile
+    profile_sha256: Digest
+    dialect: Words
+    scenarios: tuple[Verified, ...]
+    executed: tuple[Executed, ...]
+    reads: Reads
+    clearance_asked_mm: float
+    margins: tuple[Margin, ...]
+    first_to_fail: Words
+    waivers: tuple[Waiver, ...]
+    files: tuple[Member, ...]  # every other file of the bundle, by name
