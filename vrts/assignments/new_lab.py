@@ -23,6 +23,10 @@ title = "Our laboratory"
 # linear_mm_s = 1000
 # angular_deg_s = 100
 #
+# How long the arm takes to reach full speed; a rounded corner takes twice as long, or `blend_s`.
+# `vrts validate --fit` finds these and the speeds out from logs of the real robot:
+# acceleration_s = 0.224
+#
 # The TOOL when a program starts, X Y Z O A T; left out, it is the middle between the pads:
 # tool_xyzoat = [0, 0, 150, 90, -90, 0]
 #

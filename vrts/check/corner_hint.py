@@ -45,7 +45,8 @@ def corner_hints(run: Run, report: CollisionReport, engine: str | None) -> Mappi
 def _rounded(run: Run, event: ContactEvent) -> Motion | None:
     """Return the motion whose rounded end a contact begins in: it should have stopped there."""
     motions = run.motions
-    width = 2.0 * run.scene.robot.arm.acceleration_time * 100.0 / run.scenario.monitor_speed
+    arm = run.scene.robot.arm
+    width = (arm.blend_time or 2.0 * arm.acceleration_time) * 100.0 / run.scenario.monitor_speed
     for before, after in pairwise(motions):
         if before.blended and after.start_s <= event.start_s <= after.start_s + width:
             return before

@@ -98,6 +98,7 @@ class SphericalWristArm:
     tick: float  # trajectory generator [s]
     links: tuple[Link, ...]  # joint 0 to 6
     skipped_pairs: frozenset[frozenset[str]]  # link names never tested against each other
+    blend_time: float | None = None  # of a rounded corner [s]; None: twice the acceleration time
 
     @property
     def X_LF(self) -> Pose:
@@ -127,6 +128,7 @@ class SerialArm:
     tick: float  # trajectory generator [s]
     links: tuple[Link, ...]  # joint 0 to 6
     skipped_pairs: frozenset[frozenset[str]]  # link names never tested against each other
+    blend_time: float | None = None  # of a rounded corner [s]; None: twice the acceleration time
 
 
 Arm: TypeAlias = SphericalWristArm | SerialArm

@@ -21,9 +21,11 @@ ROBOT_DESCRIPTION = Rule("V422", "robot-description")
 ROBOT_NOT_INSTALLED = Rule("V423", "robot-not-installed")
 TWO_ROBOTS = Rule("V424", "two-robots")
 JOINT_LIMITS = Rule("V643", "joint-limits")
+BLEND_TIME = Rule("V898", "blend-time")
 
 USUAL = "puma761"
 FARTHEST = 10_000.0  # [mm]
+SLOWEST_S = 10.0  # that an acceleration or a corner may take
 MOST_URDF = 1_000_000  # bytes
 MOST_MESH = 20_000_000  # bytes
 MOST_MESHES = 60_000_000  # bytes of all together
@@ -67,6 +69,8 @@ def _measured(section: Table, arm: Arm) -> Arm:
     speed = section.numbers("speed_deg_s", count=6, above=0.0, maximum=3600.0)
     linear = section.number("linear_mm_s", above=0.0, maximum=FARTHEST)
     angular = section.number("angular_deg_s", above=0.0, maximum=3600.0)
+    acceleration = section.number("acceleration_s", above=0.0, maximum=SLOWEST_S)
+    blend = section.number("blend_s", above=0.0, maximum=SLOWEST_S)
     arm = replace(
         arm,
         lower=arm.lower if lower is None else _angles(lower),
@@ -74,10 +78,28 @@ def _measured(section: Table, arm: Arm) -> Arm:
         speed=arm.speed if speed is None else _angles(speed),
         linear_speed=arm.linear_speed if linear is None else linear * MM,
         angular_speed=arm.angular_speed if angular is None else angular * DEG,
+        acceleration_time=arm.acceleration_time if acceleration is None else acceleration,
+        blend_time=arm.blend_time if blend is None else blend,
     )
     if len(section.problems.found) == before:
         _check_limits(section, arm)
+        _check_blend(section, arm)
     return arm
+
+
+def _check_blend(section: Table, arm: Arm) -> None:
+    """Report corners so short that the first motion would have begun to stop."""
+    if arm.blend_time is None or arm.blend_time >= arm.acceleration_time:
+        return
+    key = "blend_s" if "blend_s" in section else "acceleration_s"
+    section.problems.error(
+        BLEND_TIME,
+        "corners are shorter than the arm takes to stop",
+        section.value_span(key),
+        f"a corner takes {arm.blend_time:g} s, stopping {arm.acceleration_time:g} s",
+        help=("give a `blend_s` that is at least `acceleration_s`",),
+        data={"blend_s": arm.blend_time, "acceleration_s": arm.acceleration_time},
+    )
 
 
 def _check_limits(section: Table, arm: Arm) -> None:

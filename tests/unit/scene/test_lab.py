@@ -55,7 +55,7 @@ def test_the_written_lab_changes_nothing_but_the_title() -> None:
         assert found.locations == PLAIN.locations
         assert found.robot.gripper == PLAIN.robot.gripper == TWO_FINGERS
         assert found.robot.arm == PLAIN.robot.arm == PUMA_761
-    assert LAB.count("\n# ") - numbers.count("\n# ") == 17
+    assert LAB.count("\n# ") - numbers.count("\n# ") == 18
 
 
 def test_limits_speeds_and_tool_are_those_of_the_lab() -> None:
@@ -215,3 +215,16 @@ def test_a_lab_may_bring_the_description_of_its_robot(tmp_path: Path) -> None:
     )
     assert found is not None, told
     assert "urdf" in section[1]
+
+
+def test_a_lab_says_how_long_acceleration_and_corners_take() -> None:
+    arm = in_lab("[lab.robot]\nacceleration_s = 0.28\nblend_s = 0.392\n").robot.arm
+    assert (arm.acceleration_time, arm.blend_time) == (0.28, 0.392)
+
+
+def test_corners_take_at_least_as_long_as_stopping() -> None:
+    found, told = laid(example("V898"))
+    assert found is None
+    assert [d.rule.code for d in told] == ["V898"]
+    assert told[0].primary is not None
+    assert told[0].primary.text == "a corner takes 0.112 s, stopping 0.224 s"

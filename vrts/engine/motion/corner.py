@@ -46,8 +46,15 @@ class Corner(NamedTuple):
 
 
 def half_width(leg: Leg, intent: Intent, arm: Arm) -> float:
-    """Return W [s]: the longer of the two accelerations."""
-    return max(leg.deceleration, intent.settings.acceleration_times(arm)[0])
+    """Return W [s], whole ticks: the longer of the two accelerations, as the arm's blends have it.
+
+    It is never less than half of that: the first motion must not have begun to stop.
+    """
+    longer = max(leg.deceleration, intent.settings.acceleration_times(arm)[0])
+    if arm.blend_time is None:
+        return longer
+    wanted = 0.5 * arm.blend_time * longer / arm.acceleration_time
+    return arm.tick * max(round(wanted / arm.tick), round(0.5 * longer / arm.tick))
 
 
 def fits(leg: Leg, intent: Intent, half: float) -> bool:
