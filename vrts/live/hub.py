@@ -126,7 +126,7 @@ class Hub:
         known = [room.reached for room in self.rooms.values()]
         found = [reached for reached in known if reached is not None]
         if found:
-            self.database.submit(lambda connection: keep_reached(connection, found))
+            self.spawn(self.database.do(lambda connection: keep_reached(connection, found)))
 
     def _show_wall(self) -> None:
         watching = [m for m in self.everybody() if m.wall]

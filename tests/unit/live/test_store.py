@@ -4,6 +4,7 @@ import multiprocessing
 import os
 import signal
 import sqlite3
+import threading
 from collections.abc import Iterator
 from multiprocessing.connection import Connection as Pipe
 from pathlib import Path
@@ -170,6 +171,49 @@ def test_a_job_that_fails_takes_nothing_of_others_along(tmp_path: Path) -> None:
         futures[1].result()
     assert {room.id for room in database.submit(open_rooms).result()} == {"one", "two"}
     database.close()
+
+
+def test_whatever_goes_wrong_reaches_who_waits_and_the_thread_goes_on(tmp_path: Path) -> None:
+    database = Database(tmp_path / "live.sqlite")
+
+    def faulty(connection: sqlite3.Connection) -> None:
+        keep_room(connection, KeptRoom("bad", "x", "s", 1, True, 0.0, 0.0))
+        raise AttributeError("a fault of ours")
+
+    def breaks_the_transaction(connection: sqlite3.Connection) -> None:
+        connection.execute("ROLLBACK")
+
+    with pytest.raises(AttributeError, match="a fault of ours"):
+        database.submit(faulty).result(5.0)
+    with pytest.raises(sqlite3.Error):
+        database.submit(breaks_the_transaction).result(5.0)
+    assert database.submit(open_rooms).result(5.0) == []
+    database.close()
+
+
+def test_who_does_not_wait_any_more_ends_nothing(tmp_path: Path) -> None:
+    database = Database(tmp_path / "live.sqlite")
+    begun, go_on = threading.Event(), threading.Event()
+
+    def slow(_: sqlite3.Connection) -> None:
+        begun.set()
+        go_on.wait(5.0)
+
+    first = database.submit(slow)
+    begun.wait(5.0)
+    given_up = database.submit(open_rooms)
+    assert given_up.cancel()
+    go_on.set()
+    first.result(5.0)
+    assert database.submit(open_rooms).result(5.0) == []
+    database.close()
+
+
+def test_a_database_that_is_closed_says_so(tmp_path: Path) -> None:
+    database = Database(tmp_path / "live.sqlite")
+    database.close()
+    with pytest.raises(sqlite3.Error, match="closed"):
+        database.submit(open_rooms).result(5.0)
 
 
 def _write_forever(path: Path, acknowledged: Pipe) -> None:

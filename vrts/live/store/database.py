@@ -2,7 +2,8 @@
 
 What is done together is committed together: the thread takes all jobs that wait, does each in a
 savepoint, and commits once. A job is acknowledged after that, so a killed server loses nothing that
-it has acknowledged.
+it has acknowledged. What goes wrong in a job, whatever it is, reaches the one who waits for it; the
+thread goes on.
 """
 
 import asyncio
@@ -14,6 +15,7 @@ from concurrent.futures import Future
 from contextlib import contextmanager
 from pathlib import Path
 from queue import SimpleQueue
+from types import TracebackType
 from typing import Any, TypeVar
 
 from vrts.live.store.migrations import STEPS, migrate
@@ -93,9 +95,14 @@ class Database:
         self._thread.start()
 
     def submit(self, job: Callable[[sqlite3.Connection], Answer]) -> "Future[Answer]":
-        """Have a job done; the future is fulfilled after the commit."""
+        """Have a job done; the future is fulfilled after the commit.
+
+        What the job raises is raised where the future is waited for, whatever it is.
+        """
         future: Future[Answer] = Future()
         self._jobs.put((job, future))
+        if not self._thread.is_alive():  # nobody may wait for ever
+            self._give_up()
         return future
 
     async def do(self, job: Callable[[sqlite3.Connection], Answer]) -> Answer:
@@ -109,21 +116,27 @@ class Database:
         self._connection.close()
 
     def _work(self) -> None:
-        while True:
-            first = self._jobs.get()
-            if first is None:
-                return
-            together = [first]
-            last = False
-            while len(together) < _TOGETHER and not self._jobs.empty():
-                job = self._jobs.get()
-                if job is None:
-                    last = True
-                    break
-                together.append(job)
-            self._do(together)
-            if last:
-                return
+        try:
+            while (first := self._jobs.get()) is not None:
+                together = [first]
+                while len(together) < _TOGETHER and not self._jobs.empty():
+                    following = self._jobs.get()
+                    if following is None:
+                        self._jobs.put(None)
+                        break
+                    together.append(following)
+                waiting = [one for one in together if one[1].set_running_or_notify_cancel()]
+                with _PassedOn(*(future for _, future in waiting)):
+                    self._do(waiting)
+        finally:
+            self._give_up()
+
+    def _give_up(self) -> None:
+        """Tell those who wait that nothing is done any more."""
+        while not self._jobs.empty():
+            left = self._jobs.get()
+            if left is not None:
+                left[1].set_exception(sqlite3.ProgrammingError("the database is closed"))
 
     def _do(self, together: list[tuple[Job, "Future[Any]"]]) -> None:
         connection = self._connection
@@ -132,21 +145,39 @@ class Database:
             connection.execute("BEGIN IMMEDIATE")
             for job, future in together:
                 connection.execute("SAVEPOINT job")
-                try:
-                    answer = job(connection)
-                except (sqlite3.Error, ValueError, LookupError) as problem:
+                with _PassedOn(future):
+                    done.append((future, job(connection)))
+                if future.done():  # it failed
                     connection.execute("ROLLBACK TO job")
-                    future.set_exception(problem)
-                else:
-                    done.append((future, answer))
                 connection.execute("RELEASE job")
             connection.execute("COMMIT")
-        except sqlite3.Error as problem:  # such as a full disk: nothing of it is acknowledged
-            if connection.in_transaction:
+        finally:
+            if connection.in_transaction:  # such as with a full disk: nothing is acknowledged
                 connection.execute("ROLLBACK")
-            for _, future in together:
-                if not future.done():
-                    future.set_exception(problem)
-            return
         for future, answer in done:
             future.set_result(answer)
+
+
+class _PassedOn:
+    """Has an exception raised where futures are waited for, instead of in the thread."""
+
+    def __init__(self, *futures: "Future[Any]") -> None:
+        """Take the futures; those that are done already stay as they are."""
+        self._futures = futures
+
+    def __enter__(self) -> None:
+        """Begin."""
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        problem: BaseException | None,
+        trace: TracebackType | None,
+    ) -> bool:
+        """Pass an exception on, if there is one; what is to end the thread ends it all the same."""
+        if problem is None:
+            return False
+        for future in self._futures:
+            if not future.done():
+                future.set_exception(problem)
+        return isinstance(problem, Exception)
