@@ -35,6 +35,7 @@ COMMANDS = {
     "point": "ask what the arm can reach",
     "explain": "explain a diagnostic code",
     "support": "show the words of the language",
+    "dispatch": "bring a verified program to a real controller",
     "purge": "delete what old markings hold about persons",
     "schema": "print the JSON Schema of result files",
 }
