@@ -196,7 +196,10 @@ class State:
     @property
     def locals(self) -> Mapping[str, Value]:
         """Arguments and automatic variables of the innermost program that have a value."""
-        activation = self._run.history.robot.trace.activation(self.finished)
+        return self.locals_of(self._run.history.robot.trace.activation(self.finished))
+
+    def locals_of(self, activation: Activation | None) -> Mapping[str, Value]:
+        """Return the same of any program that is being executed."""
         found: dict[str, Value] = {}
         if activation is None:
             return found
