@@ -25,6 +25,15 @@ class Breakpoint(NamedTuple):
     log: str = ""  # written instead of stopping; {expression} stands for its value
 
 
+class Watch(NamedTuple):
+    """Something to stop at whenever it changes; condition and hits as of a breakpoint."""
+
+    id: int
+    name: str  # as `changes` takes it
+    condition: str = ""
+    hits: str = ""
+
+
 class Resolved(NamedTuple):
     """What a line stands for."""
 

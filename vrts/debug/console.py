@@ -8,7 +8,8 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell, evaluate, worked_out
-from vrts.ir.commands import Answer, SetLocal, SetVariable
+from vrts.debug.frames import Frame, frames
+from vrts.ir.commands import Answer, Command, SetLocal, SetVariable
 from vrts.ir.module import Module
 from vrts.ir.values import Type, Value, type_of_value
 from vrts.lang.commands import read_command
@@ -35,11 +36,16 @@ class Console:
         for source in sources:
             self._monitor.load(source, self._now)
 
-    def enter(self, line: str) -> str:
+    def enter(self, line: str, frame: Frame | None = None) -> str:
         """Take a line; return what there is to show.
 
         While the program waits for a line of the terminal, the line is that. Otherwise it is an
         expression, a value given to a variable (`x = 5`), or a command of the monitor.
+
+        Args:
+            line: What was typed.
+            frame: Whose arguments and automatic variables there are; None: those of the innermost
+                program of the robot.
         """
         debugger = self._debugger
         if self._monitor.at_commands:
@@ -48,10 +54,10 @@ class Console:
             assigned = _ASSIGNED.fullmatch(line)
             if assigned is not None:
                 name, index = assigned["name"], assigned["index"]
-                shown = self.give(f"{name}[{index}]" if index else name, assigned["value"])
+                shown = self.give(f"{name}[{index}]" if index else name, assigned["value"], frame)
                 return f"{shown}\n"
             try:
-                value = evaluate(debugger.run, debugger.at, line, debugger.dialect)
+                value = self.value(line, frame)
             except CannotTell as problem:
                 if not _is_command(line, debugger):
                     return f"{problem}\n"
@@ -63,31 +69,47 @@ class Console:
             text += _refused(debugger.change(turn.commands))
         return text
 
-    def give(self, name: str, text: str) -> str:
+    def value(self, text: str, frame: Frame | None = None) -> Value:
+        """Return the value of an expression; `frame` as for `enter`.
+
+        Raises:
+            CannotTell: It has none.
+        """
+        debugger = self._debugger
+        seen = None if frame is None else frame.locals(debugger.run, debugger.at)
+        return evaluate(debugger.run, debugger.at, text, debugger.dialect, seen)
+
+    def give(self, name: str, text: str, frame: Frame | None = None) -> str:
         """Give a variable the value of an expression; return the value as it is shown.
 
         Raises:
-            CannotTell: The expression has no value, or one of another kind than the variable.
+            CannotTell: The expression has no value, or one of another kind than the variable, or
+                the variable is one of a program that has called another.
         """
         debugger = self._debugger
+        frame = frame or next(iter(frames(debugger.run, debugger.at, process=False)), None)
         base, _, inside = name.replace(" ", "").rstrip("]").partition("[")
         base = key(base)
-        subscripts = tuple(self._whole(part) for part in inside.split(",")) if inside else ()
-        value = evaluate(debugger.run, debugger.at, text, debugger.dialect)
+        subscripts = tuple(self._whole(p, frame) for p in inside.split(",")) if inside else ()
+        value = self.value(text, frame)
         _fits(base, value)
-        state = debugger.state
-        local = any(known.partition("[")[0] == base for known in _slots(debugger))
-        command = SetLocal if local else SetVariable
-        before = (state.locals if local else state.variables).get(_cell(base, subscripts))
+        known: Mapping[str, Value] = debugger.state.variables
+        command: Command = SetVariable(base, subscripts, value)
+        if frame is not None and base in frame.declared(debugger.run):
+            if not frame.innermost:
+                raise CannotTell(f"`{name}` can be changed once `{frame.cause.program}` goes on")
+            known = frame.locals(debugger.run, debugger.at)
+            command = SetLocal(base, subscripts, value, frame.process)
+        before = known.get(_cell(base, subscripts))
         if before is not None and type_of_value(before) is not type_of_value(value):
             raise CannotTell(f"`{name}` holds a value of another kind")
-        refused = debugger.change([command(base, subscripts, value)])
+        refused = debugger.change([command])
         if refused:
             raise CannotTell(refused[0])
         return value_text(value)
 
-    def _whole(self, text: str) -> int:
-        value = evaluate(self._debugger.run, self._debugger.at, text, self._debugger.dialect)
+    def _whole(self, text: str, frame: Frame | None) -> int:
+        value = self.value(text, frame)
         if not isinstance(value, float) or not 0.0 <= value <= 32767.0:
             raise CannotTell("an index is from 0 to 32767")
         return round(value)
@@ -99,16 +121,8 @@ class Console:
         return Situation(state, self._calculate, state.robot, debugger.asks)
 
     def _calculate(self, module: Module) -> Mapping[str, Value] | str:
-        return worked_out(self._debugger.run, self._debugger.at, module)
-
-
-def _slots(debugger: Debugger) -> Sequence[str]:
-    """Return the arguments and automatic variables of the innermost program."""
-    stack = debugger.state.call_stack
-    if not stack:
-        return ()
-    program = debugger.run.module.programs.get(stack[-1].program)
-    return () if program is None else [s.name for s in (*program.formals, *program.autos)]
+        debugger = self._debugger
+        return worked_out(debugger.run, debugger.at, module, debugger.state.locals)
 
 
 def _fits(name: str, value: Value) -> None:

@@ -5,7 +5,7 @@ is asking for an earlier instant. Only a change (a value, another next step, a c
 run, from the instant of the change on.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from heapq import merge
@@ -14,9 +14,10 @@ from typing import NamedTuple
 import numpy as np
 
 from vrts.debug.alarms import Alarm, Alarms, Filter
-from vrts.debug.breakpoints import Breakpoint, counts, passes, resolve
+from vrts.debug.breakpoints import Breakpoint, Watch, counts, passes, resolve
 from vrts.debug.changes import changes
 from vrts.debug.evaluating import CannotTell, commands_at, evaluate
+from vrts.debug.frames import frames
 from vrts.debug.messages import filled
 from vrts.debug.passages import (
     Instant,
@@ -31,6 +32,7 @@ from vrts.engine.limits import NO_ANSWER
 from vrts.engine.records import Ending
 from vrts.engine.run import Run, State
 from vrts.ir.commands import Command
+from vrts.ir.values import Value
 from vrts.lang.dialect import Dialect
 
 MOST_LOOKS = 5_000  # passes of one breakpoint whose condition is worked out in one go
@@ -81,7 +83,7 @@ class Wishes:
     """Where the user wishes to stop."""
 
     lines: list[Breakpoint] = field(default_factory=list[Breakpoint])
-    names: list[str] = field(default_factory=list[str])  # whose changes stop it
+    watches: list[Watch] = field(default_factory=list[Watch])
     filters: frozenset[Filter] = frozenset()
 
 
@@ -136,6 +138,11 @@ class Debugger:
     def passages(self, *, process: bool) -> Passages:
         """Return what the robot program or the process control program executes."""
         return self._passages[process]
+
+    def seen(self, at: Instant, *, process: bool) -> Mapping[str, Value]:
+        """Return arguments and automatic variables of the innermost program at an instant."""
+        inside = frames(self._run, at, process=process)
+        return inside[0].locals(self._run, at) if inside else {}
 
     # --- steps --------------------------------------------------------------------------------
 
@@ -265,16 +272,22 @@ class Debugger:
         """Return every place where the user wishes to stop, in order."""
         wishes = self.wishes
         lines = self._of_lines([b for b in wishes.lines if not b.log])
-        named = [
-            Stop(change.instant, Why.CHANGE, change.text, ids=(k,))
-            for k, name in enumerate(wishes.names)
-            for change in changes(self._run, name)
+        watched = [
+            stop
+            for watch in wishes.watches
+            for stop in self._wanted(
+                watch,
+                [
+                    Stop(change.instant, Why.CHANGE, change.text, ids=(watch.id,))
+                    for change in changes(self._run, watch.name)
+                ],
+            )
         ]
         alarms = [
             Stop(alarm.instant, Why.ALARM, alarm.text, alarm=alarm)
             for alarm in self._alarms.of(wishes.filters)
         ]
-        return list(merge(sorted(lines, key=_when), sorted(named, key=_when), alarms, key=_when))
+        return list(merge(sorted(lines, key=_when), sorted(watched, key=_when), alarms, key=_when))
 
     def _of_lines(self, breakpoints: Sequence[Breakpoint]) -> list[Stop]:
         return [stop for point in breakpoints for stop in self._of_line(point)]
@@ -288,18 +301,26 @@ class Debugger:
             for of, passages in self._passages.items()
             for k in passes(passages, resolved)
         )
+        yield from self._wanted(
+            point,
+            [Stop(at, Why.BREAKPOINT, process=process, ids=(point.id,)) for at, process in came],
+        )
+
+    def _wanted(self, point: Breakpoint | Watch, came: Sequence[Stop]) -> Iterator[Stop]:
+        """Choose those stops, of all in order, that fit the condition and the hits of a point."""
         hit = 0
-        for looked, (instant, process) in enumerate(came):
-            stop = Stop(instant, Why.BREAKPOINT, process=process, ids=(point.id,))
+        for looked, stop in enumerate(came):
             if point.condition:
                 if looked >= MOST_LOOKS:
                     yield stop._replace(text=f"passed {MOST_LOOKS:,} times: not looked at further")
                     return
+                seen = self.seen(stop.instant, process=stop.process)
                 try:
-                    if evaluate(self._run, instant, point.condition, self.dialect) == 0.0:
-                        continue
+                    value = evaluate(self._run, stop.instant, point.condition, self.dialect, seen)
                 except CannotTell as problem:
                     yield stop._replace(text=f"the condition cannot be worked out: {problem}")
+                    continue
+                if value == 0.0:
                     continue
             hit += 1
             if counts(point.hits, hit):
@@ -320,7 +341,9 @@ class Debugger:
         points = {point.id: point for point in self.wishes.lines if point.log}
         for stop in sorted(self._of_lines(list(points.values())), key=_when):
             if begin < stop.instant <= end:
-                text = filled(points[stop.ids[0]].log, self._run, stop.instant, self.dialect)
+                seen = self.seen(stop.instant, process=stop.process)
+                point = points[stop.ids[0]]
+                text = filled(point.log, self._run, stop.instant, self.dialect, seen)
                 self.log.append(Logged(stop.instant, text, stop.ids[0]))
 
 

@@ -17,7 +17,7 @@ from vrts.ir.values import Value
 from vrts.lang.dialect import Dialect
 from vrts.lang.names import key
 from vrts.monitor import words
-from vrts.monitor.desk import ALONE, ANSWER, executes
+from vrts.monitor.desk import ALONE, ANSWER
 from vrts.monitor.programs import in_view
 
 LONGEST = 250  # characters
@@ -27,14 +27,21 @@ class CannotTell(ValueError):  # noqa: N818 -- names the situation
     """An expression has no value; the text says why."""
 
 
-def evaluate(run: Run, at: Instant, text: str, dialect: Dialect) -> Value:
+def evaluate(
+    run: Run,
+    at: Instant,
+    text: str,
+    dialect: Dialect,
+    seen: Mapping[str, Value] | None = None,
+) -> Value:
     """Return the value of an expression at an instant.
 
     Args:
         run: A run that can go on.
-        at: When it is asked; arguments and automatic variables are those of the innermost program.
+        at: When it is asked.
         text: A real, a string, a transformation or a precision point; one line.
         dialect: Of the program.
+        seen: Arguments and automatic variables; None: those of the innermost robot program.
 
     Raises:
         CannotTell: It cannot be read, or has no value then.
@@ -43,7 +50,8 @@ def evaluate(run: Run, at: Instant, text: str, dialect: Dialect) -> Value:
     if not text or len(text) > LONGEST or "\n" in text:
         raise CannotTell("an expression is one line of at most 250 characters")
     state = run.at_moment(at.time_s, at.finished)
-    known = {**state.variables, **state.locals}
+    seen = state.locals if seen is None else seen
+    known = {**state.variables, **seen}
     simple = known.get(key(text.replace(" ", "")))
     if simple is not None:
         return simple
@@ -53,20 +61,19 @@ def evaluate(run: Run, at: Instant, text: str, dialect: Dialect) -> Value:
         if isinstance(found, str):
             first = first or found
             continue
-        answer = worked_out(run, at, found)
+        answer = worked_out(run, at, found, seen)
         if isinstance(answer, str):
-            raise CannotTell(answer)
+            raise CannotTell(answer.strip())
         return answer[key(target.split()[-1])]
     raise CannotTell(first)
 
 
-def worked_out(run: Run, at: Instant, module: Module) -> Mapping[str, Value] | str:
+def worked_out(
+    run: Run, at: Instant, module: Module, seen: Mapping[str, Value]
+) -> Mapping[str, Value] | str:
     """Execute a module of one step beside a run; return the variables then, or why it failed."""
-    state = run.at_moment(at.time_s, at.finished)
-    commands: list[Command] = [_known_as(name, value) for name, value in state.locals.items()]
-    if executes(state.robot):  # which excludes DO, so the fork stops it first
-        commands.append(Panic())
-    commands.append(Do(module))
+    commands: list[Command] = [_known_as(name, value) for name, value in seen.items()]
+    commands += [Panic(), Do(module)]  # which a program that is being executed would exclude
     until = at.time_s + 2.0 * run.history.tick_s
     timed = commands_at(run, at, commands)
     fork = forked(run, timed, max(until, timed[0].time_s + 2.0 * run.history.tick_s))

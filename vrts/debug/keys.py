@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from vrts.debug.alarms import LABELS
-from vrts.debug.breakpoints import Breakpoint, resolve
+from vrts.debug.breakpoints import Breakpoint, Watch, resolve
 from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger, Way
 from vrts.debug.evaluating import CannotTell
@@ -148,13 +148,13 @@ class Keyboard:
         self._debugger.wishes.filters = frozenset(kind for key, kind in ALARM_KEYS if key in text)
 
     def _watch(self, text: str) -> None:
-        names = self._debugger.wishes.names
-        name = text.strip()
-        if name:
-            self._debugger.wishes.names = (
-                [known for known in names if known != name] if name in names else [*names, name]
-            )
-        self._say("stops at changes of: " + (", ".join(self._debugger.wishes.names) or "nothing"))
+        wishes, name = self._debugger.wishes, text.strip()
+        others = [watch for watch in wishes.watches if watch.name != name]
+        if name and len(others) == len(wishes.watches):
+            others.append(Watch(self._next_id, name))
+            self._next_id += 1
+        wishes.watches = others
+        self._say("stops at changes of: " + (", ".join(w.name for w in others) or "nothing"))
 
     def _command(self, text: str) -> None:
         try:

@@ -8,11 +8,19 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger
+from vrts.debug.files import Files
 from vrts.engine.controller import execute
 from vrts.pipeline.assess import no_program, scenario_for, without_repeats
 from vrts.pipeline.files import read_bytes
 from vrts.pipeline.programs import ProgramFile, Reading, compile_bytes
-from vrts.pipeline.settings import robot_alone, setting_for
+from vrts.pipeline.settings import (
+    SCENARIO_FILE,
+    TASK_FILE,
+    Setting,
+    robot_alone,
+    setting_for,
+    task_beside,
+)
 
 
 class Asked(NamedTuple):
@@ -35,6 +43,7 @@ class Opened(NamedTuple):
     console: Console | None
     sources: tuple[SourceFile, ...]  # named by their absolute paths
     diagnostics: tuple[Diagnostic, ...]
+    files: Files
 
 
 def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
@@ -54,23 +63,37 @@ def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
     )
     if setting is None:
         setting = robot_alone()
+    files = Files(_read(asked, path, setting))
     others = tuple(ProgramFile(read_bytes(p), str(p.resolve())) for p in asked.others)
     _, compilation, found = compile_bytes(
         read_bytes(path), str(path), Reading(asked.dialect, others=others)
     )
     if compilation is None or compilation.module is None or compilation.module.main is None:
-        return Opened(None, None, (), found)
+        return Opened(None, None, (), found, files)
     module, task = compilation.module, setting.task
     name = asked.entry or (task.program if task is not None else None)
     if name is not None and name.lower() not in module.programs:
-        return Opened(None, None, (), (*found, no_program(module, name)))
+        return Opened(None, None, (), (*found, no_program(module, name)), files)
     scenario = scenario_for(task, setting.scenario)
     run = execute(module, setting.scene, scenario, name.lower() if name else None)
     near = near_miss_m if task is None else task.near_miss
     debugger = Debugger(run, compilation.dialect, near)
     sources = _sources(debugger)
     console = Console(debugger, path.parent, sources)
-    return Opened(debugger, console, sources, without_repeats(found, run.findings))
+    return Opened(debugger, console, sources, without_repeats(found, run.findings), files)
+
+
+def _read(asked: Asked, program: Path, setting: Setting) -> list[Path]:
+    """Return the files that a session is made of."""
+    found = [program, *asked.others]
+    task = asked.task or (task_beside(program) if asked.scene is None else None)
+    if task is not None:
+        folder = task if task.is_dir() else task.parent
+        found += [folder / TASK_FILE if task.is_dir() else task, folder / SCENARIO_FILE]
+    found += [path for path in (asked.scenario, asked.lab) if path is not None]
+    if setting.scene_source is not None:
+        found.append(Path(setting.scene_source.name))
+    return [path.resolve() for path in found]
 
 
 def _sources(debugger: Debugger) -> tuple[SourceFile, ...]:

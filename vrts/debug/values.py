@@ -7,9 +7,11 @@ from vrts.base.oat import components
 from vrts.base.pose import IDENTITY, Pose
 from vrts.base.units import deg, mm
 from vrts.debug.debugger import Debugger
+from vrts.debug.frames import Frame
 from vrts.engine.code.formats import free
+from vrts.engine.events import SignalChanged
 from vrts.engine.records import Placement
-from vrts.engine.run import State
+from vrts.engine.run import Run, State
 from vrts.ir.values import Value
 from vrts.monitor.listings import name_order, value_text
 
@@ -31,21 +33,23 @@ class Scope(NamedTuple):
 
     name: str
     shown: tuple[Shown, ...]
+    frame: Frame | None = None  # whose arguments and automatic variables they are
 
 
-def scopes(debugger: Debugger) -> tuple[Scope, ...]:
-    """Return everything that can be seen at the present instant."""
+def scopes(debugger: Debugger, frame: Frame | None) -> tuple[Scope, ...]:
+    """Return everything that can be seen at the present instant from a program."""
     state = debugger.state
+    own: Mapping[str, Value] = {} if frame is None else frame.locals(debugger.run, debugger.at)
     named = state.variables
     places = {n: v for n, v in named.items() if isinstance(v, tuple)}
     others = {n: v for n, v in named.items() if not isinstance(v, tuple)}
     return (
-        Scope("Arguments and AUTO", tuple(variables(state.locals))),
+        Scope("Arguments and AUTO", tuple(variables(own)), frame),
         Scope("Variables", tuple(variables(others))),
         Scope("Locations", tuple(variables(places))),
         Scope("Arm", tuple(_arm(state))),
         Scope("Hand and objects", tuple(_objects(state))),
-        Scope("Signals", tuple(_signals(state))),
+        Scope("Signals", tuple(_signals(debugger.run, state))),
         Scope("Time", tuple(_time(debugger))),
     )
 
@@ -105,9 +109,11 @@ def _lie(placement: Placement) -> str:
     return f"{placement.lie.value}{on}"
 
 
-def _signals(state: State) -> Iterator[Shown]:
-    on = sorted(state.signals)
-    yield Shown("on", ", ".join(map(str, on)) or "none")
+def _signals(run: Run, state: State) -> Iterator[Shown]:
+    on = state.signals
+    yield Shown("on", ", ".join(map(str, sorted(on))) or "none")
+    for number in sorted({e.signal for e in run.events if isinstance(e, SignalChanged)}):
+        yield Shown(f"SIG({number})", "on" if number in on else "off")
     for name, is_on in sorted(state.switches.items()):
         yield Shown(name, "ON" if is_on else "OFF")
     for channel, value in sorted(state.analog.items()):

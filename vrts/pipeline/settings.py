@@ -229,11 +229,16 @@ def setting_for(
     if scene is not None:
         setting = load_scene(scene, beside, lab=lab)
         return setting if scenario is None else with_scenario(setting, scenario)
-    if beside is None:
-        return None
+    found = None if program is None else task_beside(program)
+    return None if found is None else load_task(found, scenario=scenario, lab=lab)
+
+
+def task_beside(program: Path) -> Path | None:
+    """Return the file of the task that a program is verified against where nothing else is said."""
+    beside = program.parent
     for folder in (beside, beside.parent if beside.name == "submissions" else beside):
         if (folder / TASK_FILE).is_file():
-            return load_task(folder / TASK_FILE, scenario=scenario, lab=lab)
+            return folder / TASK_FILE
     return None
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from tests.support_programs import ROOT, cans, compiled, robot_alone
 from vrts.debug.alarms import Filter
-from vrts.debug.breakpoints import Breakpoint, counts, lines_with_steps, resolve
+from vrts.debug.breakpoints import Breakpoint, Watch, counts, lines_with_steps, resolve
 from vrts.debug.debugger import Debugger, Way, Why
 from vrts.debug.evaluating import CannotTell, evaluate
 from vrts.engine.controller import execute
@@ -192,12 +192,12 @@ def test_log_points_write_on_the_way() -> None:
 
 def test_changes_of_variables_and_signals_stop() -> None:
     d = debugger()
-    d.wishes.names = ["m"]
+    d.wishes.watches = [Watch(1, "m")]
     texts = [d.go_on().text for _ in range(4)]
     assert texts[:2] == ["m: undefined -> 2", "m: 2 -> 4"]
     assert d.go_on().why is Why.END
     d.restart()
-    d.wishes.names = ["SIG(5)"]
+    d.wishes.watches = [Watch(1, "SIG(5)")]
     stop = d.go_on()
     assert (stop.why, stop.text) == (Why.CHANGE, "signal 5 is on")
     assert 5 in d.state.signals

@@ -61,7 +61,7 @@ def test_the_grammar_is_that_of_the_vocabulary() -> None:
 def test_the_debugger_takes_what_the_extension_offers() -> None:
     offered = PACKAGE["contributes"]["debuggers"][0]
     fields = offered["configurationAttributes"]["launch"]["properties"]
-    taken = re.findall(r'a\.\w+\("(\w+)"', Path(adapter_source()).read_text())
+    taken = re.findall(r'\.\w+\("(\w+)"', Path(adapter_source()).read_text())
     assert set(fields) <= set(taken)
     assert set(fields["dialect"]["enum"]) == set(DIALECTS)
     assert offered["type"] == "vrts"

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from vrts.debug.frames import Frame
 from vrts.debug.values import Scope, Shown
 
 MOST = 10_000  # names below one that are sent
@@ -12,6 +13,7 @@ class Opened(NamedTuple):
     """What a number stands for."""
 
     shown: Sequence[Shown]
+    frame: Frame | None  # whose arguments and automatic variables they are
 
 
 class Handles:
@@ -25,19 +27,18 @@ class Handles:
         """Forget all of them."""
         self._known.clear()
 
-    def of(self, shown: Sequence[Shown]) -> int:
+    def of(self, shown: Sequence[Shown], frame: Frame | None = None) -> int:
         """Return a number for what is below something; 0 when nothing is."""
         if not shown:
             return 0
-        self._known.append(Opened(shown))
+        self._known.append(Opened(shown, frame))
         return len(self._known)
 
     def scope(self, scope: Scope) -> dict[str, Any]:
         """Return a scope as the protocol has it."""
-        self._known.append(Opened(scope.shown))
         return {
             "name": scope.name,
-            "variablesReference": len(self._known),
+            "variablesReference": self.of(scope.shown, scope.frame),
             "expensive": False,
             "namedVariables": len(scope.shown),
         }
@@ -48,35 +49,42 @@ class Handles:
         Raises:
             KeyError: It is not known (any more).
         """
-        shown = self._shown(number)
+        opened = self._opened(number)
         end = start + min(count or MOST, MOST)
-        return [self._variable(item) for item in shown[start:end]]
+        return [self._variable(item, opened.frame) for item in opened.shown[start:end]]
 
     def named(self, number: int, name: str) -> Shown:
-        """Return what has a name below a number.
+        """Return what has a name below a number; something without value when nothing has.
 
         Raises:
-            KeyError: There is none.
+            KeyError: The number is not known (any more).
         """
-        return next(item for item in (*self._shown(number), _nobody(name)) if item.name == name)
+        for item in self._opened(number).shown:
+            if item.name == name:
+                return item
+        return Shown(name, "")
 
-    def _shown(self, number: int) -> Sequence[Shown]:
+    def frame(self, number: int) -> Frame | None:
+        """Return whose arguments and automatic variables a number opens; None for all others.
+
+        Raises:
+            KeyError: It is not known (any more).
+        """
+        return self._opened(number).frame
+
+    def _opened(self, number: int) -> Opened:
         if not 1 <= number <= len(self._known):
             raise KeyError("this is no longer shown")
-        return self._known[number - 1].shown
+        return self._known[number - 1]
 
-    def _variable(self, item: Shown) -> dict[str, Any]:
+    def _variable(self, item: Shown, frame: Frame | None) -> dict[str, Any]:
         found: dict[str, Any] = {
             "name": item.name,
             "value": item.value,
-            "variablesReference": self.of(item.parts),
+            "variablesReference": self.of(item.parts, frame),
         }
-        if item.variable:
+        if item.variable and (frame is None or frame.innermost):
             found["evaluateName"] = item.variable
         else:
             found["presentationHint"] = {"attributes": ["readOnly"]}
         return found
-
-
-def _nobody(name: str) -> Shown:
-    return Shown(name, "")

@@ -1,12 +1,14 @@
 """The adapter on two streams: requests in, responses and events out, until the client is gone."""
 
 import contextlib
+from collections.abc import Sequence
 from threading import Lock
 from typing import Any, BinaryIO
 
 from vrts.debug.dap.adapter import Adapter
 from vrts.debug.dap.arguments import BadRequest, Fields
 from vrts.debug.dap.framing import Malformed, Message, read_message, write_message
+from vrts.debug.dap.session import Event
 
 
 class _Writer:
@@ -52,10 +54,11 @@ def _answer(adapter: Adapter, writer: _Writer, message: Message) -> None:
         "request_seq": number if isinstance(number, int) else 0,
         "command": command,
     }
-    events: list[tuple[str, dict[str, Any]]] = []
+    events: Sequence[Event] = ()
     try:
-        body, events = adapter.answer(command, Fields(message.get("arguments")))
-        response |= {"success": True, "body": body}
+        answer = adapter.answer(command, Fields(message.get("arguments")))
+        response |= {"success": True, "body": answer.body}
+        events = answer.events
     except BadRequest as problem:
         shown = {"id": 1, "format": str(problem), "showUser": True}
         response |= {"success": False, "message": str(problem), "body": {"error": shown}}

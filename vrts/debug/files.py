@@ -1,0 +1,38 @@
+"""Files that a debugging session was opened from, and whether they are still what they were."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+
+class Files:
+    """Some files as they are when this is made."""
+
+    def __init__(self, paths: Iterable[Path]) -> None:
+        """Take the files; one that is not there is watched as well."""
+        self._first = {path: _stamp(path) for path in paths}
+        self._told = dict(self._first)
+
+    @property
+    def stale(self) -> bool:
+        """Whether any is not what it was at first."""
+        return any(_stamp(path) != known for path, known in self._first.items())
+
+    def news(self) -> str:
+        """Return one sentence about what has changed since this was last asked; else nothing."""
+        now = {path: _stamp(path) for path in self._told}
+        names = [path.name for path, known in self._told.items() if now[path] != known]
+        self._told = now
+        if not names or not self.stale:
+            return ""
+        has = "has" if len(names) == 1 else "have"
+        listed = ", ".join(f"`{name}`" for name in names)
+        return f"{listed} {has} changed on disk; this is what it was, restart takes what it is"
+
+
+def _stamp(path: Path) -> tuple[int, int] | None:
+    """Return what tells one content of a file from another; None where there is no such file."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size

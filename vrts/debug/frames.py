@@ -1,0 +1,43 @@
+"""Programs that are being executed: the step that each is at, and whose arguments are whose."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from vrts.debug.passages import Instant
+from vrts.engine.events import Cause
+from vrts.engine.run import Run
+from vrts.engine.trace import Activation
+from vrts.ir.values import Value
+
+
+class Frame(NamedTuple):
+    """A program that is being executed."""
+
+    cause: Cause  # the step that it is at
+    activation: Activation | None
+    process: bool  # called, maybe indirectly, by the process control program
+    innermost: bool
+
+    def locals(self, run: Run, at: Instant) -> Mapping[str, Value]:
+        """Return its arguments and automatic variables that have a value at an instant."""
+        return run.at_moment(at.time_s, at.finished).locals_of(self.activation)
+
+    def declared(self, run: Run) -> tuple[str, ...]:
+        """Return the names of its arguments and automatic variables."""
+        if self.activation is None:
+            return ()
+        program = run.history.code.programs[self.activation.program]
+        return tuple(slot.name for slot in (*program.formals, *program.autos))
+
+
+def frames(run: Run, at: Instant, *, process: bool) -> tuple[Frame, ...]:
+    """Return what is being executed at an instant, the innermost program first."""
+    state = run.at_moment(at.time_s, at.finished)
+    stack = state.process_stack if process else state.call_stack
+    program = run.history.process if process else run.history.robot
+    activation = program.trace.activation(at.finished)
+    found: list[Frame] = []
+    for cause in reversed(stack):
+        found.append(Frame(cause, activation, process, innermost=not found))
+        activation = activation.caller if activation is not None else None
+    return tuple(found)
