@@ -1,6 +1,5 @@
 """A client of the debug adapter protocol: a real process, real pipes."""
 
-import json
 import subprocess
 import sys
 import threading
@@ -8,6 +7,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from queue import Empty, Queue
 from typing import Any
+
+from tests.support_framing import framed, read_framed
 
 PATIENCE = 60.0  # [s] on a busy machine
 
@@ -43,16 +44,11 @@ class Client:
     def _listen(self) -> None:
         stream = self.process.stdout
         assert stream is not None
-        while True:
-            length = 0
-            while (line := stream.readline()).strip():
-                name, _, value = line.partition(b":")
-                if name.lower() == b"content-length":
-                    length = int(value)
-            if not line:
-                self._came.put(None)
-                return
-            self._came.put(json.loads(stream.read(length)))
+        message = read_framed(stream)
+        while message is not None:
+            self._came.put(message)
+            message = read_framed(stream)
+        self._came.put(None)
 
     def raw(self, data: bytes) -> None:
         """Write bytes as they are."""
@@ -69,8 +65,7 @@ class Client:
             "command": command,
             "arguments": arguments,
         }
-        data = json.dumps(message).encode()
-        self.raw(b"Content-Length: %d\r\n\r\n" % len(data) + data)
+        self.raw(framed(message))
         return self._next("request_seq", self._number)
 
     def do(self, command: str, **arguments: Any) -> dict[str, Any]:

@@ -1,6 +1,5 @@
 """A client of the language server protocol: a real process, real pipes."""
 
-import json
 import subprocess
 import sys
 import threading
@@ -9,6 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 from queue import Empty, Queue
 from typing import Any
+
+from tests.support_framing import framed, read_framed
 
 PATIENCE = 30.0  # [s] on a busy machine
 
@@ -143,8 +144,7 @@ class Client:
 
     def send(self, message: object) -> None:
         """Send any message."""
-        data = json.dumps(message).encode()
-        self.raw(b"Content-Length: %d\r\n\r\n" % len(data) + data)
+        self.raw(framed(message))
 
     def raw(self, data: bytes) -> None:
         """Write bytes as they are."""
@@ -180,16 +180,11 @@ class Client:
     def _listen(self) -> None:
         stream = self.process.stdout
         assert stream is not None
-        while True:
-            length = 0
-            while (line := stream.readline()).strip():
-                name, _, value = line.partition(b":")
-                if name.lower() == b"content-length":
-                    length = int(value)
-            if not line:
-                self._came.put(None)
-                return
-            self._came.put(json.loads(stream.read(length)))
+        message = read_framed(stream)
+        while message is not None:
+            self._came.put(message)
+            message = read_framed(stream)
+        self._came.put(None)
 
     def _listen_errors(self) -> None:
         assert self.process.stderr is not None
