@@ -109,6 +109,7 @@ class Desk:
     asks: bool = True  # before what cannot be undone; otherwise it is done
     overwrite: bool = False  # STORE may replace files unasked
     replace: bool = False  # LOAD may replace programs
+    room: int | None = None  # characters of programs that memory holds; None: no end
     programs: dict[str, StoredProgram] = field(default_factory=dict[str, StoredProgram])
     last_executed: str | None = None
     last_process: str | None = None
@@ -121,6 +122,14 @@ class Desk:
         if found is None:
             raise Refused(words.starred(words.UNDEFINED, f"there is no program `{name}`"))
         return found
+
+    def has_room(self, program: StoredProgram, added: str) -> bool:
+        """Return whether one more step of a program that is edited fits into memory."""
+        if self.room is None:
+            return True
+        others = (known for name, known in self.programs.items() if name != program.name)
+        taken = sum(len(each.text) for each in (*others, program))
+        return taken + len(added) + 1 <= self.room
 
     def install(self, program: StoredProgram, now: Situation) -> Turn:
         """Put a program in memory; one of this name that has stopped cannot go on."""

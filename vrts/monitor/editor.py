@@ -48,11 +48,12 @@ class Editing(NamedTuple):
     program: StoredProgram
     step: int  # from 1; one beyond the last is a new one
     inserting: bool = False
+    mark: str = "."  # behind the number of a step; AS has none
 
     @property
     def prompt(self) -> str:
         """Return the number of the step asked for."""
-        return f"{self.step:5d}.{'I' if self.inserting else '?'}"
+        return f"{self.step:5d}{self.mark}{'I' if self.inserting else '?'}"
 
     def enter(self, line: str, desk: Desk, now: Situation) -> Turn:
         """Take a step, or carry out a command of the editor."""
@@ -91,7 +92,9 @@ class Editing(NamedTuple):
     def _checked(self, text: str, desk: Desk) -> str | None:
         """Return why a step is rejected, or None."""
         if len(text) > MAX_CHARACTERS:
-            return words.starred("Not enough storage area", "a step has at most 255 characters")
+            return words.starred(words.NO_ROOM, "a step has at most 255 characters")
+        if not desk.has_room(self.program, text):
+            return words.starred(words.NO_ROOM, "memory is full")
         found = check_step(text, desk.dialect, frozenset(desk.programs))
         return words.first_refusal(found)
 
@@ -100,7 +103,7 @@ class Editing(NamedTuple):
         if wrong is not None:
             return Turn(wrong, mode=self)
         if self.step > MAX_STEPS:
-            return Turn(words.starred("Not enough storage area"), mode=self)
+            return Turn(words.starred(words.NO_ROOM), mode=self)
         at = self.step - 1
         lines = (*self.program.lines[:at], text.rstrip(), *self.program.lines[at + 1 :])
         return self._with(lines)._go(self.step + 1, desk)
@@ -316,7 +319,8 @@ def edit(name: str, step: int, desk: Desk, now: Situation, *, formals: str = "")
     program = desk.programs.get(name)
     if program is None:
         program = StoredProgram(name, f".PROGRAM {name}{_formals(formals)}", (), modified=True)
-    editing = Editing(program, min(max(step, 1), len(program.lines) + 1))
+    at = min(max(step, 1), len(program.lines) + 1)
+    editing = Editing(program, at, mark="" if desk.dialect.is_as else ".")
     return Turn(f"{program.header}\n{editing.shown(desk)}", mode=editing)
 
 

@@ -4,6 +4,7 @@ Nothing here reads a terminal, a clock or the disk: files are those of the `Fold
 Terminal, browser and emulated controller drive the same one, through `dialogue.Dialogue`.
 """
 
+import re
 from collections.abc import Callable
 
 from vrts.base.source import SourceFile
@@ -14,6 +15,7 @@ from vrts.monitor import editor, execution, files, showing, teaching, texts, val
 from vrts.monitor.desk import Desk, Mode, Refused, Situation, Turn, executes
 from vrts.monitor.folder import CannotUse
 
+_QUALIFIED = re.compile(r"^([ ]*(?:LIST|DELETE))[ ]*/[ ]*([PLRS])\b", re.IGNORECASE)  # of AS
 MAX_LINE = 1000  # characters that are looked at; no command or step is as long
 
 Handler = Callable[[CommandLine, Desk, Situation], Turn]
@@ -98,6 +100,8 @@ class Monitor:
             return self._mode.prompt
         if now.asks:
             return ""  # the program has asked
+        if self.desk.dialect.is_as:
+            return ">"  # [val2.md 9.1]
         return "*" if now.executing else "."
 
     def enter(self, line: str, now: Situation) -> Turn:
@@ -131,6 +135,8 @@ class Monitor:
     def _taken(self, line: str, now: Situation) -> Turn:
         if self._mode is not None:
             return self._mode.enter(line, self.desk, now)
+        if self.desk.dialect.is_as:
+            line = _QUALIFIED.sub(r"\1\2", line)
         command, found = read_command(SourceFile("monitor", line), self.desk.dialect)
         if command is None:
             return Turn(words.first_refusal(found) or "")

@@ -94,11 +94,10 @@ def reachable(names: Iterable[str], programs: Programs, dialect: Dialect) -> set
 
 def listed(program: StoredProgram, dialect: Dialect, numbers: Iterable[int]) -> str:
     """Return steps of a program as LISTP shows them: `    3.  100    CLOSEI`."""
-    rows = canonical(program, dialect)
+    there = [number for number in numbers if 0 < number <= len(program.lines)]
+    rows = canonical(program, dialect) if there else ()
     return "".join(
-        f"{_listed_row(number, rows[number - 1], bad=number in program.bad)}\n"
-        for number in numbers
-        if 0 < number <= len(rows)
+        f"{_listed_row(number, rows[number - 1], bad=number in program.bad)}\n" for number in there
     )
 
 

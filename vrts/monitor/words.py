@@ -25,6 +25,7 @@ INVALID_NAME = "Invalid program or variable name"
 NOT_INSTALLED = "Option not installed"
 ILLEGAL_IN_DO = "Illegal in DO"
 STRUCTURE = "Control structure error"
+NO_ROOM = "Not enough storage area"
 SURE = "Are you sure (Y/N)?"
 
 
