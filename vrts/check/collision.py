@@ -23,7 +23,7 @@ from vrts.check.collision_findings import (
     slack_of,
 )
 from vrts.check.collision_grips import NEAR_MISS
-from vrts.check.collision_pairs import Pairs, Plan
+from vrts.check.collision_pairs import PAD_DEPTH, Pairs, Plan
 from vrts.check.collision_search import search
 from vrts.check.collision_state import Prober, RunRecord
 from vrts.check.near_misses import Within, near_misses
@@ -45,6 +45,7 @@ def check_collisions(
     clearance: bool = True,
     engine: str | None = None,
     near_miss: float | None = None,
+    pads: float = PAD_DEPTH,
 ) -> CollisionReport:
     """Return every contact event, graze and near miss of a run, and its smallest clearance.
 
@@ -54,13 +55,14 @@ def check_collisions(
         clearance: Whether to find the smallest distance and near misses too, at some cost.
         engine: Name of what measures distances; None: the most exact there is.
         near_miss: Nearer than this is a near miss [m]; None: nobody says, so `NEAR_MISS`.
+        pads: How far a pad may press into what it grasps before that is a contact [m].
     """
     if all(segment.end_s <= segment.start_s for segment in run.timeline.segments):
         return CollisionReport((), (), (), None, certified=True, statistics=MappingProxyType({}))
     motion = motion_of(run)
     by = engine_by_name(engine)
     threshold = NEAR_MISS if near_miss is None else near_miss
-    todo = plan_of(scene, run, by, threshold, clearance=clearance)
+    todo = plan_of(scene, run, by, threshold, clearance=clearance, pads=pads)
     interval = (motion.start_s, max(motion.end_s, float(todo.pairs.end_s.max(initial=0.0))))
     prober = Prober(scene.robot.arm, motion, todo.solids, by)
     pairs = joined(todo.pairs, todo.rigid)

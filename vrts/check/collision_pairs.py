@@ -99,6 +99,7 @@ def plan(
     near_miss: float = NEAR_MISS,
     *,
     clearance: bool = True,
+    pads: float = PAD_DEPTH,
 ) -> Plan:
     """Return every pair of pieces that can touch while the run lasts, with its rules.
 
@@ -109,6 +110,7 @@ def plan(
         by: Measures the distances that rules depend on; None: the most exact engine there is.
         near_miss: Nearer than this is a near miss [m].
         clearance: Whether pairs that matter to the smallest distance only are wanted.
+        pads: How far a pad may press into what it grasps [m].
     """
     placements = {body.name: placements_of(body, run) for body in scene.bodies}
     ends = [p.end_s for own in placements.values() for p in own if np.isfinite(p.end_s)]
@@ -131,7 +133,7 @@ def plan(
     table = _Table()
     _self_pairs(table, scene.robot, arm, interval)
     counted = near_miss if clearance else None
-    _arm_pairs(table, arm, stays, run, prober, counted)
+    _arm_pairs(table, arm, stays, run, prober, counted, PADS._replace(tolerance=pads))
     _body_pairs(table, stays, prober, counted)
     return Plan(arrays, table.pairs(rigid=False), table.pairs(rigid=True), tuple(table.groups))
 
@@ -228,6 +230,7 @@ def _arm_pairs(
     run: RunRecord,
     prober: Prober,
     near_miss: float | None,
+    gripping: Rule,
 ) -> None:
     """The arm against every body, wherever the body is."""
     moving = [i for _, joint, members in arm.links if 0 < joint < HAND for i in members]
@@ -248,7 +251,7 @@ def _arm_pairs(
                 table.add(group, base, stay.members, interval, STRICT)
         for finger in arm.fingers:
             for window in next(windows):
-                rule = PADS if window.allowed else STRICT if window.counts else NEAR
+                rule = gripping if window.allowed else STRICT if window.counts else NEAR
                 for stay in own:
                     interval = _common((window.start_s, window.end_s), (stay.start_s, stay.end_s))
                     table.add(group, finger, stay.members, interval, rule)

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 from weakref import WeakKeyDictionary
 
-from vrts.check.collision_pairs import Plan, plan
+from vrts.check.collision_pairs import PAD_DEPTH, Plan, plan
 from vrts.check.collision_state import RunRecord
 from vrts.check.curves import Curves, curves
 from vrts.engine.run import Run
@@ -13,7 +13,7 @@ from vrts.scene.model import Scene
 
 class _Planned(NamedTuple):
     scene: Scene
-    asked: tuple[str, float, bool]  # engine, threshold, whether with pairs for clearance only
+    asked: tuple[str, float, bool, float]  # engine, threshold, with clearance, depth of pads
     plan: Plan
 
 
@@ -31,16 +31,24 @@ def motion_of(run: RunRecord) -> Curves:
     return found
 
 
-def plan_of(scene: Scene, run: RunRecord, by: Engine, near_miss: float, *, clearance: bool) -> Plan:
+def plan_of(
+    scene: Scene,
+    run: RunRecord,
+    by: Engine,
+    near_miss: float,
+    *,
+    clearance: bool,
+    pads: float = PAD_DEPTH,
+) -> Plan:
     """Return every pair that can touch in a run; see `collision_pairs.plan`."""
     motion = motion_of(run)
     if not isinstance(run, Run):
-        return plan(scene, run, motion, by, near_miss, clearance=clearance)
+        return plan(scene, run, motion, by, near_miss, clearance=clearance, pads=pads)
     kept = _plans.setdefault(run, [])
-    asked = (by.name, near_miss, clearance)
+    asked = (by.name, near_miss, clearance, pads)
     for planned in kept:
         if planned.scene is scene and planned.asked == asked:
             return planned.plan
-    found = plan(scene, run, motion, by, near_miss, clearance=clearance)
+    found = plan(scene, run, motion, by, near_miss, clearance=clearance, pads=pads)
     kept.append(_Planned(scene, asked, found))
     return found
