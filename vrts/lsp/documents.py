@@ -77,6 +77,10 @@ class Documents:
         """Forget a buffer: its file counts again."""
         self.open.pop(path, None)
 
+    def at(self, path: str) -> Document | None:
+        """Return a file: its buffer, or as saved; None where it cannot be had."""
+        return self.open.get(path) or self._saved(path)
+
     def beside(self, path: str) -> list[Document]:
         """Return the program files of the folder of a file, itself not included, by name."""
         return [d for d in self.in_folder(os.path.dirname(path)) if d.path != path]
@@ -116,6 +120,18 @@ class Documents:
 def is_program_file(path: str) -> bool:
     """Return whether a file is of the family, by its name."""
     return os.path.splitext(path)[1].lower() in SUFFIXES
+
+
+def file_stamps(folder: str) -> tuple[tuple[str, int, int], ...]:
+    """Return paths, times of change [ns] and sizes of the program files of a folder."""
+    found: list[tuple[str, int, int]] = []
+    for path in _program_files(folder):
+        try:
+            status = os.stat(path)
+        except OSError:
+            continue  # gone while it is looked at
+        found.append((path, status.st_mtime_ns, status.st_size))
+    return tuple(found)
 
 
 def _program_files(folder: str) -> Iterator[str]:

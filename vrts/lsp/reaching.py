@@ -6,12 +6,13 @@ from threading import Lock
 from typing import NamedTuple
 
 from vrts.base.pose import Pose
+from vrts.lsp.setting_files import Stamp, setting_stamp
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.settings import TASK_FILE, Refused, Setting, setting_for
+from vrts.pipeline.settings import Refused, Setting, setting_for
 
 
 class _Known(NamedTuple):
-    modified_ns: int
+    stamp: Stamp
     setting: Setting | None
 
 
@@ -37,18 +38,17 @@ def reach_text(path: str, X_WT: Pose) -> str:
 
 
 def _setting(path: str) -> Setting | None:
-    """Return the setting of a program, read again when its task has changed."""
-    task = os.path.join(os.path.dirname(path), TASK_FILE)
-    try:
-        modified_ns = os.stat(task).st_mtime_ns
-    except OSError:
+    """Return the setting of a program, read again when one of its files has changed."""
+    stamp = setting_stamp(path)
+    folder = os.path.dirname(path)
+    if not stamp:
         return None  # there is no task
     with _lock:
-        known = _settings.get(task)
-        if known is None or known.modified_ns != modified_ns:
+        known = _settings.get(folder)
+        if known is None or known.stamp != stamp:
             try:
-                setting = setting_for(Path(path), scene=None, task=Path(task))
+                setting = setting_for(Path(path))
             except (CannotRead, Refused):
-                setting = None  # `vrts verify` says what is wrong with the task
-            known = _settings[task] = _Known(modified_ns, setting)
+                setting = None  # the verification says what is wrong with the task
+            known = _settings[folder] = _Known(stamp, setting)
     return known.setting

@@ -11,7 +11,8 @@ import pytest
 from tests.support_lsp import PATIENCE, Client
 from vrts.lsp.documents import Document
 from vrts.lsp.lenses import lenses
-from vrts.lsp.timing import Timing, hint, timings
+from vrts.lsp.timing import Timing, hint
+from vrts.lsp.verifying import Asked, verify
 from vrts.pipeline.assess import assess
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "01-cans-on-bases"
@@ -29,6 +30,7 @@ ENDLESS = """.PROGRAM main
         GOTO 10
 .END
 """
+NOWHERE = "/nowhere/a.v2"
 WHOLE = {"start": {"line": 0, "character": 0}, "end": {"line": 999, "character": 0}}
 
 
@@ -44,9 +46,13 @@ def test_programs_that_can_be_executed_have_lenses() -> None:
     ]
 
 
+def timings(path: str, text: str, *others: tuple[str, str]) -> tuple[Timing, ...]:
+    return verify(Asked(path, text, others)).timings
+
+
 def test_times_are_those_of_the_run() -> None:
     path = EXAMPLE / "solution.v2"
-    found = timings(str(path), path.read_text("utf-8"), [])
+    found = timings(str(path), path.read_text("utf-8"))
     run = assess(path, judged=False).run
     assert run is not None
     last = max(run.motions, key=lambda motion: motion.end_s)
@@ -68,7 +74,7 @@ def test_times_are_those_of_the_run() -> None:
 
 
 def test_repeated_motions_tell_the_first_times() -> None:
-    ready, there, back = timings("/nowhere/a.v2", LOOP, [])
+    ready, there, back = timings(NOWHERE, LOOP)
     assert (ready.line, ready.times) == (2, 1)
     assert (there.times, back.times) == (5, 5)
     assert len(there.ends_s) == 3
@@ -79,13 +85,13 @@ def test_repeated_motions_tell_the_first_times() -> None:
 
 @pytest.mark.parametrize("text", ["", ".PROGRAM main\n        MOVEE a\n.END\n", "nonsense"])
 def test_what_does_not_compile_has_no_times(text: str) -> None:
-    assert timings("/nowhere/a.v2", text, []) == []
+    assert timings(NOWHERE, text) == ()
 
 
 def test_programs_of_other_files_are_called() -> None:
     text = ".PROGRAM main\n        CALL put\n        READY\n.END\n"
     other = ".PROGRAM put\n        DRIVE 1, 10, 50\n.END\n"
-    (found,) = timings("/nowhere/a.v2", text, [("/nowhere/b.v2", other)])
+    (found,) = timings(NOWHERE, text, ("/nowhere/b.v2", other))
     assert found.line == 3
 
 
@@ -103,7 +109,7 @@ def test_over_the_protocol(tmp_path: Path) -> None:
         assert [h["position"] for h in found] == [
             {"line": line, "character": len(LOOP.split("\n")[line])} for line in (1, 3, 4)
         ]
-        assert found[1]["label"] == hint(timings("/nowhere/a.v2", LOOP, [])[1])
+        assert found[1]["label"] == hint(timings(NOWHERE, LOOP)[1])
         assert "moves the arm 5 times" in found[1]["tooltip"]
 
         found = client.about("codeLens", "a.v2")

@@ -1,5 +1,6 @@
 """Diagnostics as the protocol has them."""
 
+from collections.abc import Callable
 from importlib.resources import files
 
 from lsprotocol import types
@@ -7,8 +8,10 @@ from pygls.uris import from_fs_path
 
 from vrts.base.diagnostic import Diagnostic, Severity
 from vrts.lang.usage import UNUSED_NAME
+from vrts.lsp.findings import Finding, in_words
 from vrts.lsp.server.places import Places
 
+VERIFICATION = "vrts verify"  # where a diagnostic comes from that concerns a run
 SEVERITIES = {
     Severity.ERROR: types.DiagnosticSeverity.Error,
     Severity.WARNING: types.DiagnosticSeverity.Warning,
@@ -35,26 +38,52 @@ def converted(diagnostic: Diagnostic, uri: str, places: Places) -> types.Diagnos
         )
         for label in diagnostic.secondary
     ]
-    page = from_fs_path(str(files("vrts") / "pages" / f"{diagnostic.rule.code}.md"))
     return types.Diagnostic(
         places.range(start, end),
-        message(diagnostic),
+        in_words(diagnostic),
         SEVERITIES[diagnostic.severity],
         code=diagnostic.rule.code,
-        code_description=types.CodeDescription(page) if page else None,
+        code_description=_page(diagnostic.rule.code),
         source="vrts",
         tags=[types.DiagnosticTag.Unnecessary] if diagnostic.rule == UNUSED_NAME else None,
         related_information=related or None,
     )
 
 
-def message(diagnostic: Diagnostic) -> str:
-    """Return all that a diagnostic says but its places."""
-    label = diagnostic.primary.text if diagnostic.primary is not None else ""
-    rows = [diagnostic.headline + (f": {label}" if label else "")]
-    rows += [f"note: {note}" for note in diagnostic.notes]
-    rows += [f"help: {hint}" for hint in diagnostic.help]
-    return "\n".join(rows)
+def converted_finding(
+    finding: Finding, uri: str, places: Places, others: Callable[[str], tuple[str, Places] | None]
+) -> types.Diagnostic:
+    """Return what a verification has found.
+
+    Args:
+        finding: In one buffer.
+        uri: Of the buffer.
+        places: Of the buffer.
+        others: Address and places of another file by its path; None: it is gone.
+    """
+    related: list[types.DiagnosticRelatedInformation] = []
+    for place in finding.related:
+        there = (uri, places) if place.path == finding.path else others(place.path)
+        if there is not None:
+            where = types.Location(there[0], there[1].range(place.start, place.end))
+            related.append(types.DiagnosticRelatedInformation(where, place.text))
+    end = finding.end
+    if finding.start == end:
+        end = _something(places.source.text, end)
+    return types.Diagnostic(
+        places.range(finding.start, end),
+        finding.message,
+        SEVERITIES[finding.severity],
+        code=finding.code,
+        code_description=_page(finding.code),
+        source=VERIFICATION,
+        related_information=related or None,
+    )
+
+
+def _page(code: str) -> types.CodeDescription | None:
+    page = from_fs_path(str(files("vrts") / "pages" / f"{code}.md"))
+    return types.CodeDescription(page) if page else None
 
 
 def _something(text: str, start: int) -> int:

@@ -5,6 +5,7 @@ from lsprotocol import types
 from vrts.base.diagnostic import Diagnostic
 from vrts.lsp.colouring import Colour, coloured
 from vrts.lsp.documents import Document
+from vrts.lsp.findings import Mending
 from vrts.lsp.fixing import Remedy, remedies
 from vrts.lsp.server.diagnostics import converted
 from vrts.lsp.server.places import Places
@@ -45,11 +46,17 @@ def register(session: Session) -> None:
             return []
         places = server.places(document)
         first, last = places.offset(params.range.start), places.offset(params.range.end)
-        return [
+        mended = [
             _action(remedy, diagnostic, uri, places)
             for diagnostic in found
             if _touches(diagnostic, first, last)
             for remedy in remedies(document, diagnostic)
+        ]
+        return mended + [
+            _of_run(finding.mending, server.shown(finding, document), uri, places)
+            for finding in server.findings(document)
+            if finding.mending is not None
+            if finding.start <= last and first <= finding.end
         ]
 
 
@@ -91,4 +98,17 @@ def _action(remedy: Remedy, diagnostic: Diagnostic, uri: str, places: Places) ->
         [converted(diagnostic, uri, places)],
         is_preferred=remedy.preferred,
         edit=types.WorkspaceEdit(changes={uri: [edit]}),
+    )
+
+
+def _of_run(
+    mending: Mending, shown: types.Diagnostic, uri: str, places: Places
+) -> types.CodeAction:
+    edits = [types.TextEdit(places.range(e.start, e.end), e.text) for e in mending.edits]
+    return types.CodeAction(
+        mending.title,
+        types.CodeActionKind.QuickFix,
+        [shown],
+        is_preferred=True,
+        edit=types.WorkspaceEdit(changes={uri: edits}),
     )

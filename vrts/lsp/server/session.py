@@ -3,9 +3,9 @@
 import asyncio
 import os
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from concurrent.futures import ThreadPoolExecutor
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from lsprotocol import types
 from pygls.lsp.server import LanguageServer
@@ -15,9 +15,13 @@ from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
 from vrts.lsp.checking import check
 from vrts.lsp.documents import Document, Documents
+from vrts.lsp.findings import Finding
 from vrts.lsp.linking import group
-from vrts.lsp.server.diagnostics import converted
+from vrts.lsp.server.diagnostics import converted, converted_finding
 from vrts.lsp.server.places import Places
+from vrts.lsp.server.verifying import Subject, Verifications
+from vrts.lsp.server.watching import watch
+from vrts.lsp.setting_files import setting_stamp
 
 Result = TypeVar("Result")
 
@@ -32,20 +36,21 @@ class Session(LanguageServer):
         self.documents = Documents()
         self._uris: dict[str, str] = {}  # of open buffers, as the client writes them
         self._checks: dict[str, asyncio.Task[None]] = {}
+        self._watch: asyncio.Task[None] | None = None
         self._found: dict[str, tuple[Document, tuple[Diagnostic, ...]]] = {}
+        self.verifications = Verifications(_background, self._learned)
         self._worker = ThreadPoolExecutor(1, "check")  # one: answers come first
 
     # --- buffers --------------------------------------------------------------------------------
 
     def opened(self, uri: str) -> None:
         """Take a buffer as it is now; check it and the others of its folder soon."""
+        if self._watch is None:
+            self._watch = _background(watch(self._open_folders, self._check_folder))
         path = path_of(uri)
         self._uris[path] = uri
         self.documents.put(path, self.workspace.get_text_document(uri).source)
-        folder = os.path.dirname(path)
-        for other in self.documents.open:
-            if os.path.dirname(other) == folder:
-                self._check_soon(other)
+        self._check_folder(os.path.dirname(path))
 
     def closed(self, uri: str) -> None:
         """Forget a buffer, and what was said about it."""
@@ -53,6 +58,7 @@ class Session(LanguageServer):
         self.documents.close(path)
         self._uris.pop(path, None)
         self._found.pop(path, None)
+        self.verifications.forget(path)
         task = self._checks.pop(path, None)
         if task is not None:
             task.cancel()
@@ -87,11 +93,34 @@ class Session(LanguageServer):
         root = self.workspace.root_path
         return [folder for folder in (*found, root) if folder]
 
+    def _open_folders(self) -> set[str]:
+        """Return the folders that hold open buffers."""
+        return {os.path.dirname(path) for path in self.documents.open}
+
+    def _check_folder(self, folder: str) -> None:
+        """Check the buffers of a folder again soon: a file there, or a buffer, is another now."""
+        for path in self.documents.open:
+            if os.path.dirname(path) == folder:
+                self._check_soon(path)
+
     # --- work in the background -----------------------------------------------------------------
 
     async def aside(self, work: Callable[[], Result]) -> Result:
         """Do work in the thread that checks, so that answers need not wait for it."""
         return await asyncio.get_running_loop().run_in_executor(self._worker, work)
+
+    def findings(self, document: Document) -> tuple[Finding, ...]:
+        """Return what a verification has against a buffer."""
+        return self.verifications.findings(document)
+
+    def shown(self, finding: Finding, document: Document) -> types.Diagnostic:
+        """Return a finding as the protocol has it."""
+
+        def other(path: str) -> tuple[str, Places] | None:
+            found = self.documents.at(path)
+            return None if found is None else (self.uri(found), self.places(found))
+
+        return converted_finding(finding, self.uri(document), self.places(document), other)
 
     async def diagnostics_of(self, document: Document) -> tuple[Diagnostic, ...]:
         """Return what is wrong with a buffer, as told last, or worked out now."""
@@ -99,42 +128,73 @@ class Session(LanguageServer):
         return known[1] if known and known[0] is document else await self._checked(document)
 
     async def _checked(self, document: Document) -> tuple[Diagnostic, ...]:
-        def work() -> tuple[Diagnostic, ...]:
-            return check(document, self.group(document))
+        def work() -> tuple[tuple[Diagnostic, ...], Subject]:
+            group = self.group(document)
+            subject = Subject(document, tuple(group[1:]), setting_stamp(document.path))
+            return check(document, group), subject
 
-        found = await self.aside(work)
+        found, subject = await self.aside(work)
         if self.documents.open.get(document.path) is document:
             self._found[document.path] = document, found
+            if _has_error(found):
+                self.verifications.cancel(document.path)
+            else:
+                self.verifications.want(subject)
         return found
 
     def leave(self) -> None:
         """End what goes on in the background."""
-        for task in self._checks.values():
-            task.cancel()
+        self.verifications.stop()
+        for task in (*self._checks.values(), self._watch):
+            if task is not None:
+                task.cancel()
         self._worker.shutdown(wait=False, cancel_futures=True)
 
     def _check_soon(self, path: str) -> None:
         running = self._checks.get(path)
         if running is not None:
             running.cancel()
-        task = asyncio.get_running_loop().create_task(self._check(path))
-        task.add_done_callback(report_fault)
-        self._checks[path] = task
+        self._checks[path] = _background(self._check(path))
 
     async def _check(self, path: str) -> None:
         await asyncio.sleep(DELAY_S)
         document = self.documents.open.get(path)
-        if document is None:
-            return
-        version = self.version_of(document)
-        found = await self._checked(document)
-        if self.documents.open.get(path) is not document:
+        if document is not None:
+            await self._checked(document)
+            self._publish(document)
+
+    def _publish(self, document: Document) -> None:
+        """Tell the client what is wrong with a buffer, and with its run."""
+        known = self._found.get(document.path)
+        if self.documents.open.get(document.path) is not document or not known:
             return  # there is another text by now
-        places = self.places(document)
-        shown = [converted(diagnostic, self.uri(document), places) for diagnostic in found]
-        self.text_document_publish_diagnostics(
-            types.PublishDiagnosticsParams(self.uri(document), shown, version)
-        )
+        if known[0] is not document:
+            return  # it is to be checked yet
+        uri, places = self.uri(document), self.places(document)
+        shown = [converted(diagnostic, uri, places) for diagnostic in known[1]]
+        if not _has_error(known[1]):
+            shown += [self.shown(finding, document) for finding in self.findings(document)]
+        version = self.version_of(document)
+        self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri, shown, version))
+
+    def _learned(self, document: Document) -> None:
+        """Tell the client what a verification has found."""
+        self._publish(document)
+        workspace = self.client_capabilities.workspace
+        hints = workspace.inlay_hint if workspace is not None else None
+        if hints is not None and hints.refresh_support:
+            self.workspace_inlay_hint_refresh(None)
+
+
+def _has_error(found: tuple[Diagnostic, ...]) -> bool:
+    return any(diagnostic.is_error for diagnostic in found)
+
+
+def _background(work: Coroutine[Any, Any, None]) -> asyncio.Task[None]:
+    """Begin something that nobody waits for."""
+    task = asyncio.get_running_loop().create_task(work)
+    task.add_done_callback(report_fault)
+    return task
 
 
 def report_fault(task: asyncio.Task[None]) -> None:
