@@ -63,6 +63,8 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
             Route("/me", pages.me),
             Route("/scene/{room}/{session:int}", pages.scene),
             Route("/log/{room}", pages.log),
+            Route("/replay/{room}", pages.replay),
+            Route("/link", pages.link, methods=["POST"]),
             Route("/code", pages.code),
             Route("/code.svg", pages.code_picture),
             WebSocketRoute("/ws", socket),

@@ -51,13 +51,14 @@ class ControlRight:
         return True
 
     def hand_over(self, person: str, now: float) -> None:
-        """Give the right to somebody, whoever holds it and waits; empty: to nobody."""
+        """Give the right to somebody, whoever holds it and waits."""
         if person in self.queue:
             self.queue.remove(person)
-        if person:
-            self._grant(person, now)
-        else:
-            self.holder = self.lease = ""
+        self._grant(person, now)
+
+    def release(self, now: float) -> None:
+        """Take the right from whoever holds it; the queue's first is next."""
+        self._next(now)
 
     def away(self, person: str, now: float) -> None:
         """Take note that a connection dropped."""

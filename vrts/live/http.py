@@ -1,5 +1,6 @@
 """What is asked over HTTP: the page and its files, entering, scenes, logs, the class code."""
 
+import asyncio
 import time
 from collections.abc import Awaitable, Callable
 from typing import Final, TypeVar
@@ -11,14 +12,16 @@ from starlette.responses import Response
 from vrts.live.guard import refused
 from vrts.live.hub import Hub
 from vrts.live.names import display_name
-from vrts.live.protocol import Enter, LogIn, Me
+from vrts.live.protocol import Enter, Link, LogIn, MakeLink, Me
 from vrts.live.qr_code import qr_svg
+from vrts.live.replay_page import NoPage, Order, replay_page
 from vrts.live.static_files import PAGE, Content, StaticFiles, content
 from vrts.live.store import accounts
-from vrts.live.store.accounts import LOGIN_S, Account
+from vrts.live.store.accounts import LINK_S, LINK_USES, LOGIN_S, Account
 from vrts.live.store.bars import inherit
 from vrts.live.store.database import Connection
 from vrts.live.store.log import export
+from vrts.live.tokens import new_token
 
 LONGEST_BODY: Final = 8 * 1024  # bytes
 LONGEST_TOKEN: Final = 128  # characters
@@ -38,6 +41,7 @@ class Pages:
         self._code = code
         self._address = address
         self._scenes: dict[str, Content] = {}
+        self._replaying = asyncio.Lock()
 
     async def page(self, request: Request) -> Response:
         """Return the page."""
@@ -148,9 +152,48 @@ class Pages:
         room = request.path_params["room"]
         names = request.query_params.get("names", "1") != "0"
         text = await self._hub.database.do(lambda c: export(c, room, names=names))
-        safe = "".join(c for c in room if c.isalnum())
-        headers = {"content-disposition": f'attachment; filename="log-{safe}.jsonl"'}
+        headers = {"content-disposition": f'attachment; filename="log-{_file_name(room)}.jsonl"'}
         return Response(text, headers=headers, media_type="application/jsonl")
+
+    async def replay(self, request: Request) -> Response:
+        """Return the page of a room's last session with a replay, to supervisors, as a file.
+
+        Its code is inside it, so it is none of the pages that this server may show.
+        """
+        account = await self.who(request.cookies)
+        if account is None or not account.supervisor:
+            return refused(403, "role", "only a supervisor may do this")
+        hub, room = self._hub, request.path_params["room"]
+        if room not in hub.rooms:
+            return refused(404, "room", "there is no such room any more")
+        if self._replaying.locked():
+            return refused(503, "busy", "another replay is being made", "try again in a while")
+        async with self._replaying:
+            log = await hub.database.do(lambda c: export(c, room, names=False))
+            order = Order(hub.rooms[room].kept.name, log, hub.settings.places)
+            try:
+                page = await replay_page(order)
+            except NoPage as problem:
+                return refused(409, "replay", str(problem), "`vrts replay` tells more of a log")
+        headers = {"content-disposition": f'attachment; filename="{_file_name(room)}.html"'}
+        return Response(page, headers=headers, media_type="text/html")
+
+    async def link(self, request: Request) -> Response:
+        """Make a join link for one room, for supervisors."""
+        account = await self.who(request.cookies)
+        if account is None or not account.supervisor:
+            return refused(403, "role", "only a supervisor may do this")
+        body = await _body(request, MakeLink)
+        if isinstance(body, Response):
+            return body
+        if body.room not in self._hub.rooms:
+            return refused(404, "room", "there is no such room any more")
+        token, until = new_token(), time.time() + LINK_S
+        await self._hub.database.do(
+            lambda c: accounts.add_link(c, token, until, room=body.room, uses=LINK_USES)
+        )
+        url = f"{self._address}/#enter={token}"
+        return _json(Link(url, qr_svg(url).decode()))
 
     async def code(self, request: Request) -> Response:
         """Return the class code and its link to supervisors."""
@@ -205,7 +248,8 @@ class Pages:
         return [token for token in found if len(token) <= LONGEST_TOKEN]
 
     def _me(self, account: Account) -> Response:
-        return _json(Me(account.name, account.supervisor, self._hub.entries(account)))
+        alone = self._hub.settings.alone
+        return _json(Me(account.name, account.supervisor, self._hub.entries(account), alone))
 
 
 async def _body(request: Request, kind: type[Body]) -> Body | Response:
@@ -230,6 +274,10 @@ def _was(cookie: str) -> str:
 
 def _json(value: object) -> Response:
     return Response(msgspec.json.encode(value), media_type=JSON)
+
+
+def _file_name(room: str) -> str:
+    return "".join(c for c in room if c.isalnum())
 
 
 def _nobody() -> Response:

@@ -160,7 +160,8 @@ class Hub:
         room = Room(kept, control=ControlRight(kept.turn_s, kept.idle_s))
         for line in await self.database.do(lambda connection: lines(connection, kept.id)):
             room.number = line.number
-            said = Chat(line.number, line.at, "", line.name, line.text, line.private)
+            to = line.reader_name
+            said = Chat(line.number, line.at, "", line.name, line.text, line.private, to)
             room.chat.append((said, _readers(line) if line.private else EVERYBODY))
         room.barred = await self.database.do(lambda connection: bars_of(connection, kept.id))
         self.rooms[kept.id] = room
@@ -245,6 +246,8 @@ class Hub:
     def settle(self, room: Room, state: bytes) -> None:
         """Send those who wait the state of the room."""
         joining, room.joining = room.joining, []
+        if joining:
+            self.crowd_changed(room)  # who waits for a snapshot is told nothing else
         for member in joining:
             if member.door is None:
                 continue
@@ -338,18 +341,18 @@ class Hub:
         return Entry(room.id, room.session, at_s, time.time(), kind, accepted, id_, name, text)
 
     async def say(
-        self, room: Room, speaker: Member | None, text: str, to: Audience, reader: int | None
+        self, room: Room, speaker: Member | None, text: str, to: Audience, reader: Account | None
     ) -> None:
         """Keep a line of chat, then tell it; it is acknowledged by being told."""
         number, at = room.next_number(), time.time()
         account = None if speaker is None else speaker.account
         name = "" if account is None else account.name
         private = not to.everybody
-        line = Line(
-            room.id, number, at, account.id if account else None, name, text, private, reader
-        )
+        id_, read_by = (one.id if one else None for one in (account, reader))
+        line = Line(room.id, number, at, id_, name, text, private, read_by)
         await self.database.do(lambda connection: keep_line(connection, line))
-        said = Chat(number, at, speaker.id if speaker else "", name, text, private)
+        shown_to = reader.name if reader else ""
+        said = Chat(number, at, speaker.id if speaker else "", name, text, private, shown_to)
         room.chat.append((said, to))
         room.tell(said, number, to)
 

@@ -125,9 +125,9 @@ async def _say(hub: Hub, room: Room, member: Member, message: Say, now: float) -
         other = room.members.get(message.to)
         if other is None:
             raise NotObeyed("person", "they are not here any more")
-        account = other.account.id
-        to = Audience(accounts=frozenset((account, member.account.id)), supervisors=True)
-        await hub.say(room, member, text, to, account)
+        ends = frozenset((other.account.id, member.account.id))
+        to = Audience(accounts=ends, supervisors=True)
+        await hub.say(room, member, text, to, other.account)
     elif message.private:
         to = Audience(accounts=frozenset((member.account.id,)), supervisors=True)
         await hub.say(room, member, text, to, None)

@@ -98,9 +98,9 @@ class AskProgram(Strict, frozen=True, tag="program"):
 
 
 class HandOver(Strict, frozen=True, tag="hand_over"):
-    """Supervisor: give the control right to somebody, bypassing the queue; empty: take it."""
+    """Supervisor: give the control right to somebody, bypassing the queue."""
 
-    person: Id = ""
+    person: Id = ""  # empty: take it from its holder; the queue's first is next
 
 
 class Lock(Strict, frozen=True, tag="lock"):
@@ -289,6 +289,7 @@ class Chat(Message, frozen=True, tag="chat"):
     name: str
     text: str
     private: bool = False
+    to: str = ""  # name of the only reader but supervisors; empty: a private line is for them
 
 
 class Snapshot(Message, frozen=True, tag="snapshot"):
@@ -463,6 +464,19 @@ class LogIn(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     password: Annotated[str, Meta(min_length=1, max_length=256)]
 
 
+class MakeLink(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """`POST /link`, supervisors only: a link that lets many into one room, under their names."""
+
+    room: Id
+
+
+class Link(msgspec.Struct, frozen=True):
+    """The answer to `/link`."""
+
+    url: str
+    picture: str  # QR code, SVG
+
+
 class Me(msgspec.Struct, frozen=True):
     """`GET /me`, and the answer to `/enter` and `/login`; 401 when nobody is logged in.
 
@@ -472,6 +486,7 @@ class Me(msgspec.Struct, frozen=True):
     name: str
     supervisor: bool
     rooms: tuple[RoomEntry, ...]
+    alone: bool = False  # there is nobody else
 
 
 class Problem(msgspec.Struct, frozen=True):

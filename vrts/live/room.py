@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
 import msgspec
+from msgspec import structs
 
 from vrts.live.control import ControlRight
 from vrts.live.door import binary_frame, text_frame
@@ -165,7 +166,11 @@ class Room:
 
     def forget(self, name: str) -> None:
         """Forget what somebody said who was purged."""
-        kept = [(line, to) for line, to in self.chat if line.name != name]
+        kept = [
+            (structs.replace(line, to="") if line.to == name else line, to)
+            for line, to in self.chat
+            if line.name != name
+        ]
         self.chat.clear()
         self.chat.extend(kept)
         self._told.clear()
@@ -299,6 +304,7 @@ class Room:
         """Return the room as the wall shows it."""
         status = _watched.decode(self.status) if self.status else Watched()
         holder = self.members.get(self.control.holder)
+        reached = self.reached
         return WallRow(
             id=self.id,
             name=self.kept.name,
@@ -308,7 +314,7 @@ class Room:
             people=len(self.members),
             hands=tuple(m.account.name for m in self.members.values() if m.hand),
             queue=len(self.control.queue),
-            time_s=status.time_s,
+            time_s=status.time_s if reached is None else reached.time_s,
             line=status.text,
             contacts=status.contacts,
             mark=status.mark,

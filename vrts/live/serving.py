@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 import uvicorn
 
@@ -14,13 +14,9 @@ from vrts.live.app import application
 from vrts.live.door import DoorProtocol
 from vrts.live.protocol import LONGEST_MESSAGE
 from vrts.live.settings import DATABASE, Settings
-from vrts.live.store.accounts import add_link
+from vrts.live.store.accounts import LINK_S, LINK_USES, add_link
 from vrts.live.store.database import opened
 from vrts.live.tokens import new_code, new_token
-
-CODE_S: Final = 12 * 3600.0  # how long a class code lasts
-CODE_USES: Final = 2000
-LINK_S: Final = 12 * 3600.0
 
 
 class Listening(NamedTuple):
@@ -143,7 +139,7 @@ def _entrances(
     try:
         add_link(connection, token, now + LINK_S, supervisor=True, name="supervisor")
         if code:
-            add_link(connection, code, now + CODE_S, uses=CODE_USES)
+            add_link(connection, code, now + LINK_S, uses=LINK_USES)
     finally:
         connection.close()
     return Entrances(_address(settings, listening, port), token, code)

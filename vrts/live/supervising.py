@@ -101,9 +101,12 @@ def _control(hub: Hub, room: Room, member: Member, message: HandOver | Lock | Fr
     now = time.time()
     match message:
         case HandOver():
-            to = _person(room, message.person) if message.person else member
-            room.control.hand_over(to.id, now)
-            hub.record(room, "hand_over", member.account, {"to": to.account.id})
+            to = _person(room, message.person) if message.person else None
+            if to is None:
+                room.control.release(now)
+            else:
+                room.control.hand_over(to.id, now)
+            hub.record(room, "hand_over", member.account, {"to": to and to.account.id})
             hub.control_changed(room)
         case Lock():
             hub.record(room, "lock", member.account, {"on": message.on})

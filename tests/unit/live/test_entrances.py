@@ -13,10 +13,7 @@ from tests.support_live import LiveServer
 from vrts.live import administration
 from vrts.live.places import places_of
 from vrts.live.serving import Entrances, Listening, greeting
-from vrts.live.settings import DATABASE, Settings
-from vrts.live.store.accounts import add_link
-from vrts.live.store.database import opened
-from vrts.live.tokens import new_token
+from vrts.live.settings import Settings
 
 
 def test_it_says_loudly_what_it_exposes(tmp_path: Path) -> None:
@@ -80,12 +77,14 @@ def test_accounts_groups_and_administration(tmp_path: Path) -> None:
         picture = server.request("GET", "/code.svg", cookie=answer.cookie)
         assert picture.body.startswith(b"<svg")
 
-        token = new_token()
-        connection = opened(folder / DATABASE)
-        add_link(connection, token, 4e9, room=rooms[1]["id"])
-        connection.close()
-        cookie = server.enter("Ben", token)
+        wanted = {"room": rooms[1]["id"]}
+        link = server.request("POST", "/link", wanted, cookie=answer.cookie).json
+        assert link["picture"].startswith("<svg")
+        cookie = server.enter("Ben", link["url"].partition("#enter=")[2])
         assert server.request("GET", "/code", cookie=cookie).status == 403
+        assert server.request("POST", "/link", wanted, cookie=cookie).status == 403
+        gone = server.request("POST", "/link", {"room": "x"}, cookie=answer.cookie)
+        assert gone.status == 404
         me = server.request("GET", "/me", cookie=cookie).json
         assert [room["name"] for room in me["rooms"]] == ["Group B"]
         inside = server.join(cookie)

@@ -1,10 +1,16 @@
 """What a room remembers for those who come back."""
 
+from pathlib import Path
+
 from vrts.live.control import ControlRight
+from vrts.live.hub import Hub
 from vrts.live.member import Member
+from vrts.live.places import places_of
 from vrts.live.protocol import Chat
 from vrts.live.room import REMEMBERED, REMEMBERED_BYTES, Room
+from vrts.live.settings import Settings
 from vrts.live.store.accounts import Account
+from vrts.live.store.database import Database
 from vrts.live.store.rooms import KeptRoom
 
 
@@ -24,6 +30,19 @@ def test_the_last_messages_are_remembered_and_not_all() -> None:
     assert room.remembers(500)
     assert not room.remembers(499)
     assert not room.remembers(REMEMBERED + 501)
+
+
+def test_who_has_waited_for_a_snapshot_is_told_who_is_here(tmp_path: Path) -> None:
+    room, _ = told(0, 0)
+    settings = Settings(tmp_path, places_of(("cans-on-bases",)))
+    hub = Hub(settings, Database(tmp_path / "live.sqlite"))
+    try:
+        room.joining.append(Member(Account(1, "Ben", False, None), room.id))
+        room.show_people(frozenset())  # reaches nobody who waits
+        hub.settle(room, b"null")
+        assert room.crowd_changed, "everybody is told again"
+    finally:
+        hub.database.close()
 
 
 def test_long_messages_are_fewer() -> None:

@@ -169,19 +169,28 @@ def test_a_supervisor_takes_locks_and_freezes(server: LiveServer) -> None:
     assert anna.wait("refused")["code"] == "frozen"
     boss.send("freeze", on=False)
     anna.wait("control", lambda m: not m["frozen"])
-    boss.send("hand_over", person="")
+    boss.send("hand_over", person=person_of(boss))
     taken = boss.wait("control", lambda m: m["lease"] != "")
     anna.command(lease, "ready")
     assert anna.wait("refused")["code"] == "role"
     me = next(p["id"] for p in people(anna) if p["name"] == name_of(anna))
     boss.send("hand_over", person=me)
     assert anna.wait("control", lambda m: m["lease"] != "")["lease"] != taken["lease"]
-    free(anna)
+    boss.send("request_control")
+    boss.wait("control", lambda m: m["queue"] != [])
+    boss.send("hand_over")
+    boss.wait("control", lambda m: m["lease"] != "", patience=5.0)
+    boss.send("hand_over")
+    assert anna.wait("control", lambda m: m["holder"] == "")["queue"] == []
 
 
 def people(browser: Browser) -> list[dict[str, object]]:
     told = [m for m in browser.came if m["type"] == "people"]
     return (told[-1] if told else browser.wait("people"))["people"]
+
+
+def person_of(browser: Browser) -> str:
+    return next(m["you"] for m in browser.came if m["type"] == "welcome")
 
 
 def name_of(browser: Browser) -> str:
@@ -236,7 +245,7 @@ def test_chat_reaches_the_room_and_private_lines_only_their_ends(server: LiveSer
     assert boss.wait("chat", lambda m: m["private"])["text"] == "to you alone"
     person = boss.came[-1]["person"]
     boss.send("say", text="answer", to=person)
-    anna.wait("chat", lambda m: m["text"] == "answer")
+    assert anna.wait("chat", lambda m: m["text"] == "answer")["to"] == name_of(anna)
     anna.send("say", text="public again")
     ben.wait("chat", lambda m: m["text"] == "public again")
     assert not any(m["type"] == "chat" and m["private"] for m in ben.came)
@@ -302,6 +311,8 @@ def test_rooms_walls_and_logs(server: LiveServer) -> None:
     row = boss.wait("wall", lambda m: all(r["bodies"] for r in m["rooms"]))["rooms"][1]
     assert (row["name"], len(row["joints_rad"])) == ("Group 1", 6)
     assert [(body["lie"], len(body["X"])) for body in row["bodies"]] == [("resting", 12)]
+    later = boss.wait("wall", lambda m: m["rooms"][1]["time_s"] > row["time_s"] + 0.5)
+    assert later["rooms"][1]["joints_rad"] == row["joints_rad"], "time goes on where nothing moves"
     boss.send("project", room=group["id"])
     boss.wait("rooms", lambda m: m["projector"] == group["id"])
 
@@ -318,6 +329,15 @@ def test_rooms_walls_and_logs(server: LiveServer) -> None:
     url = boss.wait("log_file")["url"]
     assert server.request("GET", url, cookie=cookie).status == 403
     boss_cookie = boss.socket.request.headers["cookie"]  # type: ignore[union-attr]
+    replay = f"/replay/{group['id']}"
+    assert server.request("GET", replay, cookie=cookie).status == 403
+    page = server.request("GET", replay, cookie=boss_cookie)
+    assert page.status == 200, page.body
+    assert page.headers["content-disposition"].startswith("attachment;")
+    assert b"READY" in page.body
+    nothing = next(room["id"] for room in told["rooms"] if room["name"] == "Group 2")
+    refused = server.request("GET", f"/replay/{nothing}", cookie=boss_cookie)
+    assert (refused.status, refused.json["text"]) == (409, "nothing was done in this room yet")
     text = server.request("GET", url, cookie=boss_cookie).body
     rows = [msgspec.json.decode(line) for line in text.splitlines()]
     commands = [row for row in rows[1:] if row["kind"] == "line"]

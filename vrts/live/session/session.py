@@ -400,4 +400,5 @@ def _overtakes(action: do.Action) -> bool:
 
 
 def _first(help_: tuple[str, ...]) -> str:
-    return help_[0] if help_ else ""
+    """Return the first hint that is of use in a browser: none that names a command of the shell."""
+    return next((hint for hint in help_ if "`vrts " not in hint), "")

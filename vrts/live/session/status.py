@@ -49,7 +49,8 @@ def mode(growing: GrowingRun, *, jogging: bool) -> str:
     if jogging:
         return "jogging"
     if runs(growing):
-        return "waiting" if robot.wake > growing.time_s + growing.machine.tick else "running"
+        sleeps = robot.wake > growing.time_s + growing.machine.tick
+        return "waiting" if sleeps and not growing.moving else "running"
     if growing.moving or growing.executing:
         return "moving"
     if robot.frames and robot.program != ALONE and robot.ending in _RESUMABLE:

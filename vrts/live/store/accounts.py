@@ -9,6 +9,8 @@ from vrts.live.names import display_name
 from vrts.live.tokens import digest, new_token
 
 LOGIN_S: Final = 30 * 86_400.0  # how long a cookie lasts
+LINK_S: Final = 12 * 3600.0  # how long a link or class code lets in
+LINK_USES: Final = 2000  # how often, where it is for many
 GUESTS: Final = 5000  # accounts without a password at most
 
 

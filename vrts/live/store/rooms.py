@@ -29,6 +29,7 @@ class Line(NamedTuple):
     text: str
     private: bool
     reader: int | None  # account that may read a private line besides supervisors
+    reader_name: str = ""  # kept with the account
 
 
 def keep_room(connection: sqlite3.Connection, room: KeptRoom) -> None:
@@ -58,15 +59,17 @@ def open_rooms(connection: sqlite3.Connection) -> list[KeptRoom]:
 
 def keep_line(connection: sqlite3.Connection, line: Line) -> None:
     """Write a line of chat."""
-    connection.execute("INSERT INTO chat VALUES (?,?,?,?,?,?,?,?)", line)
+    connection.execute("INSERT INTO chat VALUES (?,?,?,?,?,?,?,?)", line[:8])
 
 
 def lines(connection: sqlite3.Connection, room: str) -> list[Line]:
     """Return the last lines of chat of a room."""
     rows = connection.execute(
-        "SELECT * FROM chat WHERE room=? ORDER BY number DESC LIMIT ?", (room, HISTORY)
+        "SELECT chat.*, coalesce(account.name, '') FROM chat LEFT JOIN account ON account.id=reader"
+        " WHERE chat.room=? ORDER BY number DESC LIMIT ?",
+        (room, HISTORY),
     ).fetchall()
-    return [Line._make((*row[:6], bool(row[6]), row[7])) for row in reversed(rows)]
+    return [Line._make((*row[:6], bool(row[6]), *row[7:])) for row in reversed(rows)]
 
 
 def next_number(connection: sqlite3.Connection, name: str) -> int:

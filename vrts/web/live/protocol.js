@@ -53,7 +53,7 @@ export const FROM_SERVER = {
   snapshot: ["room", "rooms", "scenes", "number", "session", "scene_url", "state", "chat"],
   people: ["people", "barred"],
   control: ["holder", "lease", "queue", "locked", "frozen", "chat", "turn_s", "idle_s", "ends"],
-  chat: ["number", "at", "person", "name", "text", "private"],
+  chat: ["number", "at", "person", "name", "text", "private", "to"],
   event: ["number", "event"],
   now: ["status"],
   state: ["session", "scene_url", "state"],
@@ -92,7 +92,7 @@ export const LONGEST_CHAT = 1000; // characters
  *   away: boolean, rate: number}} Person
  * @typedef {{id: string, name: string, scene: string, task: string, people: number}} RoomEntry
  * @typedef {{id: string, task: boolean}} SceneEntry
- * @typedef {{number: number, at: number, person: string, name: string, text: string, private: boolean}} Chat
+ * @typedef {{number: number, at: number, person: string, name: string, text: string, private: boolean, to: string}} Chat
  * @typedef {{holder: string, lease: string, queue: string[], locked: boolean, frozen: boolean, chat: boolean,
  *   turn_s: number, idle_s: number, ends: number}} Control
  * @typedef {{time_s: number, joints_rad: number[], location: number[], hand_m: number, program: string, mode: string,

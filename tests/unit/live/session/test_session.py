@@ -71,6 +71,7 @@ def test_refusals_explain_themselves_and_move_nothing(driven: Driven) -> None:
     assert not far.accepted
     assert far.code == "V301"
     assert "beyond reach" in far.text
+    assert far.help == "", "who sits at a browser has no shell"
     assert not line.accepted
     assert line.code == "V305"
     assert line.help == "begin with MOVE"
@@ -371,6 +372,14 @@ def test_the_status_lights_the_line_that_runs(driven: Driven) -> None:
     status = driven.said(Status)[-1]
     assert (status.program, status.line, status.text) == ("slow", 2, "WAIT SIG(1001)")
     assert status.mode == "waiting"
+
+
+def test_a_program_runs_while_the_arm_moves_for_it(driven: Driven) -> None:
+    driven.act(do.Upload("slow.v2", ".PROGRAM slow()\n DRIVE 1,60,50\n BREAK\n TYPE 2\n.END\n"))
+    driven.run(0.2)
+    driven.typed("EXECUTE slow", seconds=0.5)
+    status = driven.said(Status)[-1]
+    assert status.mode == "running"
 
 
 def test_too_many_variables_stop_the_program(driven: Driven) -> None:
