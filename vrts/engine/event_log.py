@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from itertools import islice
 
+from vrts.engine.event_order import EventOrder
 from vrts.engine.events import Event
 from vrts.engine.log import Log
 
@@ -18,12 +19,13 @@ class EventLog(Log[Event]):
     after can be told apart within a tick.
     """
 
-    __slots__ = ("_numbers", "counted")
+    __slots__ = ("_numbers", "_order", "counted")
 
     def __init__(self) -> None:
         """Start empty."""
         super().__init__()
         self._numbers: list[int] = []
+        self._order = EventOrder()  # copies share it, as they share the events
         self.counted: Callable[[], int] = _none  # statements, the one under way included
 
     @classmethod
@@ -41,6 +43,7 @@ class EventLog(Log[Event]):
         """Add an event that came with a number of statements."""
         if len(self._numbers) != len(self):
             self._numbers = self._numbers[: len(self)]
+            self._order = EventOrder()
         self._numbers.append(number)
         super().append(item)
 
@@ -56,6 +59,14 @@ class EventLog(Log[Event]):
         """Statements finished with each event, in the same order."""
         return list(islice(self._numbers, len(self)))
 
+    @property
+    def in_order(self) -> EventOrder:
+        """The events in time order, to be looked at before the log or a copy of it goes on."""
+        if self._order.count > len(self):  # of a copy that has gone on
+            self._order = EventOrder()
+        self._order.take(self._items[self._order.count : len(self)])
+        return self._order
+
     def copy(self) -> "EventLog":
         """Return a log with the same events that can go on by itself."""
         return self.first(len(self))
@@ -65,4 +76,5 @@ class EventLog(Log[Event]):
         other = EventLog()
         other._items, other._length = self._items, count
         other._numbers, other.counted = self._numbers, self.counted
+        other._order = self._order
         return other

@@ -1,17 +1,14 @@
 """The record of one execution: everything that happened up to a horizon, at any time."""
 
-import math
-from bisect import bisect_right
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from functools import cached_property
 from typing import TypeAlias
 
 from vrts.base.diagnostic import Diagnostic
+from vrts.engine.event_order import progress, spells
 from vrts.engine.events import (
     Event,
     Found,
-    MotionEnded,
-    MotionStarted,
     Printed,
     ProgramEnded,
     ProgramProgressed,
@@ -163,15 +160,7 @@ class Run:
 
     @cached_property
     def _events(self) -> tuple[Event, ...]:
-        log = list(self.history.events)
-        return tuple([log[k] for k in self._in_order])
-
-    @cached_property
-    def _in_order(self) -> list[int]:
-        """Which events of the log were up to the horizon, in time order."""
-        log = list(self.history.events)
-        known = [k for k in _not_given_up(log) if log[k].time_s <= self.horizon_s]
-        return sorted(known, key=lambda k: _order(log[k]))
+        return tuple([one.event for one in self.history.events.in_order.until(self.horizon_s)])
 
     @property
     def event_numbers(self) -> Sequence[int]:
@@ -181,7 +170,15 @@ class Run:
     @cached_property
     def _event_numbers(self) -> Sequence[int]:
         numbers = self.history.events.numbers
-        return [numbers[k] for k in self._in_order]
+        return [numbers[one.number] for one in self.history.events.in_order.until(self.horizon_s)]
+
+    def happened(self, track: Hashable, time_s: float) -> Sequence[Event]:
+        """Return the events of a track of `event_order` up to a time [s], such as of a type."""
+        return self.history.events.in_order.track(track, min(time_s, self.horizon_s))
+
+    def last(self, track: Hashable, time_s: float) -> Event | None:
+        """Return the last of them."""
+        return self.history.events.in_order.last(track, min(time_s, self.horizon_s))
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:
@@ -207,30 +204,13 @@ class Run:
 
     def spell(self, time_s: float, *, is_robot: bool) -> Progress | None:
         """Return the event by which the robot program or the other last began, went on or ended."""
-        times, events = self._spells[is_robot]
-        found = bisect_right(times, time_s)
-        return events[found - 1] if found else None
+        found = self.last(spells(is_robot=is_robot), time_s)
+        return found if isinstance(found, Progress) else None
 
     def progress(self, time_s: float, *, is_robot: bool) -> ProgramProgressed | None:
         """Return cycles and priority of the robot program or the other; None before the first."""
-        times, events = self._spells[is_robot]
-        for event in reversed(events[: bisect_right(times, time_s)]):
-            if isinstance(event, ProgramProgressed):
-                return event
-        return None
-
-    @cached_property
-    def _spells(self) -> Mapping[bool, tuple[list[float], list[Progress]]]:
-        found: dict[bool, tuple[list[float], list[Progress]]] = {}
-        for is_robot in (True, False):
-            events = [
-                event
-                for event in self.events
-                if isinstance(event, ProgramStarted | ProgramProgressed | ProgramEnded)
-                and event.process is not is_robot
-            ]
-            found[is_robot] = ([event.time_s for event in events], events)
-        return found
+        found = self.last(progress(is_robot=is_robot), time_s)
+        return found if isinstance(found, ProgramProgressed) else None
 
     def at(self, time_s: float) -> State:
         """Return the state at a time, after all that happened in its tick; in any order of asking.
@@ -268,28 +248,3 @@ class Run:
         strokes = [stroke.end_s for stroke in hand.strokes[-1:]]
         landings = [track[-1].start_s for track in hand.placements.values()]
         return max([0.0, *strokes, *landings])
-
-
-def _not_given_up(events: Sequence[Event]) -> list[int]:
-    """Return which events stay without ends of the robot program that another program came before.
-
-    A single instruction ends when the arm will have arrived; where another one replaces it on the
-    way, that time never comes for it.
-    """
-    begun_s = math.inf  # of the program that came next
-    kept: list[int] = []
-    for k in range(len(events) - 1, -1, -1):
-        event = events[k]
-        if isinstance(event, ProgramStarted | ProgramProgressed | ProgramEnded):
-            if not event.process and event.time_s > begun_s:
-                continue
-            if isinstance(event, ProgramStarted) and not event.process:
-                begun_s = event.time_s
-        kept.append(k)
-    kept.reverse()
-    return kept
-
-
-def _order(event: Event) -> tuple[int, int]:
-    rank = 0 if isinstance(event, MotionEnded) else 1 if isinstance(event, MotionStarted) else 2
-    return round(event.time_s * 1e9), rank

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, TypeVar
 from vrts.base.pose import IDENTITY, Pose
 from vrts.base.source import Span
 from vrts.engine.cells import UNDEFINED, Array, cells_of
+from vrts.engine.event_order import QUESTION
 from vrts.engine.events import (
     AnalogChanged,
     Answered,
@@ -240,6 +241,8 @@ class State:
     @property
     def awaits_answer(self) -> bool:
         """Whether a PROMPT waits for a line."""
+        if self._within is None:
+            return isinstance(self._run.last(QUESTION, self.time_s), Prompted)
         asked = False
         for event in self._happened():
             if isinstance(event, Prompted):
@@ -287,17 +290,16 @@ class State:
     # --- parts --------------------------------------------------------------------------------
 
     def _events(self, kind: type[E]) -> list[E]:
-        return [event for event in self._happened() if isinstance(event, kind)]
+        whole = self._within is None
+        known = self._run.happened(kind, self.time_s) if whole else self._happened()
+        return [event for event in known if isinstance(event, kind)]
 
     def _happened(self) -> Iterator[Event]:
-        """Go through what has happened; within a tick as far as statements are finished."""
+        """Go through what has happened, within a tick as far as statements are finished."""
         run = self._run
         count = bisect_right(run.events, self.time_s, key=lambda event: event.time_s)
-        if self._within is None:
-            yield from run.events[:count]
-            return
         for event, number in zip(run.events[:count], run.event_numbers[:count], strict=True):
-            if number <= self._within or event.time_s < self.time_s - INSTANT:
+            if number <= self.finished or event.time_s < self.time_s - INSTANT:
                 yield event
 
     def _stack(self, program: ProgramHistory) -> tuple[Cause, ...]:
