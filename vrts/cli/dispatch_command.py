@@ -6,6 +6,10 @@ import click
 
 SUBCOMMANDS = {
     "choose": "list the ready programs of a marking by clearance and mark",
+    "send": "send a bundle to a controller and read everything back",
+    "fetch": "fetch programs and locations from a controller",
+    "diff": "compare what a controller holds with a bundle",
+    "emulate": "emulate a controller at a pseudo-terminal",
 }
 
 

@@ -35,6 +35,14 @@ class Progress:
         self._done += 1
         self._made += not reused
 
+    def advance(self, done: int, number: int) -> None:
+        """Say how many there are and how many of them are done, and show it."""
+        if not self._all:
+            self.begin(number)
+        self._made += done - self._done
+        self._done = done
+        self.show()
+
     def show(self) -> None:
         """Write the line again, if it is old."""
         now = time.monotonic()

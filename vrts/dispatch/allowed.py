@@ -22,7 +22,10 @@ MOST = 4096  # characters of a line
 FORMS = f"{', '.join(sorted(VERBS))} with names, and {', '.join(sorted(LETTERS))} in the editor"
 
 _NAMES = r"[$#]?[A-Za-z][\w.]*(\[\d+(,\d+)*\])?"
-_COMMAND = re.compile(rf"(?P<verb>[A-Z]+(/[A-Z])?)( {_NAMES}(, ?({_NAMES}|\d+))*)?", re.ASCII)
+_FORMALS = r"\([\w.,$#\[\] ]*\)"
+_COMMAND = re.compile(
+    rf"(?P<verb>[A-Z]+(/[A-Z])?)( {_NAMES}(?P<formals>{_FORMALS})?(, ?({_NAMES}|\d+))*)?", re.ASCII
+)
 _NUMBER = r"-?\d+(\.\d+)?"
 _VALUES = re.compile(rf"{_NUMBER}(,{_NUMBER}){{5}}", re.ASCII)
 _STEP = re.compile(r"[ -~]+")
@@ -41,13 +44,15 @@ class Prompt(Enum):
 
 def permits(text: str, prompt: Prompt) -> bool:
     """Return whether a line may be typed at a prompt."""
-    if len(text) > MOST:
+    if len(text) > MOST or not (text.isascii() and (text.isprintable() or not text)):
         return False
     match prompt:
         case Prompt.READY | Prompt.RUNNING:
             found = _COMMAND.fullmatch(text)
             verbs = VERBS if prompt is Prompt.READY else WHILE_RUNNING
-            return not text or (found is not None and found["verb"] in verbs)
+            if found is None:
+                return not text
+            return found["verb"] in verbs and (not found["formals"] or found["verb"] == "EDIT")
         case Prompt.STEP | Prompt.INSERT:
             return not text or _STEP.fullmatch(text) is not None
         case Prompt.CHANGE:
@@ -59,7 +64,7 @@ def permits(text: str, prompt: Prompt) -> bool:
 def is_command_form(form: str) -> bool:
     """Return whether a profile's command can be permitted: `EDIT {name},{step}`."""
     try:
-        text = form.format(name="a", step=1)
+        text = form.format(name="a", step=1, formals="(b)")
     except (KeyError, IndexError, ValueError, AttributeError):
         return False
     return bool(text) and permits(text, Prompt.READY)

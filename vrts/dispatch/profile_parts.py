@@ -48,7 +48,7 @@ class Prompts(NamedTuple):
 
 
 class Commands(NamedTuple):
-    """What is typed; `{name}` and `{step}` are filled in."""
+    """What is typed; `{name}`, `{step}` and `{formals}`, such as `(a, $b)`, are filled in."""
 
     status: str
     list_program: str
@@ -56,6 +56,7 @@ class Commands(NamedTuple):
     list_locations: str
     list_reals: str
     list_strings: str
+    new: str  # begin to edit a program that is not there
     edit: str  # a program at a step
     point: str
     delete: str  # one program

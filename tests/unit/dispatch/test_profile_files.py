@@ -42,7 +42,7 @@ def test_all_that_a_profile_types_is_on_the_list(name: str) -> None:
     commands = find_profile(name).commands
     letters = {"leave", "insert"}
     for key in set(Commands._fields) - letters - {"letters"}:
-        text = getattr(commands, key).format(name="a", step=1)
+        text = getattr(commands, key).format(name="a", step=1, formals="(b, $c)")
         assert allowed.permits(text, allowed.Prompt.READY), text
     assert {getattr(commands, key) for key in letters} <= allowed.LETTERS
 

@@ -1,0 +1,64 @@
+"""What the commands that talk to a controller share: its port, its profile, the transcript."""
+
+import time
+from collections.abc import Generator
+from contextlib import contextmanager
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.console import fail, say
+
+if TYPE_CHECKING:
+    from vrts.dispatch.profile import Profile
+    from vrts.dispatch.talk import Talk
+
+port_option = click.option(
+    "--port", required=True, help="Serial port of the controller: /dev/ttyUSB0, COM3."
+)
+transcript_option = click.option(
+    "--transcript",
+    type=click.Path(path_type=Path),
+    help="Write all that goes over the line to this file, with times.",
+)
+
+
+def stamp() -> str:
+    """Return the time for the name of a file."""
+    return datetime.now().strftime("%Y%m%d-%H%M%S")
+
+
+def write_new(path: Path, text: str) -> None:
+    """Write a file that is not there yet."""
+    try:
+        with path.open("x", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+    except FileExistsError:
+        fail(f"`{path}` is there already", ("name another file, or move it away",))
+
+
+@contextmanager
+def connected(port: str, profile: "Profile", transcript: Path) -> Generator["Talk"]:
+    """Open a port and its transcript, and close both in the end."""
+    from vrts.dispatch.port import Port
+    from vrts.dispatch.talk import Talk
+    from vrts.dispatch.transcript import Transcript
+
+    if profile.warning:
+        say(f"note: {profile.warning}")
+    wire = Port(port, profile.serial)
+    try:
+        file = transcript.open("x", encoding="utf-8")
+    except FileExistsError:
+        fail(f"`{transcript}` is there already", ("name another file with `--transcript`",))
+    with file:
+        written = Transcript(file, datetime.now)
+        written.remark(f"{port}, profile {profile.name} {profile.digest}")
+        try:
+            yield Talk(wire, profile, written, time.sleep)
+        finally:
+            written.finish()
+            wire.close()
+    say(f"transcript: {transcript}")
