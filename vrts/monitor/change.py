@@ -3,14 +3,15 @@
 import re
 from typing import NamedTuple
 
-from vrts.base.oat import components, rotation_from_oat
+from vrts.base.oat import rotation_from_oat
 from vrts.base.pose import Pose
 from vrts.base.units import DEG, MM
 from vrts.ir.commands import SetVariable
 from vrts.ir.values import Joints
+from vrts.lang.dialect import Angles
 from vrts.monitor import words
 from vrts.monitor.desk import Desk, Refused, Situation, Turn
-from vrts.monitor.listings import COMPONENTS, location_row
+from vrts.monitor.listings import COMPONENTS, location_row, printed
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(E[+-]?\d+)?", re.IGNORECASE)
 _COUNT = 6
@@ -23,6 +24,7 @@ class Change(NamedTuple):
     name: str
     indices: tuple[int, ...]
     value: Pose | Joints
+    angles: Angles = Angles.OAT
 
     @property
     def prompt(self) -> str:
@@ -37,8 +39,8 @@ class Change(NamedTuple):
             numbers = _numbers(line)
         except Refused as refused:
             return Turn(refused.text, mode=self)
-        changed = self._replace(value=with_components(self.value, numbers))
-        return Turn(f"{location_row(changed.value)}\n", (changed.command,), changed)
+        changed = self._replace(value=with_components(self.value, numbers, self.angles))
+        return Turn(f"{location_row(changed.value, self.angles)}\n", (changed.command,), changed)
 
     def interrupt(self, desk: Desk, now: Situation) -> Turn:
         """End the dialogue; what has been shown holds."""
@@ -50,13 +52,15 @@ class Change(NamedTuple):
         return SetVariable(self.name, self.indices, self.value)
 
 
-def show_and_ask(name: str, indices: tuple[int, ...], value: Pose | Joints) -> Turn:
+def show_and_ask(name: str, indices: tuple[int, ...], value: Pose | Joints, angles: Angles) -> Turn:
     """Return the turn that gives a location a value, shows it and asks for changes."""
-    change = Change(name, indices, value)
-    return Turn(f"{COMPONENTS}\n{location_row(value)}\n", (change.command,), change)
+    change = Change(name, indices, value, angles)
+    return Turn(f"{COMPONENTS}\n{location_row(value, angles)}\n", (change.command,), change)
 
 
-def with_components(value: Pose | Joints, numbers: tuple[float | None, ...]) -> Pose | Joints:
+def with_components(
+    value: Pose | Joints, numbers: tuple[float | None, ...], angles: Angles = Angles.OAT
+) -> Pose | Joints:
     """Return a location with some components changed: mm and degrees; None leaves one."""
     if not isinstance(value, Pose):
         joints = [old if n is None else n * DEG for old, n in zip(value, numbers, strict=True)]
@@ -66,8 +70,10 @@ def with_components(value: Pose | Joints, numbers: tuple[float | None, ...]) -> 
     )
     rotation = value.rotation
     if any(n is not None for n in numbers[3:]):
-        present = components(value)[3:]
+        present = printed(value, angles)[3:]
         o, a, t = (old if n is None else n for old, n in zip(present, numbers[3:], strict=True))
+        if angles is Angles.ZYZ:
+            o, a = o + 90.0, a - 90.0
         rotation = rotation_from_oat(o, a, t)
     return Pose(rotation, (x, y, z))
 

@@ -2,12 +2,13 @@
 
 from collections.abc import Iterable, Mapping
 
-from vrts.base.oat import components
+from vrts.base.oat import Components, components
 from vrts.base.pose import Pose
 from vrts.base.units import deg, mm
 from vrts.engine.code.formats import free
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Joints, Value
+from vrts.lang.dialect import Angles
 
 COMPONENTS = " X/JT1     Y/JT2     Z/JT3     O/JT4     A/JT5     T/JT6"
 _NAME = 12  # columns of the name of a location
@@ -18,9 +19,18 @@ _FIRST_INPUT, _FIRST_INTERNAL = 1001, 2001
 _LABEL, _VALUE = 21, 24  # columns of STATUS: where words begin, where numbers end
 
 
-def pose_row(X: Pose) -> str:
-    """Return X Y Z in mm with two decimals, O A T in degrees with three."""
-    values = components(X)
+def printed(X: Pose, angles: Angles) -> Components:
+    """Return X Y Z in mm and three angles in degrees, as a dialect means them."""
+    x, y, z, o, a, t = components(X)
+    if angles is Angles.OAT:
+        return x, y, z, o, a, t
+    yaw = o - 90.0
+    return x, y, z, yaw if yaw > -180.0 else yaw + 360.0, a + 90.0, t
+
+
+def pose_row(X: Pose, angles: Angles = Angles.OAT) -> str:
+    """Return X Y Z in mm with two decimals, three angles in degrees with three."""
+    values = printed(X, angles)
     lengths = "".join(f"{_tidy(value, 2):10.2f}" for value in values[:3])
     return lengths + "".join(f"{_tidy(value, 3):10.3f}" for value in values[3:])
 
@@ -30,15 +40,15 @@ def joints_row(joints: Joints) -> str:
     return "".join(f"{_tidy(deg(joint), 3):10.3f}" for joint in joints)
 
 
-def location_row(value: Pose | Joints) -> str:
+def location_row(value: Pose | Joints, angles: Angles = Angles.OAT) -> str:
     """Return a location of either kind."""
-    return pose_row(value) if isinstance(value, Pose) else joints_row(value)
+    return pose_row(value, angles) if isinstance(value, Pose) else joints_row(value)
 
 
-def where_text(X_WT: Pose, joints: Joints, opening_m: float) -> str:
+def where_text(X_WT: Pose, joints: Joints, opening_m: float, angles: Angles = Angles.OAT) -> str:
     """Return what WHERE shows: pose and hand, then joints."""
     hand = f"{_tidy(mm(opening_m), 2):10.2f}"
-    return f"{COMPONENTS}     HAND\n{pose_row(X_WT)}{hand}\n{joints_row(joints)}\n"
+    return f"{COMPONENTS}     HAND\n{pose_row(X_WT, angles)}{hand}\n{joints_row(joints)}\n"
 
 
 def where_of_as_text(X_WT: Pose, joints: Joints, *, block: int = 0) -> str:
@@ -46,15 +56,15 @@ def where_of_as_text(X_WT: Pose, joints: Joints, *, block: int = 0) -> str:
     names = "".join(f"{f'JT{n}':>10}" for n in range(1, 7))
     first = f"{names}\n{joints_row(joints)}\n"
     letters = "".join(f"{letter:>10}" for letter in "XYZOAT")
-    values = "".join(f"{_tidy(value, 3):10.3f}" for value in components(X_WT))
+    values = "".join(f"{_tidy(value, 3):10.3f}" for value in printed(X_WT, Angles.ZYZ))
     return ("" if block == 2 else first) + ("" if block == 1 else f"{letters}\n{values}\n")
 
 
-def locations_text(values: Mapping[str, Pose | Joints]) -> str:
+def locations_text(values: Mapping[str, Pose | Joints], angles: Angles = Angles.OAT) -> str:
     """Return what LISTL shows: poses by name, then precision points by name."""
     header = " " * _NAME + "".join(f"{name:>10}" for name in COMPONENTS.split())
     names = sorted(values, key=lambda name: (name[0] == "#", name_order(name)))
-    rows = (f"{name:<{_NAME}}{location_row(values[name])}" for name in names)
+    rows = (f"{name:<{_NAME}}{location_row(values[name], angles)}" for name in names)
     return _lines((header, *rows)) if names else ""
 
 

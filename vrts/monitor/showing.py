@@ -31,7 +31,8 @@ def where(line: CommandLine, desk: Desk, now: Situation) -> Turn:
     block = whole(line, line.operands[0] if line.operands else None, 0, desk, now)
     if desk.dialect.is_as:
         return Turn(where_of_as_text(here_pose(now), state.configuration, block=block))
-    return Turn(where_text(here_pose(now), state.configuration, state.hand_opening))
+    angles = desk.dialect.angles
+    return Turn(where_text(here_pose(now), state.configuration, state.hand_opening, angles))
 
 
 def signals(line: CommandLine, desk: Desk, now: Situation) -> Turn:

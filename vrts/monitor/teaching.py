@@ -38,7 +38,7 @@ class Teaching(NamedTuple):
         if following is None:
             return Turn(words.starred(words.INVALID_NAME, "there are no further names"))
         name, indices = following
-        shown = f"{cell(self.name, self.indices):<12}{location_row(value)}\n"
+        shown = f"{cell(self.name, self.indices):<12}{location_row(value, desk.dialect.angles)}\n"
         recorded = SetVariable(self.name, self.indices, value)
         return Turn(shown, (recorded,), self._replace(name=name, indices=indices))
 

@@ -33,7 +33,7 @@ def here(line: CommandLine, desk: Desk, now: Situation) -> Turn:
     """HERE location: where the arm is now; of a compound the last element gets the value."""
     operand = _only(line)
     name, indices, frame = target(line, operand, desk, now)
-    return show_and_ask(name, indices, present(name, frame, now))
+    return show_and_ask(name, indices, present(name, frame, now), desk.dialect.angles)
 
 
 def target(
@@ -83,7 +83,7 @@ def point(line: CommandLine, desk: Desk, now: Situation) -> Turn:
         if value is None:
             value = _ZEROS if name[0] == "#" else IDENTITY
     assert isinstance(value, tuple)  # a pose or joints, as the name says
-    return show_and_ask(name, indices, value)
+    return show_and_ask(name, indices, value, desk.dialect.angles)
 
 
 def fits(name: str, kind: Type, now: Situation) -> None:
@@ -107,7 +107,7 @@ def list_locations(line: CommandLine, desk: Desk, now: Situation) -> Turn:
             if not isinstance(value, tuple):
                 raise Refused(words.starred(words.MIXING, f"`{name}` is no location"))
             found[name] = value
-    return Turn(locations_text(found))
+    return Turn(locations_text(found, desk.dialect.angles))
 
 
 def list_reals(line: CommandLine, desk: Desk, now: Situation) -> Turn:

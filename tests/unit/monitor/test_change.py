@@ -6,8 +6,10 @@ from hypothesis import strategies as st
 
 from vrts.base.oat import components, pose_from_components
 from vrts.base.units import DEG
+from vrts.lang.dialect import Angles
 from vrts.lang.names import is_truncated
 from vrts.monitor.change import with_components
+from vrts.monitor.listings import printed
 from vrts.monitor.teaching import successor
 
 PICK = pose_from_components(500, 200, 100, 90, 90, 0)
@@ -60,3 +62,10 @@ def test_counting_ends_where_names_and_arrays_do() -> None:
 def test_a_name_never_becomes_too_long(name: str) -> None:
     found = successor(name, ())
     assert found is None or (found[0] != name and not is_truncated(found[0]))
+
+
+@given(st.tuples(ANGLE, st.floats(1, 179), ANGLE))
+def test_in_v_plus_and_as_the_angles_are_those_of_z_y_z(angles: tuple[float, float, float]) -> None:
+    changed = with_components(PICK, (1.0, 2.0, 3.0, *angles), Angles.ZYZ)
+    assert printed(changed, Angles.ZYZ) == pytest.approx((1, 2, 3, *angles), abs=1e-6)  # type: ignore[arg-type]
+    assert components(changed)[4:] == pytest.approx((angles[1] - 90, angles[2]), abs=1e-6)  # type: ignore[arg-type]

@@ -29,7 +29,7 @@ def test_where_of_as_has_two_blocks() -> None:
         listings.where_of_as_text(PICK, READY, block=1)
         + listings.where_of_as_text(PICK, READY, block=2)
     )
-    assert "   500.000   200.000   100.000    90.000    90.000     0.000" in both
+    assert "   500.000   200.000   100.000     0.000   180.000     0.000" in both  # Z Y' Z''
 
 
 def test_locations_come_before_precision_points() -> None:
