@@ -39,7 +39,7 @@ from vrts.ir.commands import TimedCommand
 from vrts.ir.module import Module
 from vrts.ir.system import PARAMETERS
 from vrts.lang.command import parse_command
-from vrts.lang.compiler import Options, compile_source
+from vrts.lang.compiler import Compilation, Options, compile_source
 from vrts.lang.dialect import DIALECTS, Dialect
 from vrts.scene.default import robot_alone
 from vrts.scene.model import Scenario
@@ -86,7 +86,7 @@ def cases() -> list[Case]:
     return found
 
 
-def compiled(case: Case) -> Module:
+def compiled_case(case: Case) -> Compilation:
     text = case.program
     if ".PROGRAM" not in text:
         text = f".PROGRAM main()\n{text}.END\n"
@@ -94,11 +94,17 @@ def compiled(case: Case) -> Module:
         text += PLACES
     compilation = compile_source(SourceFile("case.v2", text), Options(case.dialect))
     assert compilation.module is not None, compilation.diagnostics
-    return compilation.module
+    return compilation
 
 
 def ran(case: Case) -> Run:
-    module, scene = compiled(case), robot_alone(case.robot)
+    module = compiled_case(case).module
+    assert module is not None
+    return ran_module(case, module)
+
+
+def ran_module(case: Case, module: Module) -> Run:
+    scene = robot_alone(case.robot)
     scenario = Scenario()
     if "scenario" in case.expected:
         source = SourceFile("scenario.toml", case.expected["scenario"])

@@ -10,6 +10,7 @@ SUBCOMMANDS = {
     "fetch": "fetch programs and locations from a controller",
     "diff": "compare what a controller holds with a bundle",
     "emulate": "emulate a controller at a pseudo-terminal",
+    "export": "write a verified program in the language of another controller",
 }
 
 

@@ -20,7 +20,7 @@ from vrts.lang.lower import Lowering
 from vrts.lang.problems import Problems
 from vrts.lang.resolve import Resolver
 from vrts.lang.scope import Scope
-from vrts.lang.splitter import split
+from vrts.lang.splitter import Section, split
 from vrts.lang.steps import StepParser, report_pasted_characters, report_tolerated
 from vrts.lang.structure import Block, blocks, check_exits, labels
 from vrts.lang.syntax import Bad, ProgramText
@@ -43,6 +43,17 @@ class Compilation:
     diagnostics: tuple[Diagnostic, ...]  # in the order of the text
     dialect: Dialect = VAL2
     source: SourceFile | None = None  # what was compiled: one file, or several joined
+
+
+class Resolved(NamedTuple):
+    """Programs as syntax trees in which every name is known, and their data."""
+
+    programs: list[ProgramText]
+    sections: list[Section]  # those of the programs, in their order
+    resolver: Resolver
+    structures: dict[str, tuple[list[Block], dict[int | str, int]]]  # of each program
+    data: list[Datum]
+    stored: bool  # whether a file without programs is all right
 
 
 class Options(NamedTuple):
@@ -74,16 +85,49 @@ def compile_sources(sources: Sequence[SourceFile], options: Options = STRICT) ->
     return compile_source(sources[0] if len(sources) == 1 else Joined(sources), options)
 
 
+@deep_stack()
+def resolve_source(source: SourceFile, dialect: Dialect) -> Resolved | None:
+    """Return the syntax trees of a file that compiles; None for what is no program."""
+    return _resolved(Problems(source, dialect), Options(dialect))
+
+
 def _compile(problems: Problems, options: Options) -> Compilation:
     dialect = problems.dialect
+    found = _resolved(problems, options)
+    if found is None:
+        return Compilation(None, tuple(problems.found), dialect, problems.source)
+    if not found.programs and not found.stored and not problems.any_error:
+        size = len(problems.source.text)
+        problems.error(
+            NO_PROGRAM,
+            "this file holds no program",
+            size,
+            size,
+            help=("begin one with `.PROGRAM name` and end it with `.END`",),
+        )
+    if problems.any_error:
+        return Compilation(None, problems.in_order(), dialect, problems.source)
+    lowered: dict[str, Program] = {}
+    resolver = found.resolver
+    for program in found.programs:
+        structure = found.structures[program.name]
+        lowering = Lowering(problems.source, resolver.scope, resolver, program, *structure)
+        lowered[program.name] = lowering.run()
+        check_reachable(problems, program, lowered[program.name])
+    module = Module(MappingProxyType(lowered), tuple(found.data))
+    return Compilation(module, problems.in_order(), dialect, problems.source)
+
+
+def _resolved(problems: Problems, options: Options) -> Resolved | None:
+    """Parse and resolve; None for a stranger, which is then all that is reported."""
+    dialect = problems.dialect
     sections = [s for s in split(problems) if not is_remarks(s, dialect)]
-    headers = [read_header(s, problems) for s in sections if s.kind == "program"]
+    headed = [s for s in sections if s.kind == "program"]
+    headers = [read_header(s, problems) for s in headed]
     parser = StepParser(problems, options.precedence)
     parser.program_names = frozenset(name for name, _ in headers)
     programs: list[ProgramText] = []
-    for section, (name, formals) in zip(
-        (s for s in sections if s.kind == "program"), headers, strict=True
-    ):
+    for section, (name, formals) in zip(headed, headers, strict=True):
         steps = tuple(parser.step(line) for line in section.lines)
         parser.report_block_steps()
         header = section.header
@@ -94,7 +138,8 @@ def _compile(problems: Problems, options: Options) -> Compilation:
         )
     stranger = _stranger(problems, programs)
     if stranger is not None:
-        return Compilation(None, (stranger,), dialect, problems.source)
+        problems.found[:] = [stranger]
+        return None
     programs = _distinct(programs, problems, replace=options.replace)
     scope = Scope(programs)
     data: list[Datum] = []
@@ -120,25 +165,10 @@ def _compile(problems: Problems, options: Options) -> Compilation:
     check_process_programs(problems, scope.programs)
     check_usage(resolver, programs)
     check_habits(problems, scope, programs, {n: found for n, (found, _) in structures.items()})
-    stored = data and (dialect.is_as or problems.source.name.lower().endswith(DATA_SUFFIXES))
-    if not programs and not stored and not problems.any_error:
-        size = len(problems.source.text)
-        problems.error(
-            NO_PROGRAM,
-            "this file holds no program",
-            size,
-            size,
-            help=("begin one with `.PROGRAM name` and end it with `.END`",),
-        )
-    if problems.any_error:
-        return Compilation(None, problems.in_order(), dialect, problems.source)
-    lowered: dict[str, Program] = {}
-    for program in programs:
-        lowering = Lowering(problems.source, scope, resolver, program, *structures[program.name])
-        lowered[program.name] = lowering.run()
-        check_reachable(problems, program, lowered[program.name])
-    module = Module(MappingProxyType(lowered), tuple(data))
-    return Compilation(module, problems.in_order(), dialect, problems.source)
+    by_start = {section.header.start: section for section in headed}
+    stored = bool(data) and (dialect.is_as or problems.source.name.lower().endswith(DATA_SUFFIXES))
+    kept = [by_start[program.start] for program in programs]
+    return Resolved(programs, kept, resolver, structures, data, stored)
 
 
 def _distinct(

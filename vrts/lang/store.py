@@ -23,13 +23,22 @@ def store_text(source: SourceFile, module: Module, dialect: Dialect, *, exact: b
     """Return what STORE writes for the programs and data of a compilation."""
     programs = program_text(source, dialect)
     rows = [programs[name] for name in sorted(programs)]
-    data = {(datum.name, datum.subscripts): datum for datum in module.data}  # the last one holds
+    return "".join(rows) + data_text(module.data, dialect, exact=exact)
+
+
+def data_text(given: Iterable[Datum], dialect: Dialect, *, exact: bool = False) -> str:
+    """Return the data sections of a file of a dialect, each in alphabetical order."""
+    data = {(datum.name, datum.subscripts): datum for datum in given}  # the last one holds
     ordered = [data[place] for place in sorted(data)]
     poses = [d for d in ordered if isinstance(d.value, Pose)]
     joints = [d for d in ordered if isinstance(d.value, tuple) and not isinstance(d.value, Pose)]
     reals = [d for d in ordered if isinstance(d.value, float)]
     texts = [d for d in ordered if isinstance(d.value, str)]
-    rows += _section(".LOCATIONS", [*poses, *joints], dialect, exact=exact)
+    if dialect.is_as:
+        rows = _section(".TRANS", poses, dialect, exact=exact)
+        rows += _section(".JOINTS", joints, dialect, exact=exact)
+    else:
+        rows = _section(".LOCATIONS", [*poses, *joints], dialect, exact=exact)
     rows += _section(".REALS", reals, dialect, exact=exact)
     rows += _section(".STRINGS", texts, dialect, exact=exact)
     return "".join(rows)

@@ -1,0 +1,53 @@
+"""Every program of the execution chapters, in other languages: refused with a reason, or the same.
+
+The same is: every motion, signal and program event at the same time, and the same text typed.
+"""
+
+import pytest
+
+from tests.spec.test_spec_run import Case, cases, compiled_case, happened, ran, ran_module, typed
+from vrts.base.source import SourceFile
+from vrts.base.units import deg
+from vrts.dispatch.export import LANGUAGES
+from vrts.dispatch.posts.post import Settled
+from vrts.dispatch.posts.written import Written, written
+from vrts.dispatch.same_motion import difference
+from vrts.lang.compiler import Options, compile_source
+from vrts.lang.dialect import DIALECTS
+from vrts.scene.default import robot_alone
+
+CASES = [case for case in cases() if case.dialect.name in LANGUAGES]
+REFUSED = {"val2": 17, "vplus": 21, "as": 57}  # cases, at most; each reason has a test of its own
+
+
+def exported(case: Case, target: str) -> Written:
+    """Return a program in another language, or what it was refused for."""
+    ready = robot_alone(case.robot).robot.arm.ready
+    found = written(compiled_case(case), target, Settled(tuple(map(deg, ready))))
+    errors = [d for d in found.diagnostics if d.is_error]
+    assert all(d.primary is not None and d.help for d in errors)
+    return found
+
+
+@pytest.mark.parametrize("target", sorted(REFUSED))
+def test_programs_are_the_same_in_another_language(target: str) -> None:
+    refused = 0
+    for case in CASES:
+        text, told = exported(case, target)
+        if any(d.is_error for d in told):
+            refused += 1
+            continue
+        again = compile_source(SourceFile("other", text), Options(DIALECTS[target]))
+        assert again.module is not None, (case.name, text, again.diagnostics[0].headline)
+        one, other = ran(case), ran_module(case, again.module)
+        apart = difference(one, other)
+        if told and not apart.is_none:  # what was left out mattered here, and so it is found
+            refused += 1
+            continue
+        assert apart.is_none, (case.name, text)
+        if "GRASP" in case.program and "error" in case.expected:
+            continue  # where the hand is empty the program says so itself, and halts
+        assert typed(one) == typed(other), (case.name, text)
+        assert happened(one) == happened(other), (case.name, text)
+    print(f"{target}: {refused} of {len(CASES)} refused")
+    assert refused <= REFUSED[target]

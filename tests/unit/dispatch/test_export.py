@@ -1,0 +1,91 @@
+"""`vrts dispatch export`: verified, written, read again, and compared."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.support_programs import ROOT, ran
+from vrts.dispatch.export import Exported, exported
+from vrts.dispatch.same_motion import TOLERANCE_MM, difference
+from vrts.pipeline.programs import STRICT, Reading
+from vrts.pipeline.settings import setting_for
+
+EXAMPLES = sorted((ROOT / "examples").glob("*/solution.v2"))
+
+
+def export(place: Path, target: str, reading: Reading = STRICT) -> Exported:
+    setting = setting_for(place)
+    assert setting is not None
+    return exported(place.read_bytes(), place.name, setting, target, reading=reading)
+
+
+@pytest.mark.parametrize("target", ["val2", "vplus", "as"])
+@pytest.mark.parametrize("place", EXAMPLES, ids=lambda place: place.parent.name)
+def test_every_example_moves_the_same_in_every_language(place: Path, target: str) -> None:
+    found = export(place, target)
+    assert not found.diagnostics
+    assert found.difference is not None
+    assert found.difference.most_mm <= TOLERANCE_MM
+    assert found.difference.duration_s == 0.0
+    assert found.text
+
+
+def test_a_program_that_is_not_verified_is_refused() -> None:
+    found = export(EXAMPLES[0].parent / "submissions" / "hits-base.v2", "vplus")
+    assert found.text is None
+    assert [d.rule.code for d in found.diagnostics][-1] == "V862"
+    assert "V400" in [d.rule.code for d in found.diagnostics]
+
+
+def test_a_program_that_would_move_otherwise_is_refused(tmp_path: Path) -> None:
+    body = "NONULL ALWAYS\nMOVE a\nBREAK\nMOVE b"
+    places = ".LOCATIONS\na 900 200 100 90 90 0\nb 900 -200 100 90 90 0\n.END\n"
+    place = tmp_path / "prog.v2"
+    place.write_text(f".PROGRAM main\n{body}\n.END\n{places}")
+    setting = setting_for(place, scene="cans-on-bases")
+    assert setting is not None
+    found = exported(place.read_bytes(), place.name, setting, "as")
+    assert found.text is None
+    assert found.diagnostics[-1].rule.code == "V863"
+    assert found.difference is not None
+    assert found.difference.most_mm > TOLERANCE_MM
+
+
+def test_programs_in_as_are_not_exported() -> None:
+    setting = setting_for(EXAMPLES[0])
+    assert setting is not None
+    data = b".PROGRAM main()\nJMOVE #[0,-90,90,0,0,0]\n.END\n"
+    found = exported(data, "main.as", setting, "vplus", reading=Reading("as"))
+    assert [d.rule.code for d in found.diagnostics][-1] == "V864"
+
+
+def test_runs_apart_by_more_than_allowed_are_told_with_the_time() -> None:
+    place = ".LOCATIONS\na 900 {y} 100 90 90 0\n.END\n"
+    text = ".PROGRAM main\nDELAY 1\nMOVE a\n.END\n"
+    one = ran(text + place.format(y=200))
+    near = difference(one, ran(text + place.format(y=200.005)))
+    far = difference(one, ran(text + place.format(y=200.5)))
+    assert near.most_mm == pytest.approx(0.005, abs=0.003)
+    assert far.most_mm == pytest.approx(0.5, abs=0.2)
+    assert 1.0 < far.first_s < 2.5
+    assert not far.is_none
+
+
+def test_the_command_writes_beside_the_program_and_says_so(tmp_path: Path) -> None:
+    for name in ("solution.v2", "task.toml"):
+        (tmp_path / name).write_bytes((EXAMPLES[0].parent / name).read_bytes())
+    words = [sys.executable, "-m", "vrts.cli.main", "dispatch", "export"]
+    done = subprocess.run(
+        [*words, str(tmp_path / "solution.v2"), "--to", "as"], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    assert "JMOVE" in (tmp_path / "solution-as.as").read_text()
+    assert "the same motion" in done.stderr
+    itself = str(tmp_path / "solution.v2")
+    done = subprocess.run(
+        [*words, itself, "--to", "val2", "-o", itself], capture_output=True, text=True
+    )
+    assert done.returncode == 2
+    assert "is the program itself" in done.stderr

@@ -1,0 +1,123 @@
+"""A verified program in the language of another controller, and proof that it moves the same."""
+
+from pathlib import Path
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Diagnostic, Rule, error
+from vrts.base.units import deg
+from vrts.check.verdict import Answer
+from vrts.dispatch.posts.post import Settled
+from vrts.dispatch.posts.written import POSTS, written
+from vrts.dispatch.same_motion import TOLERANCE_MM, Difference, difference
+from vrts.engine.controller import execute
+from vrts.lang.compiler import Compilation
+from vrts.pipeline.assess import assess, no_program, scenario_for
+from vrts.pipeline.programs import STRICT, Reading, compile_bytes
+from vrts.pipeline.settings import Setting
+
+NOT_VERIFIED = Rule("V862", "not-verified")
+MOVES_OTHERWISE = Rule("V863", "moves-otherwise")
+OTHER_LANGUAGE = Rule("V864", "language-not-exported")
+
+LANGUAGES = ("val2", "val2+", "vplus")  # that programs are exported from
+
+
+class Exported(NamedTuple):
+    """A program in another language, or why there is none."""
+
+    text: str | None
+    diagnostics: tuple[Diagnostic, ...]
+    difference: Difference | None = None  # to the motion of the original
+
+
+def exported(
+    data: bytes,
+    name: str,
+    setting: Setting,
+    target: str,
+    *,
+    reading: Reading = STRICT,
+    entry: str | None = None,
+) -> Exported:
+    """Verify a program, write it in another language, read it again, and compare the motions.
+
+    Args:
+        data: The bytes of the program.
+        name: As shown.
+        setting: Where it is verified.
+        target: A name of `POSTS`.
+        reading: Dialect, and files compiled together with the program.
+        entry: Program to execute; None: the task's, else the first.
+    """
+    _, compilation, found = compile_bytes(data, name, reading)
+    if compilation is None or compilation.module is None or compilation.module.main is None:
+        return Exported(None, found)
+    if compilation.dialect.name not in LANGUAGES:
+        return Exported(None, (*found, _other_language(compilation)))
+    if entry is None and setting.task is not None:
+        entry = setting.task.program
+    if entry is not None and entry.lower() not in compilation.module.programs:
+        return Exported(None, (*found, no_program(compilation.module, entry)))
+    verified = assess(data, setting=setting, title=name, reading=reading, entry=entry)
+    wrong = any(d.is_error for d in verified.findings)
+    if verified.judgement is None or wrong or verified.judgement.answer is not Answer.HOLDS:
+        return Exported(None, (*verified.findings, _not_verified(name)))
+    ready = setting.scene.robot.arm.ready
+    text, told = written(compilation, target, Settled(tuple(map(deg, ready))))
+    told = (*found, *told)
+    if any(d.is_error for d in told):
+        return Exported(None, told)
+    other = _compiled(text, name, target)
+    if other.module is None:
+        return Exported(None, (*told, *other.diagnostics))
+    assert verified.run is not None
+    scenario = scenario_for(setting.task, setting.scenario)
+    run = execute(other.module, setting.scene, scenario, entry and entry.lower())
+    apart = difference(verified.run, run)
+    if not apart.is_none:
+        return Exported(None, (*told, *run.findings, _moves_otherwise(target, apart)), apart)
+    return Exported(text, told, apart)
+
+
+def default_name(program: Path, target: str) -> Path:
+    """Return where an exported program goes unless told otherwise."""
+    return program.with_name(f"{program.stem}-{target}{POSTS[target].suffix}")
+
+
+def _compiled(text: str, name: str, target: str) -> Compilation:
+    _, compilation, _ = compile_bytes(text.encode(), f"{target}: {name}", Reading(target))
+    assert compilation is not None
+    return compilation
+
+
+def _other_language(compilation: Compilation) -> Diagnostic:
+    return error(
+        OTHER_LANGUAGE,
+        f"programs in {compilation.dialect.title} are not exported",
+        help=("export a program in VAL-II or V+",),
+    )
+
+
+def _not_verified(name: str) -> Diagnostic:
+    return error(
+        NOT_VERIFIED,
+        f"`{name}` is not verified, so it is not exported",
+        notes=("what is wrong here would be wrong on any robot",),
+        help=(f"mend it first: `vrts verify {name}`",),
+    )
+
+
+def _moves_otherwise(target: str, apart: Difference) -> Diagnostic:
+    title = POSTS[target].dialect.title
+    if apart.most_mm > TOLERANCE_MM:
+        headline = f"in {title} the tool would be {apart.most_mm:.2f} mm elsewhere"
+        note = f"from {apart.first_s:.2f} s on"
+    else:
+        headline = f"in {title} the program would take {apart.duration_s:+.3f} s"
+        note = "the path is the same"
+    return error(
+        MOVES_OTHERWISE,
+        headline,
+        notes=(note,),
+        help=("write what the languages carry out in different ways by plain motions",),
+    )

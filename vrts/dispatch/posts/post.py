@@ -1,0 +1,302 @@
+"""What every post-processor does: steps written anew, place by place, the rest as it stands.
+
+A statement keeps its text but for its keyword and its expressions, so comments, names and numbers
+stay the student's own. Languages differ in words (`WORDS`), in functions (`FUNCTIONS`), in what the
+angles of TRANS mean, in how operators bind, and in a few statements that a post writes itself.
+"""
+
+import re
+from collections.abc import Callable, Iterator
+from typing import ClassVar, NamedTuple
+
+from vrts.base.diagnostic import Rule
+from vrts.ir.values import Type
+from vrts.lang import syntax
+from vrts.lang.compiler import Resolved
+from vrts.lang.dialect import Angles, Dialect, Precedence
+from vrts.lang.names import key
+from vrts.lang.operators import TABLE_A, TABLE_B
+from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions, bare_functions
+from vrts.lang.vocabulary.lookup import instructions_of, reserved_words
+
+CANNOT_WRITE = Rule("V860", "no-such-word")
+LEFT_OUT = Rule("V861", "word-left-out")
+
+OFFSETS = (-90.0, 90.0, 0.0)  # from O, A, T to yaw, pitch, roll [val2.md 6.2]
+_FIRST_ANGLE = 3  # of the arguments of TRANS
+_WORD = re.compile(r"[A-Za-z][\w.]*", re.ASCII)
+_PLAIN_NUMBER = re.compile(r"[\d.]+(?:[eE][+-]?\d+)?", re.ASCII)
+_WORDS_OF_THEIR_OWN: dict[type, str] = {
+    syntax.SetLocation: "SET",
+    syntax.HereStatement: "HERE",
+    syntax.ShiftStatement: "SHIFT",
+    syntax.PackStatement: "PACK",
+}
+_NODES = (
+    syntax.Number,
+    syntax.Text,
+    syntax.Name,
+    syntax.Element,
+    syntax.Application,
+    syntax.Prefix,
+    syntax.Infix,
+    syntax.Parenthesised,
+)
+TIGHTEST = 100  # as an operand, an expression that needs no parentheses
+
+
+class CannotWrite(Exception):  # noqa: N818 -- names the situation
+    """The language has nothing that means the same as a part of a program."""
+
+    def __init__(self, start: int, end: int, headline: str, remedy: str) -> None:
+        """Keep the place in the source, what is missing, and what helps."""
+        super().__init__(headline)
+        self.start, self.end, self.headline, self.remedy = start, end, headline, remedy
+
+
+class Settled(NamedTuple):
+    """What a post asks about the robot."""
+
+    ready_deg: tuple[float, ...]  # joints of READY
+
+
+class Post:
+    """Writes the statements of resolved programs in another language. This one writes VAL-II."""
+
+    name: ClassVar[str]  # as `--to` takes it
+    dialect: ClassVar[Dialect]
+    suffix: ClassVar[str]  # of its files
+    WORDS: ClassVar[dict[str, str]] = {}  # keyword: how it is spelt here
+    LACKS: ClassVar[frozenset[str]] = frozenset()  # keywords, besides those not in the vocabulary
+    LEFT_OUT: ClassVar[frozenset[str]] = frozenset()  # settings that may go without one
+    FUNCTIONS: ClassVar[dict[str, str]] = {}  # function, lower case: how it is spelt here
+    LACKS_FUNCTIONS: ClassVar[frozenset[str]] = frozenset()
+
+    def __init__(self, found: Resolved, settled: Settled) -> None:
+        """Write programs of one source."""
+        self.found = found
+        self.settled = settled
+        self.source = found.resolver.problems.source
+        self.origin = found.resolver.dialect
+        self.program = ""  # the one being written
+        self.left_out: list[tuple[int, int, str]] = []  # ranges, and the words
+        self._table = TABLE_B if self.dialect.precedence is Precedence.B else TABLE_A
+        theirs = reserved_words(self.origin)
+        self._reserved = reserved_words(self.dialect) - theirs
+        own = applied_functions(self.dialect).keys() | bare_functions(self.dialect).keys()
+        self._known = own | CONSTANTS.keys()
+        self._functions = applied_functions(self.origin).keys() | bare_functions(self.origin).keys()
+
+    # --- statements -----------------------------------------------------------------------------
+
+    def statement(self, node: syntax.Statement) -> tuple[str, ...]:
+        """Return a statement as steps of this language: one or more; of a comment, one.
+
+        Raises:
+            CannotWrite: There is nothing that means the same.
+        """
+        word = self._keyword(node)
+        if word in self.LEFT_OUT:
+            self.left_out.append((node.start, node.end, word))
+            return (f"; {self._text(node)}",)
+        own: Callable[[syntax.Statement], tuple[str, ...]] | None = getattr(
+            self, f"_write_{word.lower()}", None
+        )
+        if own is not None:
+            return own(node)
+        known = self.WORDS.get(word, word) in instructions_of(self.dialect)
+        if word and (word in self.LACKS or not known):
+            raise self.lacking(node, word)
+        return (self.rewritten(node),)
+
+    def rewritten(self, node: syntax.Statement) -> str:
+        """Return the text of a statement with its keyword and expressions in this language."""
+        word = self._keyword(node)
+        start, head = node.start, ""
+        if word:
+            written = _WORD.match(self.source.text, node.start)
+            assert written is not None
+            start, head = written.end(), self.WORDS.get(word, word)
+        return head + self._edited(node, start)
+
+    def lacking(self, node: syntax.Statement, word: str, remedy: str = "") -> CannotWrite:
+        """Return what to raise for a keyword."""
+        title = self.dialect.title
+        headline = f"{title} has nothing that means {word}"
+        return CannotWrite(node.start, node.end, headline, remedy or "write the step without it")
+
+    def _keyword(self, node: syntax.Statement) -> str:
+        """Return the keyword of a statement, as VAL-II writes it; empty where it stays."""
+        own = _WORDS_OF_THEIR_OWN.get(type(node))
+        if own is not None:
+            return own
+        named = (
+            syntax.Simple,
+            syntax.SpeedStatement,
+            syntax.Setting,
+            syntax.Give,
+            syntax.Put,
+            syntax.ReactStatement,
+            syntax.Device,
+            syntax.Declare,
+            syntax.Rest,
+        )
+        return node.word if isinstance(node, named) else ""
+
+    def _edited(self, node: syntax.Statement, start: int) -> str:
+        """Return the text of a statement from an offset on, its expressions written anew."""
+        pieces: list[str] = []
+        at = start
+        for inner in _expressions(node):
+            if inner.start < at:
+                continue  # BITS and its like name their parts in another order than they stand
+            pieces += (self.source.text[at : inner.start], self.expression(inner))
+            at = inner.end
+        return "".join((*pieces, self.source.text[at : node.end]))
+
+    def _text(self, node: syntax.Statement | syntax.Item) -> str:
+        return self.source.text[node.start : node.end]
+
+    # --- expressions ----------------------------------------------------------------------------
+
+    def expression(self, node: syntax.Item) -> str:
+        """Return an expression in this language."""
+        match node:
+            case syntax.Number():
+                return self.number(node)
+            case syntax.Text() | syntax.FormatItem():
+                return self._text(node)
+            case syntax.Name():
+                return self.variable(node)
+            case syntax.Element(name, subscripts):
+                return f"{self.variable(name)}[{self.listed(subscripts)}]"
+            case syntax.Application():
+                return self.application(node)
+            case syntax.Parenthesised(inner):
+                return f"({self.expression(inner)})"
+            case syntax.Prefix(operator, operand):
+                blank = " " if operator.isalpha() else ""
+                return f"{operator}{blank}{self.operand(operand, TIGHTEST)}"
+            case syntax.Infix():
+                return self.infix(node)
+
+    def infix(self, node: syntax.Infix) -> str:
+        """Return two operands and what stands between them."""
+        level = self._table[node.operator]
+        left = self.operand(node.left, level)
+        right = self.operand(node.right, level + 1)
+        tight = node.operator in (":", "**", "*", "/")
+        return f"{left}{node.operator}{right}" if tight else f"{left} {node.operator} {right}"
+
+    def operand(self, node: syntax.Expression, level: int) -> str:
+        """Return an operand, in parentheses where it binds less than a level of the table."""
+        text = self.expression(node)
+        own = self._table[node.operator] if isinstance(node, syntax.Infix) else TIGHTEST
+        return f"({text})" if own < level else text
+
+    def number(self, node: syntax.Number) -> str:
+        """Return a number as written, or in decimals what is octal or hexadecimal."""
+        text = self._text(node)
+        return text if _PLAIN_NUMBER.fullmatch(text) else f"{node.value:.9g}"
+
+    def variable(self, node: syntax.Name) -> str:
+        """Return a name; one that is a word of this language only is refused."""
+        name = key(node.text)
+        if name in CONSTANTS or name in self._functions:
+            return self.function(node)
+        if name.upper() in self._reserved:
+            title = self.dialect.title
+            raise CannotWrite(
+                node.start,
+                node.end,
+                f"`{name}` is a word of {title}",
+                "give the variable another name",
+            )
+        return name
+
+    def function(self, node: syntax.Name) -> str:
+        """Return the name of a function or constant."""
+        name = node.text.lower()
+        if name in self.LACKS_FUNCTIONS or name not in self._known:
+            headline = f"{self.dialect.title} has nothing that means {name.upper()}"
+            raise CannotWrite(node.start, node.end, headline, "work the value out in another way")
+        return self.FUNCTIONS.get(name, name.upper())
+
+    def application(self, node: syntax.Application) -> str:
+        """Return a function with its arguments."""
+        name = node.name.text.lower()
+        own: Callable[[syntax.Application], str] | None = getattr(
+            self, f"_apply_{name.lstrip('$#')}", None
+        )
+        if own is not None:
+            return own(node)
+        return f"{self.function(node.name)}({self.arguments(node)})"
+
+    def arguments(self, node: syntax.Application) -> str:
+        """Return what stands between the parentheses of a function."""
+        if node.by is None:
+            return self.listed(node.arguments)
+        before, behind = node.arguments[: node.by], node.arguments[node.by :]
+        return f"{self.listed(before)} BY {self.listed(behind)}"
+
+    def listed(self, items: tuple[syntax.Item | None, ...]) -> str:
+        """Return items between commas; what is left out stays left out."""
+        return ", ".join("" if item is None else self.expression(item) for item in items)
+
+    def _apply_trans(self, node: syntax.Application) -> str:
+        """TRANS, its angles turned into those of this language."""
+        given = node.arguments
+        if self.dialect.angles is self.origin.angles or not any(given[_FIRST_ANGLE:]):
+            return f"TRANS({self.listed(given)})"
+        sign = 1.0 if self.dialect.angles is Angles.ZYZ else -1.0
+        padded = (*given, *(None for _ in range(6)))[:6]
+        lengths = [self.listed((item,)) for item in padded[:_FIRST_ANGLE]]
+        angles = [
+            self.shifted(item, sign * offset)
+            for item, offset in zip(padded[_FIRST_ANGLE:], OFFSETS, strict=True)
+        ]
+        return f"TRANS({', '.join((*lengths, *angles))})"
+
+    def shifted(self, item: syntax.Item | None, offset: float) -> str:
+        """Return a number, or what is left out and means 0, with a constant added."""
+        value = 0.0 if item is None else _constant(item)
+        if value is not None:
+            return f"{value + offset:.9g}"
+        assert item is not None
+        assert not isinstance(item, syntax.FormatItem)
+        if offset == 0.0:
+            return self.expression(item)
+        sign = "+" if offset > 0.0 else "-"
+        return f"{self.operand(item, self._table['+'])} {sign} {abs(offset):g}"
+
+    def type_of(self, node: syntax.Item | None) -> Type | None:
+        """Return the type of a name or element in the program being written."""
+        if isinstance(node, syntax.Element):
+            node = node.name
+        if not isinstance(node, syntax.Name):
+            return None
+        return self.found.resolver.scope.entry(self.program, key(node.text)).type
+
+
+def _expressions(node: syntax.Statement) -> Iterator[syntax.Item]:
+    """Return the outermost expressions of a statement in the order of the text."""
+    found: list[syntax.Item] = []
+    waiting: list[object] = list(node)
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, (*_NODES, syntax.FormatItem)):
+            found.append(part)
+        elif isinstance(part, tuple):
+            waiting.extend(part)  # pyright: ignore[reportUnknownArgumentType]
+    return iter(sorted(found, key=lambda item: item.start))
+
+
+def _constant(item: syntax.Item) -> float | None:
+    """Return the value of a number, with its sign."""
+    match item:
+        case syntax.Number(value):
+            return value
+        case syntax.Prefix("-", syntax.Number(value)):
+            return -value
+        case _:
+            return None

@@ -1,0 +1,39 @@
+"""V+ of Adept: nearly all of VAL-II, with yaw, pitch and roll [val2.md 9]."""
+
+from typing import ClassVar
+
+from vrts.dispatch.posts.post import Post
+from vrts.lang import syntax
+from vrts.lang.dialect import VPLUS
+
+
+class VPlus(Post):
+    """Writes V+."""
+
+    name = "vplus"
+    dialect = VPLUS
+    suffix = ".v2"
+    LACKS: ClassVar[frozenset[str]] = frozenset({"DECOMPOSE"})  # its angles differ
+    LEFT_OUT: ClassVar[frozenset[str]] = frozenset({"INTON", "INTOFF"})
+    LACKS_FUNCTIONS: ClassVar[frozenset[str]] = frozenset({"adc", "ioget"})
+
+    def _write_draw(self, node: syntax.Simple) -> tuple[str, ...]:
+        """DRAW is a straight motion to where the last one ends, shifted."""
+        return (f"MOVES SHIFT(DEST BY {self.listed(node.operands)})",)
+
+    def _write_shift(self, node: syntax.ShiftStatement) -> tuple[str, ...]:
+        place = self.expression(node.target)
+        return (f"SET {place} = SHIFT({place} BY {self.listed(node.offsets)})",)
+
+    def _write_grasp(self, node: syntax.Simple) -> tuple[str, ...]:
+        return grasped(self, node)
+
+
+def grasped(post: Post, node: syntax.Simple) -> tuple[str, ...]:
+    """Return the steps of GRASP where the language has none: close, then look at the hand."""
+    least, *label = node.operands
+    missing = f"HAND < {post.listed((least,))}"
+    if label:
+        return ("CLOSEI", f"IF {missing} GOTO {post.listed(tuple(label))}")
+    said = f'{post.WORDS.get("TYPE", "TYPE")} "the hand closed too far"'
+    return ("CLOSEI", f"IF {missing} THEN", said, "HALT", "END")
