@@ -218,7 +218,10 @@ class Sending:
         if self.talk.at.prompt in AT_COMMANDS and self.talk.line_in_doubt:
             return  # RETURN could carry out what stands in the line
         try:
-            self.talk.take_back()
+            if self.talk.prompt_missed:
+                self.talk.begin()
+            else:
+                self.talk.take_back()
             if not leave(self.talk, self.profile):
                 return
             for program in begun:

@@ -59,6 +59,7 @@ class Talk:
         self._transcript = transcript
         self._sleep = sleep
         self._at: At | None = None
+        self.prompt_missed = False  # after a line: where the controller stands is not known
         self.line_in_doubt = False  # something may stand in it that was not meant
         self._patterns = _patterns(profile)
 
@@ -84,6 +85,7 @@ class Talk:
             heard = (heard + answer)[-_TAIL:]
             if at is not None:
                 self._at = at
+                self.prompt_missed = False
                 return at
         raise unlike("one of its prompts", heard, "it shows no prompt after RETURN")
 
@@ -104,6 +106,7 @@ class Talk:
         self._write(self._profile.typing.end_of_line)
         answer, at = self._until_prompt(self._profile.patience.reply_s, complete)
         if at is None:
+            self.prompt_missed = True
             raise unlike("one of its prompts", answer, f"no prompt follows {visible(text)}")
         self._at = at
         begins = answer.lstrip(" ")
