@@ -113,6 +113,10 @@ class Client:
         """Return the value of an expression."""
         return self.do("evaluate", expression=expression, context=context)["result"]
 
+    def in_frame(self, frame: int, expression: str) -> str:
+        """Return the value that an expression has for a program being executed."""
+        return self.do("evaluate", expression=expression, frameId=frame, context="hover")["result"]
+
     def shown(self) -> dict[str, dict[str, dict[str, Any]]]:
         """Return everything that the scopes show."""
         frame = self.do("stackTrace", threadId=1)["stackFrames"][0]["id"]

@@ -1,6 +1,5 @@
 """The debug adapter as editors use it: over pipes, forward and backward."""
 
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -212,11 +211,100 @@ def test_it_ends_with_its_client(program: Path) -> None:
     assert other.leave() == 0
 
 
-def test_a_program_that_changes_on_disk_is_debugged_as_it_was(
-    client: Client, program: Path, tmp_path: Path
+def test_a_program_that_changes_on_disk_is_debugged_as_it_was_until_restart(
+    client: Client, program: Path
 ) -> None:
     client.launch(program, [5], dialect="val2+")
-    shutil.copy(HITS, program)
+    text = program.read_text()
+    program.write_text(text.replace("n < 4", "n < "))
     client.go("continue")
+    told = [e["body"]["output"] for e in client.events if e["event"] == "output"]
+    assert any("`loop.v2` has changed on disk" in words for words in told)
     assert client.line() == 5
     assert client.value("n") == "0"
+    refused = client.ask("restart")
+    assert not refused["success"]
+    assert "line 4" in refused["message"]
+    assert client.go("continue")["reason"] == "breakpoint", "it is still there, as it was"
+    program.write_text(text.replace("n < 4", "n < 1"))
+    assert client.go("restart")["reason"] == "entry"
+    assert client.go("continue")["reason"] == "breakpoint", "wishes outlive a restart"
+    assert client.go("continue")["reason"] == "pause", "the loop is entered once now"
+    assert client.value("m") == "2"
+
+
+LOCALS = """.PROGRAM main()
+ AUTO k
+ PCEXECUTE other, 2
+ k = 7
+ CALL inner(k)
+ WAIT SIG(5)
+.END
+.PROGRAM inner(a)
+ AUTO b
+ b = a+1
+ b = b+1
+.END
+.PROGRAM other()
+ AUTO c
+ c = c_begin
+ c = c+1
+ SIGNAL 5
+.END
+.REALS
+c_begin 40
+.END
+"""
+
+
+def test_each_program_has_its_own_variables(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "locals.v2"
+    path.write_text(LOCALS)
+    client.launch(path, [11], dialect="val2+")
+    assert client.go("continue")["reason"] == "breakpoint"
+    inner, outer = (f["id"] for f in client.do("stackTrace", threadId=1)["stackFrames"])
+    assert client.in_frame(inner, "b+a") == "15"
+    assert client.in_frame(outer, "k") == "7"
+    refused = client.ask("evaluate", expression="b", frameId=outer, context="watch")
+    assert not refused["success"]
+    refused = client.ask("setExpression", expression="k", value="8", frameId=outer)
+    assert "once `main` goes on" in refused["message"]
+    client.lines(path, 17, condition="c == 41")
+    stopped = client.go("continue")
+    assert (stopped["reason"], stopped["threadId"]) == ("breakpoint", 2)
+    other = client.do("stackTrace", threadId=2)["stackFrames"][0]["id"]
+    names = [scope["name"] for scope in client.do("scopes", frameId=other)["scopes"]]
+    assert names[0] == "Arguments and AUTO"
+    given = client.do("setExpression", expression="c", value="c+1", frameId=other)
+    assert given["value"] == "42"
+    assert client.in_frame(client.do("stackTrace", threadId=2)["stackFrames"][0]["id"], "c") == "42"
+
+
+def test_changes_are_chosen_by_conditions_and_hits(client: Client, program: Path) -> None:
+    client.launch(program, dialect="val2+")
+    client.do("setDataBreakpoints", breakpoints=[{"dataId": "m", "condition": "m > 4"}])
+    assert client.go("continue")["text"] == "m: 4 -> 6"
+    client.go("restart")
+    client.do("setDataBreakpoints", breakpoints=[{"dataId": "m", "hitCondition": "%2"}])
+    stopped = client.go("continue")
+    assert stopped["text"] == "m: 2 -> 4"
+    assert len(stopped["hitBreakpointIds"]) == 1
+    answer = client.do("setDataBreakpoints", breakpoints=[{"dataId": "m", "hitCondition": "x"}])
+    assert not answer["breakpoints"][0]["verified"]
+
+
+def test_it_says_what_of_a_client_it_does_not_understand(client: Client) -> None:
+    assert not client.ask("initialize", linesStartAt1=False)["success"]
+    assert not client.ask("initialize", pathFormat="uri")["success"]
+
+
+def test_a_program_that_never_ends_is_over_and_can_be_asked(client: Client, tmp_path: Path) -> None:
+    path = tmp_path / "endless.v2"
+    path.write_text(".PROGRAM main\n n = 0\n10 n = n+1\n WAIT SIG(-1)\n GOTO 10\n.END\n")
+    client.launch(path, scenario=None)
+    stopped = client.go("continue")
+    assert stopped["reason"] == "exception"
+    assert "still running" in stopped["text"]
+    client.go("stepBack")
+    client.go("stepBack")
+    assert int(client.value("n+0").replace(",", "")) > 1_000

@@ -82,7 +82,7 @@ def _exception_info(session: Session, _: Fields) -> Answer:
         raise BadRequest("it did not stop for an alarm")
     body: Json = {
         "exceptionId": stop.alarm.filter.value,
-        "description": one_line(stop.text),
+        "description": one_line(stop.text) + _under_way(session),
         "breakMode": "always",
     }
     found = stop.alarm.diagnostic
@@ -90,6 +90,14 @@ def _exception_info(session: Session, _: Fields) -> Answer:
         more = [found.headline, *found.notes, *(f"help: {line}" for line in found.help)]
         body["details"] = {"message": one_line(found.headline), "stackTrace": "\n".join(more)}
     return Answer(body)
+
+
+def _under_way(session: Session) -> str:
+    """Return which motion the arm carries out: the program may be a step ahead."""
+    motion = session.debugger.state.cause
+    if motion is None:
+        return ""
+    return f"; in line {motion.span.line}: {one_line(motion.span.text)}"
 
 
 def _loaded_sources(session: Session, _: Fields) -> Answer:
