@@ -28,6 +28,7 @@ COMMANDS = {
     "dap": "debug programs from an editor, forward and backward",
     "editor": "set up VS Code, Neovim or Emacs for VAL-II",
     "lsp": "help an editor while programs are written",
+    "validate": "compare a real robot with the run of its program",
     "new": "write a scene, a task or a program to begin with",
     "task": "check an assignment, and pack it for students and staff",
     "fmt": "write a program in the canonical layout",

@@ -1,0 +1,97 @@
+"""A simulated real robot: a run as a robot with the errors of a real one would log it.
+
+Nothing of this is measured: every number is assumed, and every log says that it is synthetic. The
+chain is that of the controller: set points every tick, each joint's servo going from one to the
+next on a straight line and behind it by a lag, encoders that count steps, noise; then the tool as
+an instrument would measure it that takes the base to be where it is not.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.base.units import DEG, MM
+from vrts.engine.run import Run
+from vrts.validate.offsets import turned
+from vrts.validate.sampling import tool_poses
+
+Array = npt.NDArray[np.float64]
+
+STEPS = 32  # of a servo between two set points [FGL1987]_, from memory
+BEFORE_S = AFTER_S = 0.5  # logged before and after the run
+
+
+class Imperfect(NamedTuple):
+    """What is wrong with the simulated robot; the whole of it is assumed."""
+
+    lag_s: float = 0.02  # of every joint's servo, first order
+    encoder_deg: float = 0.005  # a step of an encoder
+    noise_deg: float = 0.01  # of every joint, one standard deviation
+    base_mm: tuple[float, float, float] = (0.6, 0.8, 0.0)  # of the real base in W: 1 mm
+    base_turn_deg: float = 0.0  # about the vertical
+    clock_s: float = 0.0  # what its clock shows when the run begins
+    seed: int = 1
+
+
+def synthetic_log(run: Run, robot: Imperfect, program: str) -> Iterator[str]:
+    """Return a log in pieces that end with a line: one row for every set point.
+
+    Args:
+        run: What is commanded.
+        robot: What is wrong with the robot.
+        program: Name of the program, for the first line.
+    """
+    yield from _heading(robot, program)
+    names = ["time_s", *(f"jt{k}_deg" for k in range(1, 7)), "x_mm", "y_mm", "z_mm"]
+    yield ",".join(names) + "\n"
+    times, joints, positions = logged(run, robot)
+    rows = np.column_stack((times + robot.clock_s, joints / DEG, positions / MM))
+    form = ",".join(["%.3f", *["%.4f"] * 6, *["%.3f"] * 3])
+    for row in (rows + 0.0).tolist():
+        yield form % tuple(row) + "\n"
+
+
+def logged(run: Run, robot: Imperfect) -> tuple[Array, Array, Array]:
+    """Return times [s], shape (n,), joints [rad], (n, 6), and tool positions in W [m], (n, 3)."""
+    chance = np.random.default_rng(robot.seed)
+    tick = run.scene.robot.arm.tick
+    count = round((run.horizon_s + BEFORE_S + AFTER_S) / tick)
+    times: Array = tick * (np.arange(count, dtype=np.float64) - round(BEFORE_S / tick))
+    joints = _servo(run, times, tick, robot.lag_s)
+    noise = chance.normal(0.0, robot.noise_deg * DEG, joints.shape)
+    step = robot.encoder_deg * DEG
+    told = joints + noise
+    if step > 0.0:
+        told = np.round(told / step) * step
+    _, points = tool_poses(run, times, told)
+    turn = turned(np.array([0.0, 0.0, robot.base_turn_deg * DEG]))
+    return times, told, points @ turn.T + np.array(robot.base_mm) * MM
+
+
+def _servo(run: Run, times: Array, tick: float, lag_s: float) -> Array:
+    """Return joints that follow set points, on straight lines between them, behind by a lag."""
+    set_points = run.timeline.batch.values(times)[:, :6]
+    if lag_s <= 0.0:
+        return set_points
+    kept = np.exp(-tick / STEPS / lag_s)  # of the distance, in every step of the servo
+    found = np.empty_like(set_points)
+    found[0] = now = set_points[0]
+    shares = np.arange(1, STEPS + 1)[:, None] / STEPS
+    for k in range(1, len(times)):
+        wanted = set_points[k - 1] + shares * (set_points[k] - set_points[k - 1])
+        for goal in wanted:
+            now = goal + kept * (now - goal)
+        found[k] = now
+    return found
+
+
+def _heading(robot: Imperfect, program: str) -> Iterator[str]:
+    yield f"# SYNTHETIC: `vrts validate simulate` made this log of {program}, no robot did.\n"
+    base = " ".join(f"{value:g}" for value in robot.base_mm)
+    yield (
+        f"# Assumed: servo lag {1e3 * robot.lag_s:g} ms, encoder step {robot.encoder_deg:g} deg,"
+        f" noise {robot.noise_deg:g} deg, base off by {base} mm"
+        f" and {robot.base_turn_deg:g} deg, clock {robot.clock_s:g} s, seed {robot.seed}.\n"
+    )
