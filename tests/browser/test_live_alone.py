@@ -82,6 +82,9 @@ def test_points_are_taught_and_time_goes_back(teacher: Desk, teaching: Teaching)
     teacher.until("Math.abs(vrts.world.state.q[0] * 180 / Math.PI - 5) < 0.01")
     teacher.page.click("button:text('Record')")
     teacher.until("document.getElementById('record-name').value === 'p3'")
+    for name in ("chat", "people", "lead"):
+        assert teacher.page.locator(f"#tab-{name}").is_hidden(), "nobody else comes"
+    assert teacher.page.locator("#control-button").is_hidden()
     names = [row.split()[0] for row in teaching.output.read_text().splitlines()]
     assert names == [".LOCATIONS", "p1", "p2", ".END"]
 

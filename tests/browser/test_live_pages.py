@@ -47,6 +47,14 @@ def test_axe_finds_nothing_in_any_panel(lead: Desk) -> None:
     for name in PANELS:
         lead.page.click(f"#tab-{name}")
         found[name] = faults(lead)
+    lead.page.get_by_label("Link into Class").click()
+    lead.until("document.querySelector('#entrance .qr').src.startsWith('blob:')")
+    found["link"] = faults(lead)
+    lead.page.keyboard.press("Escape")
+    lead.page.click("#code-button")
+    lead.until("document.querySelector('#entrance .code').textContent.length === 6")
+    found["code"] = faults(lead)
+    lead.page.keyboard.press("Escape")
     assert {name: rows for name, rows in found.items() if rows} == {}
 
 

@@ -202,6 +202,7 @@ def test_who_comes_back_has_missed_nothing(operator: Desk, viewer: Desk) -> None
 def test_the_right_passes_through_the_queue(operator: Desk, viewer: Desk) -> None:
     viewer.page.click("#control-button")
     viewer.until("document.getElementById('turn').textContent.startsWith('1st in the queue')")
+    assert operator.page.inner_text("#crowd") == "2 here"
     operator.page.click("#control-button")
     viewer.until("vrts.store.operator")
     operator.until("document.getElementById('hand-open').disabled")
@@ -241,8 +242,11 @@ def test_a_supervisor_mutes_broadcasts_reads_logs_and_sends_away(
 
     lead.page.click("#panel-lead button:text('Take control')")
     operator.until("!vrts.store.operator && document.getElementById('ready').disabled")
+    lead.page.click("#panel-lead button:text('Free control')")
+    for one in (lead, operator):
+        one.until("vrts.store.now.control.holder === ''")
     lead.page.click("#tab-people")
-    lead.page.get_by_label("Kick: Ben").click()
+    lead.page.get_by_label("Send away: Ben").click()
     viewer.until("vrts.store.now.connection === 'ended'")
     viewer.page.reload()
     viewer.until("window.vrts?.store.now.connection === 'ended'")

@@ -331,4 +331,5 @@ export class WebGLRenderer {
   setSize(width: number, height: number, style?: boolean): void;
   render(scene: Scene, camera: Camera): void;
   dispose(): void;
+  forceContextLoss(): void;
 }

@@ -1,7 +1,6 @@
 // Keys that work everywhere on the page.
 
 import { byId } from "./dom.js";
-import { look } from "./world.js";
 
 const TWICE = 700; // within which Escape counts as pressed twice [ms]
 const ALT = { KeyO: "hand-open", KeyC: "hand-close", KeyR: "ready", KeyM: "terminal-line" };
@@ -26,7 +25,7 @@ export function bindKeys(app) {
     const { viewer } = app.world;
     if (!viewer || event.altKey || event.ctrlKey || event.metaKey) return;
     const view = VIEWS[/** @type {keyof typeof VIEWS} */ (/** @type {unknown} */ (event.key))];
-    if (view) look(viewer, view);
+    if (view) app.world.look(view);
     else if (event.key === "ArrowLeft") viewer.turn(0.15);
     else if (event.key === "ArrowRight") viewer.turn(-0.15);
     else if (event.key === "+") viewer.zoom(0.85);

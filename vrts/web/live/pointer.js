@@ -38,6 +38,7 @@ export class VirtualPointer {
     this.stage = 1;
     this.straight = false;
     this.visible = false;
+    this.wanted = true; // where its tab is open
     this.fresh = true; // never shown: begins at the gripper
     this.figure = new PointerFigure(viewer.data, viewer.camera);
     this.figure.visible = false;
@@ -52,7 +53,10 @@ export class VirtualPointer {
       turn: (angle) => this.change(turned(this.pose, angle)),
       shift: (end, seen) => this.shift(end, this.inWorld(seen)),
       straight: (straight) => this.setStraight(straight),
-      show: (on) => this.show(on),
+      show: (on) => {
+        this.wanted = on;
+        this.show(on);
+      },
       go: () => void this.go(),
     });
     this.drag = new PointerDrag({
@@ -99,7 +103,7 @@ export class VirtualPointer {
   change(pose) {
     this.pose = pose;
     this.fresh = false;
-    if (!this.visible) this.figure.visible = this.visible = true;
+    this.figure.visible = this.visible = this.wanted = true;
     this.panel.showVisible(true);
     this.panel.showNumbers(numbersOf(pose));
     this.panel.say("");

@@ -78,9 +78,8 @@ export class PointerPanel {
         button("Snap to gripper", () => this.wishes.snap(), { title: "Where the hand is now" }),
         button("← Back off", () => this.wishes.along(-this.distance), { title: "Back along the arrow", "aria-label": "Back off along the arrow" }),
         button("Approach →", () => this.wishes.along(this.distance), { title: "Ahead along the arrow", "aria-label": "Approach along the arrow" })),
-      this.hint,
       group("pointer-end", this.ways, this.next, this.goButton),
-      this.said);
+      this.said, this.hint);
     box.append(this.box);
   }
 
@@ -189,7 +188,7 @@ export class PointerPanel {
     this.turning.hidden = stage === 1;
     this.next.textContent = stage === 1 ? "Next" : "Back";
     write(this.hint, stage === 1
-      ? "Drag an end of the arrow: the ball moves it level, the blue axis up and down. The arrow slides along itself; the ghost hand takes all with it."
+      ? "Drag an end of the arrow: the ball moves it level, the blue axis up and down. The arrow slides along itself; the ghost hand takes all with it. A button with ⌨ takes the arrow keys once it is pressed."
       : "Drag the ring: the gripper turns about the arrow.");
   }
 
@@ -202,6 +201,10 @@ export class PointerPanel {
   /** @param {boolean} on */
   showVisible(on) {
     this.shown.checked = on;
+    if (!on) {
+      this.reach.dataset.reach = "unknown";
+      write(this.reachText, "the pointer is off");
+    }
     this.box.classList.toggle("off", !on);
   }
 

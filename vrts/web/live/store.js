@@ -7,6 +7,7 @@
  * @property {string} you id of one's own person
  * @property {string} name
  * @property {boolean} supervisor
+ * @property {boolean} alone whether there is nobody else to come
  * @property {import("./protocol.js").RoomEntry | null} room
  * @property {import("./protocol.js").RoomEntry[]} rooms
  * @property {string} projector id of the room that it shows
@@ -30,7 +31,7 @@
 /** @returns {Known} */
 function nothing() {
   return {
-    connection: "connecting", ended: "", you: "", name: "", supervisor: false, room: null, rooms: [], projector: "",
+    connection: "connecting", ended: "", you: "", name: "", supervisor: false, alone: false, room: null, rooms: [], projector: "",
     scenes: [], session: -1, sceneUrl: "", alive: false, people: [], barred: [], chat: [], status: null, programs: [],
     contacts: [], near: [], events: [], output: "", wall: [],
     control: { holder: "", lease: "", queue: [], locked: false, frozen: false, chat: true, turn_s: 0, idle_s: 0, ends: 0 },

@@ -30,7 +30,6 @@ export class World {
     this.showContacts = true;
     this.X_FT = identity();
     this.frames = 0; // heard
-    this.drawn = 0;
     /** @type {((state: State, outputs: number, flags: number) => void)[]} */
     this.watchers = [];
     /** @type {((viewer: Viewer | null) => void)[]} */
@@ -63,9 +62,7 @@ export class World {
     const old = this.viewer;
     for (const tell of this.sceneWatchers) tell(null);
     if (old) {
-      old.watch.disconnect();
-      old.controls.dispose();
-      old.renderer.dispose();
+      old.dispose();
       const fresh = /** @type {HTMLCanvasElement} */ (this.canvas.cloneNode());
       this.canvas.replaceWith(fresh);
       this.canvas = fresh;
@@ -76,6 +73,13 @@ export class World {
     window.setTimeout(() => this.viewer === viewer && !viewer.software && viewer.reflect(), LATER);
     look(this.viewer, "overview");
     for (const tell of this.sceneWatchers) tell(this.viewer);
+  }
+
+  /** Look from a preset view point, or follow the hand. @param {string} name */
+  look(name) {
+    if (!this.viewer) return;
+    look(this.viewer, name);
+    if (this.state) this.viewer.show(this.state); // a hand that rests is followed too
   }
 
   /** Learn from a status which tool is in force. @param {import("./protocol.js").Status} status */
@@ -106,7 +110,6 @@ export class World {
     const state = { t: shown.t, q, v: new Float64Array(7), X_WL: X_BL, X_WF: X_BF, X_WT: compose(X_BF, this.X_FT), bodies: poses, held };
     if (this.changed(state)) {
       this.viewer.show(state);
-      this.drawn++;
     }
     this.state = state;
     const lit = this.lit(shown.t);

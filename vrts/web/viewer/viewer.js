@@ -3,7 +3,7 @@
 import {
   BackSide, BoxGeometry, BufferAttribute, BufferGeometry, Color, DirectionalLight, Fog, Group,
   HemisphereLight, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, NeutralToneMapping, PCFShadowMap,
-  PerspectiveCamera, PMREMGenerator, Scene, SphereGeometry, Vector3, WebGLRenderer,
+  PerspectiveCamera, PMREMGenerator, Scene, SphereGeometry, Sprite, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "../vendor/three/OrbitControls.js";
 import { BodyFigure, RobotFigure, ghost, tint } from "./figures.js";
@@ -42,6 +42,7 @@ const CLOSE = [0.62, -0.62, 0.36]; // from a contact to the eye that looks at it
 const SOFT_REFLECTING = 0.3; // light from all sides beside what materials reflect
 const SOFT_ALONE = 2.2; // in place of it
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+const SMALLEST = 11; // height of a label with its halo that can be read [px]
 const RED = 0xe5322d;
 const YELLOW = 0xffd43b;
 const GREEN = 0x2f9e44;
@@ -71,6 +72,7 @@ export class Viewer {
     this.controls.addEventListener("change", () => this.requestDraw());
     this.following = false;
     this.pending = false;
+    this.gone = false;
     this.surroundings = new Group();
     this.scene.add(this.surroundings);
     this.robot = new RobotFigure(data.robot);
@@ -314,6 +316,25 @@ export class Viewer {
   /** Draw now. */
   draw() {
     this.pending = false;
+    if (this.gone) return;
+    this.hideSmall();
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Leave out numbers on floor and table that are too small to be read. */
+  hideSmall() {
+    const seen = this.canvas.clientHeight / (2 * Math.tan((this.camera.fov * Math.PI) / 360)); // [px] of 1 m at 1 m
+    this.surroundings.traverse((part) => {
+      if (part instanceof Sprite) part.visible = (seen * part.scale.y) / part.position.distanceTo(this.camera.position) > SMALLEST;
+    });
+  }
+
+  /** Draw no more, and give the graphics card's memory back. */
+  dispose() {
+    this.gone = true;
+    this.watch.disconnect();
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 }

@@ -10,6 +10,7 @@ import { Toasts } from "../toasts.js";
 import { World } from "../world.js";
 import { mountButtons } from "../panels/buttons.js";
 import { mountChat } from "../panels/chat.js";
+import { mountEntrance } from "../panels/entrance.js";
 import { mountHistory } from "../panels/history.js";
 import { mountLead } from "../panels/lead.js";
 import { mountMonitor } from "../panels/monitor.js";
@@ -40,7 +41,7 @@ import { mountViews } from "../panels/views.js";
 export function showRoom(me, wanted) {
   byId("room").hidden = false;
   const app = started(wanted, false);
-  app.store.set({ name: me.name, supervisor: me.supervisor, rooms: me.rooms });
+  app.store.set({ name: me.name, supervisor: me.supervisor, alone: me.alone, rooms: me.rooms });
   mountTop(app);
   mountViews(app);
   mountOverlay(app);
@@ -54,7 +55,7 @@ export function showRoom(me, wanted) {
   mountHistory(app);
   mountChat(app);
   mountPeople(app);
-  mountLead(app);
+  if (me.supervisor && !me.alone) mountLead(app, mountEntrance(app.toasts));
   mountSettings(app);
   bindKeys(app);
 }

@@ -4,6 +4,7 @@ import { Bodies } from "../bodies.js";
 import { Connection, Refusal } from "../connection.js";
 import { byId, button, figure, make, write } from "../dom.js";
 import { Intake } from "../intake.js";
+import { mountEntrance } from "../panels/entrance.js";
 import { Store } from "../store.js";
 import { Toasts } from "../toasts.js";
 import { Stills } from "../stills.js";
@@ -22,6 +23,7 @@ export function showWall(me) {
   }
   const store = new Store();
   const toasts = new Toasts(byId("toasts"));
+  mountEntrance(toasts);
   const intake = new Intake(store, new Bodies(), {
     refused: (message) => toasts.warn(new Refusal(/** @type {any} */ (message)).message),
     jumped: () => undefined,

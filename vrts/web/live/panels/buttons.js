@@ -10,5 +10,6 @@ export function mountButtons({ store, act }) {
   store.on(["control", "you", "connection"], () => {
     const may = store.operator && store.now.connection === "open";
     for (const id of ["hand-open", "hand-close", "ready"]) byId(id).disabled = !may;
+    byId("watching").hidden = store.operator;
   });
 }

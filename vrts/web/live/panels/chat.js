@@ -31,14 +31,17 @@ export function mountChat({ store, connection, toasts }) {
     if (below) list.scrollTop = list.scrollHeight;
     const newest = chat.at(-1)?.number ?? 0;
     if (newest > last && last && chat.at(-1)?.person !== you) count("chat");
-    if (newest > last && last && chat.at(-1)?.person === "") toasts.tell(chat.at(-1)?.text ?? "");
+    const spoken = chat.at(-1);
+    const speaker = store.now.people.find(({ id }) => id === spoken?.person);
+    const heard = !spoken?.name || (speaker?.role === "supervisor" && speaker.id !== you && panel.hidden);
+    if (spoken && newest > last && last && heard) toasts.tell(spoken.name ? `${spoken.name}: ${spoken.text}` : spoken.text);
     last = Math.max(newest, last || 1);
   });
   document.addEventListener("panel", () => (list.scrollTop = list.scrollHeight));
   store.on(["people", "you", "supervisor"], ({ people, you, supervisor }) => {
     const before = to.value;
     const others = supervisor ? people.filter(({ id }) => id !== you) : [];
-    const options = [["all", "to all"], ["lead", supervisor ? "to supervisors" : "to the supervisor"], ...others.map(({ id, name }) => [`one ${id}`, `to ${name}`])];
+    const options = [["all", "to all"], ["lead", supervisor ? "to supervisors" : "to supervisor"], ...others.map(({ id, name }) => [`one ${id}`, `to ${name}`])];
     to.replaceChildren(...options.map(([value, text]) => make("option", { value, text, selected: value === before })));
   });
   store.on(["control", "connection", "people", "you", "supervisor"], ({ control, connection: state, people, you, supervisor }) => {
@@ -53,7 +56,7 @@ export function mountChat({ store, connection, toasts }) {
 /** @param {import("../protocol.js").Chat} row @param {string} you */
 function entry(row, you) {
   const time = new Date(row.at * 1000).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
-  const kind = row.person === "" ? "server" : row.person === you ? "own" : "";
-  const head = make("p", { class: "who" }, make("b", { text: row.name || "Server" }), ` ${time}`, ...(row.private ? [make("span", { class: "tag", text: "private" })] : []));
+  const kind = row.name === "" ? "server" : row.person === you ? "own" : "";
+  const head = make("p", { class: "who" }, make("b", { text: row.name || "Server" }), ` ${time}`, ...(row.private ? [make("span", { class: "tag", text: `private, to ${row.to || "the supervisor"}` })] : []));
   return make("div", { class: `line ${kind}` }, head, make("p", { class: "text", text: row.text }));
 }

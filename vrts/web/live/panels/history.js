@@ -10,7 +10,10 @@ export function mountHistory({ store, world, command, toasts }) {
   const panel = byId("panel-history");
   const lights = make("input", { type: "checkbox", id: "show-contacts", change: () => (world.showContacts = lights.checked) });
   lights.checked = true;
-  const body = make("tbody");
+  const body = make("tbody", { click: (/** @type {MouseEvent} */ event) => {
+    const row = /** @type {HTMLElement} */ (event.target).closest("tr");
+    if (row?.dataset.time) time.value = row.dataset.time;
+  } });
   const none = make("p", { class: "soft", text: "Nothing has happened yet." });
   const box = make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Events" },
     make("table", { class: "events" }, make("caption", { class: "unseen", text: "Events, the last ones first" }),
@@ -21,7 +24,7 @@ export function mountHistory({ store, world, command, toasts }) {
   const reset = button("Reset the scene", () => attempt({ type: "reset" }));
   panel.append(
     make("label", { class: "check" }, lights, "Light up and report contacts"), none, box,
-    make("div", { class: "block" }, make("h2", { text: "Go back" }), make("div", { class: "row" }, reset, rewind)),
+    make("div", { class: "block" }, make("h2", { text: "Go back" }), make("p", { class: "soft", text: "Press an event to take its time." }), make("div", { class: "row" }, reset, rewind)),
   );
   onSubmit(rewind, () => attempt({ type: "rewind", time_s: Number(time.value) }));
 
@@ -49,7 +52,7 @@ export function mountHistory({ store, world, command, toasts }) {
     ].sort((a, b) => b.t - a.t).slice(0, MOST);
     none.hidden = rows.length > 0;
     box.hidden = !rows.length;
-    body.replaceChildren(...rows.map((row) => make("tr", { class: row.kind },
+    body.replaceChildren(...rows.map((row) => make("tr", { class: row.kind, "data-time": row.t.toFixed(1) },
       make("td", { class: "time", text: `${row.t.toFixed(1)} s` }), make("td", {}, ...breakable(row.text)), make("td", { class: "time", text: row.line }))));
   }
   store.on(["control", "you", "connection"], () => {

@@ -1,20 +1,23 @@
 // The supervisor's panel: control right, order, scene, rooms, logs.
 
-import { byId, button, choice, make, onSubmit, write } from "../dom.js";
+import { byId, button, choice, download, make, onSubmit, write } from "../dom.js";
 
-/** @param {import("../pages/room.js").App} app */
-export function mountLead({ store, connection, toasts }) {
+const ELSEWHERE = { target: "_blank", rel: "noopener" };
+
+/** @param {import("../pages/room.js").App} app @param {ReturnType<import("./entrance.js").mountEntrance>} entrance */
+export function mountLead({ store, connection, toasts }, entrance) {
   const panel = byId("panel-lead");
   const told = (/** @type {string} */ type, /** @type {Record<string, unknown>} */ fields = {}) =>
     connection.send(type, fields) || toasts.warn("there is no connection at the moment");
 
   // --- the control right
-  const lock = button("Lock", () => told("lock", { on: !store.now.control.locked }), { id: "lead-lock" });
-  const freeze = button("Freeze", () => told("freeze", { on: !store.now.control.frozen }), { id: "lead-freeze" });
-  const chat = button("Chat off", () => told("set_chat", { on: !store.now.control.chat }), { id: "lead-chat" });
-  const turn = make("input", { type: "number", id: "turn-s", min: "0", max: "86400", step: "10", required: true });
-  const idle = make("input", { type: "number", id: "idle-s", min: "0", max: "86400", step: "10", required: true });
-  const times = make("form", { class: "row" }, make("label", { text: "Turn [s] " }, turn), make("label", { text: "Idle [s] " }, idle), make("button", { text: "Set" }));
+  const lock = button("Lock", () => told("lock", { on: !store.now.control.locked }), { id: "lead-lock", title: "Nobody gets control, and its holder moves nothing" });
+  const freeze = button("Freeze", () => told("freeze", { on: !store.now.control.frozen }), { id: "lead-freeze", title: "Stop the arm, and refuse all commands" });
+  const chat = button("Chat off", () => told("set_chat", { on: !store.now.control.chat }), { id: "lead-chat", title: "Students still write to you privately" });
+  const turn = make("input", { type: "number", id: "turn-s", title: "Longest turn while others wait; 0: no limit", min: "0", max: "86400", step: "10", required: true });
+  const idle = make("input", { type: "number", id: "idle-s", title: "Longest time without a command; 0: no limit", min: "0", max: "86400", step: "10", required: true });
+  const times = make("form", { class: "row" }, make("label", { text: "Turn [s] " }, turn), make("label", { text: "Idle [s] " }, idle), make("button", { text: "Set" }),
+    make("span", { class: "soft", text: "0: no limit" }));
   onSubmit(times, () => told("set_turn", { turn_s: Number(turn.value), idle_s: Number(idle.value) }));
   store.on(["control"], ({ control }) => {
     for (const [element, on, yes, no] of /** @type {const} */ ([[lock, control.locked, "Unlock", "Lock"], [freeze, control.frozen, "Unfreeze", "Freeze"], [chat, !control.chat, "Chat on", "Chat off"]])) {
@@ -50,7 +53,9 @@ export function mountLead({ store, connection, toasts }) {
       make("div", { class: "row small" },
         make("a", { class: "button", href: `/?room=${encodeURIComponent(one.id)}`, text: "Open", "aria-label": `Open ${one.name}` }),
         button("Project", () => told("project", { room: one.id }), { "aria-label": `Project ${one.name}` }),
-        button("Log", () => log(one.id), { "aria-label": `Log of ${one.name}` }),
+        button("Link", () => void entrance.showLink(one), { "aria-label": `Link into ${one.name}`, title: "A link that lets into this room only" }),
+        button("Replay", () => void replay(one), { "aria-label": `Replay of ${one.name}`, title: "A page that shows all that was done, forward and backward" }),
+        button("Log", () => log(one.id), { "aria-label": `Log of ${one.name}`, title: "To be replayed, marked or kept" }),
         button("Close", () => window.confirm(`Close ${one.name} for good?`) && told("close_room", { room: one.id }), { "aria-label": `Close ${one.name}` })))));
   });
   store.on(["scenes", "room"], ({ scenes, room }) => {
@@ -60,6 +65,14 @@ export function mountLead({ store, connection, toasts }) {
     }
     everywhere.replaceChildren(make("option", { value: "", text: "no new scene" }), ...scenes.map(({ id }) => make("option", { value: id, text: id })));
   });
+
+  /** Let a page be made of what was done in a room, and keep it. @param {import("../protocol.js").RoomEntry} room */
+  async function replay(room) {
+    toasts.tell(`the replay of ${room.name} is being made …`);
+    const answer = await fetch(`/replay/${encodeURIComponent(room.id)}`);
+    if (answer.ok) download(`${room.name}.html`, await answer.text());
+    else toasts.warn((await answer.json()).text);
+  }
 
   /** @param {string} room */
   async function log(room) {
@@ -80,29 +93,17 @@ export function mountLead({ store, connection, toasts }) {
     if (told("broadcast", { text: text.value.trim(), scene: everywhere.value })) text.value = everywhere.value = "";
   });
 
-  // --- the class code
-  const code = make("p", { class: "code" });
-  const picture = make("img", { class: "qr", alt: "QR code of the link to this class", hidden: true });
-  const shown = make("details", { class: "block", toggle: () => shown.open && showCode() }, make("summary", { text: "Class code" }), code, picture);
-  async function showCode() {
-    const answer = await fetch("/code");
-    const known = answer.ok ? await answer.json() : { code: "", url: "" };
-    write(code, known.code ? `${known.code} at ${new URL(known.url).host}` : "There is no class code.");
-    picture.hidden = !known.code;
-    if (known.code) picture.src = "/code.svg";
-  }
-
   panel.append(
     make("div", { class: "block first" }, make("h2", { text: "This room" }),
-      make("div", { class: "row" }, button("Take control", () => told("hand_over", { person: store.now.you })),
-        button("Free control", () => told("hand_over", { person: "" }))), make("div", { class: "row" }, lock, freeze, chat), times,
+      make("div", { class: "row" }, button("Take control", () => told("hand_over", { person: store.now.you }), { title: "At once, before the queue" }),
+        button("Free control", () => told("hand_over", { person: "" }), { title: "Take it from who has it; the first in the queue is next" })), make("div", { class: "row" }, lock, freeze, chat), times,
       make("div", { class: "row" }, scene, begin)),
     make("div", { class: "block" }, make("h2", { text: "All rooms" }),
-      make("div", { class: "row" }, make("a", { class: "button", href: "/?wall", text: "Wall" }), make("a", { class: "button", href: "/?projector", text: "Projector" }),
-        button("Freeze all", () => told("freeze", { on: true, everywhere: true })), button("Unfreeze all", () => told("freeze", { on: false, everywhere: true }))),
+      make("div", { class: "row" }, button("Class code", () => void entrance.showCode()),
+        make("a", { class: "button", href: "/?wall", text: "Wall", ...ELSEWHERE }), make("a", { class: "button", href: "/?projector", text: "Projector", ...ELSEWHERE })),
+      make("div", { class: "row" }, button("Freeze all", () => told("freeze", { on: true, everywhere: true })), button("Unfreeze all", () => told("freeze", { on: false, everywhere: true }))),
       broadcast, rooms),
     make("div", { class: "block" }, make("h2", { text: "New rooms" }), make("label", { for: "new-rooms", class: "soft", text: "One name a line" }), names,
       make("div", { class: "row" }, roomScene, build)),
-    shown,
   );
 }

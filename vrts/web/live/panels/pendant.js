@@ -42,7 +42,7 @@ export function mountPendant(app) {
   });
   const where = make("input", { id: "record-name", maxlength: 64, placeholder: "p1, or #p1 for joints", spellcheck: "false", autocapitalize: "off" });
   const record = button("Record", () => where.value.trim() && app.command({ type: "record", name: where.value.trim() })
-    .then((done) => { app.toasts.tell(done.text || `${where.value.trim()} recorded`); where.value = following(where.value.trim()); })
+    .then(() => { app.toasts.tell(`${where.value.trim()} is recorded`); where.value = following(where.value.trim()); })
     .catch((error) => app.toasts.warn(error.message)));
 
   panel.append(

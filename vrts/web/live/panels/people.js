@@ -1,9 +1,11 @@
 // Who is here, in which role, and who waits; for supervisors, what can be done about them.
 
 import { byId, button, make, write } from "../dom.js";
+import { ordinal, persons } from "../persons.js";
+import { count } from "./tabs.js";
 
 /** @param {import("../pages/room.js").App} app */
-export function mountPeople({ store, connection }) {
+export function mountPeople({ store, connection, toasts }) {
   const panel = byId("panel-people");
   const hand = button("Raise hand", () => {
     const { people, you } = store.now;
@@ -19,6 +21,17 @@ export function mountPeople({ store, connection }) {
       make("div", { class: "row small" }, button("Let in again", () => connection.send("allow", { name }), { "aria-label": `Let in again: ${name}` })))));
   });
 
+  /** @type {Set<string>} */
+  let raised = new Set();
+  store.on(["people", "supervisor"], ({ people, you, supervisor }) => {
+    const now = people.filter(({ id, hand: up }) => up && id !== you);
+    for (const { name } of supervisor ? now.filter(({ id }) => !raised.has(id)) : []) {
+      count("people");
+      toasts.tell(`${name} raises a hand`);
+    }
+    raised = new Set(now.map(({ id }) => id));
+  });
+
   store.on(["people", "control", "you", "supervisor"], ({ people, control, you, supervisor }) => {
     const mine = people.find(({ id }) => id === you);
     write(hand, mine?.hand ? "Lower hand" : "Raise hand");
@@ -27,7 +40,7 @@ export function mountPeople({ store, connection }) {
       const place = control.queue.indexOf(person.id);
       return person.id === control.holder ? 0 : place >= 0 ? 1 + place : person.hand ? 1000 : person.role === "supervisor" ? 2000 : 3000;
     };
-    const rows = [...people].sort((a, b) => rank(a) - rank(b) || a.name.localeCompare(b.name));
+    const rows = persons(people, control, you).sort((a, b) => rank(a) - rank(b) || a.name.localeCompare(b.name));
     const focused = document.activeElement?.getAttribute("data-do");
     list.replaceChildren(...rows.map((person) => row(person, control, you, supervisor, connection)));
     if (focused) /** @type {HTMLElement | null} */ (list.querySelector(`[data-do="${CSS.escape(focused)}"]`))?.focus();
@@ -42,7 +55,7 @@ function row(person, control, you, supervisor, connection) {
   const place = control.queue.indexOf(person.id);
   const tags = [
     person.id === control.holder && ["has control", "tag"],
-    place >= 0 && [`${place + 1} in the queue`, "tag"],
+    place >= 0 && [`${ordinal(place + 1)} in the queue`, "tag"],
     person.role === "supervisor" && ["supervisor", "tag review"],
     person.hand && ["hand raised", "tag review"],
     person.muted && ["muted", "tag quiet"],
@@ -58,7 +71,7 @@ function row(person, control, you, supervisor, connection) {
       ...(person.id === control.holder ? [] : [told("Give control", "hand_over", { person: person.id })]),
       ...(person.id === you ? [] : [
         told(person.muted ? "Unmute" : "Mute", "mute", { person: person.id, on: !person.muted }),
-        button("Kick", () => window.confirm(`Send ${person.name} away?`) && connection.send("kick", { person: person.id }), { "aria-label": `Kick: ${person.name}` }),
+        button("Send away", () => window.confirm(`Send ${person.name} away? They cannot come back until you let them in again.`) && connection.send("kick", { person: person.id }), { "aria-label": `Send away: ${person.name}` }),
       ]),
       ...(person.rate ? [make("span", { class: "soft", text: `${person.rate} fps` })] : []),
     ];

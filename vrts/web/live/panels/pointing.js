@@ -5,6 +5,7 @@ import { VirtualPointer } from "../pointer.js";
 
 /** @param {import("../pages/room.js").App} app */
 export function mountPointing({ store, connection, world, command }) {
+  const panel = byId("panel-pointer");
   const place = byId("pointer");
   /** @type {VirtualPointer | null} */
   let pointer = null;
@@ -22,8 +23,15 @@ export function mountPointing({ store, connection, world, command }) {
     may();
   });
   document.addEventListener("panel", (event) => {
-    if (/** @type {CustomEvent} */ (event).detail !== "panel-pointer") pointer?.show(false);
+    if (/** @type {CustomEvent} */ (event).detail === "panel-pointer") appear();
+    else pointer?.show(false);
   });
+  world.watchers.push(appear);
+
+  /** It is there as long as its tab is open, from the first pose on. */
+  function appear() {
+    if (world.state && pointer?.wanted && !pointer.visible && !panel.hidden) pointer.show(true);
+  }
   store.on(["control", "you", "connection"], may);
   store.on(["status"], ({ status }) => {
     if (status?.mode === "idle" && pointer?.visible && before !== status.mode) pointer.askAgain();

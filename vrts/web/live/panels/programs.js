@@ -36,7 +36,7 @@ export function mountPrograms({ store, connection, command, act, toasts }) {
   );
   onSubmit(saving, () => {
     command({ type: "save", name: name.value.trim() })
-      .then((done) => toasts.tell(done.text || `saved as ${name.value.trim()}`)).catch((error) => toasts.warn(error.message));
+      .then((done) => told(done.text, `saved as ${name.value.trim()}, in memory and in your folder`)).catch((error) => toasts.warn(error.message));
   });
 
   async function preview() {
@@ -56,12 +56,20 @@ export function mountPrograms({ store, connection, command, act, toasts }) {
       if (picked.size > 4 * LONGEST_PROGRAM) throw new Error(`${picked.name} is too long for a program`);
       const content = await picked.text();
       if (content.length > LONGEST_PROGRAM) throw new Error(`${picked.name} is too long for a program`);
+      if (/[\0\ufffd]/.test(content)) throw new Error(`${picked.name} is no text`);
       const done = await command({ type: "upload", name: picked.name.slice(0, 64), text: content });
-      toasts.tell(done.text || `${picked.name} is loaded`);
+      told(done.text, `${picked.name} is loaded`);
     } catch (error) {
       toasts.warn(/** @type {Error} */ (error).message);
     }
     file.value = "";
+  }
+
+  /** Show the program that has come, and say so. @param {string} said by the monitor @param {string} words */
+  function told(said, words) {
+    chosen = /^\.PROGRAM\s+([\w.]+)/m.exec(said)?.[1] ?? chosen;
+    draw();
+    toasts.tell(words);
   }
 
   /** @type {import("../protocol.js").Program | undefined} */

@@ -20,7 +20,7 @@ export function wantedRate() {
 }
 
 /** @param {import("../pages/room.js").App} app */
-export function mountSettings({ connection, toasts }) {
+export function mountSettings({ store, connection, toasts }) {
   const themes = THEMES.map(([choice, text]) => button(text, () => choose(choice), { "data-theme": choice }));
   const rate = make("input", { type: "range", id: "rate-wanted", min: SLOWEST, max: FASTEST, step: 1, input: told, change: keep });
   const shown = make("output", { for: "rate-wanted", class: "number" });
@@ -29,7 +29,7 @@ export function mountSettings({ connection, toasts }) {
     make("div", { class: "setting" }, make("span", { id: "theme-label", text: "Colours" }),
       make("div", { class: "segmented", role: "group", "aria-labelledby": "theme-label" }, ...themes)),
     make("div", { class: "setting" }, make("label", { for: "rate-wanted", text: "Frames a second" }), make("span", { class: "range" }, rate, shown)),
-    make("div", { class: "setting" }, make("span", { class: "soft", text: "Needs a code or an account to come back" }), out),
+    make("div", { class: "setting", hidden: store.now.alone }, make("span", { class: "soft", text: "Needs a code or an account to come back" }), out),
   );
   PHONE.addEventListener("change", follow);
   choose(chosenTheme());

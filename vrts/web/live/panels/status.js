@@ -4,10 +4,11 @@ import { RUNNING, STOPPING } from "../frame.js";
 import { byId, figure, make, write } from "../dom.js";
 
 const DEG = 180 / Math.PI;
+const SECOND = 1000; // [ms]
 const NAMES = ["J1", "J2", "J3", "J4", "J5", "J6", "X", "Y", "Z", "O", "A", "T", "Time", "Hand", "Speed", "Outputs", "Contacts", "Mark"];
 const TITLES = {
   X: "mm, tool in the world", O: "degrees", Hand: "opening, mm", Speed: "of the monitor",
-  Contacts: "certified so far", Mark: "of the public checks",
+  Contacts: "certified so far", Mark: "of 10, by the public checks",
 };
 
 /** @param {import("../pages/room.js").App} app */
@@ -26,7 +27,7 @@ export function mountStatus({ store, world }) {
     status.location.forEach((value, index) => set(NAMES[6 + index], figure(value, index < 3 ? 1 : 2)));
     set("Speed", `${figure(status.speed, 0)} %`);
     set("Contacts", String(status.contacts));
-    set("Mark", status.mark === null || status.mark === undefined ? "–" : figure(status.mark, 1));
+    set("Mark", status.mark === null || status.mark === undefined ? "–" : `${figure(status.mark, 1)} / 10`);
     write(byId("mode"), status.mode);
     byId("mode").className = `mode ${status.mode}`;
     const line = status.line ? `${status.program} ${status.line}  ${status.text}` : status.program;
@@ -46,10 +47,9 @@ export function mountStatus({ store, world }) {
   let before = performance.now();
   window.setInterval(() => {
     const now = performance.now();
-    const each = (/** @type {number} */ count) => Math.round((1000 * count) / (now - before));
-    write(byId("rate"), `${each(world.frames)} frames/s, ${each(world.drawn)} drawn`);
+    if (now - before < SECOND / 2) return; // the page was busy: what came meanwhile counts in the next one
+    write(byId("rate"), `${Math.round((SECOND * world.frames) / (now - before))} frames/s`);
     world.frames = 0;
-    world.drawn = 0;
     before = now;
-  }, 1000);
+  }, SECOND);
 }

@@ -3,6 +3,7 @@
 import { byId, make } from "../dom.js";
 
 const NARROW = window.matchMedia("(max-width: 960px)");
+const PHONE = window.matchMedia("(max-width: 700px) and (orientation: portrait)");
 
 /** @param {import("../pages/room.js").App} app */
 export function mountTabs({ store }) {
@@ -52,12 +53,15 @@ export function mountTabs({ store }) {
     const chosen = tabs.find((tab) => tab.getAttribute("aria-selected") === "true");
     if (!chosen || chosen.hidden) show("panel-pendant");
   }
-  store.on(["supervisor"], ({ supervisor }) => {
-    byId("tab-lead").hidden = !supervisor;
-    byId("panel-lead").hidden ||= !supervisor;
+  store.on(["supervisor", "alone"], ({ supervisor, alone }) => {
+    for (const [name, wanted] of /** @type {const} */ ([["lead", supervisor && !alone], ["people", !alone], ["chat", !alone]])) {
+      byId(`tab-${name}`).hidden = !wanted;
+      byId(`panel-${name}`).hidden ||= !wanted;
+    }
   });
   const before = sessionStorage.getItem("vrts panel");
-  show(panels.some((panel) => panel.id === before && (before !== "panel-lead" || store.now.supervisor)) && before ? before : "panel-pendant");
+  const there = panels.some((panel, index) => panel.id === before && !tabs[index].hidden);
+  show(there && before ? before : PHONE.matches ? "panel-monitor" : "panel-pendant"); // phones watch, mostly
   NARROW.addEventListener("change", arrange);
   arrange();
 }

@@ -2,6 +2,7 @@
 
 import { clockOffset } from "../account.js";
 import { byId, make, write } from "../dom.js";
+import { ordinal, persons } from "../persons.js";
 
 export const STATES = { connecting: "connecting …", open: "connected", waiting: "no connection, trying again …", ended: "ended" };
 
@@ -31,12 +32,18 @@ export function mountTop({ store, connection, panic }) {
     const chip = byId("link-state");
     write(chip, ended || STATES[state]);
     chip.className = `chip ${state}`;
+    byId("again").hidden = state !== "ended";
+    byId("turn").hidden = state === "ended";
   });
-  store.on(["people"], ({ people }) => {
-    const here = people.filter((person) => !person.away).length;
+  store.on(["people", "alone"], ({ people, control, you, alone }) => {
+    const here = persons(people, control, you).filter((person) => !person.away).length;
     write(byId("crowd"), `${here} here`);
+    byId("crowd").hidden = alone || !here;
   });
-  store.on(["control", "people", "you"], ({ control, people, you, supervisor }) => {
+  store.on(["control", "you", "connection", "alone"], ({ control, you, connection: state, alone }) => {
+    byId("control-button").hidden = state === "ended" || (alone && control.holder === you);
+  });
+  store.on(["control", "people", "you", "alone"], ({ control, people, you, supervisor, alone }) => {
     const mine = control.holder === you && you !== "";
     const place = control.queue.indexOf(you);
     const waits = place >= 0;
@@ -45,7 +52,7 @@ export function mountTop({ store, connection, panic }) {
     byId("panic").hidden = !mine && !supervisor;
     document.body.classList.toggle("operates", mine);
     const holder = people.find((person) => person.id === control.holder)?.name ?? "nobody";
-    const words = mine ? "You have control" : waits ? `${ordinal(place + 1)} in the queue; ${holder} has control` : `${holder} has control`;
+    const words = mine ? (alone ? "" : "You have control") : waits ? `${ordinal(place + 1)} in the queue; ${holder} has control` : `${holder} has control`;
     byId("turn").dataset.words = control.frozen ? "Frozen by the supervisor" : control.locked ? `${words}, locked` : words;
     byId("turn").classList.toggle("mine", mine && !control.frozen && !control.locked);
     byId("turn").classList.toggle("stopped", control.frozen || control.locked);
@@ -60,9 +67,4 @@ export function mountTop({ store, connection, panic }) {
     write(byId("turn"), ends ? `${words}, ${Math.floor(left / 60)}:${String(left % 60).padStart(2, "0")} left` : words);
   }
   window.setInterval(tick, 500);
-}
-
-/** @param {number} n */
-function ordinal(n) {
-  return `${n}${n % 100 > 10 && n % 100 < 14 ? "th" : ["th", "st", "nd", "rd"][n % 10] ?? "th"}`;
 }

@@ -1,7 +1,6 @@
 // Preset view points and the camera's buttons.
 
 import { byId } from "../dom.js";
-import { look } from "../world.js";
 
 /** @param {import("../pages/room.js").App} app */
 export function mountViews({ world }) {
@@ -9,7 +8,7 @@ export function mountViews({ world }) {
     const pressed = /** @type {HTMLElement} */ (event.target).closest("button");
     if (!pressed || !world.viewer) return;
     const { look: wanted, turn, zoom } = pressed.dataset;
-    if (wanted) look(world.viewer, wanted);
+    if (wanted) world.look(wanted);
     if (turn) world.viewer.turn(-0.3 * Number(turn));
     if (zoom) world.viewer.zoom(Number(zoom));
     for (const other of byId("views").querySelectorAll("[data-look]")) {
