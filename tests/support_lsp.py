@@ -1,49 +1,89 @@
-"""A client of the language server protocol: a real process, real pipes."""
+"""A client of the language server protocol: that of pytest-lsp, with a real process, real pipes.
 
-import subprocess
+What comes is checked against the types of the protocol and against what the client says it can do.
+"""
+
+import asyncio
+import json
 import sys
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from pathlib import Path
-from queue import Empty, Queue
-from typing import Any
+from typing import Any, TypeVar
 
-from tests.support_framing import framed, read_framed
+from lsprotocol import types
+from pygls.exceptions import JsonRpcException
+from pygls.lsp.client import LanguageClient as PlainClient
+from pygls.protocol import default_converter
+from pytest_lsp import LanguageClient, client_capabilities
+from pytest_lsp.client import register_lsp_features
+from pytest_lsp.protocol import LanguageClientProtocol
 
-PATIENCE = 30.0  # [s] on a busy machine
+Result = TypeVar("Result")
+
+PATIENCE = 60.0  # [s] on a busy machine
+EDITOR = "neovim@v0.11"
+CONVERTER = default_converter()
+
+
+class Recorder(LanguageClientProtocol):
+    """Keeps everything that the server says by itself."""
+
+    came: Callable[[str, Any], None]
+
+    def _handle_notification(self, method_name: str, params: Any) -> None:
+        super()._handle_notification(method_name, params)
+        self.came(method_name, params)
+
+    def _handle_request(self, msg_id: Any, method_name: str, params: Any) -> None:
+        super()._handle_request(msg_id, method_name, params)
+        self.came(method_name, params)
+
+
+class Driven(LanguageClient):
+    """A client that keeps what its server says, and the server's process."""
+
+    def __init__(self, came: Callable[[str, Any], None]) -> None:
+        super().__init__(protocol_cls=Recorder, converter_factory=default_converter)  # pyright: ignore[reportUnknownMemberType]
+        register_lsp_features(self)
+        for method in (types.WORKSPACE_INLAY_HINT_REFRESH, types.WORKSPACE_SEMANTIC_TOKENS_REFRESH):
+            self.feature(method)(_nothing)
+        assert isinstance(self.protocol, Recorder)
+        self.protocol.came = came
+
+    async def begin(self, *words: str) -> asyncio.subprocess.Process:
+        """Start a server; what it writes to stderr is left to the caller."""
+        await PlainClient.start_io(self, *words)  # pyright: ignore[reportUnknownMemberType]
+        assert self._server is not None
+        return self._server
 
 
 class Client:
-    """Talks to `vrts lsp`; positions are (line, character) from 0."""
+    """Talks to `vrts lsp`; positions are (line, character) from 0.
 
-    def __init__(self, folder: Path, encodings: list[str] | None = None) -> None:
-        words = [sys.executable, "-m", "vrts.cli.main", "lsp"]
-        self.process = subprocess.Popen(
-            words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
-        )
+    Its event loop runs in a thread, so that tests read from top to bottom.
+    """
+
+    def __init__(
+        self, folder: Path, encodings: list[str] | None = None, editor: str = EDITOR
+    ) -> None:
         self.folder = folder
-        self.notifications: list[dict[str, Any]] = []
-        self.requests: list[dict[str, Any]] = []  # of the server
+        self.said: list[tuple[str, Any]] = []  # by the server: nobody has taken it yet
         self.errors: list[str] = []
-        self._came: Queue[dict[str, Any] | None] = Queue()
-        self._number = 0
         self._versions: dict[str, int] = {}
-        self._threads = [
-            threading.Thread(target=self._listen, daemon=True),
-            threading.Thread(target=self._listen_errors, daemon=True),
-        ]
-        for thread in self._threads:
-            thread.start()
-        general = {"general": {"positionEncodings": encodings}} if encodings else {}
-        able = {"inlayHint": {"refreshSupport": True}}
-        self.able = self.do(
-            "initialize",
-            processId=None,
-            rootUri=folder.as_uri(),
-            capabilities={**general, "workspace": able},
-        )["capabilities"]
-        self.tell("initialized")
+        self._news = threading.Condition()
+        self._loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self._loop.run_forever, daemon=True)
+        self._thread.start()
+        self.client, self.process, self._listening = self._wait(self._start())
+        able = client_capabilities(editor)
+        if encodings:
+            wanted = [types.PositionEncodingKind(encoding) for encoding in encodings]
+            able.general = types.GeneralClientCapabilities(position_encodings=wanted)
+        asked = types.InitializeParams(able, root_uri=folder.as_uri())
+        found = self._wait(self.client.initialize_session(asked))
+        self.able: dict[str, Any] = CONVERTER.unstructure(found.capabilities)
 
     def __enter__(self) -> "Client":
         return self
@@ -53,21 +93,35 @@ class Client:
 
     def leave(self) -> int:
         """Say goodbye, or find the server gone; return its exit status."""
-        if self.process.poll() is None:
-            self.do("shutdown")
-            self.tell("exit")
+        if self.process.returncode is None:
+            self._wait(self.client.shutdown_async(None))
+            self._loop.call_soon_threadsafe(self.client.exit, None)
         return self.gone()
 
     def gone(self) -> int:
         """Close this end; return the exit status of the other."""
+        status = self._wait(self._end())
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        self._thread.join(PATIENCE)
+        self._loop.close()
+        return status
+
+    async def _start(self) -> tuple[Driven, asyncio.subprocess.Process, asyncio.Task[None]]:
+        client = Driven(self._heard)
+        process = await client.begin(sys.executable, "-m", "vrts.cli.main", "lsp")
+        return client, process, asyncio.ensure_future(self._listen(process))
+
+    async def _listen(self, process: asyncio.subprocess.Process) -> None:
+        assert process.stderr is not None
+        async for line in process.stderr:
+            self.errors.append(line.decode())
+
+    async def _end(self) -> int:
         assert self.process.stdin is not None
         self.process.stdin.close()
-        status = self.process.wait(PATIENCE)
-        for thread in self._threads:
-            thread.join(PATIENCE)
-        for stream in (self.process.stdout, self.process.stderr):
-            assert stream is not None
-            stream.close()
+        status = await asyncio.wait_for(self.process.wait(), PATIENCE)
+        await self._listening
+        await self.client.stop()
         return status
 
     # --- buffers --------------------------------------------------------------------------------
@@ -95,22 +149,24 @@ class Client:
             contentChanges=[change],
         )
 
-    def diagnostics(self, name: str) -> list[dict[str, Any]]:
-        """Return what is said about the present text of a buffer."""
-        wanted = self.uri(name), self._versions[name]
+    def close(self, name: str) -> None:
+        """Close a buffer."""
+        self.tell("textDocument/didClose", textDocument={"uri": self.uri(name)})
 
-        def matches(m: dict[str, Any]) -> bool:
-            if m.get("method") != "textDocument/publishDiagnostics":
-                return False
-            return (m["params"]["uri"], m["params"].get("version")) == wanted
+    def diagnostics(
+        self, name: str, wanted: Callable[[list[dict[str, Any]]], bool] = lambda _: True
+    ) -> list[dict[str, Any]]:
+        """Return what is said about the present text of a buffer, once it is what is wanted."""
 
-        for known in self.notifications:
-            if matches(known):
-                self.notifications.remove(known)
-                return known["params"]["diagnostics"]
-        found = self._next(matches)
-        self.notifications.remove(found)
-        return found["params"]["diagnostics"]
+        def matches(method: str, params: Any) -> bool:
+            return (
+                method == types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS
+                and params["uri"] == self.uri(name)
+                and params.get("version") == self._versions[name]
+                and wanted(params["diagnostics"])
+            )
+
+        return self._next(matches)["diagnostics"]
 
     # --- messages -------------------------------------------------------------------------------
 
@@ -128,86 +184,68 @@ class Client:
         return found["result"]
 
     def ask(self, method: str, **params: Any) -> dict[str, Any]:
-        """Send a request; return its response."""
-        self._number += 1
-        number = self._number
-        self.send({"jsonrpc": "2.0", "id": number, "method": method, "params": params})
+        """Send a request; return its result or its error."""
+        asked = _structured(method, params)
 
-        def answers(m: dict[str, Any]) -> bool:
-            return m.get("id") == number and "method" not in m
+        async def answer() -> Any:
+            return await self.client.protocol.send_request_async(method, asked)
 
-        return self._next(answers)
+        try:
+            return {"result": CONVERTER.unstructure(self._wait(answer()))}
+        except JsonRpcException as problem:
+            return {"error": {"code": problem.code, "message": problem.message}}
 
     def tell(self, method: str, **params: Any) -> None:
         """Send a notification."""
-        self.send({"jsonrpc": "2.0", "method": method, "params": params})
+        told = _structured(method, params)
+        self._loop.call_soon_threadsafe(self.client.protocol.notify, method, told)
 
     def send(self, message: object) -> None:
-        """Send any message."""
-        self.raw(framed(message))
+        """Send any message, also one that the protocol does not have."""
+        data = json.dumps(message).encode()
+        self.raw(b"Content-Length: %d\r\n\r\n" % len(data) + data)
 
     def raw(self, data: bytes) -> None:
         """Write bytes as they are."""
         assert self.process.stdin is not None
-        self.process.stdin.write(data)
-        self.process.stdin.flush()
+        self._loop.call_soon_threadsafe(self.process.stdin.write, data)
 
-    def notified(self, method: str) -> dict[str, Any]:
-        """Return the parameters of the next notification of a kind."""
-        for known in self.notifications:
-            if known["method"] == method:
-                self.notifications.remove(known)
-                return known["params"]
+    def said_next(self, method: str) -> Any:
+        """Return the parameters of the next notification or request of a kind."""
+        return self._next(lambda m, _: m == method)
 
-        def matches(m: dict[str, Any]) -> bool:
-            return m.get("method") == method
+    def _heard(self, method: str, params: Any) -> None:
+        with self._news:
+            self.said.append((method, CONVERTER.unstructure(params)))
+            self._news.notify_all()
 
-        found = self._next(matches)
-        if found in self.notifications:
-            self.notifications.remove(found)
-        return found["params"]
-
-    def requested(self, method: str) -> None:
-        """Wait for a request of the server; it is answered with nothing."""
-        if not any(m["method"] == method for m in self.requests):
-
-            def matches(m: dict[str, Any]) -> bool:
-                return m.get("method") == method
-
-            self._next(matches)
-        self.requests = [m for m in self.requests if m["method"] != method]
-
-    def _listen(self) -> None:
-        stream = self.process.stdout
-        assert stream is not None
-        message = read_framed(stream)
-        while message is not None:
-            self._came.put(message)
-            message = read_framed(stream)
-        self._came.put(None)
-
-    def _listen_errors(self) -> None:
-        assert self.process.stderr is not None
-        for line in self.process.stderr:
-            self.errors.append(line.decode())
-
-    def _next(self, wanted: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
+    def _next(self, wanted: Callable[[str, Any], bool]) -> Any:
+        """Return the parameters of what is wanted; what came before it is kept."""
         latest = time.monotonic() + PATIENCE
-        while True:
-            try:
-                message = self._came.get(timeout=max(latest - time.monotonic(), 0.01))
-            except Empty:
-                raise AssertionError(
-                    f"nothing comes; so far {self.notifications} {self.errors}"
-                ) from None
-            assert message is not None, f"the server is gone: {''.join(self.errors)}"
-            if "method" in message and "id" in message:
-                self.requests.append(message)
-                self.send({"jsonrpc": "2.0", "id": message["id"], "result": None})
-            elif "method" in message:
-                self.notifications.append(message)
-            if wanted(message):
-                return message
+        with self._news:
+            while True:
+                for number, (method, params) in enumerate(self.said):
+                    if wanted(method, params):
+                        del self.said[number]
+                        return params
+                left = latest - time.monotonic()
+                gone = self.process.returncode is not None
+                assert left > 0.0, f"nothing comes; so far {self.said} {self.errors}"
+                assert not gone, f"the server is gone: {''.join(self.errors)}"
+                self._news.wait(min(left, 0.5))
+
+    def _wait(self, work: Coroutine[Any, Any, Result]) -> Result:
+        return asyncio.run_coroutine_threadsafe(work, self._loop).result(PATIENCE)
+
+
+def _structured(method: str, params: dict[str, Any]) -> Any:
+    """Return parameters as the protocol has them; as they are for a method that it has not."""
+    known: Any = types.METHOD_TO_TYPES.get(method)  # type: ignore[call-overload]
+    return params if known is None else CONVERTER.structure(params, known[2])
+
+
+def _nothing(_: None) -> None:
+    """Answer a request that wants no more than an answer."""
 
 
 def place(at: tuple[int, int]) -> dict[str, int]:

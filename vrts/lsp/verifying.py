@@ -250,7 +250,8 @@ def main() -> None:
 
 def _end_with_server() -> None:
     """End when the other end of stdin is closed: nobody is left who would read the answer."""
-    sys.stdin.buffer.read()
+    while os.read(0, 4096):  # not by `sys.stdin`, whose lock would be held when this process ends
+        pass
     os._exit(1)
 
 

@@ -56,8 +56,8 @@ def test_closing_takes_the_diagnostics_away(tmp_path: Path) -> None:
     with Client(tmp_path) as client:
         client.open("a.v2", BAD)
         assert client.diagnostics("a.v2")
-        client.tell("textDocument/didClose", textDocument={"uri": client.uri("a.v2")})
-        assert client.notified("textDocument/publishDiagnostics")["diagnostics"] == []
+        client.close("a.v2")
+        assert client.said_next("textDocument/publishDiagnostics")["diagnostics"] == []
 
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-16", "utf-32"])

@@ -104,7 +104,7 @@ def test_over_the_protocol(tmp_path: Path) -> None:
     with Client(tmp_path) as client:
         client.open("a.v2", LOOP)  # not what the file on disk holds
         assert hints(client, "a.v2") == []  # not yet: answers never wait
-        client.requested("workspace/inlayHint/refresh")
+        client.said_next("workspace/inlayHint/refresh")
         found = hints(client, "a.v2")
         assert [h["position"] for h in found] == [
             {"line": line, "character": len(LOOP.split("\n")[line])} for line in (1, 3, 4)
@@ -122,7 +122,7 @@ def test_over_the_protocol(tmp_path: Path) -> None:
         client.change("a.v2", ENDLESS)
         assert hints(client, "a.v2") == []
         assert client.about("hover", "a.v2", (1, 10))["contents"]["value"]  # while it runs
-        client.requested("workspace/inlayHint/refresh")
+        client.said_next("workspace/inlayHint/refresh")
         assert len(hints(client, "a.v2")) == 2
 
 

@@ -123,7 +123,7 @@ def test_findings_say_where_they_come_from() -> None:
     assert text[contact.start : contact.end] == "APPROS base2_put, 60"
     missed = (CANS / "submissions" / "forgets-openi.v2").read_text("utf-8")
     goals = [f for f in found(missed, path) if f.code == "V660"]
-    assert {missed[goal.start : goal.end] for goal in goals} == {"main"}
+    assert {missed[goal.start : goal.end] for goal in goals} == {"cans"}
     assert {goal.severity for goal in goals} == {Severity.NOTE}
 
 
