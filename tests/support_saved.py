@@ -153,7 +153,7 @@ def answers(run: Run) -> list[object]:
             run.ending,
             run.statements,
             run.output,
-            run.motions,
+            list(run.motions),
             run.events,
             run.findings,
             run.placements,

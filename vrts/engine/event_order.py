@@ -53,7 +53,7 @@ class EventOrder:
             self._tracks = None
             return
         for one in fresh:
-            if _begins(one.event):
+            if begins(one.event):
                 self._give_up(one)
             _put(self.dated, one)
             if self._tracks is not None:
@@ -90,7 +90,7 @@ class EventOrder:
         gone = [
             one
             for one in self.dated[k:]
-            if _is_of_robot(one.event) and one.event.time_s > begun.event.time_s
+            if is_of_robot(one.event) and one.event.time_s > begun.event.time_s
         ]
         for one in gone:
             del self.dated[bisect_left(self.dated, _order(one), key=_order)]
@@ -124,20 +124,22 @@ def _not_given_up(dated: Sequence[Dated]) -> list[Dated]:
     begun_s = float("inf")  # of the program that came next
     kept: list[Dated] = []
     for one in reversed(dated):
-        if _is_of_robot(one.event) and one.event.time_s > begun_s:
+        if is_of_robot(one.event) and one.event.time_s > begun_s:
             continue
-        if _begins(one.event):
+        if begins(one.event):
             begun_s = one.event.time_s
         kept.append(one)
     kept.reverse()
     return kept
 
 
-def _begins(event: Event) -> bool:
+def begins(event: Event) -> bool:
+    """Return whether a robot program begins."""
     return isinstance(event, ProgramStarted) and not event.process
 
 
-def _is_of_robot(event: Event) -> bool:
+def is_of_robot(event: Event) -> bool:
+    """Return whether an event tells how the robot program goes on."""
     program = isinstance(event, ProgramStarted | ProgramProgressed | ProgramEnded)
     return program and not event.process
 

@@ -1,17 +1,19 @@
 """The far past of machines forgotten, so that one that goes on for hours stays small.
 
-From the time given on everything can be asked as before; earlier answers are lost. Motions are
-kept, because pieces and events name them by number.
+From the time given on everything can be asked as before; earlier answers are lost.
 """
 
+import math
 from array import array
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Sequence
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from vrts.engine.cells import Cell, cells_of
+from vrts.engine.code.executable import Executable
 from vrts.engine.context import Context
 from vrts.engine.event_log import EventLog
+from vrts.engine.event_order import begins, is_of_robot
 from vrts.engine.events import (
     AnalogChanged,
     Answered,
@@ -25,9 +27,12 @@ from vrts.engine.events import (
     SwitchChanged,
 )
 from vrts.engine.hand import Hand
+from vrts.engine.log import Log
 from vrts.engine.machine import Machine
+from vrts.engine.motion.planner import Planner
 from vrts.engine.outcomes import INSTANT
-from vrts.engine.trace import Trace
+from vrts.engine.reactions import Watch
+from vrts.engine.trace import Activation, Trace
 
 Column = TypeVar("Column", "array[int]", "array[float]", "list[object]")
 
@@ -43,6 +48,14 @@ def forget(machines: Sequence[Machine], before_s: float) -> None:
     events = _Events(before_s)
     for machine in machines:
         _forget(machine, before_s, columns, events)
+    obeyed = min(_obeyed_before(machine, before_s) for machine in machines)
+    used = _Reached(machines).programs
+    only: dict[int, tuple[Executable, Executable]] = {}  # by id: the old one, the new one
+    for machine in machines:
+        machine.issued = machine.issued[obeyed:]
+        machine.obeyed -= obeyed
+        old = machine.system.executable
+        machine.system.executable = only.setdefault(id(old), (old, old.only(used)))[1]
 
 
 class _Columns:
@@ -105,11 +118,22 @@ class _Events:
         for number in early:
             for what in _tells(every[number]):
                 last[what] = number
-        gone = set(early).difference(last.values())
         self._whole, self._settled = events, early[-1] + 1 if early else 0
+        gone = set(early).difference(last.values()) | set(_given_up(every[: self._settled]))
         self._kept = [number for number in range(len(every)) if number not in gone]
         numbers = events.numbers
         self._short = EventLog.of([every[n] for n in self._kept], [numbers[n] for n in self._kept])
+
+
+def _given_up(events: Sequence[Event]) -> Iterable[int]:
+    """Return the numbers of ends of the robot program that another program came before."""
+    begun_s = math.inf
+    for number in range(len(events) - 1, -1, -1):
+        event = events[number]
+        if is_of_robot(event) and event.time_s > begun_s:
+            yield number
+        elif begins(event):
+            begun_s = event.time_s
 
 
 def _forget(machine: Machine, before_s: float, columns: _Columns, events: _Events) -> None:
@@ -117,10 +141,10 @@ def _forget(machine: Machine, before_s: float, columns: _Columns, events: _Event
     tick = int(before_s / machine.tick + INSTANT / machine.tick)
     first = max(bisect_right(machine.ticks, tick) - 1, 0)
     finished = machine.counts[first] if machine.counts and machine.ticks[first] <= tick else 0
-    planner = system.planner
-    pieces, path_s = planner.pieces, planner.scale.path(before_s)
-    del pieces[: max(bisect_right(pieces, path_s, key=lambda piece: piece.start_s) - 1, 0)]
+    _forget_motions(system.planner, before_s)
     _forget_hand(system.hand, before_s)
+    if system.answers_read == len(system.answers):
+        system.answers, system.answers_read = Log(), 0
     system.events = events.shortened(system.events)
     machine.robot.events = machine.process.events = system.events
     machine.ticks = columns.without(machine.ticks, first)
@@ -129,6 +153,56 @@ def _forget(machine: Machine, before_s: float, columns: _Columns, events: _Event
         _forget_values(cell, finished, columns)
     for c in (machine.robot, machine.process):
         _forget_steps(c.trace, finished, columns)
+
+
+def _forget_motions(planner: Planner, before_s: float) -> None:
+    pieces, path_s = planner.pieces, planner.scale.path(before_s)
+    del pieces[: max(bisect_right(pieces, path_s, key=lambda piece: piece.start_s) - 1, 0)]
+    if pieces:
+        planner.motions.forget(pieces[0].motion)
+        first = planner.motions[planner.motions.first]
+        planner.scale.forget(min(path_s, first.start_s))
+
+
+def _obeyed_before(machine: Machine, before_s: float) -> int:
+    """Return how many commands were obeyed before a time."""
+    issued = machine.issued[: machine.obeyed]
+    return bisect_left(issued, before_s, key=lambda timed: timed.time_s)
+
+
+class _Reached:
+    """Numbers of programs that machines execute, or tell of."""
+
+    def __init__(self, machines: Sequence[Machine]) -> None:
+        self.programs: set[int] = set()
+        self._seen: set[int] = set()  # ids of what several of them share
+        for machine in machines:
+            for c in (machine.robot, machine.process):
+                self._told(c.trace)
+                self._executed(c.activation, c.watches, c.error_program)
+            if machine.stopped is not None:
+                values: dict[str, Any] = machine.stopped.values
+                parts = (values[name] for name in ("activation", "watches", "error_program"))
+                self._executed(*parts)
+
+    def _told(self, trace: Trace) -> None:
+        if id(trace.activations) not in self._seen:
+            self._seen.add(id(trace.activations))
+            for activation in trace.activations:
+                self._called(activation)
+
+    def _executed(
+        self, activation: Activation | None, watches: Sequence[Watch], error_program: int | None
+    ) -> None:
+        self._called(activation)
+        others = (error_program, *(watch.program for watch in watches))
+        self.programs.update(number for number in others if number is not None)
+
+    def _called(self, activation: Activation | None) -> None:
+        while activation is not None and id(activation) not in self._seen:
+            self._seen.add(id(activation))
+            self.programs.add(activation.program)
+            activation = activation.caller
 
 
 def _forget_hand(hand: Hand, before_s: float) -> None:

@@ -1,5 +1,6 @@
 """The record of one execution: everything that happened up to a horizon, at any time."""
 
+from bisect import bisect_right
 from collections.abc import Hashable, Mapping, Sequence
 from functools import cached_property
 from typing import TypeAlias
@@ -16,6 +17,7 @@ from vrts.engine.events import (
 )
 from vrts.engine.history import History, history_of
 from vrts.engine.machine import Machine
+from vrts.engine.numbered import Numbered
 from vrts.engine.records import (
     Ending,
     Motion,
@@ -123,20 +125,29 @@ class Run:
         return self.history.finished
 
     @property
-    def motions(self) -> Sequence[Motion]:
+    def motions(self) -> Numbered[Motion]:
         """Every motion issued, in run time."""
         return self._motions
 
     @cached_property
-    def _motions(self) -> Sequence[Motion]:
+    def _motions(self) -> Numbered[Motion]:
         arm = self.history.arm
+        given = arm.motions
+        motions = given if isinstance(given, Numbered) else Numbered(given)
         if arm.scale.plain:
-            return arm.motions
+            return motions
         time = arm.scale.time
-        return [
+        in_run_time = (
             motion._replace(start_s=time(motion.start_s), end_s=time(motion.end_s))
-            for motion in arm.motions
-        ]
+            for motion in motions
+        )
+        return Numbered(in_run_time, motions.first)
+
+    def motion_begun(self, time_s: float) -> Motion | None:
+        """Return the last motion that has begun at a time [s]."""
+        motions = self.motions
+        found = bisect_right(motions, time_s, motions.first, key=lambda motion: motion.start_s)
+        return motions[found - 1] if found > motions.first else None
 
     @property
     def timeline(self) -> Timeline:

@@ -102,10 +102,10 @@ class State:
     @property
     def X_WT(self) -> Pose:
         """Pose of the tool in force at the motion under way or just done."""
-        motions = self._run.motions
-        found = bisect_right(motions, self.time_s, key=lambda motion: motion.start_s)
-        under_way = found and self.time_s <= motions[found - 1].end_s
-        return self.X_WF @ (motions[found - 1].X_FT if under_way else self.X_FT)
+        motion = self._run.motion_begun(self.time_s)
+        if motion is not None and self.time_s <= motion.end_s:
+            return self.X_WF @ motion.X_FT
+        return self.X_WF @ self.X_FT
 
     @property
     def placements(self) -> Mapping[str, Placement]:
@@ -171,9 +171,8 @@ class State:
     @property
     def program_speed(self) -> float:
         """Speed of the motion under way or just done [%]."""
-        motions = self._run.motions
-        found = bisect_right(motions, self.time_s, key=lambda motion: motion.start_s)
-        return 100.0 * motions[found - 1].speed_fraction if found else 100.0
+        motion = self._run.motion_begun(self.time_s)
+        return 100.0 * motion.speed_fraction if motion is not None else 100.0
 
     # --- programs -----------------------------------------------------------------------------
 
@@ -254,10 +253,9 @@ class State:
     @property
     def cause(self) -> Cause | None:
         """The instruction of the motion under way, else the one the program is at."""
-        motions = self._run.motions
-        found = bisect_right(motions, self.time_s, key=lambda motion: motion.start_s)
-        if found and self.time_s < motions[found - 1].end_s:
-            return motions[found - 1].cause
+        motion = self._run.motion_begun(self.time_s)
+        if motion is not None and self.time_s < motion.end_s:
+            return motion.cause
         stack = self.call_stack
         return stack[-1] if stack else None
 

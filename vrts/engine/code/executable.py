@@ -1,9 +1,9 @@
 """A module made ready to run: every program as a list of closures, and its memory's layout."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
-from vrts.base.source import Span
+from vrts.base.source import SourceFile, Span
 from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Memory
 from vrts.engine.code.evaluate import Compiler, Evaluate
 from vrts.engine.code.extent import robot_only, simulates
@@ -22,6 +22,9 @@ from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Type, type_of_value
 
 Bind = Callable[[Context], Bound]
+_NOWHERE = Span(SourceFile("", ""), 0, 0)
+_NO_CAUSE = Cause("", 0, _NOWHERE)
+_GONE = Program("", (), frozenset(), (), (), (), 0, 0, _NOWHERE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +51,7 @@ class Executable:
         self.programs: tuple[ExecutableProgram, ...] = () if earlier is None else earlier.programs
         self.numbers: dict[str, int] = {} if earlier is None else dict(earlier.numbers)
         self.causes: list[Cause] = [] if earlier is None else earlier.causes.copy()
+        self._free: tuple[int, ...] = () if earlier is None else earlier._free
         programs = {} if earlier is None else dict(earlier.module.programs)
         programs.update(module.programs)
         data = module.data if earlier is None else (*earlier.module.data, *module.data)
@@ -57,8 +61,7 @@ class Executable:
             if datum.subscripts:
                 self._numbering.arrays.add(datum.name)
         for program in module.programs.values():
-            self.numbers[program.name] = len(self.programs)
-            self.programs = (*self.programs, self._program(program))
+            self.numbers[program.name] = self._put(program)
 
     def without(self, names: tuple[str, ...]) -> "Executable":
         """Return an executable in which some programs are no longer known."""
@@ -67,6 +70,32 @@ class Executable:
             other.numbers.pop(name, None)
         left = {k: p for k, p in self.module.programs.items() if k not in names}
         other.module = Module(left, self.module.data)
+        return other
+
+    def only(self, used: Collection[int]) -> "Executable":
+        """Return an executable without the code of programs that nothing can reach any more.
+
+        The others keep their numbers; what is free is used again for programs to come.
+
+        Args:
+            used: Numbers of programs that are being executed, or that a history tells of.
+        """
+        reached = {*used, *self.numbers.values()}
+        if reached.issuperset(range(len(self.programs))):
+            return self
+        other = Executable(Module({}, ()), self.call_depth, self)
+        other.module = Module(self.module.programs, ())  # what is in memory is known there
+        count = max(reached, default=-1) + 1
+        other.programs = tuple(
+            program if number in reached else ExecutableProgram(_GONE, program.base, (), ())
+            for number, program in enumerate(self.programs[:count])
+        )
+        if count < len(self.programs):
+            del other.causes[self.programs[count].base :]
+        other._free = tuple(number for number in range(count) if number not in reached)
+        for number in other._free:
+            base, end = other._room(number)
+            other.causes[base:end] = [_NO_CAUSE] * (end - base)
         return other
 
     def memory(self) -> Memory:
@@ -115,10 +144,30 @@ class Executable:
             slots = [_fresh(program, slot) for slot in (*program.formals, *program.autos)]
         return Frame(number, slots, program.loops, program.cases)
 
-    def _program(self, program: Program) -> ExecutableProgram:
+    def _put(self, program: Program) -> int:
+        """Take a program in, where there is room; return its number."""
+        size = len(program.origins)
+        for number in self._free:
+            base, end = self._room(number)
+            if end - base >= size:
+                self._free = tuple(free for free in self._free if free != number)
+                ready = self._program(program, base)
+                self.causes[base : base + size] = ready.causes
+                self.programs = (*self.programs[:number], ready, *self.programs[number + 1 :])
+                return number
+        ready = self._program(program, len(self.causes))
+        self.causes += ready.causes
+        self.programs = (*self.programs, ready)
+        return len(self.programs) - 1
+
+    def _room(self, number: int) -> tuple[int, int]:
+        """Return the numbers of the instructions that belong to a program, whatever its size."""
+        following = self.programs[number + 1 : number + 2]
+        end = following[0].base if following else len(self.causes)
+        return self.programs[number].base, end
+
+    def _program(self, program: Program, base: int) -> ExecutableProgram:
         causes = tuple(Cause(program.name, step, span) for step, span in program.origins)
-        base = len(self.causes)
-        self.causes += causes
         steps = tuple(
             self._step(instruction, index, cause, len(causes))
             for index, (instruction, cause) in enumerate(

@@ -21,6 +21,7 @@ from vrts.engine.motion.remarks import Remark
 from vrts.engine.motion.requests import Stance, with_request
 from vrts.engine.motion.settings import Settings
 from vrts.engine.motion.time_scale import TimeScale
+from vrts.engine.numbered import Numbered
 from vrts.engine.outcomes import INSTANT
 from vrts.engine.records import ArmPiece, Motion
 from vrts.ir.instructions import BranchRequest
@@ -64,7 +65,7 @@ class Planner:
         self.settling_s = 0.0  # after it
         self.hold_until = 0.0  # end of a DELAY, in run time
         self.pieces: list[ArmPiece] = []
-        self.motions: list[Motion] = []  # in path time
+        self.motions: Numbered[Motion] = Numbered()  # in path time
         self.remarks: dict[int, tuple[Remark, ...]] = {}  # by motion
         self.leg: Leg | None = None  # None: nothing can be joined to the last motion
         self.pending: Pending | None = None
@@ -159,7 +160,7 @@ class Planner:
     def _at(self, path_s: float) -> Configuration:
         pieces = self.pieces
         if not pieces or path_s <= pieces[0].start_s:
-            return self.motions[0].start if self.motions else self.initial
+            return next((motion.start for motion in self.motions), self.initial)
         piece = pieces[-1]
         if path_s < piece.start_s:
             piece = pieces[bisect_right(pieces, path_s, key=_start) - 1]

@@ -6,7 +6,7 @@ path itself never changes.
 """
 
 import math
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from typing import NamedTuple
 
 from vrts.engine.motion.polynomials import Row
@@ -40,13 +40,14 @@ class TimeScale:
     @property
     def plain(self) -> bool:
         """Whether path time is run time."""
-        return len(self.knots) == 1 and self.rate == 1.0
+        knot = self.knots[0]
+        return len(self.knots) == 1 and self.rate == 1.0 and knot.time_s == knot.path_s
 
     def path(self, time_s: float) -> float:
         """Return the path time at a run time."""
         knots = self.knots
         if len(knots) == 1:
-            return time_s * knots[0].rate
+            return knots[0].path_s + (time_s - knots[0].time_s) * knots[0].rate
         knot = knots[max(bisect_right(knots, time_s, key=_time) - 1, 0)]
         t = time_s - knot.time_s
         return knot.path_s + t * (knot.rate + 0.5 * t * knot.slope)
@@ -85,6 +86,10 @@ class TimeScale:
         """Go on at another steady rate once the stop under way is complete."""
         self.rate = rate
         self.knots[-1] = self.knots[-1]._replace(rate=rate)
+
+    def forget(self, before_s: float) -> None:
+        """Let go of what only matters before a path time."""
+        del self.knots[: max(bisect_left(self.knots, before_s, key=_path) - 1, 0)]
 
     def pieces(self, start_s: float, end_s: float) -> list[tuple[float, float, Row]]:
         """Return path time as polynomials of (time - start) that together span an interval."""
