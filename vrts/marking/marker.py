@@ -91,9 +91,9 @@ class Marker:
         order = Order("warm-up", "warm-up.v2", program)
         quiet = msgspec.structs.replace(self.wanted, recordings=False)
         if self.wanted.recordings:
-            from vrts.report.recording import prepare_shapes  # rerun is heavy
+            from vrts.report.recording import prepare  # rerun is heavy
 
-            prepare_shapes(self.whole.scene)
+            prepare(self.whole.scene)
         with TemporaryDirectory(prefix="vrts-") as folder:
             self._work(order, Path(folder), quiet)
 

@@ -66,7 +66,7 @@ def test_every_view_shows_what_it_should(tmp_path: Path) -> None:
 def test_a_view_that_cannot_show_something_reports_it(tmp_path: Path) -> None:
     stream = rr.RecordingStream("vrts", recording_id="lost", send_properties=False)
     with stream:
-        stream.save(tmp_path / "lost.rrd", default_blueprint=blueprint(1.0, 80.0))
+        stream.save(tmp_path / "lost.rrd", default_blueprint=blueprint(80.0))
         rr.log(of_body("table"), rr.Boxes3D(half_sizes=[[1, 1, 1]]), static=True)
         rr.log(of_body("can1"), rr.Boxes3D(half_sizes=[[1, 1, 1]]), static=True)
         rr.log(of_body("can1"), rr.CoordinateFrame("no such frame"), static=True)

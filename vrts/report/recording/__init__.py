@@ -8,8 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import rerun as rr
+import rerun.blueprint as rrb
 
 from vrts.base.units import mm
+from vrts.check.curves import lasting_of
+from vrts.check.of_run import motion_of
 from vrts.engine.run import Run
 from vrts.report.assessment import Assessment
 from vrts.report.plain import one_line
@@ -18,11 +21,12 @@ from vrts.report.recording.lanes import send_lanes
 from vrts.report.recording.markers import send_markers
 from vrts.report.recording.motion import send_motion
 from vrts.report.recording.names import Array
-from vrts.report.recording.plots import send_plots
-from vrts.report.recording.program_log import log_summary, send_log
-from vrts.report.recording.shapes import log_shapes, prepare_shapes
+from vrts.report.recording.plots import prepare_plots, send_plots
+from vrts.report.recording.program_log import send_log, send_summary
+from vrts.report.recording.shapes import prepare_shapes, send_shapes
+from vrts.scene.model import Scene
 
-__all__ = ["RATE_HZ", "prepare_shapes", "write_recording"]
+__all__ = ["RATE_HZ", "prepare", "times_of", "write_recording"]
 
 APPLICATION = "vrts"
 RATE_HZ = 50.0  # poses a second, as the original system broadcast them
@@ -40,10 +44,9 @@ def write_recording(a: Assessment, path: Path) -> None:
         APPLICATION, recording_id=one_line(a.identifier), send_properties=False
     )
     with stream:
-        opening_max = a.scene.robot.gripper.opening_max
-        stream.save(path, default_blueprint=blueprint(a.run.horizon_s, mm(opening_max)))
-        log_shapes(a)
-        log_summary(a)
+        stream.save(path, default_blueprint=_blueprint(a.scene))
+        send_shapes(a)
+        send_summary(a)
         times = times_of(a)
         states, rates = _coordinates(a.run, times)
         send_motion(a, times, states)
@@ -51,8 +54,21 @@ def write_recording(a: Assessment, path: Path) -> None:
         send_plots(a, times, states, rates)
         send_lanes(a)
         send_log(a)
-    stream.flush()
     stream.disconnect()
+
+
+def prepare(scene: Scene) -> None:
+    """Make what all recordings of a scene have in common, which is kept.
+
+    No recording is opened, no thread started.
+    """
+    _blueprint(scene)
+    prepare_shapes(scene)
+    prepare_plots()
+
+
+def _blueprint(scene: Scene) -> rrb.Blueprint:
+    return blueprint(mm(scene.robot.gripper.opening_max))
 
 
 def times_of(a: Assessment) -> Array:
@@ -65,8 +81,11 @@ def times_of(a: Assessment) -> Array:
 
 def _coordinates(run: Run, times: Array) -> tuple[Array, Array]:
     """Return joints [rad] and hand opening [m], shape (n, 7), and their rates."""
-    if not run.timeline.segments:  # it ended before any time passed
+    if not lasting_of(run.timeline.segments):  # it ended before any time passed
         state = run.at(0.0)
         still = np.array([(*state.configuration, state.hand_opening)])
         return np.repeat(still, len(times), axis=0), np.zeros((len(times), still.shape[1]))
-    return run.timeline.batch.values(times), run.timeline.batch.rates(times)
+    motion = motion_of(run)
+    rates = motion.velocities(times)
+    rates[times >= motion.end_s] = 0.0
+    return motion.values(times), rates

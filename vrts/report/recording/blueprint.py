@@ -1,5 +1,7 @@
 """How the viewer arranges a recording."""
 
+from functools import lru_cache
+
 import rerun.blueprint as rrb
 
 from vrts.base.pose import Vector
@@ -11,11 +13,13 @@ BACKGROUND = (58, 66, 77)
 ROOM = 1.06  # of an axis: the curve ends a little before the frame
 
 
-def blueprint(end_s: float, opening_max_mm: float) -> rrb.Blueprint:
+@lru_cache(maxsize=8)
+def blueprint(opening_max_mm: float) -> rrb.Blueprint:
     """Return the scene with lanes and log on the left, curves and summary on the right.
 
+    The axes of time show all there is, so that every run of a robot has the same blueprint.
+
     Args:
-        end_s: Of the run.
         opening_max_mm: How far the hand opens.
     """
     scene = rrb.Spatial3DView(
@@ -26,7 +30,7 @@ def blueprint(end_s: float, opening_max_mm: float) -> rrb.Blueprint:
         eye_controls=rrb.EyeControls3D(position=EYE, look_target=TARGET),
     )
     lanes = rrb.StateTimelineView(
-        origin="/lanes", name="Lines, gripper and signals", time_view=_whole(end_s)
+        origin="/lanes", name="Lines, gripper and signals", time_view=_whole()
     )
     log = rrb.TextLogView(
         origin="/log",
@@ -36,12 +40,12 @@ def blueprint(end_s: float, opening_max_mm: float) -> rrb.Blueprint:
     percent = (-100.0 * ROOM, 100.0 * ROOM)
     curves = [
         rrb.Tabs(
-            _curves("range", "Joints [% of half the range]", end_s, percent),
-            _curves("joints", "Joints [deg]", end_s, None),
+            _curves("range", "Joints [% of half the range]", percent),
+            _curves("joints", "Joints [deg]", None),
         ),
-        _curves("speed", "Joint speed [% of limit]", end_s, percent),
-        _curves("clearance", "Clearance [mm]", end_s, None),
-        _curves("hand", "Hand opening [mm]", end_s, (0.0, ROOM * opening_max_mm)),
+        _curves("speed", "Joint speed [% of limit]", percent),
+        _curves("clearance", "Clearance [mm]", None),
+        _curves("hand", "Hand opening [mm]", (0.0, ROOM * opening_max_mm)),
     ]
     return rrb.Blueprint(
         rrb.Horizontal(
@@ -58,23 +62,17 @@ def blueprint(end_s: float, opening_max_mm: float) -> rrb.Blueprint:
     )
 
 
-def _curves(
-    path: str, name: str, end_s: float, levels: tuple[float, float] | None
-) -> rrb.TimeSeriesView:
+def _curves(path: str, name: str, levels: tuple[float, float] | None) -> rrb.TimeSeriesView:
     return rrb.TimeSeriesView(
         origin=f"/{path}",
         name=name,
-        axis_x=_whole(end_s),
+        axis_x=_whole(),
         axis_y=rrb.ScalarAxis(range=levels) if levels else None,
         plot_legend=rrb.PlotLegend(visible=path in ("range", "joints")),
     )
 
 
-def _whole(end_s: float) -> rrb.TimeAxis:
+def _whole() -> rrb.TimeAxis:
     """Return an axis that shows the whole run."""
-    return rrb.TimeAxis(
-        view_range=rrb.TimeRange(
-            start=rrb.TimeRangeBoundary.absolute(seconds=0.0),
-            end=rrb.TimeRangeBoundary.absolute(seconds=max(end_s, 0.001)),
-        )
-    )
+    everything = rrb.TimeRangeBoundary.infinite()
+    return rrb.TimeAxis(view_range=rrb.TimeRange(start=everything, end=everything))

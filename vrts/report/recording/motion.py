@@ -1,6 +1,7 @@
 """Where links, hand and bodies are: poses only while they move, and the way of the tool."""
 
 from collections.abc import Sequence
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -8,8 +9,12 @@ import rerun as rr
 
 from vrts.engine.records import GRAVITY, Lie, Placement
 from vrts.report.assessment import Assessment
-from vrts.report.recording.names import Array, at_times, of_body, of_robot
+from vrts.report.recording.names import Array, at_times, of_body, of_finger, of_robot
+from vrts.report.recording.static import static_chunk
 from vrts.robots.batch import flange_of, link_frames
+from vrts.robots.model import Gripper
+
+Mask: TypeAlias = npt.NDArray[np.bool_]
 
 PATH_COLOR = (24, 100, 171)
 PATH_RADIUS_M = 0.0015
@@ -38,10 +43,7 @@ def send_motion(a: Assessment, times: Array, states: Array) -> None:
     flange_r, flange_p = flange_of(robot.arm, rotations[6], origins[6])
     carried = np.concatenate([first, changes[:, :6].any(axis=1)])
     _send(of_robot("hand"), times, flange_r, flange_p, carried)
-    moving = np.concatenate([first, changes.any(axis=1)])
-    for finger in robot.gripper.fingers:
-        shift = 0.5 * finger.side * states[:, 6:7] * flange_r[:, :, 1]
-        _send(of_robot(finger.name), times, flange_r, flange_p + shift, moving)
+    _fingers(robot.gripper, times, states[:, 6], np.concatenate([first, changes[:, 6]]))
     _tool_path(a, times, flange_r, flange_p, carried)
     for name, track in a.run.placements.items():
         turn, at = followed(track, times, flange_r, flange_p)
@@ -88,9 +90,7 @@ def quaternions(rotations: Array) -> npt.NDArray[np.float32]:
     return (q / np.linalg.norm(q, axis=1, keepdims=True)).astype(np.float32)
 
 
-def _send(
-    path: str, times: Array, rotations: Array, origins: Array, moving: npt.NDArray[np.bool_]
-) -> None:
+def _send(path: str, times: Array, rotations: Array, origins: Array, moving: Mask) -> None:
     rr.send_columns(
         path,
         at_times(times[moving]),
@@ -101,12 +101,22 @@ def _send(
     )
 
 
+def _fingers(gripper: Gripper, times: Array, opening: Array, moving: Mask) -> None:
+    """Send where the fingers are in the hand, which moves them along its y axis."""
+    for finger in gripper.fingers:
+        at = np.zeros((np.count_nonzero(moving), 3), np.float32)
+        at[:, 1] = 0.5 * finger.side * opening[moving]
+        rr.send_columns(
+            of_finger(finger.name), at_times(times[moving]), rr.Transform3D.columns(translation=at)
+        )
+
+
 def _tool_path(
     a: Assessment,
     times: Array,
     flange_r: Array,
     flange_p: Array,
-    carried: npt.NDArray[np.bool_],
+    carried: Mask,
 ) -> None:
     """Draw the way of the tool's tip, with the tool in force at every instant."""
     assert a.run is not None
@@ -119,4 +129,4 @@ def _tool_path(
     strip = rr.LineStrips3D(
         [points[keep].astype(np.float32)], colors=[PATH_COLOR], radii=[PATH_RADIUS_M]
     )
-    rr.log("world/tool_path", strip, static=True)
+    rr.send_chunks(static_chunk("world/tool_path", strip))

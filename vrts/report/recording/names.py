@@ -16,8 +16,13 @@ def entity(name: str) -> str:
 
 
 def of_robot(name: str) -> str:
-    """Return the path of a link or finger."""
+    """Return the path of a link, or of the hand."""
     return f"world/robot/{entity(name)}"
+
+
+def of_finger(name: str) -> str:
+    """Return the path of a finger, which goes with the hand."""
+    return f"{of_robot('hand')}/{entity(name)}"
 
 
 def of_body(name: str) -> str:

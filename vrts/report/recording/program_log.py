@@ -10,6 +10,7 @@ from vrts.report.plain import one_line
 from vrts.report.quantities import mark
 from vrts.report.recording.lanes import numbered_line
 from vrts.report.recording.names import at_times, plain_markdown
+from vrts.report.recording.static import static_chunk
 from vrts.report.replay_data import contact_sentence
 from vrts.report.replay_lanes import line_of, robot_lines
 
@@ -46,11 +47,12 @@ def send_log(a: Assessment) -> None:
         )
 
 
-def log_summary(a: Assessment) -> None:
-    """Log the answer in one look."""
+def send_summary(a: Assessment) -> None:
+    """Send the answer in one look."""
     screen = first_screen(a)
     of_ten = "" if screen.mark is None else f"**{mark(screen.mark)} of 10**, "
     ready = "yes" if screen.ready else "no"
     title, cause = plain_markdown(one_line(a.title)), plain_markdown(screen.cause)
     text = f"# {title}\n\n{of_ten}ready for the real robot: {ready}\n\n{cause}\n"
-    rr.log("summary", rr.TextDocument(text, media_type="text/markdown"), static=True)
+    document = rr.TextDocument(text, media_type="text/markdown")
+    rr.send_chunks(static_chunk("summary", document))
