@@ -6,7 +6,7 @@ import { byId, button, make, write } from "../dom.js";
 export function mountEntrance(toasts) {
   const place = byId("entrance");
   const title = make("h2", { id: "entrance-title" });
-  const code = make("p", { class: "code" });
+  const code = make("output", { class: "code" });
   const address = make("p", { class: "address" });
   const picture = make("img", { class: "qr", alt: "QR code of the way in", hidden: true });
   const copy = button("Copy the link", () => void copied());
