@@ -4,15 +4,18 @@ import io
 import threading
 import time
 from collections.abc import Callable, Generator, Iterable
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from datetime import datetime
 from pathlib import Path
 from typing import NamedTuple
 
 from tests.unit.monitor.dialogues import dialogue
+from vrts.dispatch.bundle import Bundle
 from vrts.dispatch.cargo import Cargo
 from vrts.dispatch.emulator import Emulator, GoodLine, Line, Machine
 from vrts.dispatch.listed import Place
+from vrts.dispatch.manifest import Manifest, Reads, Thing
+from vrts.dispatch.port import Port
 from vrts.dispatch.problems import LINE_LOST, stop
 from vrts.dispatch.profile import Profile, find_profile
 from vrts.dispatch.profile_parts import Patience
@@ -24,7 +27,7 @@ from vrts.lang.dialect import DIALECTS
 from vrts.monitor.listings import location_row
 
 NOON = datetime(2026, 1, 1, 12)
-IMPATIENT = Patience(echo_s=0.4, reply_s=0.8, quiet_s=0.03)
+IMPATIENT = Patience(echo_s=0.4, reply_s=0.6, hold_s=0.5, quiet_s=0.03)
 
 PICK = Steps(
     "pick",
@@ -158,6 +161,53 @@ class Faulty:
                 raise stop(LINE_LOST, "the line is broken")
 
 
+@contextmanager
+def port_talk(name: str, known: Profile, log: io.StringIO | None = None) -> Generator[Talk]:
+    """Open a serial port for a conversation."""
+    port = Port(name, known.serial, known.patience.hold_s)
+    try:
+        yield Talk(port, known, Transcript(log or io.StringIO(), datetime.now), time.sleep)
+    finally:
+        port.close()
+
+
+def bundle_of(cargo: Cargo, known: Profile) -> Bundle:
+    """Return a bundle with programs and locations that nobody has verified."""
+    places = "".join(f"{place.name} {' '.join(place.values)}\n" for place in cargo.places)
+    digest = "0" * 64
+    manifest = Manifest(
+        schema="vrts.bundle/1",
+        vrts="0",
+        title="test",
+        entry=cargo.programs[0].name,
+        program=Thing("test", digest),
+        scene=Thing("test", digest),
+        robot=Thing("test", digest),
+        task=None,
+        profile=known.name,
+        profile_sha256=known.digest,
+        dialect=known.dialect,
+        scenarios=(),
+        executed=(),
+        reads=Reads((), (), ()),
+        clearance_asked_mm=10.0,
+        margins=(),
+        first_to_fail="",
+        waivers=(),
+        files=(),
+    )
+    return Bundle(
+        manifest,
+        {program.name: program.text for program in cargo.programs},
+        f".LOCATIONS\n{places}.END\n" if places else "",
+        "".join([".REALS\n", *(f"{n} {v}\n" for n, v in cargo.values), ".END\n"])
+        if cargo.values
+        else "",
+        "",
+        "<html></html>\n",
+    )
+
+
 def talk_over(wire: "Wire", known: Profile) -> Talk:
     """Return a conversation over a line without time."""
     return Talk(wire, known, Transcript(io.StringIO(), lambda: NOON), lambda _: None)
@@ -182,12 +232,21 @@ def _kept(text: str) -> None:
     assert text
 
 
+class Unplugged(Exception):  # noqa: N818 -- names the situation
+    """Somebody has pulled the plug."""
+
+
 @contextmanager
 def at_a_port(machine: Machine, baud: float, line: Line | None = None) -> Generator[Emulator]:
     """Run an emulated controller at a pseudo-terminal."""
     emulator = Emulator(machine, baud, time.monotonic)
     ended = threading.Event()
-    thread = threading.Thread(target=emulator.serve, args=(lambda: not ended.is_set(), line))
+
+    def serve() -> None:
+        with suppress(Unplugged):
+            emulator.serve(lambda: not ended.is_set(), line)
+
+    thread = threading.Thread(target=serve)
     thread.start()
     try:
         yield emulator

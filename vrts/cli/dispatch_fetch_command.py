@@ -5,7 +5,14 @@ from pathlib import Path
 import click
 
 from vrts.cli.console import color_option, guarded, out, say
-from vrts.cli.serial_line import connected, port_option, stamp, transcript_option, write_new
+from vrts.cli.serial_line import (
+    connected,
+    port_option,
+    refuse_present,
+    stamp,
+    transcript_option,
+    write_new,
+)
 
 EPILOG = """\b
 Examples:
@@ -40,6 +47,8 @@ def command(
     from vrts.dispatch.profile import find_profile
 
     known = find_profile(profile)
+    if output is not None:
+        refuse_present(output)
     log = transcript or Path(f"{output or 'fetched'}.{stamp()}.log")
     with connected(port, known, log) as talk:
         found = fetch(talk, known, [name.lower() for name in names])

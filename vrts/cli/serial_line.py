@@ -30,13 +30,17 @@ def stamp() -> str:
     return datetime.now().strftime("%Y%m%d-%H%M%S")
 
 
+def refuse_present(path: Path) -> None:
+    """End where a file is there already: nothing is overwritten."""
+    if path.exists():
+        fail(f"`{path}` is there already", ("name another file, or move it away",))
+
+
 def write_new(path: Path, text: str) -> None:
     """Write a file that is not there yet."""
-    try:
-        with path.open("x", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-    except FileExistsError:
-        fail(f"`{path}` is there already", ("name another file, or move it away",))
+    refuse_present(path)
+    with path.open("x", encoding="utf-8", newline="\n") as file:
+        file.write(text)
 
 
 @contextmanager
@@ -48,12 +52,9 @@ def connected(port: str, profile: "Profile", transcript: Path) -> Generator["Tal
 
     if profile.warning:
         say(f"note: {profile.warning}")
-    wire = Port(port, profile.serial)
-    try:
-        file = transcript.open("x", encoding="utf-8")
-    except FileExistsError:
-        fail(f"`{transcript}` is there already", ("name another file with `--transcript`",))
-    with file:
+    refuse_present(transcript)
+    wire = Port(port, profile.serial, profile.patience.hold_s)
+    with transcript.open("x", encoding="utf-8") as file:
         written = Transcript(file, datetime.now)
         written.remark(f"{port}, profile {profile.name} {profile.digest}")
         try:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from difflib import unified_diff
 
+from vrts.base.source import SourceFile
 from vrts.dispatch import asking
 from vrts.dispatch.cargo import Cargo
 from vrts.dispatch.listed import Place
@@ -11,6 +12,8 @@ from vrts.dispatch.profile_parts import Profile
 from vrts.dispatch.read_back import same_value
 from vrts.dispatch.steps import Steps, first_difference
 from vrts.dispatch.talk import Talk
+from vrts.lang.dialect import Dialect
+from vrts.lang.layout import layout
 
 
 def differences(talk: Talk, profile: Profile, cargo: Cargo) -> list[str]:
@@ -38,9 +41,13 @@ def _of_program(program: Steps, found: Steps | None, profile: Profile) -> list[s
         return [f"-.PROGRAM {program.name}{program.formals}  (not on the controller)"]
     if first_difference(program, found, profile.language) is None:
         return []
-    here, there = program.text.splitlines(), found.text.splitlines()
+    here, there = (_canonical(each, profile.language) for each in (program, found))
     names = (f"{program.name} in the bundle", f"{program.name} on the controller")
     return list(unified_diff(here, there, *names, lineterm=""))
+
+
+def _canonical(program: Steps, dialect: Dialect) -> list[str]:
+    return layout(SourceFile(program.name, program.text), dialect).splitlines()
 
 
 def _of_places(

@@ -1,6 +1,7 @@
 """The serial line: the door to pyserial."""
 
 import os
+import time
 from collections.abc import Callable
 from typing import Protocol, TypeVar
 
@@ -10,7 +11,7 @@ from vrts.pipeline.files import CannotRead
 
 Value = TypeVar("Value")
 
-_WRITE_S = 60.0  # for which the other side may hold the line (Ctrl-S)
+_LOOK_S = 0.002  # between two looks whether all has left
 _PARITIES = {"none": "N", "even": "E", "odd": "O"}
 
 
@@ -33,8 +34,13 @@ class Wire(Protocol):
 class Port:
     """An open serial port."""
 
-    def __init__(self, name: str, settings: Serial) -> None:
+    def __init__(self, name: str, settings: Serial, hold_s: float) -> None:
         """Open it, for nobody else.
+
+        Args:
+            name: As the system calls it.
+            settings: Of the line.
+            hold_s: For how long the other side may hold the line.
 
         Raises:
             CannotRead: pyserial is not installed.
@@ -46,6 +52,7 @@ class Port:
             hints = ("python -m pip install 'vrts[dispatch]'",)
             raise CannotRead("serial ports need the package pyserial", hints) from missing
         self.name = name
+        self._hold_s = hold_s
         self._broken: tuple[type[Exception], ...] = (serial.SerialException, OSError)
         self._held = serial.SerialTimeoutException
         try:
@@ -58,7 +65,7 @@ class Port:
                 xonxoff=settings.flow == "xonxoff",
                 rtscts=settings.flow == "rtscts",
                 timeout=0.0,
-                write_timeout=_WRITE_S,
+                write_timeout=hold_s,
                 exclusive=True if os.name == "posix" else None,
             )
         except (*self._broken, ValueError) as problem:
@@ -71,7 +78,16 @@ class Port:
 
     def write(self, data: bytes) -> None:
         """Send bytes; return when they have left."""
-        self._obeyed(lambda: (self._serial.write(data), self._serial.flush()))
+
+        def give() -> None:
+            self._serial.write(data)
+            until = time.monotonic() + self._hold_s
+            while self._serial.out_waiting:  # `flush` would wait for ever
+                if time.monotonic() > until:
+                    raise self._held
+                time.sleep(_LOOK_S)
+
+        self._obeyed(give)
 
     def read(self, wait_s: float) -> bytes:
         """Return what has come, at the latest after some silence, in which case it is empty."""
@@ -97,7 +113,7 @@ class Port:
         except self._held as problem:
             raise stop(
                 LINE_LOST,
-                f"nothing could be sent on `{self.name}` for {_WRITE_S:.0f} s",
+                f"nothing could be sent on `{self.name}` for {self._hold_s:g} s",
                 "the other side holds the line (Ctrl-S, or its handshake lines)",
                 remedy="press Ctrl-Q at the controller's terminal; check cable and flow control",
             ) from problem
@@ -111,6 +127,6 @@ class Port:
 
 
 def _reason(problem: Exception) -> str:
-    if isinstance(problem, OSError) and problem.strerror:
-        return problem.strerror.lower()
+    if isinstance(problem, OSError) and problem.errno is not None:
+        return os.strerror(problem.errno).lower()
     return str(problem)[:200]

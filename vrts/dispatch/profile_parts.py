@@ -33,6 +33,7 @@ class Patience(NamedTuple):
 
     echo_s: float  # while what was typed comes back
     reply_s: float  # while the controller answers
+    hold_s: float  # while the controller holds the line (Ctrl-S)
     quiet_s: float  # of silence that show that a prompt is not the beginning of something
 
 

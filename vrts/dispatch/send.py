@@ -154,7 +154,7 @@ class Sending:
             return None
         steps = len(found.rows)
         begun = differs.found is None and differs.step == steps + 1
-        self.states[key(program)] = f"another program, of {steps} steps"
+        self.states[key(program)] = f"another program ({steps} step{'' if steps == 1 else 's'})"
         if begun:
             self.states[key(program)] = f"steps 1 to {steps} of {len(program.rows)}"
         if begun and self.options.resume:
@@ -238,7 +238,7 @@ class Sending:
             return "all steps are there, not yet read back"
         if differs.found is None:
             return f"steps 1 to {len(found.rows)} of {len(program.rows)}, as sent"
-        return f"{len(found.rows)} steps, and {where(differs)}"
+        return f"not as sent: {where(differs)}"
 
     # --- reading back ---------------------------------------------------------------------------
 

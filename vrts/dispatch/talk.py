@@ -16,8 +16,10 @@ from vrts.dispatch.transcript import Transcript
 from vrts.pipeline.settings import Refused
 
 _MOST = 4_000_000  # characters of an answer
+_MOST_UNASKED = 20_000  # characters that come without a question
 _TAIL = 300  # characters at the end of an answer in which a prompt may stand
 _TRIES = 3  # at a prompt to begin with
+_RUBBED = re.compile(r"[\b \n]|\^[UX]")  # what may be shown when a line is taken back
 
 
 class At(NamedTuple):
@@ -78,9 +80,13 @@ class Talk:
         patience = self._profile.patience
         heard = ""
         for _ in range(_TRIES):
-            while came := self._read(patience.quiet_s):
-                heard = (heard + came)[-_TAIL:]
-            self._write(self._profile.typing.cancel + self._profile.typing.end_of_line)
+            heard = (heard + self._drained())[-_TAIL:]
+            self._write(self._profile.typing.cancel)
+            shown = self._drained()
+            heard = (heard + shown)[-_TAIL:]
+            if not self._shows_an_empty_line(shown):
+                continue  # it has come as something else, which RETURN would carry out
+            self._write(self._profile.typing.end_of_line)
             answer, at = self._until_prompt(patience.echo_s, None)
             heard = (heard + answer)[-_TAIL:]
             if at is not None:
@@ -117,8 +123,21 @@ class Talk:
     def take_back(self) -> None:
         """Take back what is typed of a line, and wait until nothing more comes."""
         self._write(self._profile.typing.cancel)
-        while self._read(self._profile.patience.quiet_s):
-            pass
+        self._drained()
+
+    def _drained(self) -> str:
+        """Return what comes until nothing more does."""
+        text = ""
+        while came := self._read(self._profile.patience.quiet_s):
+            text += came
+            if len(text) > _MOST_UNASKED:
+                raise unlike("silence", text, "it does not cease to write")
+        return text[-_TAIL:]
+
+    def _shows_an_empty_line(self, shown: str) -> bool:
+        """Return whether what comes after a line was taken back is nothing typed."""
+        rest = _RUBBED.sub("", shown)
+        return not rest or self._prompt_at_end(rest) is not None
 
     # --- typing ---------------------------------------------------------------------------------
 
@@ -143,12 +162,13 @@ class Talk:
     def _changed(self, text: str, echo: str) -> Refused:
         self.line_in_doubt = True
         self.take_back()
+        ended = "a character has become the end of a line: a part of it may have been taken"
         return stop(
             WRONG_ECHO,
             "what was typed has not come back as it was typed",
             f"typed: {visible(text)}",
             f"came: {visible(echo)}",
-            "it was taken back before RETURN: the controller has not acted on it",
+            ended if "\n" in echo else "it was taken back before RETURN",
             remedy="check cable, speed and flow control; then go on with `--resume`",
         )
 
