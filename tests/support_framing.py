@@ -1,7 +1,7 @@
 """Messages of the language server and debug adapter protocols: a header, then JSON."""
 
 import json
-from typing import Any, BinaryIO
+from typing import IO, Any
 
 
 def framed(message: object) -> bytes:
@@ -10,7 +10,7 @@ def framed(message: object) -> bytes:
     return b"Content-Length: %d\r\n\r\n" % len(data) + data
 
 
-def read_framed(stream: BinaryIO) -> dict[str, Any] | None:
+def read_framed(stream: IO[bytes]) -> dict[str, Any] | None:
     """Return the next message; None at the end of the stream."""
     length = 0
     while (line := stream.readline()).strip():

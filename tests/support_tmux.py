@@ -4,7 +4,7 @@ import subprocess
 import sys
 import time
 import uuid
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 PATIENCE = 60.0  # [s] on a busy machine
@@ -12,13 +12,20 @@ TURN = 0.1  # [s]
 
 
 class Terminal:
-    """A command of vrts that fills a terminal."""
+    """A command of vrts that fills a terminal; each has a server of its own, which ends with it."""
 
-    def __init__(self, arguments: Sequence[str], folder: Path, size: tuple[int, int]) -> None:
+    def __init__(
+        self,
+        arguments: Sequence[str],
+        folder: Path,
+        size: tuple[int, int],
+        environment: Mapping[str, str] | None = None,
+    ) -> None:
         self._name = f"vrts-{uuid.uuid4().hex[:8]}"
         self._said = folder / "stderr.txt"
         command = [sys.executable, "-m", "vrts.cli.main", *arguments]
         words = " ".join(f"'{word}'" for word in command)
+        told = [f"{name}={value}" for name, value in (environment or {}).items()]
         self._tmux(
             "new-session",
             "-d",
@@ -28,6 +35,7 @@ class Terminal:
             str(size[0]),
             "-y",
             str(size[1]),
+            *(word for one in told for word in ("-e", one)),
             f"{words} 2>'{self._said}'",
         )
 
@@ -35,7 +43,7 @@ class Terminal:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._tmux("kill-session", "-t", self._name, check=False)
+        self._tmux("kill-server", check=False)
 
     def send(self, *keys: str) -> None:
         """Type keys, by the names that tmux has for them."""
@@ -65,7 +73,7 @@ class Terminal:
 
     def _tmux(self, *words: str, check: bool = True) -> str:
         found = subprocess.run(
-            ["tmux", "-L", "vrts-tests", *words], capture_output=True, text=True, check=False
+            ["tmux", "-L", self._name, *words], capture_output=True, text=True, check=False
         )
         assert found.returncode == 0 or not check, found.stderr
         return found.stdout

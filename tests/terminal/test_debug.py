@@ -62,6 +62,34 @@ def test_breakpoints_values_and_commands(tmp_path: Path) -> None:
         assert "left at" in terminal.said()
 
 
+def test_what_changes_on_disk_is_told_and_taken_on_restart(tmp_path: Path) -> None:
+    program = tmp_path / "count.v2"
+    text = ".PROGRAM main()\n n = 1\n n = n+1\n TYPE n\n.END\n"
+    program.write_text(text)
+    with Terminal(["debug", str(program)], tmp_path, SIZE) as terminal:
+        terminal.expect("▶  n = 1")
+        program.write_text(text.replace("n+1", "n+"))
+        terminal.send("n")
+        terminal.expect("▶  n = n+1", "`count.v2` has changed on disk")
+        terminal.send("r")
+        terminal.expect("still as it was: line 3:", "▶  n = n+1")
+        program.write_text(text.replace("n+1", "n+41"))
+        terminal.send("r")
+        terminal.expect("begun again", "▶  n = 1")
+        terminal.send("c")
+        terminal.expect("at the end", "n            42")
+
+
+def test_the_rerun_viewer_is_asked_for(tmp_path: Path) -> None:
+    no_display = {"DISPLAY": "", "WAYLAND_DISPLAY": "", "XDG_RUNTIME_DIR": str(tmp_path)}
+    with Terminal(["debug", str(HITS)], tmp_path, SIZE, no_display) as terminal:
+        terminal.expect("▶ SPEED 60 ALWAYS")
+        terminal.send("V")
+        terminal.expect("could not show", "it needs a display")
+        terminal.send("q")
+        assert "left at" in terminal.said()
+
+
 def test_a_small_terminal_is_told(tmp_path: Path) -> None:
     with Terminal(["debug", str(HITS)], tmp_path, (60, 15)) as terminal:
         terminal.expect("at least 72 x 20")

@@ -2,21 +2,17 @@
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
 from vrts.cli.console import WRONG, color_option, fail, guarded, lab_option, say, show_diagnostics
 
-if TYPE_CHECKING:
-    from vrts.debug.opening import Opened
-
 EPILOG = """\b
 Examples:
   vrts debug prog.v2
   vrts debug prog.v2 --scene cans-on-bases
-n and N go a step forward and back, c and C to the next stop and the last one, : takes a command
-of the monitor; ? shows all keys.
+n and N go a step forward and back, c and C to the next stop and the last one, v and V show the
+moment in the browser and in the Rerun viewer, : takes a command of the monitor; ? shows all keys.
 """
 
 
@@ -64,27 +60,17 @@ def command(
 
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         fail("debugging needs a terminal", ("editors use `vrts dap`",))
-    found = opened(Asked(program, scene, task, scenario, lab, entry, others, dialect))
+    asked = Asked(program, scene, task, scenario, lab, entry, others, dialect)
+    found = opened(asked)
     if found.debugger is None or found.console is None:
         show_diagnostics(found.diagnostics, color)
         sys.exit(WRONG)
+    from vrts.cli.debug_outside import DebugOutside
     from vrts.debug.alarms import Filter
     from vrts.debug.screen import debug
 
-    found.debugger.wishes.filters = frozenset({Filter.CONTACT, Filter.ERROR})
-    debug(found.debugger, found.console, lambda time_s: _show(found, time_s))
-    say(f"left at {found.debugger.at.time_s:.3f} s")
-
-
-def _show(found: "Opened", time_s: float) -> str:
-    """Write the replay of the run as it goes now, and open it at a time."""
-    import tempfile
-
-    from vrts.cli.run_page import assessed, open_page, write_page
-
-    assert found.debugger is not None
-    name = Path(found.sources[0].name)
-    path = Path(tempfile.mkdtemp(prefix="vrts-")) / f"{name.stem}.html"
-    write_page(assessed(name.stem, name.name, found.debugger.run), path)
-    open_page(path, time_s)
-    return f"{path} at {time_s:.3f} s"
+    debugger = found.debugger
+    debugger.wishes.filters = frozenset({Filter.CONTACT, Filter.ERROR})
+    with DebugOutside(asked, found) as outside:
+        debug(debugger, found.console, outside.keys())
+    say(f"left at {debugger.at.time_s:.3f} s")

@@ -36,6 +36,10 @@ class Console:
         for source in sources:
             self._monitor.load(source, self._now)
 
+    def take_over(self, other: "Console") -> None:
+        """Read lines with the programs that another console has in memory."""
+        self._monitor = other._monitor
+
     def enter(self, line: str, frame: Frame | None = None) -> str:
         """Take a line; return what there is to show.
 

@@ -226,6 +226,13 @@ class Debugger:
         self._take(self._first)
         return self._stand(Stop(self._entry(), Why.ENTRY))
 
+    def take_over(self, other: "Debugger") -> Stop:
+        """Begin with what another debugger has opened; the wishes stay."""
+        self.dialect = other.dialect
+        self._near_miss_m = other._near_miss_m
+        self._first = other._first
+        return self.restart()
+
     # --- changes ------------------------------------------------------------------------------
 
     def change(self, commands: Sequence[Command]) -> list[str]:

@@ -1,6 +1,7 @@
 """Keys of the terminal debugger: what each does to where it stands, without any terminal."""
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 from vrts.debug.alarms import LABELS
 from vrts.debug.breakpoints import Breakpoint, Watch, resolve
@@ -16,21 +17,24 @@ PAGE = 10  # lines
 MOST_TYPED = 200  # characters
 
 
+class Outside(NamedTuple):
+    """What keys ask for that is no matter of the debugger; each returns what to say about it."""
+
+    page: Callable[[float], str]  # opens a time [s] in 3D in the browser
+    rerun: Callable[[float], str]  # ... in the Rerun viewer
+    restart: Callable[[], str]  # begins again, with the files as they are now
+    news: Callable[[], str]  # tells what has changed on disk
+
+
 class Keyboard:
     """Takes keys one by one."""
 
-    def __init__(
-        self,
-        debugger: Debugger,
-        console: Console,
-        view: View,
-        show: Callable[[float], str],
-    ) -> None:
-        """Take what the keys act on; `show` opens a time [s] in 3D and says so."""
+    def __init__(self, debugger: Debugger, console: Console, view: View, outside: Outside) -> None:
+        """Take what the keys act on."""
         self._debugger = debugger
         self._console = console
         self._view = view
-        self._show = show
+        self._news = outside.news
         self._answer: Callable[[str], None] | None = None  # takes the line that is typed
         self._next_id = 1
         self._commands: dict[str, Callable[[], object]] = {
@@ -47,12 +51,13 @@ class Keyboard:
             "left": lambda: debugger.seek(debugger.at.time_s - LEAP),
             "home": lambda: debugger.seek(0.0),
             "end": lambda: debugger.seek(debugger.run.horizon_s),
-            "r": debugger.restart,
+            "r": lambda: self._say(outside.restart()),
             "b": self._breakpoint,
             "g": self._run_to,
             "j": self._jump,
             "p": self._other_program,
-            "v": lambda: self._say(show(debugger.at.time_s)),
+            "v": lambda: self._say(outside.page(debugger.at.time_s)),
+            "V": lambda: self._say(outside.rerun(debugger.at.time_s)),
             "a": lambda: self._ask(f"alarms that stop ({_alarm_words()}): ", self._alarms),
             "w": lambda: self._ask("stop when this changes: ", self._watch),
             ":": lambda: self._ask(":", self._command),
@@ -76,7 +81,7 @@ class Keyboard:
             if key not in ("b", "g", "j", ":", "a", "w"):
                 view.cursor = None
             deed()
-            self._tell_log()
+            self._tell()
         return False
 
     # --- deeds --------------------------------------------------------------------------------
@@ -183,11 +188,14 @@ class Keyboard:
     def _say(self, *lines: str) -> None:
         self._view.said = [visible(line) for line in lines if line]
 
-    def _tell_log(self) -> None:
+    def _tell(self) -> None:
+        """Show what was logged on the way, and what has changed on disk."""
         log = self._debugger.log
-        if log:
-            self._say(*(f"{one.instant.time_s:.3f} s: {one.text}" for one in log))
-            log.clear()
+        told = [f"{one.instant.time_s:.3f} s: {one.text}" for one in log]
+        log.clear()
+        news = self._news()
+        if told or news:
+            self._say(*told, news)
 
 
 def _alarm_words() -> str:

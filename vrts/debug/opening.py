@@ -83,6 +83,15 @@ def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
     return Opened(debugger, console, sources, without_repeats(found, run.findings), files)
 
 
+def why_not(diagnostics: Sequence[Diagnostic]) -> str:
+    """Return in one line why nothing could be opened: the first error."""
+    found = next((diagnostic for diagnostic in diagnostics if diagnostic.is_error), None)
+    if found is None:
+        return "there is no program to execute"
+    where = f"line {found.primary.span.line}: " if found.primary is not None else ""
+    return f"{where}{found.headline} ({found.rule.code})"
+
+
 def _read(asked: Asked, program: Path, setting: Setting) -> list[Path]:
     """Return the files that a session is made of."""
     found = [program, *asked.others]

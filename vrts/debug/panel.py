@@ -37,8 +37,8 @@ Forward                         Backward
   a           which alarms stop   w  stop when a variable or signal changes
   :           a command of the monitor, an expression, or `x = 5`
   p           robot program or process control program
-  v           see this moment in 3D
-  r           again from the beginning, all changes forgotten
+  v           see this moment in 3D   V  in the Rerun viewer
+  r           again from the beginning, with the files as they are now
   q           end
 """
 _WHY = {

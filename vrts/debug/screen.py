@@ -12,7 +12,7 @@ from prompt_toolkit.styles import Style
 
 from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger
-from vrts.debug.keys import Keyboard
+from vrts.debug.keys import Keyboard, Outside
 from vrts.debug.panel import View, panel, time_at, time_bar
 
 _STYLE = Style.from_dict(
@@ -48,16 +48,16 @@ _NAMES = {
 }
 
 
-def debug(debugger: Debugger, console: Console, show: Callable[[float], str]) -> None:
+def debug(debugger: Debugger, console: Console, outside: Outside) -> None:
     """Show the program and take keys until the user ends it.
 
     Args:
         debugger: Where it stands.
         console: Reads commands.
-        show: Opens a picture of a time [s] in 3D; returns what to say about it.
+        outside: What keys ask for beside.
     """
     view = View()
-    keyboard = Keyboard(debugger, console, view, show)
+    keyboard = Keyboard(debugger, console, view, outside)
 
     def text() -> StyleAndTextTuples:
         size = get_app().output.get_size()

@@ -16,7 +16,7 @@ from vrts.debug.dap.seeing import SEEING
 from vrts.debug.dap.session import Answer, Json, Session
 from vrts.debug.dap.stopping import STOPPING
 from vrts.debug.evaluating import CannotTell
-from vrts.debug.opening import Asked, opened
+from vrts.debug.opening import Asked, opened, why_not
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.settings import Refused
 from vrts.report.text import diagnostic_text
@@ -116,10 +116,10 @@ class Adapter:
             found = opened(_asked(a), near / 1000.0 if near >= 0.0 else None)
         except Refused as refused:
             self._say(_told(refused.diagnostics))
-            raise BadRequest(_first(refused.diagnostics)) from refused
+            raise BadRequest(why_not(refused.diagnostics)) from refused
         self._say(_told(found.diagnostics))
         if found.debugger is None or found.console is None:
-            raise BadRequest(_first(found.diagnostics))
+            raise BadRequest(why_not(found.diagnostics))
         return Session(found.debugger, found.console, found.sources, found.files)
 
     def _say(self, text: str) -> None:
@@ -146,12 +146,3 @@ def _path(text: str | None) -> Path | None:
 
 def _told(diagnostics: Sequence[Diagnostic]) -> str:
     return "".join(f"{diagnostic_text(found, color=False)}\n\n" for found in diagnostics)
-
-
-def _first(diagnostics: Sequence[Diagnostic]) -> str:
-    errors = [found for found in diagnostics if found.is_error]
-    found = errors[0] if errors else None
-    if found is None:
-        return "there is no program to execute"
-    where = f"line {found.primary.span.line}: " if found.primary is not None else ""
-    return f"{where}{found.headline} ({found.rule.code})"

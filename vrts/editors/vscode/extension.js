@@ -66,9 +66,32 @@ const adapters = {
   },
 };
 
+/** VS Code itself says nothing when a debugger cannot be started. */
+const trackers = {
+  createDebugAdapterTracker() {
+    let answered = false;
+    return {
+      onDidSendMessage() {
+        answered = true;
+      },
+      onError(/** @type {any} */ problem) {
+        if (!answered) warn(problem);
+        answered = true;
+      },
+    };
+  },
+};
+
+/** Say that vrts cannot be started. */
+function warn(/** @type {any} */ problem) {
+  const words = `${command()} cannot be started (${problem.message || problem}): is vrts[ide] installed? Setting: vrts.path`;
+  void vscode.window.showWarningMessage(words);
+}
+
 exports.activate = async function activate(/** @type {any} */ context) {
   context.subscriptions.push(
     vscode.debug.registerDebugAdapterDescriptorFactory("vrts", adapters),
+    vscode.debug.registerDebugAdapterTrackerFactory("vrts", trackers),
     vscode.debug.registerDebugConfigurationProvider("vrts", configurations),
     vscode.commands.registerCommand("vrts.run", (file, entry) => inTerminal("run", file, entry)),
     vscode.commands.registerCommand("vrts.verify", (file) => inTerminal("verify", file, undefined)),
@@ -81,8 +104,7 @@ exports.activate = async function activate(/** @type {any} */ context) {
     await client.start();
   } catch (problem) {
     client = undefined;
-    const words = `vrts cannot be started (${problem}): is it installed, with vrts[ide]? Setting: vrts.path`;
-    void vscode.window.showWarningMessage(words);
+    warn(problem);
   }
 };
 
