@@ -5,6 +5,7 @@ import importlib
 import click
 
 SUBCOMMANDS = {
+    "plan": "verify a program for a real controller, and write a bundle",
     "choose": "list the ready programs of a marking by clearance and mark",
     "send": "send a bundle to a controller and read everything back",
     "fetch": "fetch programs and locations from a controller",

@@ -1,0 +1,152 @@
+"""The bundle of a program that was not refused: its manifest, its texts, its sheet."""
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NamedTuple, cast
+
+import msgspec
+
+from vrts import __version__
+from vrts.base.units import mm
+from vrts.check.duration import duration
+from vrts.check.mark import grade
+from vrts.dispatch.bundle import NO_MEMBERS, Bundle, content_digest, digest_of, with_sheet
+from vrts.dispatch.coverage import Covered, executed_steps
+from vrts.dispatch.dependence import Dependence, reads
+from vrts.dispatch.dry_run import DryRun
+from vrts.dispatch.manifest import SCHEMA, Answered, Manifest, Margin, Thing, Verified
+from vrts.dispatch.printed import Printed
+from vrts.dispatch.profile import Profile
+from vrts.dispatch.proof import Case
+from vrts.dispatch.refusals import Sorted
+from vrts.dispatch.rounding import largest
+from vrts.dispatch.sheet import Sheet, sheet
+from vrts.ir.module import Module
+from vrts.pipeline.settings import Setting
+
+if TYPE_CHECKING:
+    from vrts.dispatch.planning import Scened
+
+_PATHS = ("/", "\\")
+
+
+class Made(NamedTuple):
+    """All that a bundle is made of, beside its scenarios."""
+
+    name: str  # of the program's file, as shown
+    data: bytes
+    entry: str
+    texts: Printed
+    given: Module  # as the file has it
+    held: Module  # as the controller will hold it
+    profile: Profile
+    clearance_mm: float
+    seen: Covered
+    known: Dependence
+    sorted: Sorted
+    raised: DryRun
+
+
+def bundle_of(made: Made, scened: Sequence["Scened"], settings: Sequence[Setting]) -> Bundle:
+    """Return the bundle of a program verified in scenarios."""
+    manifest = _manifest(made, scened, settings)
+    texts = made.texts
+    programs: Mapping[str, str] = MappingProxyType(dict(texts.programs))
+    bundle = Bundle(manifest, programs, texts.locations, texts.reals, texts.strings, "")
+    facts = Sheet(
+        bundle=bundle,
+        content=content_digest(bundle),
+        profile=made.profile,
+        scene=settings[0].scene,
+        run=scened[0].held.run,
+        raised=made.raised,
+        passages=tuple(passage for one in scened for passage in one.near.shown),
+        rounding=largest(made.given, made.held),
+    )
+    return with_sheet(bundle, sheet(facts))
+
+
+def _manifest(made: Made, scened: Sequence["Scened"], settings: Sequence[Setting]) -> Manifest:
+    scene, task = settings[0].scene, settings[0].task
+    several = len(scened) > 1
+    return Manifest(
+        schema=SCHEMA,
+        vrts=__version__,
+        title=_base_name(made.name),
+        entry=made.entry,
+        program=Thing(_base_name(made.name), digest_of(made.data)),
+        scene=Thing(scene.name, scene.digest),
+        robot=Thing(scene.robot.arm.title, record_digest(scene.robot)),
+        task=None if task is None else Thing(task.title, task.digest),
+        profile=made.profile.name,
+        profile_sha256=made.profile.digest,
+        dialect=made.profile.dialect,
+        scenarios=tuple(_verified(one, s) for one, s in zip(scened, settings, strict=True)),
+        executed=executed_steps(made.given, made.seen),
+        reads=reads(made.known),
+        clearance_asked_mm=made.clearance_mm,
+        margins=tuple(
+            m if not several else _named(m, one.held.title) for one in scened for m in one.margins
+        ),
+        first_to_fail="; ".join(dict.fromkeys(one.first_to_fail for one in scened))[:2_000],
+        waivers=made.sorted.waivers,
+        files=NO_MEMBERS,
+    )
+
+
+def _verified(one: "Scened", setting: Setting) -> Verified:
+    case, took = one.held, duration(one.held.run)
+    clearance = one.near.clearance_m
+    return Verified(
+        scenario=case.title,
+        sha256=None if setting.scenario is None else setting.scenario.digest,
+        ending=case.run.ending.value,
+        duration_s=None if took is None else float(took),
+        statements=case.run.statements,
+        motions=len(case.run.motions),
+        mark=_mark(case),
+        clearance_mm=None if clearance is None else round(mm(clearance), 2),
+        verdicts=tuple(
+            Answered(v.check, v.answer.value, v.summary[:2_000]) for v in case.judgement.verdicts
+        ),
+    )
+
+
+def _mark(case: Case) -> float | None:
+    if case.task is None:
+        return None
+    return float(grade(case.task, case.run, case.judgement).mark)
+
+
+def _named(margin: Margin, scenario: str) -> Margin:
+    return msgspec.structs.replace(margin, name=f"{margin.name}, {scenario}")
+
+
+def record_digest(value: object) -> str:
+    """Return the sha256 of a plain record: the same for the same values, in every process."""
+    return hashlib.sha256(_written(value).encode()).hexdigest()
+
+
+def _written(value: object) -> str:
+    if isinstance(value, Enum):
+        return value.name
+    if isinstance(value, frozenset):
+        members = cast("frozenset[object]", value)
+        return "{" + ",".join(sorted(_written(member) for member in members)) + "}"
+    if isinstance(value, tuple):
+        parts = cast("tuple[object, ...]", value)
+        return f"{parts.__class__.__name__}({','.join(_written(part) for part in parts)})"
+    if is_dataclass(value) and not isinstance(value, type):
+        named = (f"{f.name}={_written(getattr(value, f.name))}" for f in fields(value))
+        return f"{value.__class__.__name__}({','.join(named)})"
+    return repr(value)
+
+
+def _base_name(name: str) -> str:
+    """Return the last part of a path: a bundle names no folder of whoever made it."""
+    for separator in _PATHS:
+        name = name.rpartition(separator)[2]
+    return name[:200]

@@ -1,0 +1,224 @@
+"""A program on its way to a real controller: verified as the controller will hold it, or refused.
+
+What is verified in the end is the text of the bundle, read again; the program's own file is only
+where it comes from, and where refusals point to.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Diagnostic, error
+from vrts.base.units import MM
+from vrts.check.judge import judge
+from vrts.dispatch import coverage, dependence, fits, margins
+from vrts.dispatch.bundle import Bundle
+from vrts.dispatch.dry_run import NO_DRY_RUN, DryRun, dry_run
+from vrts.dispatch.making import Made, bundle_of
+from vrts.dispatch.manifest import Margin
+from vrts.dispatch.nearness import Nearness, nearness, too_near
+from vrts.dispatch.printed import printed, read_back
+from vrts.dispatch.profile import Profile
+from vrts.dispatch.proof import Case, obstacles, unproven
+from vrts.dispatch.refusals import (
+    LOST_BY_ROUNDING,
+    OTHER_LANGUAGE,
+    WORD_MISSING,
+    Promise,
+    Sorted,
+    sort_out,
+)
+from vrts.dispatch.rounding import lost, same_instructions
+from vrts.dispatch.worlds import World
+from vrts.engine.controller import execute
+from vrts.ir.module import Module
+from vrts.lang.compiler import Compilation
+from vrts.pipeline.assess import no_program, scenario_for
+from vrts.pipeline.programs import STRICT, Reading, compile_bytes
+from vrts.pipeline.settings import Setting
+
+CLEARANCE_MM = 10.0  # asked for, unless somebody asks for another
+
+
+class Request(NamedTuple):
+    """What is to be planned."""
+
+    data: bytes  # of the program's file
+    name: str  # of the file, as shown
+    settings: tuple[Setting, ...]  # one for each scenario
+    profile: Profile
+    clearance_mm: float = CLEARANCE_MM
+    promises: tuple[Promise, ...] = ()
+    reading: Reading = STRICT
+    entry: str | None = None  # program to execute; None: the task's, else the first
+
+
+class Plan(NamedTuple):
+    """What came of it."""
+
+    bundle: Bundle | None  # None: refused
+    refused: tuple[Diagnostic, ...]
+    waived: tuple[Diagnostic, ...] = ()
+    idle: tuple[str, ...] = ()  # codes of waivers that nothing needed
+
+
+class Scened(NamedTuple):
+    """One scenario, and the runs in it."""
+
+    world: World
+    given: Case  # with the values of the file
+    held: Case  # with the values as the controller will hold them
+    near: Nearness
+    margins: tuple[Margin, ...]
+    first_to_fail: str
+
+
+def plan(request: Request, step_done: Callable[[str], None] = lambda _: None) -> Plan:
+    """Return the bundle of a program, or why there is none.
+
+    Args:
+        request: The program, and in what it is to be verified for which controller.
+        step_done: Told the name of every stage that is done.
+    """
+    source, compilation, said = compile_bytes(request.data, request.name, request.reading)
+    if source is None or compilation is None or compilation.module is None:
+        return Plan(None, tuple(d for d in said if d.is_error))
+    given, profile = compilation.module, request.profile
+    entry = _entry(request, given)
+    if entry not in given.programs:
+        return Plan(None, (no_program(given, entry),))
+    if compilation.dialect.angles is not profile.language.angles:
+        return Plan(None, (_other_language(compilation, profile),))
+    texts = printed(compilation, profile)
+    found = [*fits.fits(texts, given, profile), *fits.truncated(compilation.diagnostics)]
+    read = read_back(texts, entry, profile, request.reading.precedence)
+    if read.module is None or not same_instructions(given, read.module):
+        return _sorted(request, [*found, *_unreadable(read, profile)]).plan
+    found += lost(given, read.module)
+    held = Module(given.programs, read.module.data)  # the same programs, with places in their file
+    step_done("compile")
+    scened: list[Scened] = []
+    for setting in request.settings:
+        scened.append(_scened(request, setting, given, held, entry))
+        step_done("verify")
+    known = dependence.dependence(given)
+    seen = coverage.covered([one.held.run for one in scened])
+    found += _of_scenarios(scened, request.clearance_mm * MM)
+    found += coverage.not_executed(given, seen)
+    found += dependence.not_covered(known, seen)
+    found = _distinct(found)
+    result = _sorted(request, found)
+    if result.plan.refused:
+        return result.plan
+    first = scened[0]
+    raised = _dry_run(first, held, entry, profile, request.clearance_mm * MM)
+    step_done("dry run")
+    made = Made(
+        request.name,
+        request.data,
+        entry,
+        texts,
+        given,
+        held,
+        profile,
+        request.clearance_mm,
+        seen,
+        known,
+        result.sorted,
+        raised,
+    )
+    bundle = bundle_of(made, scened, request.settings)
+    return result.plan._replace(bundle=bundle)
+
+
+class _Result(NamedTuple):
+    plan: Plan
+    sorted: Sorted
+
+
+def _sorted(request: Request, found: Sequence[Diagnostic]) -> _Result:
+    result = sort_out(found, request.promises)
+    return _Result(Plan(None, result.refused, result.waived, result.idle), result)
+
+
+def _entry(request: Request, module: Module) -> str:
+    task = request.settings[0].task
+    wanted = request.entry or (task.program if task is not None else None) or module.main or ""
+    return wanted.lower()
+
+
+def _scened(request: Request, setting: Setting, given: Module, held: Module, entry: str) -> Scened:
+    title = "as it is" if setting.scenario is None else setting.scenario.title
+    world = World(setting.scene, setting.task, scenario_for(setting.task, setting.scenario))
+    first = _case(title, given, world, entry)
+    case = _case(title, held, world, entry)
+    asked = request.clearance_mm * MM
+    near = nearness(world.scene, case.run, asked)
+    found: tuple[Margin, ...] = ()
+    words = "not looked at: the program itself is not proven"
+    if not obstacles(case):
+        subject = margins.Subject(held, entry, world, case.run, near.clearance_m)
+        found, words = margins.margins(subject, asked)
+    return Scened(world, first, case, near, found, words)
+
+
+def _case(title: str, module: Module, world: World, entry: str) -> Case:
+    run = execute(module, world.scene, world.scenario, entry)
+    return Case(title, run, judge(world.scene, run, world.task), world.task)
+
+
+def _of_scenarios(scened: Sequence[Scened], asked: float) -> Iterator[Diagnostic]:
+    named = len(scened) > 1
+    for one in scened:
+        wrong = list(unproven(one.given, named=named))
+        yield from wrong
+        if not wrong:
+            for sentence in obstacles(one.held):
+                yield error(
+                    LOST_BY_ROUNDING,
+                    f"with the values as the controller prints them: {sentence}",
+                    help=("write locations with no more decimals than the controller has",),
+                )
+        yield from too_near(one.near, asked, margins.OBJECTS + margins.BASE)
+        yield from margins.refused(one.margins)
+
+
+def _dry_run(one: Scened, module: Module, entry: str, profile: Profile, asked: float) -> DryRun:
+    if obstacles(one.held):
+        return NO_DRY_RUN._replace(problem="the program itself is not proven")
+    return dry_run(module, entry, one.world, one.held.run, profile.language, asked)
+
+
+def _unreadable(read: Compilation, profile: Profile) -> Iterator[Diagnostic]:
+    """Yield what the controller's language makes of a program that it cannot read."""
+    errors = [d for d in read.diagnostics if d.is_error]
+    for found in errors:
+        yield error(
+            WORD_MISSING,
+            f"the controller cannot read this: {found.headline}",
+            found.primary,
+            notes=(f"profile `{profile.name}`, {profile.language.title}",),
+            help=found.help or ("write it as the language of the controller has it",),
+        )
+    if not errors:
+        yield error(
+            WORD_MISSING,
+            "the controller reads this program as another one than its file",
+            notes=(f"profile `{profile.name}`, {profile.language.title}",),
+            help=("give the `--dialect` and `--prec` that the controller has",),
+        )
+
+
+def _other_language(compilation: Compilation, profile: Profile) -> Diagnostic:
+    return error(
+        OTHER_LANGUAGE,
+        f"the controller speaks {profile.language.title}, the program is written in "
+        f"{compilation.dialect.title}",
+        notes=(f"profile `{profile.name}`",),
+        help=(f"export it to {profile.language.title} first, or choose another `--profile`",),
+    )
+
+
+def _distinct(found: Sequence[Diagnostic]) -> list[Diagnostic]:
+    """Return refusals once, although several scenarios may give the same."""
+    kept = {(d.rule.code, d.headline): d for d in reversed(found)}
+    return list(reversed(kept.values()))
