@@ -42,12 +42,15 @@ def clock_shift(run: Run, log: RobotLog) -> float:
 
 
 def _best_lag(real: Array, virtual: Array) -> int:
-    """Return by how many steps the run begins later in the log, where they fit best."""
-    size = 1 << (len(real) + len(virtual)).bit_length()
+    """Return by how many steps the run begins later in the log, where they differ least."""
+    n, m = len(real), len(virtual)
+    size = 1 << (n + m).bit_length()
     spectrum = np.fft.rfft(real, size) * np.conj(np.fft.rfft(virtual, size))
     products = np.fft.irfft(spectrum, size)  # of real[i + k] and virtual[i]; k wraps around
-    k = int(np.argmax(products))
-    return k if k < len(real) else k - size
+    lags = np.arange(1 - m, n)
+    squares = np.concatenate([[0.0], np.cumsum(virtual**2)])
+    inside = squares[np.clip(n - lags, 0, m)] - squares[np.clip(-lags, 0, m)]
+    return int(lags[np.argmin(inside - 2.0 * products[lags])])
 
 
 def _speed(values: Array, step: float) -> Array:

@@ -21,7 +21,7 @@ OTHER_MOTION = Rule("V891", "other-motion")
 
 SAME_CLOCK_S = 0.5  # a clock that is off by less is taken as it is, before anything is fitted
 SHORT_S = 0.25  # of motion that the log may lack without a word
-OTHER_SHARE = 0.15  # of the extent of the path: a larger error (RMS) is another motion
+OTHER_SHARE = 0.05  # of the extent of the path: a larger error (RMS) is another motion
 OTHER_LEAST_M = 0.02
 
 

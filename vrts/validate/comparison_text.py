@@ -67,12 +67,12 @@ def offset_lines(c: Comparison) -> list[str]:
 def _path_table(c: Comparison) -> list[str]:
     source = "worked out from the joints" if c.after.from_joints else "as logged"
     rows = [f"path error of the tool, {source}; before and after the fit"]
-    rows.append(f"  {'':16}{'mean square [mm²]':>21}{'RMS [mm]':>19}{'maximum [mm]':>19}")
+    rows.append(f"  {'':16}{'mean square [mm²]':>23}{'RMS [mm]':>20}{'maximum [mm]':>20}")
     pairs = zip(path_rows(c, c.before), path_rows(c, c.after), strict=True)
     for (name, a), (_, b) in pairs:
         rows.append(
-            f"  {name:16}{a.mean_square:12.3f}{b.mean_square:9.3f}"
-            f"{a.rms:10.3f}{b.rms:9.3f}{a.largest:10.3f}{b.largest:9.3f}"
+            f"  {name:16}{a.mean_square:12.3f} {b.mean_square:10.3f}"
+            f" {a.rms:10.3f} {b.rms:8.3f} {a.largest:10.3f} {b.largest:8.3f}"
         )
     return rows
 

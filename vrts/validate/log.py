@@ -22,6 +22,7 @@ Value = TypeVar("Value")
 GAP_STEPS, GAP_S = 5.0, 0.1  # a gap is this many usual steps, and this long [s]
 MOST_GAPS = 3  # that are told one by one
 FEWEST = 10  # rows
+MOSTLY = 0.5  # of the time of a run
 SYNTHETIC = "synthetic"  # in a comment: not of a real robot
 
 
@@ -60,9 +61,11 @@ def read_log(data: bytes, name: str, extent: Extent) -> RobotLog:
     if table.decimal_comma:
         told.append(note("commas taken as decimal signs"))
     times = _values(table, (columns.time,), extent, told)[:, 0]
+    kept = _kept(table, columns, times, told)
+    if times[kept[-1]] - times[kept[0]] < MOSTLY * extent.time_s:
+        extent = Extent(extent.time_s, 0.0, 0.0)  # a part of the motion tells nothing of units
     joints = _values(table, columns.joints, extent, told) if columns.joints else None
     positions = _values(table, columns.position, extent, told) if columns.position else None
-    kept = _kept(table, columns, times, told)
     times, joints, positions = (
         times[kept],
         None if joints is None else joints[kept],
