@@ -179,7 +179,7 @@ class LiveServer:
 
     def request(self, method: str, path: str, body: Any = None, **headers: str) -> Answer:
         """Ask by HTTP, as a page of the server would."""
-        link = http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE)
+        link = http.client.HTTPConnection("127.0.0.1", self.port, timeout=4 * PATIENCE)
         data = body if isinstance(body, bytes | None) else json.dumps(body).encode()
         all_headers = {"host": self.host, "origin": f"http://{self.host}"}
         if body is not None:

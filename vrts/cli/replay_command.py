@@ -53,7 +53,7 @@ def command(
 ) -> None:
     """Repeat a live session from its exported log FILE, exactly, and print what happened.
 
-    The log's chain is verified first. Supervisors fetch logs from the people panel of the page.
+    The log's chain is verified first. Supervisors fetch logs from the panel Lead of the page.
     FILE may also be a run that `vrts run --save` has written (.vrun).
     """
     if (target is not None or no_open) and not page:

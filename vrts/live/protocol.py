@@ -344,7 +344,7 @@ class State(Message, frozen=True, tag="state"):
 
     session: int
     scene_url: str
-    state: msgspec.Raw  # the session's `Snapshot`
+    state: msgspec.Raw  # the session's `Snapshot`; null: it has ended, and another will begin
 
 
 class Result(Message, frozen=True, tag="result"):

@@ -134,7 +134,12 @@ class Room:
     def entry(self) -> RoomEntry:
         """The room as a list of rooms shows it."""
         kept = self.kept
-        return RoomEntry(kept.id, kept.name, kept.scene, self.task, len(self.members))
+        return RoomEntry(kept.id, kept.name, kept.scene, self.task, self.crowd)
+
+    @property
+    def crowd(self) -> int:
+        """How many people are here; some have several pages open."""
+        return len({member.account.id for member in self.members.values()})
 
     @property
     def reached(self) -> Reached | None:
@@ -311,7 +316,7 @@ class Room:
             scene=self.kept.scene,
             task=self.task,
             operator=holder.account.name if holder else "",
-            people=len(self.members),
+            people=self.crowd,
             hands=tuple(m.account.name for m in self.members.values() if m.hand),
             queue=len(self.control.queue),
             time_s=status.time_s if reached is None else reached.time_s,

@@ -208,7 +208,7 @@ class Sessions:
         room.tell(result, number, Audience(frozenset((asked.person,))))
 
     def _lost(self, room: Room) -> None:
-        """Tell those who wait for answers that there will be none."""
+        """Tell that there is no session now, and those who wait for answers that none will come."""
         asked, room.asked = room.asked, {}
         room.halting = False
         room.status = room.frame = b""
@@ -223,6 +223,7 @@ class Sessions:
                 entry = self._hub.entry(room, one.kind, None, text, at_s=0.0, accepted=False)
                 self._hub.record_entry(entry._replace(account=one.account, name=one.name))
         self._hub.settle(room, b"null")
+        room.show(State(room.session, "", _RAW(b"null")))
 
 
 def _with_before(start: Start, file: Path, before: Unfinished) -> Start:

@@ -356,6 +356,8 @@ def test_another_scene_begins_anew(server: LiveServer) -> None:
     anna, boss = entered(server, "Anna"), teacher(server)
     session = next(m["session"] for m in anna.came if m["type"] == "snapshot")
     boss.send("set_scene", scene="one-can-ur5")
+    gone = anna.wait("state")
+    assert (gone["session"], gone["scene_url"], gone["state"]) == (session, "", None)
     state = anna.wait("state", lambda m: m["session"] != session)
     cookie = server.enter("Gerd")
     scene = server.request("GET", state["scene_url"], cookie=cookie)

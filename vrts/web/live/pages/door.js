@@ -3,6 +3,8 @@
 import { enter, logIn } from "../account.js";
 import { byId, onSubmit } from "../dom.js";
 
+const CODE = 6; // characters of a class code; a link has more
+
 let ready = false;
 
 /** @param {string} problem to be shown at once; empty: none @param {string} token that wants a name with it */
@@ -10,6 +12,9 @@ export function showDoor(problem, token) {
   byId("enter").hidden = false;
   document.title = "Enter · vrts";
   tell(problem);
+  const link = token.length > CODE;
+  byId("enter-code").parentElement.hidden = link;
+  byId("enter-link").hidden = !link;
   if (token) byId("enter-code").value = token;
   byId(byId("enter-code").value ? "enter-name" : "enter-code").focus();
   if (ready) return;

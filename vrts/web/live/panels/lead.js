@@ -44,7 +44,7 @@ export function mountLead({ store, connection, toasts }, entrance) {
   });
   const rooms = make("ul", { class: "rooms", "aria-label": "Rooms" });
   store.on(["rooms", "projector", "room", "people"], ({ rooms: all, projector, room, people }) => {
-    const crowd = (/** @type {import("../protocol.js").RoomEntry} */ one) => (one.id === room?.id ? people.length : one.people);
+    const crowd = (/** @type {import("../protocol.js").RoomEntry} */ one) => (one.id === room?.id ? new Set(people.map(({ name }) => name)).size : one.people);
     rooms.replaceChildren(...all.map((one) => make("li", {},
       make("span", { class: "person", text: one.name }),
       make("span", { class: "soft", text: ` ${crowd(one) === 1 ? "1 person" : `${crowd(one)} people`}, ${one.task || one.scene}` }),
