@@ -129,6 +129,11 @@ def test_ticks_goto_and_targets(client: Client, program: Path) -> None:
     assert client.shown()["Time"]["time"]["value"] != before
     client.go("stepBack", granularity="instruction")
     assert client.shown()["Time"]["time"]["value"] == before
+    client.go("vrts.tick", count=1)
+    assert client.event("continued")["allThreadsContinued"]
+    assert client.shown()["Time"]["time"]["value"] != before
+    client.go("vrts.tick", count=-1)
+    assert client.shown()["Time"]["time"]["value"] == before
     targets = client.do("gotoTargets", source={"path": str(program)}, line=12)["targets"]
     assert client.go("goto", targetId=targets[0]["id"])["reason"] == "goto"
     assert client.line() == 12

@@ -4,7 +4,15 @@ from collections.abc import Callable, Mapping
 
 from vrts.debug.breakpoints import resolve
 from vrts.debug.dap.arguments import BadRequest, Fields
-from vrts.debug.dap.session import Answer, Session, of_process, source_path, stop_body
+from vrts.debug.dap.session import (
+    ROBOT,
+    Answer,
+    Event,
+    Session,
+    of_process,
+    source_path,
+    stop_body,
+)
 from vrts.debug.debugger import Stop, Way, Why
 from vrts.ir.commands import GoTo
 
@@ -67,6 +75,13 @@ def _goto(session: Session, a: Fields) -> Answer:
     return _at(session, debugger.stop._replace(why=Why.GOTO, process=process))
 
 
+def _tick(session: Session, a: Fields) -> Answer:
+    """Go set points of the arm, as a client's own button asks: it has to be told that it goes."""
+    going: Event = ("continued", {"threadId": ROBOT, "allThreadsContinued": True})
+    stop = session.debugger.tick(1 if a.whole("count", 1) >= 0 else -1)
+    return Answer({}, [going, *session.stopped(stop)])
+
+
 def _stepped(session: Session, a: Fields, way: Way) -> Answer:
     if _by_tick(a):
         return _at(session, session.debugger.tick(1))
@@ -90,6 +105,7 @@ GOING: Mapping[str, Callable[[Session, Fields], Answer]] = {
     "stepOut": _step_out,
     "stepBack": _step_back,
     "pause": _pause,
+    "vrts.tick": _tick,
     "gotoTargets": _goto_targets,
     "goto": _goto,
 }

@@ -51,6 +51,16 @@ async function debug(argument, entry) {
   await vscode.debug.startDebugging(folder, typeof entry === "string" ? { ...wish, entry } : wish);
 }
 
+/**
+ * Let the arm go one set point forward or back, which is less than a step of the program.
+ * @param {number} count
+ */
+async function tick(count) {
+  const session = vscode.debug.activeDebugSession;
+  if (!session || session.type !== "vrts") return;
+  await session.customRequest("vrts.tick", { count });
+}
+
 /** A configuration without a program is about the one being edited. */
 const configurations = {
   resolveDebugConfiguration(/** @type {any} */ _folder, /** @type {any} */ config) {
@@ -96,6 +106,8 @@ exports.activate = async function activate(/** @type {any} */ context) {
     vscode.commands.registerCommand("vrts.run", (file, entry) => inTerminal("run", file, entry)),
     vscode.commands.registerCommand("vrts.verify", (file) => inTerminal("verify", file, undefined)),
     vscode.commands.registerCommand("vrts.debug", debug),
+    vscode.commands.registerCommand("vrts.tickBack", () => tick(-1)),
+    vscode.commands.registerCommand("vrts.tickForward", () => tick(1)),
   );
   const server = { command: command(), args: ["lsp"] };
   const documents = [{ language: LANGUAGE, scheme: "file" }, { language: LANGUAGE, scheme: "untitled" }];
