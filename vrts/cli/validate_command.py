@@ -6,6 +6,7 @@ import click
 
 SUBCOMMANDS = {
     "simulate": "write the log of a simulated robot with errors: synthetic",
+    "camera": "draw the simulated robot over the frames of a real camera",
 }
 LOG = "log"
 CAMERA = "camera"

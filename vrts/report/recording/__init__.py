@@ -26,7 +26,7 @@ from vrts.report.recording.program_log import send_log, send_summary
 from vrts.report.recording.shapes import prepare_shapes, send_shapes
 from vrts.scene.model import Scene
 
-__all__ = ["RATE_HZ", "prepare", "times_of", "write_recording"]
+__all__ = ["APPLICATION", "RATE_HZ", "coordinates", "prepare", "times_of", "write_recording"]
 
 APPLICATION = "vrts"
 RATE_HZ = 50.0  # poses a second, as the original system broadcast them
@@ -48,7 +48,7 @@ def write_recording(a: Assessment, path: Path) -> None:
         send_shapes(a)
         send_summary(a)
         times = times_of(a)
-        states, rates = _coordinates(a.run, times)
+        states, rates = coordinates(a.run, times)
         send_motion(a, times, states)
         send_markers(a)
         send_plots(a, times, states, rates)
@@ -79,7 +79,7 @@ def times_of(a: Assessment) -> Array:
     return np.unique(np.concatenate([steady, [end]]))
 
 
-def _coordinates(run: Run, times: Array) -> tuple[Array, Array]:
+def coordinates(run: Run, times: Array) -> tuple[Array, Array]:
     """Return joints [rad] and hand opening [m], shape (n, 7), and their rates."""
     if not lasting_of(run.timeline.segments):  # it ended before any time passed
         state = run.at(0.0)
