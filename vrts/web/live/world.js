@@ -29,7 +29,8 @@ export class World {
     this.contacts = [];
     this.showContacts = true;
     this.X_FT = identity();
-    this.frames = 0; // heard
+    this.frames = 0; // that have come
+    this.heard = 0; // session time of the last one [s]
     /** @type {((state: State, outputs: number, flags: number) => void)[]} */
     this.watchers = [];
     /** @type {((viewer: Viewer | null) => void)[]} */
@@ -90,6 +91,7 @@ export class World {
   /** @param {import("./frame.js").PoseFrame} frame */
   take(frame) {
     this.frames++;
+    this.heard = frame.time;
     this.motion.add(frame, performance.now() / 1000);
   }
 

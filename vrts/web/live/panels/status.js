@@ -44,12 +44,11 @@ export function mountStatus({ store, world }) {
     document.body.classList.toggle("stopping", Boolean(flags & STOPPING));
     document.body.classList.toggle("runs", Boolean(flags & RUNNING));
   });
-  let before = performance.now();
+  let before = 0;
   window.setInterval(() => {
-    const now = performance.now();
-    if (now - before < SECOND / 2) return; // the page was busy: what came meanwhile counts in the next one
-    write(byId("rate"), `${Math.round((SECOND * world.frames) / (now - before))} frames/s`);
+    const passed = world.heard - before; // of the session, as the frames themselves say
+    write(byId("rate"), `${world.frames && passed > 0 ? Math.round(world.frames / passed) : 0} frames/s`);
     world.frames = 0;
-    before = now;
+    before = world.heard;
   }, SECOND);
 }
