@@ -225,7 +225,7 @@ def sending(
 
 
 def _told(done: int, total: int, doing: str) -> None:
-    assert 0 < done <= total, doing
+    assert 0 <= done <= total, doing
 
 
 def _kept(text: str) -> None:

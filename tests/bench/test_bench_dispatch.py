@@ -4,7 +4,7 @@ import io
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from datetime import datetime
 
@@ -47,7 +47,7 @@ def whole_parts(lines: int) -> str:
 
 
 @contextmanager
-def emulated(baud: int) -> Iterator[str]:
+def emulated(baud: int) -> Generator[str]:
     """Return the port of an emulated controller, a process of its own."""
     command = [sys.executable, "-m", "vrts.cli.main", "dispatch", "emulate", "--baud", str(baud)]
     with subprocess.Popen(

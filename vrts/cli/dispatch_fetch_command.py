@@ -57,4 +57,5 @@ def command(
         out(text, end=False)
     else:
         write_new(output, text)
-    say(f"{len(found.programs)} programs, {len(found.places)} locations")
+    say(f"fetched: {', '.join(p.name for p in found.programs) or 'no program'}")
+    say(f"locations: {', '.join(place.name for place in found.places) or 'none'}")

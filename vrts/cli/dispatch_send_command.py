@@ -61,6 +61,10 @@ def command(
     read = read_bundle(read_bytes(bundle))
     known = find_profile(profile or read.profile)
     cargo = cargo_of(read, known)
+    for waiver in read.manifest.waivers:
+        say(f"note: {waiver.code} was waived by {waiver.who}: {waiver.reason}")
+    if read.manifest.profile_sha256 != known.digest:
+        say("note: the profile is not, to the letter, the one that this bundle was planned with")
     if really and port is None:
         fail("to send, a port is needed", ("name it: `--port /dev/ttyUSB0`",))
     if not really or port is None:
@@ -97,4 +101,6 @@ def _send(
             out("".join(f"{name}: {state}\n" for name, state in sending.states.items()), end=False)
     for name, value in sending.missing:
         say(f"to be entered by hand at the controller: {name} = {value}")
+    if not sending.missing:
+        say("the controller holds what is in the bundle; how to begin is on the operator's sheet")
     return WRONG if sending.missing else HOLDS

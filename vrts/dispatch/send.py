@@ -94,6 +94,7 @@ class Sending:
         self.total = sum(len(e.program.rows) - e.first + 1 for e in work.programs)
         self.total += len(work.places) + sum(len(p.rows) for p in self.cargo.programs)
         self._keep(work)
+        self.told(0, self.total, "begun")
         try:
             self._delete(work)
             self._enter_places(work)

@@ -203,6 +203,27 @@ def test_a_step_that_the_controller_refuses_stops_everything(tmp_path: Path) -> 
     assert found.states["program pick"] == "steps 1 to 1 of 3, as sent"
 
 
+def test_an_answer_that_is_neither_silence_nor_an_error_stops_everything(tmp_path: Path) -> None:
+    machine = Chatty(tmp_path, KNOWN)
+    found = sending(talk_over(Wire(machine), KNOWN), KNOWN)
+    with pytest.raises(Refused) as told:
+        found.run()
+    assert told.value.diagnostics[0].rule.code == "V834"
+    assert "came: 'line changed to: MOVES part\\n'" in told.value.diagnostics[0].notes
+    assert machine.dialogue.prompt == "."
+    assert found.states["program pick"] == "steps 1 to 6 of 13, as sent"
+
+
+class Chatty(Watched):
+    """A controller that comments on a step."""
+
+    def receive(self, character: int) -> bytes:
+        shown = super().receive(character)
+        if character == 0x0D and self.lines[-1][1] == "MOVES part":
+            return shown.replace(b"\r\n", b"\r\nline changed to: MOVES part\r\n", 1)
+        return shown
+
+
 def test_numbers_and_strings_are_compared_and_left_to_the_operator(tmp_path: Path) -> None:
     machine = Watched(tmp_path, KNOWN)
     machine.type("DO count = 5", "DO pitch = 25.4", 'DO $msg = "PART  READY"')

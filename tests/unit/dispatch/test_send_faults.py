@@ -213,6 +213,29 @@ class Forgetful(Watched):
         return shown
 
 
+def test_a_location_that_changes_on_the_controller_is_noticed(tmp_path: Path) -> None:
+    machine = Moving(tmp_path, KNOWN)
+    _, told, _ = transfer(machine, ())
+    assert told is not None
+    assert told.diagnostics[0].rule.code == "V839"
+    (note,) = told.diagnostics[0].notes
+    assert note == (
+        "`part`: sent 500.00 200.00 -100.50 90.000 90.000 0.000, "
+        "listed 500.00 200.00 -99.00 90.000 90.000 0.000"
+    )
+
+
+class Moving(Watched):
+    """A controller at which somebody changes a location once all programs are there."""
+
+    def receive(self, character: int) -> bytes:
+        shown = super().receive(character)
+        desk = self.dialogue.monitor.desk
+        if "put" in desk.programs and self.places()["part"][2] == -100.5:
+            self.type("POINT part", ",,-99", "")
+        return shown
+
+
 def _characters_until(folder: Path, direction: str, text: bytes) -> int:
     """Return how many characters come before a text is typed, or echoed."""
     line = Until(text)
