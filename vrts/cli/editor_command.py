@@ -1,5 +1,6 @@
 """`vrts editor`."""
 
+from importlib.resources import files
 from pathlib import Path
 
 import click
@@ -11,16 +12,7 @@ Examples:
   vrts editor vscode -o vrts.vsix && code --install-extension vrts.vsix
   vrts editor neovim >> ~/.config/nvim/init.lua
 """
-NEOVIM = """\
-vim.filetype.add({ extension = { v2 = "val2", pg = "val2", lc = "val2" } })
-vim.api.nvim_create_autocmd("FileType", { pattern = "val2", callback = function()
-  vim.lsp.start({ name = "vrts", cmd = { "vrts", "lsp" }, root_dir = vim.fn.getcwd() }) end })
-"""
-EMACS = """\
-(define-derived-mode val2-mode prog-mode "VAL-II" (setq-local comment-start ";"))
-(add-to-list 'auto-mode-alist '("\\\\.\\\\(v2\\\\|pg\\\\|lc\\\\)\\\\'" . val2-mode))
-(with-eval-after-load 'eglot (add-to-list 'eglot-server-programs '(val2-mode "vrts" "lsp")))
-"""
+SETUP = {"neovim": "neovim.lua", "emacs": "emacs.el"}  # in vrts.editors
 
 
 @click.command(name="editor", epilog=EPILOG)
@@ -38,7 +30,7 @@ EMACS = """\
 def command(editor: str, output: Path, overwrite: bool) -> None:
     """Set an editor up for VAL-II: write VS Code's extension, or print the lines of a set-up."""
     if editor != "vscode":
-        out(NEOVIM if editor == "neovim" else EMACS, end=False)
+        out(files("vrts.editors").joinpath(SETUP[editor]).read_text("utf-8"), end=False)
         return
     from vrts.editors.vsix import vsix
 

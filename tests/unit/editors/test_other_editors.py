@@ -1,0 +1,67 @@
+"""The lines that set up Neovim and Emacs: in the README as printed, and in real editors."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from tests.support_programs import ROOT
+from vrts.cli.editor_command import command
+
+BAD = ".PROGRAM main()\n MOVEE safe\n.END\n"
+NVIM, EMACS = shutil.which("nvim"), shutil.which("emacs")
+SECONDS = 60
+
+
+def printed(editor: str) -> str:
+    done = CliRunner().invoke(command, [editor])
+    assert done.exit_code == 0
+    return done.stdout
+
+
+def run(words: list[str], folder: Path) -> str:
+    """Run an editor that finds our vrts; return what it writes."""
+    path = os.pathsep.join((str(Path(sys.executable).parent), os.environ["PATH"]))
+    done = subprocess.run(
+        words,
+        cwd=folder,
+        env={**os.environ, "PATH": path, "HOME": str(folder)},
+        capture_output=True,
+        text=True,
+        timeout=SECONDS,
+        check=False,
+    )
+    return done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("editor", ["neovim", "emacs"])
+def test_the_language_takes_three_lines_which_the_readme_shows(editor: str) -> None:
+    lines = printed(editor).split("\n\n")[0].splitlines()
+    assert len(lines) == 3
+    readme = (ROOT / "README.md").read_text()
+    assert all(line in readme for line in lines)
+
+
+@pytest.mark.skipif(NVIM is None, reason="needs Neovim")
+def test_neovim_tells_mistakes(tmp_path: Path) -> None:
+    assert NVIM is not None
+    (tmp_path / "init.lua").write_text(printed("neovim"))
+    (tmp_path / "bad.v2").write_text(BAD)
+    wait = "lua vim.wait(30000, function() return #vim.diagnostic.get(0) > 0 end, 50)"
+    tell = "lua io.stdout:write(vim.bo.filetype .. ' ' .. vim.diagnostic.get(0)[1].code)"
+    commands = [word for line in (wait, tell, "qa!") for word in ("-c", line)]
+    said = run([NVIM, "--headless", "-u", "init.lua", "bad.v2", *commands], tmp_path)
+    assert "val2 V120" in said
+
+
+@pytest.mark.skipif(EMACS is None, reason="needs Emacs")
+def test_emacs_knows_the_language(tmp_path: Path) -> None:
+    assert EMACS is not None
+    (tmp_path / "init.el").write_text(printed("emacs"))
+    (tmp_path / "bad.v2").write_text(BAD)
+    told = '(progn (find-file "bad.v2") (princ major-mode))'
+    assert "val2-mode" in run([EMACS, "-Q", "--batch", "-l", "init.el", "--eval", told], tmp_path)
