@@ -36,7 +36,7 @@ Examples:
 @click.command(name="plan", epilog=EPILOG)
 @click.argument("program")
 @click.option("--scene", help="Name or path of a scene; without it the task's.")
-@click.option("--task", type=click.Path(path_type=Path), help="Task file, or its folder.")
+@click.option("--task", type=click.Path(path_type=Path), help="Task file, its folder, or a zip.")
 @click.option(
     "--scenario",
     "scenarios",
@@ -156,12 +156,15 @@ def _settings(
     lab: Path | None,
 ) -> "tuple[Setting, ...]":
     """Return what to verify in, one setting for each scenario."""
+    from vrts.assignments.packed import is_packed, load_zip
     from vrts.pipeline.settings import setting_for
 
-    found = [
-        setting_for(path, scene=scene, task=task, scenario=scenario, lab=lab)
-        for scenario in scenarios or (None,)
-    ]
+    found: list[Setting | None] = []
+    for scenario in scenarios or (None,):
+        if task is not None and is_packed(task):
+            found.append(load_zip(task, scene=scene, scenario=scenario, staff=False, lab=lab))
+        else:
+            found.append(setting_for(path, scene=scene, task=task, scenario=scenario, lab=lab))
     settings = tuple(setting for setting in found if setting is not None)
     if not settings:
         fail(

@@ -14,6 +14,7 @@ from vrts.scene.model import Body, Mobility, Scene
 WIDTH, HEIGHT = 340.0, 236.0  # of the drawing
 EDGE = 18.0  # free round it
 RING = 24  # corners of a round outline
+LINE = 7.5  # height of a line of text
 MOST_POINTS = 400  # of the way of the hand
 GRIDS_MM = (100.0, 200.0, 500.0, 1000.0)
 
@@ -42,7 +43,7 @@ def floor_plan(scene: Scene, run: Run) -> Markup:
     way = list(_way(run))
     paper = _paper([point for _, corners in bodies for point in corners] + [*way, (0.0, 0.0)])
     shapes = [_body(paper, body, corners) for body, corners in bodies]
-    labels = [_label(paper, body, corners) for body, corners in bodies]
+    labels = _labels(paper, bodies)
     points = " ".join(f"{x},{y}" for x, y in (paper.at(*point) for point in way))
     return element(
         "svg",
@@ -103,7 +104,8 @@ def _way(run: Run) -> Iterator[Point]:
     X_FP = run.scene.robot.gripper.X_FP
     count = min(int(run.horizon_s / 0.05) + 2, MOST_POINTS)
     for k in range(count):
-        x, y, _ = (run.at(run.horizon_s * k / (count - 1)).X_WF @ X_FP).translation
+        time_s = min(run.horizon_s * k / (count - 1), run.horizon_s)
+        x, y, _ = (run.at(time_s).X_WF @ X_FP).translation
         yield mm(x), mm(y)
 
 
@@ -136,22 +138,29 @@ def _body(paper: _Paper, body: Body, corners: Sequence[Point]) -> Markup:
     return element("polygon", points=points, class_=kind)
 
 
-def _label(paper: _Paper, body: Body, corners: Sequence[Point]) -> Markup:
-    """Return the name of a body, in its middle; of a large one, in its upper left corner."""
-    drawn = [paper.at(*point) for point in corners]
-    left, right = min(x for x, _ in drawn), max(x for x, _ in drawn)
-    top, bottom = min(y for _, y in drawn), max(y for _, y in drawn)
-    if right - left > 0.6 * WIDTH or bottom - top > 0.6 * HEIGHT:
-        return element("text", body.name, x=left + 3, y=top + 9, class_="name side")
-    middle, below = 0.5 * (left + right), 0.5 * (top + bottom)
-    wide = right - left > 5.0 * len(body.name)
-    return element(
-        "text",
-        body.name,
-        x=round(middle, 1),
-        y=round(below + 3 if wide else bottom + 8, 1),
-        class_="name",
-    )
+def _labels(paper: _Paper, bodies: Sequence[tuple[Body, Sequence[Point]]]) -> list[Markup]:
+    """Return the names of bodies: in or below them, on the corner of what others stand on."""
+    supports = {body.rests_on for body, _ in bodies}
+    taken: list[tuple[float, float, float]] = []  # left, right and height of what is written
+    found: list[Markup] = []
+    for body, corners in bodies:
+        drawn = [paper.at(*point) for point in corners]
+        left, right = min(x for x, _ in drawn), max(x for x, _ in drawn)
+        top, bottom = min(y for _, y in drawn), max(y for _, y in drawn)
+        if body.name in supports and right - left > WIDTH / 4:
+            found.append(element("text", body.name, x=left + 3, y=top + 9, class_="name side"))
+            continue
+        half = 2.0 * len(body.name)
+        middle, inside = round(0.5 * (left + right), 1), right - left > 2.2 * half
+        y = 0.5 * (top + bottom) + 3.0 if inside else bottom + 8.0
+        while any(
+            middle - half < r and before < middle + half and abs(y - h) < LINE
+            for before, r, h in taken
+        ):
+            y += LINE
+        taken.append((middle - half, middle + half, y))
+        found.append(element("text", body.name, x=middle, y=round(y, 1), class_="name"))
+    return found
 
 
 def _robot(paper: _Paper) -> Markup:

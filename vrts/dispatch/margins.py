@@ -73,13 +73,8 @@ class Failure(NamedTuple):
     sentence: str
 
 
-def margins(subject: Subject, asked: float) -> tuple[tuple[Margin, ...], str]:
-    """Return the margins of a program, and which fails first when all grow.
-
-    Args:
-        subject: The program and its run.
-        asked: Clearance asked for [m].
-    """
+def margins(subject: Subject) -> tuple[tuple[Margin, ...], str]:
+    """Return the margins of a program, and which fails first when all grow."""
     families = (
         (f"objects ±{mm(OBJECTS):g} mm", _each_object(subject)),
         (f"base ±{mm(BASE):g} mm", _base(subject, 1.0)),
@@ -87,9 +82,9 @@ def margins(subject: Subject, asked: float) -> tuple[tuple[Margin, ...], str]:
         ("speeds at their bounds", _speeds(subject, 1.0)),
         (f"at SPEED {FIRST_SPEED:g}", _first_run(subject)),
     )
-    found = [_contact_margin(subject, asked)]
+    found = [_contact_margin(subject)]
     found += [_margin(subject, name, list(trials)) for name, trials in families]
-    failed = [margin for margin in found if margin.answer != "holds"]
+    failed = [margin for margin in found if margin.answer == "violated"]
     if failed:
         return tuple(found), f"{failed[0].name}: {failed[0].sentence}"
     return tuple(found), _first_to_fail(subject)
@@ -110,19 +105,17 @@ def refused(found: Sequence[Margin]) -> Iterator[Diagnostic]:
 # --- what is proven -------------------------------------------------------------------------------
 
 
-def _contact_margin(subject: Subject, asked: float) -> Margin:
+def _contact_margin(subject: Subject) -> Margin:
     """Return what the certified clearance alone proves."""
     clearance = subject.clearance_m
     needed = max(2.0 * OBJECTS, OBJECTS + BASE)
     enough = clearance is None or clearance > needed
-    far = "nothing is ever near" if clearance is None else f"{mm(clearance):.1f} mm"
-    proven = (
-        f"{far}, certified: no contact with all of these off at once ({mm(needed):g} mm would do)"
-    )
-    short = f"{far}, certified: less than the {mm(needed):g} mm that would prove it"
+    far = "nothing is ever near" if clearance is None else f"{mm(clearance):.1f} mm certified"
+    proven = f"no contact: {far}, {mm(needed):g} mm needed"
+    short = f"{far}, {mm(needed):g} mm needed to prove it"
     answer: Literal["holds", "undetermined"] = "holds" if enough else "undetermined"
     return Margin(
-        f"clearance {mm(asked):g} mm",
+        "all off at once",
         answer,
         "proven",
         None if clearance is None else round(mm(clearance), 2),

@@ -157,7 +157,7 @@ def _scened(request: Request, setting: Setting, given: Module, held: Module, ent
     words = "not looked at: the program itself is not proven"
     if not obstacles(case):
         subject = margins.Subject(held, entry, world, case.run, near.clearance_m)
-        found, words = margins.margins(subject, asked)
+        found, words = margins.margins(subject)
     return Scened(world, first, case, near, found, words)
 
 

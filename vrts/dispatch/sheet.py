@@ -15,7 +15,7 @@ from vrts.dispatch.dry_run import DryRun, base_command
 from vrts.dispatch.floor_plan import floor_plan
 from vrts.dispatch.manifest import Margin
 from vrts.dispatch.margins import FIRST_SPEED
-from vrts.dispatch.nearness import Passage
+from vrts.dispatch.nearness import SHOWN, Passage
 from vrts.dispatch.places import Place, places
 from vrts.dispatch.profile import Profile
 from vrts.dispatch.rounding import Difference
@@ -29,6 +29,7 @@ SHORT = 12  # characters of a hash
 MOST_STEPS = 14  # lines about what it does
 MOST_PASSAGES = 5
 DENSE = 16  # bodies and lines of what it does: with more, the print is smaller
+SIGNS = {"holds": ("✓", "ok"), "violated": ("✗", "bad"), "undetermined": ("?", "bad")}
 SKIN = "default-src 'none'; style-src 'unsafe-inline'"
 
 
@@ -166,14 +167,13 @@ def _verified(facts: Sheet) -> Iterator[Markup]:
     for one in manifest.scenarios:
         took = one.duration_s or 0.0
         slow = took * 100.0 / FIRST_SPEED
-        near = "-" if one.clearance_mm is None else f"{one.clearance_mm:.1f} mm"
         mark = "" if one.mark is None else f", mark {one.mark:g}"
         rows_.append(element("dt", "scenario"))
         rows_.append(element("dd", f"{one.scenario}: {one.ending}{mark}"))
         rows_.append(element("dt", "duration"))
         rows_.append(element("dd", f"{took:.1f} s at SPEED 100, {_long(slow)} at SPEED 10"))
         rows_.append(element("dt", "clearance"))
-        rows_.append(element("dd", f"{near}, certified for every instant"))
+        rows_.append(element("dd", _clearance(facts, one.clearance_mm)))
     steps = sum(e.steps for e in manifest.executed)
     done = sum(e.executed for e in manifest.executed)
     moving = sum(e.motions for e in manifest.executed)
@@ -193,6 +193,18 @@ def _verified(facts: Sheet) -> Iterator[Markup]:
     yield element("dl", *rows_)
 
 
+def _clearance(facts: Sheet, clearance_mm: float | None) -> str:
+    """Return how near it comes: beside what it takes, and elsewhere."""
+    if clearance_mm is None:
+        return "nothing is near"
+    asked = facts.bundle.manifest.clearance_asked_mm
+    elsewhere = [mm(p.miss.distance_m) for p in facts.passages if not p.to_grasp]
+    rest = f"{min(elsewhere):.1f} mm" if elsewhere else f"over {SHOWN * asked:g} mm"
+    takes = any(p.to_grasp for p in facts.passages)
+    taking = f", {clearance_mm:.1f} mm beside what it takes" if takes else ""
+    return f"{rest}{taking} ({asked:g} mm asked); certified for every instant"
+
+
 def _reads(facts: Sheet) -> str:
     reads = facts.bundle.manifest.reads
     return (
@@ -210,8 +222,8 @@ def _margins(facts: Sheet) -> Iterator[Markup]:
 
 
 def _margin(margin: Margin) -> Markup:
-    holds = margin.answer == "holds"
-    sign = element("span", "✓" if holds else "✗", class_="ok" if holds else "bad")
+    shown, kind = SIGNS[margin.answer]
+    sign = element("span", shown, class_=kind)
     return element(
         "tr",
         element("td", sign),
