@@ -62,4 +62,4 @@ def connected(port: str, profile: "Profile", transcript: Path) -> Generator["Tal
         finally:
             written.finish()
             wire.close()
-    say(f"transcript: {transcript}")
+            say(f"transcript: {transcript}")
