@@ -124,9 +124,9 @@ def test_snapping_is_right_while_base_is_shifted(operator: Desk, viewer: Desk) -
     operator.until("Math.abs(vrts.store.now.status.location[0] - 1100) > 90")
     operator.page.click("#tab-pointer")
     operator.page.click("button:text('Snap to gripper')")
-    typed = [operator.page.input_value(f"[data-number={name}]") for name in "XYZ"]
+    typed = [operator.page.input_value(f"[data-number={name}]") for name in "XYZOAT"]
     snapped = [float(number.replace("−", "-")) for number in typed]
-    assert snapped == pytest.approx([1100, 230, -5], abs=0.1)
+    assert snapped == pytest.approx([1100, 230, -5, 90, 90, 0], abs=0.1)
     before = operator.value("[...vrts.world.state.q]")
     operator.until("document.querySelector('[data-reach=yes]') !== null")
     operator.page.click(".pointer-go")
@@ -242,6 +242,7 @@ def test_a_supervisor_mutes_broadcasts_reads_logs_and_sends_away(
 
     lead.page.click("#panel-lead button:text('Take control')")
     operator.until("!vrts.store.operator && document.getElementById('ready').disabled")
+    operator.until("document.getElementById('toasts').textContent.includes('control no longer')")
     lead.page.click("#panel-lead button:text('Free control')")
     for one in (lead, operator):
         one.until("vrts.store.now.control.holder === ''")

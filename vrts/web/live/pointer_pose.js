@@ -16,6 +16,7 @@ import { components } from "../viewer/poses.js";
 export const SHORTEST = 0.05; // [m] arrow: shorter ones have no direction to speak of
 export const LONGEST = 0.6; // [m]
 const REACH = 3; // [m] the pointer stays within from the robot
+const ROUNDED = 3e-6; // what six joints in single precision leave of a horizontal share
 const VERTICAL = 1e-9; // squared length of what is left of a direction
 
 /** @param {number} value @param {number} low @param {number} high */
@@ -44,7 +45,20 @@ const within = (p) => [clamp(p[0], -REACH, REACH), clamp(p[1], -REACH, REACH), c
  */
 export function pointerAt(X, length) {
   const R = [X[0], X[4], X[8], X[1], X[5], X[9], X[2], X[6], X[10]];
-  return { point: [X[12], X[13], X[14]], R, length, typed: null };
+  return { point: [X[12], X[13], X[14]], R: upright(R), length, typed: null };
+}
+
+/**
+ * Return a rotation whose approach is exactly vertical where only rounding keeps it from that: poses
+ * come in single precision, and there O and T would be any two numbers that belong together.
+ * @param {number[]} R nine numbers row by row
+ */
+function upright(R) {
+  if (Math.hypot(R[2], R[5]) > ROUNDED) return R;
+  const up = Math.sign(R[8]);
+  const turn = Math.atan2(R[4], R[1]); // of the orientation axis
+  const [s, c] = [Math.sin(turn), Math.cos(turn)];
+  return [s * up, c, 0, -c * up, s, 0, 0, 0, up];
 }
 
 /**

@@ -4,10 +4,14 @@ import { clockOffset } from "../account.js";
 import { byId, make, write } from "../dom.js";
 import { ordinal, persons } from "../persons.js";
 
+const JUST_NOW = 1_500; // [ms]
+
 export const STATES = { connecting: "connecting …", open: "connected", waiting: "no connection, trying again …", ended: "ended" };
 
 /** @param {import("../pages/room.js").App} app */
-export function mountTop({ store, connection, panic }) {
+export function mountTop({ store, connection, toasts, panic }) {
+  let asked = -Infinity; // when control was asked for or handed back here [ms]
+  let had = false;
   byId("panic").addEventListener("click", panic);
   byId("room-choice").addEventListener("change", () => {
     const url = new URL(location.href);
@@ -17,6 +21,7 @@ export function mountTop({ store, connection, panic }) {
   });
   byId("control-button").addEventListener("click", () => {
     const { control, you } = store.now;
+    asked = performance.now();
     connection.send(control.holder === you || control.queue.includes(you) ? "hand_back" : "request_control");
   });
   store.on(["room", "rooms"], ({ room, rooms }) => {
@@ -49,6 +54,11 @@ export function mountTop({ store, connection, panic }) {
     const waits = place >= 0;
     write(byId("control-button"), mine ? "Hand back" : waits ? "Leave the queue" : control.holder || control.locked ? "Queue for control" : "Take control");
     byId("control-button").classList.toggle("main", !mine && !waits && !control.holder && !control.locked);
+    if (mine !== had && performance.now() - asked > JUST_NOW && !alone) {
+      if (mine) toasts.tell("you have control now");
+      else toasts.warn("you have control no longer: you did nothing for too long, your turn is over, or the supervisor took it");
+    }
+    had = mine;
     byId("panic").hidden = !mine && !supervisor;
     document.body.classList.toggle("operates", mine);
     const holder = people.find((person) => person.id === control.holder)?.name ?? "nobody";
