@@ -1,5 +1,6 @@
 """`vrts validate PROGRAM --log ROBOT.csv`."""
 
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -101,6 +102,9 @@ def command(
     Tells the errors of the path and of the joints and how late each motion was, before and after
     the offsets were fitted. Positions are of the tool's tip in the frame of the robot's base.
     """
+    os.environ.setdefault(
+        "OPENBLAS_NUM_THREADS", "1"
+    )  # before numpy: small matrices, busy machines
     for path in (html, record, output):
         if path is not None and path.exists() and not overwrite:
             fail(f"`{path}` is there already", ("give another name, or `--overwrite`",))

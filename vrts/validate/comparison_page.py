@@ -52,6 +52,7 @@ def comparison_page(c: Comparison, name: str) -> str:
 
 def _head(c: Comparison, name: str) -> Markup:
     after = dict(path_rows(c, c.after))
+    other = "a made-up robot" if c.log.synthetic else "a real robot"
     where = f"log {one_line(c.log.name)} · {len(c.after.times):,} samples · {c.run.scene.title}"
     tiles = [
         ("mm², mean square X", f"{after['X'].mean_square:.2f}"),
@@ -66,7 +67,7 @@ def _head(c: Comparison, name: str) -> Markup:
         "header",
         element(
             "div",
-            element("h1", f"{one_line(name)} beside a real robot"),
+            element("h1", f"{one_line(name)} beside {other}"),
             element("p", where, class_="where"),
             element("p", element("b", capital(SYNTHETIC)), class_="synthetic")
             if c.log.synthetic

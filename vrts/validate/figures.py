@@ -10,7 +10,7 @@ from vrts.report.html import Markup, element
 
 Array = npt.NDArray[np.float64]
 
-WIDTH, MARGIN = 760.0, 46.0
+WIDTH, MARGIN = 760.0, 60.0
 MOST_POINTS = 900  # of a curve: pairs of least and greatest
 ARROWS = 120  # error lines of a path
 ERROR_SHARE = 0.09  # of the figure: how long a large error is drawn

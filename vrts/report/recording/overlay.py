@@ -14,7 +14,7 @@ from vrts.report.plain import one_line
 from vrts.report.recording import APPLICATION, times_of
 from vrts.report.recording.blueprint import BACKGROUND, EYE, TARGET
 from vrts.report.recording.motion import followed, quaternions
-from vrts.report.recording.names import TIMELINE, Array, at_times, entity, plain_markdown
+from vrts.report.recording.names import TIMELINE, Array, at_times, entity
 from vrts.report.solids import Solid, body_solids, link_solids
 from vrts.robots.batch import flange_of, link_frames
 from vrts.robots.model import Robot
@@ -23,6 +23,14 @@ REAL_COLOR = (235, 120, 30, 150)  # see-through
 REAL_PATH = (235, 120, 30)
 ERROR_NAMES = ("X", "Y", "Z")
 JOINT_NAMES = tuple(f"JT{k}" for k in range(1, 7))
+CURVE_COLORS = (
+    (240, 100, 90),
+    (110, 210, 120),
+    (110, 160, 255),
+    (240, 190, 70),
+    (200, 130, 230),
+    (120, 215, 220),
+)
 RADIUS_M = 0.0012
 
 
@@ -142,7 +150,8 @@ def _send_poses(place: str, times: Array, rotations: Array, origins: Array) -> N
 
 def _curves(path: str, times: Array, values: Array, names: tuple[str, ...]) -> None:
     known = np.isfinite(values).all(axis=1)
-    rr.log(path, rr.SeriesLines(names=list(names)), static=True)
+    colors = CURVE_COLORS[: len(names)]
+    rr.log(path, rr.SeriesLines(names=list(names), colors=colors), static=True)
     columns = rr.Scalars.columns(scalars=values[known].ravel())
     rr.send_columns(
         path, at_times(times[known]), columns.partition(np.full(int(known.sum()), len(names)))
@@ -150,7 +159,8 @@ def _curves(path: str, times: Array, values: Array, names: tuple[str, ...]) -> N
 
 
 def _markdown(words: str) -> str:
-    return "\n\n".join(plain_markdown(line) for line in words.split("\n") if line)
+    """Return lines as they are: in an indented block nothing means anything but itself."""
+    return "\n".join(f"    {line}" for line in words.split("\n"))
 
 
 def _blueprint(real: Real) -> rrb.Blueprint:

@@ -21,5 +21,7 @@ def least_squares(
     x_scale: str | _Array = ...,
     loss: str = ...,
     f_scale: float = ...,
+    ftol: float = ...,
+    xtol: float = ...,
     max_nfev: int = ...,
 ) -> OptimizeResult: ...

@@ -18,6 +18,7 @@ LONGEST_LAG_S = 0.3
 STEP_S = 1e-5  # of the numeric derivatives
 FIRST_LAG_S = 0.01
 STEPS = 60
+ENOUGH = 1e-6  # a step that gains less, as a share, is the last
 
 
 class Solution(NamedTuple):
@@ -66,7 +67,14 @@ def solve(chains: Sequence[Located], first: Shared) -> Solution:
         return found
 
     fit = least_squares(
-        residuals, x0, jacobian, bounds=(lower, upper), x_scale="jac", max_nfev=STEPS
+        residuals,
+        x0,
+        jacobian,
+        bounds=(lower, upper),
+        x_scale="jac",
+        ftol=ENOUGH,
+        xtol=ENOUGH,
+        max_nfev=STEPS,
     )
     x = fit.x
     variance = 2.0 * float(fit.cost) / max(len(fit.fun) - len(x), 1)
