@@ -1,5 +1,7 @@
 """What the debugger at the terminal has others do: pictures in 3D, and reading files anew."""
 
+import signal
+import sys
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -27,7 +29,10 @@ class DebugOutside:
         self._folder: Path | None = None
 
     def __enter__(self) -> "DebugOutside":
-        """Start nothing yet."""
+        """Start nothing yet; a terminal that is closed shall end the viewer as well."""
+        for name in ("SIGHUP", "SIGTERM"):
+            if hasattr(signal, name):
+                signal.signal(getattr(signal, name), _leave)
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -100,3 +105,7 @@ class DebugOutside:
         if self._folder is None:
             self._folder = Path(tempfile.mkdtemp(prefix="vrts-"))
         return self._folder / name
+
+
+def _leave(number: int, _: object) -> None:
+    sys.exit(128 + number)
