@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from urllib.parse import quote
 
 import msgspec
 from playwright.sync_api import Browser
@@ -13,7 +14,7 @@ from vrts.pipeline.settings import load_scene
 from vrts.report.viewer_data import pose_numbers, scene_data
 from vrts.robots.kinematics import forward
 from vrts.robots.model import Configuration
-from vrts.web.assets import asset, import_map, module_name
+from vrts.web.assets import asset, module_name, sources
 
 ENTRY = "live/pointer.js"
 MODULES = (ENTRY, "viewer/viewer.js", "viewer/replay.js")
@@ -92,7 +93,8 @@ def pointer_page(
     )
     modules: dict[str, str] = {}
     for module in MODULES:
-        modules |= json.loads(import_map(module))["imports"]
+        for name, source in sources(module).items():
+            modules[name] = "data:text/javascript," + quote(source)
     css = asset("report/base.css") + asset("live/pointer.css")
     path = folder / "pointer.html"
     path.write_text(

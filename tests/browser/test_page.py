@@ -219,6 +219,20 @@ def test_nothing_was_complained_about_or_asked_for(report: Opened) -> None:
     assert len([url for url in report.requests if url.startswith("file:")]) == 1
 
 
+def test_a_browser_that_cannot_unpack_the_replay_says_so(browser: Browser, tmp_path: Path) -> None:
+    path = tmp_path / "old.html"
+    path.write_text(page(assessment(), {"moment": PIXEL}), encoding="utf-8")
+    view = opened(browser, path)
+    until(view, "window.vrts !== undefined")
+    assert view.page.is_hidden("#no-replay")
+    view.page.add_init_script("delete window.DecompressionStream;")
+    view.page.reload()
+    until(view, "!document.getElementById('no-replay').hidden")
+    assert "cannot show the replay" in view.page.inner_text("#no-replay")
+    assert "the held can1 hits base1" in view.page.inner_text("header")
+    assert not view.page.evaluate("window.vrts")
+
+
 def test_it_fits_a_phone(browser: Browser, tmp_path: Path) -> None:
     width = 360
     path = tmp_path / "phone.html"

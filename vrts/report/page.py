@@ -21,7 +21,7 @@ from vrts.report.replay_data import contact_rows, near_rows, run_data
 from vrts.report.stills import MOMENT
 from vrts.report.text import in_order
 from vrts.report.viewer_data import scene_data
-from vrts.web.assets import asset, import_map, module_name
+from vrts.web.assets import asset, packed
 
 ENTRY = "report/page.js"
 
@@ -159,11 +159,10 @@ def replay_scripts(a: Assessment) -> list[Markup]:
 
 @cache
 def _modules() -> tuple[Markup, ...]:
-    """Return the modules that show a replay."""
-    entry = f'import "{module_name(ENTRY)}";'
+    """Return the modules that show a replay, and what unpacks them."""
     return (
-        raw("script", import_map(ENTRY), type="importmap"),
-        raw("script", entry, type="module"),
+        raw("script", packed(ENTRY), type="application/octet-stream", id="modules"),
+        raw("script", asset("report/unpack.js")),
     )
 
 

@@ -1,13 +1,15 @@
 """The browser's files, and modules inlined so that a page needs no server and no network.
 
-A page opened from `file://` may not load other files, so every module becomes a `data:` URL in an
-import map. Relative imports cannot be resolved against a `data:` URL; they are rewritten to the
-bare names under which the map holds the modules.
+A page opened from `file://` may not load other files, so it holds every module, and these become
+`data:` URLs in an import map. Relative imports cannot be resolved against a `data:` URL; they are
+rewritten to the bare names under which the map holds the modules.
 """
 
 import base64
+import json
 import posixpath
 import re
+import zlib
 from functools import cache
 from importlib.resources import files
 
@@ -49,19 +51,24 @@ def closure(path: str) -> tuple[str, ...]:
     return tuple(found)
 
 
+def sources(entry: str) -> dict[str, str]:
+    """Return a module and all that it needs, as an import map names them."""
+    return {module_name(path): _source(path) for path in closure(entry)}
+
+
 @cache
-def import_map(entry: str) -> str:
-    """Return the JSON text of an import map with a module and all that it needs."""
-    rows = (f'"{module_name(path)}":"{_data_url(path)}"' for path in closure(entry))
-    return '{"imports":{' + ",\n".join(rows) + "}}"
+def packed(entry: str) -> str:
+    """Return the same for `report/unpack.js`: JSON, deflated, in base64."""
+    data = {"entry": module_name(entry), "sources": sources(entry)}
+    text = json.dumps(data, separators=(",", ":"))
+    return base64.b64encode(zlib.compress(text.encode(), 9)).decode("ascii")
 
 
-def _data_url(path: str) -> str:
-    code = _IMPORT.sub(
+def _source(path: str) -> str:
+    return _IMPORT.sub(
         lambda match: f"{match[1]}{match[2]}{module_name(_target(path, match[3]))}{match[2]}",
         asset(path),
     )
-    return "data:text/javascript;base64," + base64.b64encode(code.encode()).decode("ascii")
 
 
 def _target(path: str, specifier: str) -> str:

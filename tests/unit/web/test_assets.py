@@ -5,11 +5,12 @@ import hashlib
 import json
 import re
 import tomllib
+import zlib
 from importlib.resources import files
 
 import pytest
 
-from vrts.web.assets import THREE, asset, closure, import_map, module_name, served_page
+from vrts.web.assets import THREE, asset, closure, module_name, packed, served_page, sources
 
 VENDOR = files("vrts.web").joinpath("vendor")
 VENDORED = tomllib.loads(VENDOR.joinpath("vendored.toml").read_text())
@@ -28,17 +29,20 @@ def test_every_vendored_file_is_recorded() -> None:
     assert found <= set(VENDORED["three"]["files"])
 
 
-def test_the_import_map_is_closed() -> None:
-    modules: dict[str, str] = json.loads(import_map("report/page.js"))["imports"]
+def test_modules_need_no_others_than_a_page_holds() -> None:
+    modules = sources("report/page.js")
     assert module_name(THREE) in modules
     assert module_name("viewer/viewer.js") in modules
-    for name, url in modules.items():
-        kind, code = url.split(",", 1)
-        assert kind == "data:text/javascript;base64"
-        text = base64.b64decode(code).decode()
+    for name, text in modules.items():
         imported = re.findall(r"""\bfrom\s*["']([^"']+)["']""", text)
         needed = [i for i in imported if not i.startswith("three/addons")]  # named in a comment
         assert set(needed) <= set(modules), name
+
+
+def test_modules_are_packed_as_the_page_unpacks_them() -> None:
+    data = json.loads(zlib.decompress(base64.b64decode(packed("report/page.js"))))
+    assert data == {"entry": "vrts/report/page.js", "sources": sources("report/page.js")}
+    assert len(packed("report/page.js")) < 400_000
 
 
 def test_our_modules_use_no_path_of_the_page() -> None:
