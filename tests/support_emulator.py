@@ -14,12 +14,13 @@ from vrts.dispatch.bundle import Bundle
 from vrts.dispatch.cargo import Cargo
 from vrts.dispatch.emulator import Emulator, GoodLine, Line, Machine
 from vrts.dispatch.listed import Place
+from vrts.dispatch.looking import Options
 from vrts.dispatch.manifest import Manifest, Reads, Thing
 from vrts.dispatch.port import Port
 from vrts.dispatch.problems import LINE_LOST, stop
 from vrts.dispatch.profile import Profile, find_profile
 from vrts.dispatch.profile_parts import Patience
-from vrts.dispatch.send import Options, Sending
+from vrts.dispatch.send import Sending
 from vrts.dispatch.steps import Steps
 from vrts.dispatch.talk import Talk
 from vrts.dispatch.transcript import Transcript

@@ -45,6 +45,7 @@ def command(
     """
     from vrts.dispatch.fetch import fetch, fetched_text
     from vrts.dispatch.profile import find_profile
+    from vrts.report.plain import visible
 
     known = find_profile(profile)
     if output is not None:
@@ -54,7 +55,7 @@ def command(
         found = fetch(talk, known, [name.lower() for name in names])
     text = fetched_text(found, known.language)
     if output is None:
-        out(text, end=False)
+        out(visible(text), end=False)
     else:
         write_new(output, text)
     say(f"fetched: {', '.join(p.name for p in found.programs) or 'no program'}")

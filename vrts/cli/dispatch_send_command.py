@@ -11,8 +11,8 @@ from vrts.cli.serial_line import connected, stamp, transcript_option, write_new
 
 if TYPE_CHECKING:
     from vrts.dispatch.cargo import Cargo
+    from vrts.dispatch.looking import Options
     from vrts.dispatch.profile import Profile
-    from vrts.dispatch.send import Options
 
 EPILOG = """\b
 Examples:
@@ -54,8 +54,9 @@ def command(
     """
     from vrts.dispatch.bundle import read_bundle
     from vrts.dispatch.cargo import cargo_of
+    from vrts.dispatch.looking import Options
     from vrts.dispatch.profile import find_profile
-    from vrts.dispatch.send import Options, rehearsed
+    from vrts.dispatch.rehearsal import rehearsed
     from vrts.pipeline.files import read_bytes
 
     read = read_bundle(read_bytes(bundle))

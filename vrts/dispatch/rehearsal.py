@@ -4,6 +4,8 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from vrts.dispatch.allowed import Prompt, permits
+from vrts.dispatch.cargo import Cargo
+from vrts.dispatch.entering import enter_place, enter_steps, open_program
 from vrts.dispatch.problems import NOT_SENT, stop, visible
 from vrts.dispatch.profile_parts import Profile
 from vrts.dispatch.talk import Answer, At
@@ -82,3 +84,31 @@ class Rehearsal:
         if verb in (commands.new.split(" ", 1)[0], commands.edit.split(" ", 1)[0]):
             return At(Prompt.STEP, 1)
         return self._at
+
+
+def rehearsed(cargo: Cargo, profile: Profile) -> list[Line]:
+    """Return all lines that would be typed at a controller that holds nothing of it."""
+    talk = Rehearsal(profile)
+    commands = profile.commands
+    _ask(talk, commands.status)
+    for program in cargo.programs:
+        _ask(talk, commands.list_program.format(name=program.name))
+    if cargo.places:
+        _ask(talk, commands.list_locations)
+    for place in cargo.places:
+        enter_place(talk, profile, place)
+    for program in cargo.programs:
+        open_program(talk, profile, program, 1)
+        enter_steps(talk, profile, program, 1, lambda: None)
+    for program in cargo.programs:
+        _ask(talk, commands.list_program.format(name=program.name))
+    if cargo.places:
+        _ask(talk, commands.list_locations)
+    for name, _ in cargo.values:
+        form = commands.list_strings if name[0] == "$" else commands.list_reals
+        _ask(talk, form.format(name=name))
+    return talk.lines
+
+
+def _ask(talk: Rehearsal, command: str) -> None:
+    talk.say(command)

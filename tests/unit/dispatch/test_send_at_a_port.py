@@ -19,8 +19,8 @@ from tests.support_emulator import (
     sending,
 )
 from vrts.dispatch.emulator import Emulator, GoodLine
+from vrts.dispatch.looking import Options
 from vrts.dispatch.profile_parts import Profile
-from vrts.dispatch.send import Options
 from vrts.pipeline.settings import Refused
 
 if sys.platform == "win32":

@@ -17,8 +17,9 @@ from tests.support_emulator import (
 )
 from vrts.dispatch.cargo import Cargo
 from vrts.dispatch.listed import Place
+from vrts.dispatch.looking import Options
 from vrts.dispatch.profile import profile_names
-from vrts.dispatch.send import Options, rehearsed
+from vrts.dispatch.rehearsal import rehearsed
 from vrts.dispatch.steps import Steps
 from vrts.pipeline.settings import Refused
 

@@ -27,7 +27,9 @@ from tests.support_emulator import (
 from vrts.dispatch import allowed
 from vrts.dispatch.allowed import Prompt
 from vrts.dispatch.cargo import Cargo
-from vrts.dispatch.send import BEGUN, Options, Sending, rehearsed
+from vrts.dispatch.looking import Options
+from vrts.dispatch.rehearsal import rehearsed
+from vrts.dispatch.send import BEGUN, Sending
 from vrts.dispatch.steps import Steps
 from vrts.pipeline.settings import Refused
 
@@ -97,7 +99,12 @@ def check_what_is_known(found: Sending, machine: Watched) -> None:
             known = ("not looked at", "entered, not yet read back", BEGUN)
             assert state in known or " is '" in state, state
     for place in PLACES:
-        if found.states[f"location {place.name}"] == "verified":
+        state = found.states[f"location {place.name}"]
+        if state == "not there":
+            assert place.name not in there
+        elif state.endswith(" there"):
+            assert there[place.name] == [float(value) for value in state.split()[:6]]
+        elif state == "verified":
             assert there[place.name] == [float(value) for value in place.values]
 
 
