@@ -1,4 +1,4 @@
-"""Dispatch: 500 lines sent to an emulated controller at 9600 baud, and read back."""
+"""Dispatch: 500 lines sent to an emulated controller at 9600 baud, and read back; planning."""
 
 import io
 import subprocess
@@ -12,15 +12,20 @@ import pytest
 
 from tests.bench.test_bench_compile import realistic
 from tests.support_emulator import PLACES, sending
+from vrts.dispatch.bundle import bundle_bytes
 from vrts.dispatch.cargo import Cargo
 from vrts.dispatch.emulator import BITS
+from vrts.dispatch.planning import Request, plan
 from vrts.dispatch.port import Port
 from vrts.dispatch.profile import find_profile
 from vrts.dispatch.steps import steps_of
 from vrts.dispatch.talk import Talk
 from vrts.dispatch.transcript import Transcript
+from vrts.pipeline.files import CHECKOUT
+from vrts.pipeline.settings import load_task
 
 LINES, BAUD = 500, 9600
+EXAMPLES = sorted((CHECKOUT / "examples").glob("0[1-4]*"))
 
 
 class Counted(Port):
@@ -80,4 +85,22 @@ def test_500_lines_are_sent_and_verified(baud: int) -> None:
         f"\n{LINES} lines and {len(PLACES)} locations at {baud} baud: {took:.1f} s, "
         f"{busy:.1f} s of processor time; {port.sent:,} characters sent, {port.received:,} "
         f"received, which alone take {least:.1f} s: {least / took:.0%} of what the line can carry"
+    )
+
+
+@pytest.mark.parametrize("name", [path.name for path in EXAMPLES])
+def test_the_solution_of_every_example_is_planned(name: str) -> None:
+    folder = CHECKOUT / "examples" / name
+    data = (folder / "solution.v2").read_bytes()
+    setting, known = load_task(folder), find_profile("mark2-val2")
+    began = time.process_time()
+    found = plan(Request(data, "solution.v2", (setting,), known))
+    busy = time.process_time() - began
+    assert found.bundle is not None, [d.headline for d in found.refused]
+    manifest = found.bundle.manifest
+    runs = sum(int(m.sentence.split()[-2]) for m in manifest.margins if m.method == "sampled")
+    print(
+        f"\n{name}: planned in {busy:.1f} s of processor time, {runs} other worlds beside those "
+        f"tried until one fails; clearance {manifest.scenarios[0].clearance_mm} mm; fails first: "
+        f"{manifest.first_to_fail}; bundle {len(bundle_bytes(found.bundle)):,} bytes"
     )
