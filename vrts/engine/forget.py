@@ -58,6 +58,13 @@ def forget(machines: Sequence[Machine], before_s: float) -> None:
         machine.system.executable = only.setdefault(id(old), (old, old.only(used)))[1]
 
 
+def forget_values(machines: Sequence[Machine], before_s: float) -> None:
+    """Forget only values and statements, not what arm, hand and programs did."""
+    columns = _Columns()
+    for machine in machines:
+        _forget_statements(machine, before_s, columns)
+
+
 class _Columns:
     """Columns cut at the front, each once, for all that share it."""
 
@@ -138,15 +145,19 @@ def _given_up(events: Sequence[Event]) -> Iterable[int]:
 
 def _forget(machine: Machine, before_s: float, columns: _Columns, events: _Events) -> None:
     system = machine.system
-    tick = int(before_s / machine.tick + INSTANT / machine.tick)
-    first = max(bisect_right(machine.ticks, tick) - 1, 0)
-    finished = machine.counts[first] if machine.counts and machine.ticks[first] <= tick else 0
     _forget_motions(system.planner, before_s)
     _forget_hand(system.hand, before_s)
     if system.answers_read == len(system.answers):
         system.answers, system.answers_read = Log(), 0
     system.events = events.shortened(system.events)
     machine.robot.events = machine.process.events = system.events
+    _forget_statements(machine, before_s, columns)
+
+
+def _forget_statements(machine: Machine, before_s: float, columns: _Columns) -> None:
+    tick = int(before_s / machine.tick + INSTANT / machine.tick)
+    first = max(bisect_right(machine.ticks, tick) - 1, 0)
+    finished = machine.counts[first] if machine.counts and machine.ticks[first] <= tick else 0
     machine.ticks = columns.without(machine.ticks, first)
     machine.counts = columns.without(machine.counts, first)
     for cell in _cells(machine):

@@ -55,6 +55,10 @@ class Numbered(Sequence[Item], Generic[Item]):
             return self.first == other.first and self._items == list(other)  # pyright: ignore[reportUnknownArgumentType, reportUnknownMemberType]
         return isinstance(other, list) and self.first == 0 and self._items == other
 
+    def __repr__(self) -> str:
+        """Return what is left, and its first number."""
+        return f"Numbered({self._items!r}, {self.first})"
+
     __hash__ = None  # type: ignore[assignment] -- it changes
 
     def append(self, item: Item) -> None:

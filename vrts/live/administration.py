@@ -5,6 +5,7 @@ import time
 from pathlib import Path
 
 from vrts.live.passwords import hashed
+from vrts.live.session.past import FILE, OFF
 from vrts.live.settings import DATABASE, SESSIONS
 from vrts.live.store import log
 from vrts.live.store.accounts import add_account
@@ -34,7 +35,8 @@ def add_user(folder: Path, name: str, password: str, *, supervisor: bool) -> str
 def purge_user(folder: Path, name: str) -> int:
     """Forget all accounts of a name and what they wrote; return how many there were.
 
-    A server that is running ends their connections within a second or so.
+    A server that is running ends their connections within a second or so. Sessions in which they
+    used the monitor lose the file of their history: they go on, and know the last ten minutes.
     """
     connection = opened(folder / DATABASE)
     try:
@@ -46,8 +48,10 @@ def purge_user(folder: Path, name: str) -> int:
         connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")  # nothing is left in the journal
     finally:
         connection.close()
-    for (account,) in rows:  # the files that they have written
+    for (account,) in rows:  # the files that they have written, and what sessions remember
         for place in (folder / SESSIONS).glob(f"*/p{int(account)}"):
+            (place.parent / OFF).touch(mode=0o600)
+            (place.parent / FILE).unlink(missing_ok=True)
             shutil.rmtree(place)
     return len(rows)
 

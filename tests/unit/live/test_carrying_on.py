@@ -13,8 +13,9 @@ from vrts.live.places import places_of
 from vrts.live.session.carrying_on import STOPPED
 from vrts.live.session.frame import MOVING, RUNNING, unpacked
 from vrts.live.session.messages import Start
+from vrts.live.session.past import FILE, OFF
 from vrts.live.session.replay import replay
-from vrts.live.settings import DATABASE
+from vrts.live.settings import DATABASE, SESSIONS
 
 PROGRAM = """\
 .PROGRAM swing()
@@ -123,7 +124,11 @@ def test_where_it_cannot_go_on_it_begins_anew_and_says_why(tmp_path: Path) -> No
     away.wait("state", lambda m: "can2" not in str(m["state"]))
     server.kill()
     server.close_browsers()
+    before = next((folder / SESSIONS).glob("*/p*")).parent
+    (before / FILE).write_bytes(b"what was long ago")
     assert purge_user(folder, "Anna") == 1
+    assert not (before / FILE).exists()
+    assert (before / OFF).exists(), "a server that runs does not keep it again"
 
     server.start(str(server.port))
     with server:

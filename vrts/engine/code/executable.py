@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from vrts.base.source import SourceFile, Span
 from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Memory
@@ -35,6 +36,19 @@ class ExecutableProgram:
     base: int  # number of its first instruction among those of all programs
     steps: tuple[Step, ...]
     causes: tuple[Cause, ...]  # beside steps
+
+
+class Source(NamedTuple):
+    """All that an executable is made of, as plain data."""
+
+    call_depth: int
+    programs: tuple[tuple[Program, int], ...]  # with the number of the first instruction
+    instructions: int
+    free: tuple[int, ...]
+    numbers: dict[str, int]
+    loaded: dict[str, Program]
+    variables: tuple[str, ...]
+    arrays: tuple[str, ...]
 
 
 class Executable:
@@ -71,6 +85,36 @@ class Executable:
         left = {k: p for k, p in self.module.programs.items() if k not in names}
         other.module = Module(left, self.module.data)
         return other
+
+    @property
+    def source(self) -> Source:
+        """What `remade` makes the same of."""
+        return Source(
+            self.call_depth,
+            tuple((known.program, known.base) for known in self.programs),
+            len(self.causes),
+            self._free,
+            dict(self.numbers),
+            dict(self.module.programs),
+            tuple(self._numbering.numbers),
+            tuple(sorted(self._numbering.arrays)),
+        )
+
+    @classmethod
+    def remade(cls, source: Source) -> "Executable":
+        """Return an executable of what another one was made of."""
+        found = cls(Module({}, ()), source.call_depth)
+        found._numbering.arrays.update(source.arrays)
+        for name in source.variables:
+            found._numbering.number(name)
+        found.causes = [_NO_CAUSE] * source.instructions
+        for program, base in source.programs:
+            ready = found._program(program, base)
+            found.programs = (*found.programs, ready)
+            found.causes[base : base + len(ready.causes)] = ready.causes
+        found.numbers, found._free = dict(source.numbers), source.free
+        found.module = Module(source.loaded, ())
+        return found
 
     def only(self, used: Collection[int]) -> "Executable":
         """Return an executable without the code of programs that nothing can reach any more.

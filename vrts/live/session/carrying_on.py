@@ -12,6 +12,7 @@ from pathlib import Path
 import msgspec
 
 from vrts.live.session.messages import Done, News
+from vrts.live.session.past import FILE
 from vrts.live.session.replay import Entry, same_answer
 from vrts.live.session.session import Session
 
@@ -104,6 +105,8 @@ def carry_on(
 
     try:
         for entry in entries:
+            if entry.was_refused:  # of which the file of its history may know more or less now
+                continue
             go_on(entry.at_s)
             voice.done = None
             session.repeat(entry.order, entry.at_s)
@@ -116,7 +119,9 @@ def carry_on(
 
 
 def empty(folder: Path) -> None:
-    """Remove the folders of users, of a session that did not go on or goes on elsewhere."""
+    """Remove what is left of a session that did not go on or goes on elsewhere, but its errors."""
+    (folder / FILE).unlink(missing_ok=True)
+    (folder / FILE).with_suffix(".part").unlink(missing_ok=True)
     for place in folder.iterdir():
         if place.is_dir() and not place.is_symlink():
             shutil.rmtree(place, ignore_errors=True)  # its process may be about to end only

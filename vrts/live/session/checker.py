@@ -20,7 +20,7 @@ import msgspec
 from vrts.check.collision import check_collisions
 from vrts.check.collision_findings import EVENT_GAP
 from vrts.engine.events import Cause, Event, Grasped, HandCommanded, Released
-from vrts.engine.records import Motion, Placement, Segment
+from vrts.engine.records import Lie, Motion, Placement, Segment
 from vrts.engine.run import Run
 from vrts.live.session.growing import GrowingRun
 from vrts.live.session.messages import Checked, Json
@@ -41,6 +41,7 @@ REST = 40.0  # times as long as a check took is waited at least: ten sessions sh
 LONGEST_PAUSE = 10.0  # [s]
 NICENESS = 10  # of checks, which may be late, to frames, which may not
 BEFORE = 0.1  # [s] before a hand begins to close
+CLOSING = 10.0  # [s], longer than any hand takes to close
 LIMITS = Limits(cpu_s=60, wall_s=120.0, memory=1_000_000_000)
 FORKS = sys.platform != "win32"
 
@@ -141,12 +142,14 @@ class Checker:
         session, showing = self._session, self._session.showing
         task = session.setting.task
         near_miss = None if task is None else task.near_miss
-        found = checked(session.run, showing.checked_s, near_miss, self._asked[0])
-        if self._judges and task is not None:
+        run = session.growing.run_since(_needed_from(session.growing, showing.checked_s))
+        found = checked(run or session.run, showing.checked_s, near_miss, self._asked[0])
+        whole = session.growing.run_since(0.0) if self._judges else None
+        if whole is not None and task is not None:
             contacts = list(showing.contacts)
             for _ in _news(contacts, found.contacts):
                 pass
-            found = msgspec.structs.replace(found, judged=judged(session.run, task, contacts))
+            found = msgspec.structs.replace(found, judged=judged(whole, task, contacts))
         return msgspec.json.encode(found)
 
     def _answered(self, answer: bytes | None) -> float:
@@ -201,6 +204,16 @@ def checked(run: Run, since_s: float, near_miss: float | None, until_s: float = 
         tuple(map(_placed_in_program, near_rows(near, None), [n.cause for n in near])),
         bool(report.undetermined),
     )
+
+
+def _needed_from(growing: GrowingRun, since_s: float) -> float:
+    """Return from when on a run has to be known to be checked from a time on [s].
+
+    What was grasped long ago, or left unchecked when the server ended, is in the file.
+    """
+    tracks = growing.machine.system.hand.placements.values()
+    held = [track[-1].start_s for track in tracks if track[-1].lie is Lie.HELD]
+    return max(min([since_s, *(start_s - CLOSING for start_s in held)]), 0.0)
 
 
 def _begin(run: Run, since_s: float) -> float:

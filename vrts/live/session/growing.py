@@ -2,26 +2,30 @@
 
 `Controller` copies the machine whenever it advances, which makes every run of the past safe to ask.
 Here only what asks for a `Run` pays for a copy. Events come out once each, when their time comes.
+What is older than ten minutes is in a file (`past`), or forgotten where there is none.
 """
 
 import math
 from bisect import bisect_right, insort
+from collections.abc import Iterator, Sequence
 
 from vrts.base.stack import deep_stack
 from vrts.engine.controller import start
 from vrts.engine.events import Event, ProgramEnded, ProgramStarted
-from vrts.engine.forget import forget
+from vrts.engine.forget import forget, forget_values
 from vrts.engine.machine import Machine
 from vrts.engine.run import Run
 from vrts.ir.commands import Command, Panic, TimedCommand
 from vrts.ir.module import Module
+from vrts.live.session.deeds import Deeds, moving, telling
+from vrts.live.session.past import Past
 from vrts.robots.model import Configuration
 from vrts.scene.model import Scenario, Scene
 
 CHECKPOINT = 30.0  # [s] between states kept for going back; a whole number
 RECENT = 600.0  # [s] after which only states `SPARSE` apart are kept
 SPARSE = 120.0  # [s], a whole number
-REACH = 3600.0  # [s] of history that is kept
+REACH = 600.0  # [s] of history that is kept
 FORGETTING = 60.0  # [s] between looks at what is older; a whole number
 MOST_STATEMENTS = 5_000_000  # of history, beyond which it is shortened, however young it is
 MOST_EVENTS = 100_000
@@ -32,12 +36,27 @@ TOO_MANY = "the arm and the programs were stopped: there are more than 20,000 va
 class GrowingRun:
     """The machine of a session, and everything that is known of its past."""
 
-    def __init__(self, scene: Scene, scenario: Scenario, *, forgets: bool = True) -> None:
-        """Begin at time 0; `forgets`: whether history is shortened."""
+    def __init__(
+        self, scene: Scene, scenario: Scenario, past: Past | None = None, *, forgets: bool = True
+    ) -> None:
+        """Begin at time 0.
+
+        Args:
+            scene: The workspace.
+            scenario: How it is at first.
+            past: Takes what is forgotten; None: nobody does.
+            forgets: Whether history is shortened.
+        """
         self.machine: Machine = start(Module({}, ()), scene, scenario).machine.copy()
         self.time_s = 0.0
-        self.said: list[str] = []  # what users should know
-        self.known_from_s = 0.0  # what was before is forgotten
+        self.said: list[str] = [] if past is None else past.said  # what users should know
+        if past is not None:
+            past.clear()
+        self.known_from_s = 0.0  # what was before is in the file, or forgotten
+        self._past = past
+        self._handed_on = 0  # commands of the machine that are in the file
+        self._done = (0, 0.0)  # motions, and a time [s], before which what was done is in the file
+        self._crowd = False  # more has happened than can be gone through again
         self._begun = -1  # the number of the event with which the robot program began
         self._seen = 0  # events of the machine that were looked at
         self._coming: list[tuple[float, int, Event]] = []  # seen, but their time has not come
@@ -161,6 +180,18 @@ class GrowingRun:
 
     # --- going back, and forgetting -----------------------------------------------------------
 
+    @property
+    def reaches_s(self) -> float:
+        """The earliest time that can be gone back to [s]."""
+        past_s = self._past.known_from_s if self._past is not None else None
+        return self.known_from_s if past_s is None else past_s
+
+    @property
+    def knows_all(self) -> bool:
+        """Whether all that was ever done can be had again."""
+        kept = self._past is not None and self._past.whole and not self._crowd
+        return self.known_from_s == 0.0 or kept
+
     @deep_stack()
     def rewind(self, time_s: float) -> None:
         """Forget everything after a time that is still known; commands after it too.
@@ -168,16 +199,60 @@ class GrowingRun:
         Raises:
             ValueError: The time is not known (any more).
         """
-        if not self.known_from_s <= time_s <= self.time_s:
-            raise ValueError(f"{time_s} s is not between {self.known_from_s} and {self.time_s} s")
-        self._kept = [entry for entry in self._kept if entry[0] <= time_s]
-        issued = tuple(c for c in self.machine.issued if c.time_s <= time_s)
-        self.machine = self._kept[-1][1].copy()
-        self.machine.know(issued)
-        self.machine.advance(time_s)
+        if not self.reaches_s <= time_s <= self.time_s:
+            raise ValueError(f"{time_s} s is not between {self.reaches_s} and {self.time_s} s")
+        if time_s < self.known_from_s:
+            kept_s, kept, given = self._from_file(time_s)
+            assert self._past is not None
+            self._past.cut(kept_s)
+            self._kept = [(kept_s, kept)]
+            self.known_from_s, self._handed_on = kept_s, len(kept.issued)
+            self._done = (kept.system.planner.motions.first, kept_s)
+        else:
+            self._kept = [entry for entry in self._kept if entry[0] <= time_s]
+            kept_s, kept = self._kept[-1]
+            given = self.machine.issued[len(kept.issued) :]
+        self.machine = kept.copy()
+        for _ in _repeated(self.machine, given, kept_s, time_s):
+            pass
         self.time_s, self._run = time_s, None
         self._coming, self._seen, self._begun = [], 0, -1
         self.news()  # of the past: it was told before
+
+    @deep_stack()
+    def run_since(self, time_s: float) -> Run | None:
+        """Return the run with motions and events from a time on; it may take its time.
+
+        Values and statements are only those of the end. None: the time is not known any more.
+        """
+        if time_s >= self.known_from_s:
+            return self.run
+        if self._crowd:
+            return None
+        try:
+            begun_s, machine, given = self._from_file(time_s)
+        except ValueError:
+            return None
+        for now_s in _repeated(machine, given, begun_s, self.time_s):
+            forget_values([machine], max(now_s - FORGETTING, 0.0))
+        return Run(machine, self.time_s, (machine,))
+
+    def deeds(self) -> Deeds | None:
+        """Return what was done before `known_from_s`; None: that is not known any more."""
+        if self.known_from_s == 0.0:
+            return Deeds()
+        return self._past.deeds() if self._past is not None else None
+
+    def _from_file(self, time_s: float) -> tuple[float, Machine, tuple[TimedCommand, ...]]:
+        """Return a state not after a time [s], its time, and all commands given since.
+
+        Raises:
+            ValueError: There is none.
+        """
+        if self._past is None:
+            raise ValueError("nothing was kept")
+        kept_s, machine, given = self._past.state_before(time_s)
+        return kept_s, machine, (*given, *self.machine.issued[self._handed_on :])
 
     @property
     def _crowded(self) -> bool:
@@ -211,17 +286,80 @@ class GrowingRun:
         known_from_s, first = self._kept[at]
         if known_from_s <= self.known_from_s:
             return
-        for _, machine in self._kept[:at]:
+        self._crowd = self._crowd or self._crowded
+        run, issued = self.run, self.machine.issued
+        for time_s, machine in self._kept[:at]:
+            if self._past is not None and time_s % SPARSE == 0.0:
+                self._hand_on(run, time_s, machine)
             _release(machine)
+        self._hand_on_commands(len(first.issued))
         del self._kept[:at]
-        self.known_from_s, self._run = known_from_s, None
         forget([self.machine, *(machine for _, machine in self._kept)], known_from_s)
+        self._hand_on_deeds(run, self.machine, known_from_s)
+        self._handed_on -= len(issued) - len(self.machine.issued)
+        self.known_from_s, self._run = known_from_s, None
         self._forgotten = first.finished
         shorter = self._seen - (len(self.machine.system.events) - late)
         self._seen -= shorter
         self._begun -= shorter
         self._coming = [(at_s, known - shorter, event) for at_s, known, event in self._coming]
         self._uncrowded = max(MOST_EVENTS, 2 * len(self.machine.system.events))
+
+    def _hand_on(self, run: Run, time_s: float, machine: Machine) -> None:
+        """Put a state into the file, with what was done before it."""
+        assert self._past is not None
+        self._hand_on_commands(len(machine.issued))
+        machine.write()  # part from what has come since
+        forget([machine], time_s)
+        self._hand_on_deeds(run, machine, time_s)
+        self._past.keep_state(time_s, machine)
+
+    def _hand_on_commands(self, count: int) -> None:
+        """Put commands into the file that are not there yet, up to a number of them."""
+        if self._past is not None:
+            self._past.keep_commands(self.machine.issued[self._handed_on : count])
+            self._handed_on = max(self._handed_on, count)
+
+    def _hand_on_deeds(self, run: Run, machine: Machine, time_s: float) -> None:
+        """Put what was done before a time into the file that a machine has forgotten of it."""
+        if self._past is None:
+            return
+        first = machine.system.planner.motions.first
+        motions = run.motions[max(self._done[0], run.motions.first) : first]
+        since_s = self._done[1]
+        events = [event for event in run.events if since_s <= event.time_s < time_s]
+        self._past.keep_deeds(Deeds(tuple(moving(motions)), tuple(telling(events))))
+        self._done = (first, time_s)
+
+
+def _repeated(
+    machine: Machine, commands: Sequence[TimedCommand], from_s: float, until_s: float
+) -> Iterator[float]:
+    """Let a machine go on as it did; yield the times it comes to, a minute apart or less [s].
+
+    Args:
+        machine: It goes on in place.
+        commands: That it was given since, in order; later ones are left out.
+        from_s: How far it has come.
+        until_s: How far it goes.
+    """
+    following = 0
+    minute = math.floor(from_s / FORGETTING) + 1.0
+    while True:
+        at_s = until_s
+        if following < len(commands):
+            at_s = min(at_s, commands[following].time_s)
+        at_s = min(at_s, minute * FORGETTING)
+        machine.advance(at_s)
+        if at_s == minute * FORGETTING:
+            minute += 1.0
+        begin = following
+        while following < len(commands) and commands[following].time_s <= at_s:
+            following += 1
+        machine.issue(tuple(commands[begin:following]))
+        yield at_s
+        if at_s >= until_s:
+            return
 
 
 def _release(machine: Machine) -> None:

@@ -46,7 +46,8 @@ class Start(Order, frozen=True, tag="start"):
     task: str = ""  # path of a task file
     lab: str = ""  # path of a lab file
     dialect: str = "val2"
-    quota: int = 64_000_000  # bytes of users' folders and of history, each
+    quota: int = 64_000_000  # bytes of users' folders
+    history: int = 64_000_000  # bytes of the file of what is older than ten minutes
     before: str = ""  # file of what was done before the server ended; the session removes it
     until_s: Stamp = 0.0  # how far the session had come then
     scene_sha256: str = ""  # of `Ready.scene` then; with another scene it begins anew

@@ -10,6 +10,7 @@ the shorter motion. Times are not the same: nobody wants to wait again, and pani
 """
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
@@ -21,18 +22,18 @@ from vrts.engine.events import HandCommanded, SignalChanged
 from vrts.engine.outcomes import INSTANT
 from vrts.engine.records import Motion
 from vrts.engine.run import Run
-from vrts.engine.signals import OUTPUTS
 from vrts.ir.instructions import Interpolation
 from vrts.ir.module import Datum, Module
 from vrts.ir.values import Joints
 from vrts.lang.dialect import VAL2
 from vrts.lang.store import DECIMALS, store_text
+from vrts.live.session.deeds import MOST_STEPS, Deeds, moving, telling
 from vrts.monitor.desk import is_name
 from vrts.robots.branch import INITIAL_BRANCH, branch_of
 from vrts.robots.choice import Choice, choose
 from vrts.robots.model import Arm, ArmBranch, Configuration
 
-MOST_STEPS = 5_000
+NOTHING = Deeds()
 SAME_ANGLE = 1e-5  # [rad] joints this near are the same for a program
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.]*", re.ASCII)
 
@@ -50,15 +51,17 @@ def is_program_name(name: str) -> bool:
     return _NAME.fullmatch(name) is not None and is_name(name)
 
 
-def as_program(run: Run, name: str) -> str:
+def as_program(run: Run, name: str, before: Deeds = NOTHING, since_s: float = 0.0) -> str:
     """Return a program that makes the motions of a run again, with its `.LOCATIONS`.
 
     Args:
         run: What was done.
         name: Of the program.
+        before: What was done that the run does not tell of any more.
+        since_s: From when on it does [s].
     """
     writer = _Writer(run)
-    happenings = sorted(_happenings(run), key=lambda each: each[:2])
+    happenings = sorted(_happenings(run, before, since_s), key=lambda each: each[:2])
     for this, following in zip(happenings, [*happenings[1:], None], strict=False):
         if len(writer.steps) >= MOST_STEPS:
             writer.steps.append(f"; more was done than {MOST_STEPS} steps")
@@ -69,29 +72,26 @@ def as_program(run: Run, name: str) -> str:
     return f".PROGRAM {name.lower()}()\n{text}.END\n{writer.locations}"
 
 
-def _happenings(run: Run) -> Iterable[_Happening]:
+def _happenings(run: Run, before: Deeds, since_s: float) -> Iterable[_Happening]:
     tick = run.scene.robot.arm.tick
-    motions = [m for m in run.motions if m.start_s < run.horizon_s and _moves(m)]
+    given = (motion for motion in run.motions if motion.start_s < run.horizon_s)
+    motions = [*before.motions, *moving(given)]
     starts = [motion.start_s for motion in motions]
     for motion in motions:
         yield _Happening(motion.start_s, 1, motion)
-    for event in run.events:
+    later = (event for event in run.events if event.time_s >= since_s)
+    for event in (*before.events, *telling(later)):
         match event:
             case HandCommanded(time_s=time_s, action=action):
-                begins = min((s for s in starts if abs(s - time_s) < 0.5 * tick), default=None)
-                if begins is None:
-                    yield _Happening(time_s, 2, f"{action.upper()}I")
+                k = bisect_right(starts, time_s - 0.5 * tick)
+                if k < len(starts) and starts[k] < time_s + 0.5 * tick:
+                    yield _Happening(starts[k], 0, action.upper())
                 else:
-                    yield _Happening(begins, 0, action.upper())
-            case SignalChanged(time_s=time_s, signal=signal, on=on) if signal in OUTPUTS:
+                    yield _Happening(time_s, 2, f"{action.upper()}I")
+            case SignalChanged(time_s=time_s, signal=signal, on=on):
                 yield _Happening(time_s, 2, f"SIGNAL {signal if on else -signal}")
             case _:
                 pass
-
-
-def _moves(motion: Motion) -> bool:
-    """Return whether a motion goes anywhere: one may be given up before it has begun."""
-    return any(abs(a - b) > 1e-9 for a, b in zip(motion.start, motion.goal, strict=True))
 
 
 class _Writer:

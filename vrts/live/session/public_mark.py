@@ -53,7 +53,7 @@ class PublicMark:
         """Whether the mark may be another one now."""
         session = self._session
         growing, task = session.growing, session.setting.task
-        if task is None or growing.known_from_s > 0.0:  # of a part nobody can tell the mark
+        if task is None or not growing.knows_all:  # of a part nobody can tell the mark
             session.showing.mark = None
             return False
         rests = not 0.0 <= growing.time_s - self._asked_s < self._pause

@@ -19,6 +19,7 @@ from vrts.lang.dialect import DIALECTS
 from vrts.live import actions as do
 from vrts.live.session import messages as m
 from vrts.live.session.conversation import Conversation
+from vrts.live.session.deeds import Deeds
 from vrts.live.session.folders import Folders
 from vrts.live.session.growing import GrowingRun
 from vrts.live.session.held_key import HeldKey
@@ -31,6 +32,7 @@ from vrts.live.session.motions import (
     pose_of,
     turn_joint,
 )
+from vrts.live.session.past import Past
 from vrts.live.session.recording import Unrecordable, recorded, stored_row
 from vrts.live.session.showing import Showing
 from vrts.live.session.status import runs
@@ -82,6 +84,7 @@ class Session:
         self._forgets = forgets
         self._sequence = 0
         self._folders = Folders(Path(start.folder), start.quota)
+        self._past = Past(Path(start.folder), start.history) if forgets else None
         self._begin(())
 
     def _begin(self, memory: tuple[Command, ...]) -> None:
@@ -90,7 +93,7 @@ class Session:
         scenario = planned.scenario if planned is not None else Scenario()
         scene = self.setting.scene
         scenario = dataclasses.replace(scenario, limits=LIMITS)
-        self.growing = GrowingRun(scene, scenario, forgets=self._forgets)
+        self.growing = GrowingRun(scene, scenario, self._past, forgets=self._forgets)
         desk = Desk(self._folders.of("nobody"), DIALECTS[self.start.dialect], replace=True)
         self.conversation = Conversation(self.growing, desk, self._folders)
         self._key = HeldKey(self.conversation)
@@ -183,7 +186,8 @@ class Session:
         """Return what was done as VAL-II text."""
         from vrts.live.session.program import as_program
 
-        return as_program(self.run, name)
+        growing = self.growing
+        return as_program(self.run, name, growing.deeds() or Deeds(), growing.known_from_s)
 
     def _act(self, order: m.Act, now_s: float) -> None:
         waiting = _Waiting(order.ref, order.stamp_s, order.owner, order.action)
@@ -335,8 +339,8 @@ class Session:
         at_s = self.growing.time_s
         if not is_program_name(name):
             return m.Done(ref, at_s, False, f"`{name}` is no name of a program", code="name")
-        if self.growing.known_from_s > 0.0:
-            text = f"what was done before {self.growing.known_from_s:.0f} s is forgotten"
+        if self.growing.deeds() is None:
+            text = f"what was done before {self.growing.reaches_s:.0f} s is forgotten"
             help_ = "reset the scene, and do what the program is to do"
             return m.Done(ref, at_s, False, text, help_, "time")
         shown, refused = self.conversation.upload(f"{name}.v2", self.program(name), owner)
@@ -371,11 +375,12 @@ class Session:
 
     def _rewind(self, ref: int, time_s: float) -> m.Done:
         at_s = self.growing.time_s
-        if not self.growing.known_from_s <= time_s <= at_s:
-            text = f"only times from {self.growing.known_from_s:.0f} to {at_s:.0f} s are known"
+        try:
+            self.growing.rewind(time_s)
+        except ValueError:
+            text = f"only times from {self.growing.reaches_s:.0f} to {at_s:.0f} s are known"
             return m.Done(ref, at_s, False, text, code="time")
         self._key.drop()
-        self.growing.rewind(time_s)
         self.showing.jumped()
         self.epoch_s = self._clock() - self.growing.time_s
         self._jumped()

@@ -18,12 +18,17 @@ class Driven:
     """A session, its clock, and everything it has said."""
 
     def __init__(
-        self, folder: Path, scene: str = "cans-on-bases", quota: int = 1_000_000, task: str = ""
+        self,
+        folder: Path,
+        scene: str = "cans-on-bases",
+        quota: int = 1_000_000,
+        task: str = "",
+        history: int = 64_000_000,
     ) -> None:
         self.clock_s = 1000.0
         self.news: list[FromSession] = []
         self.frames: list[PoseFrame] = []
-        self.start = Start(7, str(folder), scene, task, quota=quota)
+        self.start = Start(7, str(folder), scene, task, quota=quota, history=history)
         self.log: list[Entry] = []
         self.session = Session(self.start, setting_of(self.start), self._hear, self._clock)
         self._given: dict[int, Act | Halt] = {}
