@@ -69,6 +69,8 @@ class Supervisor(Generic[Order]):
         self._running: list[_Running[Order]] = []
         self._ended_for: dict[int, Loss] = {}  # by process, why it was ended
         self._peaks: dict[int, int] = {}
+        self._own = psutil.Process()
+        self._seen: dict[int, psutil.Process] = {}  # under way; to look each up again takes long
 
     def run(self, orders: Iterable[Order]) -> Generator[Finished[Order], None, None]:
         """Yield every order once, as it is finished; closing it ends the processes under way."""
@@ -105,7 +107,7 @@ class Supervisor(Generic[Order]):
         folder.mkdir(parents=True)
         inherited = 0
         if self._fork:
-            inherited = _private(psutil.Process())
+            inherited = _memory(self._own).private
 
             def work() -> bytes:
                 return self._worker.work(order, folder)
@@ -127,8 +129,10 @@ class Supervisor(Generic[Order]):
         if time.monotonic() - process.started > self._limits.wall_s:
             self._end(process, Loss.WALL)
         try:
-            seen = psutil.Process(process.pid)
-            memory, private = seen.memory_info().rss, _private(seen)
+            if process.pid not in self._seen:
+                self._seen[process.pid] = psutil.Process(process.pid)
+            seen = self._seen[process.pid]
+            memory, private = _memory(seen)
             cpu = sum(seen.cpu_times()[:2])
         except psutil.Error:
             return  # it is gone: the next look at its answer tells
@@ -147,6 +151,7 @@ class Supervisor(Generic[Order]):
         outcome = self._outcome(process)
         seconds = time.monotonic() - process.started
         self._ended_for.pop(process.pid, None)
+        self._seen.pop(process.pid, None)
         peak = max(process.peak, self._peaks.pop(process.pid, 0))
         return Finished(running.order, outcome, running.folder, seconds, peak)
 
@@ -175,10 +180,16 @@ def _cpu_signal() -> int:
     return int(getattr(signal, "SIGXCPU", 0))
 
 
-def _private(process: psutil.Process) -> int:
-    """Return the bytes of memory that a process has written; where that is not told, all of it."""
+class _Memory(NamedTuple):
+    """Of a process, in bytes."""
+
+    resident: int
+    private: int  # what it has written; where that is not told, all of it
+
+
+def _memory(process: psutil.Process) -> _Memory:
     found = process.memory_info()
-    return int(found.rss - getattr(found, "shared", 0))
+    return _Memory(int(found.rss), int(found.rss - getattr(found, "shared", 0)))
 
 
 def _words(log: Path) -> str:
