@@ -12,6 +12,7 @@ import pytest
 
 ROOT = Path(__file__).parent.parent.parent
 NEEDED = (
+    "vrts/dispatch/profiles/mark2-val2.toml",
     "vrts/lang/grammar.lark",
     "vrts/pages/V301.md",
     "vrts/library/scenes/cans-on-bases/scene.toml",
