@@ -27,6 +27,11 @@ EDITOR = "neovim@v0.11"
 CONVERTER = default_converter()
 
 
+def is_settled(diagnostics: list[dict[str, Any]]) -> bool:
+    """Return whether the other files of the folder have been read."""
+    return not any("are still being read" in found["message"] for found in diagnostics)
+
+
 class Recorder(LanguageClientProtocol):
     """Keeps everything that the server says by itself."""
 
@@ -154,7 +159,7 @@ class Client:
         self.tell("textDocument/didClose", textDocument={"uri": self.uri(name)})
 
     def diagnostics(
-        self, name: str, wanted: Callable[[list[dict[str, Any]]], bool] = lambda _: True
+        self, name: str, wanted: Callable[[list[dict[str, Any]]], bool] = is_settled
     ) -> list[dict[str, Any]]:
         """Return what is said about the present text of a buffer, once it is what is wanted."""
 

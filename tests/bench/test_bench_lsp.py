@@ -1,14 +1,17 @@
 """The language server: how long answers take while a file of 2,000 lines is typed."""
 
 import gc
+import json
 import statistics
 import time
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from pathlib import Path
 
+import psutil
 import pytest
 
-from tests.bench.test_bench_compile import realistic
+from tests.bench.test_bench_compile import STEPS, realistic
 from tests.support_lsp import Client
 from vrts.lsp.colouring import coloured
 from vrts.lsp.completing import complete
@@ -17,6 +20,8 @@ from vrts.lsp.finding import references
 from vrts.lsp.folding import folds
 from vrts.lsp.hovering import hover
 from vrts.lsp.linking import group
+from vrts.lsp.server.colours import changed, encoded
+from vrts.lsp.server.places import Places
 from vrts.lsp.server.serving import RARELY
 from vrts.lsp.signatures import signature
 from vrts.lsp.symbols import symbols
@@ -25,6 +30,8 @@ LINES = 2_000
 LIMIT_S = 0.050
 KEYS = 15
 LINKED, LINK_LIMIT_S = 200, 0.010
+LARGE = 10_000  # lines of one program
+FOLDER, LONG, FIRST_LIMIT_S = 300, 1_000, 1.5  # files, lines of each
 
 
 def typed(text: str, key: int) -> tuple[Document, int]:
@@ -71,19 +78,83 @@ def test_answers_while_typing() -> None:
     assert slowest <= LIMIT_S
 
 
+def test_a_large_program() -> None:
+    steps = STEPS * (LARGE // STEPS.count("\n"))
+    text = f".PROGRAM main\n        n = 0\n{steps}.END\n"
+    typed(text, 0)[0].read()
+    times: list[float] = []
+    for key in range(1, KEYS):
+        document, _ = typed(text, key)
+        began = time.process_time()
+        document.read()
+        times.append(time.process_time() - began)
+    median = 1000 * statistics.median(times)
+    print(f"\nnames of one program of {LARGE:,} lines after a key: {median:.0f} ms")
+
+
 def test_linking() -> None:
     body = "        CALL p{}\n        MOVE s{}\n.END\n"
     texts = [f".PROGRAM p{n}\n" + body.format(n + 1, n) for n in range(LINKED)]
     documents = [Document(f"/bench/{n}.v2", text) for n, text in enumerate(texts)]
     for document in documents:
-        document.names.by_target  # noqa: B018 -- summaries are kept
-    group(documents[0], documents[1:])
-    began = time.process_time()
-    found = group(documents[0], documents[1:])
-    seconds = time.process_time() - began
-    print(f"\nlinking {LINKED} files in a row: {1000 * seconds:.1f} ms")
-    assert len(found) == LINKED
+        document.names.summarise()
+    times: list[float] = []
+    for key in range(KEYS):
+        edited, _ = typed(texts[0], key)  # only what changes is summed up again
+        began = time.process_time()
+        found = group(edited, documents[1:])
+        times.append(time.process_time() - began)
+        assert len(found) == LINKED
+    seconds = statistics.median(times)
+    print(f"\nlinking {LINKED} programs that call one another: {1000 * seconds:.1f} ms")
     assert seconds <= LINK_LIMIT_S
+
+
+def test_semantic_tokens_after_a_key() -> None:
+    text = realistic(LINES)
+    documents = [typed(text, key)[0] for key in range(KEYS)]
+    numbers = [encoded(d, Places(d.source, "utf-16")) for d in documents]
+    whole = len(json.dumps(numbers[0]))
+    times: list[float] = []
+    sizes: list[int] = []
+    for before, after in pairwise(numbers):
+        began = time.process_time()
+        edits = changed(before, after)
+        times.append(time.process_time() - began)
+        sizes.append(sum(len(json.dumps(edit.data)) for edit in edits))
+    took = 1000 * statistics.median(times)
+    print(
+        f"\nsemantic tokens: {whole:,} bytes; a change: {max(sizes)} bytes, found in {took:.1f} ms"
+    )
+    assert max(sizes) < 100
+
+
+def test_the_first_answers_in_a_folder_of_long_files(tmp_path: Path) -> None:
+    for number in range(FOLDER):
+        name = f"part{number}"
+        steps = STEPS.replace("part", name) * (LONG // STEPS.count("\n"))
+        text = f".PROGRAM p{number}\n        n = 0\n{steps}.END\n"
+        (tmp_path / f"f{number:03}.v2").write_text(text, "utf-8")
+    mine = ".PROGRAM main\n        CALL p1\n        MOVE part\n.END\n"
+    with Client(tmp_path) as client:
+        server = psutil.Process(client.process.pid)
+
+        def spent() -> float:
+            times = server.cpu_times()
+            return times.user + times.system
+
+        idle = spent()
+        client.open("a.v2", mine)
+        client.about("hover", "a.v2", (1, 14))
+        client.about("completion", "a.v2", (2, 17))
+        client.diagnostics("a.v2", lambda _: True)
+        first = spent() - idle
+        client.about("definition", "a.v2", (1, 14))
+        print(
+            f"\n{FOLDER} files of {LONG:,} lines: hover, completion and diagnostics after"
+            f" {first:.2f} s of processor time, all files read after {spent() - idle:.1f} s"
+        )
+    assert first < FIRST_LIMIT_S
 
 
 def test_round_trips(tmp_path: Path) -> None:

@@ -1006,6 +1006,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/live/session/test_session.py",),
     ),
     Patch(
+        "a link into one room lets into all of them",
+        "vrts/live/http.py",
+        "token, until, room=body.room, uses=LINK_USES",
+        "token, until, room=None, uses=LINK_USES",
+        ("tests/unit/live/test_entrances.py",),
+    ),
+    Patch(
+        "who has waited for a snapshot is not told who is here",
+        "vrts/live/hub.py",
+        "            self.crowd_changed(room)  # who waits for a snapshot is told nothing else",
+        "            pass",
+        ("tests/unit/live/test_room.py",),
+    ),
+    Patch(
         "poses of a session that were not read in time are all sent",
         "vrts/live/process.py",
         "elif number == poses[-1]:",

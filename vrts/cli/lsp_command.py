@@ -16,7 +16,11 @@ Needs the group [ide]: pip install "vrts[ide]"
 @click.command(name="lsp", epilog=EPILOG)
 @guarded
 def command() -> None:
-    """Help an editor with programs while they are written (Language Server Protocol, stdio)."""
+    """Help an editor with programs while they are written (Language Server Protocol, stdio).
+
+    A program without errors is run in the background, in the scene of the task.toml beside it:
+    contacts, limits and speeds appear where they happen, with the speed that would do.
+    """
     try:
         from vrts.lsp.server.serving import serve
     except ModuleNotFoundError as missing:

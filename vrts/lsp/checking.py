@@ -15,23 +15,28 @@ _FAMILIES = {
 }
 
 
-def check(document: Document, group: Sequence[Document] = ()) -> tuple[Diagnostic, ...]:
+def check(
+    document: Document, group: Sequence[Document] = (), *, is_whole: bool = True
+) -> tuple[Diagnostic, ...]:
     """Return what is wrong with a buffer.
 
     Args:
         document: The buffer.
         group: Files that belong together with it. What they define is only noted as coming from
             elsewhere.
+        is_whole: Whether all files of the folder are known; else what is missing is only noted.
     """
     if document.refusal is not None:
         return (document.refusal,)
     if not document.source.text.strip():
         return ()
     found = compile_source(document.source, Options(dialect=None)).diagnostics
-    return tuple(_linked(diagnostic, document, group) for diagnostic in found)
+    return tuple(_linked(d, document, group, is_whole=is_whole) for d in found)
 
 
-def _linked(diagnostic: Diagnostic, document: Document, group: Sequence[Document]) -> Diagnostic:
+def _linked(
+    diagnostic: Diagnostic, document: Document, group: Sequence[Document], *, is_whole: bool
+) -> Diagnostic:
     family = _FAMILIES.get(diagnostic.rule)
     name = diagnostic.data.get("name")
     if family is None or not isinstance(name, str):
@@ -45,6 +50,9 @@ def _linked(diagnostic: Diagnostic, document: Document, group: Sequence[Document
                 help=(f"check both together: `--with {other.source.name}`",),
                 fix=None,
             )
+    if not is_whole:
+        notes = ("the other files of the folder are still being read",)
+        return replace(diagnostic, severity=Severity.NOTE, notes=notes, help=(), fix=None)
     return diagnostic
 
 

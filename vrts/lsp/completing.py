@@ -26,6 +26,7 @@ _JUMPS = frozenset({"GOTO"})
 _CALLS = frozenset({"CALL"}) | PROGRAM_WORDS
 _SIGNALS = frozenset({"SIGNAL", "REACT", "REACTI", "IGNORE", "RUNSIG"})
 _REACTIONS = frozenset({"REACT", "REACTI"})
+MOST = 1000  # proposals
 
 
 class What(Enum):
@@ -59,6 +60,7 @@ class Completion(NamedTuple):
     start: int
     end: int
     proposals: tuple[Proposal, ...]
+    is_all: bool = True  # whether there are no more that begin like this
 
 
 def complete(
@@ -88,7 +90,7 @@ def complete(
         if p.text and p.text.lower().startswith(start) and p.text.lower() != start
     }
     ordered = sorted(found.values(), key=lambda p: (p.rank, p.text.lower()))
-    return Completion(asked.start, offset, tuple(ordered))
+    return Completion(asked.start, offset, tuple(ordered[:MOST]), len(ordered) <= MOST)
 
 
 def _proposals(
@@ -151,6 +153,8 @@ def _variables(document: Document, asked: Asked, group: Sequence[Document]) -> I
     for other in group:
         for target, found in other.names.by_target.items():
             if target.family != "variable" or (target.program and other is not document):
+                continue
+            if not target.name.startswith(asked.prefix.lower()):
                 continue
             if target.program not in ("", own) or all(o.start == asked.start for o in found):
                 continue  # another program's own, or the very word that is typed

@@ -32,6 +32,7 @@ class Document:
             text: As the editor holds it, with line ends of any kind.
         """
         self.path = path
+        self._names: Names | None = None
         text = text.replace("\r\n", "\n").replace("\r", "\n").translate(_CONTROLS)
         found = decode(text.encode("utf-8", "replace"), os.path.basename(path))
         blank = not text.strip()  # nothing is written yet: no reason for a complaint
@@ -43,10 +44,22 @@ class Document:
         """Language of the family, as file name and content tell."""
         return detect(self.source)[0]
 
-    @cached_property
+    @property
     def names(self) -> Names:
         """Every name of the text and its uses."""
-        return names_of(self.source, self.dialect)
+        return self.read()
+
+    def read(self) -> Names:
+        """Find the names, once. Without a lock: nobody waits until another file is read."""
+        found = self._names
+        if found is None:
+            found = self._names = names_of(self.source, self.dialect)
+        return found
+
+    @property
+    def is_read(self) -> bool:
+        """Whether its names are known."""
+        return self._names is not None
 
     @cached_property
     def data(self) -> Mapping[tuple[str, tuple[int, ...]], Datum]:
@@ -58,7 +71,7 @@ class Document:
 class _OnDisk(NamedTuple):
     modified_ns: int
     size: int
-    document: Document
+    document: Document | None  # None: too large, or no program
 
 
 class Documents:
@@ -82,37 +95,75 @@ class Documents:
         return self.open.get(path) or self._saved(path)
 
     def beside(self, path: str) -> list[Document]:
-        """Return the program files of the folder of a file, itself not included, by name."""
+        """Return the program files of the folder of a file, itself not included, by name.
+
+        Only those that have been read: whoever needs all reads the folder first.
+        """
         return [d for d in self.in_folder(os.path.dirname(path)) if d.path != path]
 
     def in_folder(self, folder: str) -> list[Document]:
-        """Return the program files of a folder by name: buffers as they are, the rest as saved."""
-        paths = set(_program_files(folder)) if folder else set[str]()
-        paths.update(path for path in self.open if os.path.dirname(path) == folder)
-        found = (self.open.get(path) or self._saved(path) for path in sorted(paths))
-        return [document for document in found if document is not None]
+        """Return the program files of a folder that have been read, by name, and its buffers."""
+        found: list[Document] = []
+        for path in self._paths(folder):
+            saved = self._as_it_is(path) if path not in self.open else None
+            document = saved.document if saved is not None else self.open.get(path)
+            if document is not None and (document.is_read or path in self.open):
+                found.append(document)
+        return found
+
+    def unread(self, folder: str) -> list[str]:
+        """Return the paths of the program files of a folder that are new or have changed."""
+        found: list[str] = []
+        for path in self._paths(folder):
+            saved = self._as_it_is(path)
+            document = saved.document if saved is not None else None
+            is_known = saved is not None and (document is None or document.is_read)
+            if path not in self.open and not is_known:
+                found.append(path)
+        return found
+
+    def read(self, path: str) -> None:
+        """Read a file, if it is a program, so that it is among those of its folder."""
+        document = self._saved(path)
+        if document is not None:
+            document.names.summarise()
 
     def everywhere(self, folders: Iterable[str]) -> list[Document]:
         """Return the program files of some folders and of those with open buffers."""
-        wanted = {*folders, *(os.path.dirname(path) for path in self.open)}
-        return [document for folder in sorted(wanted) for document in self.in_folder(folder)]
+        return [document for folder in self.folders(folders) for document in self.in_folder(folder)]
+
+    def folders(self, more: Iterable[str] = ()) -> list[str]:
+        """Return the folders with open buffers, and more."""
+        return sorted({*more, *(os.path.dirname(path) for path in self.open)})
+
+    def _paths(self, folder: str) -> list[str]:
+        paths = set(_program_files(folder)) if folder else set[str]()
+        buffers = list(self.open)  # at once: another thread may open one meanwhile
+        paths.update(path for path in buffers if os.path.dirname(path) == folder)
+        return sorted(paths)
+
+    def _as_it_is(self, path: str) -> _OnDisk | None:
+        """Return what is known of a file on disk; None when it has changed since, or is gone."""
+        known = self._on_disk.get(path)
+        try:
+            status = os.stat(path)
+        except OSError:
+            return None  # files come and go while a folder is looked at
+        same = known and (known.modified_ns, known.size) == (status.st_mtime_ns, status.st_size)
+        return known if same else None
 
     def _saved(self, path: str) -> Document | None:
         """Return a file on disk; None when it is gone, unreadable, too large or no program."""
+        known = self._as_it_is(path)
+        if known is not None:
+            return known.document
         try:
             status = os.stat(path)
-            known = self._on_disk.get(path)
-            if known and (known.modified_ns, known.size) == (status.st_mtime_ns, status.st_size):
-                return known.document
-            if status.st_size > MOST_BYTES:
-                return None
-            data = Path(path).read_bytes()
+            data = Path(path).read_bytes() if status.st_size <= MOST_BYTES else b""
         except OSError:
-            return None  # files come and go while a folder is looked at
-        found = decode(data, os.path.basename(path))
-        if isinstance(found, Diagnostic):
             return None
-        document = Document(path, found.text)
+        found = decode(data, os.path.basename(path))
+        document = None if isinstance(found, Diagnostic) else Document(path, found.text)
         self._on_disk[path] = _OnDisk(status.st_mtime_ns, status.st_size, document)
         return document
 

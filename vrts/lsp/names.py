@@ -111,6 +111,10 @@ class Names:
         """Shared names that are used here and get their values elsewhere."""
         return self._used("variable") - self.defined_variables
 
+    def summarise(self) -> None:
+        """Work out now what linking asks for; it is kept."""
+        _ = self.missing_programs, self.missing_variables
+
     def _used(self, family: str) -> frozenset[str]:
         return frozenset(t.name for t in self.by_target if t.family == family and not t.program)
 

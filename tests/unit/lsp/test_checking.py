@@ -17,8 +17,11 @@ part            450 -120 -50 90 90 0
 BAD = GOOD.replace("MOVE part", "MOVEE part")
 
 
-def test_a_mistake_is_underlined_with_a_link_to_its_explanation(tmp_path: Path) -> None:
-    with Client(tmp_path) as client:
+@pytest.mark.parametrize("editor", ["neovim@v0.11", "visual-studio-code", "emacs"])
+def test_a_mistake_is_underlined_with_a_link_to_its_explanation(
+    tmp_path: Path, editor: str
+) -> None:
+    with Client(tmp_path, editor=editor) as client:
         client.open("a.v2", BAD)
         (found,) = client.diagnostics("a.v2")
         assert found["code"] == "V120"

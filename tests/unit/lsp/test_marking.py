@@ -4,6 +4,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from tests.support_lsp import Client, where
 from vrts.base.source import SourceFile
@@ -12,6 +14,7 @@ from vrts.lsp.checking import check
 from vrts.lsp.colouring import Colour, coloured
 from vrts.lsp.documents import Document
 from vrts.lsp.fixing import remedies
+from vrts.lsp.server.colours import changed
 
 TEXT = """.PROGRAM main(n)
         ; 🤖 go
@@ -105,11 +108,20 @@ def decoded(text: str, data: list[int], types: list[str]) -> list[tuple[str, str
     return found
 
 
+@given(st.lists(st.integers(0, 3), max_size=12), st.lists(st.integers(0, 3), max_size=12))
+def test_a_change_of_numbers_makes_the_others(before: list[int], after: list[int]) -> None:
+    data = list(before)
+    for edit in changed(before, after):
+        data[edit.start : edit.start + edit.delete_count] = edit.data or []
+    assert data == after
+
+
 def test_over_the_protocol(tmp_path: Path) -> None:
-    with Client(tmp_path) as client:
+    with Client(tmp_path, ["utf-16"]) as client:
         client.open("a.v2", TEXT)
         types = client.able["semanticTokensProvider"]["legend"]["tokenTypes"]
-        data = client.about("semanticTokens/full", "a.v2")["data"]
+        whole = client.about("semanticTokens/full", "a.v2")
+        data = whole["data"]
         words = decoded(TEXT, data, types)
         assert ("; 🤖 go", "comment") in words
         assert words[-4:] == [
@@ -118,6 +130,24 @@ def test_over_the_protocol(tmp_path: Path) -> None:
             ("count", "variable"),
             (".END", "macro"),
         ]
+        assert client.able["semanticTokensProvider"]["full"] == {"delta": True}
+        line, column = where(TEXT, "part")
+        client.change("a.v2", "other", (line, column), (line, column + 4))
+        again = client.about(
+            "semanticTokens/full/delta", "a.v2", previousResultId=whole["resultId"]
+        )
+        (edit,) = again["edits"]
+        start, end = edit["start"], edit["start"] + edit["deleteCount"]
+        assert edit["deleteCount"] <= 2  # the length of one word
+        data[start:end] = edit["data"]
+        fresh = client.about("semanticTokens/full", "a.v2")
+        assert fresh["data"] == data
+        same = {"previousResultId": fresh["resultId"]}
+        assert client.about("semanticTokens/full/delta", "a.v2", **same)["edits"] == []
+        lost = client.about("semanticTokens/full/delta", "a.v2", previousResultId="nonsense")
+        assert lost["data"] == data
+        client.change("a.v2", TEXT)
+
         some = {"start": {"line": 2, "character": 0}, "end": {"line": 2, "character": 9}}
         data = client.about("semanticTokens/range", "a.v2", range=some)["data"]
         assert decoded(TEXT, data, types) == [

@@ -53,7 +53,7 @@ def register(session: Session) -> None:
         found = complete(document, places.offset(params.position), group(document, beside), beside)
         replaced = places.range(found.start, found.end)
         items = [_item(proposal, replaced) for proposal in found.proposals]
-        return types.CompletionList(is_incomplete=False, items=items)
+        return types.CompletionList(is_incomplete=not found.is_all, items=items)
 
     @session.feature(
         types.TEXT_DOCUMENT_SIGNATURE_HELP,

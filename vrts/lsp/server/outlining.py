@@ -33,9 +33,11 @@ def register(session: Session) -> None:
         return [_symbol(symbol, places) for symbol in symbols(document)]
 
     @session.feature(types.WORKSPACE_SYMBOL)
-    def workspace_symbols(
+    async def workspace_symbols(
         server: Session, params: types.WorkspaceSymbolParams
     ) -> list[types.WorkspaceSymbol]:
+        for folder in server.documents.folders(server.folders()):
+            await server.reading.whole(folder)
         documents = server.documents.everywhere(server.folders())
         found = all_symbols(documents, params.query)[:MOST_SYMBOLS]
         return [

@@ -15,13 +15,18 @@ def register(session: Session) -> None:
     """Answer where names are."""
 
     @session.feature(types.TEXT_DOCUMENT_DEFINITION)
-    def defined(server: Session, params: types.DefinitionParams) -> list[types.Location]:
+    async def defined(server: Session, params: types.DefinitionParams) -> list[types.Location]:
         document = server.document(params.text_document.uri)
         offset = server.places(document).offset(params.position)
-        return _locations(server, definition(document, offset, server.group(document)))
+        found = definition(document, offset, [document])
+        if not found:  # it stands in another file
+            await server.all_read(params.text_document.uri)
+            found = definition(document, offset, server.group(document))
+        return _locations(server, found)
 
     @session.feature(types.TEXT_DOCUMENT_REFERENCES)
-    def referred(server: Session, params: types.ReferenceParams) -> list[types.Location]:
+    async def referred(server: Session, params: types.ReferenceParams) -> list[types.Location]:
+        await server.all_read(params.text_document.uri)
         document = server.document(params.text_document.uri)
         offset = server.places(document).offset(params.position)
         wanted = params.context.include_declaration
@@ -57,7 +62,8 @@ def register(session: Session) -> None:
         return types.PrepareRenamePlaceholder(places.range(found.start, found.end), written)
 
     @session.feature(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
-    def renamed(server: Session, params: types.RenameParams) -> types.WorkspaceEdit:
+    async def renamed(server: Session, params: types.RenameParams) -> types.WorkspaceEdit:
+        await server.all_read(params.text_document.uri)
         document = server.document(params.text_document.uri)
         offset = server.places(document).offset(params.position)
         try:

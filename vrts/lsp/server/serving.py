@@ -5,7 +5,7 @@ import sys
 from typing import BinaryIO, cast
 
 from vrts.base.stack import DEPTH
-from vrts.lsp.server import helping, marking, outlining, referring, running, syncing
+from vrts.lsp.server import colours, helping, mending, outlining, referring, running, syncing
 from vrts.lsp.server.session import Session
 from vrts.lsp.server.stream import Bounded
 
@@ -28,6 +28,6 @@ def serve(incoming: BinaryIO, outgoing: BinaryIO) -> None:
 def session_with_features() -> Session:
     """Return a server that answers everything it can."""
     session = Session()
-    for features in (syncing, outlining, helping, referring, marking, running):
+    for features in (syncing, outlining, helping, referring, colours, mending, running):
         features.register(session)
     return session

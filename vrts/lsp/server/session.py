@@ -19,6 +19,7 @@ from vrts.lsp.findings import Finding
 from vrts.lsp.linking import group
 from vrts.lsp.server.diagnostics import converted, converted_finding
 from vrts.lsp.server.places import Places
+from vrts.lsp.server.reading import Reading
 from vrts.lsp.server.verifying import Subject, Verifications
 from vrts.lsp.server.watching import watch
 from vrts.lsp.setting_files import setting_stamp
@@ -38,6 +39,7 @@ class Session(LanguageServer):
         self._checks: dict[str, asyncio.Task[None]] = {}
         self._watch: asyncio.Task[None] | None = None
         self._found: dict[str, tuple[Document, tuple[Diagnostic, ...]]] = {}
+        self.reading = Reading(self, self.documents, self._check_folder)
         self.verifications = Verifications(_background, self._learned)
         self._worker = ThreadPoolExecutor(1, "check")  # one: answers come first
 
@@ -47,7 +49,10 @@ class Session(LanguageServer):
         """Take a buffer as it is now; check it and the others of its folder soon."""
         if self._watch is None:
             self._watch = _background(watch(self._open_folders, self._check_folder))
+        self.reading.stand_back()
         path = path_of(uri)
+        if path not in self._uris:
+            self.reading.begin(os.path.dirname(path))
         self._uris[path] = uri
         self.documents.put(path, self.workspace.get_text_document(uri).source)
         self._check_folder(os.path.dirname(path))
@@ -66,12 +71,17 @@ class Session(LanguageServer):
 
     def document(self, uri: str) -> Document:
         """Return a buffer; an empty one where the client asks for what it has not opened."""
+        self.reading.stand_back()
         path = path_of(uri)
         return self.documents.open.get(path) or Document(path, "")
 
     def group(self, document: Document) -> list[Document]:
-        """Return the files that belong together with a buffer, itself first."""
+        """Return the files that belong together with a buffer, itself first, of those read yet."""
         return group(document, self.documents.beside(document.path))
+
+    async def all_read(self, uri: str) -> None:
+        """Return when all files of the folder of a buffer are known."""
+        await self.reading.whole(os.path.dirname(path_of(uri)))
 
     def uri(self, document: Document) -> str:
         """Return the address of a file."""
@@ -128,15 +138,20 @@ class Session(LanguageServer):
         return known[1] if known and known[0] is document else await self._checked(document)
 
     async def _checked(self, document: Document) -> tuple[Diagnostic, ...]:
-        def work() -> tuple[tuple[Diagnostic, ...], Subject]:
+        folder = os.path.dirname(document.path)
+
+        def work() -> tuple[tuple[Diagnostic, ...], Subject, bool]:
+            is_whole = self.reading.is_whole(folder)
             group = self.group(document)
             subject = Subject(document, tuple(group[1:]), setting_stamp(document.path))
-            return check(document, group), subject
+            return check(document, group, is_whole=is_whole), subject, is_whole
 
-        found, subject = await self.aside(work)
+        found, subject, is_whole = await self.aside(work)
         if self.documents.open.get(document.path) is document:
             self._found[document.path] = document, found
-            if _has_error(found):
+            if not is_whole:
+                self.reading.begin(folder)
+            if _has_error(found) or not is_whole:
                 self.verifications.cancel(document.path)
             else:
                 self.verifications.want(subject)
@@ -145,6 +160,7 @@ class Session(LanguageServer):
     def leave(self) -> None:
         """End what goes on in the background."""
         self.verifications.stop()
+        self.reading.stop()
         for task in (*self._checks.values(), self._watch):
             if task is not None:
                 task.cancel()

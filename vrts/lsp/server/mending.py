@@ -1,38 +1,17 @@
-"""Semantic tokens and code actions."""
+"""Code actions: what would mend a text, or its run."""
 
 from lsprotocol import types
 
 from vrts.base.diagnostic import Diagnostic
-from vrts.lsp.colouring import Colour, coloured
-from vrts.lsp.documents import Document
 from vrts.lsp.findings import Mending
 from vrts.lsp.fixing import Remedy, remedies
 from vrts.lsp.server.diagnostics import converted
 from vrts.lsp.server.places import Places
 from vrts.lsp.server.session import Session
 
-_COLOURS = list(Colour)
-_NUMBERS = {colour: number for number, colour in enumerate(_COLOURS)}
-LEGEND = types.SemanticTokensLegend(
-    [colour.value for colour in _COLOURS], ["definition", "defaultLibrary"]
-)
-
 
 def register(session: Session) -> None:
-    """Answer what words are, and what would mend them."""
-
-    @session.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, LEGEND)
-    def tokens(server: Session, params: types.SemanticTokensParams) -> types.SemanticTokens:
-        document = server.document(params.text_document.uri)
-        return types.SemanticTokens(_encoded(document, server.places(document)))
-
-    @session.feature(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, LEGEND)
-    def some_tokens(
-        server: Session, params: types.SemanticTokensRangeParams
-    ) -> types.SemanticTokens:
-        document = server.document(params.text_document.uri)
-        lines = params.range.start.line, params.range.end.line
-        return types.SemanticTokens(_encoded(document, server.places(document), *lines))
+    """Answer what would mend what is wrong."""
 
     @session.feature(
         types.TEXT_DOCUMENT_CODE_ACTION,
@@ -58,29 +37,6 @@ def register(session: Session) -> None:
             if finding.mending is not None
             if finding.start <= last and first <= finding.end
         ]
-
-
-def _encoded(
-    document: Document, places: Places, first: int = 0, last: int | None = None
-) -> list[int]:
-    """Return words as the protocol encodes them: five numbers each, relative to the one before."""
-    source = document.source
-    starts = source.line_starts
-    data: list[int] = []
-    line, line_before, column_before = max(first, 0), 0, 0
-    for word in coloured(document, max(first, 0), last):
-        while line + 1 < len(starts) and starts[line + 1] <= word.start:
-            line += 1
-        column = places.length(starts[line], word.start)
-        data += (
-            line - line_before,
-            column - column_before if line == line_before else column,
-            places.length(word.start, word.end),
-            _NUMBERS[word.colour],
-            word.is_definition + 2 * word.is_built_in,
-        )
-        line_before, column_before = line, column
-    return data
 
 
 def _touches(diagnostic: Diagnostic, first: int, last: int) -> bool:
