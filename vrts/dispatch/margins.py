@@ -130,7 +130,7 @@ def _margin(subject: Subject, name: str, trials: Sequence[Trial]) -> Margin:
     failure = next(_failures(subject, trials), None)
     if failure is not None:
         return Margin(name, "violated", "sampled", None, f"{failure.what}: {failure.sentence}")
-    count = f"{len(trials)} run{'' if len(trials) == 1 else 's'}"
+    count = f"{len(trials)} case{'' if len(trials) == 1 else 's'}"
     return Margin(name, "holds", "sampled", None, f"holds in all of {count}")
 
 
