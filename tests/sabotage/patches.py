@@ -1293,10 +1293,10 @@ PATCHES: tuple[Patch, ...] = (
         (VALIDATE + "reports.py",),
     ),
     Patch(
-        "a motion of a fit takes a tick more",
+        "a motion of a fit may take two ticks less",
         "vrts/validate/fitting/speeds.py",
-        "ticks = np.round(durations / tick)\n",
-        "ticks = np.round(durations / tick) + 1.0\n",
+        "(ticks - 1.0) * tick",
+        "(ticks - 2.0) * tick",
         (VALIDATE + "fit.py",),
     ),
     Patch(
