@@ -68,6 +68,7 @@ def test_the_first_contact_is_where_it_stops(client: Client) -> None:
     assert "base" in stopped["text"]
     told = client.do("exceptionInfo", threadId=1)
     assert told["exceptionId"] == "contact"
+    assert "in line 11: APPROS base2_put, 60" in told["description"], "the line that caused it"
     time_s = float(client.shown()["Time"]["time"]["value"].split()[0])
     client.go("stepBack")
     assert float(client.shown()["Time"]["time"]["value"].split()[0]) < time_s
@@ -140,6 +141,15 @@ def test_ticks_goto_and_targets(client: Client, program: Path) -> None:
     assert client.go("continue")["reason"] == "pause"
     found = client.do("breakpointLocations", source={"path": str(program)}, line=14, endLine=18)
     assert [place["line"] for place in found["breakpoints"]] == [15, 17, 18]
+
+
+def test_without_debugging_it_runs_to_its_end(client: Client, program: Path) -> None:
+    client.do("initialize")
+    client.do("launch", program=str(program), dialect="val2+", noDebug=True)
+    client.do("configurationDone")
+    assert client.event("exited")["exitCode"] == 0
+    client.event("terminated")
+    assert client.output() == "done 8\n"
 
 
 def test_a_program_that_waits_for_a_line_is_answered(client: Client, tmp_path: Path) -> None:
