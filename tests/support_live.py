@@ -67,6 +67,13 @@ class Browser:
                 return message
         raise AssertionError(f"no {type_} came; the last: {self.came[-5:]}")
 
+    def answer(self, number: int) -> Json:
+        """Return the result of a command, or why it was refused."""
+        while True:
+            message = self._next(PATIENCE) or {"type": ""}
+            if message["type"] in ("result", "refused") and message["of"] == number:
+                return message
+
     def quiet(self, seconds: float) -> None:
         """Take everything that comes meanwhile."""
         until = time.monotonic() + seconds

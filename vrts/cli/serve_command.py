@@ -45,6 +45,22 @@ Examples:
     "--turn", type=click.IntRange(0), default=0, help="Longest turn [s] while others wait."
 )
 @click.option("--idle", type=click.IntRange(0), default=120, help="Longest idle time [s].")
+@click.option(
+    "--history-quota",
+    metavar="MB",
+    type=click.IntRange(1),
+    default=64,
+    show_default=True,
+    help="Of a session's history older than ten minutes.",
+)
+@click.option(
+    "--log-quota",
+    metavar="MB",
+    type=click.IntRange(1),
+    default=256,
+    show_default=True,
+    help="Of the log of a session.",
+)
 @click.option("--students-reset", is_flag=True, help="Operators may reset and rewind.")
 @click.option("--add-user", metavar="NAME", help="Add an account, ask for its password, and end.")
 @click.option("--supervisor", is_flag=True, help="The added account may supervise.")
@@ -66,6 +82,8 @@ def command(
     no_code: bool,
     turn: int,
     idle: int,
+    history_quota: int,
+    log_quota: int,
     students_reset: bool,
     add_user: str | None,
     supervisor: bool,
@@ -85,6 +103,11 @@ def command(
     However it ends, by kill -9 too: started again with the same folder, every room goes on where it
     was, with arm and programs stopped. What was done is done again from the log, exactly; where
     that cannot be, for another scene or a purged user, the room begins anew and is told why.
+
+    A session can be rewound to any moment and saved as a program, however long ago: what is older
+    than ten minutes goes to a file, the oldest of it first when `--history-quota` is reached. The
+    log is never cut: when `--log-quota` is reached, commands are refused, but panic, until the
+    supervisor begins another session by choosing the scene again. The room is told of both.
 
     It listens on this machine only unless `--host` says otherwise. For https give `--tls-cert` and
     `--tls-key`, or put a proxy before it that passes `Host` and WebSockets on, with
@@ -115,6 +138,8 @@ def command(
         students_reset=students_reset,
         idle_s=float(idle),
         turn_s=float(turn),
+        history_quota=history_quota * 1_000_000,
+        log_quota=log_quota * 1_000_000,
     )
     listening = Listening(host, port, tls_cert, tls_key, behind_proxy)
     with suppress(KeyboardInterrupt):  # how it ends

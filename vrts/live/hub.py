@@ -50,6 +50,8 @@ from vrts.live.tokens import new_id
 AWAY_S: Final = 300.0  # how long the place of somebody whose connection dropped is kept
 PULSE: Final = 0.1  # [s]
 MOST_ROOMS: Final = 64
+LOG_FULL: Final = "the log of this session is full, so nothing more can be done in it but panic"
+LOG_HELP: Final = "a supervisor can begin another session: choose the scene again"
 
 _log = logging.getLogger("vrts.live")
 
@@ -324,7 +326,18 @@ class Hub:
         self.spawn(self._record(entry))
 
     async def _record(self, entry: Entry) -> None:
+        await self.log(entry)
+
+    async def log(self, entry: Entry) -> None:
+        """Put an entry into the log, and say so when that has become full."""
         await self.database.do(lambda connection: store_log.append_now(connection, entry))
+        room = self.rooms.get(entry.room)
+        if room is None:
+            return
+        room.logged += store_log.RECORD + len(entry.text)
+        if room.logged > self.settings.log_quota and not room.log_full:
+            room.log_full = True
+            await self.say(room, None, f"{LOG_FULL}; {LOG_HELP}", EVERYBODY, None)
 
     def entry(
         self,

@@ -6,8 +6,8 @@ by who holds the control right.
 
 import time
 
-from vrts.live.actions import Keep, Reset, Rewind, Save, Typed, Upload
-from vrts.live.hub import Hub
+from vrts.live.actions import Action, Keep, LetGo, Reset, Rewind, Save, Typed, Upload
+from vrts.live.hub import LOG_FULL, LOG_HELP, Hub
 from vrts.live.member import Member
 from vrts.live.names import readable
 from vrts.live.process import SessionProcess
@@ -103,10 +103,19 @@ def _command(hub: Hub, room: Room, member: Member, message: Command, now: float)
         raise NotObeyed("rate", "too many files at once", "wait a few seconds")
     if isinstance(action, Typed) and not action.line.isprintable():
         raise NotObeyed("line", "a line has only visible characters")
+    if room.logged > hub.settings.log_quota and not _stops(action):
+        raise NotObeyed("log", LOG_FULL, LOG_HELP)
     process = _running(room)
     kind = "keep" if isinstance(action, Keep) else str(action.__struct_config__.tag)
     ref = process.act(f"p{member.account.id}", action)
     room.ask(ref, kind, member, message.number, encode(action))
+
+
+def _stops(action: Action) -> bool:
+    """Return whether an action only stops what moves."""
+    if isinstance(action, Typed):
+        return action.line.strip().upper() in ("PANIC", "ABORT")
+    return isinstance(action, LetGo)
 
 
 async def _say(hub: Hub, room: Room, member: Member, message: Say, now: float) -> None:

@@ -110,6 +110,8 @@ class Room:
     process: SessionProcess | None = None
     task: str = ""  # title
     frozen: bool = False
+    logged: int = 0  # bytes of the log of the session
+    log_full: bool = False  # that was told
     barred: Bars = field(default_factory=dict[int, str])  # who may not enter
     members: dict[str, Member] = field(default_factory=dict[str, Member])
     control: ControlRight = field(default_factory=ControlRight)

@@ -19,6 +19,7 @@ from vrts.live.session.carrying_on import empty, write_entries
 from vrts.live.session.messages import Start
 from vrts.live.settings import SESSIONS
 from vrts.live.store import log as store_log
+from vrts.live.store.database import Failed
 from vrts.live.store.rooms import next_number
 from vrts.live.unfinished import Unfinished, unfinished
 
@@ -26,6 +27,7 @@ BEFORE: Final = "before.jsonl"  # in a session's folder: what was done before th
 STARTING: Final = 2  # sessions that begin at the same time
 MOST_FAILURES: Final = 4  # in a row, after which a room waits for its supervisor
 WELL_S: Final = 60.0  # a session that went on for so long ends the row
+NOT_LOGGED: Final = "this was done, but could not be recorded: tell the supervisor"
 _NUMBERS: Final = 65_535
 
 _RAW = msgspec.Raw
@@ -112,7 +114,16 @@ class Sessions:
                 self._starting.release()
             self._take(room, process, head, message)
 
-        start = Start(room.session, str(folder), place.scene, place.task, place.lab)
+        start = Start(
+            room.session,
+            str(folder),
+            place.scene,
+            place.task,
+            place.lab,
+            history=hub.settings.history_quota,
+        )
+        logged = await hub.database.do(lambda connection: store_log.size(connection, room.id))
+        room.logged, room.log_full = logged if before is not None else 0, False
         if before is not None:
             start = await asyncio.to_thread(_with_before, start, folder / BEFORE, before)
         process = SessionProcess(start, on_pose, on_message)
@@ -147,6 +158,7 @@ class Sessions:
                 room.task = msgspec.json.decode(head.task, type=str) if head.task else ""
                 scene = hashlib.sha256(process.scene).hexdigest()
                 if head.carried_s is None:
+                    room.logged = 0
                     what: dict[str, object] = {"scene": room.kept.scene, "scene_sha256": scene}
                     self._hub.record(room, "begin", None, {**what, "vrts": __version__})
                 else:
@@ -198,7 +210,13 @@ class Sessions:
         entry = self._hub.entry(
             room, asked.kind, None, text.decode(), at_s=head.at_s, accepted=head.accepted
         )._replace(account=asked.account, name=asked.name)
-        await self._hub.database.do(lambda connection: store_log.append_now(connection, entry))
+        try:
+            await self._hub.log(entry)
+        except Failed:  # such as a full disk: it was done, but cannot be acknowledged
+            member = room.members.get(asked.person)
+            if member is not None:
+                self._hub.tell_only(member, Refused(asked.of, "log", NOT_LOGGED))
+            raise
         if head.row and self._hub.settings.recorded is not None:
             self._hub.settings.recorded(head.row)
         if asked.kind == "keep":

@@ -7,6 +7,8 @@ from typing import Final, NamedTuple
 
 DATABASE: Final = "live.sqlite"  # in the server's folder
 SESSIONS: Final = "sessions"  # folder for the sessions' own files
+HISTORY_QUOTA: Final = 64_000_000  # bytes of a session's file of what is older than ten minutes
+LOG_QUOTA: Final = 256_000_000  # bytes of the log of a session
 
 
 class Place(NamedTuple):
@@ -31,6 +33,8 @@ class Settings:
     students_reset: bool = False  # operators may reset and rewind
     idle_s: float = 120.0  # of new rooms
     turn_s: float = 0.0
+    history_quota: int = HISTORY_QUOTA
+    log_quota: int = LOG_QUOTA
     recorded: Callable[[str], None] | None = None  # told the row of every location recorded
 
     @property

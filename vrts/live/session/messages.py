@@ -21,6 +21,7 @@ import msgspec
 from msgspec import Meta
 
 from vrts.live.actions import Action, Name, Number
+from vrts.live.settings import HISTORY_QUOTA
 
 LENGTH: Final = struct.Struct("<I")  # before every message from the session
 BEAT: Final = 0.020  # [s] between pose frames, unless `Pace` says otherwise
@@ -47,7 +48,7 @@ class Start(Order, frozen=True, tag="start"):
     lab: str = ""  # path of a lab file
     dialect: str = "val2"
     quota: int = 64_000_000  # bytes of users' folders
-    history: int = 64_000_000  # bytes of the file of what is older than ten minutes
+    history: int = HISTORY_QUOTA  # bytes of the file of what is older than ten minutes
     before: str = ""  # file of what was done before the server ended; the session removes it
     until_s: Stamp = 0.0  # how far the session had come then
     scene_sha256: str = ""  # of `Ready.scene` then; with another scene it begins anew

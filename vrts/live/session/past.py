@@ -30,10 +30,10 @@ from vrts.engine.storage.damage import Damaged
 from vrts.engine.storage.graph import GraphReader, GraphWriter
 from vrts.ir.commands import TimedCommand
 from vrts.live.session.deeds import MOST_STEPS, Deeds
+from vrts.live.settings import HISTORY_QUOTA
 
 FILE: Final = "history.bin"  # in a session's folder
 OFF: Final = "history.off"  # beside it: nothing may be kept, because somebody was purged
-QUOTA: Final = 64_000_000  # bytes
 KEPT: Final = 0.75  # of the quota stays when it is reached
 LOST = "what was done before {:.0f} s cannot be gone back to any more: {}"
 FULL = "the history of this session is full"
@@ -54,7 +54,7 @@ class _Record(NamedTuple):
 class Past:
     """The file. Nothing is in it at first."""
 
-    def __init__(self, folder: Path, quota: int = QUOTA) -> None:
+    def __init__(self, folder: Path, quota: int = HISTORY_QUOTA) -> None:
         """Say where the file is to be; `clear` makes it.
 
         Args:

@@ -22,6 +22,7 @@ from vrts.live.store.migrations import STEPS, migrate
 
 Answer = TypeVar("Answer")
 Connection = sqlite3.Connection
+Failed = sqlite3.Error  # of the file or the machine, such as a full disk
 Job = Callable[[sqlite3.Connection], Any]
 
 _MAGIC = b"SQLite format 3\0"

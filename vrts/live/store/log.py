@@ -3,11 +3,13 @@
 import secrets
 import sqlite3
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import msgspec
 
 from vrts.live.store.chain import START, Record, record_hash, salted
+
+RECORD: Final = 300  # bytes that a record takes beside its text, about
 
 
 class Entry(NamedTuple):
@@ -32,6 +34,16 @@ class Logged(NamedTuple):
     name: str | None  # None: purged, or the server
     text: str | None  # None: purged
     salt: bytes | None  # with which the text's digest was made
+
+
+def size(connection: sqlite3.Connection, room: str) -> int:
+    """Return how many bytes the log of a room's last session takes, about."""
+    count, texts = connection.execute(
+        "SELECT count(*), total(length(text)) FROM log LEFT JOIN log_text USING (room, seq)"
+        " WHERE room=?1 AND seq>=(SELECT max(seq) FROM log WHERE room=?1 AND kind='begin')",
+        (room,),
+    ).fetchone()
+    return int(count * RECORD + texts)
 
 
 def append(connection: sqlite3.Connection, entry: Entry) -> int:
