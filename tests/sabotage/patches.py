@@ -22,6 +22,7 @@ BACKGROUND = "tests/unit/lsp/test_background.py"
 REMOTE = "tests/unit/marking/remote/test_plan_run_merge.py"
 DAP = "tests/unit/debug/test_dap.py"
 VALIDATE = "tests/unit/validate/test_"
+DISPATCH_PLAN = "tests/unit/dispatch/test_plan.py"
 
 
 class Patch(NamedTuple):
@@ -1312,5 +1313,68 @@ PATCHES: tuple[Patch, ...] = (
         "if arm.blend_time is None:",
         "if arm.tick:",
         ("tests/unit/engine/test_blend_time.py",),
+    ),
+    Patch(
+        "dispatch: the values of the file are verified, not those that are sent",
+        "vrts/dispatch/planning.py",
+        "held = Module(given.programs, read.module.data)",
+        "held = Module(given.programs, given.data)",
+        (f"{DISPATCH_PLAN}::test_what_holds_only_with_the_decimals_of_the_file_is_refused",),
+    ),
+    Patch(
+        "dispatch: motions that no scenario executes are let through",
+        "vrts/dispatch/coverage.py",
+        "if isinstance(instruction, MOVING) and not seen:",
+        "if isinstance(instruction, MOVING) and seen and not told:",
+        (f"{DISPATCH_PLAN}::test_a_motion_that_no_scenario_executes_is_refused",),
+    ),
+    Patch(
+        "dispatch: one way of a decision is enough",
+        "vrts/dispatch/dependence.py",
+        "if what and untried and ways:",
+        "if what and len(untried) > 1 and ways:",
+        (f"{DISPATCH_PLAN}::test_a_motion_that_no_scenario_executes_is_refused",),
+    ),
+    Patch(
+        "dispatch: what an argument is given from outside is forgotten",
+        "vrts/dispatch/dependence.py",
+        "add(called.name, formal, _sources(held, program.name, argument))",
+        "add(called.name, formal, NONE)",
+        (f"{DISPATCH_PLAN}::test_a_path_that_depends_on_what_was_not_tried_is_refused",),
+    ),
+    Patch(
+        "dispatch: every place counts as on the way to grasp",
+        "vrts/dispatch/nearness.py",
+        "limit = min(asked, grasping) if to_grasp else asked",
+        "limit = min(asked, grasping)",
+        (f"{DISPATCH_PLAN}::test_a_clearance_that_is_too_small_is_refused_where_it_is",),
+    ),
+    Patch(
+        "dispatch: objects stay where they are in the other worlds",
+        "vrts/dispatch/worlds.py",
+        "moving = set(names)",
+        "moving = set(names) - set(names)",
+        (f"{DISPATCH_PLAN}::test_a_program_that_only_works_in_the_scene_as_it_is_has_no_margin",),
+    ),
+    Patch(
+        "dispatch: a waiver covers other codes",
+        "vrts/dispatch/refusals.py",
+        "refused = tuple(d for d in found if d.rule.code not in given)",
+        "refused = tuple(d for d in found if not given)",
+        (f"{DISPATCH_PLAN}::test_a_waiver_stands_in_manifest_and_sheet_and_an_idle_one_does_not",),
+    ),
+    Patch(
+        "dispatch: hashes in a bundle are not looked at",
+        "vrts/dispatch/bundle.py",
+        "if digest_of(data) != member.sha256:",
+        "if not member.sha256:",
+        ("tests/unit/dispatch/test_bundle.py",),
+    ),
+    Patch(
+        "dispatch: ids are not in order of clearance",
+        "vrts/dispatch/choose.py",
+        "return -clearance, -(choice.mark or 0.0), choice.identifier",
+        "return -clearance, (choice.mark or 0.0), choice.identifier",
+        ("tests/unit/dispatch/test_choose.py",),
     ),
 )

@@ -83,6 +83,9 @@ async def supervise(
             await _make_rooms(hub, sessions, message)
         case CloseRoom():
             closed = _room(hub, message.room)
+            if len(hub.rooms) == 1:
+                help_ = "begin anew in it, or make another one first"
+                raise NotObeyed("room", "the last room stays open", help_)
             hub.record(closed, "close", member.account, {})
             await hub.close(closed)
         case Broadcast():

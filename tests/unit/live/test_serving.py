@@ -350,6 +350,10 @@ def test_rooms_walls_and_logs(server: LiveServer) -> None:
     closed = gina.closed()
     assert closed is not None
     assert closed["code"] == "room closed"
+    boss.send("close_room", room=nothing)
+    boss.wait("rooms", lambda m: len(m["rooms"]) == 1)
+    boss.send("close_room", room=told["rooms"][0]["id"])
+    assert boss.wait("refused")["text"] == "the last room stays open"
 
 
 def test_another_scene_begins_anew(server: LiveServer) -> None:

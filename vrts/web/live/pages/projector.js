@@ -6,6 +6,7 @@ import { mountSettings } from "../panels/settings.js";
 import { mountStatus } from "../panels/status.js";
 import { STATES } from "../panels/top.js";
 import { mountViews } from "../panels/views.js";
+import { persons } from "../persons.js";
 import { started } from "./room.js";
 
 /** @param {import("../account.js").Me} me */
@@ -28,8 +29,8 @@ export function showProjector(me) {
     write(byId("task-name"), room?.task ?? "");
   });
   app.store.on(["control", "people"], ({ control, people }) => {
-    write(operator, people.find(({ id }) => id === control.holder)?.name ?? "nobody has control");
-    write(byId("crowd"), `${people.filter(({ away }) => !away).length} here`);
+    write(operator, `${people.find(({ id }) => id === control.holder)?.name ?? "nobody"} has control`);
+    write(byId("crowd"), `${persons(people, control, "").filter(({ away }) => !away).length} here`);
   });
   app.store.on(["connection", "ended"], ({ connection, ended }) => {
     write(byId("link-state"), ended || STATES[connection]);
