@@ -5,6 +5,7 @@ lost, doubled or changed on the line is noticed before the controller acts on it
 """
 
 import re
+import time
 from collections.abc import Callable
 from typing import NamedTuple, Protocol
 
@@ -16,7 +17,7 @@ from vrts.dispatch.transcript import Transcript
 from vrts.pipeline.settings import Refused
 
 _MOST = 4_000_000  # characters of an answer
-_MOST_UNASKED = 20_000  # characters that come without a question
+_LONGEST_ANSWER_S = 900.0  # a large memory, listed at 1200 baud
 _TAIL = 300  # characters at the end of an answer in which a prompt may stand
 _TRIES = 3  # at a prompt to begin with
 _RUBBED = re.compile(r"[\b \n]|\^[UX]")  # what may be shown when a line is taken back
@@ -128,9 +129,10 @@ class Talk:
     def _drained(self) -> str:
         """Return what comes until nothing more does."""
         text = ""
+        until = time.monotonic() + self._profile.patience.reply_s
         while came := self._read(self._profile.patience.quiet_s):
             text += came
-            if len(text) > _MOST_UNASKED:
+            if time.monotonic() > until:
                 raise unlike("silence", text, "it does not cease to write")
         return text[-_TAIL:]
 
@@ -179,7 +181,8 @@ class Talk:
     ) -> tuple[str, At | None]:
         """Return what comes before a prompt, and the prompt; None: silence without one."""
         text = ""
-        while len(text) < _MOST:
+        until = time.monotonic() + _LONGEST_ANSWER_S
+        while len(text) < _MOST and time.monotonic() < until:
             found = self._prompt_at_end(text)
             whole = found is not None and (complete is None or complete(text[: found[0]]))
             sure = whole and found is not None and found[1].prompt not in _ALSO_BEGINNINGS

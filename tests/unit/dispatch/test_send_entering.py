@@ -1,11 +1,13 @@
 """Sending to an emulated controller: what is typed, and what is done with what is there already."""
 
+import io
 from pathlib import Path
 
 import pytest
 
 from tests.support_emulator import (
     CARGO,
+    NOON,
     PICK,
     PLACES,
     PUT,
@@ -21,6 +23,8 @@ from vrts.dispatch.looking import Options
 from vrts.dispatch.profile import profile_names
 from vrts.dispatch.rehearsal import rehearsed
 from vrts.dispatch.steps import Steps
+from vrts.dispatch.talk import Talk
+from vrts.dispatch.transcript import Transcript
 from vrts.pipeline.settings import Refused
 
 KNOWN = profile()
@@ -232,6 +236,17 @@ def test_numbers_and_strings_are_compared_and_left_to_the_operator(tmp_path: Pat
     found = sending(talk_over(Wire(machine), KNOWN), KNOWN, Cargo((PUT,), (), values))
     found.run()
     assert found.missing == [("pitch", "25.5"), ("limit", "3")]
+
+
+def test_a_controller_that_needs_time_gets_it(tmp_path: Path) -> None:
+    typing = KNOWN.typing._replace(character_delay_s=0.01, line_delay_s=0.5)
+    slow, waits = KNOWN._replace(typing=typing), list[float]()
+    wire = Wire(Watched(tmp_path, slow))
+    talk = Talk(wire, slow, Transcript(io.StringIO(), lambda: NOON), waits.append)
+    sending(talk, slow, Cargo((PUT,), (), ())).run()
+    lines = [line.text for line in rehearsed(Cargo((PUT,), (), ()), slow)]
+    assert waits.count(0.5) == len(lines)
+    assert waits.count(0.01) == sum(map(len, lines))
 
 
 def test_a_vertical_tool_may_be_listed_with_other_angles(tmp_path: Path) -> None:
