@@ -23,6 +23,7 @@ from vrts.monitor.monitor import Monitor
 _ASSIGNED = re.compile(
     r"\s*(?P<name>[$#]?[A-Za-z][\w.]*)\s*(?:\[(?P<index>[^\]=]{1,60})\])?\s*=\s*(?P<value>[^=].*)"
 )
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)")
 
 
 class Console:
@@ -86,6 +87,8 @@ class Console:
     def give(self, name: str, text: str, frame: Frame | None = None) -> str:
         """Give a variable the value of an expression; return the value as it is shown.
 
+        A location may be given as it is shown: six numbers.
+
         Raises:
             CannotTell: The expression has no value, or one of another kind than the variable, or
                 the variable is one of a program that has called another.
@@ -95,7 +98,7 @@ class Console:
         base, _, inside = name.replace(" ", "").rstrip("]").partition("[")
         base = key(base)
         subscripts = tuple(self._whole(p, frame) for p in inside.split(",")) if inside else ()
-        value = self.value(text, frame)
+        value = self.value(_as_location(base, text), frame)
         _fits(base, value)
         known: Mapping[str, Value] = debugger.state.variables
         command: Command = SetVariable(base, subscripts, value)
@@ -127,6 +130,14 @@ class Console:
     def _calculate(self, module: Module) -> Mapping[str, Value] | str:
         debugger = self._debugger
         return worked_out(debugger.run, debugger.at, module, debugger.state.locals)
+
+
+def _as_location(name: str, text: str) -> str:
+    """Return six numbers, as locations are shown, as an expression; any other text as it is."""
+    numbers = text.replace(",", " ").split()
+    if len(numbers) != 6 or not all(_NUMBER.fullmatch(number) for number in numbers):
+        return text
+    return f"{'#PPOINT' if name.startswith('#') else 'TRANS'}({','.join(numbers)})"
 
 
 def _fits(name: str, value: Value) -> None:

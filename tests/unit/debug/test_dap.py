@@ -94,6 +94,16 @@ def test_another_value_is_another_future(client: Client, program: Path) -> None:
     assert client.value("n") == "0"
 
 
+def test_a_location_is_given_as_it_is_shown(client: Client, program: Path) -> None:
+    client.launch(program, [5], dialect="val2+")
+    shown = client.shown()["Locations"]["far"]["value"]
+    assert shown.split() == ["700", "300", "0", "90", "90", "0"]
+    client.do("setExpression", expression="far", value=shown.replace("300", "310.5"))
+    assert client.value("DY(far)") == "310.5"
+    client.do("setExpression", expression="#p", value="0, -90, 90, 0, 0, 0")
+    assert client.shown()["Locations"]["#p"]["value"].split() == ["0", "-90", "90", "0", "0", "0"]
+
+
 def test_the_console_takes_commands_and_expressions(client: Client, program: Path) -> None:
     client.launch(program, [9], dialect="val2+")
     client.go("continue")
