@@ -250,6 +250,7 @@ def test_a_waiver_stands_in_manifest_and_sheet_and_an_idle_one_does_not() -> Non
     why = Promise("V811", "the guard <b>is</b> shut", "R. Huber")
     text = main("IF SIG(1001) THEN", "n = 1", "END", "READY")
     assert codes(planned(text)) == ["V811"]
+    assert codes(planned(DECIDES, promises=(why,))) == ["V810"], "a waiver covers its own code"
     found = planned(text, promises=(why, Promise("V812", "x", "y")))
     assert found.bundle is not None
     assert found.idle == ("V812",)
