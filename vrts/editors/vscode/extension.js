@@ -94,8 +94,8 @@ const trackers = {
 
 /** Say that vrts cannot be started. */
 function warn(/** @type {any} */ problem) {
-  const words = `${command()} cannot be started (${problem.message || problem}): is vrts[ide] installed? Setting: vrts.path`;
-  void vscode.window.showWarningMessage(words);
+  const why = `${command()} cannot be started (${problem.message || problem})`;
+  void vscode.window.showWarningMessage(`Is vrts[ide] installed, and named by the setting vrts.path? ${why}`);
 }
 
 exports.activate = async function activate(/** @type {any} */ context) {
