@@ -68,8 +68,9 @@ def command(
         say("note: the profile is not, to the letter, the one that this bundle was planned with")
     if really and port is None:
         fail("to send, a port is needed", ("name it: `--port /dev/ttyUSB0`",))
+    lines = rehearsed(cargo, known)  # what may not be sent is refused before anything is
     if not really or port is None:
-        out("".join(f"{line.shown}\n" for line in rehearsed(cargo, known)), end=False)
+        out("".join(f"{line.shown}\n" for line in lines), end=False)
         say("dry run: nothing was sent; `--port PORT --really` sends")
         return
     beside = bundle.with_name(f"{bundle.name}.{stamp()}")

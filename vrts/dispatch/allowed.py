@@ -22,7 +22,7 @@ MOST = 4096  # characters of a line
 FORMS = f"{', '.join(sorted(VERBS))} with names, and {', '.join(sorted(LETTERS))} in the editor"
 
 _NAMES = r"[$#]?[A-Za-z][\w.]*(\[\d+(,\d+)*\])?"
-_FORMALS = r"\([\w.,$#\[\] ]*\)"
+_FORMALS = r"\([\w.,$#&\[\] ]*\)"  # AS marks locations by &
 _COMMAND = re.compile(
     rf"(?P<verb>[A-Z]+(/[A-Z])?)( {_NAMES}(?P<formals>{_FORMALS})?(, ?({_NAMES}|\d+))*)?", re.ASCII
 )

@@ -325,7 +325,7 @@ def edit(name: str, step: int, desk: Desk, now: Situation, *, formals: str = "")
 
 
 def _formals(written: str) -> str:
-    match = re.match(r"\([\w.,$# \[\]]*\)", written.strip(), re.ASCII)
+    match = re.match(r"\([\w.,$#& \[\]]*\)", written.strip(), re.ASCII)
     return match.group().lower() if match is not None else ""
 
 

@@ -112,6 +112,14 @@ def test_what_is_replaced_is_kept_beside_the_bundle(tmp_path: Path, port: str) -
     assert copy.read_text() == ".PROGRAM pick\n        READY\n.END\n"
 
 
+def test_what_may_not_be_sent_is_refused_before_anything_is(tmp_path: Path) -> None:
+    place = CARGO.places[0]._replace(values=("1E5", *CARGO.places[0].values[1:]))
+    bundle = write(tmp_path, Cargo(CARGO.programs, (place,), ()))
+    found = vrts(tmp_path, "send", bundle, "--really", "--port", "/dev/none")
+    assert found.returncode == 1
+    assert "error[V842 not-sent]: '1E5,200.00," in found.stderr
+
+
 def test_a_wrong_call_is_told_in_a_sentence(tmp_path: Path) -> None:
     bundle = write(tmp_path)
     assert vrts(tmp_path, "send", bundle, "--really").returncode == 2

@@ -28,7 +28,7 @@ from vrts.dispatch.transcript import Transcript
 from vrts.pipeline.settings import Refused
 
 KNOWN = profile()
-AS_PICK = Steps("pick", "", ("JMOVE part", "d = 5", "", "100 LMOVE part", "CLOSEI"))
+AS_PICK = Steps("pick", "(&at,n)", ("JMOVE at", "d = 5", "", "100 LMOVE part", "CLOSEI"))
 
 
 def fill(machine: Watched, program: Steps, count: int) -> None:
