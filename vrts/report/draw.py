@@ -1,7 +1,8 @@
 """The pixels of a picture: what they show, with the light of sun and sky on it.
 
 A pixel has several samples a side. Where all show one smooth face one of them, in the middle, is
-shaded for all: only edges cost more than a pixel. Values stand in rows, a column for every sample.
+shaded for all, elsewhere one for those that show one triangle. Values stand in rows, a column for
+every sample.
 """
 
 from collections.abc import Iterator
@@ -100,7 +101,7 @@ def draw(
     number = numbers(part)
     solid = shown.seen.solid.take(number)
     keep = outlines(part, number, solid, shown.seen, (left * n, (row + top) * n))
-    chosen = _chosen(solid, keep, wanted[top:bottom, left:right], n)
+    chosen = _chosen(number, solid, keep, wanted[top:bottom, left:right])
     whole, rest = (
         (pixel // (right - left) + top) * screen.width + pixel % (right - left) + left
         for pixel in (chosen.whole, chosen.rest)
@@ -114,8 +115,7 @@ def draw(
         light[:, now], before = _shaded(screen, shown, triangle[now], place[:, now])
         if places is not None:
             places.solid.reshape(3, -1)[:, at[now]] = before
-    share = np.bincount(chosen.owner, minlength=len(rest)) / n**2
-    open_to = np.flatnonzero(share < 1)
+    open_to = np.flatnonzero(chosen.share < 1)
     floor = ground(
         screen.camera,
         (screen.width, screen.height),
@@ -125,7 +125,7 @@ def draw(
     )
     if places is not None:
         places.floor.reshape(2, -1)[:, rest[open_to]] = floor.along
-    free = (1 - share[open_to]).astype(np.float32)
+    free = 1 - chosen.share[open_to]
     for k, flat in enumerate(picture.reshape(3, -1)):
         flat[whole] = light[k, : len(whole)]
         weighted = light[k, len(whole) :] * chosen.weight
@@ -135,7 +135,10 @@ def draw(
 
 
 class _Chosen(NamedTuple):
-    """The samples that are shaded: one for each whole pixel, then those of the others."""
+    """The samples that are shaded: one for each whole pixel, then those of the others.
+
+    Of the samples of a pixel that show one triangle, one is shaded for all.
+    """
 
     whole: Indices  # (w,) pixels that show one smooth face
     rest: Indices  # (r,) other pixels
@@ -143,10 +146,12 @@ class _Chosen(NamedTuple):
     shown: Indices  # (w + k,) samples whose triangles are shaded
     place: Array32  # (2, w + k) column and row where, in samples
     weight: Array32  # (k,)
+    share: Array32  # (r,) of the other pixels, that solids cover
 
 
-def _chosen(solid: Numbers, keep: Array32, wanted: Mask, n: int) -> _Chosen:
-    """Choose samples of wanted pixels from the solids and outlines of all samples."""
+def _chosen(number: Numbers, solid: Numbers, keep: Array32, wanted: Mask) -> _Chosen:
+    """Choose samples of wanted pixels from triangles, solids and outlines of all samples."""
+    n = len(solid) // len(wanted)
     first = solid[::n, ::n]
     same = wanted & (first != NO_SOLID)
     plain = keep == 1
@@ -158,15 +163,23 @@ def _chosen(solid: Numbers, keep: Array32, wanted: Mask, n: int) -> _Chosen:
     begin = whole // columns * (n * width) + whole % columns * n
     corners = np.array([[i * width + j] for i in range(n) for j in range(n)])
     index = rest // columns * (n * width) + rest % columns * n + corners
-    owners = solid.reshape(-1)[index]
-    sample, owner = np.nonzero(owners != NO_SOLID)
+    there = solid.reshape(-1)[index] != NO_SOLID
+    share: Array32 = there.mean(axis=0, dtype=np.float32)
+    triangle = number.reshape(-1)[index]
+    weight = keep.reshape(-1)[index] * np.float32(1 / n**2)
+    for later in range(1, n**2):
+        for sooner in range(later):
+            alike = there[sooner] & there[later] & (triangle[sooner] == triangle[later])
+            weight[sooner] += weight[later] * alike
+            there[later] &= ~alike
+    sample, owner = np.nonzero(there)
     others = index[sample, owner]
     at = np.concatenate([begin, others])
     place = np.empty((2, len(at)), np.float32)
     place[0], place[1] = at % width, at // width
     place[:, : len(whole)] += n / 2
     place[:, len(whole) :] += 0.5
-    return _Chosen(whole, rest, owner, at, place, keep.take(others) * np.float32(1 / n**2))
+    return _Chosen(whole, rest, owner, at, place, weight[there], share)
 
 
 def _shaded(

@@ -24,7 +24,7 @@ from vrts.scene.model import Scene
 SIZE = (1200, 800)
 SAMPLES = 2  # a side: sub-pixels of a pixel
 GRID_M = 0.04  # cameras stand on a grid, so that their backdrops serve again
-MAP = 512  # longer side of the shadow map of what moves, texels; more for wide pictures
+MAP = 400  # longer side of the shadow map of what moves, texels; more for wide pictures
 
 NOWHERE: Mapping[str, Pose] = MappingProxyType({})
 
@@ -73,7 +73,7 @@ def still(
         joined(seen, added, len(standing.solids)),
         colors((*standing.solids, *moving.solids), frozenset(highlight)),
         floor_m,
-        (at.shadows, shadow_map(moving.corners, max(MAP, size[0]))),
+        (at.shadows, shadow_map(moving.corners, max(MAP, 5 * size[0] // 6))),
     )
     own = frozenset(highlight) & {part.name for part in fixed}
     # close pictures seldom have a place in common: their backdrops are not worth it
