@@ -1,6 +1,7 @@
 """What a verification in the background found, tied to places of the text that it read."""
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Label, Severity
@@ -70,6 +71,9 @@ def told(
 
 def _told(same: Sequence[Found], path: str, header: Label | None, where: str) -> Finding:
     diagnostic, mending = same[0]
+    if mending is not None:  # what was tried is better than what was estimated
+        tried = mending.title[0].lower() + mending.title[1:]
+        diagnostic = replace(diagnostic, help=(tried,))
     labels = [label for label in (diagnostic.primary, *diagnostic.secondary) if label is not None]
     here = diagnostic.primary
     severity = diagnostic.severity

@@ -90,6 +90,7 @@ def test_every_motion_that_is_too_fast_for_the_task_gets_its_speed(tmp_path: Pat
     (finding,) = [f for f in found(LINES, path) if f.code == "V434"]
     assert "faster than 250 mm/s" in finding.message
     assert "found in the scene `cans-on-bases`, at " in finding.message
+    assert "help: set SPEED 15 to 25 for 4 motions: that would do" in finding.message
     result = mended(LINES, "V434", path)
     assert result.count("SPEED") == 5
     assert "20      SPEED " in result
