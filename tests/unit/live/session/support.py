@@ -32,10 +32,11 @@ class Driven:
         self.log: list[Entry] = []
         self.session = Session(self.start, setting_of(self.start), self._hear, self._clock)
         self._given: dict[int, Act | Halt] = {}
+        self._count = 0
 
     def act(self, action: Action, owner: str = "ada") -> int:
         """Give an action now; return its reference."""
-        ref = len(self._given) + 1
+        ref = self._next()
         order = Act(ref, self.session.now_s, owner, action)
         self._given[ref] = order
         self.session.take(order)
@@ -43,11 +44,16 @@ class Driven:
 
     def halt(self) -> int:
         """Press the panic button."""
-        ref = len(self._given) + 1
+        ref = self._next()
         order = Halt(ref, self.session.now_s)
         self._given[ref] = order
         self.session.take(order)
         return ref
+
+    def forget(self) -> None:
+        """Keep nothing of what was heard and given."""
+        for heard in (self.news, self.frames, self.log, self._given):
+            heard.clear()
 
     def run(self, seconds: float, beat_s: float = BEAT) -> None:
         """Let time pass, beat by beat."""
@@ -75,6 +81,10 @@ class Driven:
     def texts(self, kind: type[N]) -> Iterable[str]:
         """Return the texts of the news of a kind."""
         return [n.text for n in self.said(kind)]  # type: ignore[attr-defined]
+
+    def _next(self) -> int:
+        self._count += 1
+        return self._count
 
     def _hear(self, message: News | bytes) -> None:
         if isinstance(message, bytes):

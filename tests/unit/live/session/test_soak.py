@@ -23,7 +23,7 @@ LOOP = """\
 """
 
 
-def test_a_looping_program_leaves_nothing_behind_but_its_motions(
+def test_a_looping_program_leaves_nothing_behind(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(growing, "REACH", 30.0)
@@ -39,7 +39,7 @@ def test_a_looping_program_leaves_nothing_behind_but_its_motions(
     objects_after, motions_after = counted(driven)
     gc.unfreeze()
     assert motions_after - motions > 200
-    assert objects_after - objects < 2 * (motions_after - motions) + 100
+    assert objects_after - objects < 200, "of the file a row for every two minutes"
 
 
 def go_on(driven: Driven, seconds: int) -> None:
