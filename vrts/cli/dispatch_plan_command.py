@@ -113,7 +113,7 @@ def command(
     """
     from vrts.base.diagnostic import Diagnostic
     from vrts.cli.console import reading_of
-    from vrts.dispatch.bundle import bundle_bytes, digest_of
+    from vrts.dispatch.bundle import bundle_bytes, digest_of, read_bundle
     from vrts.dispatch.planning import Request, plan
     from vrts.dispatch.profile import find_profile
     from vrts.dispatch.refusals import promises_of
@@ -139,6 +139,7 @@ def command(
     if profile.warning:
         say(f"note: {profile.warning}")
     written = bundle_bytes(found.bundle)
+    read_bundle(written)  # what cannot be read again is no bundle
     write_file(target, written)
     say(f"wrote {target} (sha256 {digest_of(written)[:12]})")
     if sheet is not None:

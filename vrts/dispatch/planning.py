@@ -22,7 +22,6 @@ from vrts.dispatch.proof import Case, obstacles, unproven
 from vrts.dispatch.refusals import (
     LOST_BY_ROUNDING,
     OTHER_LANGUAGE,
-    WORD_MISSING,
     Promise,
     Sorted,
     sort_out,
@@ -37,6 +36,7 @@ from vrts.pipeline.programs import STRICT, Reading, compile_bytes
 from vrts.pipeline.settings import Setting
 
 CLEARANCE_MM = 10.0  # asked for, unless somebody asks for another
+LONGEST_TITLE = 200  # characters of the title of a scenario
 
 
 class Request(NamedTuple):
@@ -96,21 +96,27 @@ def plan(request: Request, step_done: Callable[[str], None] = lambda _: None) ->
     found += lost(given, read.module)
     held = Module(given.programs, read.module.data)  # the same programs, with places in their file
     step_done("compile")
+    asked = request.clearance_mm * MM
     scened: list[Scened] = []
     for setting in request.settings:
-        scened.append(_scened(request, setting, given, held, entry))
+        scened.append(_scened(setting, given, held, entry, asked))
         step_done("verify")
     known = dependence.dependence(given)
     seen = coverage.covered([one.held.run for one in scened])
-    found += _of_scenarios(scened, request.clearance_mm * MM)
+    found += _of_scenarios(scened, asked)
     found += coverage.not_executed(given, seen)
     found += dependence.not_covered(known, seen)
-    found = _distinct(found)
     result = _sorted(request, found)
+    if result.plan.refused:  # other worlds are looked at when this one is as it should be
+        return result.plan
+    scened = [_with_margins(one, held, entry) for one in scened]
+    result = _sorted(
+        request, [*found, *(d for one in scened for d in margins.refused(one.margins))]
+    )
+    step_done("margins")
     if result.plan.refused:
         return result.plan
-    first = scened[0]
-    raised = _dry_run(first, held, entry, profile, request.clearance_mm * MM)
+    raised = _dry_run(scened[0], held, entry, profile, asked)
     step_done("dry run")
     made = Made(
         request.name,
@@ -136,7 +142,7 @@ class _Result(NamedTuple):
 
 
 def _sorted(request: Request, found: Sequence[Diagnostic]) -> _Result:
-    result = sort_out(found, request.promises)
+    result = sort_out(_distinct(found), request.promises)
     return _Result(Plan(None, result.refused, result.waived, result.idle), result)
 
 
@@ -146,19 +152,21 @@ def _entry(request: Request, module: Module) -> str:
     return wanted.lower()
 
 
-def _scened(request: Request, setting: Setting, given: Module, held: Module, entry: str) -> Scened:
-    title = "as it is" if setting.scenario is None else setting.scenario.title
+def _scened(setting: Setting, given: Module, held: Module, entry: str, asked: float) -> Scened:
+    title = "as it is" if setting.scenario is None else setting.scenario.title[:LONGEST_TITLE]
     world = World(setting.scene, setting.task, scenario_for(setting.task, setting.scenario))
     first = _case(title, given, world, entry)
     case = _case(title, held, world, entry)
-    asked = request.clearance_mm * MM
     near = nearness(world.scene, case.run, asked)
-    found: tuple[Margin, ...] = ()
-    words = "not looked at: the program itself is not proven"
-    if not obstacles(case):
-        subject = margins.Subject(held, entry, world, case.run, near.clearance_m)
-        found, words = margins.margins(subject)
-    return Scened(world, first, case, near, found, words)
+    return Scened(world, first, case, near, (), "not looked at: the program itself is not proven")
+
+
+def _with_margins(one: Scened, held: Module, entry: str) -> Scened:
+    if obstacles(one.held):
+        return one
+    subject = margins.Subject(held, entry, one.world, one.held.run, one.near.clearance_m)
+    found, words = margins.margins(subject)
+    return one._replace(margins=found, first_to_fail=words)
 
 
 def _case(title: str, module: Module, world: World, entry: str) -> Case:
@@ -179,7 +187,6 @@ def _of_scenarios(scened: Sequence[Scened], asked: float) -> Iterator[Diagnostic
                     help=("write locations with no more decimals than the controller has",),
                 )
         yield from too_near(one.near, asked, margins.OBJECTS + margins.BASE)
-        yield from margins.refused(one.margins)
 
 
 def _dry_run(one: Scened, module: Module, entry: str, profile: Profile, asked: float) -> DryRun:
@@ -193,7 +200,7 @@ def _unreadable(read: Compilation, profile: Profile) -> Iterator[Diagnostic]:
     errors = [d for d in read.diagnostics if d.is_error]
     for found in errors:
         yield error(
-            WORD_MISSING,
+            OTHER_LANGUAGE,
             f"the controller cannot read this: {found.headline}",
             found.primary,
             notes=(f"profile `{profile.name}`, {profile.language.title}",),
@@ -201,7 +208,7 @@ def _unreadable(read: Compilation, profile: Profile) -> Iterator[Diagnostic]:
         )
     if not errors:
         yield error(
-            WORD_MISSING,
+            OTHER_LANGUAGE,
             "the controller reads this program as another one than its file",
             notes=(f"profile `{profile.name}`, {profile.language.title}",),
             help=("give the `--dialect` and `--prec` that the controller has",),

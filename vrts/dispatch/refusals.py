@@ -25,6 +25,8 @@ TOO_NEAR = Rule("V812", "clearance-too-small")
 NO_MARGIN = Rule("V813", "margin-too-small")
 BAD_WAIVER = Rule("V814", "bad-waiver")
 
+LONGEST = 500  # characters of what a waiver covers, in the manifest
+
 WAIVABLE = {
     rule.code: rule
     for rule in (
@@ -68,7 +70,7 @@ def sort_out(found: Sequence[Diagnostic], promises: Sequence[Promise]) -> Sorted
     for diagnostic in waived:
         by_code.setdefault(diagnostic.rule.code, []).append(diagnostic.headline)
     waivers = tuple(
-        Waiver(code, given[code].who, given[code].reason, tuple(headlines))
+        Waiver(code, given[code].who, given[code].reason, tuple(h[:LONGEST] for h in headlines))
         for code, headlines in sorted(by_code.items())
     )
     refused = tuple(d for d in found if d.rule.code not in given)

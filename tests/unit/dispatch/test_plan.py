@@ -16,6 +16,7 @@ from vrts.dispatch.profile import Profile, find_profile
 from vrts.dispatch.refusals import Promise
 from vrts.pipeline.assess import assess
 from vrts.pipeline.files import CHECKOUT
+from vrts.pipeline.programs import Reading
 from vrts.pipeline.settings import Setting, load_scene, load_task, with_scenario
 from vrts.report.first_screen import first_screen
 
@@ -37,7 +38,10 @@ def planned(
     """Plan a program in a scene with two cans, or in given settings."""
     where = settings or (load_scene("cans-on-bases"),)
     controller = target or profile()
-    return plan(Request(text.encode(), "x.v2", where, controller, clearance_mm, tuple(promises)))
+    read = Reading("val2+")
+    return plan(
+        Request(text.encode(), "x.v2", where, controller, clearance_mm, tuple(promises), read)
+    )
 
 
 def codes(found: Plan) -> list[str]:
@@ -141,6 +145,7 @@ def test_a_plan_and_a_mark_agree_about_ready(name: str) -> None:
         (main("READY"), {"memory_bytes": 60}, "V806"),
         (main("DRAW 0, 0, 10"), {"lacks": ("DRAW",)}, "V807"),
         (main("READY"), {"dialect": "vplus"}, "V808"),
+        (main("LMOVE safe"), {}, "V808"),
         (main("MOVE nowhere"), {}, "V801"),
         (main("MOVE safe", "MOVES SHIFT(safe BY 0, 0, -400)"), {}, "V801"),
     ],
