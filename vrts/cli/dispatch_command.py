@@ -10,6 +10,7 @@ SUBCOMMANDS = {
     "send": "send a bundle to a controller and read everything back",
     "fetch": "fetch programs and locations from a controller",
     "diff": "compare what a controller holds with a bundle",
+    "profile": "list the profiles of controllers, print one to be corrected",
     "emulate": "emulate a controller at a pseudo-terminal",
     "export": "write a verified program in the language of another controller",
 }

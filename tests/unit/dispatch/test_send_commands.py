@@ -120,6 +120,16 @@ def test_what_may_not_be_sent_is_refused_before_anything_is(tmp_path: Path) -> N
     assert "error[V842 not-sent]: '1E5,200.00," in found.stderr
 
 
+def test_a_profile_can_be_copied_and_corrected(tmp_path: Path) -> None:
+    listed = vrts(tmp_path, "profile").stdout.splitlines()
+    assert listed[1] == "mark2-val2      Unimation Mark II with VAL-II, not tried on hardware"
+    text = vrts(tmp_path, "profile", "mark2-val2").stdout
+    (tmp_path / "mine.toml").write_text(text.replace("baud = 9600", "baud = 4800"))
+    sent = vrts(tmp_path, "send", write(tmp_path), "--profile", "mine.toml")
+    assert sent.returncode == 0
+    assert "note: the profile is not, to the letter," in sent.stderr
+
+
 def test_a_wrong_call_is_told_in_a_sentence(tmp_path: Path) -> None:
     bundle = write(tmp_path)
     assert vrts(tmp_path, "send", bundle, "--really").returncode == 2
