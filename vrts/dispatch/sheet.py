@@ -10,12 +10,13 @@ from typing import NamedTuple
 
 from vrts.base.oat import components
 from vrts.base.units import deg, mm
-from vrts.dispatch.bundle import Bundle, rows
-from vrts.dispatch.dry_run import DryRun, base_command
+from vrts.dispatch.bundle import Bundle
+from vrts.dispatch.dry_run import DryRun
 from vrts.dispatch.floor_plan import floor_plan
 from vrts.dispatch.manifest import Margin
 from vrts.dispatch.margins import FIRST_SPEED
 from vrts.dispatch.nearness import SHOWN, Passage
+from vrts.dispatch.order import order
 from vrts.dispatch.places import Place, places
 from vrts.dispatch.profile import Profile
 from vrts.dispatch.rounding import Difference
@@ -289,50 +290,11 @@ def _place(place: Place) -> Markup:
 
 
 def _procedure(facts: Sheet) -> Iterator[Markup]:
-    manifest, bundle = facts.bundle.manifest, facts.bundle
-    tool = ", ".join(f"{n + 0.0:g}" for n in _rounded(components(facts.scene.X_FT)))
-    steps = [
-        "Scene measured and ticked; nobody within reach; air on; the stop tried.",
-        "`vrts dispatch send`: it says that everything was read back and is the same.",
-        *_by_hand(bundle),
-        f"`BASE` all zero, `TOOL` {tool}; `SPEED {FIRST_SPEED:g}`.",
-        "Arm at the start position: `WHERE` as above.",
-        *_dry_run(facts.raised, manifest.entry),
-        f"With parts: `SPEED {FIRST_SPEED:g}`, `EXECUTE {manifest.entry}`, hand on the stop.",
-        "Then faster in steps: `SPEED 25`, `50`, `100`; parts put back and measured each time.",
-    ]
-    again = changed(bundle, facts.run)
-    if again:
-        names = ", ".join(f"`{name}`" for name in again[:6])
-        steps.append(f"The program changes {names}: send the data again before another run.")
+    again = changed(facts.bundle, facts.run)
+    steps = order(facts.bundle, facts.raised, facts.scene.X_FT, again)
     yield element("h2", "Order")
     marked = [element("li", element("span", class_="box"), prose(step)) for step in steps]
     yield element("ol", *marked, class_="do")
-
-
-def _by_hand(bundle: Bundle) -> Iterator[str]:
-    typed = [
-        f"`DO {name} = {value}`" for name, value in (*rows(bundle.reals), *rows(bundle.strings))
-    ]
-    if typed:
-        shown = ", ".join(typed[:8]) + (f" and {len(typed) - 8} more" if len(typed) > 8 else "")
-        yield f"Enter by hand: {shown}; `LISTR` and `LISTS` show them."
-
-
-def _dry_run(raised: DryRun, entry: str) -> Iterator[str]:
-    if raised.height_mm == 0:
-        yield f"No dry run above the table: {raised.problem}. Go step by step with `NEXT` first."
-        return
-    height = raised.height_mm
-    lower = f" (not higher: {raised.problem})" if raised.problem else ""
-    yield (
-        f"Dry run {height} mm above the table{lower}: take away all that can be carried; "
-        f"`{base_command(height)}`; `WHERE` has to show Z {height} mm less than before, or "
-        "stop here: the sign is the other one."
-    )
-    kept = f" Not raised: {', '.join(raised.level[:3])}." if raised.level else ""
-    near = "" if raised.clearance_mm is None else f" (nearest {raised.clearance_mm:.0f} mm)"
-    yield f"`EXECUTE {entry}`{near}; the hand closes on nothing.{kept} Then `BASE` to take it back."
 
 
 def _signatures() -> Markup:
@@ -357,10 +319,6 @@ def _footer(facts: Sheet) -> Markup:
         "nothing in the simulation. Joint speeds of the robot are assumed."
     )
     return element("footer", f"vrts {manifest.vrts} · {hashes}", element("br"), modelled)
-
-
-def _rounded(numbers: Sequence[float]) -> list[float]:
-    return [round(number, 3) for number in numbers]
 
 
 def _long(seconds: float) -> str:
