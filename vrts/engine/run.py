@@ -145,9 +145,13 @@ class Run:
 
     def motion_begun(self, time_s: float) -> Motion | None:
         """Return the last motion that has begun at a time [s]."""
-        motions = self.motions
-        found = bisect_right(motions, time_s, motions.first, key=lambda motion: motion.start_s)
-        return motions[found - 1] if found > motions.first else None
+        given, time = self.history.arm.motions, self.history.arm.scale.time
+        first = given.first if isinstance(given, Numbered) else 0
+        found = bisect_right(given, time_s, first, key=lambda motion: time(motion.start_s))
+        if found == first:
+            return None
+        motion = given[found - 1]
+        return motion._replace(start_s=time(motion.start_s), end_s=time(motion.end_s))
 
     @property
     def timeline(self) -> Timeline:
