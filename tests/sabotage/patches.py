@@ -1175,11 +1175,11 @@ PATCHES: tuple[Patch, ...] = (
         (VERIFYING,),
     ),
     Patch(
-        "lsp: findings of an earlier text count as those of this one",
+        "lsp: times of an earlier text count as those of this one",
         "vrts/lsp/server/verifying.py",
         "if known is None or known.subject.document is not document:",
         "if known is None:",
-        (f"{BACKGROUND}::test_findings_of_an_earlier_text_say_so_until_there_are_new_ones",),
+        ("tests/unit/lsp/test_running.py::test_over_the_protocol",),
     ),
     Patch(
         "lsp: files that change on disk are not looked at",
@@ -1193,7 +1193,7 @@ PATCHES: tuple[Patch, ...] = (
         "vrts/lsp/verifying.py",
         "    os._exit(1)\n",
         "    return\n",
-        (f"{BACKGROUND}::test_no_run_outlives_its_text_its_buffer_or_its_server",),
+        (f"{VERIFYING}::test_a_verification_ends_where_its_input_ends",),
     ),
     Patch(
         "lsp: a folder counts as read before it is",

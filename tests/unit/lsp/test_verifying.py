@@ -1,6 +1,9 @@
 """What runs in the background find, where it is shown, and the speed that would do."""
 
+import json
 import math
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -177,6 +180,20 @@ def test_programs_of_other_files() -> None:
     assert finding.mending is None  # it would be in the other file
     alone = Asked("/c/b.v2", other, (("/c/a.v2", text),), is_called=True)
     assert verify(alone) == Answer(is_whole=True)  # it is no program by itself
+
+
+def test_a_verification_ends_where_its_input_ends() -> None:
+    path = CANS / "solution.v2"
+    asked = Asked(str(path), path.read_text("utf-8"))
+    done = subprocess.run(
+        [sys.executable, "-m", "vrts.lsp.verifying"],
+        input=json.dumps(asked).encode() + b"\n",
+        capture_output=True,
+        timeout=60,
+        check=False,
+    )
+    assert done.returncode == 1  # nobody is left who would read the answer
+    assert done.stdout == done.stderr == b""
 
 
 def test_findings_move_with_their_lines_and_go_when_they_change() -> None:
