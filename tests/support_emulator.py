@@ -11,19 +11,19 @@ from typing import NamedTuple
 
 from tests.unit.monitor.dialogues import dialogue
 from vrts.dispatch.bundle import Bundle
-from vrts.dispatch.cargo import Cargo
-from vrts.dispatch.emulator import Emulator, GoodLine, Line, Machine
-from vrts.dispatch.listed import Place
-from vrts.dispatch.looking import Options
 from vrts.dispatch.manifest import Manifest, Reads, Thing
-from vrts.dispatch.port import Port
-from vrts.dispatch.problems import LINE_LOST, stop
 from vrts.dispatch.profile import Profile, find_profile
 from vrts.dispatch.profile_parts import Patience
-from vrts.dispatch.send import Sending
 from vrts.dispatch.steps import Steps
-from vrts.dispatch.talk import Talk
-from vrts.dispatch.transcript import Transcript
+from vrts.dispatch.transfer.cargo import Cargo
+from vrts.dispatch.transfer.emulator import Emulator, GoodLine, Line, Machine
+from vrts.dispatch.transfer.listed import Place
+from vrts.dispatch.transfer.looking import Options
+from vrts.dispatch.transfer.port import Port
+from vrts.dispatch.transfer.problems import LINE_LOST, stop
+from vrts.dispatch.transfer.send import Sending
+from vrts.dispatch.transfer.talk import Talk
+from vrts.dispatch.transfer.transcript import Transcript
 from vrts.lang.dialect import DIALECTS
 from vrts.monitor.listings import location_row
 

@@ -13,14 +13,14 @@ import pytest
 from tests.bench.test_bench_compile import realistic
 from tests.support_emulator import PLACES, sending
 from vrts.dispatch.bundle import bundle_bytes
-from vrts.dispatch.cargo import Cargo
-from vrts.dispatch.emulator import BITS
-from vrts.dispatch.planning import Request, plan
-from vrts.dispatch.port import Port
+from vrts.dispatch.planning.plan import Request, plan
 from vrts.dispatch.profile import find_profile
 from vrts.dispatch.steps import steps_of
-from vrts.dispatch.talk import Talk
-from vrts.dispatch.transcript import Transcript
+from vrts.dispatch.transfer.cargo import Cargo
+from vrts.dispatch.transfer.emulator import BITS
+from vrts.dispatch.transfer.port import Port
+from vrts.dispatch.transfer.talk import Talk
+from vrts.dispatch.transfer.transcript import Transcript
 from vrts.pipeline.files import CHECKOUT
 from vrts.pipeline.settings import load_task
 

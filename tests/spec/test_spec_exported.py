@@ -8,10 +8,10 @@ import pytest
 from tests.spec.test_spec_run import Case, cases, compiled_case, happened, ran, ran_module, typed
 from vrts.base.source import SourceFile
 from vrts.base.units import deg
-from vrts.dispatch.export import LANGUAGES
+from vrts.dispatch.posts.export import LANGUAGES
 from vrts.dispatch.posts.post import Settled
+from vrts.dispatch.posts.same_motion import difference
 from vrts.dispatch.posts.written import Written, written
-from vrts.dispatch.same_motion import difference
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS
 from vrts.scene.default import robot_alone

@@ -27,7 +27,7 @@ def command(results: Path, form: str, color: str) -> None:
     class was marked with pseudonyms, nobody is named. What is chosen has to be planned with `vrts
     dispatch plan` before it is sent. Exit status 1 when no program is ready.
     """
-    from vrts.dispatch.choose import choices, choices_text
+    from vrts.dispatch.planning.choose import choices, choices_text
     from vrts.marking.appeals.written import read_class
     from vrts.marking.layout import Layout
     from vrts.report.plain import plain_text

@@ -31,9 +31,9 @@ def command(
     where. Exit status 1 when something differs.
     """
     from vrts.dispatch.bundle import read_bundle
-    from vrts.dispatch.cargo import cargo_of
-    from vrts.dispatch.diff import differences
     from vrts.dispatch.profile import find_profile
+    from vrts.dispatch.transfer.cargo import cargo_of
+    from vrts.dispatch.transfer.diff import differences
     from vrts.pipeline.files import read_bytes
     from vrts.report.plain import plain_text
 

@@ -29,8 +29,8 @@ def command(files: tuple[str, ...], scene: str | None, profile: str, baud: int |
     """
     if sys.platform == "win32":
         fail("this needs a pseudo-terminal, which Windows has not")
-    from vrts.dispatch.emulator import Emulator, Machine
     from vrts.dispatch.profile import find_profile
+    from vrts.dispatch.transfer.emulator import Emulator, Machine
     from vrts.monitor.opening import opened
     from vrts.report.plain import plain_text
 

@@ -71,8 +71,8 @@ def command(
     unless it moves the arm the same within 0.01 mm at every time. Joint angles and READY stay
     those of the arm that was simulated.
     """
-    from vrts.dispatch.export import default_name, exported
-    from vrts.dispatch.same_motion import TOLERANCE_MM
+    from vrts.dispatch.posts.export import default_name, exported
+    from vrts.dispatch.posts.same_motion import TOLERANCE_MM
     from vrts.pipeline.settings import setting_for
 
     data, name, path = program_bytes(program)

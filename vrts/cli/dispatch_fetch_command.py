@@ -43,8 +43,8 @@ def command(
     prints. Everything is listed twice and has to be alike. Nothing is changed on the controller.
     The transcript lies beside the output unless --transcript says where.
     """
-    from vrts.dispatch.fetch import fetch, fetched_text
     from vrts.dispatch.profile import find_profile
+    from vrts.dispatch.transfer.fetch import fetch, fetched_text
     from vrts.report.plain import visible
 
     known = find_profile(profile)

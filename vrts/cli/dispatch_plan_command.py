@@ -114,9 +114,9 @@ def command(
     from vrts.base.diagnostic import Diagnostic
     from vrts.cli.console import reading_of
     from vrts.dispatch.bundle import bundle_bytes, digest_of, read_bundle
-    from vrts.dispatch.planning import Request, plan
+    from vrts.dispatch.planning.plan import Request, plan
+    from vrts.dispatch.planning.refusals import promises_of
     from vrts.dispatch.profile import find_profile
-    from vrts.dispatch.refusals import promises_of
     from vrts.pipeline.settings import Refused
 
     promises = promises_of(codes, reasons, people)

@@ -10,9 +10,9 @@ from vrts.cli.console import HOLDS, WRONG, color_option, fail, guarded, out, say
 from vrts.cli.serial_line import connected, stamp, transcript_option, write_new
 
 if TYPE_CHECKING:
-    from vrts.dispatch.cargo import Cargo
-    from vrts.dispatch.looking import Options
     from vrts.dispatch.profile import Profile
+    from vrts.dispatch.transfer.cargo import Cargo
+    from vrts.dispatch.transfer.looking import Options
 
 EPILOG = """\b
 Examples:
@@ -53,10 +53,10 @@ def command(
     the bundle unless --transcript says where. Exit status 1 unless everything is verified.
     """
     from vrts.dispatch.bundle import read_bundle
-    from vrts.dispatch.cargo import cargo_of
-    from vrts.dispatch.looking import Options
     from vrts.dispatch.profile import find_profile
-    from vrts.dispatch.rehearsal import rehearsed
+    from vrts.dispatch.transfer.cargo import cargo_of
+    from vrts.dispatch.transfer.looking import Options
+    from vrts.dispatch.transfer.rehearsal import rehearsed
     from vrts.pipeline.files import read_bytes
 
     read = read_bundle(read_bytes(bundle))
@@ -83,7 +83,7 @@ def _send(
     port: str, log: Path, copy: Path, profile: "Profile", cargo: "Cargo", options: "Options"
 ) -> int:
     from vrts.cli.progress import Progress
-    from vrts.dispatch.send import Sending
+    from vrts.dispatch.transfer.send import Sending
 
     progress = Progress()
 

@@ -13,7 +13,7 @@ from vrts.cli.console import fail, say
 
 if TYPE_CHECKING:
     from vrts.dispatch.profile import Profile
-    from vrts.dispatch.talk import Talk
+    from vrts.dispatch.transfer.talk import Talk
 
 port_option = click.option(
     "--port", required=True, help="Serial port of the controller: /dev/ttyUSB0, COM3."
@@ -46,9 +46,9 @@ def write_new(path: Path, text: str) -> None:
 @contextmanager
 def connected(port: str, profile: "Profile", transcript: Path) -> Generator["Talk"]:
     """Open a port and its transcript, and close both in the end."""
-    from vrts.dispatch.port import Port
-    from vrts.dispatch.talk import Talk
-    from vrts.dispatch.transcript import Transcript
+    from vrts.dispatch.transfer.port import Port
+    from vrts.dispatch.transfer.talk import Talk
+    from vrts.dispatch.transfer.transcript import Transcript
 
     if profile.warning:
         say(f"note: {profile.warning}")

@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from vrts.cli.main import vrts
-from vrts.dispatch.choose import Choice, choices, choices_text
+from vrts.dispatch.planning.choose import Choice, choices, choices_text
 from vrts.marking.layout import Layout
 from vrts.marking.row import class_from_bytes
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from tests.support_programs import ROOT, ran
-from vrts.dispatch.export import Exported, exported
-from vrts.dispatch.same_motion import TOLERANCE_MM, difference
+from vrts.dispatch.posts.export import Exported, exported
+from vrts.dispatch.posts.same_motion import TOLERANCE_MM, difference
 from vrts.pipeline.programs import STRICT, Reading
 from vrts.pipeline.settings import setting_for
 

@@ -18,9 +18,9 @@ from tests.support_emulator import (
     talk_over,
 )
 from vrts.base.source import SourceFile
-from vrts.dispatch.diff import differences
-from vrts.dispatch.fetch import fetch, fetched_text
 from vrts.dispatch.steps import first_difference, steps_of
+from vrts.dispatch.transfer.diff import differences
+from vrts.dispatch.transfer.fetch import fetch, fetched_text
 from vrts.lang.compiler import compile_source
 from vrts.lang.store import store_text
 from vrts.pipeline.settings import Refused

@@ -11,9 +11,9 @@ from click.testing import CliRunner, Result
 
 from vrts.cli.main import vrts
 from vrts.dispatch.bundle import Bundle, digest_of, read_bundle, rows
-from vrts.dispatch.planning import Plan, Request, plan
+from vrts.dispatch.planning.plan import Plan, Request, plan
+from vrts.dispatch.planning.refusals import Promise
 from vrts.dispatch.profile import Profile, find_profile
-from vrts.dispatch.refusals import Promise
 from vrts.pipeline.assess import assess
 from vrts.pipeline.files import CHECKOUT
 from vrts.pipeline.programs import Reading

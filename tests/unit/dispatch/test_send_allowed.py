@@ -11,7 +11,7 @@ import vrts.dispatch
 from tests.support_emulator import CARGO, Watched, Wire, profile, sending, talk_over
 from vrts.base.source import SourceFile
 from vrts.dispatch.allowed import VERBS, Prompt, permits
-from vrts.dispatch.looking import Options
+from vrts.dispatch.transfer.looking import Options
 from vrts.lang.commands import read_command
 from vrts.lang.dialect import VAL2
 from vrts.lang.vocabulary.commands import COMMANDS

@@ -18,9 +18,9 @@ from tests.support_emulator import (
     profile,
     sending,
 )
-from vrts.dispatch.emulator import Emulator, GoodLine
-from vrts.dispatch.looking import Options
 from vrts.dispatch.profile_parts import Profile
+from vrts.dispatch.transfer.emulator import Emulator, GoodLine
+from vrts.dispatch.transfer.looking import Options
 from vrts.pipeline.settings import Refused
 
 if sys.platform == "win32":

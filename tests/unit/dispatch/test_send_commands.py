@@ -9,9 +9,9 @@ import pytest
 
 from tests.support_emulator import CARGO, PICK, bundle_of
 from vrts.dispatch.bundle import bundle_bytes
-from vrts.dispatch.cargo import Cargo
 from vrts.dispatch.profile import find_profile
 from vrts.dispatch.steps import Steps
+from vrts.dispatch.transfer.cargo import Cargo
 
 if sys.platform == "win32":
     pytest.skip("Windows has no pseudo-terminals", allow_module_level=True)

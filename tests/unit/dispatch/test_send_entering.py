@@ -17,14 +17,14 @@ from tests.support_emulator import (
     sending,
     talk_over,
 )
-from vrts.dispatch.cargo import Cargo
-from vrts.dispatch.listed import Place
-from vrts.dispatch.looking import Options
 from vrts.dispatch.profile import profile_names
-from vrts.dispatch.rehearsal import rehearsed
 from vrts.dispatch.steps import Steps
-from vrts.dispatch.talk import Talk
-from vrts.dispatch.transcript import Transcript
+from vrts.dispatch.transfer.cargo import Cargo
+from vrts.dispatch.transfer.listed import Place
+from vrts.dispatch.transfer.looking import Options
+from vrts.dispatch.transfer.rehearsal import rehearsed
+from vrts.dispatch.transfer.talk import Talk
+from vrts.dispatch.transfer.transcript import Transcript
 from vrts.pipeline.settings import Refused
 
 KNOWN = profile()

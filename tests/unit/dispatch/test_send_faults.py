@@ -26,11 +26,11 @@ from tests.support_emulator import (
 )
 from vrts.dispatch import allowed
 from vrts.dispatch.allowed import Prompt
-from vrts.dispatch.cargo import Cargo
-from vrts.dispatch.looking import Options
-from vrts.dispatch.rehearsal import rehearsed
-from vrts.dispatch.send import BEGUN, Sending
 from vrts.dispatch.steps import Steps
+from vrts.dispatch.transfer.cargo import Cargo
+from vrts.dispatch.transfer.looking import Options
+from vrts.dispatch.transfer.rehearsal import rehearsed
+from vrts.dispatch.transfer.send import BEGUN, Sending
 from vrts.pipeline.settings import Refused
 
 KNOWN = profile()

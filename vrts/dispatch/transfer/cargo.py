@@ -3,10 +3,10 @@
 from typing import NamedTuple
 
 from vrts.dispatch.bundle import Bundle, rows
-from vrts.dispatch.listed import Place
-from vrts.dispatch.problems import OTHER_PROFILE, stop
 from vrts.dispatch.profile_parts import Profile
 from vrts.dispatch.steps import Steps, steps_of
+from vrts.dispatch.transfer.listed import Place
+from vrts.dispatch.transfer.problems import OTHER_PROFILE, stop
 
 
 class Cargo(NamedTuple):

@@ -13,7 +13,7 @@ from vrts.base.units import mm
 from vrts.check.collision import check_collisions
 from vrts.check.collision_grips import Grip, grips
 from vrts.check.verdict import NearMiss
-from vrts.dispatch.refusals import TOO_NEAR
+from vrts.dispatch.planning.refusals import TOO_NEAR
 from vrts.engine.run import Run
 from vrts.scene.model import Scene
 

@@ -3,8 +3,8 @@
 import math
 
 from vrts.base.oat import rotation_from_oat
-from vrts.dispatch.listed import Place
 from vrts.dispatch.profile_parts import Profile
+from vrts.dispatch.transfer.listed import Place
 from vrts.lang.dialect import Angles, Dialect
 
 

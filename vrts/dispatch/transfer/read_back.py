@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 
-from vrts.dispatch.asking import all_places, program_on
-from vrts.dispatch.listed import Place
-from vrts.dispatch.locations import same_place
-from vrts.dispatch.problems import READ_BACK_DIFFERS, stop, visible
 from vrts.dispatch.profile_parts import Profile
 from vrts.dispatch.steps import Difference, Steps, first_difference
-from vrts.dispatch.talk import Says
+from vrts.dispatch.transfer.asking import all_places, program_on
+from vrts.dispatch.transfer.listed import Place
+from vrts.dispatch.transfer.locations import same_place
+from vrts.dispatch.transfer.problems import READ_BACK_DIFFERS, stop, visible
+from vrts.dispatch.transfer.talk import Says
 
 _SINGLE = 1e-6  # relative: numbers are printed with seven digits
 _REMEDY = "`vrts dispatch diff` lists it again; do not execute it as it is"

@@ -5,8 +5,8 @@ import time
 from collections.abc import Callable
 from typing import Protocol, TypeVar
 
-from vrts.dispatch.problems import LINE_LOST, NO_PORT, stop
 from vrts.dispatch.profile_parts import Serial
+from vrts.dispatch.transfer.problems import LINE_LOST, NO_PORT, stop
 from vrts.pipeline.files import CannotRead
 
 Value = TypeVar("Value")

@@ -3,13 +3,13 @@
 from collections.abc import Callable
 
 from vrts.dispatch.allowed import Prompt
-from vrts.dispatch.asking import AT_COMMANDS, expect
-from vrts.dispatch.listed import Place, six_numbers
-from vrts.dispatch.locations import same_place
-from vrts.dispatch.problems import READ_BACK_DIFFERS, stop, unlike, visible
 from vrts.dispatch.profile_parts import Profile
 from vrts.dispatch.steps import Steps
-from vrts.dispatch.talk import Answer, Says
+from vrts.dispatch.transfer.asking import AT_COMMANDS, expect
+from vrts.dispatch.transfer.listed import Place, six_numbers
+from vrts.dispatch.transfer.locations import same_place
+from vrts.dispatch.transfer.problems import READ_BACK_DIFFERS, stop, unlike, visible
+from vrts.dispatch.transfer.talk import Answer, Says
 from vrts.pipeline.settings import Refused
 
 _STEP, _INSERT = frozenset({Prompt.STEP}), frozenset({Prompt.INSERT})

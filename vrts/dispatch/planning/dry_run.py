@@ -13,8 +13,8 @@ from typing import NamedTuple
 from vrts.base.source import SourceFile
 from vrts.base.units import MM, mm
 from vrts.check.judge import judge
-from vrts.dispatch.proof import Case, obstacles
-from vrts.dispatch.worlds import World, without_parts
+from vrts.dispatch.planning.proof import Case, obstacles
+from vrts.dispatch.planning.worlds import World, without_parts
 from vrts.engine.controller import advance, start
 from vrts.engine.run import Run
 from vrts.ir.commands import Do, Execute, TimedCommand

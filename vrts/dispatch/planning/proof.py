@@ -10,7 +10,7 @@ from vrts.check.losses import mishaps_of, stopped_by
 from vrts.check.mark import grade
 from vrts.check.task import Task
 from vrts.check.verdict import Answer
-from vrts.dispatch.refusals import NOT_PROVEN, UNDECIDED
+from vrts.dispatch.planning.refusals import NOT_PROVEN, UNDECIDED
 from vrts.engine.run import Run
 
 

@@ -6,8 +6,8 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.base.pose import Pose, distance, rotation_angle
 from vrts.base.units import deg, mm
-from vrts.dispatch.printed import name_of, placed_data
-from vrts.dispatch.refusals import LOST_BY_ROUNDING
+from vrts.dispatch.planning.printed import name_of, placed_data
+from vrts.dispatch.planning.refusals import LOST_BY_ROUNDING
 from vrts.ir.dump import dump
 from vrts.ir.module import Module
 from vrts.ir.values import Value

@@ -10,24 +10,24 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.base.units import MM
 from vrts.check.judge import judge
-from vrts.dispatch import coverage, dependence, fits, margins
 from vrts.dispatch.bundle import Bundle
-from vrts.dispatch.dry_run import NO_DRY_RUN, DryRun, dry_run
-from vrts.dispatch.making import Made, bundle_of
 from vrts.dispatch.manifest import Margin
-from vrts.dispatch.nearness import Nearness, nearness, too_near
-from vrts.dispatch.printed import printed, read_back
-from vrts.dispatch.profile import Profile
-from vrts.dispatch.proof import Case, obstacles, unproven
-from vrts.dispatch.refusals import (
+from vrts.dispatch.planning import coverage, dependence, fits, margins
+from vrts.dispatch.planning.dry_run import NO_DRY_RUN, DryRun, dry_run
+from vrts.dispatch.planning.making import Made, bundle_of
+from vrts.dispatch.planning.nearness import Nearness, nearness, too_near
+from vrts.dispatch.planning.printed import printed, read_back
+from vrts.dispatch.planning.proof import Case, obstacles, unproven
+from vrts.dispatch.planning.refusals import (
     LOST_BY_ROUNDING,
     OTHER_LANGUAGE,
     Promise,
     Sorted,
     sort_out,
 )
-from vrts.dispatch.rounding import lost, same_instructions
-from vrts.dispatch.worlds import World
+from vrts.dispatch.planning.rounding import lost, same_instructions
+from vrts.dispatch.planning.worlds import World
+from vrts.dispatch.profile import Profile
 from vrts.engine.controller import execute
 from vrts.ir.module import Module
 from vrts.lang.compiler import Compilation

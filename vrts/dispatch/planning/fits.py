@@ -5,15 +5,15 @@ from collections.abc import Iterator, Mapping
 
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.base.pose import Pose
-from vrts.dispatch.printed import Printed, placed_data
-from vrts.dispatch.profile import Profile
-from vrts.dispatch.refusals import (
+from vrts.dispatch.planning.printed import Printed, placed_data
+from vrts.dispatch.planning.refusals import (
     LINE_TOO_LONG,
     MEMORY_FULL,
     NAME_TOO_LONG,
     NOT_TYPABLE,
     WORD_MISSING,
 )
+from vrts.dispatch.profile import Profile
 from vrts.dispatch.steps import typed
 from vrts.ir.expressions import Global
 from vrts.ir.module import Module

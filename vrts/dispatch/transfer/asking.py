@@ -1,9 +1,11 @@
 """Questions to a controller that change nothing: what runs, and what it holds."""
 
-from vrts.dispatch import listed
 from vrts.dispatch.allowed import Prompt
-from vrts.dispatch.listed import Place
-from vrts.dispatch.problems import (
+from vrts.dispatch.profile_parts import Profile
+from vrts.dispatch.steps import Steps
+from vrts.dispatch.transfer import listed
+from vrts.dispatch.transfer.listed import Place
+from vrts.dispatch.transfer.problems import (
     CONTROLLER_REFUSES,
     NOT_AT_COMMANDS,
     PROGRAM_RUNNING,
@@ -11,9 +13,7 @@ from vrts.dispatch.problems import (
     unlike,
     visible,
 )
-from vrts.dispatch.profile_parts import Profile
-from vrts.dispatch.steps import Steps
-from vrts.dispatch.talk import Answer, At, Says
+from vrts.dispatch.transfer.talk import Answer, At, Says
 from vrts.pipeline.settings import Refused
 
 AT_COMMANDS = frozenset({Prompt.READY, Prompt.RUNNING})

@@ -4,14 +4,14 @@ from collections.abc import Mapping
 from difflib import unified_diff
 
 from vrts.base.source import SourceFile
-from vrts.dispatch import asking
-from vrts.dispatch.cargo import Cargo
-from vrts.dispatch.listed import Place
-from vrts.dispatch.locations import same_place
 from vrts.dispatch.profile_parts import Profile
-from vrts.dispatch.read_back import same_value
 from vrts.dispatch.steps import Steps, first_difference
-from vrts.dispatch.talk import Talk
+from vrts.dispatch.transfer import asking
+from vrts.dispatch.transfer.cargo import Cargo
+from vrts.dispatch.transfer.listed import Place
+from vrts.dispatch.transfer.locations import same_place
+from vrts.dispatch.transfer.read_back import same_value
+from vrts.dispatch.transfer.talk import Talk
 from vrts.lang.dialect import Dialect
 from vrts.lang.layout import layout
 

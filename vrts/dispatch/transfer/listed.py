@@ -3,8 +3,8 @@
 import re
 from typing import NamedTuple
 
-from vrts.dispatch.problems import LISTING_UNREADABLE, stop, visible
 from vrts.dispatch.steps import Steps, header_of
+from vrts.dispatch.transfer.problems import LISTING_UNREADABLE, stop, visible
 from vrts.pipeline.settings import Refused
 
 _STEP = re.compile(r"\s*(?P<number>\d{1,6})\.?(?:\s+(?P<text>\S.*))?")

@@ -14,21 +14,21 @@ from vrts.base.units import mm
 from vrts.check.duration import duration
 from vrts.check.mark import grade
 from vrts.dispatch.bundle import NO_MEMBERS, Bundle, content_digest, digest_of, with_sheet
-from vrts.dispatch.coverage import Covered, executed_steps
-from vrts.dispatch.dependence import Dependence, reads
-from vrts.dispatch.dry_run import DryRun
 from vrts.dispatch.manifest import SCHEMA, Answered, Manifest, Margin, Thing, Verified
-from vrts.dispatch.printed import Printed
+from vrts.dispatch.planning.coverage import Covered, executed_steps
+from vrts.dispatch.planning.dependence import Dependence, reads
+from vrts.dispatch.planning.dry_run import DryRun
+from vrts.dispatch.planning.printed import Printed
+from vrts.dispatch.planning.proof import Case
+from vrts.dispatch.planning.refusals import Sorted
+from vrts.dispatch.planning.rounding import largest
+from vrts.dispatch.planning.sheet import Sheet, sheet
 from vrts.dispatch.profile import Profile
-from vrts.dispatch.proof import Case
-from vrts.dispatch.refusals import Sorted
-from vrts.dispatch.rounding import largest
-from vrts.dispatch.sheet import Sheet, sheet
 from vrts.ir.module import Module
 from vrts.pipeline.settings import Setting
 
 if TYPE_CHECKING:
-    from vrts.dispatch.planning import Scened
+    from vrts.dispatch.planning.plan import Scened
 
 _PATHS = ("/", "\\")
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from vrts.base.diagnostic import Diagnostic, Label, error
 from vrts.dispatch.manifest import Executed
-from vrts.dispatch.refusals import NOT_EXECUTED
+from vrts.dispatch.planning.refusals import NOT_EXECUTED
 from vrts.engine.events import Reacted
 from vrts.engine.history import ProgramHistory
 from vrts.engine.run import Run

@@ -4,11 +4,11 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from vrts.dispatch.allowed import Prompt, permits
-from vrts.dispatch.cargo import Cargo
-from vrts.dispatch.entering import enter_place, enter_steps, open_program
-from vrts.dispatch.problems import NOT_SENT, stop, visible
 from vrts.dispatch.profile_parts import Profile
-from vrts.dispatch.talk import Answer, At
+from vrts.dispatch.transfer.cargo import Cargo
+from vrts.dispatch.transfer.entering import enter_place, enter_steps, open_program
+from vrts.dispatch.transfer.problems import NOT_SENT, stop, visible
+from vrts.dispatch.transfer.talk import Answer, At
 
 
 class Line(NamedTuple):

@@ -11,16 +11,16 @@ from typing import NamedTuple
 from vrts.base.oat import components
 from vrts.base.units import deg, mm
 from vrts.dispatch.bundle import Bundle
-from vrts.dispatch.dry_run import DryRun
-from vrts.dispatch.floor_plan import floor_plan
 from vrts.dispatch.manifest import Margin
-from vrts.dispatch.margins import FIRST_SPEED
-from vrts.dispatch.nearness import SHOWN, Passage
-from vrts.dispatch.order import order
-from vrts.dispatch.places import Place, places
+from vrts.dispatch.planning.dry_run import DryRun
+from vrts.dispatch.planning.floor_plan import floor_plan
+from vrts.dispatch.planning.margins import FIRST_SPEED
+from vrts.dispatch.planning.nearness import SHOWN, Passage
+from vrts.dispatch.planning.order import order
+from vrts.dispatch.planning.places import Place, places
+from vrts.dispatch.planning.rounding import Difference
+from vrts.dispatch.planning.story import changed, story
 from vrts.dispatch.profile import Profile
-from vrts.dispatch.rounding import Difference
-from vrts.dispatch.story import changed, story
 from vrts.engine.run import Run
 from vrts.report.html import Markup, element, joined, prose, raw
 from vrts.robots.kinematics import forward
@@ -56,7 +56,7 @@ def sheet(facts: Sheet) -> str:
         element("meta", http_equiv="Content-Security-Policy", content=SKIN),
         element("meta", name="viewport", content="width=device-width, initial-scale=1"),
         element("title", f"{manifest.title}: operator's sheet"),
-        raw("style", files("vrts.dispatch").joinpath("sheet.css").read_text("utf-8")),
+        raw("style", files("vrts.dispatch.planning").joinpath("sheet.css").read_text("utf-8")),
     )
     left = joined([*_story(facts), *_start(facts)])
     right = joined([*_verified(facts), *_margins(facts), *_passages(facts)])

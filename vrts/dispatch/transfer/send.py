@@ -7,21 +7,25 @@ is replaced is deleted before any location changes, so no old program ever meets
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from vrts.dispatch import asking
-from vrts.dispatch.asking import AT_COMMANDS, refuse_unless_at_commands, refuse_while_running
-from vrts.dispatch.cargo import Cargo
-from vrts.dispatch.entering import (
+from vrts.dispatch.profile_parts import Profile
+from vrts.dispatch.steps import Steps, first_difference
+from vrts.dispatch.transfer import asking
+from vrts.dispatch.transfer.asking import (
+    AT_COMMANDS,
+    refuse_unless_at_commands,
+    refuse_while_running,
+)
+from vrts.dispatch.transfer.cargo import Cargo
+from vrts.dispatch.transfer.entering import (
     delete_program,
     enter_place,
     enter_steps,
     leave,
     open_program,
 )
-from vrts.dispatch.looking import Options, States, Work, copy_of_old, key, look
-from vrts.dispatch.profile_parts import Profile
-from vrts.dispatch.read_back import same_value, verify_places, verify_program, where
-from vrts.dispatch.steps import Steps, first_difference
-from vrts.dispatch.talk import Talk
+from vrts.dispatch.transfer.looking import Options, States, Work, copy_of_old, key, look
+from vrts.dispatch.transfer.read_back import same_value, verify_places, verify_program, where
+from vrts.dispatch.transfer.talk import Talk
 from vrts.pipeline.settings import Refused
 
 BEGUN = "begun: how many steps it has is not known"

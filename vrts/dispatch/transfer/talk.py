@@ -10,10 +10,10 @@ from collections.abc import Callable
 from typing import NamedTuple, Protocol
 
 from vrts.dispatch.allowed import Prompt, permits
-from vrts.dispatch.port import Wire
-from vrts.dispatch.problems import NOT_SENT, WRONG_ECHO, stop, unlike, visible
 from vrts.dispatch.profile_parts import Profile
-from vrts.dispatch.transcript import Transcript
+from vrts.dispatch.transfer.port import Wire
+from vrts.dispatch.transfer.problems import NOT_SENT, WRONG_ECHO, stop, unlike, visible
+from vrts.dispatch.transfer.transcript import Transcript
 from vrts.pipeline.settings import Refused
 
 _MOST = 4_000_000  # characters of an answer

@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Label, error
-from vrts.dispatch.coverage import MOVING, Covered
 from vrts.dispatch.manifest import Reads
-from vrts.dispatch.refusals import NOT_COVERED
+from vrts.dispatch.planning.coverage import MOVING, Covered
+from vrts.dispatch.planning.refusals import NOT_COVERED
 from vrts.engine.signals import INPUTS
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Apply, Constant, Function, Global, Load, Place, WholeArray

@@ -5,8 +5,8 @@ from collections.abc import Iterator, Sequence
 from vrts.base.oat import components
 from vrts.base.pose import Pose
 from vrts.dispatch.bundle import Bundle, rows
-from vrts.dispatch.dry_run import DryRun, base_command
-from vrts.dispatch.margins import FIRST_SPEED
+from vrts.dispatch.planning.dry_run import DryRun, base_command
+from vrts.dispatch.planning.margins import FIRST_SPEED
 
 MOST_BY_HAND = 8  # values that are typed
 MOST_NAMES = 6

@@ -2,16 +2,16 @@
 
 from typing import NamedTuple
 
-from vrts.dispatch import asking
-from vrts.dispatch.cargo import Cargo
-from vrts.dispatch.fetch import Fetched, fetched_text
-from vrts.dispatch.listed import Place
-from vrts.dispatch.locations import is_nowhere, same_place
-from vrts.dispatch.problems import LISTING_UNREADABLE, THERE_ALREADY, stop
 from vrts.dispatch.profile_parts import Profile
-from vrts.dispatch.read_back import where
 from vrts.dispatch.steps import Steps, first_difference
-from vrts.dispatch.talk import Says
+from vrts.dispatch.transfer import asking
+from vrts.dispatch.transfer.cargo import Cargo
+from vrts.dispatch.transfer.fetch import Fetched, fetched_text
+from vrts.dispatch.transfer.listed import Place
+from vrts.dispatch.transfer.locations import is_nowhere, same_place
+from vrts.dispatch.transfer.problems import LISTING_UNREADABLE, THERE_ALREADY, stop
+from vrts.dispatch.transfer.read_back import where
+from vrts.dispatch.transfer.talk import Says
 
 States = dict[str, str]
 """What is known of each program and location on the controller, in words."""

@@ -22,9 +22,9 @@ from vrts.check.collision import check_collisions
 from vrts.check.collision_pairs import PAD_DEPTH
 from vrts.check.judge import judge
 from vrts.dispatch.manifest import Margin
-from vrts.dispatch.proof import Case, obstacles
-from vrts.dispatch.refusals import NO_MARGIN
-from vrts.dispatch.worlds import (
+from vrts.dispatch.planning.proof import Case, obstacles
+from vrts.dispatch.planning.refusals import NO_MARGIN
+from vrts.dispatch.planning.worlds import (
     DIRECTIONS,
     World,
     base_moved,

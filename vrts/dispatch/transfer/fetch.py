@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vrts.base.source import SourceFile
-from vrts.dispatch import asking
-from vrts.dispatch.listed import Place
-from vrts.dispatch.problems import CONTROLLER_REFUSES, LISTING_UNREADABLE, stop
 from vrts.dispatch.profile_parts import Profile
 from vrts.dispatch.steps import Steps
-from vrts.dispatch.talk import Says, Talk
+from vrts.dispatch.transfer import asking
+from vrts.dispatch.transfer.listed import Place
+from vrts.dispatch.transfer.problems import CONTROLLER_REFUSES, LISTING_UNREADABLE, stop
+from vrts.dispatch.transfer.talk import Says, Talk
 from vrts.lang.dialect import Dialect
 from vrts.lang.layout import NAME_WIDTH, layout
 

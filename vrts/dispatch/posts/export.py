@@ -7,8 +7,8 @@ from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.units import deg
 from vrts.check.verdict import Answer
 from vrts.dispatch.posts.post import Settled
+from vrts.dispatch.posts.same_motion import TOLERANCE_MM, Difference, difference
 from vrts.dispatch.posts.written import POSTS, written
-from vrts.dispatch.same_motion import TOLERANCE_MM, Difference, difference
 from vrts.engine.controller import execute
 from vrts.lang.compiler import Compilation
 from vrts.pipeline.assess import assess, no_program, scenario_for

@@ -1,0 +1,1 @@
+"""A program verified as a controller will hold it: refusals, margins, the operator's sheet."""

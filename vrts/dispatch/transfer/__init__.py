@@ -1,0 +1,1 @@
+"""Conversation with a controller: what is sent, read back, fetched and compared."""
