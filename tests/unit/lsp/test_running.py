@@ -99,13 +99,19 @@ def hints(client: Client, name: str) -> list[dict[str, Any]]:
     return client.about("inlayHint", name, range=WHOLE)
 
 
+def refreshed(client: Client, name: str) -> list[dict[str, Any]]:
+    """Return the hints of a buffer as soon as the server says that there are some."""
+    while not (found := hints(client, name)):
+        client.said_next("workspace/inlayHint/refresh")
+    return found
+
+
 def test_over_the_protocol(tmp_path: Path) -> None:
     shutil.copy(EXAMPLE / "solution.v2", tmp_path / "a.v2")
     with Client(tmp_path) as client:
         client.open("a.v2", LOOP)  # not what the file on disk holds
         assert hints(client, "a.v2") == []  # not yet: answers never wait
-        client.said_next("workspace/inlayHint/refresh")
-        found = hints(client, "a.v2")
+        found = refreshed(client, "a.v2")
         assert [h["position"] for h in found] == [
             {"line": line, "character": len(LOOP.split("\n")[line])} for line in (1, 3, 4)
         ]
@@ -122,8 +128,7 @@ def test_over_the_protocol(tmp_path: Path) -> None:
         client.change("a.v2", ENDLESS)
         assert hints(client, "a.v2") == []
         assert client.about("hover", "a.v2", (1, 10))["contents"]["value"]  # while it runs
-        client.said_next("workspace/inlayHint/refresh")
-        assert len(hints(client, "a.v2")) == 2
+        assert len(refreshed(client, "a.v2")) == 2
 
 
 def test_no_run_outlives_its_client(tmp_path: Path) -> None:
