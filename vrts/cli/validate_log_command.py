@@ -69,7 +69,7 @@ OFFSETS = ("time", "base", "tool")
 @click.option("--html", type=click.Path(path_type=Path), help="Write a report with figures.")
 @click.option("--record", type=click.Path(path_type=Path), help="Write a recording (.rrd).")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
-@click.option("--fit", is_flag=True, help="Find out speeds, acceleration and corners of the robot.")
+@click.option("--fit", is_flag=True, help="Find out numbers of the robot; needs vrts[validate].")
 @click.option("-o", "--output", type=click.Path(path_type=Path), help="With --fit: a lab to write.")
 @click.option("--overwrite", is_flag=True, help="Replace files that are there.")
 @setting_options
@@ -101,6 +101,9 @@ def command(
 
     Tells the errors of the path and of the joints and how late each motion was, before and after
     the offsets were fitted. Positions are of the tool's tip in the frame of the robot's base.
+    With --fit the log tells speeds, acceleration and corners of the robot instead; the lab that it
+    writes takes the place of what was assumed. `vrts validate simulate --help` makes a log to
+    practise with, `vrts validate camera --help` draws the simulated robot over real pictures.
     """
     os.environ.setdefault(
         "OPENBLAS_NUM_THREADS", "1"

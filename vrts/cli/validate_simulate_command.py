@@ -27,9 +27,27 @@ LARGEST = 1000.0
 @click.command(name="simulate", epilog=EPILOG)
 @click.argument("program")
 @click.option("-o", "--output", default="-", help="The log to write; `-` is stdout.")
-@click.option("--lag-ms", type=click.FloatRange(0.0, LARGEST), default=20.0, show_default=True)
-@click.option("--encoder-deg", type=click.FloatRange(0.0, 10.0), default=0.005, show_default=True)
-@click.option("--noise-deg", type=click.FloatRange(0.0, 10.0), default=0.01, show_default=True)
+@click.option(
+    "--lag-ms",
+    type=click.FloatRange(0.0, LARGEST),
+    default=20.0,
+    show_default=True,
+    help="How late every servo is.",
+)
+@click.option(
+    "--encoder-deg",
+    type=click.FloatRange(0.0, 10.0),
+    default=0.005,
+    show_default=True,
+    help="A step of every encoder.",
+)
+@click.option(
+    "--noise-deg",
+    type=click.FloatRange(0.0, 10.0),
+    default=0.01,
+    show_default=True,
+    help="Noise of every joint, one standard deviation.",
+)
 @click.option(
     "--base-mm",
     type=click.FloatRange(-LARGEST, LARGEST),
@@ -38,9 +56,15 @@ LARGEST = 1000.0
     show_default=True,
     help="X Y Z by which the base stands elsewhere.",
 )
-@click.option("--base-turn-deg", type=click.FloatRange(-45.0, 45.0), default=0.0)
+@click.option(
+    "--base-turn-deg",
+    type=click.FloatRange(-45.0, 45.0),
+    default=0.0,
+    show_default=True,
+    help="By how much the base is turned about the vertical.",
+)
 @click.option("--clock-s", type=float, default=0.0, help="What its clock shows at the start.")
-@click.option("--seed", type=click.IntRange(0), default=1, show_default=True)
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of the noise.")
 @click.option("--overwrite", is_flag=True, help="Replace a file that is there.")
 @setting_options
 @language_options

@@ -35,7 +35,8 @@ def lesson(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_every_command_of_the_lesson_does_what_it_says(lesson: Path) -> None:
     text = (EXAMPLE / "README.md").read_text()
-    commands = [line for block in FENCE.findall(text) for line in block.splitlines()]
+    lines = [line for block in FENCE.findall(text) for line in block.splitlines()]
+    commands = [line for line in lines if "--camera" not in line]
     assert len(commands) == 7
     said: list[str] = []
     for line in commands:

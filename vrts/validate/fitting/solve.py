@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 from scipy.optimize import least_squares
+from scipy.sparse import csr_matrix
 
 from vrts.validate.fitting.chains import Located
 from vrts.validate.fitting.model import Shared, chain_values
@@ -51,7 +52,7 @@ def solve(chains: Sequence[Located], first: Shared) -> Solution:
             [_residual(one, x, place) for place, one in zip(places, chains, strict=True)]
         )
 
-    def jacobian(x: Array) -> Array:
+    def jacobian(x: Array) -> csr_matrix:
         blocks = [_residual(one, x, place) for place, one in zip(places, chains, strict=True)]
         found = np.zeros((sum(map(len, blocks)), len(x)))
         row = 0
@@ -64,7 +65,7 @@ def solve(chains: Sequence[Located], first: Shared) -> Solution:
                     _residual(one, moved, place) - block
                 ) / STEP_S
             row += len(block)
-        return found
+        return csr_matrix(found)  # a chain knows nothing of the numbers of others
 
     fit = least_squares(
         residuals,
@@ -72,13 +73,14 @@ def solve(chains: Sequence[Located], first: Shared) -> Solution:
         jacobian,
         bounds=(lower, upper),
         x_scale="jac",
+        tr_solver="lsmr",
         ftol=ENOUGH,
         xtol=ENOUGH,
         max_nfev=STEPS,
     )
     x = fit.x
     variance = 2.0 * float(fit.cost) / max(len(fit.fun) - len(x), 1)
-    information = fit.jac.T @ fit.jac
+    information = (fit.jac.T @ fit.jac).toarray()
     spread = np.sqrt(variance * np.clip(np.diag(np.linalg.pinv(information)), 0.0, None))
     return Solution(
         Shared(float(x[0]), float(x[1]), float(x[2])),
