@@ -163,11 +163,14 @@ def _timing(c: Comparison) -> Markup:
             "By how many milliseconds the real arm was later than the simulated one, after the fit,"
             " at three times of each motion. A dot: the arm hardly moves there, or was not found.",
         ),
-        element(
-            "table",
-            element("thead", element("tr", *(element("th", t, scope="col") for t in head))),
-            element("tbody", *rows),
-            class_="timing",
+        _scrolled(
+            element(
+                "table",
+                element("thead", element("tr", *(element("th", t, scope="col") for t in head))),
+                element("tbody", *rows),
+                class_="timing",
+            ),
+            "Lateness of every motion",
         ),
         id="timing",
     )
@@ -219,10 +222,10 @@ def _table(
     columns: tuple[str, str, str],
     rows: Sequence[tuple[str, tuple[tuple[str, ...], tuple[str, ...]]]],
 ) -> Markup:
-    head = [element("th", "", scope="col")]
+    head = [element("th", "of", scope="col", rowspan=2)]
     head += [element("th", column, scope="colgroup", colspan=2) for column in columns]
-    below = [element("th", "")]
-    below += [element("th", word, class_="number") for _ in columns for word in ("before", "after")]
+    words = ("before", "after") * len(columns)
+    below = [element("th", word, scope="col", class_="number") for word in words]
     body = [
         element(
             "tr",
@@ -235,10 +238,16 @@ def _table(
         )
         for label, (before, after) in rows
     ]
-    return element(
+    table = element(
         "table",
         element("caption", caption),
         element("thead", element("tr", *head), element("tr", *below)),
         element("tbody", *body),
         class_="errors",
     )
+    return _scrolled(table, caption)
+
+
+def _scrolled(table: Markup, name: str) -> Markup:
+    """Return a table that can be moved on narrow screens, also by keys."""
+    return element("div", table, class_="scroll", tabindex=0, role="region", aria_label=name)

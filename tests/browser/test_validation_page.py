@@ -1,0 +1,51 @@
+"""The page of a comparison with a real robot in a real browser: wide, narrow, dark, on paper."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser
+
+from tests.browser.support import opened
+from tests.browser.test_accessibility import ALL_RULES, AXE, PHONE
+from tests.unit.validate.support import EXAMPLE, path_run
+from vrts.validate.comparison import read_and_compare
+from vrts.validate.comparison_page import comparison_page
+from vrts.validate.offsets import Wanted
+
+pytestmark = pytest.mark.browser
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the page of the lesson's log."""
+    data = (EXAMPLE / "robot.csv").read_bytes()
+    found = read_and_compare(path_run(), data, "robot.csv", Wanted(time=True, base=True))
+    page = tmp_path_factory.mktemp("validation") / "report.html"
+    page.write_text(comparison_page(found, "path.v2"), encoding="utf-8")
+    return page
+
+
+@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
+@pytest.mark.parametrize("width", [1280, PHONE])
+def test_axe_finds_nothing(browser: Browser, path: Path, width: int, *, dark: bool) -> None:
+    view = opened(browser, path, width, dark=dark)
+    view.page.evaluate(AXE)
+    found: dict[str, Any] = view.page.evaluate(ALL_RULES)
+    assert [
+        (v["id"], [node["html"][:120] for node in v["nodes"][:5]]) for v in found["violations"]
+    ] == []
+    assert view.page.evaluate("document.documentElement.scrollWidth") <= width
+    assert (len(view.requests), view.complaints()) == (1, [])
+    view.page.close()
+
+
+def test_figures_are_on_paper(browser: Browser, path: Path) -> None:
+    view = opened(browser, path)
+    view.page.emulate_media(media="print")
+    heights = view.page.evaluate(
+        "[...document.querySelectorAll('svg')].map(e => e.getBoundingClientRect().height)"
+    )
+    assert len(heights) == 8
+    assert all(60.0 < height < 420.0 for height in heights)
+    view.page.close()
