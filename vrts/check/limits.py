@@ -99,7 +99,8 @@ def _too_fast(run: Run, found: _Fastest) -> Diagnostic:
     limit = run.scene.robot.arm.speed[joint]
     percent = math.floor(100.0 * motion.speed_fraction / share)
     remedy = f"lower SPEED to {percent} or less" if percent >= 1 else "go round the singularity"
-    if motion.interpolation is Interpolation.LINEAR:
+    if motion.interpolation is Interpolation.LINEAR:  # whose set points fall elsewhere when slower
+        remedy = remedy.replace(" or less", ", or still less")
         remedy += ", or use MOVE instead of MOVES"
     q = moment.configuration[:6]
     near = singular_at(run.scene.robot.arm, q)  # type: ignore[arg-type]

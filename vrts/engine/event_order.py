@@ -57,7 +57,7 @@ class EventOrder:
                 self._give_up(one)
             _put(self.dated, one)
             if self._tracks is not None:
-                for track in _tracks_of(one.event):
+                for track in tracks_of(one.event):
                     _put(self._tracks.setdefault(track, []), one)
 
     def until(self, time_s: float) -> list[Dated]:
@@ -80,7 +80,7 @@ class EventOrder:
         if self._tracks is None:
             self._tracks = {}
             for one in self.dated:
-                for found in _tracks_of(one.event):
+                for found in tracks_of(one.event):
                     self._tracks.setdefault(found, []).append(one)
         return self._tracks.get(track, [])
 
@@ -94,7 +94,7 @@ class EventOrder:
         ]
         for one in gone:
             del self.dated[bisect_left(self.dated, _order(one), key=_order)]
-            for track in _tracks_of(one.event) if self._tracks is not None else ():
+            for track in tracks_of(one.event) if self._tracks is not None else ():
                 dated = self._on(track)
                 del dated[bisect_left(dated, _order(one), key=_order)]
 
@@ -109,7 +109,8 @@ def progress(*, is_robot: bool) -> Hashable:
     return ("progress", is_robot)
 
 
-def _tracks_of(event: Event) -> Iterator[Hashable]:
+def tracks_of(event: Event) -> Iterator[Hashable]:
+    """Yield the tracks on which an event is."""
     yield type(event)
     if isinstance(event, ProgramStarted | ProgramProgressed | ProgramEnded):
         yield spells(is_robot=not event.process)

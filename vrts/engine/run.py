@@ -3,17 +3,12 @@
 from bisect import bisect_right
 from collections.abc import Hashable, Mapping, Sequence
 from functools import cached_property
-from typing import TypeAlias
 
 from vrts.base.diagnostic import Diagnostic
-from vrts.engine.event_order import progress, spells
 from vrts.engine.events import (
     Event,
     Found,
     Printed,
-    ProgramEnded,
-    ProgramProgressed,
-    ProgramStarted,
 )
 from vrts.engine.history import History, history_of
 from vrts.engine.machine import Machine
@@ -30,9 +25,6 @@ from vrts.ir.module import Module
 from vrts.scene.model import Scenario, Scene
 
 __all__ = ["OutOfHorizon", "Run", "State", "pose_of"]
-
-
-Progress: TypeAlias = ProgramStarted | ProgramProgressed | ProgramEnded
 
 
 class OutOfHorizon(ValueError):  # noqa: N818 -- names the situation, as the glossary does
@@ -216,16 +208,6 @@ class Run:
     def output(self) -> str:
         """Everything written to the terminal."""
         return "".join(event.text for event in self.events if isinstance(event, Printed))
-
-    def spell(self, time_s: float, *, is_robot: bool) -> Progress | None:
-        """Return the event by which the robot program or the other last began, went on or ended."""
-        found = self.last(spells(is_robot=is_robot), time_s)
-        return found if isinstance(found, Progress) else None
-
-    def progress(self, time_s: float, *, is_robot: bool) -> ProgramProgressed | None:
-        """Return cycles and priority of the robot program or the other; None before the first."""
-        found = self.last(progress(is_robot=is_robot), time_s)
-        return found if isinstance(found, ProgramProgressed) else None
 
     def at(self, time_s: float) -> State:
         """Return the state at a time, after all that happened in its tick; in any order of asking.

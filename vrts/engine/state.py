@@ -1,21 +1,21 @@
 """A run at one instant: all that can be asked."""
 
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from collections.abc import Hashable, Iterator, Mapping
 from typing import TYPE_CHECKING, TypeVar
 
 from vrts.base.pose import IDENTITY, Pose
 from vrts.base.source import Span
 from vrts.engine.cells import UNDEFINED, Array, cells_of
-from vrts.engine.event_order import QUESTION
+from vrts.engine.event_order import QUESTION, progress, spells, tracks_of
 from vrts.engine.events import (
     AnalogChanged,
-    Answered,
     Cause,
     Event,
     Printed,
     ProgramEnded,
     ProgramProgressed,
+    ProgramStarted,
     Prompted,
     SignalChanged,
     SpeedChanged,
@@ -240,15 +240,7 @@ class State:
     @property
     def awaits_answer(self) -> bool:
         """Whether a PROMPT waits for a line."""
-        if self._within is None:
-            return isinstance(self._run.last(QUESTION, self.time_s), Prompted)
-        asked = False
-        for event in self._happened():
-            if isinstance(event, Prompted):
-                asked = True
-            elif isinstance(event, Answered | ProgramEnded):
-                asked = False
-        return asked
+        return isinstance(self._last(QUESTION), Prompted)
 
     @property
     def cause(self) -> Cause | None:
@@ -292,6 +284,16 @@ class State:
         known = self._run.happened(kind, self.time_s) if whole else self._happened()
         return [event for event in known if isinstance(event, kind)]
 
+    def _last(self, track: Hashable) -> Event | None:
+        """Return the last event of a track of `event_order`."""
+        if self._within is None:
+            return self._run.last(track, self.time_s)
+        found: Event | None = None
+        for event in self._happened():
+            if track in tracks_of(event):
+                found = event
+        return found
+
     def _happened(self) -> Iterator[Event]:
         """Go through what has happened, within a tick as far as statements are finished."""
         run = self._run
@@ -318,13 +320,13 @@ class State:
         return tuple(reversed(stack))
 
     def _program(self, program: ProgramHistory) -> ProgramState | None:
-        spell = self._run.spell(self.time_s, is_robot=program.is_robot)
-        if spell is None:
-            return None
+        spell = self._last(spells(is_robot=program.is_robot))
+        if not isinstance(spell, ProgramStarted | ProgramProgressed | ProgramEnded):
+            return None  # none was executed yet
         stack = self._stack(program)
         cause = stack[-1] if stack else None
-        at = self._run.progress(self.time_s, is_robot=program.is_robot)
-        assert at is not None  # one comes with the beginning
+        at = self._last(progress(is_robot=program.is_robot))
+        assert isinstance(at, ProgramProgressed)  # one comes with the beginning
         if isinstance(spell, ProgramEnded):
             done = spell.ending in FINISHED
             status = ProgramStatus.COMPLETED if done else ProgramStatus.STOPPED

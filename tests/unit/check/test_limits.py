@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from tests.support_programs import run_body
 from tests.support_runs import run, with_segments
 from tests.support_segments import Row, blend, sampled, segment, slowed
 from vrts.check.limits import check_limits
@@ -81,3 +82,10 @@ def test_what_no_motion_causes_is_not_judged() -> None:
     found = check_limits(with_segments(idle, slow))
     assert found.answer is Answer.HOLDS
     assert found.evidence["largest_speed_share"] == 0.5
+
+
+def test_the_speed_for_a_straight_line_is_told_as_a_bound() -> None:
+    body = "DRIVE 2, 45, 100\nDRIVE 3, 30, 100\nDRIVE 5, 6, 100\nHERE p\nMOVES SHIFT(p BY 0,-400,0)"
+    finding = next(f for f in check_limits(run_body(body)).findings if f.rule.code == "V302")
+    assert finding.help[0].startswith("lower SPEED to ")
+    assert finding.help[0].endswith(", or still less, or use MOVE instead of MOVES")

@@ -30,3 +30,13 @@ def test_cycles_are_those_of_that_time() -> None:
 def test_the_priority_is_that_of_that_time() -> None:
     run = driven(main("WAIT TIMER(0) > 1\nLOCK 5\nWAIT TIMER(0) > 2\nLOCK 0\nDELAY 1\nBREAK"), 9.0)
     assert [state(run, t).priority for t in (0.5, 1.5, 2.5)] == [0, 5, 0]
+
+
+def test_within_a_tick_a_program_runs_until_its_last_statement_is_finished() -> None:
+    run = driven(main("n = 1\nn = 2\nn = 3"), 1.0)
+    ended = run.at(run.horizon_s)
+    assert ended.robot is not None
+    assert ended.robot.status is ProgramStatus.COMPLETED
+    for finished in range(run.statements):
+        state = run.at_moment(0.0, finished).robot
+        assert state is None or state.status is ProgramStatus.RUNNING, finished
