@@ -25,7 +25,7 @@ def main(words: list[str]) -> int:
     with tempfile.TemporaryDirectory() as folder:
         untouched = copy_tree(ROOT, Path(folder) / "untouched")
         targets = sorted({test for patch in chosen for test in patch.tests})
-        if run_tests(untouched, targets):
+        if run_tests(untouched, targets, "-n", "2"):
             print("the named tests fail without any patch")
             return 1
         with ThreadPoolExecutor(max_workers=2) as pool:
@@ -52,7 +52,10 @@ def verdict(patch: Patch, untouched: Path) -> str | None:
         return f": its text stands {text.count(patch.before)} times in {patch.file}"
     target.unlink()  # a link: the untouched tree stays as it is
     target.write_text(text.replace(patch.before, patch.after), encoding="utf-8")
-    noticed = run_tests(tree, patch.tests)
+    try:
+        noticed = run_tests(tree, patch.tests)
+    except subprocess.TimeoutExpired:
+        return f": its tests did not end within {SECONDS} s"
     shutil.rmtree(tree)
     return None if noticed else ": no test failed"
 
@@ -70,10 +73,10 @@ def copy_tree(root: Path, to: Path) -> Path:
     return to
 
 
-def run_tests(tree: Path, tests: "tuple[str, ...] | list[str]") -> bool:
+def run_tests(tree: Path, tests: "tuple[str, ...] | list[str]", *options: str) -> bool:
     """Run tests in a tree; return whether any failed. A run that collects nothing raises."""
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", PYTHONPATH=str(tree))
-    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:randomly", *tests]
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:randomly", *options, *tests]
     result = subprocess.run(
         command,
         cwd=tree,
