@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from vrts.cli.console import HOLDS, WRONG, color_option, guarded, out, say
-from vrts.cli.serial_line import connected, port_option, stamp, transcript_option
+from vrts.cli.serial_line import connected, dated, port_option, transcript_option
 
 EPILOG = """\b
 Example:
@@ -40,7 +40,7 @@ def command(
     read = read_bundle(read_bytes(bundle))
     known = find_profile(profile or read.profile)
     cargo = cargo_of(read, known)
-    log = transcript or bundle.with_name(f"{bundle.name}.{stamp()}.log")
+    log = transcript or bundle.with_name(f"{dated(bundle).name}.log")
     with connected(port, known, log) as talk:
         found = differences(talk, known, cargo)
     out(plain_text("".join(f"{row}\n" for row in found)), end=False)

@@ -7,9 +7,9 @@ import click
 from vrts.cli.console import color_option, guarded, out, say
 from vrts.cli.serial_line import (
     connected,
+    dated,
     port_option,
     refuse_present,
-    stamp,
     transcript_option,
     write_new,
 )
@@ -50,7 +50,7 @@ def command(
     known = find_profile(profile)
     if output is not None:
         refuse_present(output)
-    log = transcript or Path(f"{output or 'fetched'}.{stamp()}.log")
+    log = transcript or Path(f"{dated(output or Path('fetched'))}.log")
     with connected(port, known, log) as talk:
         found = fetch(talk, known, [name.lower() for name in names])
     text = fetched_text(found, known.language)

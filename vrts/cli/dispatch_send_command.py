@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.console import HOLDS, WRONG, color_option, fail, guarded, out, say
-from vrts.cli.serial_line import connected, stamp, transcript_option, write_new
+from vrts.cli.serial_line import connected, dated, transcript_option, write_new
 
 if TYPE_CHECKING:
     from vrts.dispatch.profile import Profile
@@ -73,7 +73,7 @@ def command(
         out("".join(f"{line.shown}\n" for line in lines), end=False)
         say("dry run: nothing was sent; `--port PORT --really` sends")
         return
-    beside = bundle.with_name(f"{bundle.name}.{stamp()}")
+    beside = dated(bundle)
     log = transcript or beside.with_name(f"{beside.name}.log")
     copy = beside.with_name(f"{beside.name}.before.v2")
     sys.exit(_send(port, log, copy, known, cargo, Options(replace, resume)))

@@ -25,9 +25,14 @@ transcript_option = click.option(
 )
 
 
-def stamp() -> str:
-    """Return the time for the name of a file."""
-    return datetime.now().strftime("%Y%m%d-%H%M%S")
+def dated(path: Path) -> Path:
+    """Return a file beside another, the time in its name, of which there is no `.log` yet."""
+    name = f"{path.name}.{datetime.now():%Y%m%d-%H%M%S}"
+    free, number = path.with_name(name), 1
+    while free.with_name(f"{free.name}.log").exists():  # of a call in the same second
+        number += 1
+        free = path.with_name(f"{name}-{number}")
+    return free
 
 
 def refuse_present(path: Path) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.support_emulator import CARGO, PICK, bundle_of
+from vrts.cli.serial_line import dated
 from vrts.dispatch.bundle import bundle_bytes
 from vrts.dispatch.profile import find_profile
 from vrts.dispatch.steps import Steps
@@ -153,3 +154,12 @@ def test_what_does_not_fit_the_controller_is_told_before_anything_is_sent(tmp_pa
     place = CARGO.places[0]._replace(values=("1.2345", *CARGO.places[0].values[1:]))
     found = vrts(tmp_path, "send", write(tmp_path, Cargo(CARGO.programs, (place,), ())))
     assert "`part` has more decimals than the 2 that are listed" in found.stderr
+
+
+def test_calls_in_one_second_have_transcripts_of_their_own(tmp_path: Path) -> None:
+    names: set[str] = set()
+    for _ in range(3):
+        name = dated(tmp_path / "pick.bundle").name
+        (tmp_path / f"{name}.log").touch()
+        names.add(name)
+    assert len(names) == 3
