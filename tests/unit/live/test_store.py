@@ -133,10 +133,10 @@ def test_links_are_used_up_and_expire(connection: sqlite3.Connection) -> None:
 def test_a_name_that_cannot_be_shown_uses_no_link_up(tmp_path: Path) -> None:
     database = Database(tmp_path / "live.sqlite")
     token = new_token()
-    database.submit(lambda c: add_link(c, token, 100.0)).result()
+    database.submit(lambda c: add_link(c, token, 100.0)).result(10.0)
     with pytest.raises(ValueError, match="letter"):
-        database.submit(lambda c: enter(c, token, "\u200b", 1.0)).result()
-    assert database.submit(lambda c: enter(c, token, "Anna", 1.0)).result() is not None
+        database.submit(lambda c: enter(c, token, "\u200b", 1.0)).result(10.0)
+    assert database.submit(lambda c: enter(c, token, "Anna", 1.0)).result(10.0) is not None
     database.close()
 
 
@@ -165,11 +165,11 @@ def test_a_job_that_fails_takes_nothing_of_others_along(tmp_path: Path) -> None:
         database.submit(bad),
         database.submit(lambda c: keep_room(c, good("two"))),
     ]
-    futures[0].result()
-    futures[2].result()
+    futures[0].result(10.0)
+    futures[2].result(10.0)
     with pytest.raises(sqlite3.Error):
-        futures[1].result()
-    assert {room.id for room in database.submit(open_rooms).result()} == {"one", "two"}
+        futures[1].result(10.0)
+    assert {room.id for room in database.submit(open_rooms).result(10.0)} == {"one", "two"}
     database.close()
 
 
@@ -222,7 +222,7 @@ def _write_forever(path: Path, acknowledged: Pipe) -> None:
     while True:
         n += 1
         text = f'{{"n":{n}}}'
-        seq = database.submit(lambda c, text=text: log.append(c, entry(text=text))).result()
+        seq = database.submit(lambda c, text=text: log.append(c, entry(text=text))).result(10.0)
         acknowledged.send_bytes(seq.to_bytes(4, "big"))
 
 
@@ -255,9 +255,9 @@ def test_killing_the_writer_loses_nothing_acknowledged(tmp_path: Path) -> None:
 def test_a_backup_while_writing_is_whole(tmp_path: Path) -> None:
     database = Database(tmp_path / "live.sqlite")
     futures = [database.submit(lambda c: log.append(c, entry())) for _ in range(500)]
-    futures[100].result()
+    futures[100].result(10.0)
     backup(tmp_path / "live.sqlite", tmp_path / "copy.sqlite")
-    futures[-1].result()
+    futures[-1].result(10.0)
     database.close()
     copy = opened(tmp_path / "copy.sqlite")
     assert log.verify(copy, "room") == ""
