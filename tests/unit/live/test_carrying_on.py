@@ -1,12 +1,13 @@
 """A server that is killed in the middle of everything, and what stands where when it is back."""
 
 import sqlite3
+import time
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests.support_live import Browser, Json, LiveServer
+from tests.support_live import PATIENCE, Browser, Json, LiveServer
 from vrts.live.administration import purge_user
 from vrts.live.log_file import read_log
 from vrts.live.places import places_of
@@ -149,7 +150,8 @@ def test_where_it_cannot_go_on_it_begins_anew_and_says_why(tmp_path: Path) -> No
 
 def reached(folder: Path, room: str, *, beyond: float) -> tuple[float, ...]:
     """Wait until the database says that a session has come farther than a time [s]."""
-    for _ in range(2000):
+    until = time.monotonic() + PATIENCE
+    while time.monotonic() < until:
         connection = sqlite3.connect(folder / DATABASE, timeout=10.0)
         rows: list[Any] = connection.execute(
             "SELECT time_s FROM reached WHERE room=? AND time_s>?", (room, beyond)
@@ -157,4 +159,5 @@ def reached(folder: Path, room: str, *, beyond: float) -> tuple[float, ...]:
         connection.close()
         if rows:
             return tuple(row[0] for row in rows)
+        time.sleep(0.02)
     raise AssertionError("nothing is kept")
