@@ -3,7 +3,6 @@
 from typing import ClassVar
 
 from vrts.dispatch.posts.post import TIGHTEST, CannotWrite, Post, Settled
-from vrts.dispatch.posts.vplus import grasped
 from vrts.ir.values import Type
 from vrts.lang import syntax
 from vrts.lang.compiler import Resolved
@@ -78,7 +77,7 @@ class KawasakiAs(Post):
         return (f"JMOVE #PPOINT({joints})",)
 
     def _write_grasp(self, node: syntax.Simple) -> tuple[str, ...]:
-        return grasped(self, node)
+        return self.grasped(node)
 
     def _write_shift(self, node: syntax.ShiftStatement) -> tuple[str, ...]:
         place = self.expression(node.target)

@@ -125,6 +125,15 @@ class Post:
         headline = f"{title} has nothing that means {word}"
         return CannotWrite(node.start, node.end, headline, remedy or "write the step without it")
 
+    def grasped(self, node: syntax.Simple) -> tuple[str, ...]:
+        """Return the steps of GRASP for a language without it: close, then look at the hand."""
+        least, *label = node.operands
+        missing = f"HAND < {self.listed((least,))}"
+        if label:
+            return ("CLOSEI", f"IF {missing} GOTO {self.listed(tuple(label))}")
+        said = f'{self.WORDS.get("TYPE", "TYPE")} "the hand closed too far"'
+        return ("CLOSEI", f"IF {missing} THEN", said, "HALT", "END")
+
     def _keyword(self, node: syntax.Statement) -> str:
         """Return the keyword of a statement, as VAL-II writes it; empty where it stays."""
         own = _WORDS_OF_THEIR_OWN.get(type(node))

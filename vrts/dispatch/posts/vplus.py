@@ -26,14 +26,4 @@ class VPlus(Post):
         return (f"SET {place} = SHIFT({place} BY {self.listed(node.offsets)})",)
 
     def _write_grasp(self, node: syntax.Simple) -> tuple[str, ...]:
-        return grasped(self, node)
-
-
-def grasped(post: Post, node: syntax.Simple) -> tuple[str, ...]:
-    """Return the steps of GRASP where the language has none: close, then look at the hand."""
-    least, *label = node.operands
-    missing = f"HAND < {post.listed((least,))}"
-    if label:
-        return ("CLOSEI", f"IF {missing} GOTO {post.listed(tuple(label))}")
-    said = f'{post.WORDS.get("TYPE", "TYPE")} "the hand closed too far"'
-    return ("CLOSEI", f"IF {missing} THEN", said, "HALT", "END")
+        return self.grasped(node)
