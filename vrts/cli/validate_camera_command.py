@@ -168,7 +168,8 @@ def _show(found: "Calibrated", *, as_json: bool) -> None:
 
 
 def _write(shown: "Shown", name: str, most: int, output: Path, color: str) -> None:
-    from vrts.validate.camera.compare import WrongFrames, record, stills
+    from vrts.validate.camera.compare import record, stills
+    from vrts.validate.camera.frames import WrongFrames
     from vrts.validate.camera.summary import camera_text
 
     try:

@@ -15,8 +15,6 @@ UNKNOWN_POINT = Rule("V900", "unknown-point")
 TOO_FEW_POINTS = Rule("V901", "too-few-points")
 
 LEAST_POINTS = 6  # that are seen, in all pictures together [Tsai's problem without a plane]
-MOST_POINTS = 1000
-MOST_PICTURES = 200
 SIZES = (16, 16384)  # pixels a side
 ZOOMS = (0.01, 1000.0)
 
@@ -52,7 +50,7 @@ def read_marked(source: SourceFile) -> Marked:
         raise Refused(problems.in_order())
     camera = top.table("camera", required=True)
     named = top.table("points_mm", required=True)
-    pictures = top.tables("pictures", required=True)[:MOST_PICTURES]
+    pictures = top.tables("pictures", required=True)
     top.finish()
     size, focal, centre, lens = (0, 0), None, False, True
     if camera is not None:
@@ -67,7 +65,7 @@ def read_marked(source: SourceFile) -> Marked:
         camera.finish()
     points: dict[str, Array] = {}
     if named is not None:
-        for name in named.keys[:MOST_POINTS]:
+        for name in named.keys:
             place = named.numbers(name, count=3, required=True)
             if place is not None:
                 points[name] = np.array(place) * MM

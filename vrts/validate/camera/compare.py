@@ -1,7 +1,6 @@
 """Frames of a real camera and the run of a program, synchronised: stills and a recording."""
 
 from collections.abc import Callable, Iterator
-from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
@@ -12,7 +11,7 @@ from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.engine.run import Run
 from vrts.report.assessment import Assessment
 from vrts.validate.camera.calibrate import Calibrated
-from vrts.validate.camera.frames import Frame, Frames, Pixels, wrong_size
+from vrts.validate.camera.frames import Frame, Frames, Pixels, WrongFrames, wrong_size
 from vrts.validate.camera.model import PtzCamera
 from vrts.validate.camera.overlay import overlay
 from vrts.validate.camera.views import Views
@@ -103,22 +102,8 @@ def record(s: Shown, name: str, summary: str, path: Path) -> None:
     write_through_camera(a, seen(), camera.eye, camera.size_px, summary, path)
 
 
-class WrongFrames(Exception):  # noqa: N818 -- names the situation
-    """Frames that cannot be compared; the diagnostic says why."""
-
-    def __init__(self, diagnostic: Diagnostic) -> None:
-        """Keep the diagnostic."""
-        super().__init__(diagnostic.headline)
-        self.diagnostic = diagnostic
-
-
 def _frames(s: Shown, wanted: set[int]) -> Iterator[Frame]:
-    last = max(wanted, default=-1)
-    for frame in islice(s.frames, s.frames.count):
-        if frame.number > last:
-            return
-        if frame.number not in wanted:
-            continue
+    for frame in s.frames.chosen(wanted):
         height, width = frame.pixels.shape[:2]
         if (width, height) != s.camera.size_px:
             raise WrongFrames(wrong_size(frame, s.camera.size_px))

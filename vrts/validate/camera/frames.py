@@ -1,7 +1,7 @@
 """Frames of a real camera: a folder of pictures, or a video file, opened one after the other."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
@@ -16,6 +16,7 @@ Pixels = npt.NDArray[np.uint8]  # (height, width, 3), blue, green, red as OpenCV
 
 NO_FRAMES = Rule("V904", "no-frames")
 FRAME_SIZE = Rule("V905", "frame-size")
+FRAME_UNREADABLE = Rule("V907", "frame-unreadable")
 
 SUFFIXES = frozenset({".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp"})
 MOST_FRAMES = 50_000
@@ -32,6 +33,15 @@ class Frame(NamedTuple):
     pixels: Pixels
 
 
+class WrongFrames(Exception):  # noqa: N818 -- names the situation
+    """Frames that cannot be compared; the diagnostic says why."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        """Keep the diagnostic."""
+        super().__init__(diagnostic.headline)
+        self.diagnostic = diagnostic
+
+
 @dataclass(frozen=True, slots=True)
 class Frames:
     """A sequence that can be opened again and again."""
@@ -39,11 +49,15 @@ class Frames:
     place: Path
     files: tuple[Path, ...]  # empty for a video
     fps: float
-    count: int  # as far as it is known before all are read
+    count: int
 
-    def __iter__(self) -> Iterator[Frame]:
-        """Yield the frames; those that cannot be read are passed over."""
-        pictures = _of_files(self.files) if self.files else _of_video(self.place)
+    def chosen(self, wanted: Collection[int]) -> Iterator[Frame]:
+        """Yield some of the frames, in their order; the others are not decoded.
+
+        Raises:
+            WrongFrames: One cannot be read.
+        """
+        pictures = _of_files(self.files, wanted) if self.files else _of_video(self.place, wanted)
         for number, pixels in pictures:
             yield Frame(number, number / self.fps, pixels)
 
@@ -68,10 +82,12 @@ def open_frames(place: Path, fps: float | None) -> Frames | Diagnostic:
         if not video.isOpened():
             return _none(place, "OpenCV cannot read it as a video")
         told = float(video.get(cv2.CAP_PROP_FPS))
-        count = int(video.get(cv2.CAP_PROP_FRAME_COUNT))
+        count = _counted(video)
     finally:
         video.release()
-    return Frames(place, (), fps or (told if 0.1 < told < 1000 else DEFAULT_FPS), max(count, 0))
+    if not count:
+        return _none(place, "the video holds none that can be read")
+    return Frames(place, (), fps or (told if 0.1 < told < 1000 else DEFAULT_FPS), count)
 
 
 def wrong_size(frame: Frame, size: tuple[int, int]) -> Diagnostic:
@@ -84,26 +100,44 @@ def wrong_size(frame: Frame, size: tuple[int, int]) -> Diagnostic:
     )
 
 
-def _of_files(files: tuple[Path, ...]) -> Iterator[tuple[int, Pixels]]:
-    for number, file in enumerate(files):
-        if file.stat().st_size > MOST_BYTES:
-            continue
-        data = np.frombuffer(file.read_bytes(), np.uint8)
-        pixels = cv2.imdecode(data, cv2.IMREAD_COLOR) if len(data) else None
-        if pixels is not None:
-            yield number, np.asarray(pixels, np.uint8)
+def _of_files(files: tuple[Path, ...], wanted: Collection[int]) -> Iterator[tuple[int, Pixels]]:
+    for number in sorted(wanted):
+        file = files[number]
+        data = np.frombuffer(file.read_bytes()[: MOST_BYTES + 1], np.uint8)
+        fits = 0 < len(data) <= MOST_BYTES
+        pixels = cv2.imdecode(data, cv2.IMREAD_COLOR) if fits else None
+        if pixels is None:
+            raise WrongFrames(_unreadable(f"`{file.name}`"))
+        yield number, np.asarray(pixels, np.uint8)
 
 
-def _of_video(place: Path) -> Iterator[tuple[int, Pixels]]:
+def _of_video(place: Path, wanted: Collection[int]) -> Iterator[tuple[int, Pixels]]:
     video = cv2.VideoCapture(str(place))
     try:
-        for number in range(MOST_FRAMES):
-            ok, pixels = video.read()
-            if not ok:
-                return
-            yield number, np.asarray(pixels, np.uint8)
+        for number in range(max(wanted, default=-1) + 1):
+            if not video.grab():
+                raise WrongFrames(_unreadable(f"frame {number} of `{place.name}`"))
+            if number in wanted:
+                _, pixels = video.retrieve()
+                yield number, np.asarray(pixels, np.uint8)
     finally:
         video.release()
+
+
+def _counted(video: cv2.VideoCapture) -> int:
+    """Return how many frames a video really has, which files tell wrongly or not at all."""
+    count = 0
+    while count < MOST_FRAMES and video.grab():
+        count += 1
+    return count
+
+
+def _unreadable(what: str) -> Diagnostic:
+    return error(
+        FRAME_UNREADABLE,
+        f"{what} cannot be read as a picture",
+        help=("copy it again: frames are matched to the run by their numbers",),
+    )
 
 
 def _is_picture(file: Path) -> bool:

@@ -167,6 +167,10 @@ def test_frames_out_of_the_run_of_another_size_or_none_are_told(run: Run, tmp_pa
     cv2.imwrite(str(tmp_path / "frames" / "shot0.png"), small)
     other = called(tmp_path, *frames, "--starts", "1", "-o", "out")
     assert (other.returncode, "V905" in other.stderr) == (1, True)
+    (tmp_path / "frames" / "shot0.png").write_bytes(b"half of it")
+    broken = called(tmp_path, *frames, "--starts", "1", "-o", "out")
+    assert (broken.returncode, "V907" in broken.stderr) == (1, True)
+    assert "`shot0.png` cannot be read" in broken.stderr
     assert not (tmp_path / "out").exists()
 
 
