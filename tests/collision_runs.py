@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 
 from vrts.base.pose import Pose, Rotation, Vector, rotation_angle, subtract, translation
 from vrts.base.source import SourceFile, Span
-from vrts.engine.events import Cause, Event, Grasped, HandCommanded, Landed, Released
-from vrts.engine.records import GRAVITY, Lie, Motion, Placement, Segment
+from vrts.engine.memory.events import Cause, Event, Grasped, HandCommanded, Landed, Released
+from vrts.engine.memory.records import GRAVITY, Lie, Motion, Placement, Segment
 from vrts.geometry.shapes import Piece
 from vrts.ir.instructions import HandAction, Interpolation
-from vrts.robots.branch import ArmBranch
 from vrts.robots.catalog import robot
-from vrts.robots.kinematics import forward, joint_velocity, solve
+from vrts.robots.kinematics.branch import ArmBranch
+from vrts.robots.kinematics.kinematics import forward, joint_velocity, solve
 from vrts.robots.model import Configuration, Elbow, Robot, Shoulder, Wrist
 from vrts.scene.model import Body, Mobility, Scene
 

@@ -14,13 +14,13 @@ import numpy.typing as npt
 from tests.collision_runs import Line, Record, fixed, hermite, movable, scene_of
 from tests.support_segments import blend, slowed
 from vrts.base.pose import IDENTITY, Pose, rotation_about, translation
-from vrts.engine.records import Lie, Placement, Segment
+from vrts.engine.memory.records import Lie, Placement, Segment
 from vrts.geometry.narrow import pair, transform
 from vrts.geometry.shapes import Box, Cylinder, Piece
 from vrts.geometry.support import support
-from vrts.robots.batch import link_frames
 from vrts.robots.catalog import robot
-from vrts.robots.kinematics import forward
+from vrts.robots.kinematics.batch import link_frames
+from vrts.robots.kinematics.kinematics import forward
 from vrts.robots.model import Configuration, SphericalWristArm
 from vrts.scene.model import Body, Scene
 

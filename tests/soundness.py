@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tests.near_misses import KINDS, NearMiss, near_miss, sampled
-from vrts.check.collision import check_collisions
+from vrts.check.collision.collision import check_collisions
 
 PAST = (1e-3, 3e-3)  # [m] of the fingertip
 BARELY = (0.0, 1e-3)  # [m] every other four: hardly a contact

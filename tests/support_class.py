@@ -1,12 +1,12 @@
 """A class of submissions for benchmarks: variants of one program, some of which touch things."""
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import NamedTuple
 
+from tests.places import TESTS
 from vrts.marking.marking import Entry
 
-FOLDER = Path(__file__).parent / "data" / "forty-objects"
+FOLDER = TESTS / "data" / "forty-objects"
 TASK = FOLDER / "task.toml"
 
 

@@ -17,8 +17,8 @@ from vrts.dispatch.profile_parts import Patience
 from vrts.dispatch.steps import Steps
 from vrts.dispatch.transfer.cargo import Cargo
 from vrts.dispatch.transfer.emulator import Emulator, GoodLine, Line, Machine
+from vrts.dispatch.transfer.held.looking import Options
 from vrts.dispatch.transfer.listed import Place
-from vrts.dispatch.transfer.looking import Options
 from vrts.dispatch.transfer.port import Port
 from vrts.dispatch.transfer.problems import LINE_LOST, stop
 from vrts.dispatch.transfer.send import Sending

@@ -6,7 +6,7 @@ from typing import TypeVar
 from tests.support_programs import ALONE, compiled
 from vrts.base.pose import distance
 from vrts.engine.controller import advance, execute, start
-from vrts.engine.events import CommandRefused, Event, Printed, Reacted
+from vrts.engine.memory.events import CommandRefused, Event, Printed, Reacted
 from vrts.engine.run import Run
 from vrts.ir.commands import Command, Execute, TimedCommand
 from vrts.scene.model import Scenario, Scene

@@ -3,11 +3,11 @@
 import json
 from collections.abc import Sequence
 from fractions import Fraction
-from pathlib import Path
 
 import msgspec
 from hypothesis import strategies as st
 
+from tests.places import TESTS
 from vrts.base.diagnostic import Severity
 from vrts.marking.exports.given import Given, Page
 from vrts.marking.result import (
@@ -23,7 +23,7 @@ from vrts.marking.result import (
 )
 from vrts.marking.row import Change, Class, HandedIn, Lateness, Row, Student, row_of
 
-DATA = Path(__file__).parent / "data"
+DATA = TESTS / "data"
 HOSTILE: tuple[str, ...] = tuple(json.loads((DATA / "hostile_strings.json").read_text("utf-8")))
 DIGEST = 64 * "a"
 SECRET = "xyzzy-hidden"  # in everything that students may not see

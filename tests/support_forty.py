@@ -1,15 +1,15 @@
 """A fixed program of 60 seconds among forty objects, run by the engine."""
 
 from functools import cache
-from pathlib import Path
 
+from tests.places import TESTS
 from tests.support_programs import compiled
 from vrts.base.source import SourceFile
 from vrts.engine.controller import execute
 from vrts.engine.run import Run
-from vrts.scene.scene_file import read_scene
+from vrts.scene.reading.scene_file import read_scene
 
-FOLDER = Path(__file__).parent / "data" / "forty-objects"
+FOLDER = TESTS / "data" / "forty-objects"
 
 
 @cache

@@ -1,20 +1,19 @@
 """Compiles and runs programs given as text."""
 
 from collections.abc import Mapping
-from pathlib import Path
 
+from tests.places import ROOT
 from vrts.base.source import SourceFile
 from vrts.engine.controller import execute
-from vrts.engine.events import Event, MotionEnded, MotionStarted, SignalChanged
+from vrts.engine.memory.events import Event, MotionEnded, MotionStarted, SignalChanged
 from vrts.engine.run import Run
 from vrts.ir.module import Module
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS
 from vrts.scene.default import robot_alone
 from vrts.scene.model import Scenario, Scene
-from vrts.scene.scene_file import read_scene
+from vrts.scene.reading.scene_file import read_scene
 
-ROOT = Path(__file__).parents[1]
 ALONE = robot_alone()
 PLACES = {
     "a": "900 200 100 90 90 0",

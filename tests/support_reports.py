@@ -6,8 +6,8 @@ from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, error
 from vrts.base.pose import translation
 from vrts.base.source import SourceFile, Span
 from vrts.base.units import DEG
-from vrts.check.grade import Grade, Loss, Status
-from vrts.check.task import Goal, MarkScheme, Task
+from vrts.check.mark.grade import Grade, Loss, Status
+from vrts.check.task.task import Goal, MarkScheme, Task
 from vrts.ir.module import Module
 from vrts.report.assessment import Assessment
 

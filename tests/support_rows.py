@@ -5,7 +5,7 @@ from random import Random
 
 from msgspec.structs import replace
 
-from vrts.check.grade import REVIEW
+from vrts.check.mark.grade import REVIEW
 from vrts.marking.result import Check, Kind, Metrics, Named, Program, Result, Versions
 from vrts.marking.row import Change, Class, HandedIn, Lateness, Row, Student, row_of
 

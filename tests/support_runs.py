@@ -13,9 +13,9 @@ from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, error
 from vrts.base.oat import pose_from_components
 from vrts.base.pose import Pose, translation
 from vrts.check.judgement import Judgement
-from vrts.check.task import ViaPoint
+from vrts.check.task.task import ViaPoint
 from vrts.check.verdict import Answer, CollisionReport, ContactEvent, Verdict
-from vrts.engine.events import (
+from vrts.engine.memory.events import (
     Cause,
     Event,
     Grasped,
@@ -28,14 +28,14 @@ from vrts.engine.events import (
     ProgramStarted,
     Released,
 )
-from vrts.engine.records import Ending, Lie, Motion, Placement, Segment
+from vrts.engine.memory.records import Ending, Lie, Motion, Placement, Segment
 from vrts.engine.run import Run
 from vrts.geometry.shapes import Box, Cylinder, Piece
 from vrts.ir.instructions import Interpolation
 from vrts.ir.module import Module
 from vrts.report.assessment import Assessment
 from vrts.robots.catalog import robot
-from vrts.robots.kinematics import forward, solve
+from vrts.robots.kinematics.kinematics import forward, solve
 from vrts.robots.model import ArmBranch, Configuration, Elbow, Shoulder, Wrist
 from vrts.scene.model import Body, Mobility, Scene
 

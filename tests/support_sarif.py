@@ -1,12 +1,13 @@
 """The JSON schema that OASIS gives for SARIF, as a check."""
 
 import json
-from pathlib import Path
 from typing import Any
 
 from jsonschema import Draft7Validator
 
-SCHEMA = Path(__file__).parent / "data" / "sarif-2.1.0.schema.json"
+from tests.places import TESTS
+
+SCHEMA = TESTS / "data" / "sarif-2.1.0.schema.json"
 
 _validator: Any = Draft7Validator(json.loads(SCHEMA.read_text("utf-8")))
 

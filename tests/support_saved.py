@@ -18,7 +18,7 @@ from vrts.pipeline.programs import Reading
 from vrts.pipeline.settings import Setting, load_scene, robot_alone
 from vrts.run_files import Simulated, load_run, saved_bytes, simulate
 from vrts.scene.model import FaultKind, Limits, PlannedFault, Region, Scenario, Sensor
-from vrts.scene.scenario_file import ScenarioFile
+from vrts.scene.reading.scenario_file import ScenarioFile
 
 SOLUTION = (ROOT / "examples" / "01-cans-on-bases" / "solution.v2").read_bytes()
 BUSY = b"""\

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from vrts.engine.records import Segment
+from vrts.engine.memory.records import Segment
 
 Array = npt.NDArray[np.float64]
 Row = tuple[float, ...]

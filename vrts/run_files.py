@@ -173,7 +173,7 @@ def _scene(saved: "SavedRun", folder: Path | None) -> "Scene":
     """Return the scene of a saved run, with files that it names from where they are found."""
     from vrts.engine.storage.damage import not_remade
     from vrts.scene.default import robot_alone
-    from vrts.scene.scene_file import read_scene, scene_name
+    from vrts.scene.reading.scene_file import read_scene, scene_name
 
     said = saved.origin.scene
     if said.text is None:

@@ -14,14 +14,14 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.base.pose import Pose
-from vrts.check.collision_cast import Cast, robot_solids
-from vrts.check.curves import Curves
-from vrts.engine.records import Lie
+from vrts.check.collision.pairs.cast import Cast, robot_solids
+from vrts.check.curves.timeline_arrays import Curves
+from vrts.engine.memory.records import Lie
 from vrts.engine.run import Run
 from vrts.geometry.mesh import tessellate
 from vrts.geometry.second import solid
 from vrts.geometry.shapes import Piece
-from vrts.robots.batch import link_frames
+from vrts.robots.kinematics.batch import link_frames
 
 Array: TypeAlias = npt.NDArray[np.float64]
 Sampler: TypeAlias = Callable[[Array], int]  # instants [s] to the number of those in contact

@@ -9,7 +9,8 @@ import sys
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).parent.parent.parent
+from tests.places import ROOT
+
 SOLUTION = ROOT / "examples" / "01-cans-on-bases" / "solution.v2"
 VRTS = Path(sys.executable).parent / "vrts"
 ROUNDS = 9
@@ -60,8 +61,8 @@ def test_stages_in_a_warm_process(tmp_path: Path) -> None:
     from vrts.engine.controller import execute
     from vrts.pipeline.assess import assess
     from vrts.pipeline.settings import load_scene
-    from vrts.report.page import page
-    from vrts.report.picture import moment_picture
+    from vrts.report.page.page import page
+    from vrts.report.picture.moments import moment_picture
     from vrts.report.recording import write_recording
 
     setting = load_scene("cans-on-bases")

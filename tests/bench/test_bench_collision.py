@@ -15,8 +15,8 @@ import numpy as np
 
 from tests.bench.samplers import fcl_sampler, trimesh_sampler
 from tests.support_forty import forty_objects
-from vrts.check.collision import check_collisions
-from vrts.check.curves import curves
+from vrts.check.collision.collision import check_collisions
+from vrts.check.curves.timeline_arrays import curves
 from vrts.check.verdict import CollisionReport
 from vrts.engine.run import Run
 

@@ -11,11 +11,11 @@ from pathlib import Path
 import pytest
 
 from vrts.base.source import SourceFile
-from vrts.lang.classify import classify
 from vrts.lang.compiler import compile_source
 from vrts.lang.problems import Problems
-from vrts.lang.splitter import comment_start
-from vrts.lang.tokens import tokenise
+from vrts.lang.reading.classify import classify
+from vrts.lang.reading.splitter import comment_start
+from vrts.lang.reading.tokens import tokenise
 
 HEAVY = ("numpy", "pinocchio", "coal", "fcl", "trimesh", "rerun", "lark")
 LIMIT_S = 0.25
@@ -43,7 +43,7 @@ from pathlib import Path
 
 import pytest
 from vrts.lang.compiler import compile_source
-from vrts.lang.reading import decode
+from vrts.lang.reading.decoding import decode
 path = Path(sys.argv[1])
 assert compile_source(decode(path.read_bytes(), path.name)).module is not None
 heavy = sorted(set({HEAVY!r}) & set(sys.modules))

@@ -85,8 +85,8 @@ from pathlib import Path
 from vrts.base.diagnostic import Diagnostic
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS
-from vrts.lang.reading import decode
-from vrts.report.text import diagnostic_text
+from vrts.lang.reading.decoding import decode
+from vrts.report.screen.text import diagnostic_text
 data = sys.stdin.buffer.read()
 began = time.process_time()
 source = decode(data, "hostile.v2")

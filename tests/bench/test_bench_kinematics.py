@@ -17,15 +17,15 @@ import numpy as np
 import pytest
 
 from vrts.base.pose import distance
-from vrts.robots.batch import flange_frames
-from vrts.robots.batch_inverse import solve_batch
-from vrts.robots.branch import INITIAL_BRANCH, branch_of
 from vrts.robots.catalog import arm as arm_named
 from vrts.robots.catalog import puma
-from vrts.robots.kinematics import forward, solve
+from vrts.robots.kinematics.batch import flange_frames
+from vrts.robots.kinematics.batch_inverse import solve_batch
+from vrts.robots.kinematics.branch import INITIAL_BRANCH, branch_of
+from vrts.robots.kinematics.kinematics import forward, solve
+from vrts.robots.kinematics.tracking import track
 from vrts.robots.model import Arm, Configuration
 from vrts.robots.pinocchio_model import pinocchio_arm, step_to
-from vrts.robots.tracking import track
 
 POSES = 20_000
 NUMERIC = 200

@@ -23,7 +23,7 @@ import pytest
 from tests.bench.live_stage import Operator, Stage
 from tests.bench.live_viewers import Plan, Seen
 from tests.bench.machine import Metronome, used
-from vrts.live.session.frame import unpacked
+from vrts.live.session.views.frame import unpacked
 
 SECONDS = 15.0
 COMMANDS = 40

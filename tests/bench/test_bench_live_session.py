@@ -16,9 +16,9 @@ import pytest
 
 from tests.unit.live.session.support import Driven
 from vrts.live import actions as do
-from vrts.live.session.messages import BEAT
-from vrts.live.session.past import FILE
-from vrts.live.session.tidying import Tidying
+from vrts.live.session.channel.messages import BEAT
+from vrts.live.session.growing.past import FILE
+from vrts.live.session.growing.tidying import Tidying
 
 DOWN = (0.0, 1.5707963267948966, 0.0)
 MINUTES = int(os.environ.get("VRTS_MINUTES", "75"))

@@ -13,18 +13,18 @@ import pytest
 
 from tests.bench.test_bench_compile import STEPS, realistic
 from tests.support_lsp import Client
-from vrts.lsp.colouring import coloured
-from vrts.lsp.completing import complete
-from vrts.lsp.documents import Document
-from vrts.lsp.finding import references
-from vrts.lsp.folding import folds
-from vrts.lsp.hovering import hover
-from vrts.lsp.linking import group
+from vrts.lsp.answers.colouring import coloured
+from vrts.lsp.answers.completing import complete
+from vrts.lsp.answers.finding import references
+from vrts.lsp.answers.folding import folds
+from vrts.lsp.answers.hovering import hover
+from vrts.lsp.answers.signatures import signature
+from vrts.lsp.answers.symbols import symbols
+from vrts.lsp.documents.documents import Document
+from vrts.lsp.documents.linking import group
 from vrts.lsp.server.colours import changed, encoded
 from vrts.lsp.server.places import Places
 from vrts.lsp.server.serving import RARELY
-from vrts.lsp.signatures import signature
-from vrts.lsp.symbols import symbols
 
 LINES = 2_000
 LIMIT_S = 0.050

@@ -18,10 +18,10 @@ import pytest
 
 from tests.support_class import TASK, entries
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker
 from vrts.marking.marking import Done, mark_class
-from vrts.marking.one import Wanted
-from vrts.marking.setting import Place
+from vrts.marking.submission.marker import Marker
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 
 COUNT, JOBS = 300, 2
 SAMPLE = 6  # of the cold processes

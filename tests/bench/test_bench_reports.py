@@ -5,17 +5,18 @@ from pathlib import Path
 from statistics import median
 from time import process_time
 
+from tests.places import ROOT
 from vrts.pipeline.assess import assess
 from vrts.pipeline.settings import setting_for
-from vrts.report import backdrop
 from vrts.report.assessment import Assessment
-from vrts.report.page import page
-from vrts.report.picture import moment_picture
+from vrts.report.page.page import page
+from vrts.report.page.stills import contacts_of, page_stills
+from vrts.report.picture import backdrop
+from vrts.report.picture.moments import moment_picture
 from vrts.report.recording import write_recording
-from vrts.report.stills import contacts_of, page_stills
 
 ROUNDS = 9
-EXAMPLE = Path(__file__).parent.parent.parent / "examples" / "01-cans-on-bases"
+EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 BODY = """\
   MOVE safe
   APPRO can1_grip, 100

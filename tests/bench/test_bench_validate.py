@@ -6,15 +6,15 @@ from statistics import median
 
 import pytest
 
+from tests.unit.validate.fitting.test_fit import LAB, SPEEDS, log_of, speeds_run_text
 from tests.unit.validate.support import EXAMPLE, run_of
-from tests.unit.validate.test_fit import LAB, SPEEDS, log_of, speeds_run_text
 from vrts.base.units import DEG
-from vrts.report.run_csv import run_csv
+from vrts.report.formats.run_csv import run_csv
 from vrts.validate.comparison import read_and_compare
-from vrts.validate.comparison_page import comparison_page
-from vrts.validate.comparison_text import comparison_text
 from vrts.validate.fitting import fit_robot
 from vrts.validate.offsets import Wanted
+from vrts.validate.reports.comparison_page import comparison_page
+from vrts.validate.reports.comparison_text import comparison_text
 from vrts.validate.synthetic import Imperfect
 
 ROUNDS = 5

@@ -6,7 +6,7 @@ from time import perf_counter
 from tests.support_saved import SOLUTION, ask_everything
 from vrts.pipeline.programs import Reading
 from vrts.pipeline.settings import Setting, load_scene, robot_alone
-from vrts.report.run_csv import run_csv
+from vrts.report.formats.run_csv import run_csv
 from vrts.run_files import Simulated, check_again, load_run, saved_bytes, simulate
 
 LOOP = b"""\

@@ -17,8 +17,8 @@ from vrts.marking.overview.page import overview_page
 from vrts.marking.similarity.page import similarity_page
 from vrts.marking.similarity.ranking import similarity
 from vrts.report.audience import Audience
-from vrts.report.page import page
-from vrts.report.stills import contact_name
+from vrts.report.page.page import page
+from vrts.report.page.stills import contact_name
 
 pytestmark = pytest.mark.browser
 

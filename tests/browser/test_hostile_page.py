@@ -11,7 +11,7 @@ from tests.browser.support import PIXEL, opened, until
 from tests.support_runs import assessment
 from tests.unit.report.test_hostile_strings import CORPUS, judged
 from vrts.report.audience import Audience
-from vrts.report.page import page
+from vrts.report.page.page import page
 
 pytestmark = pytest.mark.browser
 

@@ -5,7 +5,7 @@ from playwright.sync_api import Browser
 
 from tests.browser.support import Opened, opened
 from vrts.dispatch.planning.plan import Request, plan
-from vrts.dispatch.planning.refusals import Promise
+from vrts.dispatch.planning.reasons.refusals import Promise
 from vrts.dispatch.profile import find_profile
 from vrts.pipeline.files import CHECKOUT
 from vrts.pipeline.settings import load_task

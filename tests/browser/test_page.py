@@ -12,9 +12,9 @@ from tests.browser.support import PIXEL, Opened, clock, opened, until
 from tests.support_runs import CONTACT_S, END_S, GRASP_S, RUN_S, assessment, with_segments
 from tests.support_segments import blend, sampled, segment, slowed
 from vrts.base.pose import Pose, distance
-from vrts.engine.records import Segment
-from vrts.report.page import page
-from vrts.robots.kinematics import forward, link_poses
+from vrts.engine.memory.records import Segment
+from vrts.report.page.page import page
+from vrts.robots.kinematics.kinematics import forward, link_poses
 from vrts.robots.model import Configuration
 
 pytestmark = pytest.mark.browser

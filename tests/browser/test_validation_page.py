@@ -10,8 +10,8 @@ from tests.browser.support import opened
 from tests.browser.test_accessibility import ALL_RULES, AXE, PHONE
 from tests.unit.validate.support import EXAMPLE, path_run
 from vrts.validate.comparison import read_and_compare
-from vrts.validate.comparison_page import comparison_page
 from vrts.validate.offsets import Wanted
+from vrts.validate.reports.comparison_page import comparison_page
 
 pytestmark = pytest.mark.browser
 

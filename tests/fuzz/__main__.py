@@ -24,12 +24,12 @@ with atheris.instrument_imports(include=["vrts.lang", "vrts.ir"]):
     from vrts.ir.verify import verify
     from vrts.lang.compiler import Options, compile_source
     from vrts.lang.dialect import DIALECTS, VAL2
-    from vrts.lang.layout import layout
-    from vrts.lang.reading import decode
+    from vrts.lang.reading.decoding import decode
     from vrts.lang.vocabulary.functions import FUNCTIONS
     from vrts.lang.vocabulary.instructions import INSTRUCTIONS
     from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
-    from vrts.report.diagnostics_output import FORMS, Checked, render
+    from vrts.lang.writing.layout import layout
+    from vrts.report.formats.diagnostics_output import FORMS, Checked, render
 
 ROOT = Path(__file__).parents[2]
 FENCED = re.compile(r"^```[^\n]*\n(.*?)^```", re.MULTILINE | re.DOTALL)

@@ -9,8 +9,9 @@ from tempfile import TemporaryDirectory
 from typing import TypeVar
 
 from tests.golden.tutorial import rewritten
+from tests.places import ROOT
 
-WALK = Path(__file__).parent.parent.parent / "examples" / "AUTHORING.md"
+WALK = ROOT / "examples" / "AUTHORING.md"
 
 Answer = TypeVar("Answer")
 

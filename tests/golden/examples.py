@@ -5,11 +5,11 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TypeAlias
 
+from tests.places import ROOT
 from vrts.pipeline.assess import assess
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import first_screen, status
 
-ROOT = Path(__file__).parent.parent.parent
 EXAMPLES = sorted(task.parent for task in (ROOT / "examples").glob("*/task.toml"))
 
 Row: TypeAlias = dict[str, object]

@@ -10,13 +10,13 @@ from pathlib import Path
 from tests.golden.examples import ROOT
 from vrts.base.pose import Vector
 from vrts.check.verdict import ContactEvent
-from vrts.check.vias import visits_of
-from vrts.engine.events import Event, Grasped, Released
+from vrts.check.verdicts.vias import visits_of
+from vrts.engine.memory.events import Event, Grasped, Released
 from vrts.engine.run import Run
 from vrts.pipeline.assess import assess
 from vrts.report.assessment import Assessment
-from vrts.report.camera import Camera
-from vrts.report.still import still
+from vrts.report.picture.camera import Camera
+from vrts.report.picture.still import still
 
 CANS = ROOT / "examples" / "01-cans-on-bases"
 DISH = ROOT / "examples" / "02-dish-on-stand"

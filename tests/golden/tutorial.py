@@ -16,6 +16,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
+from tests.places import ROOT
+
 ELLIPSIS = "…"
 
 _BLOCK = re.compile(
@@ -120,7 +122,7 @@ def _run(command: str, folder: Path) -> str:
     environment = {
         **os.environ,
         "NO_COLOR": "1",
-        "PYTHONPATH": str(Path(__file__).parent.parent.parent),
+        "PYTHONPATH": str(ROOT),
         "PYTHONIOENCODING": "utf-8",
         "COLUMNS": "100",
     }

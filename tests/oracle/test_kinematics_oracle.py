@@ -12,14 +12,14 @@ from typing import cast
 import numpy as np
 import pytest
 
+from tests.places import ROOT
 from vrts.base.pose import multiply, transpose
 from vrts.base.source import SourceFile
-from vrts.robots import universal
-from vrts.robots.batch import flange_frames
 from vrts.robots.catalog import arm as any_arm
 from vrts.robots.catalog import puma
-from vrts.robots.chain import chain, columns
-from vrts.robots.kinematics import forward, joint_velocity
+from vrts.robots.kinematics.batch import flange_frames
+from vrts.robots.kinematics.chain import chain, columns
+from vrts.robots.kinematics.kinematics import forward, joint_velocity
 from vrts.robots.model import Arm, Configuration, SerialArm
 from vrts.robots.pinocchio_model import (
     PinocchioArm,
@@ -28,9 +28,10 @@ from vrts.robots.pinocchio_model import (
     pinocchio_arm,
     pinocchio_from_urdf,
 )
-from vrts.scene.scene_file import read_scene
+from vrts.robots.urdf import universal
+from vrts.scene.reading.scene_file import read_scene
 
-SCENES = Path(__file__).parents[2] / "scenes"
+SCENES = ROOT / "scenes"
 PUMAS = ("puma761", "puma762", "puma560")
 SERIAL = (*universal.names(), "small_arm")
 ARMS = (*PUMAS, *SERIAL)

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from tests.support_engine import main
 from tests.support_programs import ALONE, compiled
 from vrts.engine.controller import advance, execute, start, truncate
-from vrts.engine.records import Ending
+from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
 from vrts.ir.commands import (
     Abort,

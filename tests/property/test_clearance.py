@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from tests.collision_runs import Story, down, fixed, movable, scene_of
 from tests.near_misses import near_miss, sampled
 from vrts.base.pose import IDENTITY, Pose, rotation_about
-from vrts.check.collision import check_collisions
-from vrts.check.collision_pairs import plan
-from vrts.check.collision_state import Prober
-from vrts.check.curves import curves
-from vrts.engine.records import Segment
+from vrts.check.collision.collision import check_collisions
+from vrts.check.collision.pairs.arm_state import Prober
+from vrts.check.collision.pairs.pairs import plan
+from vrts.check.curves.timeline_arrays import curves
+from vrts.engine.memory.records import Segment
 from vrts.geometry.narrow import distance, engine, nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 from vrts.geometry.support import extent

@@ -7,10 +7,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support_segments import Row, blend, sampled, slowed
-from vrts.check.curves import curves
-from vrts.check.extremes import fastest
-from vrts.check.high_pieces import is_high
-from vrts.engine.records import Segment
+from vrts.check.curves.extremes import fastest
+from vrts.check.curves.high_pieces import is_high
+from vrts.check.curves.timeline_arrays import curves
+from vrts.engine.memory.records import Segment
 
 SAMPLES = 4001
 LENGTH = st.floats(1e-3, 1.5)

@@ -20,7 +20,7 @@ from vrts.ir.commands import (
     Retry,
     TimedCommand,
 )
-from vrts.robots.kinematics import limit_violations
+from vrts.robots.kinematics.kinematics import limit_violations
 
 MODULE = compiled(
     main(

@@ -7,14 +7,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.places import ROOT
 from vrts.base.source import SourceFile
 from vrts.ir.dump import dump
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS, VAL2, Dialect
-from vrts.lang.layout import layout
-from vrts.lang.splitter import comment_start
+from vrts.lang.reading.splitter import comment_start
+from vrts.lang.writing.layout import layout
 
-ROOT = Path(__file__).parents[2]
 PROGRAMS = [
     path.read_text("utf-8", errors="replace")
     for folder in ("tests/golden/lang", "examples")

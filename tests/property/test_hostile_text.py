@@ -17,13 +17,13 @@ from tests.support_reports import SYNTAX, broken
 from tests.support_sarif import schema_errors
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.base.source import SourceFile
-from vrts.report.diagnostics_output import FORMS, Checked, Form, render
-from vrts.report.html import joined, painted
-from vrts.report.listing import listing
-from vrts.report.page import page
+from vrts.report.formats.diagnostics_output import FORMS, Checked, Form, render
+from vrts.report.formats.sarif import uri
+from vrts.report.page.html import joined, painted
+from vrts.report.page.listing import listing
+from vrts.report.page.page import page
 from vrts.report.plain import shown, visible
-from vrts.report.sarif import uri
-from vrts.report.text import assessment_text
+from vrts.report.screen.text import assessment_text
 
 few = settings(max_examples=40)
 FOR_PEOPLE: tuple[Form, ...] = ("full", "concise")

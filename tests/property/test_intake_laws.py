@@ -11,12 +11,12 @@ from hypothesis import strategies as st
 from tests.unit.marking.intake.support import DOCX, PDF, PICK, PROSE, STEPS, zipped
 from vrts.base.safe_names import safe
 from vrts.marking.intake.candidate import data_of
-from vrts.marking.intake.edited_table import read_rows
-from vrts.marking.intake.file_names import same_name
-from vrts.marking.intake.intake_table import write_rows
 from vrts.marking.intake.row import Intake
+from vrts.marking.intake.tables.edited_table import read_rows
+from vrts.marking.intake.tables.intake_table import write_rows
 from vrts.marking.intake.take_in import take_in
-from vrts.marking.intake.tree import open_place
+from vrts.marking.intake.tree.file_names import same_name
+from vrts.marking.intake.tree.opening import open_place
 from vrts.pipeline.files import CannotRead
 
 PIECES = st.one_of(

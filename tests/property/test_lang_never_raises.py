@@ -6,21 +6,21 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.places import ROOT
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.ir.dump import dump
 from vrts.ir.verify import verify
-from vrts.lang.command import parse_command
 from vrts.lang.compiler import Compilation, Options, compile_source
 from vrts.lang.dialect import DIALECTS, VAL2, Dialect
-from vrts.lang.layout import layout
 from vrts.lang.problems import LIMIT
-from vrts.lang.reading import decode
+from vrts.lang.reading.decoding import decode
+from vrts.lang.typed.execute_line import parse_command
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
-from vrts.report.diagnostics_output import FORMS, Checked, render
+from vrts.lang.writing.layout import layout
+from vrts.report.formats.diagnostics_output import FORMS, Checked, render
 
-ROOT = Path(__file__).parents[2]
 REAL = [
     path.read_text("utf-8")
     for folder in ("tests/golden/lang", "tests/data/lang_findings", "examples/01-cans-on-bases")

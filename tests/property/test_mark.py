@@ -6,8 +6,8 @@ from fractions import Fraction
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vrts.check.score import Achieved, contact_loss, rounded_mark, score, share_of
-from vrts.check.task import MarkScheme
+from vrts.check.task.score import Achieved, contact_loss, rounded_mark, score, share_of
+from vrts.check.task.task import MarkScheme
 
 SCHEME = MarkScheme()
 PAR, LONGEST = Fraction(10), Fraction(20)

@@ -12,12 +12,12 @@ from tests.support_programs import ALONE, PLACES, compiled, program, run_body
 from vrts.base.pose import subtract
 from vrts.base.units import MM
 from vrts.engine.controller import advance, start
+from vrts.engine.memory.records import Motion
 from vrts.engine.motion.polynomials import composed, rate, shifted, value
-from vrts.engine.records import Motion
 from vrts.engine.run import Run
 from vrts.ir.commands import Execute, MonitorSpeed, Panic, Proceed, TimedCommand
 from vrts.ir.instructions import Interpolation
-from vrts.robots.kinematics import forward
+from vrts.robots.kinematics.kinematics import forward
 from vrts.scene.model import Scenario
 
 ARM = ALONE.robot.arm

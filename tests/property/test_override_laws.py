@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vrts.base.source import SourceFile
-from vrts.marking.override_text import override_text
-from vrts.marking.overrides import Override, change_of, read_overrides
+from vrts.marking.by_hand.override_text import override_text
+from vrts.marking.by_hand.overrides import Override, change_of, read_overrides
 from vrts.marking.row import final_mark
 
 WORDS = st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=60).filter(

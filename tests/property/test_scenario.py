@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from vrts.base.source import SourceFile
 from vrts.robots.model import Configuration
 from vrts.scene.default import robot_alone
-from vrts.scene.scenario_file import (
+from vrts.scene.reading.scenario_file import (
     LONGEST_RUN_S,
     MOST_CALLS,
     MOST_MOTIONS,

@@ -1,12 +1,12 @@
 """Laws of STORE: what is written is read back, and written again byte for byte."""
 
 import math
-from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.places import ROOT
 from vrts.base.numbers import single
 from vrts.base.oat import components
 from vrts.base.pose import Pose
@@ -15,9 +15,8 @@ from vrts.ir.module import Datum
 from vrts.lang.compiler import Compilation, Options, compile_source
 from vrts.lang.decimals import degrees_text, metres, millimetres_text, radians, single_text
 from vrts.lang.dialect import DIALECTS, VAL2, VPLUS, Dialect
-from vrts.lang.store import store_text
+from vrts.lang.writing.store import store_text
 
-ROOT = Path(__file__).parents[2]
 PROGRAMS = [
     path.read_text("utf-8")
     for folder in ("tests/golden/lang", "examples/01-cans-on-bases")

@@ -6,7 +6,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from vrts.base.source import SourceFile
-from vrts.base.toml import read_toml
+from vrts.base.toml.reading import read_toml
 
 KEYS = st.from_regex(r"[a-z][a-z0-9_-]{0,6}", fullmatch=True)
 VALUES = st.recursive(

@@ -1,21 +1,21 @@
 """Descriptions of arms: whatever a file holds, it is read as an arm or refused in words."""
 
 import math
-from pathlib import Path
 from typing import cast
 
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.places import ROOT
 from vrts.base.pose import distance
-from vrts.robots.branch import INITIAL_BRANCH
-from vrts.robots.kinematics import forward, limit_violations, solve
+from vrts.robots.kinematics.branch import INITIAL_BRANCH
+from vrts.robots.kinematics.kinematics import forward, limit_violations, solve
 from vrts.robots.model import Configuration, SerialArm
-from vrts.robots.serial_robot import Manner, serial_robot
-from vrts.robots.stl import stl_points
-from vrts.robots.urdf import Description, UrdfFault, read_urdf
+from vrts.robots.urdf.serial_robot import Manner, serial_robot
+from vrts.robots.urdf.stl import stl_points
+from vrts.robots.urdf.urdf import Description, UrdfFault, read_urdf
 
-ARM = (Path(__file__).parents[2] / "scenes" / "one-can-urdf" / "arm.urdf").read_bytes()
+ARM = (ROOT / "scenes" / "one-can-urdf" / "arm.urdf").read_bytes()
 READY: Configuration = (0.0, 0.0, 0.0, 0.0, math.pi / 2, 0.0)
 
 

@@ -21,7 +21,7 @@ import pytest
 
 from vrts.base.source import SourceFile
 from vrts.engine.controller import advance, execute, start
-from vrts.engine.events import (
+from vrts.engine.memory.events import (
     Event,
     HandCommanded,
     MotionEnded,
@@ -38,12 +38,12 @@ from vrts.engine.run import Run
 from vrts.ir.commands import TimedCommand
 from vrts.ir.module import Module
 from vrts.ir.system import PARAMETERS
-from vrts.lang.command import parse_command
 from vrts.lang.compiler import Compilation, Options, compile_source
 from vrts.lang.dialect import DIALECTS, Dialect
+from vrts.lang.typed.execute_line import parse_command
 from vrts.scene.default import robot_alone
 from vrts.scene.model import Scenario
-from vrts.scene.scenario_file import read_scenario
+from vrts.scene.reading.scenario_file import read_scenario
 
 FOLDER = Path(__file__).parent
 BLOCK = re.compile(r"^```([\w+]+)(?: on (\w+))?\n(.*?)^```$", re.M | re.S)

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parent.parent.parent
+from tests.places import ROOT
+
 PROGRAM = ROOT / "examples" / "01-cans-on-bases" / "submissions" / "hits-base.v2"
 
 # Events and segments of two runs, each executed twice, and the bytes of their files.

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parent.parent.parent
+from tests.places import ROOT
+
 PACKAGE = ROOT / "vrts"
 MODULES = sorted(p for p in PACKAGE.rglob("*.py") if "stubs" not in p.parts)
 
@@ -30,7 +31,7 @@ def test_light_packages_load_no_heavy_library() -> None:
     modules = [
         ".".join(path.relative_to(ROOT).with_suffix("").parts)
         for package in ("base", "ir", "lang")
-        for path in (PACKAGE / package).glob("*.py")
+        for path in (PACKAGE / package).rglob("*.py")
     ]
     program = f"import sys, {', '.join(modules)}; print([m for m in {HEAVY!r} if m in sys.modules])"
     result = subprocess.run(

@@ -11,10 +11,10 @@ import pytest
 import vrts
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
-from vrts.lang.command import parse_command
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS, VAL2
-from vrts.lang.reading import decode
+from vrts.lang.reading.decoding import decode
+from vrts.lang.typed.execute_line import parse_command
 
 PACKAGE = Path(vrts.__file__).parent
 PAGES = files("vrts").joinpath("pages")

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import pytest
 
 from vrts.base.source import SourceFile
-from vrts.check.limits import check_limits
+from vrts.check.verdicts.limits import check_limits
 from vrts.engine.controller import execute
 from vrts.ir.system import PARAMETERS
 from vrts.lang.compiler import Options, compile_source
@@ -15,7 +15,7 @@ from vrts.lang.dialect import DIALECTS
 from vrts.pipeline.settings import load_scene
 from vrts.scene.default import robot_alone
 from vrts.scene.model import Limits, Scenario, Scene
-from vrts.scene.scenario_file import read_scenario
+from vrts.scene.reading.scenario_file import read_scenario
 
 PAGES = files("vrts").joinpath("pages")
 EXAMPLE = re.compile(r"```(val2|vplus)\n(.*?)\n```", re.DOTALL)

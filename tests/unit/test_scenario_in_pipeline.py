@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.places import ROOT
 from vrts.pipeline.assess import assess, scenario_for
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.settings import (
@@ -19,7 +20,6 @@ from vrts.pipeline.settings import (
 )
 from vrts.scene.model import Scenario
 
-ROOT = Path(__file__).parents[2]
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 SLIPS = EXAMPLE / "gripper-slips.toml"
 WAITS = b".PROGRAM main\nWAIT SIG(1001)\nTYPE TIMER(1)\n.END\n"

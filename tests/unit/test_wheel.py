@@ -10,10 +10,11 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parent.parent.parent
+from tests.places import ROOT
+
 NEEDED = (
     "vrts/dispatch/profiles/mark2-val2.toml",
-    "vrts/lang/grammar.lark",
+    "vrts/lang/grammar/grammar.lark",
     "vrts/pages/V301.md",
     "vrts/library/scenes/cans-on-bases/scene.toml",
     "vrts/library/examples/01-cans-on-bases/solution.v2",

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from vrts.assignments.new_sections import new_sections
 from vrts.base.pose import Pose, Vector
 from vrts.base.units import mm
-from vrts.check.task import Task
+from vrts.check.task.task import Task
 from vrts.report.plain import one_line
 from vrts.scene.block import location_block
 from vrts.scene.model import Mobility, Scene

@@ -12,8 +12,8 @@ from vrts import __version__
 from vrts.assignments.task_folder import TaskFiles
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.zips import BadZip, Flaw, Unpacker, packed
-from vrts.check.manifest import NAME as MANIFEST
-from vrts.check.manifest import Manifest, altered, manifest_bytes, read_manifest, sha256
+from vrts.check.task.manifest import NAME as MANIFEST
+from vrts.check.task.manifest import Manifest, altered, manifest_bytes, read_manifest, sha256
 from vrts.pipeline.settings import Refused
 
 BAD_ARCHIVE = Rule("V677", "bad-task-archive")

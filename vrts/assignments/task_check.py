@@ -11,12 +11,12 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.units import mm
-from vrts.check.duration import duration
-from vrts.check.feasible import task_findings
-from vrts.check.manifest import NOT_COUNTING
-from vrts.check.score import FULL
-from vrts.check.task import Task
-from vrts.check.task_file import MAX_SHARE, PAR_SHARE
+from vrts.check.task.feasible import task_findings
+from vrts.check.task.manifest import NOT_COUNTING
+from vrts.check.task.score import FULL
+from vrts.check.task.task import Task
+from vrts.check.task.task_file import MAX_SHARE, PAR_SHARE
+from vrts.check.verdicts.duration import duration
 from vrts.pipeline.assess import assess
 from vrts.pipeline.files import read_bytes
 from vrts.pipeline.settings import Setting

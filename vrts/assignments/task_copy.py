@@ -5,7 +5,7 @@ from pathlib import Path
 from vrts.assignments.new_files import quoted
 from vrts.assignments.task_folder import reference_of
 from vrts.base.source import SourceFile
-from vrts.base.toml import read_toml
+from vrts.base.toml.reading import read_toml
 from vrts.pipeline.files import SCENE_FILE, find_example, read_bytes, read_toml_source
 from vrts.pipeline.settings import TASK_FILE
 

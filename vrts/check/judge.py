@@ -1,14 +1,14 @@
 """Every check that applies to a run."""
 
-from vrts.check import duration, limits, targets, via_verdict, vias
-from vrts.check.collision import check_collisions
-from vrts.check.collision_verdict import verdict as collision_verdict
-from vrts.check.corner_hint import corner_hints
-from vrts.check.demand_check import check_demands
+from vrts.check.collision.collision import check_collisions
+from vrts.check.collision.corner_hint import corner_hints
+from vrts.check.collision.in_words import verdict as collision_verdict
 from vrts.check.judgement import Judgement
-from vrts.check.task import Task
+from vrts.check.task.task import Task
 from vrts.check.verdict import Answer, CollisionReport, Verdict
-from vrts.engine.records import Ending
+from vrts.check.verdicts import duration, limits, targets, via_verdict, vias
+from vrts.check.verdicts.demand_check import check_demands
+from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
 from vrts.scene.model import Scene
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Datum, Diagnostic
 from vrts.base.pose import Vector
-from vrts.engine.events import Cause
+from vrts.engine.memory.events import Cause
 
 
 class Answer(Enum):

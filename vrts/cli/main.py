@@ -14,31 +14,34 @@ from vrts import __version__
 
 FAULT = 70
 
-COMMANDS = {
-    "compile": "check a program for mistakes, without running it",
-    "run": "run a program and print what it prints",
-    "verify": "run a program and check everything; mark it if there is a task",
-    "grade": "mark many submissions",
-    "view": "see a program move",
-    "monitor": "talk to the controller as its operator",
-    "teach": "move the arm by keys and record locations",
-    "serve": "share sessions in the browser: a class and one robot",
-    "replay": "repeat a live session from its log",
-    "debug": "debug a program at the terminal, forward and backward",
-    "dap": "debug programs from an editor, forward and backward",
-    "editor": "set up VS Code, Neovim or Emacs for VAL-II",
-    "lsp": "help an editor while programs are written",
-    "validate": "compare a real robot with the run of its program",
-    "new": "write a scene, a task or a program to begin with",
-    "task": "check an assignment, and pack it for students and staff",
-    "fmt": "write a program in the canonical layout",
-    "scene": "list, show, check and watch scenes",
-    "point": "ask what the arm can reach",
-    "explain": "explain a diagnostic code",
-    "support": "show the words of the language",
-    "dispatch": "bring a verified program to a real controller",
-    "purge": "delete what old markings hold about persons",
-    "schema": "print the JSON Schema of result files",
+COMMANDS = {  # name: where it is, what it does
+    "compile": ("language.compile_command", "check a program for mistakes, without running it"),
+    "run": ("runs.run_command", "run a program and print what it prints"),
+    "verify": (
+        "runs.verify_command",
+        "run a program, check everything, mark it if there is a task",
+    ),
+    "grade": ("grade.grade_command", "mark many submissions"),
+    "view": ("runs.view_command", "see a program move"),
+    "monitor": ("runs.monitor_command", "talk to the controller as its operator"),
+    "teach": ("live.teach_command", "move the arm by keys and record locations"),
+    "serve": ("live.serve_command", "share sessions in the browser: a class and one robot"),
+    "replay": ("live.replay_command", "repeat a live session from its log"),
+    "debug": ("runs.debug_command", "debug a program at the terminal, forward and backward"),
+    "dap": ("editors.dap_command", "debug programs from an editor, forward and backward"),
+    "editor": ("editors.editor_command", "set up VS Code, Neovim or Emacs for VAL-II"),
+    "lsp": ("editors.lsp_command", "help an editor while programs are written"),
+    "validate": ("validate.validate_command", "compare a real robot with the run of its program"),
+    "new": ("authoring.new_command", "write a scene, a task or a program to begin with"),
+    "task": ("authoring.task_command", "check an assignment, and pack it for students and staff"),
+    "fmt": ("language.fmt_command", "write a program in the canonical layout"),
+    "scene": ("authoring.scene_command", "list, show, check and watch scenes"),
+    "point": ("authoring.point_command", "ask what the arm can reach"),
+    "explain": ("language.explain_command", "explain a diagnostic code"),
+    "support": ("language.support_command", "show the words of the language"),
+    "dispatch": ("dispatch.dispatch_command", "bring a verified program to a real controller"),
+    "purge": ("purge_command", "delete what old markings hold about persons"),
+    "schema": ("schema_command", "print the JSON Schema of result files"),
 }
 
 FIRST_STEPS = """\
@@ -66,13 +69,13 @@ class LazyGroup(click.Group):
         """Import and return a subcommand."""
         if cmd_name not in COMMANDS:
             return None
-        module = importlib.import_module(f"vrts.cli.{cmd_name}_command")
+        module = importlib.import_module(f"vrts.cli.{COMMANDS[cmd_name][0]}")
         return module.command
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """List the subcommands without importing them."""
         with formatter.section("Commands"):
-            formatter.write_dl(list(COMMANDS.items()))
+            formatter.write_dl([(name, says) for name, (_, says) in COMMANDS.items()])
 
 
 @click.group(

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.console import color_option, guarded, out, say
+from vrts.cli.shared.console import color_option, guarded, out, say
 
 if TYPE_CHECKING:
-    from vrts.marking.purge import Looked
+    from vrts.marking.privacy.purge import Looked
 
 EPILOG = """\b
 Examples:
@@ -69,7 +69,7 @@ def command(
     which no marking was written are refused, and no link is followed. In a small class sorted marks
     may tell who had which.
     """
-    from vrts.marking.purge import State, look, purge
+    from vrts.marking.privacy.purge import State, look, purge
 
     now = datetime.now(UTC)
     looked = [look(folder, older_than, now) for folder in dict.fromkeys(folders)]

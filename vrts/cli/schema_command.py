@@ -2,7 +2,7 @@
 
 import click
 
-from vrts.cli.console import guarded, out
+from vrts.cli.shared.console import guarded, out
 
 EPILOG = """\b
 Examples:
@@ -22,6 +22,6 @@ def command(what: str) -> None:
     programs share what few others have.
     """
     from vrts.marking.schemas import schema
-    from vrts.report.json_text import json_text
+    from vrts.report.formats.json_text import json_text
 
     out(json_text(schema(what)))

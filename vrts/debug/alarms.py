@@ -5,12 +5,12 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.units import mm
-from vrts.check.collision import check_collisions
-from vrts.check.limits import check_limits
+from vrts.check.collision.collision import check_collisions
 from vrts.check.verdict import CollisionReport, ContactEvent, NearMiss
+from vrts.check.verdicts.limits import check_limits
 from vrts.debug.passages import Instant, at_time
-from vrts.engine.events import Found, Released, Toppled
-from vrts.engine.hand import DROP_HEIGHT
+from vrts.engine.hand.hand import DROP_HEIGHT
+from vrts.engine.memory.events import Found, Released, Toppled
 from vrts.engine.run import Run
 
 

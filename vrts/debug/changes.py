@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from vrts.debug.passages import Instant, instant_of
-from vrts.engine.cells import UNDEFINED, Cell, Content, Undefined, cells_of
-from vrts.engine.events import SignalChanged
+from vrts.engine.memory.cells import UNDEFINED, Cell, Content, Undefined, cells_of
+from vrts.engine.memory.events import SignalChanged
 from vrts.engine.run import Run
 from vrts.lang.names import key
 from vrts.monitor.listings import value_text

@@ -12,8 +12,8 @@ from vrts.debug.frames import Frame, frames
 from vrts.ir.commands import Answer, Command, SetLocal, SetVariable
 from vrts.ir.module import Module
 from vrts.ir.values import Type, Value, type_of_value
-from vrts.lang.commands import read_command
 from vrts.lang.names import key
+from vrts.lang.typed.commands import read_command
 from vrts.monitor import words
 from vrts.monitor.desk import Desk, Situation
 from vrts.monitor.folder import WorkingFolder

@@ -27,9 +27,9 @@ from vrts.debug.passages import (
     last_instant,
 )
 from vrts.engine.controller import AFTERWARDS, forked
-from vrts.engine.events import CommandRefused
-from vrts.engine.limits import NO_ANSWER
-from vrts.engine.records import Ending
+from vrts.engine.machine.limits import NO_ANSWER
+from vrts.engine.memory.events import CommandRefused
+from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run, State
 from vrts.ir.commands import Command
 from vrts.ir.values import Value

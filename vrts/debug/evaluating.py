@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from vrts.base.source import SourceFile
 from vrts.debug.passages import Instant
 from vrts.engine.controller import forked
-from vrts.engine.events import CommandRefused, Found
+from vrts.engine.memory.events import CommandRefused, Found
 from vrts.engine.run import Run
 from vrts.ir.commands import Command, Do, Panic, SetVariable, TimedCommand
 from vrts.ir.module import Module

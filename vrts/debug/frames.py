@@ -4,9 +4,9 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from vrts.debug.passages import Instant
-from vrts.engine.events import Cause
+from vrts.engine.memory.events import Cause
+from vrts.engine.memory.trace import Activation
 from vrts.engine.run import Run
-from vrts.engine.trace import Activation
 from vrts.ir.values import Value
 
 

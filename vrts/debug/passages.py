@@ -6,10 +6,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from vrts.engine.events import Cause
 from vrts.engine.history import ProgramHistory
+from vrts.engine.memory.events import Cause
+from vrts.engine.memory.trace import Activation
 from vrts.engine.run import Run
-from vrts.engine.trace import Activation
 
 
 class Instant(NamedTuple):

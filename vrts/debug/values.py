@@ -8,9 +8,9 @@ from vrts.base.pose import IDENTITY, Pose
 from vrts.base.units import deg, mm
 from vrts.debug.debugger import Debugger
 from vrts.debug.frames import Frame
-from vrts.engine.code.formats import free
-from vrts.engine.events import SignalChanged
-from vrts.engine.records import Placement
+from vrts.engine.code.values.formats import free
+from vrts.engine.memory.events import SignalChanged
+from vrts.engine.memory.records import Placement
 from vrts.engine.run import Run, State
 from vrts.ir.values import Value
 from vrts.monitor.listings import name_order, value_text

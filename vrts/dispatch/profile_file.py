@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from vrts.base.diagnostic import Rule
 from vrts.base.source import SourceFile
-from vrts.base.toml import Problems, Table, read_toml
+from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.dispatch import allowed
 from vrts.dispatch.profile_parts import (
     Commands,

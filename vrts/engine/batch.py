@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from vrts.engine.records import COORDINATES, Segment
+from vrts.engine.memory.records import COORDINATES, Segment
 
 Array = npt.NDArray[np.float64]
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from vrts.base.stack import deep_stack
 from vrts.engine.code.executable import Executable
-from vrts.engine.machine import Machine
+from vrts.engine.machine.machine import Machine
 from vrts.engine.run import OutOfHorizon, Run
 from vrts.ir.commands import Command, Execute, TimedCommand
 from vrts.ir.module import Module

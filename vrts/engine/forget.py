@@ -9,12 +9,15 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Sequence
 from typing import Any, TypeVar
 
-from vrts.engine.cells import Cell, cells_of
 from vrts.engine.code.executable import Executable
-from vrts.engine.context import Context
-from vrts.engine.event_log import EventLog
-from vrts.engine.event_order import begins, is_of_robot
-from vrts.engine.events import (
+from vrts.engine.hand.hand import Hand
+from vrts.engine.machine.context import Context
+from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.reactions import Watch
+from vrts.engine.memory.cells import Cell, cells_of
+from vrts.engine.memory.event_log import EventLog
+from vrts.engine.memory.event_order import begins, is_of_robot
+from vrts.engine.memory.events import (
     AnalogChanged,
     Answered,
     Event,
@@ -26,13 +29,10 @@ from vrts.engine.events import (
     SpeedChanged,
     SwitchChanged,
 )
-from vrts.engine.hand import Hand
-from vrts.engine.log import Log
-from vrts.engine.machine import Machine
+from vrts.engine.memory.log import Log
+from vrts.engine.memory.trace import Activation, Trace
 from vrts.engine.motion.planner import Planner
 from vrts.engine.outcomes import INSTANT
-from vrts.engine.reactions import Watch
-from vrts.engine.trace import Activation, Trace
 
 Column = TypeVar("Column", "array[int]", "array[float]", "list[object]")
 

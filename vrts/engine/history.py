@@ -10,23 +10,23 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from vrts.engine.cells import Bound, Cell
-from vrts.engine.context import Context
-from vrts.engine.event_log import EventLog
-from vrts.engine.events import Cause
+from vrts.engine.machine.context import Context
+from vrts.engine.machine.process import next_instruction
+from vrts.engine.memory.cells import Bound, Cell
+from vrts.engine.memory.event_log import EventLog
+from vrts.engine.memory.events import Cause
+from vrts.engine.memory.records import ArmPiece, Ending, Motion, Placement
+from vrts.engine.memory.trace import Trace
 from vrts.engine.motion.time_scale import TimeScale
 from vrts.engine.outcomes import INSTANT
-from vrts.engine.process import next_instruction
-from vrts.engine.records import ArmPiece, Ending, Motion, Placement
 from vrts.engine.timeline import Stroke
-from vrts.engine.trace import Trace
 from vrts.ir.commands import TimedCommand
 from vrts.ir.module import Module, Program
 from vrts.robots.model import Configuration
 from vrts.scene.model import Scenario, Scene
 
 if TYPE_CHECKING:
-    from vrts.engine.machine import Machine
+    from vrts.engine.machine.machine import Machine
 
 
 class Code(NamedTuple):

@@ -5,15 +5,15 @@ from collections.abc import Hashable, Mapping, Sequence
 from functools import cached_property
 
 from vrts.base.diagnostic import Diagnostic
-from vrts.engine.events import (
+from vrts.engine.history import History, history_of
+from vrts.engine.machine.machine import Machine
+from vrts.engine.memory.events import (
     Event,
     Found,
     Printed,
 )
-from vrts.engine.history import History, history_of
-from vrts.engine.machine import Machine
-from vrts.engine.numbered import Numbered
-from vrts.engine.records import (
+from vrts.engine.memory.numbered import Numbered
+from vrts.engine.memory.records import (
     Ending,
     Motion,
     Placement,

@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, TypeVar
 
 from vrts.base.pose import IDENTITY, Pose
 from vrts.base.source import Span
-from vrts.engine.cells import UNDEFINED, Array, cells_of
-from vrts.engine.event_order import QUESTION, progress, spells, tracks_of
-from vrts.engine.events import (
+from vrts.engine.history import ProgramHistory
+from vrts.engine.memory.cells import UNDEFINED, Array, cells_of
+from vrts.engine.memory.event_order import QUESTION, progress, spells, tracks_of
+from vrts.engine.memory.events import (
     AnalogChanged,
     Cause,
     Event,
@@ -21,9 +22,7 @@ from vrts.engine.events import (
     SpeedChanged,
     SwitchChanged,
 )
-from vrts.engine.history import ProgramHistory
-from vrts.engine.outcomes import INSTANT
-from vrts.engine.records import (
+from vrts.engine.memory.records import (
     Ending,
     Lie,
     Placement,
@@ -31,11 +30,12 @@ from vrts.engine.records import (
     ProgramStatus,
     pose_of,
 )
-from vrts.engine.trace import Activation
+from vrts.engine.memory.trace import Activation
+from vrts.engine.outcomes import INSTANT
 from vrts.ir.module import Module
 from vrts.ir.system import SWITCHES
 from vrts.ir.values import Value
-from vrts.robots.kinematics import forward
+from vrts.robots.kinematics.kinematics import forward
 from vrts.robots.model import Configuration
 
 if TYPE_CHECKING:

@@ -4,8 +4,8 @@ from bisect import bisect_right
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vrts.engine.events import Cause
 from vrts.engine.history import History, ProgramHistory
+from vrts.engine.memory.events import Cause
 
 
 class Statement(NamedTuple):

@@ -9,23 +9,23 @@ from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.source import SourceFile
 from vrts.base.stack import deep_stack
 from vrts.ir.module import Datum, Module, Program
-from vrts.lang.data_sections import read_data, report_replaced
-from vrts.lang.detection import detect
 from vrts.lang.dialect import VAL2, Dialect, Precedence
-from vrts.lang.flow import check_jumps, check_process_programs, check_reachable
-from vrts.lang.habits import check_habits
-from vrts.lang.headers import is_remarks, read_header
+from vrts.lang.findings.flow import check_jumps, check_process_programs, check_reachable
+from vrts.lang.findings.habits import check_habits
+from vrts.lang.findings.usage import check_usage
+from vrts.lang.grammar.syntax import Bad, ProgramText
 from vrts.lang.joined import Joined
-from vrts.lang.lower import Lowering
+from vrts.lang.lowering.lower import Lowering
+from vrts.lang.meaning.data_sections import read_data, report_replaced
+from vrts.lang.meaning.resolve import Resolver
+from vrts.lang.meaning.scope import Scope
+from vrts.lang.meaning.structure import Block, blocks, check_exits, labels
 from vrts.lang.problems import Problems
-from vrts.lang.resolve import Resolver
-from vrts.lang.scope import Scope
-from vrts.lang.splitter import Section, split
-from vrts.lang.steps import StepParser, report_pasted_characters, report_tolerated
-from vrts.lang.structure import Block, blocks, check_exits, labels
-from vrts.lang.syntax import Bad, ProgramText
+from vrts.lang.reading.detection import detect
+from vrts.lang.reading.headers import is_remarks, read_header
+from vrts.lang.reading.splitter import Section, split
+from vrts.lang.steps.steps import StepParser, report_pasted_characters, report_tolerated
 from vrts.lang.uncollected import uncollected
-from vrts.lang.usage import check_usage
 
 NOT_A_PROGRAM = Rule("V104", "not-a-program")
 DUPLICATE_PROGRAM = Rule("V143", "duplicate-program")

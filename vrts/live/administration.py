@@ -5,7 +5,7 @@ import time
 from pathlib import Path
 
 from vrts.live.passwords import hashed
-from vrts.live.session.past import FILE, OFF
+from vrts.live.session.growing.past import FILE, OFF
 from vrts.live.settings import DATABASE, SESSIONS
 from vrts.live.store import log
 from vrts.live.store.accounts import add_account

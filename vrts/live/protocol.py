@@ -1,9 +1,9 @@
 """Messages between browser and server: JSON text frames on `/ws`, told apart by `type`.
 
 The first message of a connection is `Join`; the answer is `Welcome`, then `Snapshot`. Poses come as
-binary frames (`vrts.live.session.frame`), latest value wins. Messages with a `number` are reliable:
-a client that comes back says the last number it saw, and gets what it missed. Those without are
-states, sent whole whenever they change and after every join.
+binary frames (`vrts.live.session.views.frame`), latest value wins. Messages with a `number` are
+reliable: a client that comes back says the last number it saw, and gets what it missed. Those
+without are states, sent whole whenever they change and after every join.
 
 What people do passes `Command` with the lease of the control right and a number that grows by any
 amount from command to command; `Panic` needs neither. Who may do what is decided at the server:

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import uvicorn
 
-from vrts.live.app import application
 from vrts.live.door import DoorProtocol
+from vrts.live.front.app import application
 from vrts.live.protocol import LONGEST_MESSAGE
 from vrts.live.settings import DATABASE, Settings
 from vrts.live.store.accounts import LINK_S, LINK_USES, add_link

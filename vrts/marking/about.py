@@ -9,9 +9,9 @@ from typing import Literal
 
 import msgspec
 
-from vrts.marking.one import Wanted
 from vrts.marking.result import Damaged, Record
-from vrts.marking.setting import Place
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 
 SCHEMA = "vrts.marking/1"
 NAME = "marking.json"

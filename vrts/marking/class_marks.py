@@ -4,12 +4,12 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from vrts.check.late_rules import LateRules
+from vrts.check.task.late_rules import LateRules
 from vrts.marking.intake.candidate import data_of
 from vrts.marking.intake.row import Attempt
 from vrts.marking.intake.row import Kind as Problem
 from vrts.marking.intake.row import Row as Found
-from vrts.marking.intake.tree import Tree, Unreadable
+from vrts.marking.intake.tree.opening import Tree, Unreadable
 from vrts.marking.lateness import best, lateness, marks
 from vrts.marking.marking import Done, Entry
 from vrts.marking.result import Kind, Result

@@ -5,8 +5,8 @@ from datetime import datetime, timedelta
 from fractions import Fraction
 from typing import NamedTuple
 
-from vrts.check.late_rules import LateRules
-from vrts.check.score import to_tenth
+from vrts.check.task.late_rules import LateRules
+from vrts.check.task.score import to_tenth
 
 DAY = timedelta(days=1)
 ON_TIME = timedelta(0)

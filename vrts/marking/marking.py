@@ -12,10 +12,10 @@ from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from vrts.marking.layout import LOST, RESULT, Layout, write_atomically
-from vrts.marking.marker import STAFF, STUDENT, WRITTEN, Marker, Marks, read_marks
-from vrts.marking.one import Order
-from vrts.marking.report_files import RECORDING, REPORT
 from vrts.marking.result import Damaged, Kind, Result, from_bytes, to_bytes
+from vrts.marking.submission.marker import STAFF, STUDENT, WRITTEN, Marker, Marks, read_marks
+from vrts.marking.submission.one import Order
+from vrts.marking.submission.report_files import RECORDING, REPORT
 from vrts.marking.supervise.limits import Limits
 from vrts.marking.supervise.outcome import Answer, Loss, Lost
 from vrts.marking.supervise.supervisor import CAN_FORK, Finished, Supervisor

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 import msgspec
 from msgspec import Meta, field
 
-from vrts.check.score import to_tenth
+from vrts.check.task.score import to_tenth
 from vrts.marking.result import Damaged, Exact, Mark, Record, Result
 
 CLASS_SCHEMA = "vrts.class/1"

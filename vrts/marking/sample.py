@@ -10,9 +10,9 @@ from typing import NamedTuple
 import msgspec
 
 from vrts.marking.differences import Difference, differences
-from vrts.marking.marker import Marker
 from vrts.marking.marking import Done, Entry, mark_class
 from vrts.marking.result import Kind
+from vrts.marking.submission.marker import Marker
 
 STAFF, STUDENT = "for those who mark", "for the student"
 

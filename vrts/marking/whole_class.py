@@ -8,29 +8,29 @@ from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
-from vrts.check.late_rules import Keep
-from vrts.check.task import Task
+from vrts.check.task.late_rules import Keep
+from vrts.check.task.task import Task
 from vrts.marking.about import NAME as ABOUT
 from vrts.marking.about import from_bytes as about_from_bytes
+from vrts.marking.by_hand.override_text import load_overrides
+from vrts.marking.by_hand.overrides import NONE, with_change
 from vrts.marking.class_marks import Mark, class_row, entries, with_best_attempts
-from vrts.marking.intake.edited_table import read_rows
-from vrts.marking.intake.intake_table import write_rows
-from vrts.marking.intake.own_table import OwnTable, own_table, remark_on
-from vrts.marking.intake.roster import read_roster
 from vrts.marking.intake.row import Intake
 from vrts.marking.intake.row import Row as Found
+from vrts.marking.intake.tables.edited_table import read_rows
+from vrts.marking.intake.tables.intake_table import write_rows
+from vrts.marking.intake.tables.own_table import OwnTable, own_table, remark_on
+from vrts.marking.intake.tables.roster import read_roster
 from vrts.marking.intake.take_in import take_in_tree
-from vrts.marking.intake.tree import Tree, open_place
+from vrts.marking.intake.tree.opening import Tree, open_place
 from vrts.marking.layout import Layout, write_atomically
-from vrts.marking.marker import Marker
 from vrts.marking.marking import Done, Entry, mark_class
-from vrts.marking.override_text import load_overrides
-from vrts.marking.overrides import NONE, with_change
-from vrts.marking.pseudonyms import NAMES, key_for, names_table, pseudonymised, write_names
+from vrts.marking.privacy.pseudonyms import NAMES, key_for, names_table, pseudonymised, write_names
 from vrts.marking.remote.backend import Backend
 from vrts.marking.remote.mark_on_dask import mark_on_dask
 from vrts.marking.result import Damaged
 from vrts.marking.row import Class, Row
+from vrts.marking.submission.marker import Marker
 from vrts.pipeline.files import CannotRead, read_bytes
 from vrts.pipeline.settings import Refused
 

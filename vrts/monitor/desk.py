@@ -6,16 +6,16 @@ from typing import NamedTuple, Protocol
 
 from vrts.base.numbers import round_half_away
 from vrts.base.source import SourceFile
-from vrts.engine.records import ProgramState, ProgramStatus
+from vrts.engine.memory.records import ProgramState, ProgramStatus
 from vrts.engine.run import State
 from vrts.ir.commands import Command, DeletePrograms, Kill, Load
 from vrts.ir.module import Module
 from vrts.ir.values import Type, Value
-from vrts.lang.commands import CommandLine, FileName
-from vrts.lang.constants import number_of
 from vrts.lang.dialect import VAL2, Dialect
+from vrts.lang.grammar.syntax import Element, FormatItem, Item, Name
+from vrts.lang.meaning.constants import number_of
 from vrts.lang.names import SIGNIFICANT, key
-from vrts.lang.syntax import Element, FormatItem, Item, Name
+from vrts.lang.typed.commands import CommandLine, FileName
 from vrts.monitor import words
 from vrts.monitor.folder import Folder
 from vrts.monitor.programs import StoredProgram, compiled, in_view

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 
 from vrts.base.source import SourceFile
 from vrts.engine.controller import Controller, advance
-from vrts.engine.events import CommandRefused, Event, Found, ProgramStarted
-from vrts.engine.records import ProgramState
+from vrts.engine.memory.events import CommandRefused, Event, Found, ProgramStarted
+from vrts.engine.memory.records import ProgramState
 from vrts.engine.run import Run, State
 from vrts.ir.commands import Answer, Command, Do, Kill, Panic, TimedCommand
 from vrts.ir.module import Module

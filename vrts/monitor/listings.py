@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from vrts.base.oat import Components, components
 from vrts.base.pose import Pose
 from vrts.base.units import deg, mm
-from vrts.engine.code.formats import free
+from vrts.engine.code.values.formats import free
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Joints, Value
 from vrts.lang.dialect import Angles

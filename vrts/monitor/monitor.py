@@ -9,9 +9,10 @@ from collections.abc import Callable
 
 from vrts.base.source import SourceFile
 from vrts.ir.commands import Abort, AbortProcess, Answer
-from vrts.lang.commands import CommandLine, read_command
+from vrts.lang.typed.commands import CommandLine, read_command
 from vrts.lang.vocabulary.commands import IDLE_ONLY
-from vrts.monitor import editor, execution, files, showing, teaching, texts, values, words
+from vrts.monitor import words
+from vrts.monitor.commands import editor, execution, files, showing, teaching, texts, values
 from vrts.monitor.desk import Desk, Mode, Refused, Situation, Turn, executes
 from vrts.monitor.folder import CannotUse
 

@@ -8,7 +8,7 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.engine.controller import Controller
 from vrts.ir.module import Module
 from vrts.lang.dialect import DIALECTS
-from vrts.lang.reading import decode
+from vrts.lang.reading.decoding import decode
 from vrts.monitor.desk import Desk
 from vrts.monitor.dialogue import Dialogue
 from vrts.monitor.folder import WorkingFolder

@@ -18,9 +18,9 @@ from vrts.ir.module import Datum, Module
 from vrts.ir.values import Joints
 from vrts.lang.dialect import VAL2
 from vrts.lang.names import key
-from vrts.lang.store import store_text
+from vrts.lang.writing.store import store_text
+from vrts.monitor.commands.teaching import successor
 from vrts.monitor.desk import is_name
-from vrts.monitor.teaching import successor
 from vrts.robots.model import Arm
 
 

@@ -16,8 +16,8 @@ from vrts.ir.module import Program
 from vrts.ir.values import Value
 from vrts.lang.compiler import Compilation, Options, compile_sources
 from vrts.lang.dialect import Dialect
-from vrts.lang.entry import bad_steps, references
-from vrts.lang.layout import GUTTER, program_text
+from vrts.lang.typed.entry import bad_steps, references
+from vrts.lang.writing.layout import GUTTER, program_text
 
 _ROW = re.compile(r"(?P<label>\d{1,5}(?![\w.])|[a-z][\w.]*:)?(?P<blanks>[ \t]*)(?P<code>.*)", re.S)
 _WORD = re.compile(r"[A-Za-z][\w.]{0,14}", re.ASCII)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from vrts.engine.events import (
+from vrts.engine.memory.events import (
     Answered,
     CommandRefused,
     Event,

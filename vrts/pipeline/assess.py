@@ -11,11 +11,11 @@ from vrts.pipeline.programs import STRICT, Reading, compile_bytes
 from vrts.pipeline.settings import Setting, setting_for
 
 if TYPE_CHECKING:
-    from vrts.check.task import Task
+    from vrts.check.task.task import Task
     from vrts.ir.module import Module
     from vrts.report.assessment import Assessment
     from vrts.scene.model import Scenario
-    from vrts.scene.scenario_file import ScenarioFile
+    from vrts.scene.reading.scenario_file import ScenarioFile
 
 NO_SUCH_PROGRAM = Rule("V190", "no-such-program")
 CURVE_STEP = 0.15  # [s] between samples of the clearance, for charts
@@ -130,7 +130,7 @@ def _run(
     a = replace(a, judgement=judgement)
     if task is None:
         return a
-    from vrts.check.mark import grade
+    from vrts.check.mark.mark import grade
 
     return replace(a, grade=grade(task, run, judgement))
 
@@ -141,7 +141,7 @@ def with_curve(a: "Assessment") -> "Assessment":
         return a
     import numpy as np
 
-    from vrts.check.clearance_curve import clearance_curve
+    from vrts.check.collision.clearance_curve import clearance_curve
 
     count = min(int(a.run.horizon_s / CURVE_STEP) + 2, CURVE_MOST)
     times = np.linspace(0.0, a.run.horizon_s, count)
@@ -161,8 +161,8 @@ def scenario_for(task: "Task | None", planned: "ScenarioFile | None" = None) -> 
 
 
 def _ungraded(a: "Assessment") -> "Assessment":
-    from vrts.check.grade import Status
-    from vrts.check.mark import ungraded
+    from vrts.check.mark.grade import Status
+    from vrts.check.mark.mark import ungraded
 
     if a.task is None:
         return a

@@ -41,7 +41,7 @@ def compile_bytes(data: bytes, name: str, reading: Reading = STRICT) -> "Compile
     """Return source, compilation and diagnostics; the first two are None for what is no text."""
     from vrts.lang.compiler import Options, compile_sources
     from vrts.lang.dialect import DIALECTS, Precedence
-    from vrts.lang.reading import decode
+    from vrts.lang.reading.decoding import decode
 
     found = [decode(file.data, file.name) for file in (ProgramFile(data, name), *reading.others)]
     unread = tuple(source for source in found if isinstance(source, Diagnostic))
@@ -61,7 +61,7 @@ def compile_bytes(data: bytes, name: str, reading: Reading = STRICT) -> "Compile
 
 def store(compilation: "Compilation", *, exact: bool = False) -> str:
     """Return what STORE writes for a compilation that succeeded."""
-    from vrts.lang.store import store_text
+    from vrts.lang.writing.store import store_text
 
     module, source = compilation.module, compilation.source
     assert module is not None
@@ -81,10 +81,10 @@ class Formatted(NamedTuple):
 
 def format_bytes(data: bytes, name: str, dialect: str | None) -> Formatted:
     """Return the canonical layout of a program, with LF line ends."""
-    from vrts.lang.detection import detect
     from vrts.lang.dialect import DIALECTS
-    from vrts.lang.layout import layout
-    from vrts.lang.reading import decode
+    from vrts.lang.reading.decoding import decode
+    from vrts.lang.reading.detection import detect
+    from vrts.lang.writing.layout import layout
 
     source = decode(data, name)
     if isinstance(source, Diagnostic):

@@ -10,9 +10,9 @@ from vrts.base.source import SourceFile
 from vrts.pipeline.files import MAX_TOML, find_scene, read_bytes, read_toml_source
 
 if TYPE_CHECKING:
-    from vrts.check.task import Task
+    from vrts.check.task.task import Task
     from vrts.scene.model import Scene
-    from vrts.scene.scenario_file import ScenarioFile
+    from vrts.scene.reading.scenario_file import ScenarioFile
 
 TASK_FILE = "task.toml"
 STAFF = "staff"  # folder beside a task: what students do not get
@@ -72,7 +72,7 @@ def load_scene(
         CannotRead: There is no such scene or lab.
         Refused: One of the files has errors.
     """
-    from vrts.scene.scene_file import read_scene, read_scene_in_lab
+    from vrts.scene.reading.scene_file import read_scene, read_scene_in_lab
 
     path = find_scene(name, beside)
     source = read_toml_source(path, home)
@@ -110,10 +110,10 @@ def load_task(
         CannotRead: The task, its scene, lab or scenario is not there.
         Refused: One of the files has errors.
     """
-    from vrts.check.manifest import altered, announced, other_scene
-    from vrts.check.staff import read_whole_task
-    from vrts.check.task_file import read_task, scene_name
-    from vrts.check.task_lab import lab_name
+    from vrts.check.task.manifest import altered, announced, other_scene
+    from vrts.check.task.staff import read_whole_task
+    from vrts.check.task.task_file import read_task, scene_name
+    from vrts.check.task.task_lab import lab_name
 
     folder = path if path.is_dir() else path.parent
     source = read_toml_source(folder / TASK_FILE if path.is_dir() else path, home)
@@ -156,7 +156,7 @@ def _with_variants(
     setting: Setting, path: Path, scenario: Path | None, home: Path | None, lab: Path | None
 ) -> Setting:
     """Add the task in every scene of `staff/scenes`; each counts as one hidden check."""
-    from vrts.check.manifest import hidden_scene
+    from vrts.check.task.manifest import hidden_scene
 
     folder = path if path.is_dir() else path.parent
     variants = [
@@ -177,7 +177,7 @@ def _with_variants(
 
 def _packed_files(folder: Path) -> dict[str, bytes]:
     """Return the files that the manifest of an unpacked task names, as far as they are there."""
-    from vrts.check.manifest import listed
+    from vrts.check.task.manifest import listed
 
     manifest = read_bytes(folder / MANIFEST_FILE)[: MAX_TOML + 1]
     found = {MANIFEST_FILE: manifest}
@@ -196,7 +196,7 @@ def with_scenario(setting: Setting, path: Path, home: Path | None = None) -> Set
         Refused: It has errors.
     """
     from vrts.ir.system import PARAMETERS
-    from vrts.scene.scenario_file import read_scenario
+    from vrts.scene.reading.scenario_file import read_scenario
 
     numbers = PARAMETERS.keys() - {"NEST.POS"}  # which is six of them
     scenario, found = read_scenario(read_toml_source(path, home), setting.scene, sorted(numbers))

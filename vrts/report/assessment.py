@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
-from vrts.check.grade import Grade
 from vrts.check.judgement import Judgement
-from vrts.check.task import Task
+from vrts.check.mark.grade import Grade
+from vrts.check.task.task import Task
 from vrts.engine.run import Run
 from vrts.ir.module import Module
 from vrts.scene.model import Scene

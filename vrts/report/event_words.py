@@ -1,6 +1,6 @@
 """What happened, in words for a list."""
 
-from vrts.engine.events import (
+from vrts.engine.memory.events import (
     AnalogChanged,
     Answered,
     CommandRefused,

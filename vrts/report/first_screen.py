@@ -9,9 +9,9 @@ from fractions import Fraction
 
 from vrts.base.diagnostic import Diagnostic, Moment
 from vrts.base.source import SourceFile, Span
-from vrts.check.grade import Loss, Status
+from vrts.check.mark.grade import Loss, Status
 from vrts.check.verdict import Answer, Verdict
-from vrts.engine.records import Ending
+from vrts.engine.memory.records import Ending
 from vrts.report.assessment import Assessment
 from vrts.report.plain import capital, one_line
 from vrts.report.quantities import at_time, lost

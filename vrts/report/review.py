@@ -3,7 +3,7 @@
 from fractions import Fraction
 from typing import NamedTuple
 
-from vrts.check.grade import REVIEW
+from vrts.check.mark.grade import REVIEW
 from vrts.report.assessment import Assessment
 from vrts.report.plain import one_line
 from vrts.report.quantities import mark

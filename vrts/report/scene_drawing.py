@@ -7,7 +7,7 @@ from vrts.base.pose import X_AXIS, Y_AXIS, Z_AXIS, Pose, Vector, scale
 from vrts.base.units import mm
 from vrts.geometry.shapes import Piece
 from vrts.report.plain import visible
-from vrts.robots.kinematics import link_poses
+from vrts.robots.kinematics.kinematics import link_poses
 from vrts.scene.colors import hex_code
 from vrts.scene.model import Body, Scene
 from vrts.scene.outline import outline

@@ -1,12 +1,12 @@
 """The robots a scene can name."""
 
-from vrts.robots.gripper import TWO_FINGERS
+from vrts.robots.arms.gripper import TWO_FINGERS
+from vrts.robots.arms.puma import PUMA_761, PUMA_762
+from vrts.robots.arms.puma560 import PUMA_560
 from vrts.robots.model import Arm, Robot, SphericalWristArm
-from vrts.robots.puma import PUMA_761, PUMA_762
-from vrts.robots.puma560 import PUMA_560
-from vrts.robots.universal import WheelMissing
-from vrts.robots.universal import names as universal_names
-from vrts.robots.universal import robot as universal_robot
+from vrts.robots.urdf.universal import WheelMissing
+from vrts.robots.urdf.universal import names as universal_names
+from vrts.robots.urdf.universal import robot as universal_robot
 
 __all__ = ["WheelMissing", "arm", "names", "puma", "robot"]
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from vrts.base.pose import Pose, translation
 from vrts.geometry.shapes import Piece
 from vrts.geometry.support import Bounds, bounds
-from vrts.robots.kinematics import link_poses
+from vrts.robots.kinematics.kinematics import link_poses
 from vrts.robots.model import Configuration, Gripper, Robot
 from vrts.scene.model import Body
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Rule
 from vrts.base.oat import rotation_from_oat
 from vrts.base.pose import Pose, Vector, add, translation
-from vrts.base.toml import Problems, Table
+from vrts.base.toml.reading import Problems, Table
 from vrts.base.units import DEG, MM, mm
 from vrts.geometry.support import bounds, extent_of
 from vrts.robots.model import Elbow, Gripper, Shoulder

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from vrts.base.pose import Pose
 from vrts.base.units import mm
-from vrts.robots.branch import has_branches
-from vrts.robots.kinematics import reach_error, solve
+from vrts.robots.kinematics.branch import has_branches
+from vrts.robots.kinematics.kinematics import reach_error, solve
 from vrts.robots.model import ArmBranch, Configuration, Elbow, Robot, Shoulder, Wrist
 from vrts.scene.clearance import Nearness, nearest_body, placed_robot
 from vrts.scene.model import Scene

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Label, Rule
-from vrts.base.toml import Problems
+from vrts.base.toml.reading import Problems
 from vrts.base.units import mm
 from vrts.geometry.support import bounds
 from vrts.robots.model import Robot

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.engine.run import Run
-from vrts.validate.log import RobotLog
+from vrts.validate.log.log import RobotLog
 from vrts.validate.sampling import moving, sampled
 
 Array = npt.NDArray[np.float64]

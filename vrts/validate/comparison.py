@@ -9,8 +9,8 @@ from vrts.engine.run import Run
 from vrts.pipeline.settings import Refused
 from vrts.validate.clock import clock_shift
 from vrts.validate.errors import Errors, errors_of, lengths, measures
-from vrts.validate.log import RobotLog, read_log
-from vrts.validate.log_units import note
+from vrts.validate.log.log import RobotLog, read_log
+from vrts.validate.log.log_units import note
 from vrts.validate.offsets import Offsets, Wanted, fit_offsets
 from vrts.validate.sampling import extent_of, moving
 from vrts.validate.timing import Timing, timings

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.engine.run import Run
-from vrts.validate.log import RobotLog
+from vrts.validate.log.log import RobotLog
 from vrts.validate.offsets import Offsets, predicted
 from vrts.validate.sampling import moving, sampled, tool_poses
 

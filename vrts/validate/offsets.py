@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from vrts.base.diagnostic import Diagnostic, Rule, warning
 from vrts.engine.run import Run
-from vrts.validate.log import RobotLog
+from vrts.validate.log.log import RobotLog
 from vrts.validate.sampling import sampled
 
 LOG_OFFSETS = Rule("V892", "log-offsets")

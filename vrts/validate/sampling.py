@@ -6,8 +6,8 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.engine.run import Run
-from vrts.robots.batch import flange_frames
-from vrts.validate.log_units import Extent
+from vrts.robots.kinematics.batch import flange_frames
+from vrts.validate.log.log_units import Extent
 
 Array = npt.NDArray[np.float64]
 

@@ -5,9 +5,9 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from vrts.engine.records import Motion
+from vrts.engine.memory.records import Motion
 from vrts.engine.run import Run
-from vrts.validate.log import RobotLog
+from vrts.validate.log.log import RobotLog
 from vrts.validate.offsets import Offsets
 from vrts.validate.sampling import sampled
 

@@ -11,7 +11,7 @@ from vrts import __version__
 from vrts.assignments.pack import MOST_BYTES, read_zip, staff_zip, student_zip
 from vrts.assignments.packed import load_zip, setting_of
 from vrts.assignments.task_folder import TaskFiles, read_folder
-from vrts.check import manifest as manifests
+from vrts.check.task import manifest as manifests
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.settings import Refused, load_task
 

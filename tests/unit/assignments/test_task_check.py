@@ -9,7 +9,7 @@ from vrts.assignments.pack import read_zip, staff_zip, student_zip
 from vrts.assignments.packed import setting_of
 from vrts.assignments.task_check import check_task
 from vrts.assignments.task_folder import read_folder
-from vrts.marking.one import Order, Wanted, mark
+from vrts.marking.submission.one import Order, Wanted, mark
 from vrts.pipeline.files import CHECKOUT
 from vrts.pipeline.settings import load_task
 

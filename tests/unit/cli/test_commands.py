@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parent.parent.parent.parent
+from tests.places import ROOT
+
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 SOLUTION = EXAMPLE / "solution.v2"
 BROKEN = EXAMPLE / "submissions" / "syntax-error.v2"

@@ -9,9 +9,9 @@ import pytest
 from rerun.experimental import ViewerClient
 
 from tests.support_programs import cans, compiled
-from tests.unit.debug.test_dap import HITS
-from vrts.cli.rerun_window import RerunWindow
-from vrts.cli.run_page import assessed
+from tests.unit.debug.dap.test_dap import HITS
+from vrts.cli.shared.rerun_window import RerunWindow
+from vrts.cli.shared.run_page import assessed
 from vrts.engine.controller import execute
 from vrts.report.recording import write_recording
 from vrts.report.recording.viewer import stand_at, viewer_program

@@ -6,20 +6,19 @@ import subprocess
 import sys
 from importlib.metadata import entry_points
 from importlib.resources import files
-from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from pygments.token import Comment, Error, Keyword, Name, Number, Operator, String, Text
 
+from tests.places import ROOT
 from vrts.editors.patterns import patterns
 from vrts.editors.pygments_lexer import Val2Lexer
 from vrts.editors.textmate import grammar, grammar_text
 from vrts.lang.vocabulary.functions import FUNCTIONS
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
-ROOT = Path(__file__).parents[3]
 PROGRAMS = [
     path.read_text("utf-8")
     for folder in ("tests/golden/lang", "examples/01-cans-on-bases")

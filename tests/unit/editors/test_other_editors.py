@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from tests.support_programs import ROOT
-from vrts.cli.editor_command import command
+from vrts.cli.editors.editor_command import command
 
 BAD = ".PROGRAM main()\n MOVEE safe\n.END\n"
 NVIM, EMACS = shutil.which("nvim"), shutil.which("emacs")

@@ -15,7 +15,7 @@ from xml.etree import ElementTree
 import pytest
 from click.testing import CliRunner
 
-from vrts.cli.editor_command import command
+from vrts.cli.editors.editor_command import command
 from vrts.debug.dap.adapter import Adapter
 from vrts.editors.vsix import version, vsix
 from vrts.lang.dialect import DIALECTS

@@ -4,7 +4,7 @@ import pytest
 
 from tests.support_programs import compiled, robot_alone
 from vrts.engine.controller import AFTERWARDS, execute, forked
-from vrts.engine.events import CommandRefused
+from vrts.engine.memory.events import CommandRefused
 from vrts.engine.run import OutOfHorizon, Run
 from vrts.ir.commands import GoTo, SetLocal, SetVariable, TimedCommand
 

@@ -1,7 +1,7 @@
 """What a program is doing, at any time: running or stopped, in which cycle, with which priority."""
 
 from tests.support_engine import driven, main
-from vrts.engine.records import ProgramState, ProgramStatus
+from vrts.engine.memory.records import ProgramState, ProgramStatus
 from vrts.engine.run import Run
 from vrts.ir.commands import Abort, Execute, Proceed
 

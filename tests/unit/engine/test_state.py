@@ -7,7 +7,7 @@ import pytest
 
 from tests.support_engine import TICK, driven, main, runs
 from tests.support_programs import ended, started
-from vrts.engine.records import ProgramStatus
+from vrts.engine.memory.records import ProgramStatus
 from vrts.engine.run import OutOfHorizon, Run, State
 from vrts.ir.commands import Abort, MonitorSpeed, Proceed
 from vrts.scene.model import Scenario

@@ -8,8 +8,8 @@ from vrts.base.pose import Pose, rotation_about, translation
 from vrts.geometry.boxes import boxes, travels
 from vrts.geometry.shapes import Box, Cylinder, Hull
 from vrts.geometry.solids import Frames, Instants, Motion, Solid, solids
-from vrts.robots.batch import link_frames
 from vrts.robots.catalog import robot
+from vrts.robots.kinematics.batch import link_frames
 
 TURN = Pose(rotation_about((0.36, 0.48, 0.8), 0.7), (0.05, -0.1, 0.2))
 TIP = Hull(((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (0.0, 0.05, 0.0), (0.0, 0.0, 0.2)))

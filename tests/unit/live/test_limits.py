@@ -2,9 +2,9 @@
 
 import pytest
 
+from vrts.live.front.origin import Names
 from vrts.live.limits import ALL_FAILURES, FAILURES, WINDOW, Bucket, FailedLogIns
 from vrts.live.names import LONGEST, display_name, readable
-from vrts.live.origin import Names
 from vrts.live.tokens import digest, new_code, new_token
 
 

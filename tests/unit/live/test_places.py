@@ -5,11 +5,11 @@ from pathlib import Path
 import pytest
 
 from vrts.live.places import places_of
-from vrts.live.session.messages import Start
+from vrts.live.session.channel.messages import Start
 from vrts.live.session.setting import setting_of
 from vrts.monitor.opening import opened
 from vrts.pipeline.files import CannotRead
-from vrts.robots.puma import PUMA_761, PUMA_762
+from vrts.robots.arms.puma import PUMA_761, PUMA_762
 
 LAB = """
 [lab]

@@ -1,6 +1,6 @@
 """A text with a cursor in it."""
 
-from vrts.lsp.documents import Document
+from vrts.lsp.documents.documents import Document
 
 
 def at(text: str, name: str = "/cell/a.v2") -> tuple[Document, int]:

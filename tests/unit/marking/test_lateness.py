@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vrts.check.late_rules import LateRules, LateStep
+from vrts.check.task.late_rules import LateRules, LateStep
 from vrts.marking.lateness import Marks, best, lateness, marks
 
 CET = timezone(timedelta(hours=1))

@@ -11,11 +11,11 @@ from typing import NamedTuple
 import pytest
 
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker
 from vrts.marking.marking import Done, Entry, mark_class
-from vrts.marking.one import Wanted
 from vrts.marking.result import Kind, from_bytes
-from vrts.marking.setting import Place
+from vrts.marking.submission.marker import Marker
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 from vrts.marking.supervise.limits import Limits
 from vrts.marking.supervise.supervisor import CAN_FORK
 from vrts.pipeline.files import CHECKOUT
@@ -135,9 +135,9 @@ import sys, time
 from pathlib import Path
 from tests.unit.marking.test_marking import ENTRIES, GOOD, PLAIN, TASK
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker
+from vrts.marking.submission.marker import Marker
 from vrts.marking.marking import Entry, mark_class
-from vrts.marking.setting import Place
+from vrts.marking.submission.setting import Place
 entries = [Entry(f"s{n}", "pick.v2", GOOD) for n in range(40)]
 for done in mark_class(Marker(Place(TASK), PLAIN), entries, Layout(Path(sys.argv[1]))):
     print(done.entry.identifier, flush=True)

@@ -6,12 +6,12 @@ import pytest
 from tests.unit.marking.appeals.support import BAD, GOOD, TASK, result
 from vrts.marking.differences import differences
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker
 from vrts.marking.marking import Done, Entry, mark_class
-from vrts.marking.one import Wanted
 from vrts.marking.result import Kind
 from vrts.marking.sample import STAFF, sampled, verify_sample
-from vrts.marking.setting import Place
+from vrts.marking.submission.marker import Marker
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 
 ENTRIES = (
     Entry("anna", "pick.v2", GOOD),

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parent.parent.parent.parent
+from tests.places import ROOT
+
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 VRTS = Path(sys.executable).with_name("vrts")
 HIDDEN = """

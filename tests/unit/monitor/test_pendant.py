@@ -11,7 +11,7 @@ from vrts.base.units import DEG, deg
 from vrts.lang.compiler import compile_source
 from vrts.monitor.dialogue import Dialogue
 from vrts.monitor.pendant import Pendant, points_text, press, screen
-from vrts.robots.puma import PUMA_761
+from vrts.robots.arms.puma import PUMA_761
 
 BENT = "DO MOVE #PPOINT(0,-60,120,0,30,0)"  # straight lines may begin here
 

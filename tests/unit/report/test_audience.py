@@ -4,12 +4,12 @@ from dataclasses import replace
 from fractions import Fraction
 
 from tests.support_runs import assessment
-from tests.unit.report.test_html import Reader
+from tests.unit.report.page.test_html import Reader
 from vrts.base.source import SourceFile
 from vrts.check.verdict import ContactEvent, NearMiss
 from vrts.report.assessment import Assessment
 from vrts.report.audience import Audience, for_student, needs_review
-from vrts.report.page import page
+from vrts.report.page.page import page
 from vrts.report.plain import bare_name
 
 DISPUTE = "left finger and can1 at 1.3 s: coal −0.31 mm, fcl +0.12 mm"

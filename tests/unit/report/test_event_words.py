@@ -3,7 +3,7 @@
 import pytest
 
 from tests.support_runs import MOVES
-from vrts.engine.events import (
+from vrts.engine.memory.events import (
     AnalogChanged,
     Answered,
     CommandRefused,

@@ -6,9 +6,9 @@ from fractions import Fraction
 from tests.support_reports import HOSTILE, SYNTAX, broken, compiled, contact_loss, grade
 from vrts.base.diagnostic import error
 from vrts.base.source import SourceFile
-from vrts.check.grade import Loss
+from vrts.check.mark.grade import Loss
 from vrts.report.first_screen import NOTHING_LOST, first_screen
-from vrts.report.text import assessment_text
+from vrts.report.screen.text import assessment_text
 
 
 def test_the_costliest_cause_is_one_sentence_with_its_price() -> None:

@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 import rerun as rr
 
+from tests.places import TESTS
 from tests.support_reports import SYNTAX
 from tests.support_runs import assessment
 from vrts.base.diagnostic import Label, error
@@ -22,18 +23,18 @@ from vrts.check.judgement import Judgement
 from vrts.check.verdict import Clearance, NearMiss
 from vrts.report.assessment import Assessment
 from vrts.report.audience import Audience
-from vrts.report.csv_field import text_field
-from vrts.report.first_screen_text import first_screen_text
-from vrts.report.html import json_script
-from vrts.report.json_form import assessment_json
-from vrts.report.json_text import json_text
-from vrts.report.page import page
-from vrts.report.palette import Palette
+from vrts.report.formats.csv_field import text_field
+from vrts.report.formats.json_form import assessment_json
+from vrts.report.formats.json_text import json_text
+from vrts.report.formats.sarif import sarif
+from vrts.report.page.html import json_script
+from vrts.report.page.page import page
 from vrts.report.recording.names import of_body
-from vrts.report.sarif import sarif
-from vrts.report.text import assessment_text
+from vrts.report.screen.first_screen_text import first_screen_text
+from vrts.report.screen.palette import Palette
+from vrts.report.screen.text import assessment_text
 
-DATA = Path(__file__).parent.parent.parent / "data" / "hostile_strings.json"
+DATA = TESTS / "data" / "hostile_strings.json"
 CORPUS: list[str] = json.loads(DATA.read_text(encoding="utf-8"))
 RERUN = Path(sys.executable).parent / "rerun"
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from vrts.report.json_text import json_text
+from vrts.report.formats.json_text import json_text
 from vrts.report.plain import line_start, plain_text, shown, visible
 
 

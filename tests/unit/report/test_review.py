@@ -9,15 +9,15 @@ from tests.support_programs import cans, ran
 from tests.support_runs import assessment
 from vrts.base.source import SourceFile
 from vrts.check.judge import judge
-from vrts.check.mark import grade
-from vrts.check.task_file import read_task
+from vrts.check.mark.mark import grade
+from vrts.check.task.task_file import read_task
 from vrts.check.verdict import Answer
 from vrts.pipeline.files import CHECKOUT
 from vrts.report.assessment import Assessment
-from vrts.report.json_form import assessment_json, result_json
+from vrts.report.formats.json_form import assessment_json, result_json
 from vrts.report.review import review_of
-from vrts.report.row_text import row_text
-from vrts.report.text import assessment_text
+from vrts.report.screen.row_text import row_text
+from vrts.report.screen.text import assessment_text
 
 SOLUTION = (CHECKOUT / "examples" / "01-cans-on-bases" / "solution.v2").read_text("utf-8")
 TASK = """[task]

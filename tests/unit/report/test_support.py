@@ -2,11 +2,11 @@
 
 import json
 import re
-from pathlib import Path
 
 import pytest
 
-from vrts.cli.support_command import KINDS as OFFERED
+from tests.places import TESTS
+from vrts.cli.language.support_command import KINDS as OFFERED
 from vrts.engine.controller import execute
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.verify import verify
@@ -32,7 +32,7 @@ from vrts.scene.default import robot_alone
 NOT_SIMULATED = "V261"
 STATES = {entry.word: entry.state for entry in entries(kind="instruction")}
 FUNCTION_STATES = {entry.word: entry.state for entry in entries(kind="function")}
-LISTED = json.loads((Path(__file__).parents[2] / "data" / "keywords.json").read_text("utf-8"))
+LISTED = json.loads((TESTS / "data" / "keywords.json").read_text("utf-8"))
 
 
 def stopped_at(steps: str, dialects: str) -> bool:

@@ -1,23 +1,23 @@
 """One program on every robot: it takes the can, sets it on the base, and touches nothing else."""
 
 import math
-from pathlib import Path
 
 import pytest
 
+from tests.places import ROOT
 from vrts.base.source import SourceFile
 from vrts.check.judge import judge
 from vrts.check.verdict import Answer
 from vrts.engine.controller import execute
-from vrts.engine.records import Ending, Lie
+from vrts.engine.memory.records import Ending, Lie
 from vrts.engine.run import Run
 from vrts.lang.compiler import compile_source
 from vrts.robots.catalog import names
 from vrts.scene.block import location_block
 from vrts.scene.model import Scenario, Scene
-from vrts.scene.scene_file import read_scene
+from vrts.scene.reading.scene_file import read_scene
 
-SCENES = Path(__file__).parents[3] / "scenes"
+SCENES = ROOT / "scenes"
 ROBOTS = (*names(), "urdf")
 
 PICK_AND_PLACE = """\

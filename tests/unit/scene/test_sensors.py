@@ -1,16 +1,14 @@
 """What a sensor sees: centres of mass and the tip of the tool, faces included, nothing else."""
 
-from pathlib import Path
-
 import pytest
 
+from tests.places import ROOT
 from vrts.base.pose import IDENTITY, X_AXIS, Pose, Vector, rotation_about, translation
 from vrts.base.source import SourceFile
 from vrts.scene.model import Region, Sensor
-from vrts.scene.scene_file import read_scene
+from vrts.scene.reading.scene_file import read_scene
 from vrts.scene.sensors import holds, is_on, movable_centres, sees
 
-ROOT = Path(__file__).parents[3]
 REGION = Region((0.5, -0.1, 0.0), (0.7, 0.1, 0.2))
 AWAY = translation(5.0, 5.0, 5.0)
 CENTRES: dict[str, Vector] = {"can1": (0.0, 0.0, 0.05), "can2": (0.0, 0.0, 0.05)}

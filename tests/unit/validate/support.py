@@ -7,17 +7,18 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from tests.places import ROOT
 from vrts.engine.run import Run
 from vrts.pipeline.programs import Reading
 from vrts.pipeline.settings import load_scene, robot_alone
-from vrts.report.run_csv import run_csv
+from vrts.report.formats.run_csv import run_csv
 from vrts.run_files import simulate
-from vrts.validate.log import RobotLog
+from vrts.validate.log.log import RobotLog
 from vrts.validate.sampling import sampled
 
 Array = npt.NDArray[np.float64]
 
-EXAMPLE = Path(__file__).parents[3] / "examples" / "05-validation"
+EXAMPLE = ROOT / "examples" / "05-validation"
 TOOL_TURNS = """\
 .PROGRAM turns
   SPEED 40 ALWAYS

@@ -17,7 +17,7 @@ from tests.unit.validate.support import (
 from vrts.base.units import DEG, MM
 from vrts.validate.comparison import compare, read_and_compare
 from vrts.validate.errors import along_and_across, lengths, measures
-from vrts.validate.log_columns import UNITS
+from vrts.validate.log.log_columns import UNITS
 from vrts.validate.offsets import Wanted, rotation_vector, turned
 
 ALL = Wanted(time=True, base=True, tool=True)

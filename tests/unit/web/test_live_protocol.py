@@ -7,7 +7,8 @@ import msgspec
 import pytest
 
 from vrts.live import actions, protocol
-from vrts.live.session import frame, messages
+from vrts.live.session.channel import messages
+from vrts.live.session.views import frame
 from vrts.web.assets import asset
 
 TEXT = asset("live/protocol.js")

@@ -19,7 +19,7 @@ from vrts.debug.evaluating import CannotTell
 from vrts.debug.opening import Asked, opened, why_not
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.settings import Refused
-from vrts.report.text import diagnostic_text
+from vrts.report.screen.text import diagnostic_text
 
 Send: TypeAlias = Callable[[str, Json], None]
 

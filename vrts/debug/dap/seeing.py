@@ -15,7 +15,7 @@ from vrts.debug.dap.session import (
 )
 from vrts.debug.frames import Frame
 from vrts.debug.values import scopes, variable
-from vrts.engine.events import Cause
+from vrts.engine.memory.events import Cause
 from vrts.report.plain import one_line, plain_text
 
 NAMES = {ROBOT: "robot program", PROCESS: "process control program"}

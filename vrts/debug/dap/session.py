@@ -17,8 +17,8 @@ from vrts.debug.dap.handles import Handles
 from vrts.debug.debugger import Debugger, Stop, Why
 from vrts.debug.files import Files
 from vrts.debug.frames import Frame, frames
-from vrts.engine.events import Cause
-from vrts.engine.records import Ending
+from vrts.engine.memory.events import Cause
+from vrts.engine.memory.records import Ending
 from vrts.report.plain import one_line, plain_text
 
 Json: TypeAlias = dict[str, Any]

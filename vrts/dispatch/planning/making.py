@@ -11,18 +11,18 @@ import msgspec
 
 from vrts import __version__
 from vrts.base.units import mm
-from vrts.check.duration import duration
-from vrts.check.mark import grade
+from vrts.check.mark.mark import grade
+from vrts.check.verdicts.duration import duration
 from vrts.dispatch.bundle import NO_MEMBERS, Bundle, content_digest, digest_of, with_sheet
 from vrts.dispatch.manifest import SCHEMA, Answered, Manifest, Margin, Thing, Verified
-from vrts.dispatch.planning.coverage import Covered, executed_steps
-from vrts.dispatch.planning.dependence import Dependence, reads
-from vrts.dispatch.planning.dry_run import DryRun
+from vrts.dispatch.planning.beside.dry_run import DryRun
 from vrts.dispatch.planning.printed import Printed
-from vrts.dispatch.planning.proof import Case
-from vrts.dispatch.planning.refusals import Sorted
-from vrts.dispatch.planning.rounding import largest
-from vrts.dispatch.planning.sheet import Sheet, sheet
+from vrts.dispatch.planning.reasons.coverage import Covered, executed_steps
+from vrts.dispatch.planning.reasons.dependence import Dependence, reads
+from vrts.dispatch.planning.reasons.proof import Case
+from vrts.dispatch.planning.reasons.refusals import Sorted
+from vrts.dispatch.planning.reasons.rounding import largest
+from vrts.dispatch.planning.sheet.sheet import Sheet, sheet
 from vrts.dispatch.profile import Profile
 from vrts.ir.module import Module
 from vrts.pipeline.settings import Setting

@@ -12,21 +12,22 @@ from vrts.base.units import MM
 from vrts.check.judge import judge
 from vrts.dispatch.bundle import Bundle
 from vrts.dispatch.manifest import Margin
-from vrts.dispatch.planning import coverage, dependence, fits, margins
-from vrts.dispatch.planning.dry_run import NO_DRY_RUN, DryRun, dry_run
+from vrts.dispatch.planning.beside import margins
+from vrts.dispatch.planning.beside.dry_run import NO_DRY_RUN, DryRun, dry_run
+from vrts.dispatch.planning.beside.worlds import World
 from vrts.dispatch.planning.making import Made, bundle_of
-from vrts.dispatch.planning.nearness import Nearness, nearness, too_near
 from vrts.dispatch.planning.printed import printed, read_back
-from vrts.dispatch.planning.proof import Case, obstacles, unproven
-from vrts.dispatch.planning.refusals import (
+from vrts.dispatch.planning.reasons import coverage, dependence, fits
+from vrts.dispatch.planning.reasons.nearness import Nearness, nearness, too_near
+from vrts.dispatch.planning.reasons.proof import Case, obstacles, unproven
+from vrts.dispatch.planning.reasons.refusals import (
     LOST_BY_ROUNDING,
     OTHER_LANGUAGE,
     Promise,
     Sorted,
     sort_out,
 )
-from vrts.dispatch.planning.rounding import lost, same_instructions
-from vrts.dispatch.planning.worlds import World
+from vrts.dispatch.planning.reasons.rounding import lost, same_instructions
 from vrts.dispatch.profile import Profile
 from vrts.engine.controller import execute
 from vrts.ir.module import Module

@@ -4,9 +4,9 @@ from typing import ClassVar
 
 from vrts.dispatch.posts.post import TIGHTEST, CannotWrite, Post, Settled
 from vrts.ir.values import Type
-from vrts.lang import syntax
 from vrts.lang.compiler import Resolved
 from vrts.lang.dialect import AS
+from vrts.lang.grammar import syntax
 from vrts.lang.names import key
 
 COARSE_MM = 10.0  # ACCURACY for COARSE [assumed]

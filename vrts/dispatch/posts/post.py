@@ -11,11 +11,11 @@ from typing import ClassVar, NamedTuple
 
 from vrts.base.diagnostic import Rule
 from vrts.ir.values import Type
-from vrts.lang import syntax
 from vrts.lang.compiler import Resolved
 from vrts.lang.dialect import Angles, Dialect, Precedence
+from vrts.lang.grammar import syntax
+from vrts.lang.grammar.operators import TABLE_A, TABLE_B
 from vrts.lang.names import key
-from vrts.lang.operators import TABLE_A, TABLE_B
 from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions, bare_functions
 from vrts.lang.vocabulary.lookup import instructions_of, reserved_words
 

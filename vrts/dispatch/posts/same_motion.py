@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from vrts.base.units import MM
 from vrts.engine.run import Run
-from vrts.robots.batch import flange_frames
+from vrts.robots.kinematics.batch import flange_frames
 
 TOLERANCE_MM = 0.01  # that the tool may be elsewhere
 STEP_S = 0.004  # between times that are compared, besides the ends of all segments

@@ -3,8 +3,8 @@
 from typing import ClassVar
 
 from vrts.dispatch.posts.post import CannotWrite, Post
-from vrts.lang import syntax
 from vrts.lang.dialect import VAL2
+from vrts.lang.grammar import syntax
 
 
 class Val2(Post):

@@ -3,8 +3,8 @@
 from typing import ClassVar
 
 from vrts.dispatch.posts.post import Post
-from vrts.lang import syntax
 from vrts.lang.dialect import VPLUS
+from vrts.lang.grammar import syntax
 
 
 class VPlus(Post):

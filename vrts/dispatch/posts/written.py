@@ -12,10 +12,10 @@ from vrts.dispatch.posts.vplus import VPlus
 from vrts.ir.values import Type
 from vrts.lang.compiler import Compilation, Resolved, resolve_source
 from vrts.lang.dialect import VAL2
-from vrts.lang.layout import layout
-from vrts.lang.splitter import Section, comment_start
-from vrts.lang.store import data_text
-from vrts.lang.syntax import Formal, ProgramText, Step
+from vrts.lang.grammar.syntax import Formal, ProgramText, Step
+from vrts.lang.reading.splitter import Section, comment_start
+from vrts.lang.writing.layout import layout
+from vrts.lang.writing.store import data_text
 
 POSTS: dict[str, type[Post]] = {post.name: post for post in (Val2, VPlus, KawasakiAs)}
 

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from vrts.dispatch.allowed import Prompt
 from vrts.dispatch.profile_parts import Profile
 from vrts.dispatch.steps import Steps
-from vrts.dispatch.transfer.asking import AT_COMMANDS, expect
+from vrts.dispatch.transfer.held.asking import AT_COMMANDS, expect
 from vrts.dispatch.transfer.listed import Place, six_numbers
 from vrts.dispatch.transfer.locations import same_place
 from vrts.dispatch.transfer.problems import READ_BACK_DIFFERS, stop, unlike, visible

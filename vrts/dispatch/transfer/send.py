@@ -9,12 +9,6 @@ from dataclasses import dataclass, field
 
 from vrts.dispatch.profile_parts import Profile
 from vrts.dispatch.steps import Steps, first_difference
-from vrts.dispatch.transfer import asking
-from vrts.dispatch.transfer.asking import (
-    AT_COMMANDS,
-    refuse_unless_at_commands,
-    refuse_while_running,
-)
 from vrts.dispatch.transfer.cargo import Cargo
 from vrts.dispatch.transfer.entering import (
     delete_program,
@@ -23,8 +17,14 @@ from vrts.dispatch.transfer.entering import (
     leave,
     open_program,
 )
-from vrts.dispatch.transfer.looking import Options, States, Work, copy_of_old, key, look
-from vrts.dispatch.transfer.read_back import same_value, verify_places, verify_program, where
+from vrts.dispatch.transfer.held import asking
+from vrts.dispatch.transfer.held.asking import (
+    AT_COMMANDS,
+    refuse_unless_at_commands,
+    refuse_while_running,
+)
+from vrts.dispatch.transfer.held.looking import Options, States, Work, copy_of_old, key, look
+from vrts.dispatch.transfer.held.read_back import same_value, verify_places, verify_program, where
 from vrts.dispatch.transfer.talk import Talk
 from vrts.pipeline.settings import Refused
 

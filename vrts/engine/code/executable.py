@@ -5,17 +5,17 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from vrts.base.source import SourceFile, Span
-from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Memory
-from vrts.engine.code.evaluate import Compiler, Evaluate
-from vrts.engine.code.extent import robot_only, simulates
-from vrts.engine.code.places import Numbering
 from vrts.engine.code.step import Step
-from vrts.engine.code.steps import StepCompiler
-from vrts.engine.context import Context, Frame, FrameKind
-from vrts.engine.events import Cause
+from vrts.engine.code.steps.steps import StepCompiler
+from vrts.engine.code.values.evaluate import Compiler, Evaluate
+from vrts.engine.code.values.extent import robot_only, simulates
+from vrts.engine.code.values.places import Numbering
 from vrts.engine.faults import RuntimeFault
+from vrts.engine.machine.context import Context, Frame, FrameKind
+from vrts.engine.machine.process import note_progress
+from vrts.engine.memory.cells import UNDEFINED, Array, Bound, Cell, Memory
+from vrts.engine.memory.events import Cause
 from vrts.engine.outcomes import CYCLE_ENDED, SWITCHED
-from vrts.engine.process import note_progress
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression, Place, Slot, WholeArray
 from vrts.ir.module import Module, Program

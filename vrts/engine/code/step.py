@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from vrts.base.source import Span
-from vrts.engine.context import Context
+from vrts.engine.machine.context import Context
 from vrts.engine.outcomes import INSTANT
 from vrts.ir.expressions import Expression, Load
 

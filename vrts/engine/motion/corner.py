@@ -15,7 +15,7 @@ from vrts.engine.motion.profile import Profile, at
 from vrts.engine.motion.remarks import Remark, remarks_on
 from vrts.engine.motion.set_points import STILL, Offset, Piece, SetPoints, deviation, follow, joined
 from vrts.engine.outcomes import INSTANT
-from vrts.robots.branch import branch_of
+from vrts.robots.kinematics.branch import branch_of
 from vrts.robots.model import Arm, ArmBranch, Configuration
 
 

@@ -13,7 +13,7 @@ from vrts.engine.motion.remarks import Remark, remarks_on
 from vrts.engine.motion.set_points import STILL, Piece, SetPoints, deviation, follow, joined
 from vrts.engine.motion.settings import Settings
 from vrts.ir.instructions import Interpolation
-from vrts.robots.branch import branch_of
+from vrts.robots.kinematics.branch import branch_of
 from vrts.robots.model import Arm, ArmBranch, Configuration
 
 SHORTEST_LINE = 1e-6  # [m] or [rad]: less is no motion at all

@@ -10,8 +10,10 @@ from bisect import bisect_right
 from typing import NamedTuple
 
 from vrts.base.pose import IDENTITY, Pose
-from vrts.engine.events import Cause
 from vrts.engine.faults import RuntimeFault
+from vrts.engine.memory.events import Cause
+from vrts.engine.memory.numbered import Numbered
+from vrts.engine.memory.records import ArmPiece, Motion
 from vrts.engine.motion.corner import Corner, Leg, fits, half_width, round_corner
 from vrts.engine.motion.plan import Intent, Planned, from_rest
 from vrts.engine.motion.polynomials import rate as rate_of
@@ -21,13 +23,11 @@ from vrts.engine.motion.remarks import Remark
 from vrts.engine.motion.requests import Stance, with_request
 from vrts.engine.motion.settings import Settings
 from vrts.engine.motion.time_scale import TimeScale
-from vrts.engine.numbered import Numbered
 from vrts.engine.outcomes import INSTANT
-from vrts.engine.records import ArmPiece, Motion
 from vrts.ir.instructions import BranchRequest
-from vrts.robots.branch import INITIAL_BRANCH, branch_of
-from vrts.robots.choice import NOTHING_REQUESTED
-from vrts.robots.kinematics import forward
+from vrts.robots.kinematics.branch import INITIAL_BRANCH, branch_of
+from vrts.robots.kinematics.choice import NOTHING_REQUESTED
+from vrts.robots.kinematics.kinematics import forward
 from vrts.robots.model import (
     Arm,
     ArmBranch,

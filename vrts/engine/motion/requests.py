@@ -18,11 +18,11 @@ from vrts.engine.motion.plan import Intent, joint_intent, line_intent
 from vrts.engine.motion.settings import Settings
 from vrts.ir.instructions import BranchRequest
 from vrts.ir.runtime_errors import RuntimeErrorKind
-from vrts.robots.branch import branch_of
-from vrts.robots.choice import OutOfLimits, OutOfReach, Request, choose
-from vrts.robots.kinematics import forward, limit_violations
+from vrts.robots.kinematics.branch import branch_of
+from vrts.robots.kinematics.choice import OutOfLimits, OutOfReach, Request, choose
+from vrts.robots.kinematics.kinematics import forward, limit_violations
+from vrts.robots.kinematics.singular import singular_at
 from vrts.robots.model import Arm, ArmBranch, Configuration, Elbow, Shoulder, Wrist
-from vrts.robots.singular import singular_at
 
 
 class Stance(NamedTuple):

@@ -22,16 +22,16 @@ from vrts.base.pose import (
 )
 from vrts.engine.motion.paths import Course, LinePath
 from vrts.engine.motion.polynomials import Row
-from vrts.robots.branch import has_branches
-from vrts.robots.kinematics import (
+from vrts.robots.kinematics.branch import has_branches
+from vrts.robots.kinematics.kinematics import (
     forward,
     joint_velocity,
     limit_violations,
     reach_error,
 )
+from vrts.robots.kinematics.singular import singular_at
+from vrts.robots.kinematics.tracking import track
 from vrts.robots.model import Arm, ArmBranch, Configuration
-from vrts.robots.singular import singular_at
-from vrts.robots.tracking import track
 
 Piece = tuple[float, float, tuple[Row, ...]]
 """Start and end in path time [s]; six rows of coefficients from the piece's start."""

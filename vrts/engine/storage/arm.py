@@ -5,8 +5,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from vrts.engine.history import ArmHistory
+from vrts.engine.memory.records import ArmPiece, Motion
 from vrts.engine.motion.time_scale import Knot, TimeScale
-from vrts.engine.records import ArmPiece, Motion
 from vrts.engine.storage.columns import (
     ascending,
     check_below,

@@ -8,7 +8,7 @@ from typing import TypeVar
 import numpy as np
 
 from vrts.base.pose import Pose
-from vrts.engine.cells import UNDEFINED, Array, Bound, Cell, Content
+from vrts.engine.memory.cells import UNDEFINED, Array, Bound, Cell, Content
 from vrts.engine.storage.columns import (
     check_below,
     check_firsts,

@@ -11,8 +11,8 @@ from itertools import zip_longest
 from vrts.base.diagnostic import Diagnostic, Label, error
 from vrts.base.pose import Pose
 from vrts.base.units import DEG, MM
-from vrts.engine.cells import Content
-from vrts.engine.events import Event, Found
+from vrts.engine.memory.cells import Content
+from vrts.engine.memory.events import Event, Found
 from vrts.engine.run import Run, State
 from vrts.engine.storage.damage import DIFFERS
 from vrts.ir.values import Value

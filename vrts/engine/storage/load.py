@@ -14,16 +14,6 @@ from typing import NamedTuple
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.base.pose import Pose
-from vrts.engine.cells import Cell
-from vrts.engine.event_log import EventLog
-from vrts.engine.events import (
-    Cause,
-    Event,
-    HandCommanded,
-    MotionEnded,
-    MotionStarted,
-    ProgramEnded,
-)
 from vrts.engine.history import (
     ArmHistory,
     Code,
@@ -32,8 +22,19 @@ from vrts.engine.history import (
     MemoryHistory,
     ProgramHistory,
 )
+from vrts.engine.memory.cells import Cell
+from vrts.engine.memory.event_log import EventLog
+from vrts.engine.memory.events import (
+    Cause,
+    Event,
+    HandCommanded,
+    MotionEnded,
+    MotionStarted,
+    ProgramEnded,
+)
+from vrts.engine.memory.records import Ending, Lie, Placement
+from vrts.engine.memory.trace import Trace
 from vrts.engine.motion.time_scale import Knot
-from vrts.engine.records import Ending, Lie, Placement
 from vrts.engine.run import Run
 from vrts.engine.storage import arm, cells, traces
 from vrts.engine.storage.columns import ascending, check_below, counts_of, wholes
@@ -44,7 +45,6 @@ from vrts.engine.storage.plain import Json, Plain, listed, named, number, text, 
 from vrts.engine.storage.save import FORMAT, MAIN_LAYOUT
 from vrts.engine.storage.sound_scenario import check_scenario
 from vrts.engine.timeline import Stroke
-from vrts.engine.trace import Trace
 from vrts.ir.commands import Execute, TimedCommand
 from vrts.ir.instructions import HandAction
 from vrts.ir.module import Module

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple, TypeAlias, cast, get_args, get_origin
 from vrts.base.diagnostic import Rule
 from vrts.base.pose import Pose
 from vrts.base.source import SourceFile, Span
-from vrts.engine.events import Cause
+from vrts.engine.memory.events import Cause
 from vrts.engine.storage.damage import require
 from vrts.ir.values import Joints
 

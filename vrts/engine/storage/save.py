@@ -6,10 +6,10 @@ from bisect import bisect_right
 
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic, error
-from vrts.engine.events import Event
 from vrts.engine.history import HandHistory, History, ProgramHistory
+from vrts.engine.memory.events import Event
+from vrts.engine.memory.records import Lie
 from vrts.engine.motion.time_scale import Knot
-from vrts.engine.records import Lie
 from vrts.engine.run import Run
 from vrts.engine.storage.arm import write_arm
 from vrts.engine.storage.cells import CellWriter

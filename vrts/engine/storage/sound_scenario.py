@@ -2,12 +2,12 @@
 
 from itertools import pairwise
 
-from vrts.engine.signals import INPUTS
+from vrts.engine.machine.signals import INPUTS
 from vrts.engine.storage.damage import require
 from vrts.ir.system import PARAMETERS
-from vrts.robots.kinematics import limit_violations
+from vrts.robots.kinematics.kinematics import limit_violations
 from vrts.scene.model import Scenario, Scene
-from vrts.scene.scenario_file import (
+from vrts.scene.reading.scenario_file import (
     FASTEST,
     LARGEST_PARAMETER,
     LARGEST_SEED,
@@ -20,7 +20,7 @@ from vrts.scene.scenario_file import (
     MOST_STATEMENTS,
     SLOWEST,
 )
-from vrts.scene.scenario_signals import LATEST_S
+from vrts.scene.reading.scenario_signals import LATEST_S
 
 TOLERANCE = 1e-6  # [m] of the hand's opening
 

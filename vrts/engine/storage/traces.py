@@ -2,8 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 
-from vrts.engine.cells import Array, Bound
 from vrts.engine.history import Code
+from vrts.engine.memory.cells import Array, Bound
+from vrts.engine.memory.trace import Activation, Trace
 from vrts.engine.storage.cells import CellWriter
 from vrts.engine.storage.columns import (
     NONE,
@@ -17,7 +18,6 @@ from vrts.engine.storage.columns import (
 )
 from vrts.engine.storage.container import Table
 from vrts.engine.storage.damage import require
-from vrts.engine.trace import Activation, Trace
 from vrts.ir.module import Program
 
 COUNTS = ("instructions", "begun", "counts", "rested", "resting", "changed")

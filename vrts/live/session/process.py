@@ -12,8 +12,7 @@ from pathlib import Path
 
 import msgspec
 
-from vrts.live.session.beats import AFTER_TICK, Beats, shows
-from vrts.live.session.carrying_on import (
+from vrts.live.session.again.carrying_on import (
     CannotCarryOn,
     Interrupted,
     Voice,
@@ -21,17 +20,18 @@ from vrts.live.session.carrying_on import (
     empty,
     read_entries,
 )
-from vrts.live.session.checker import Checker, warm_up
-from vrts.live.session.inbox import Inbox, Unreadable
-from vrts.live.session.messages import Failed, Json, Pace, Ready, Start, Stop
-from vrts.live.session.outbox import Outbox, ServerGone
+from vrts.live.session.channel.beats import AFTER_TICK, Beats, shows
+from vrts.live.session.channel.inbox import Inbox, Unreadable
+from vrts.live.session.channel.messages import Failed, Json, Pace, Ready, Start, Stop
+from vrts.live.session.channel.outbox import Outbox, ServerGone
+from vrts.live.session.growing.tidying import Tidying
+from vrts.live.session.marks.checker import Checker, warm_up
 from vrts.live.session.session import Session
 from vrts.live.session.setting import setting_of
-from vrts.live.session.tidying import Tidying
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.settings import Refused, Setting
-from vrts.report.viewer_data import scene_data
+from vrts.report.page.viewer_data import scene_data
 
 FIRST = 30.0  # [s] within which the first order has to come
 LIMITS = Limits(cpu_s=12 * 3600, memory=1_000_000_000)

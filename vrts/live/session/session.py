@@ -17,13 +17,14 @@ from vrts.ir.commands import Command, Load, Panic, SetVariable
 from vrts.ir.module import Module
 from vrts.lang.dialect import DIALECTS
 from vrts.live import actions as do
-from vrts.live.session import messages as m
-from vrts.live.session.conversation import Conversation
-from vrts.live.session.deeds import Deeds
-from vrts.live.session.folders import Folders
-from vrts.live.session.growing import GrowingRun
-from vrts.live.session.held_key import HeldKey
-from vrts.live.session.motions import (
+from vrts.live.session.channel import messages as m
+from vrts.live.session.growing.deeds import Deeds
+from vrts.live.session.growing.growing import GrowingRun
+from vrts.live.session.growing.past import Past
+from vrts.live.session.operator.conversation import Conversation
+from vrts.live.session.operator.folders import Folders
+from vrts.live.session.operator.held_key import HeldKey
+from vrts.live.session.operator.motions import (
     Instruction,
     branch_words,
     displaced,
@@ -32,10 +33,9 @@ from vrts.live.session.motions import (
     pose_of,
     turn_joint,
 )
-from vrts.live.session.past import Past
-from vrts.live.session.recording import Unrecordable, recorded, stored_row
-from vrts.live.session.showing import Showing
-from vrts.live.session.status import runs
+from vrts.live.session.operator.recording import Unrecordable, recorded, stored_row
+from vrts.live.session.views.showing import Showing
+from vrts.live.session.views.status import runs
 from vrts.monitor.desk import Desk
 from vrts.pipeline.settings import Setting
 from vrts.scene.model import Limits, Scenario
@@ -184,7 +184,7 @@ class Session:
 
     def program(self, name: str) -> str:
         """Return what was done as VAL-II text."""
-        from vrts.live.session.program import as_program
+        from vrts.live.session.views.program import as_program
 
         growing = self.growing
         return as_program(self.run, name, growing.deeds() or Deeds(), growing.known_from_s)
@@ -334,7 +334,7 @@ class Session:
         return m.Done(ref, at_s, True, text, row=stored_row(command))
 
     def _save(self, ref: int, name: str, owner: str) -> m.Done:
-        from vrts.live.session.program import is_program_name
+        from vrts.live.session.views.program import is_program_name
 
         at_s = self.growing.time_s
         if not is_program_name(name):

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from vrts.live.session.messages import Start
+from vrts.live.session.channel.messages import Start
 from vrts.pipeline.settings import Setting, load_scene, load_task, robot_alone
 
 

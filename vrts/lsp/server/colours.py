@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 from lsprotocol import types
 
-from vrts.lsp.colouring import Colour, coloured
-from vrts.lsp.documents import Document
+from vrts.lsp.answers.colouring import Colour, coloured
+from vrts.lsp.documents.documents import Document
 from vrts.lsp.server.places import Places
 from vrts.lsp.server.session import Session
 

@@ -2,12 +2,12 @@
 
 from lsprotocol import types
 
-from vrts.lsp.completing import Proposal, What, complete
-from vrts.lsp.hovering import hover
-from vrts.lsp.linking import group
-from vrts.lsp.reaching import reach_text
+from vrts.lsp.answers.completing import Proposal, What, complete
+from vrts.lsp.answers.hovering import hover
+from vrts.lsp.answers.signatures import signature
+from vrts.lsp.documents.linking import group
+from vrts.lsp.runs.reaching import reach_text
 from vrts.lsp.server.session import Session
-from vrts.lsp.signatures import signature
 
 _KINDS = {
     What.INSTRUCTION: types.CompletionItemKind.Keyword,

@@ -2,12 +2,12 @@
 
 from lsprotocol import types
 
-from vrts.lsp.documents import Document
-from vrts.lsp.folding import folds
-from vrts.lsp.formatting import Edit, layout_edits
+from vrts.lsp.answers.folding import folds
+from vrts.lsp.answers.formatting import Edit, layout_edits
+from vrts.lsp.answers.symbols import Symbol, What, all_symbols, symbols
+from vrts.lsp.documents.documents import Document
 from vrts.lsp.server.places import Places
 from vrts.lsp.server.session import Session
-from vrts.lsp.symbols import Symbol, What, all_symbols, symbols
 
 MOST_SYMBOLS = 1000  # that a search over all files answers
 

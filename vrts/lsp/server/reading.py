@@ -10,7 +10,7 @@ from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 from pygls.lsp.server import LanguageServer
 
-from vrts.lsp.documents import Documents
+from vrts.lsp.documents.documents import Documents
 
 AT_ONCE_S = 0.1  # of reading, whatever the client does: small folders take no longer
 QUIET_S = 0.2  # after the client said something, before a file is read

@@ -3,10 +3,10 @@
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 
-from vrts.lsp.finding import Found, definition, references
-from vrts.lsp.renaming import CannotRename, renamable, rename
+from vrts.lsp.answers.finding import Found, definition, references
+from vrts.lsp.answers.renaming import CannotRename, renamable, rename
+from vrts.lsp.documents.uses import Role
 from vrts.lsp.server.session import Session
-from vrts.lsp.uses import Role
 
 REQUEST_FAILED = -32803  # LSP 3.17: carried out, and refused for a reason
 

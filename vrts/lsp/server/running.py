@@ -2,10 +2,10 @@
 
 from lsprotocol import types
 
-from vrts.lsp.documents import Document
-from vrts.lsp.lenses import lenses
+from vrts.lsp.answers.lenses import lenses
+from vrts.lsp.documents.documents import Document
+from vrts.lsp.runs.timing import STEP_S, Timing, hint
 from vrts.lsp.server.session import Session
-from vrts.lsp.timing import STEP_S, Timing, hint
 
 
 def register(session: Session) -> None:

@@ -13,16 +13,16 @@ from pygls.uris import from_fs_path, to_fs_path
 
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
-from vrts.lsp.checking import check
-from vrts.lsp.documents import Document, Documents
-from vrts.lsp.findings import Finding
-from vrts.lsp.linking import group
+from vrts.lsp.answers.checking import check
+from vrts.lsp.documents.documents import Document, Documents
+from vrts.lsp.documents.linking import group
+from vrts.lsp.documents.setting_files import setting_stamp
+from vrts.lsp.runs.findings import Finding
 from vrts.lsp.server.diagnostics import converted, converted_finding
 from vrts.lsp.server.places import Places
 from vrts.lsp.server.reading import Reading
 from vrts.lsp.server.verifying import Subject, Verifications
 from vrts.lsp.server.watching import watch
-from vrts.lsp.setting_files import setting_stamp
 
 Result = TypeVar("Result")
 

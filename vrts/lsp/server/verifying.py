@@ -7,10 +7,10 @@ import sys
 from collections.abc import Callable, Coroutine
 from typing import Any, NamedTuple
 
-from vrts.lsp.documents import Document
-from vrts.lsp.findings import Finding, carried
-from vrts.lsp.setting_files import Stamp
-from vrts.lsp.verifying import CPU_S, Answer, Asked, answer_of, stopped
+from vrts.lsp.documents.documents import Document
+from vrts.lsp.documents.setting_files import Stamp
+from vrts.lsp.runs.findings import Finding, carried
+from vrts.lsp.runs.verifying import CPU_S, Answer, Asked, answer_of, stopped
 
 DELAY_S = 0.5  # after a check has found no error, before the program is run
 PATIENCE_S = 60.0  # for a verification, whatever it does
@@ -106,7 +106,7 @@ class Verifications:
 
     async def _verify(self, subject: Subject, asked: Asked) -> None:
         process = await asyncio.create_subprocess_exec(
-            *(sys.executable, "-m", "vrts.lsp.verifying"),
+            *(sys.executable, "-m", "vrts.lsp.runs.verifying"),
             stdin=asyncio.subprocess.PIPE,  # stays open: where it ends, so does the process
             stdout=asyncio.subprocess.PIPE,
             limit=MOST_ANSWER,

@@ -5,8 +5,8 @@ import os
 from collections.abc import Callable, Iterable
 from typing import TypeAlias
 
-from vrts.lsp.documents import file_stamps
-from vrts.lsp.setting_files import Stamp, setting_stamp
+from vrts.lsp.documents.documents import file_stamps
+from vrts.lsp.documents.setting_files import Stamp, setting_stamp
 
 EVERY_S = 1.0
 

@@ -5,10 +5,10 @@ from typing import Annotated, Literal, NamedTuple
 from msgspec import Meta
 
 from vrts.base.diagnostic import Rule, error
-from vrts.marking.one import Wanted
 from vrts.marking.result import Digest, Record, Result
 from vrts.marking.row import Row
-from vrts.marking.setting import Place
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 from vrts.pipeline.settings import Refused
 
 DAMAGED = Rule("V764", "damaged-evidence")

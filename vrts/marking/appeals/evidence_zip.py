@@ -7,7 +7,7 @@ import msgspec
 
 from vrts.base.safe_names import safe
 from vrts.base.zips import BadZip, Flaw, Unpacker
-from vrts.check.manifest import sha256
+from vrts.check.task.manifest import sha256
 from vrts.marking.appeals.evidence import (
     CHANGES,
     CONTENTS,
@@ -29,9 +29,9 @@ from vrts.marking.appeals.evidence import (
     damaged,
 )
 from vrts.marking.layout import LOST, RESULT
-from vrts.marking.report_files import FAULT, RECORDING, REPORT
 from vrts.marking.result import Damaged, Result, from_bytes
 from vrts.marking.row import Row
+from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT
 from vrts.pipeline.files import CannotRead
 
 _FIXED = frozenset(

@@ -4,15 +4,15 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from vrts.base.diagnostic import Rule, error
-from vrts.check.manifest import sha256
+from vrts.check.task.manifest import sha256
 from vrts.marking.about import About
 from vrts.marking.appeals.written import Written
 from vrts.marking.intake.candidate import data_of
-from vrts.marking.intake.table_text import field, read_text, table
-from vrts.marking.intake.tree import Unreadable, open_place
-from vrts.marking.pseudonyms import read_names
+from vrts.marking.intake.tables.table_text import field, read_text, table
+from vrts.marking.intake.tree.opening import Unreadable, open_place
+from vrts.marking.privacy.pseudonyms import read_names
 from vrts.marking.row import Row
-from vrts.marking.submissions import of_example
+from vrts.marking.submission.submissions import of_example
 from vrts.pipeline.files import CannotRead, read_bytes
 from vrts.pipeline.settings import Refused
 

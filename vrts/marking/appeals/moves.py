@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import Literal
 
-from vrts.marking.overrides import Override
+from vrts.marking.by_hand.overrides import Override
 from vrts.marking.result import Exact, Mark, Named, Record, Result
 from vrts.marking.row import Class, Row, final_mark
 

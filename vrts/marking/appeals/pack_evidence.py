@@ -13,7 +13,7 @@ from vrts import __version__
 from vrts.base.diagnostic import error
 from vrts.base.safe_names import safe
 from vrts.base.zips import packed
-from vrts.check.manifest import sha256
+from vrts.check.task.manifest import sha256
 from vrts.marking.about import About
 from vrts.marking.appeals.evidence import (
     CHANGES,
@@ -32,14 +32,14 @@ from vrts.marking.appeals.handed_in import handed_in, intake_row
 from vrts.marking.appeals.task_bytes import OTHER_TASK, task_files
 from vrts.marking.appeals.unpacked import unpacked_place
 from vrts.marking.appeals.written import Written, no_marking
+from vrts.marking.by_hand.override_text import override_text
+from vrts.marking.by_hand.overrides import change_of
 from vrts.marking.layout import LOST, RESULT
-from vrts.marking.marker import Marker
-from vrts.marking.override_text import override_text
-from vrts.marking.overrides import change_of
-from vrts.marking.report_files import FAULT, RECORDING, REPORT
 from vrts.marking.result import SCORING, Damaged, Result, from_bytes
 from vrts.marking.row import Row, final_mark, row_of
-from vrts.marking.setting import Place
+from vrts.marking.submission.marker import Marker
+from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT
+from vrts.marking.submission.setting import Place
 from vrts.pipeline.settings import Refused
 
 LIBRARIES = ("numpy", "coal", "python-fcl", "pin", "msgspec", "rerun-sdk")

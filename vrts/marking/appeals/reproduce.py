@@ -8,10 +8,10 @@ from vrts.marking.appeals.evidence import Evidence
 from vrts.marking.appeals.pack_evidence import versions
 from vrts.marking.appeals.unpacked import unpacked_place
 from vrts.marking.differences import Difference, differences
-from vrts.marking.marker import Marker, versions_of_scoring
 from vrts.marking.marking import Entry
 from vrts.marking.result import Result
 from vrts.marking.sample import STAFF, STUDENT, mark_again
+from vrts.marking.submission.marker import Marker, versions_of_scoring
 
 OF_VERSIONS = ("key", "versions")  # fields that say only with which vrts a result was made
 

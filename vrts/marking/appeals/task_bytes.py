@@ -10,7 +10,7 @@ from vrts.base.diagnostic import Rule, error
 from vrts.marking.appeals.evidence import OVER, TASK
 from vrts.marking.appeals.evidence_zip import known_name
 from vrts.marking.result import Result
-from vrts.marking.setting import Place, load
+from vrts.marking.submission.setting import Place, load
 from vrts.pipeline.files import find_scene, read_bytes
 from vrts.pipeline.settings import STAFF, TASK_FILE, Refused
 

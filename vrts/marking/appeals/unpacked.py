@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from vrts.marking.appeals.evidence import OVER, TASK
-from vrts.marking.setting import Place
+from vrts.marking.submission.setting import Place
 
 
 def unpacked_place(inside: Place, files: Mapping[str, bytes], folder: Path) -> Place:

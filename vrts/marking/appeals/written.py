@@ -7,10 +7,10 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Rule, error
 from vrts.marking import about
 from vrts.marking.about import About
+from vrts.marking.by_hand.override_text import load_overrides
+from vrts.marking.by_hand.overrides import Overrides
 from vrts.marking.layout import Layout
-from vrts.marking.override_text import load_overrides
-from vrts.marking.overrides import Overrides
-from vrts.marking.pseudonyms import read_names, with_names
+from vrts.marking.privacy.pseudonyms import read_names, with_names
 from vrts.marking.result import Damaged
 from vrts.marking.row import LARGEST, Class, Row, class_from_bytes
 from vrts.pipeline.files import CannotRead, read_bytes

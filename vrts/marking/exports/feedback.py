@@ -11,7 +11,7 @@ from vrts.marking.exports.given import Returned
 from vrts.marking.exports.numbers import decimal
 from vrts.marking.exports.steps import steps
 from vrts.marking.result import Kind
-from vrts.report.html import element, joined, prose
+from vrts.report.page.html import element, joined, prose
 from vrts.report.plain import one_line, plain_text
 
 NAME = "feedback.txt"

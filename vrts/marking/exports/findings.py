@@ -7,9 +7,9 @@ from vrts.base.source import SourceFile, Span
 from vrts.marking.exports.given import Given, Options, Product
 from vrts.marking.result import Finding
 from vrts.marking.row import Row
-from vrts.report.json_text import json_text
+from vrts.report.formats.json_text import json_text
+from vrts.report.formats.sarif import sarif
 from vrts.report.plain import bare_name
-from vrts.report.sarif import sarif
 
 NAME = "findings.sarif"
 MOST = 25_000  # results of a run that code hosts take

@@ -9,8 +9,8 @@ from vrts.base.zips import packed_in_turn
 from vrts.marking.exports.feedback import NAME, feedback_text
 from vrts.marking.exports.given import Given, Options, Page, Product, Returned, returned
 from vrts.marking.intake.row import Platform
-from vrts.marking.report_files import RECORDING
 from vrts.marking.row import Row
+from vrts.marking.submission.report_files import RECORDING
 
 NO_MOODLE_ID = Rule("V748", "no-moodle-id")
 LARGE_UPLOAD = Rule("V752", "large-upload")

@@ -3,17 +3,17 @@
 from collections.abc import Callable
 from typing import NamedTuple, TypeAlias
 
-from vrts.marking.exports.canvas import canvas
+from vrts.marking.exports.autograders.classroom50 import classroom50
+from vrts.marking.exports.autograders.gradescope import gradescope
+from vrts.marking.exports.autograders.prairielearn import prairielearn
 from vrts.marking.exports.class_json import class_json
-from vrts.marking.exports.classroom50 import classroom50
 from vrts.marking.exports.findings import findings
 from vrts.marking.exports.folders import folders, moodle_feedback
 from vrts.marking.exports.given import Given, Options, Product
-from vrts.marking.exports.gradescope import gradescope
+from vrts.marking.exports.grade_books.canvas import canvas
+from vrts.marking.exports.grade_books.moodle import moodle
 from vrts.marking.exports.junit import junit
 from vrts.marking.exports.marks_table import marks_table
-from vrts.marking.exports.moodle import moodle
-from vrts.marking.exports.prairielearn import prairielearn
 
 Export: TypeAlias = Callable[[Given, Options], Product]
 

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from vrts.marking.exports.given import Given, Options, Product
 from vrts.marking.exports.numbers import decimal
-from vrts.marking.intake.table_text import BOM, field
+from vrts.marking.intake.tables.table_text import BOM, field
 from vrts.marking.row import Class, Row
 from vrts.report.plain import one_line
 

@@ -12,10 +12,10 @@ from vrts.marking.exports.given import Given, Options, Page, returned
 from vrts.marking.exports.marks_table import NAME as MARKS
 from vrts.marking.exports.marks_table import marks_csv
 from vrts.marking.layout import RESULT, Layout, write_atomically
-from vrts.marking.pseudonyms import with_names
-from vrts.marking.report_files import RECORDING, REPORT
+from vrts.marking.privacy.pseudonyms import with_names
 from vrts.marking.result import Damaged, Result, from_bytes
 from vrts.marking.row import Class
+from vrts.marking.submission.report_files import RECORDING, REPORT
 from vrts.pipeline.settings import Refused
 
 NO_STUDENT_RESULT = Rule("V749", "no-result-for-student")

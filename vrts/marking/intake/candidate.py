@@ -5,9 +5,10 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
-from vrts.lang.reading import EMPTY_FILE, FILE_TOO_LARGE, MAX_BYTES, decode
+from vrts.lang.reading.decoding import EMPTY_FILE, FILE_TOO_LARGE, MAX_BYTES, decode
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
-from vrts.marking.intake.content import (
+from vrts.marking.intake.row import Kind, Problem
+from vrts.marking.intake.tree.content import (
     HEAD,
     ITSELF,
     PACK,
@@ -17,10 +18,9 @@ from vrts.marking.intake.content import (
     document_in_zip,
     is_zip,
 )
-from vrts.marking.intake.file_names import clashes
-from vrts.marking.intake.row import Kind, Problem
-from vrts.marking.intake.store import Tree, Unreadable
-from vrts.marking.intake.zip_tree import zip_tree
+from vrts.marking.intake.tree.file_names import clashes
+from vrts.marking.intake.tree.store import Tree, Unreadable
+from vrts.marking.intake.tree.zip_tree import zip_tree
 
 LARGEST_ARCHIVE = 64_000_000  # bytes of a zip that was handed in
 MOST_MEMBERS = 1_000  # files in it

@@ -5,8 +5,8 @@ from pathlib import PurePosixPath
 from typing import NamedTuple
 
 from vrts.marking.intake.candidate import Candidate
-from vrts.marking.intake.file_names import copy_of, is_note, is_program_name, same_name
 from vrts.marking.intake.row import Kind, Problem
+from vrts.marking.intake.tree.file_names import copy_of, is_note, is_program_name, same_name
 
 NOTHING = Problem(Kind.MISSING, "nothing was handed in")
 SHOWN = 4  # files named in a sentence

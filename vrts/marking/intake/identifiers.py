@@ -1,7 +1,7 @@
 """Names of hand-ins in results: unique on every system, and the same in every run."""
 
 from vrts.base.safe_names import safe
-from vrts.marking.intake.file_names import same_name
+from vrts.marking.intake.tree.file_names import same_name
 
 
 class Identifiers:

@@ -5,16 +5,16 @@ from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 
 from vrts.marking.intake.candidate import candidates
-from vrts.marking.intake.canvas import canvas
 from vrts.marking.intake.choice import choose
-from vrts.marking.intake.folders import NOT_HANDED_IN, folders, is_attempt, listed
-from vrts.marking.intake.gradescope import METADATA, gradescope
-from vrts.marking.intake.hand_in import HandIn, Layout
 from vrts.marking.intake.identifiers import Identifiers
-from vrts.marking.intake.moodle import moodle
-from vrts.marking.intake.roster import Roster, enrolled
+from vrts.marking.intake.layouts.canvas import canvas
+from vrts.marking.intake.layouts.folders import NOT_HANDED_IN, folders, is_attempt, listed
+from vrts.marking.intake.layouts.gradescope import METADATA, gradescope
+from vrts.marking.intake.layouts.hand_in import HandIn, Layout
+from vrts.marking.intake.layouts.moodle import moodle
 from vrts.marking.intake.row import Attempt, Intake, Kind, Problem, Row
-from vrts.marking.intake.tree import Tree, Unreadable, open_place
+from vrts.marking.intake.tables.roster import Roster, enrolled
+from vrts.marking.intake.tree.opening import Tree, Unreadable, open_place
 from vrts.pipeline.files import CannotRead
 
 EARLIEST = datetime.min.replace(tzinfo=UTC)

@@ -6,7 +6,7 @@ from fractions import Fraction
 from vrts.marking.overview.links import staff_report
 from vrts.marking.overview.words import NONE, has_report, signed, tenth, who
 from vrts.marking.row import Change, Lateness, Row
-from vrts.report.html import Markup, element
+from vrts.report.page.html import Markup, element
 from vrts.report.plain import one_line
 
 FIRST = 12  # shown at once

@@ -3,7 +3,7 @@
 from urllib.parse import quote
 
 from vrts.marking.layout import STUDENTS
-from vrts.marking.report_files import REPORT
+from vrts.marking.submission.report_files import REPORT
 
 
 def staff_report(identifier: str) -> str:

@@ -6,8 +6,8 @@ from vrts.marking.overview.table import table
 from vrts.marking.overview.top import top
 from vrts.marking.overview.worst import checks, most_contacts, slowest
 from vrts.marking.row import Class
-from vrts.report.document import document
-from vrts.report.html import Markup, element, raw
+from vrts.report.page.document import document
+from vrts.report.page.html import Markup, element, raw
 from vrts.report.plain import one_line
 from vrts.web.assets import asset
 

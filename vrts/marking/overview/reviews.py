@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from vrts.marking.overview.links import staff_report
 from vrts.marking.overview.words import has_report, name_of, reasons, tenth, to_review, who
 from vrts.marking.row import Row
-from vrts.report.html import Markup, element, prose
+from vrts.report.page.html import Markup, element, prose
 
 FIRST = 12  # shown at once
 BETWEEN = (

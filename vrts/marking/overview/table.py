@@ -7,7 +7,7 @@ from typing import NamedTuple
 from vrts.marking.overview.links import sent_report, staff_report
 from vrts.marking.overview.words import KINDS, NONE, has_report, name_of, tenth, to_review, who
 from vrts.marking.row import Row
-from vrts.report.html import Child, Markup, element, prose
+from vrts.report.page.html import Child, Markup, element, prose
 from vrts.report.plain import one_line, yes_no
 
 

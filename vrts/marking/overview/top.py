@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from vrts.marking.overview.figures import Spread, spread
 from vrts.marking.overview.words import KINDS, to_review
 from vrts.marking.row import Row
-from vrts.report.html import Markup, element
+from vrts.report.page.html import Markup, element
 from vrts.report.plain import one_line
 from vrts.report.quantities import points
 

@@ -2,10 +2,10 @@
 
 from fractions import Fraction
 
-from vrts.check.grade import REVIEW
+from vrts.check.mark.grade import REVIEW
 from vrts.marking.result import Kind
 from vrts.marking.row import Row
-from vrts.report.html import Markup, element
+from vrts.report.page.html import Markup, element
 from vrts.report.plain import one_line
 from vrts.report.quantities import MINUS, points
 

@@ -6,7 +6,7 @@ from vrts.marking.overview.figures import Failing, failing
 from vrts.marking.overview.links import staff_report
 from vrts.marking.overview.words import has_report, tenth, who
 from vrts.marking.row import Row
-from vrts.report.html import Markup, element, prose
+from vrts.report.page.html import Markup, element, prose
 from vrts.report.plain import one_line
 from vrts.report.quantities import MINUS, points
 

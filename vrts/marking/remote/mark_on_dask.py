@@ -6,15 +6,15 @@ from math import ceil
 
 from vrts.base.diagnostic import Diagnostic, Rule, error, warning
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker, Marks
 from vrts.marking.marking import Done, Entry, reusable, without_program, write_marks
-from vrts.marking.one import Order
 from vrts.marking.remote.backend import Backend
 from vrts.marking.remote.child import ChildFailed, mark_in_child
 from vrts.marking.remote.marked import MarkedShard
 from vrts.marking.remote.merge import take
 from vrts.marking.remote.plan import Key, make_plan
 from vrts.marking.remote.shard import Cut
+from vrts.marking.submission.marker import Marker, Marks
+from vrts.marking.submission.one import Order
 from vrts.marking.supervise.limits import Limits
 from vrts.pipeline.settings import Refused
 

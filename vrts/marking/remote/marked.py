@@ -13,11 +13,11 @@ import msgspec
 from vrts.base.diagnostic import Rule, error
 from vrts.base.zips import BadZip, Unpacker, packed
 from vrts.marking.layout import LOST, RESULT, Layout
-from vrts.marking.marker import STAFF, STUDENT, WRITTEN
 from vrts.marking.marking import Done
 from vrts.marking.remote.names import Pseudonym
 from vrts.marking.remote.shard import Number, PlanId, Shard
 from vrts.marking.result import LARGEST, Damaged, Digest, Record, Result, from_bytes, to_bytes
+from vrts.marking.submission.marker import STAFF, STUDENT, WRITTEN
 from vrts.pipeline.settings import Refused
 
 BAD_RESULTS = Rule("V722", "bad-results")

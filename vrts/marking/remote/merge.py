@@ -9,12 +9,12 @@ import msgspec
 
 from vrts.base.diagnostic import Diagnostic, Rule, error, warning
 from vrts.marking.layout import LOST, RESULT, Layout, write_atomically
-from vrts.marking.marker import STAFF, Marks
 from vrts.marking.marking import take_files, write_marks
 from vrts.marking.remote.marked import MarkedRow, MarkedShard
 from vrts.marking.remote.names import Naming, page_at_home, result_at_home
 from vrts.marking.remote.plan import Expected, Home, Key, Sent
 from vrts.marking.result import Damaged, Kind, Result, from_bytes
+from vrts.marking.submission.marker import STAFF, Marks
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.settings import Refused
 

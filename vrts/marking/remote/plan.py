@@ -11,14 +11,14 @@ import msgspec
 
 from vrts.base.diagnostic import Rule, error
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker, Marks
 from vrts.marking.marking import Entry, without_program
 from vrts.marking.remote.marked import written
 from vrts.marking.remote.names import Naming, named_anew
 from vrts.marking.remote.portable import portable
 from vrts.marking.remote.shard import Cut, Job, PlanId, cut, digest_of
 from vrts.marking.result import Digest, Named, Record
-from vrts.marking.summary import task_named
+from vrts.marking.submission.marker import Marker, Marks
+from vrts.marking.submission.summary import task_named
 from vrts.marking.supervise.limits import Limits
 from vrts.pipeline.files import read_bytes
 from vrts.pipeline.settings import Refused, Setting

@@ -4,11 +4,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker
 from vrts.marking.marking import Done, Entry, mark_class
 from vrts.marking.remote.marked import results_zip
 from vrts.marking.remote.portable import settle
 from vrts.marking.remote.shard import Shard, digest_of
+from vrts.marking.submission.marker import Marker
 
 
 def run_shard(

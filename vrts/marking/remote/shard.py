@@ -13,10 +13,10 @@ from msgspec import Meta
 from vrts import __version__
 from vrts.base.diagnostic import Rule, error
 from vrts.marking.marking import Entry
-from vrts.marking.one import Wanted
 from vrts.marking.remote.names import Label, Naming, Pseudonym
 from vrts.marking.remote.portable import PortableTask
 from vrts.marking.result import Digest, Record
+from vrts.marking.submission.one import Wanted
 from vrts.marking.supervise.limits import Limits
 from vrts.pipeline.settings import Refused
 

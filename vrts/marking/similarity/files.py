@@ -6,9 +6,9 @@ from pathlib import Path, PurePosixPath
 from vrts.assignments.pack import read_zip
 from vrts.assignments.packed import is_packed
 from vrts.marking.layout import Layout, write_atomically
-from vrts.marking.marker import Marker
 from vrts.marking.similarity.page import similarity_page
 from vrts.marking.similarity.ranking import Ranking, similarity, to_bytes
+from vrts.marking.submission.marker import Marker
 from vrts.marking.whole_class import Marked
 from vrts.pipeline.files import read_bytes
 from vrts.pipeline.settings import Setting

@@ -8,8 +8,8 @@ from vrts.marking.overview.links import staff_report
 from vrts.marking.similarity.ranking import Pair, Ranking, SharedValue
 from vrts.marking.similarity.regions import Region
 from vrts.marking.similarity.symbols import readable
-from vrts.report.document import document
-from vrts.report.html import Markup, element, joined
+from vrts.report.page.document import document
+from vrts.report.page.html import Markup, element, joined
 from vrts.report.plain import one_line, shown
 
 STYLE = "report/similarity.css"

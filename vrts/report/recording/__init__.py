@@ -11,8 +11,8 @@ import rerun as rr
 import rerun.blueprint as rrb
 
 from vrts.base.units import mm
-from vrts.check.curves import lasting_of
-from vrts.check.of_run import motion_of
+from vrts.check.collision.of_run import motion_of
+from vrts.check.curves.timeline_arrays import lasting_of
 from vrts.engine.run import Run
 from vrts.report.assessment import Assessment
 from vrts.report.plain import one_line

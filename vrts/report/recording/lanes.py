@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 import rerun as rr
 
-from vrts.engine.records import Lie
+from vrts.engine.memory.records import Lie
 from vrts.report.assessment import Assessment
+from vrts.report.page.replay_lanes import Rows, process_lines, robot_lines, signal_spans
 from vrts.report.plain import one_line
 from vrts.report.recording.names import at_times
-from vrts.report.replay_lanes import Rows, process_lines, robot_lines, signal_spans
 
 
 def send_lanes(a: Assessment) -> None:

@@ -5,10 +5,10 @@ import rerun as rr
 
 from vrts.check.verdict import Clearance
 from vrts.report.assessment import Assessment
+from vrts.report.page.replay_data import contact_sentence
 from vrts.report.plain import one_line
 from vrts.report.quantities import millimetres
 from vrts.report.recording.names import at_times
-from vrts.report.replay_data import contact_sentence
 
 CONTACT_COLOR = (225, 29, 42)
 GRAZE_COLOR = (245, 159, 0)

@@ -7,11 +7,11 @@ import numpy as np
 import numpy.typing as npt
 import rerun as rr
 
-from vrts.engine.records import GRAVITY, Lie, Placement
+from vrts.engine.memory.records import GRAVITY, Lie, Placement
 from vrts.report.assessment import Assessment
 from vrts.report.recording.names import Array, at_times, of_body, of_finger, of_robot
 from vrts.report.recording.static import static_chunk
-from vrts.robots.batch import flange_of, link_frames
+from vrts.robots.kinematics.batch import flange_of, link_frames
 from vrts.robots.model import Gripper
 
 Mask: TypeAlias = npt.NDArray[np.bool_]

@@ -9,14 +9,14 @@ import rerun.blueprint as rrb
 
 from vrts.engine.run import Run
 from vrts.report.assessment import Assessment
-from vrts.report.lighting import to_srgb
+from vrts.report.picture.lighting import to_srgb
+from vrts.report.picture.solids import Solid, body_solids, link_solids
 from vrts.report.plain import one_line
 from vrts.report.recording import APPLICATION, times_of
 from vrts.report.recording.blueprint import BACKGROUND, EYE, TARGET
 from vrts.report.recording.motion import followed, quaternions
 from vrts.report.recording.names import TIMELINE, Array, at_times, entity
-from vrts.report.solids import Solid, body_solids, link_solids
-from vrts.robots.batch import flange_of, link_frames
+from vrts.robots.kinematics.batch import flange_of, link_frames
 from vrts.robots.model import Robot
 
 REAL_COLOR = (235, 120, 30, 150)  # see-through

@@ -2,17 +2,17 @@
 
 import rerun as rr
 
-from vrts.engine.events import MotionStarted, Printed
+from vrts.engine.memory.events import MotionStarted, Printed
 from vrts.report.assessment import Assessment
 from vrts.report.event_words import event_text
 from vrts.report.first_screen import first_screen
+from vrts.report.page.replay_data import contact_sentence
+from vrts.report.page.replay_lanes import line_of, robot_lines
 from vrts.report.plain import one_line
 from vrts.report.quantities import mark
 from vrts.report.recording.lanes import numbered_line
 from vrts.report.recording.names import at_times, plain_markdown
 from vrts.report.recording.static import static_chunk
-from vrts.report.replay_data import contact_sentence
-from vrts.report.replay_lanes import line_of, robot_lines
 
 LEVELS = {"fault": "ERROR", "note": "WARN", "output": "INFO"}
 LINE_LEVEL = "TRACE"

@@ -11,10 +11,10 @@ from rerun.chunk import Chunk
 from vrts.base.pose import Pose
 from vrts.geometry.shapes import Piece
 from vrts.report.assessment import Assessment
-from vrts.report.lighting import to_srgb
+from vrts.report.picture.lighting import to_srgb
+from vrts.report.picture.solids import Color, Surface, by_color, link_solids, surface
 from vrts.report.recording.names import of_body, of_finger, of_robot
 from vrts.report.recording.static import static_chunk
-from vrts.report.solids import Color, Surface, by_color, link_solids, surface
 from vrts.robots.model import Robot
 from vrts.scene.model import Body, Scene
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from vrts.base.diagnostic import Rule
 from vrts.base.source import SourceFile, Span
-from vrts.base.toml import Problems, Table, read_toml
+from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.base.units import DEG, MM
 from vrts.pipeline.settings import Refused
 from vrts.validate.camera.model import Array, View

@@ -5,8 +5,8 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.engine.run import Run
-from vrts.report.lighting import to_srgb
-from vrts.report.placing import Placed, place_moving
+from vrts.report.picture.lighting import to_srgb
+from vrts.report.picture.placing import Placed, place_moving
 from vrts.validate.camera.frames import Pixels
 from vrts.validate.camera.model import Array, PtzCamera, View
 

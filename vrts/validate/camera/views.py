@@ -8,7 +8,7 @@ import numpy as np
 from vrts.base.diagnostic import Diagnostic, Label, Rule, error
 from vrts.base.units import DEG
 from vrts.validate.camera.model import Array, View
-from vrts.validate.log_table import LogTable, line_span, numbers, read_table
+from vrts.validate.log.log_table import LogTable, line_span, numbers, read_table
 
 VIEW_COLUMNS = Rule("V903", "view-columns")
 

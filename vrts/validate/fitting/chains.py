@@ -7,11 +7,11 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from vrts.engine.records import Motion
+from vrts.engine.memory.records import Motion
 from vrts.engine.run import Run
 from vrts.ir.instructions import Interpolation
-from vrts.robots.kinematics import forward
-from vrts.validate.log import RobotLog
+from vrts.robots.kinematics.kinematics import forward
+from vrts.validate.log.log import RobotLog
 from vrts.validate.sampling import tool_poses
 
 Array = npt.NDArray[np.float64]

@@ -16,7 +16,7 @@ from vrts.validate.fitting.chains import Chain, Located, chains_of, located
 from vrts.validate.fitting.model import Shared
 from vrts.validate.fitting.solve import Solution, solve
 from vrts.validate.fitting.speeds import Leg, speeds
-from vrts.validate.log import RobotLog, read_log
+from vrts.validate.log.log import RobotLog, read_log
 from vrts.validate.sampling import extent_of
 
 FIT_PROGRAM = Rule("V893", "fit-program")

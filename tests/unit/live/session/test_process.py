@@ -14,8 +14,7 @@ import msgspec
 import pytest
 
 from vrts.live import actions as do
-from vrts.live.session.frame import RUNNING, PoseFrame, unpacked
-from vrts.live.session.messages import (
+from vrts.live.session.channel.messages import (
     LENGTH,
     Act,
     Checked,
@@ -30,6 +29,7 @@ from vrts.live.session.messages import (
     Start,
     Stop,
 )
+from vrts.live.session.views.frame import RUNNING, PoseFrame, unpacked
 
 ENDLESS = ".PROGRAM loop()\n 10 x = x + 1\n GOTO 10\n.END\n"
 

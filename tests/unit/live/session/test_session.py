@@ -7,8 +7,7 @@ import pytest
 
 from tests.unit.live.session.support import Driven
 from vrts.live import actions as do
-from vrts.live.session.frame import HOLDING, MOVING, RUNNING, STOPPING
-from vrts.live.session.messages import (
+from vrts.live.session.channel.messages import (
     AskReach,
     AskSnapshot,
     Began,
@@ -20,6 +19,7 @@ from vrts.live.session.messages import (
     Snapshot,
     Status,
 )
+from vrts.live.session.views.frame import HOLDING, MOVING, RUNNING, STOPPING
 
 DOWN = (0.0, math.pi / 2, 0.0)  # O, A, T of a hand that points at the floor
 ABOVE_TABLE = (0.75, -0.15, 0.0)

@@ -9,11 +9,11 @@ from vrts import __version__
 from vrts.marking.about import About
 from vrts.marking.class_files import write_class
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker
-from vrts.marking.one import Wanted
 from vrts.marking.result import Kind, Result
 from vrts.marking.row import Class, HandedIn, Lateness, Row, Student, row_of
-from vrts.marking.setting import Place
+from vrts.marking.submission.marker import Marker
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 from vrts.marking.whole_class import HowTo, Marked, mark_whole_class
 from vrts.pipeline.files import CHECKOUT
 

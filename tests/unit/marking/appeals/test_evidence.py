@@ -20,12 +20,12 @@ from vrts.marking.appeals.evidence import CONTENTS, Contents
 from vrts.marking.appeals.evidence_zip import known_name
 from vrts.marking.appeals.pack_evidence import pack_evidence
 from vrts.marking.appeals.written import read_written
+from vrts.marking.by_hand.override_text import add_overrides
+from vrts.marking.by_hand.overrides import Override
 from vrts.marking.layout import Layout
-from vrts.marking.one import Wanted
-from vrts.marking.override_text import add_overrides
-from vrts.marking.overrides import Override
 from vrts.marking.result import from_bytes, to_bytes
 from vrts.marking.row import Row
+from vrts.marking.submission.one import Wanted
 
 Spoil = Callable[[dict[str, bytes]], bytes]
 HIDDEN = '[[via]]\nname = "gate 4711"\nat_mm = [600, 200, 500]\nradius_mm = 40\n'

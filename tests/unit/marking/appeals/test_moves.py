@@ -11,9 +11,9 @@ from tests.unit.marking.appeals.support import class_of, result, row
 from vrts.cli.main import vrts
 from vrts.marking.appeals.moves import diff
 from vrts.marking.appeals.moves_text import diff_text
+from vrts.marking.by_hand.override_text import load_overrides
+from vrts.marking.by_hand.overrides import with_overrides
 from vrts.marking.layout import Layout, write_atomically
-from vrts.marking.override_text import load_overrides
-from vrts.marking.overrides import with_overrides
 from vrts.marking.result import Kind, Named
 from vrts.marking.row import Change, Class, Lateness, class_to_bytes
 

@@ -13,7 +13,7 @@ from vrts.base.source import SourceFile
 from vrts.marking.exports.given import Options
 from vrts.marking.exports.marks_table import COLUMNS, marks_csv, marks_table
 from vrts.marking.exports.numbers import parsed
-from vrts.marking.intake.table_text import table
+from vrts.marking.intake.tables.table_text import table
 from vrts.marking.row import Change, Class, Lateness, Row
 
 NUMBERS = ("mark", "deduction", "change", "final", "lowest", "line", "duration_s", "contacts")

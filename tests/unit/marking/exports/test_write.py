@@ -10,8 +10,9 @@ import pytest
 from click.testing import CliRunner, Result
 from msgspec.structs import replace
 
-from vrts.cli import grade_export_command, grade_mark_command
-from vrts.cli.grade_export_command import NAMES
+from tests.places import ROOT
+from vrts.cli.grade import export_command, mark_command
+from vrts.cli.grade.export_command import NAMES
 from vrts.marking.exports.formats import FORMATS
 from vrts.marking.exports.given import Options
 from vrts.marking.exports.write import is_name, write_exports, write_marks_table
@@ -19,7 +20,7 @@ from vrts.marking.layout import Layout
 from vrts.marking.row import class_from_bytes
 from vrts.pipeline.settings import Refused
 
-EXAMPLE = Path(__file__).parents[4] / "examples" / "01-cans-on-bases"
+EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 PEOPLE = {"Anna Ady_11": "solution.v2", "Ben_12": "submissions/syntax-error.v2"}
 
 
@@ -33,7 +34,7 @@ def marked(tmp_path_factory: pytest.TempPathFactory) -> Path:
             name = f"{who}_assignsubmission_file_/pick.v2"
             archive.writestr(name, (EXAMPLE / file).read_bytes())
     called = CliRunner().invoke(
-        grade_mark_command.command,
+        mark_command.command,
         [str(EXAMPLE / "task.toml"), str(download), "-o", str(home / "out"), "--no-pages"],
     )
     assert called.exit_code == 0, called.output
@@ -41,12 +42,12 @@ def marked(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def export(*words: object) -> Result:
-    return CliRunner().invoke(grade_export_command.command, [str(word) for word in words])
+    return CliRunner().invoke(export_command.command, [str(word) for word in words])
 
 
 def test_the_command_knows_every_format() -> None:
     assert tuple(FORMATS) == NAMES
-    described = grade_export_command.EPILOG
+    described = export_command.EPILOG
     assert all(f"\n  {name} " in described for name in NAMES)
 
 
@@ -158,7 +159,7 @@ def test_pseudonyms_are_told_to_platforms_only_in_their_own_numbers(tmp_path: Pa
         archive.writestr(name, (EXAMPLE / "solution.v2").read_bytes())
     out = tmp_path / "out"
     called = CliRunner().invoke(
-        grade_mark_command.command,
+        mark_command.command,
         [str(EXAMPLE / "task.toml"), str(download), "-o", str(out), "--no-pages", "--pseudonyms"],
     )
     assert called.exit_code == 0, called.output

@@ -30,7 +30,7 @@ from tests.unit.marking.intake.support import (
     put,
     zipped,
 )
-from vrts.marking.intake.folders import FLAT, FOLDERS
+from vrts.marking.intake.layouts.folders import FLAT, FOLDERS
 from vrts.marking.intake.row import Intake, Kind
 from vrts.marking.intake.take_in import take_in
 

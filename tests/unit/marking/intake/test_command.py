@@ -6,8 +6,8 @@ import pytest
 from click.testing import CliRunner, Result
 
 from tests.unit.marking.intake.support import DOCX, PICK, put, zipped
+from tests.unit.marking.intake.tables.test_roster import WORKSHEET
 from tests.unit.marking.intake.test_cases import METADATA
-from tests.unit.marking.intake.test_roster import WORKSHEET
 from vrts.cli.main import vrts
 
 FILES = {

@@ -7,10 +7,10 @@ from pathlib import Path
 from tests.unit.marking.intake.support import OTHER, PDF, PICK, PROSE, UTF16, put, zipped
 from tests.unit.marking.intake.test_cases import ANNA, LATER, METADATA
 from vrts.marking.intake.candidate import data_of
-from vrts.marking.intake.folders import LIST
+from vrts.marking.intake.layouts.folders import LIST
 from vrts.marking.intake.row import Attempt, Row
 from vrts.marking.intake.take_in import take_in
-from vrts.marking.intake.tree import open_place
+from vrts.marking.intake.tree.opening import open_place
 
 EXPORT = {
     "export/submission_metadata.yml": METADATA,

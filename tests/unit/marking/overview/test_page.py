@@ -1,18 +1,18 @@
 """The page of a class: who, what to look at first, and links that lead somewhere."""
 
 import json
-from pathlib import Path
 
 import pytest
 from msgspec.structs import replace
 
+from tests.places import TESTS
 from tests.support_rows import plain_result, plain_row, some_class
-from tests.unit.report.test_html import Reader
+from tests.unit.report.page.test_html import Reader
 from vrts.marking.overview.page import overview_page
 from vrts.marking.result import Kind, Metrics
 from vrts.marking.row import Change, Class, HandedIn, Lateness, Row, Student, row_of
 
-DATA = Path(__file__).parent.parent.parent.parent / "data" / "hostile_strings.json"
+DATA = TESTS / "data" / "hostile_strings.json"
 CORPUS: list[str] = json.loads(DATA.read_text(encoding="utf-8"))
 
 

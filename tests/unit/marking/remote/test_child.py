@@ -11,12 +11,12 @@ import psutil
 import pytest
 
 from tests.unit.marking.remote.support import GOOD, task
-from vrts.marking.marker import Marker
 from vrts.marking.marking import Entry
-from vrts.marking.one import Wanted
 from vrts.marking.remote.child import ChildFailed, mark_in_child
 from vrts.marking.remote.plan import make_plan
-from vrts.marking.setting import Place
+from vrts.marking.submission.marker import Marker
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 from vrts.pipeline.files import CHECKOUT
 
 WORKER = """

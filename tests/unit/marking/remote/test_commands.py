@@ -7,7 +7,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from tests.unit.marking.remote.support import BAD, GOOD, TYPO, task
-from vrts.cli.grade_command import command
+from vrts.cli.grade.grade_command import command
 from vrts.marking.remote import dask_cluster
 
 

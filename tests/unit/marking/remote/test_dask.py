@@ -18,9 +18,7 @@ from tests.unit.marking.remote.support import CLASS, GOOD, configured, files, ta
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker
 from vrts.marking.marking import Entry, mark_class
-from vrts.marking.one import Wanted
 from vrts.marking.remote import dask_cluster
 from vrts.marking.remote.backend import Backend, Scheduler, read_backend
 from vrts.marking.remote.child import ChildFailed, mark_in_child
@@ -28,7 +26,9 @@ from vrts.marking.remote.dask_cluster import DaskCluster, queue_cluster
 from vrts.marking.remote.mark_on_dask import mark_on_dask
 from vrts.marking.remote.plan import make_plan
 from vrts.marking.result import Kind
-from vrts.marking.setting import Place
+from vrts.marking.submission.marker import Marker
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.settings import Refused
 

@@ -14,15 +14,15 @@ import pytest
 from tests.unit.marking.remote.support import CLASS, NAMES, files, task
 from vrts.base.diagnostic import Diagnostic
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker
 from vrts.marking.marking import mark_class
-from vrts.marking.one import Wanted
 from vrts.marking.remote.merge import Merged, merge
 from vrts.marking.remote.plan import make_plan, read_key, write_plan
 from vrts.marking.remote.run_shard import run_shard
 from vrts.marking.remote.shard import digest_of, read_shard
 from vrts.marking.result import Kind
-from vrts.marking.setting import Place
+from vrts.marking.submission.marker import Marker
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 from vrts.marking.supervise.limits import Limits
 from vrts.pipeline.files import CHECKOUT
 from vrts.pipeline.settings import Refused

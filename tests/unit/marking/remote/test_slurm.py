@@ -10,14 +10,14 @@ import pytest
 from tests.unit.marking.remote.support import CLASS, configured, files, task
 from vrts.base.diagnostic import Diagnostic
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker
 from vrts.marking.marking import mark_class
-from vrts.marking.one import Wanted
 from vrts.marking.remote.backend import Backend, Scheduler
 from vrts.marking.remote.mark_on_dask import mark_on_dask
 from vrts.marking.remote.merge import merge
 from vrts.marking.remote.plan import make_plan, read_key, write_plan
-from vrts.marking.setting import Place
+from vrts.marking.submission.marker import Marker
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 
 
 @pytest.fixture(scope="module", autouse=True)

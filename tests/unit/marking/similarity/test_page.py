@@ -7,17 +7,17 @@ import pytest
 from click.testing import CliRunner
 
 from tests.unit.marking.similarity.support import ORIGINAL, disguised, independent
-from tests.unit.report.test_html import Reader
+from tests.unit.report.page.test_html import Reader
 from vrts.assignments.pack import student_zip
 from vrts.assignments.task_folder import read_folder
 from vrts.cli.main import vrts
 from vrts.marking.layout import Layout
-from vrts.marking.marker import Marker
-from vrts.marking.one import Wanted
-from vrts.marking.setting import Place
 from vrts.marking.similarity.files import given, write_similarity
 from vrts.marking.similarity.page import similarity_page
 from vrts.marking.similarity.ranking import similarity
+from vrts.marking.submission.marker import Marker
+from vrts.marking.submission.one import Wanted
+from vrts.marking.submission.setting import Place
 from vrts.pipeline.files import CHECKOUT
 
 CORPUS: list[str] = json.loads(

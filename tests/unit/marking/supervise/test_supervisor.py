@@ -14,6 +14,7 @@ from typing import NamedTuple
 import psutil
 import pytest
 
+from tests.places import ROOT
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.marking.supervise.outcome import Answer, Loss, Lost
 from vrts.marking.supervise.supervisor import CAN_FORK, Finished, Supervisor
@@ -102,7 +103,7 @@ def run(
 
 @pytest.fixture(autouse=True)
 def _home(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parents[4]))
+    monkeypatch.setenv("PYTHONPATH", str(ROOT))
 
 
 @pytest.mark.parametrize("fork", WAYS)

@@ -18,11 +18,11 @@ from tests.unit.validate.camera.test_calibrate import points
 from vrts.base.diagnostic import Diagnostic
 from vrts.engine.run import Run
 from vrts.pipeline.assess import assess
-from vrts.report.camera import Camera
-from vrts.report.placing import place_moving
-from vrts.report.projection import project
-from vrts.report.raster import rasterise
-from vrts.report.still import still
+from vrts.report.picture.camera import Camera
+from vrts.report.picture.placing import place_moving
+from vrts.report.picture.projection import project
+from vrts.report.picture.raster import rasterise
+from vrts.report.picture.still import still
 from vrts.validate.camera.model import PtzCamera, View
 from vrts.validate.camera.overlay import simulated
 from vrts.validate.camera.views import Views, read_views

@@ -1,0 +1,326 @@
+"""`vrts dispatch plan`: what is refused, and what stands in the bundle of what is not."""
+
+import os
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from vrts.cli.main import vrts
+from vrts.dispatch.bundle import Bundle, digest_of, read_bundle, rows
+from vrts.dispatch.planning.plan import Plan, Request, plan
+from vrts.dispatch.planning.reasons.refusals import Promise
+from vrts.dispatch.profile import Profile, find_profile
+from vrts.pipeline.assess import assess
+from vrts.pipeline.files import CHECKOUT
+from vrts.pipeline.programs import Reading
+from vrts.pipeline.settings import Setting, load_scene, load_task, with_scenario
+from vrts.report.first_screen import first_screen
+
+CANS = CHECKOUT / "examples" / "01-cans-on-bases"
+SAFE = ".LOCATIONS\nsafe 900 30 100 90 90 0\n.END\n"
+
+
+def profile(**other: object) -> Profile:
+    return find_profile("mark2-val2")._replace(**other)  # type: ignore[arg-type]
+
+
+def planned(
+    text: str,
+    *settings: Setting,
+    promises: Sequence[Promise] = (),
+    clearance_mm: float = 10.0,
+    target: Profile | None = None,
+) -> Plan:
+    """Plan a program in a scene with two cans, or in given settings."""
+    where = settings or (load_scene("cans-on-bases"),)
+    controller = target or profile()
+    read = Reading("val2+")
+    return plan(
+        Request(text.encode(), "x.v2", where, controller, clearance_mm, tuple(promises), read)
+    )
+
+
+def codes(found: Plan) -> list[str]:
+    return sorted({d.rule.code for d in found.refused})
+
+
+def main(*steps: str, data: str = SAFE) -> str:
+    body = "".join(f"        {step}\n" for step in steps)
+    return f".PROGRAM main()\n{body}.END\n{data}"
+
+
+def scenario(home: Path, name: str, text: str) -> Setting:
+    path = home / f"{name}.toml"
+    path.write_text(f'title = "{name}"\n{text}', "utf-8")
+    return with_scenario(load_scene("cans-on-bases"), path)
+
+
+@pytest.fixture(scope="module")
+def cans() -> Bundle:
+    """Return the bundle of the reference solution."""
+    data = (CANS / "solution.v2").read_bytes()
+    found = plan(Request(data, "a/b/solution.v2", (load_task(CANS),), profile()))
+    assert found.bundle is not None, found.refused
+    return found.bundle
+
+
+# --- the bundle -----------------------------------------------------------------------------------
+
+
+def test_the_solution_of_an_example_is_planned(cans: Bundle) -> None:
+    manifest = cans.manifest
+    assert list(cans.programs) == ["carry", "main"]
+    assert manifest.entry == "main"
+    assert manifest.title == "solution.v2", "no folder of whoever planned it"
+    assert manifest.program.sha256 == digest_of((CANS / "solution.v2").read_bytes())
+    assert manifest.scene.sha256 == load_task(CANS).scene.digest
+    (only,) = manifest.scenarios
+    assert only.ending == "completed"
+    assert only.mark == 10.0
+    assert only.clearance_mm == 10.0
+    assert {v.answer for v in only.verdicts} == {"holds"}
+    assert all(e.executed == e.steps and not e.not_executed for e in manifest.executed)
+    assert manifest.waivers == ()
+    assert dict(rows(cans.locations))["base1_put"] == "950.00 -130.00 -75.00 90.000 90.000 0.000"
+
+
+def test_margins_hold_and_the_first_to_fail_is_named(cans: Bundle) -> None:
+    answers = {margin.name: margin.answer for margin in cans.manifest.margins}
+    assert set(answers.values()) == {"holds"}
+    assert {"objects ±3 mm", "base ±2 mm", "at SPEED 10"} <= set(answers)
+    assert "3 times" in cans.manifest.first_to_fail
+    assert "finger hits `can1`" in cans.manifest.first_to_fail
+
+
+def test_the_sheet_says_what_an_operator_needs(cans: Bundle) -> None:
+    sheet = cans.sheet
+    for words in (
+        "EXECUTE main",
+        "takes <code>can1</code>",
+        "JT 0.0  -90.0  90.0  0.0",
+        "BASE ,,-100",
+        "SPEED 10",
+        "hand on the stop",
+        "Fails first",
+        "not tried on hardware",
+        "-450.0",
+        "0, 0, 150, 90, -90, 0",
+    ):
+        assert words in sheet, words
+    assert "<script" not in sheet
+    assert "http" not in sheet.replace("http-equiv", "")
+
+
+def test_a_second_run_would_begin_with_other_data(cans: Bundle) -> None:
+    assert "send the data again" not in cans.sheet
+    found = planned(main("n = n+1", "READY", data=".REALS\nn 1\n.END\n"))
+    assert found.bundle is not None
+    assert "changes <code>n</code>" in found.bundle.sheet
+    assert "DO n = 1" in found.bundle.sheet
+
+
+# --- refusals -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["hits-base", "releases-in-air"])
+def test_a_plan_and_a_mark_agree_about_ready(name: str) -> None:
+    program = CANS / "submissions" / f"{name}.v2"
+    ready = first_screen(assess(program, task=CANS)).ready
+    found = plan(Request(program.read_bytes(), name, (load_task(CANS),), profile()))
+    unproven = {"V801", "V802"} & set(codes(found))
+    assert ready is not bool(unproven), codes(found)
+
+
+@pytest.mark.parametrize(
+    ("text", "other", "code"),
+    [
+        (main("OPENI ; öffnen"), {}, "V803"),
+        (main(f'TYPE "{"x" * 90}"'), {}, "V804"),
+        (main("a_long_name_of_19ch = 1", "READY"), {}, "V805"),
+        (main("abcdefgh = 1", "READY"), {"name_length": 6}, "V805"),
+        (main("READY"), {"memory_bytes": 60}, "V806"),
+        (main("DRAW 0, 0, 10"), {"lacks": ("DRAW",)}, "V807"),
+        (main("READY"), {"dialect": "vplus"}, "V808"),
+        (main("LMOVE safe"), {}, "V808"),
+        (main("MOVE nowhere"), {}, "V801"),
+        (main("MOVE safe", "MOVES SHIFT(safe BY 0, 0, -400)"), {}, "V801"),
+    ],
+)
+def test_what_the_controller_or_the_world_does_not_take_is_refused(
+    text: str, other: dict[str, object], code: str
+) -> None:
+    found = planned(text, target=profile(**other))
+    assert found.bundle is None
+    assert code in codes(found)
+
+
+def test_a_long_comment_moves_nearer_to_its_step() -> None:
+    found = planned(main("READY" + " " * 90 + "; up"))
+    assert found.bundle is not None
+    assert "READY  ; up\n" in found.bundle.programs["main"]
+
+
+def test_locations_are_verified_as_the_controller_prints_them() -> None:
+    data = ".LOCATIONS\na 900 30 100.004 90 90 0\nb 900 30 100.001 90 90 0\n.END\n"
+    found = planned(main("MOVE a", "MOVE b", data=data))
+    assert codes(found) == ["V809"]
+    assert "differ, and are the same" in found.refused[0].headline
+
+
+def test_what_holds_only_with_the_decimals_of_the_file_is_refused() -> None:
+    """Fingers on the table: two rounded locations, one from the other, press them into it."""
+    data = ".LOCATIONS\nf 900 30 -142.55 90 -90 0\ng 0 0 -142.55 90 90 0\n.END\n"
+    text = main("APPRO f:g, 100", "MOVES f:g", "BREAK", "DEPARTS 100", data=data)
+    found = planned(text, target=profile(length_decimals=0))
+    said = [d.headline for d in found.refused if d.rule.code == "V809"]
+    assert said, codes(found)
+    assert "as the controller prints them" in said[0]
+    assert "V809" not in codes(planned(text))
+
+
+def test_a_clearance_that_is_too_small_is_refused_where_it_is() -> None:
+    low = main("MOVE safe", "MOVES SHIFT(safe BY 0, 0, -380)", "BREAK", "DEPARTS 200")
+    found = planned(low)
+    assert codes(found) == ["V812"]
+    assert "10 mm are asked for" in found.refused[0].headline
+    assert planned(low, clearance_mm=3.0).bundle is not None
+
+
+def test_a_program_that_only_works_in_the_scene_as_it_is_has_no_margin() -> None:
+    """The can is grasped 9 mm beside the middle of the pads, along them: 3 mm more lose it."""
+    text = (CANS / "solution.v2").read_text("utf-8")
+    beside = text.replace(" 800.00  -450.00", " 809.40  -450.00")
+    assert beside != text
+    found = plan(Request(beside.encode(), "x", (load_task(CANS),), profile()))
+    assert codes(found) == ["V813"], [d.headline for d in found.refused]
+    assert "`can1` 3 mm along" in found.refused[0].headline
+
+
+# --- what scenarios cover -------------------------------------------------------------------------
+
+DECIDES = main("IF SIG(1001) THEN", "MOVE safe", "END", "READY")
+
+
+def test_a_motion_that_no_scenario_executes_is_refused(tmp_path: Path) -> None:
+    found = planned(DECIDES)
+    assert codes(found) == ["V810", "V811"]
+    on = scenario(tmp_path, "on", "[[inputs]]\nsignal = 1001\non_s = [0.0]\n")
+    assert codes(planned(DECIDES, on)) == ["V811"], "the other way was not taken"
+    off = scenario(tmp_path, "off", "")
+    both = planned(DECIDES, on, off)
+    assert both.bundle is not None, both.refused
+    manifest = both.bundle.manifest
+    assert [s.scenario for s in manifest.scenarios] == ["on", "off"]
+    assert manifest.reads.inputs == ("input 1001",)
+
+
+@pytest.mark.parametrize(
+    ("steps", "what"),
+    [
+        (("n = TIMER(1)", "IF n > 100 GOTO 10", "READY", "10 n = 0"), "TIMER"),
+        (("MOVE SHIFT(safe BY RANDOM, 0, 0)",), "RANDOM"),
+        (("x = SIG(1002)", "SPEED 50+x ALWAYS", "READY"), "input 1002"),
+        (("CALL go(SIG(1003))", "READY"), "input 1003"),
+        (("REACT 1004, halted", "READY"), "input 1004"),
+        (("IF DEFINED(part) THEN", "n = 1", "END", "READY"), "whether `part` has a value"),
+        (("OPENI", "GRASP 10, 10", "n = 1", "10 READY"), "hand"),
+    ],
+)
+def test_a_path_that_depends_on_what_was_not_tried_is_refused(
+    steps: tuple[str, ...], what: str
+) -> None:
+    more = ".PROGRAM go(x)\n        IF x == 0 THEN\n        SPEED 20\n        END\n.END\n"
+    more += ".PROGRAM halted()\n        HALT\n.END\n"
+    found = planned(main(*steps, data=more + SAFE))
+    said = [d.headline for d in found.refused if d.rule.code == "V811"]
+    assert said, codes(found)
+    assert what in said[0]
+
+
+def test_waiting_for_an_input_is_no_decision(tmp_path: Path) -> None:
+    comes = scenario(tmp_path, "comes", "[[inputs]]\nsignal = 1001\non_s = [0.5]\n")
+    found = planned(main("MOVE safe", "WAIT SIG(1001)", "READY"), comes)
+    assert found.bundle is not None, found.refused
+    assert found.bundle.manifest.reads.inputs == ("input 1001",)
+
+
+# --- waivers --------------------------------------------------------------------------------------
+
+
+def test_a_waiver_stands_in_manifest_and_sheet_and_an_idle_one_does_not() -> None:
+    why = Promise("V811", "the guard <b>is</b> shut", "R. Huber")
+    text = main("IF SIG(1001) THEN", "n = 1", "END", "READY")
+    assert codes(planned(text)) == ["V811"]
+    assert codes(planned(DECIDES, promises=(why,))) == ["V810"], "a waiver covers its own code"
+    found = planned(text, promises=(why, Promise("V812", "x", "y")))
+    assert found.bundle is not None
+    assert found.idle == ("V812",)
+    (waiver,) = found.bundle.manifest.waivers
+    assert (waiver.code, waiver.who, len(waiver.refused)) == ("V811", "R. Huber", 1)
+    sheet = found.bundle.sheet
+    assert "NOT ALL PROVEN" in sheet
+    assert "R. Huber" in sheet
+    assert "the guard &lt;b&gt;is&lt;/b&gt; shut" in sheet
+
+
+def test_what_leaves_nothing_to_send_cannot_be_waived(tmp_path: Path) -> None:
+    (tmp_path / "x.v2").write_text(main("OPENI ; ö"), "utf-8")
+    found = call(tmp_path, "--waive", "V803", "--reason", "no", "--who", "me")
+    assert found.exit_code == 1
+    assert "V814" in found.output
+    assert call(tmp_path, "--waive", "V812", "--who", "me").exit_code == 1
+
+
+# --- command line ---------------------------------------------------------------------------------
+
+
+def call(home: Path, *words: str) -> Result:
+    target = str(home / "x.bundle")
+    options = ["--scene", "cans-on-bases", "--profile", "mark2-val2", "-o", target]
+    return CliRunner().invoke(vrts, ["dispatch", "plan", str(home / "x.v2"), *options, *words])
+
+
+def test_a_bundle_is_written_and_a_refused_one_is_not(tmp_path: Path) -> None:
+    (tmp_path / "x.v2").write_text(main("MOVE safe", "READY"), "utf-8")
+    page = tmp_path / "sheet.html"
+    done = call(tmp_path, "--sheet", str(page))
+    assert done.exit_code == 0, done.output
+    bundle = read_bundle((tmp_path / "x.bundle").read_bytes())
+    assert page.read_text("utf-8") == bundle.sheet
+    (tmp_path / "x.bundle").unlink()
+    (tmp_path / "x.v2").write_text(main("MOVE nowhere"), "utf-8")
+    refused = call(tmp_path)
+    assert refused.exit_code == 1
+    assert "refused: no bundle was written" in refused.output
+    assert not (tmp_path / "x.bundle").exists()
+    (tmp_path / "x.v2").write_text(".PROGRAM main()\n  MVOE x\n.END\n", "utf-8")
+    assert call(tmp_path).exit_code == 1
+
+
+def test_two_processes_write_the_same_bytes(tmp_path: Path) -> None:
+    (tmp_path / "x.v2").write_text(main("MOVE safe", "n = 2", "READY"), "utf-8")
+    found: set[bytes] = set()
+    for seed in ("0", "1"):
+        target = tmp_path / f"{seed}.bundle"
+        words = ["--scene", "cans-on-bases", "--profile", "mark2-val2", "-o", str(target)]
+        subprocess.run(
+            [
+                sys.executable,
+                "-m",
+                "vrts.cli.main",
+                "dispatch",
+                "plan",
+                str(tmp_path / "x.v2"),
+                *words,
+            ],
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            check=True,
+            capture_output=True,
+            timeout=300,
+        )
+        found.add(target.read_bytes())
+    assert len(found) == 1

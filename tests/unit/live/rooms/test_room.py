@@ -1,0 +1,50 @@
+"""What a room remembers for those who come back."""
+
+from pathlib import Path
+
+from vrts.live.places import places_of
+from vrts.live.protocol import Chat
+from vrts.live.rooms.control import ControlRight
+from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.member import Member
+from vrts.live.rooms.room import REMEMBERED, REMEMBERED_BYTES, Room
+from vrts.live.settings import Settings
+from vrts.live.store.accounts import Account
+from vrts.live.store.database import Database
+from vrts.live.store.rooms import KeptRoom
+
+
+def told(count: int, length: int) -> tuple[Room, list[bytes]]:
+    """Return a room in which so much was said, and what somebody is sent who missed it all."""
+    room = Room(KeptRoom("r", "Room", "cans-on-bases", 1, True, 0.0, 120.0), control=ControlRight())
+    for _ in range(count):
+        number = room.next_number()
+        room.tell(Chat(number, 0.0, "p", "Anna", "x" * length, False), number)
+    member = Member(Account(1, "Ben", False, None), "r")
+    return room, room.missed(member, 0)
+
+
+def test_the_last_messages_are_remembered_and_not_all() -> None:
+    room, missed = told(REMEMBERED + 500, 10)
+    assert len(missed) == REMEMBERED
+    assert room.remembers(500)
+    assert not room.remembers(499)
+    assert not room.remembers(REMEMBERED + 501)
+
+
+def test_who_has_waited_for_a_snapshot_is_told_who_is_here(tmp_path: Path) -> None:
+    room, _ = told(0, 0)
+    settings = Settings(tmp_path, places_of(("cans-on-bases",)))
+    hub = Hub(settings, Database(tmp_path / "live.sqlite"))
+    try:
+        room.joining.append(Member(Account(1, "Ben", False, None), room.id))
+        room.show_people(frozenset())  # reaches nobody who waits
+        hub.settle(room, b"null")
+        assert room.crowd_changed, "everybody is told again"
+    finally:
+        hub.database.close()
+
+
+def test_long_messages_are_fewer() -> None:
+    _, missed = told(300, 20_000)
+    assert REMEMBERED_BYTES - 21_000 < sum(map(len, missed)) <= REMEMBERED_BYTES

@@ -1,0 +1,130 @@
+"""Who was sent away stays away, until they are allowed again; who was purged is gone at once."""
+
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.support_live import Answer, Browser, LiveServer
+from vrts.live.session.views.frame import unpacked
+from vrts.live.settings import DATABASE
+from vrts.live.store import log
+from vrts.live.store.database import opened
+
+
+@pytest.fixture
+def server(tmp_path: Path) -> Iterator[LiveServer]:
+    names = tmp_path / "rooms.txt"
+    names.write_text("One\nTwo\n")
+    with LiveServer(tmp_path / "live", "--rooms", str(names)) as found:
+        yield found
+
+
+def present(browser: Browser) -> str:
+    """Return the room that a browser has entered."""
+    return browser.wait("welcome")["room"]
+
+
+def refused(browser: Browser) -> bool:
+    closed = browser.closed()
+    return closed is not None and (closed["type"], closed["code"]) == ("closed", "kicked")
+
+
+def enter(server: LiveServer, name: str, cookie: str) -> Answer:
+    """Use the class code in a browser that has a cookie."""
+    return server.request("POST", "/enter", {"code": server.code, "name": name}, cookie=cookie)
+
+
+def test_who_was_sent_away_stays_away_until_they_are_allowed(server: LiveServer) -> None:
+    cookie = server.enter("Anna")
+    anna, boss = server.join(cookie), server.join(server.supervisor())
+    room = present(anna)
+    anna.wait("snapshot")
+    me = anna.came[0]["you"]
+    boss.wait("people", lambda m: any(p["id"] == me for p in m["people"]))
+    boss.send("kick", person=me)
+    assert refused(anna)
+    told = boss.wait("people", lambda m: bool(m["barred"]))
+    assert told["barred"] == ["Anna"]
+
+    assert refused(server.join(cookie, room=room)), "the same cookie"
+    again = enter(server, "Berta", cookie)
+    assert room not in {r["id"] for r in again.json["rooms"]}
+    assert refused(server.join(again.cookie, room=room)), "the same browser, another name"
+    out = server.request("POST", "/logout", cookie=again.cookie)
+    kept = [c.split(";")[0] for c in out.headers.get_all("set-cookie") or ()]
+    was = next(c for c in kept if "_was=" in c)
+    assert server.request("GET", "/me", cookie=was).status == 401, "it lets nobody in"
+    later = enter(server, "Carla", was)
+    assert refused(server.join(later.cookie, room=room)), "logged out in between"
+    assert refused(server.join(server.enter("anna"), room=room)), "the same name elsewhere"
+    other = server.join(cookie)
+    assert present(other) != room, "the other rooms stay open"
+    present(server.join(server.enter("Doris"), room=room))
+
+    boss.send("allow", name="Anna")
+    boss.wait("people", lambda m: not m["barred"])
+    assert present(server.join(cookie, room=room)) == room
+    assert present(server.join(again.cookie, room=room)) == room
+
+
+def test_bars_outlast_the_server(tmp_path: Path) -> None:
+    folder = tmp_path / "live"
+    server = LiveServer(folder)
+    cookie = server.enter("Anna")
+    anna, boss = server.join(cookie), server.join(server.supervisor())
+    room = present(anna)
+    boss.wait("people", lambda m: len(m["people"]) == 2)
+    boss.send("kick", person=anna.came[0]["you"])
+    assert refused(anna)
+    server.kill()
+    server.close_browsers()
+    server.start(str(server.port))
+    with server:
+        assert refused(server.join(cookie, room=room))
+
+
+def test_who_is_purged_while_connected_is_gone(server: LiveServer, tmp_path: Path) -> None:
+    cookie = server.enter("Anna")
+    anna, ben = server.join(cookie), server.join(server.enter("Ben"))
+    room = present(anna)
+    ben.wait("snapshot")
+    if anna.wait("snapshot")["state"] is None:
+        anna.wait("state")
+    lease = anna.take_control()
+    number = anna.command(lease, "upload", name="mine.v2", text=".PROGRAM mine()\n.END\n")
+    anna.wait("result", lambda m: m["of"] == number)
+    anna.send("say", text="my secret")
+    ben.wait("chat", lambda m: m["text"] == "my secret")
+    files = list((tmp_path / "live/sessions").glob("*/p*/mine.v2"))
+    assert files
+    words = [sys.executable, "-m", "vrts.cli.main", "serve", "--folder", str(tmp_path / "live")]
+    subprocess.run([*words, "--purge-user", "Anna"], check=True, capture_output=True)
+    closed = anna.closed()
+    assert closed is not None
+    assert "removed" in closed["text"]
+    assert server.request("GET", "/me", cookie=cookie).status == 401
+    late = server.join(server.enter("Late"))
+    assert "my secret" not in [line["text"] for line in late.wait("snapshot")["chat"]]
+    assert not any(file.exists() for file in files)
+    connection = opened(tmp_path / "live" / DATABASE)
+    assert log.verify(connection, room) == ""
+    assert "Anna" not in {one.name for one in log.records(connection, room)}
+    connection.close()
+
+
+def test_sixty_frames_a_second_for_who_wants_them(server: LiveServer) -> None:
+    fast, usual = server.join(server.enter("Fast"), rate=60), server.join(server.enter("Usual"))
+    usual.wait("snapshot")
+    latest = time.monotonic() + 25.0
+    while time.monotonic() < latest:
+        fast.frames.clear()
+        fast.quiet(1.5)
+        times = [unpacked(frame).time_s for frame in fast.frames]
+        if times and sum(times[0] <= t < times[0] + 1.0 for t in times) >= 56:
+            break
+    else:
+        raise AssertionError("never more than 50 frames a second")

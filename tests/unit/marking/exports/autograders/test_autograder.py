@@ -1,0 +1,198 @@
+"""The autograder for Gradescope: its zip unpacked, its script run by a real shell."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from click.testing import CliRunner
+
+from tests.places import ROOT
+from tests.support_exports import DATA
+from vrts import __version__
+from vrts.assignments.pack import read_zip, student_zip
+from vrts.assignments.task_folder import read_folder
+from vrts.cli.grade import init_command
+from vrts.marking.exports.autograders.autograder_zip import MODE, autograder_zip, staff_task
+
+EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
+SCHEMA = json.loads((DATA / "exports" / "gradescope-results.schema.json").read_text("utf-8"))
+
+
+def init(*words: object) -> tuple[int, str]:
+    called = CliRunner().invoke(init_command.command, [str(word) for word in words])
+    return called.exit_code, called.output
+
+
+HIDDEN = """
+[[via]]
+name = "a secret gate 4711"
+at_mm = [731, 213, 517]
+radius_mm = 43
+"""
+
+
+def unpacked(task: Path, home: Path) -> Path:
+    """Return a folder like /autograder: the zip unpacked, and vrts of this very checkout."""
+    status, said = init("gradescope", task, "-o", home / "a.zip")
+    assert status == 0, said
+    root = home / "autograder"
+    with zipfile.ZipFile(home / "a.zip") as archive:
+        archive.extractall(root / "source")
+    (root / "submission").mkdir()
+    vrts = root / "vrts" / "bin" / "vrts"
+    vrts.parent.mkdir(parents=True)
+    vrts.write_text(
+        f'#!/bin/sh\nPYTHONPATH="{ROOT}" exec "{sys.executable}" -m vrts.cli.main "$@"\n', "utf-8"
+    )
+    vrts.chmod(0o755)
+    shutil.copy(root / "source" / "run_autograder", root / "run_autograder")
+    (root / "run_autograder").chmod(0o755)
+    return root
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    """Return what Gradescope makes of the example."""
+    return unpacked(EXAMPLE, tmp_path)
+
+
+def run(root: Path, **environment: str) -> dict[str, Any]:
+    """Run the script as the harness does, and return its result."""
+    done = subprocess.run(
+        [root / "run_autograder"],
+        cwd="/",
+        env={"PATH": os.environ["PATH"], "AUTOGRADER_ROOT": str(root), **environment},
+        capture_output=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr.decode()
+    found = json.loads((root / "results" / "results.json").read_bytes())
+    jsonschema.validate(found, SCHEMA)
+    assert str(root) not in json.dumps(found)
+    return found
+
+
+def test_the_zip_has_what_the_harness_looks_for(tmp_path: Path) -> None:
+    data = autograder_zip(staff_task(EXAMPLE), {})
+    assert data == autograder_zip(staff_task(EXAMPLE), {})
+    (tmp_path / "a.zip").write_bytes(data)
+    with zipfile.ZipFile(tmp_path / "a.zip") as archive:
+        assert set(archive.namelist()) == {
+            "setup.sh", "run_autograder", "not-marked.json", "README.md", "task.zip", "version",
+        }  # fmt: skip
+        assert archive.getinfo("run_autograder").external_attr >> 16 == MODE
+        assert archive.read("version").decode().strip() == __version__
+        assert read_zip(archive.read("task.zip")).manifest.staff
+        for script in ("setup.sh", "run_autograder"):
+            text = archive.read(script)
+            assert text.startswith(b"#!/usr/bin/env bash\n")
+            subprocess.run(["bash", "-n"], input=text, check=True)
+        jsonschema.validate(json.loads(archive.read("not-marked.json")), SCHEMA)
+
+
+def test_one_submission_is_marked(root: Path) -> None:
+    shutil.copy(EXAMPLE / "submissions" / "hits-base.v2", root / "submission" / "mine.v2")
+    found = run(root)
+    assert found["score"] == 7
+    assert sum(test["score"] for test in found["tests"]) == 7
+
+
+def test_hidden_checks_are_in_hidden_tests_only(tmp_path: Path) -> None:
+    shutil.copytree(EXAMPLE, tmp_path / "task")
+    (tmp_path / "task" / "staff").mkdir(exist_ok=True)
+    (tmp_path / "task" / "staff" / "task.toml").write_text(HIDDEN, "utf-8")
+    root = unpacked(tmp_path / "task", tmp_path)
+    shutil.copy(EXAMPLE / "solution.v2", root / "submission" / "pick.v2")
+    found = run(root)
+    hidden = [test for test in found["tests"] if test["visibility"] == "hidden"]
+    assert "a secret gate 4711" in {test["name"] for test in hidden}
+    assert found["score"] < 10
+    assert abs(sum(test.get("score", 0) for test in found["tests"]) - found["score"]) < 1e-4
+    (later,) = [test for test in found["tests"] if test["visibility"] == "after_published"]
+    assert later["score"] < 0
+    seen = [test for test in found["tests"] if test["visibility"] != "hidden"]
+    assert sum(test["score"] for test in seen if test["visibility"] == "visible") == 10
+    assert "secret" not in json.dumps([seen, found["output"]])
+    assert "more checks are made" in found["output"]
+
+
+def test_several_files_are_of_one_student(root: Path) -> None:
+    shutil.copy(EXAMPLE / "solution.v2", root / "submission" / "pick.v2")
+    (root / "submission" / "notes").mkdir()
+    (root / "submission" / "notes" / "readme.txt").write_text("my notes")
+    assert run(root)["score"] == 10
+
+
+def test_an_empty_submission_has_a_result(root: Path) -> None:
+    found = run(root)
+    assert found["score"] == 0
+    assert found["output"]
+
+
+def test_a_time_out_ends_with_a_result(root: Path) -> None:
+    shutil.copy(EXAMPLE / "solution.v2", root / "submission" / "pick.v2")
+    before = time.monotonic()
+    found = run(root, AUTOGRADER_SECONDS="0.2")
+    assert time.monotonic() - before < 20
+    assert found["score"] == 0
+    assert "could not be marked" in found["output"]
+
+
+@pytest.mark.slow
+def test_wheels_go_in_and_setup_installs_the_pinned_version(tmp_path: Path) -> None:
+    """A stand-in of vrts and of pip's index: a wheel, installed without network by real pip."""
+    wheels = tmp_path / "wheels"
+    wheels.mkdir()
+    name = f"vrts-{__version__}"
+    with zipfile.ZipFile(wheels / f"{name}-py3-none-any.whl", "w") as wheel:
+        info = f"{name}.dist-info"
+        wheel.writestr("vrts_stand_in.py", f"def main():\n    print('vrts {__version__}')\n")
+        wheel.writestr(
+            f"{info}/METADATA", f"Metadata-Version: 2.1\nName: vrts\nVersion: {__version__}\n"
+        )
+        wheel.writestr(
+            f"{info}/WHEEL",
+            "Wheel-Version: 1.0\nGenerator: test\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+        )
+        wheel.writestr(f"{info}/entry_points.txt", "[console_scripts]\nvrts = vrts_stand_in:main\n")
+        wheel.writestr(f"{info}/RECORD", "")
+    target = tmp_path / "a.zip"
+    status, said = init("gradescope", EXAMPLE, "--wheels", wheels, "-o", target)
+    assert status == 0, said
+    home = tmp_path / "autograder"
+    with zipfile.ZipFile(target) as archive:
+        archive.extractall(home / "source")
+    path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
+    done = subprocess.run(
+        ["bash", home / "source" / "setup.sh"],
+        env={"PATH": path, "AUTOGRADER_ROOT": str(home), "PIP_NO_INDEX": "1"},
+        capture_output=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr.decode()
+    assert done.stdout.decode().rstrip().endswith(f"vrts {__version__}")
+
+
+def test_wheels_without_vrts_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "click-8.1-py3-none-any.whl").write_bytes(b"")
+    status, said = init("gradescope", EXAMPLE, "--wheels", tmp_path, "-o", tmp_path / "a.zip")
+    assert status == 2
+    assert f"the wheel of vrts {__version__} is not among the wheels" in said
+    assert not (tmp_path / "a.zip").exists()
+
+
+def test_what_students_get_makes_no_autograder(tmp_path: Path) -> None:
+    place = tmp_path / "lab-student.zip"
+    place.write_bytes(student_zip(read_folder(EXAMPLE), 3))
+    status, said = init("gradescope", place, "-o", tmp_path / "a.zip")
+    assert status == 1
+    assert "V750" in said
+    assert "3 checks are missing" in said

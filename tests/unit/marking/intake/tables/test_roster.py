@@ -1,0 +1,128 @@
+"""Lists of a class: who is missing, what the platform knows of each, and when work came."""
+
+from datetime import UTC, datetime, timedelta, timezone
+from pathlib import Path
+from zoneinfo import ZoneInfo
+
+import pytest
+
+from tests.unit.marking.intake.support import PICK, put
+from tests.unit.marking.intake.test_cases import ANNA
+from vrts.marking.intake.row import Kind, Student
+from vrts.marking.intake.tables.local_time import local_time
+from vrts.marking.intake.tables.roster import read_roster
+from vrts.marking.intake.take_in import take_in
+from vrts.pipeline.files import CannotRead
+
+CET = timezone(timedelta(hours=1))
+WORKSHEET = (
+    "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,"
+    "Last modified (submission),Last modified (grade),Feedback comments\r\n"
+    'Participant 101,"Anna Berger",anna@uni.at,"Submitted for grading",,10.00,Yes,'
+    '"Monday, 30 November 2026, 11:58 PM","Tuesday, 1 December 2026, 8:00 AM",\r\n'
+    "Participant 102,Ben Wolf,ben@uni.at,No submission,,10.00,Yes,-,-,\r\n"
+).encode("utf-8-sig")
+GERMAN = (
+    "ID;Vollständiger Name;E-Mail-Adresse;Status;Bewertung;Zuletzt geändert (Abgabe)\r\n"
+    "Teilnehmer/in101;Anna Berger;anna@uni.at;Abgegeben;;Montag, 30. November 2026, 23:58\r\n"
+).encode("cp1252")
+GRADE_BOOK = (
+    b"Student,ID,SIS User ID,SIS Login ID,Section,Lab 1 (77)\r\n"
+    b"    Points Possible,,,,,10\r\n"
+    b'"Berger, Anna",31,00123,anna,A,\r\n'
+    b'"Wolf, Ben",32,00124,ben,A,\r\n'
+)
+
+
+def test_a_worksheet_of_moodle_tells_addresses_times_and_who_is_missing(tmp_path: Path) -> None:
+    place = put(tmp_path / "d", {f"{ANNA}/pick.v2": PICK})
+    anna, ben = take_in(place, program=None, roster=read_roster(WORKSHEET, "w.csv", CET)).rows
+    assert anna.student == Student("Anna Berger", "anna@uni.at", ids={"moodle": "101"})
+    assert anna.received == datetime(2026, 11, 30, 23, 58, tzinfo=CET)
+    assert ben.identifier == "Ben-Wolf-102"
+    assert ben.problem is not None
+    assert ben.problem.kind is Kind.MISSING
+    assert ben.received is None
+
+
+@pytest.mark.parametrize(
+    ("data", "file"),
+    [(WORKSHEET, f"{ANNA}/pick.v2"), (GRADE_BOOK, "bergeranna_31_901_pick.v2")],
+    ids=["Moodle", "Canvas"],
+)
+def test_a_list_does_not_change_identifiers(data: bytes, file: str, tmp_path: Path) -> None:
+    place = put(tmp_path / "d", {file: PICK})
+    (row,) = take_in(place, program=None).rows
+    rows = take_in(place, program=None, roster=read_roster(data, "l.csv", CET)).rows
+    assert row.identifier in [row.identifier for row in rows if row.problem is None]
+
+
+def test_a_worksheet_in_another_language(tmp_path: Path) -> None:
+    place = put(tmp_path / "d", {f"{ANNA}/pick.v2": PICK})
+    (anna,) = take_in(place, program=None, roster=read_roster(GERMAN, "w.csv", CET)).rows
+    assert anna.received == datetime(2026, 11, 30, 23, 58, tzinfo=CET)
+    assert anna.student.email == "anna@uni.at"
+
+
+def test_times_without_a_zone_do_not_count(tmp_path: Path) -> None:
+    place = put(tmp_path / "d", {f"{ANNA}/pick.v2": PICK})
+    found = take_in(place, program=None, roster=read_roster(WORKSHEET, "w.csv", None))
+    assert found.rows[0].received is None
+    assert found.remarks == ("the times in `w.csv` have no zone, so they do not count: give one",)
+
+
+def test_a_grade_book_of_canvas_tells_names_logins_and_who_is_missing(tmp_path: Path) -> None:
+    files = {"bergeranna_31_901_pick.v2": PICK, "guest_99_902_pick.v2": PICK}
+    place = put(tmp_path / "d", files)
+    found = take_in(place, program=None, roster=read_roster(GRADE_BOOK, "g.csv", None))
+    ben, anna, guest = found.rows
+    assert anna.student == Student("Berger, Anna", "", "anna", {"canvas": "31", "sis": "00123"})
+    assert ben.problem is not None
+    assert ben.identifier == "Wolf-Ben-32"
+    assert guest.problem is None
+    assert found.remarks == ("`guest 99` is not in the list of the class",)
+
+
+def test_a_list_of_another_platform_is_not_used(tmp_path: Path) -> None:
+    place = put(tmp_path / "d", {f"{ANNA}/pick.v2": PICK})
+    found = take_in(place, program=None, roster=read_roster(GRADE_BOOK, "g.csv", None))
+    assert [row.identifier for row in found.rows] == ["Anna-Berger-101"]
+    assert "has ids of canvas, the download has none" in found.remarks[0]
+
+
+@pytest.mark.parametrize("data", [b"", b"a,b\n1,2\n", PICK])
+def test_what_is_no_list_is_told(data: bytes) -> None:
+    with pytest.raises(CannotRead, match=r"`x\.csv` is no list of a class"):
+        read_roster(data, "x.csv", UTC)
+
+
+@pytest.mark.parametrize(
+    ("text", "time"),
+    [
+        ("Tuesday, 21 October 2025, 3:45 PM", (10, 21, 15, 45)),
+        ("Tuesday, 21 October 2025, 12:05\u202fAM", (10, 21, 0, 5)),
+        ("Tuesday, October 21, 2025, 12:45 PM", (10, 21, 12, 45)),
+        ("Dienstag, 21. Oktober 2025, 15:45", (10, 21, 15, 45)),
+        ("Sonntag, 1. März 2025, 08:01", (3, 1, 8, 1)),
+        ("mardi 21 octobre 2025, 15:45", (10, 21, 15, 45)),
+        ("samedi 1 juin 2025, 15:45", (6, 1, 15, 45)),
+        ("samedi 1 juillet 2025, 15:45", (7, 1, 15, 45)),
+        ("martes, 21 de octubre de 2025, 15:45", (10, 21, 15, 45)),
+        ("martedì, 21 ottobre 2025, 15:45", (10, 21, 15, 45)),
+        ("-", None),
+        ("31 Nonsense 2025, 10:00", None),
+        ("31 February 2025, 10:00", None),
+        ("2025", None),
+    ],
+)
+def test_local_times(text: str, time: tuple[int, int, int, int] | None) -> None:
+    expected = None if time is None else datetime(2025, *time, tzinfo=CET)
+    assert local_time(text, CET) == expected
+
+
+def test_times_are_of_the_zone_in_its_season() -> None:
+    vienna = ZoneInfo("Europe/Vienna")
+    summer = local_time("Tuesday, 21 July 2026, 3:45 PM", vienna)
+    winter = local_time("Tuesday, 21 January 2026, 3:45 PM", vienna)
+    assert summer == datetime(2026, 7, 21, 13, 45, tzinfo=UTC)
+    assert winter == datetime(2026, 1, 21, 14, 45, tzinfo=UTC)

@@ -1,0 +1,73 @@
+"""A run told line by line, in both directions."""
+
+import re
+from itertools import pairwise
+
+import pytest
+
+from tests.support_saved import busy
+from vrts.engine.run import Run
+from vrts.engine.statements import statements
+from vrts.pipeline.settings import robot_alone
+from vrts.report.screen.replay_text import MOST_STEPS, replay
+from vrts.run_files import simulate
+
+
+@pytest.fixture(scope="module")
+def run() -> Run:
+    found = busy().run
+    assert found is not None
+    return found
+
+
+def words(run: Run, from_s: float, to_s: float) -> list[str]:
+    return [told.text[13:] for told in replay(run, from_s, to_s)]
+
+
+def test_statements_are_numbered_through_both_programs(run: Run) -> None:
+    found = statements(run.history, 0, run.statements)
+    numbers = [statement.number for statement in found]
+    assert numbers == list(range(2, run.statements + 1))  # the first is EXECUTE
+    assert {statement.process for statement in found} == {False, True}
+    for statement in found:
+        before = run.at_statement(statement.number - 1)
+        stack = before.process_stack if statement.process else before.call_stack
+        assert statement.cause == stack[-1]
+
+
+@pytest.mark.parametrize(("first", "last"), [(0, 0), (3, 9), (10, 10), (20, 1000)])
+def test_some_of_the_statements(run: Run, first: int, last: int) -> None:
+    whole = statements(run.history, 0, run.statements)
+    wanted = [statement for statement in whole if first < statement.number <= last]
+    assert statements(run.history, first, last) == wanted
+
+
+def test_parts_make_the_whole(run: Run) -> None:
+    end = run.horizon_s
+    cuts = [0.0, 0.3 * end, 0.61 * end, end]
+    whole = list(replay(run, 0.0, end))
+    parts = [told for a, b in pairwise(cuts) for told in replay(run, a, b)]
+    assert parts == whole
+    assert all(a.time_s <= b.time_s + 1e-9 for a, b in pairwise(whole))
+
+
+def test_backward_is_the_whole_from_behind(run: Run) -> None:
+    forward = words(run, 0.0, run.horizon_s)
+    backward = words(run, run.horizon_s, 0.0)
+    assert [line.replace("  - ", "  + ") for line in backward[::-1]] == forward
+
+
+def test_the_process_control_program_is_told_apart(run: Run) -> None:
+    told = words(run, 0.0, run.horizon_s)
+    assert any(line.endswith("p seen = seen+1") for line in told)
+    assert any("* signal 2001 on" in line for line in told)
+    assert any("* program blink reacts to signal 1001" in line for line in told)
+
+
+def test_of_a_loop_only_the_first_steps_of_an_instant_are_told() -> None:
+    text = b".PROGRAM main\n  FOR i = 1 TO 30\n    n = i\n    m = i\n  END\n.END\n"
+    found = simulate(text, "main.v2", robot_alone())
+    assert found.run is not None
+    told = [line.text for line in replay(found.run, 0.0, 0.0)]
+    assert len(told) == 1 + MOST_STEPS + 1
+    assert re.search(r" and \d\d more steps$", told[-1])

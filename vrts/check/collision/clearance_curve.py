@@ -1,0 +1,143 @@
+"""The smallest distance of robot and surroundings over time, for charts.
+
+Sampled, and so no verdict: what is certified stands in `CollisionReport`. The pairs and their rules
+are those of the certified check, so the curve leaves out what is near on purpose.
+"""
+
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.check.collision.of_run import motion_of, plan_of
+from vrts.check.collision.pairs.arm_state import Instants, RunRecord, instants
+from vrts.check.collision.pairs.grips import NEAR_MISS
+from vrts.check.collision.pairs.pairs import Plan
+from vrts.engine.memory.records import GRAVITY
+from vrts.geometry.narrow import engine as engine_by_name
+from vrts.geometry.narrow import pair, transform
+from vrts.scene.model import Scene
+
+Array: TypeAlias = npt.NDArray[np.float64]
+Indices: TypeAlias = npt.NDArray[np.int64]
+
+AT_ONCE = 50  # times, so that what is computed stays near the processor
+NEAREST = 24  # pairs that are measured first: what they find rules out most of the others
+FEW = 5  # times for which a pair is ruled out together
+FAR = 0.5  # [m] larger distances are all the same to a reader
+
+
+class _Boxes(NamedTuple):
+    """Where solids are at some times, and boxes round them; of what stands still only one."""
+
+    rotations: Array  # (m, 3, 3) of the solids' frames in W
+    origins: Array  # (m, 3) [m]
+    low: Array  # (m, 3) lower corners in W [m]
+    high: Array  # (m, 3) upper corners
+    at: Indices  # (solids, times) which of the m
+
+
+def clearance_curve(
+    scene: Scene, run: RunRecord, time_s: Array, near_miss: float | None = None
+) -> Array:
+    """Return the smallest distance of any tested pair at times of shape (n,) [m].
+
+    It is at most `FAR`. Nearer than `near_miss` [m] is a near miss; None: as usual.
+    """
+    motion = motion_of(run)
+    threshold = NEAR_MISS if near_miss is None else near_miss
+    todo = plan_of(scene, run, engine_by_name(None), threshold, clearance=True)
+    rows = np.flatnonzero(todo.pairs.counts)
+    found = np.full(len(time_s), FAR)
+    if not len(rows):
+        return found
+    starts, ends = todo.pairs.start_s[rows], todo.pairs.end_s[rows]
+    for start in range(0, len(time_s), AT_ONCE):
+        part = slice(start, start + AT_ONCE)
+        now = time_s[part]
+        at_work = rows[(starts <= now.max()) & (now.min() <= ends)]
+        _measure(todo, at_work, instants(scene.robot.arm, motion, now), found[part])
+    return found
+
+
+def _measure(todo: Plan, rows: Indices, state: Instants, found: Array) -> None:
+    """Lower what was found, shape (times,) [m], to the smallest distance of rows of pairs.
+
+    Most pairs are ruled out for many times at once, by the boxes in which their solids stay.
+    """
+    boxes, count = _boxes(todo, state), len(found)
+    least = _apart(todo, rows, boxes, count)[:, 0]
+    order = np.argsort(least, kind="stable")
+    begin = rows[order[:NEAREST]]
+    _lower(
+        todo, np.repeat(begin, count), np.tile(np.arange(count), len(begin)), state, boxes, found
+    )
+    rest = order[NEAREST:]
+    rest = rows[rest[least[rest] < found.max()]]
+    far = np.maximum.reduceat(found, np.arange(0, count, FEW))
+    row, group = np.nonzero(_apart(todo, rest, boxes, FEW) < far)
+    instant = group[:, None] * FEW + np.arange(FEW)
+    there = instant < count
+    _lower(todo, rest[row[np.nonzero(there)[0]]], instant[there], state, boxes, found)
+
+
+def _lower(
+    todo: Plan, rows: Indices, instant: Indices, state: Instants, boxes: _Boxes, found: Array
+) -> None:
+    """Do the same with rows at instants; both index arrays have shape (n,)."""
+    pairs = todo.pairs
+    first, second = pairs.first[rows], pairs.second[rows]
+    a, b = boxes.at[first, instant], boxes.at[second, instant]
+    least = _gaps(boxes.low, boxes.high, a, b)
+    now = state.time_s[instant]
+    near = least < found[instant]
+    near &= (pairs.start_s[rows] <= now) & (now <= pairs.end_s[rows])
+    order = np.flatnonzero(near)
+    order = order[np.lexsort((least[order], instant[order]))]
+    indices: list[tuple[int, ...]] = list(
+        zip(*(c[order].tolist() for c in (instant, first, second, a, b)), strict=True)
+    )
+    for (k, i, j, at, other), gap in zip(indices, least[order].tolist(), strict=True):
+        if gap < found[k]:
+            distance = pair(todo.solids.shapes[i], todo.solids.shapes[j]).distance(
+                transform(boxes.rotations[at], boxes.origins[at]),
+                transform(boxes.rotations[other], boxes.origins[other]),
+            )
+            found[k] = min(found[k], distance)
+
+
+def _boxes(todo: Plan, state: Instants) -> _Boxes:
+    count, solids = len(state.time_s), len(todo.solids.shapes)
+    still = (todo.solids.frame == 0) & ~todo.solids.falls
+    each = np.where(still, 1, count)
+    ends = np.cumsum(each)
+    at = (ends - each)[:, None] + np.where(still[:, None], 0, np.arange(count))
+    number = np.repeat(np.arange(solids), each)
+    instant = np.arange(len(number)) - np.repeat(ends - each, each)
+    placed = todo.solids.places(state, number, instant, GRAVITY)
+    low, high = placed.centres - placed.halves, placed.centres + placed.halves
+    return _Boxes(placed.rotations, placed.origins, low, high, at)
+
+
+def _apart(todo: Plan, rows: Indices, boxes: _Boxes, few: int) -> Array:
+    """Return what pairs keep apart at least over a few times each, shape (rows, groups) [m]."""
+    count: int = boxes.at.shape[1]
+    groups: Indices = np.arange(0, count, few)
+    low = np.minimum.reduceat(boxes.low[boxes.at], groups, axis=1).reshape(-1, 3)
+    high = np.maximum.reduceat(boxes.high[boxes.at], groups, axis=1).reshape(-1, 3)
+    own = np.arange(len(groups))
+    first, second = (
+        s[rows, None] * len(groups) + own for s in (todo.pairs.first, todo.pairs.second)
+    )
+    return _gaps(low, high, first, second)
+
+
+def _gaps(low: Array, high: Array, a: Indices, b: Indices) -> Array:
+    """Return the distances of boxes given by their corners, shape (m, 3), as `a` is shaped [m]."""
+    squares = np.zeros(a.shape)
+    for axis in range(3):
+        lower, upper = low[:, axis].copy(), high[:, axis].copy()
+        apart = np.maximum(lower.take(a) - upper.take(b), lower.take(b) - upper.take(a))
+        np.maximum(apart, 0.0, out=apart)
+        squares += np.square(apart, out=apart)
+    return np.sqrt(squares, out=squares)

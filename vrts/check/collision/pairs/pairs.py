@@ -1,0 +1,369 @@
+"""What is tested against what, when, and by which rule.
+
+Time is cut where an object is grasped, released or lands, and where a pair changes its rule. Two
+convex pieces with an interval of time and a rule are one row of `Pairs`; the search takes all rows
+at once, whatever their intervals.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.check.collision.pairs.arm_state import Asked, Prober, RunRecord
+from vrts.check.collision.pairs.cast import (
+    HAND,
+    Cast,
+    RobotSolids,
+    Stay,
+    placements_of,
+    robot_solids,
+    stays_of,
+)
+from vrts.check.collision.pairs.grips import (
+    NEAR_MISS,
+    Asking,
+    Distances,
+    Grip,
+    Window,
+    all_told,
+    counted_from,
+    counted_until,
+    finger_windows,
+    grips,
+)
+from vrts.check.curves.timeline_arrays import Curves
+from vrts.engine.memory.records import Lie
+from vrts.geometry.narrow import engine
+from vrts.geometry.nearest import Engine
+from vrts.geometry.solids import Solids, solids
+from vrts.robots.model import Robot
+from vrts.scene.model import Scene
+
+Array: TypeAlias = npt.NDArray[np.float64]
+Flags: TypeAlias = npt.NDArray[np.bool_]
+Indices: TypeAlias = npt.NDArray[np.int64]
+
+ROBOT = "robot"  # with gripper and held object, as one
+TOLERANCE = 2e-4  # [m] deeper than this is a contact, less is a graze
+PAD_DEPTH = 1e-3  # [m] a pad may press this far into a grasped object
+
+
+class Rule(NamedTuple):
+    """How a pair is judged."""
+
+    tolerance: float  # a contact is deeper than this [m]; inf: no contact is looked for
+    grazes: bool  # shallower touches are listed
+    counts: bool  # enters minimum clearance
+
+
+STRICT = Rule(TOLERANCE, grazes=True, counts=True)
+ITSELF = Rule(TOLERANCE, grazes=True, counts=False)  # the arm's own shape is no near miss
+NEAR = Rule(TOLERANCE, grazes=True, counts=False)
+PADS = Rule(PAD_DEPTH, grazes=False, counts=False)
+DISTANCE = Rule(np.inf, grazes=False, counts=True)
+
+
+class Pairs(NamedTuple):
+    """Rows of (solid, solid, interval, rule); arrays of shape (p,)."""
+
+    first: Indices  # of the solids
+    second: Indices
+    start_s: Array
+    end_s: Array
+    tolerance: Array  # [m]
+    grazes: Flags
+    counts: Flags
+    group: Indices  # of `Plan.groups`
+
+
+class Plan(NamedTuple):
+    """All that a search needs to know."""
+
+    solids: Solids
+    pairs: Pairs
+    rigid: Pairs  # rows that do not move one against the other: looked at once
+    groups: tuple[tuple[str, str], ...]  # names of the two sides of a contact event
+
+
+_Meeting: TypeAlias = tuple[Stay, Stay, tuple[float, float]]  # of bodies, from when to when
+
+
+def plan(
+    scene: Scene,
+    run: RunRecord,
+    curves: Curves,
+    by: Engine | None = None,
+    near_miss: float = NEAR_MISS,
+    *,
+    clearance: bool = True,
+    pads: float = PAD_DEPTH,
+) -> Plan:
+    """Return every pair of pieces that can touch while the run lasts, with its rules.
+
+    Args:
+        scene: What stands where.
+        run: What happens.
+        curves: How the robot moves.
+        by: Measures the distances that rules depend on; None: the most exact engine there is.
+        near_miss: Nearer than this is a near miss [m].
+        clearance: Whether pairs that matter to the smallest distance only are wanted.
+        pads: How far a pad may press into what it grasps [m].
+    """
+    placements = {body.name: placements_of(body, run) for body in scene.bodies}
+    ends = [p.end_s for own in placements.values() for p in own if np.isfinite(p.end_s)]
+    interval = (curves.start_s, max([curves.end_s, *ends]))
+    supports = frozenset(
+        name
+        for body in scene.bodies
+        for name in (body.rests_on, *(p.support for p in placements[body.name]))
+        if name is not None
+    )
+    cast = Cast(*interval, scene.robot.arm.X_LF)
+    arm = robot_solids(cast, scene.robot)
+    stays = [
+        stay
+        for body in scene.bodies
+        for stay in stays_of(cast, body, placements[body.name], supports)
+    ]
+    arrays = solids(cast.members)
+    prober = Prober(scene.robot.arm, curves, arrays, engine() if by is None else by)
+    table = _Table()
+    _self_pairs(table, scene.robot, arm, interval)
+    counted = near_miss if clearance else None
+    _arm_pairs(table, arm, stays, run, prober, counted, PADS._replace(tolerance=pads))
+    _body_pairs(table, stays, prober, counted)
+    return Plan(arrays, table.pairs(rigid=False), table.pairs(rigid=True), tuple(table.groups))
+
+
+class _Block(NamedTuple):
+    """Every pair of two unions of solids, under one rule for one time."""
+
+    first: tuple[int, ...]
+    second: Sequence[int]
+    interval: tuple[float, float]
+    rule: Rule
+    group: int
+
+
+@dataclass(slots=True)
+class _Table:
+    """Collects pairs."""
+
+    groups: dict[tuple[str, str], int] = field(default_factory=dict[tuple[str, str], int])
+    blocks: list[_Block] = field(default_factory=list[_Block])
+    rigid_blocks: list[_Block] = field(default_factory=list[_Block])
+
+    def add(
+        self,
+        group: tuple[str, str],
+        first: Iterable[int],
+        second: Sequence[int],
+        interval: tuple[float, float],
+        rule: Rule,
+        *,
+        rigid: bool = False,
+    ) -> None:
+        """Add every pair of two unions of solids."""
+        start_s, end_s = interval
+        if end_s <= start_s:
+            return
+        number = self.groups.setdefault(group, len(self.groups))
+        blocks = self.rigid_blocks if rigid else self.blocks
+        blocks.append(_Block(tuple(first), second, interval, rule, number))
+
+    def pairs(self, *, rigid: bool) -> Pairs:
+        """Return the pairs as arrays."""
+        blocks = self.rigid_blocks if rigid else self.blocks
+        sizes = [len(block.first) * len(block.second) for block in blocks]
+        first, second = _products(blocks)
+
+        def column(values: Sequence[object], kind: type[np.generic]) -> npt.NDArray[Any]:
+            return np.repeat(np.array(values, dtype=kind), sizes)
+
+        return Pairs(
+            first,
+            second,
+            column([block.interval[0] for block in blocks], np.float64),
+            column([block.interval[1] for block in blocks], np.float64),
+            column([block.rule[0] for block in blocks], np.float64),
+            column([block.rule[1] for block in blocks], np.bool_),
+            column([block.rule[2] for block in blocks], np.bool_),
+            column([block.group for block in blocks], np.int64),
+        )
+
+
+def _products(blocks: Sequence[_Block]) -> tuple[Indices, Indices]:
+    """Return the first and the second solid of every pair, block after block."""
+    firsts = np.array([i for block in blocks for i in block.first], dtype=np.int64)
+    seconds = np.array([j for block in blocks for j in block.second], dtype=np.int64)
+    wide = np.array([len(block.second) for block in blocks], dtype=np.int64)
+    high = np.array([len(block.first) for block in blocks], dtype=np.int64)
+    begins = np.repeat(np.cumsum(wide) - wide, high)  # of the second solids, for every first one
+    counts = np.repeat(wide, high)
+    along = np.arange(int(counts.sum())) - np.repeat(np.cumsum(counts) - counts, counts)
+    return np.repeat(firsts, counts), seconds[np.repeat(begins, counts) + along]
+
+
+def _self_pairs(
+    table: _Table, robot: Robot, arm: RobotSolids, interval: tuple[float, float]
+) -> None:
+    """The arm against itself: all but neighbours and what cannot meet by construction."""
+    group = (ROBOT, ROBOT)
+    for name, joint, members in arm.links:
+        for other, beyond, others in arm.links:
+            if beyond <= joint + 1 or frozenset((name, other)) in robot.arm.skipped_pairs:
+                continue
+            table.add(group, others, members, interval, ITSELF)
+        if joint < HAND - 1:
+            table.add(group, arm.palm, members, interval, ITSELF)
+            for finger in arm.fingers:
+                table.add(group, finger, members, interval, ITSELF)
+
+
+def _arm_pairs(
+    table: _Table,
+    arm: RobotSolids,
+    stays: Sequence[Stay],
+    run: RunRecord,
+    prober: Prober,
+    near_miss: float | None,
+    gripping: Rule,
+) -> None:
+    """The arm against every body, wherever the body is."""
+    moving = [i for _, joint, members in arm.links if 0 < joint < HAND for i in members]
+    flange = [i for _, joint, members in arm.links if joint == HAND for i in members]
+    base = [i for _, joint, members in arm.links if joint == 0 for i in members]
+    by_body: dict[str, list[Stay]] = {}
+    for stay in stays:
+        by_body.setdefault(stay.body, []).append(stay)
+    windows = iter(_finger_windows(arm, by_body, grips(run.events), prober, near_miss))
+    for body, own in by_body.items():
+        group = (ROBOT, body)
+        for stay in own:
+            interval = (stay.start_s, stay.end_s)
+            with_hand = stay.lie is Lie.HELD
+            table.add(group, moving, stay.members, interval, STRICT)
+            table.add(group, [*flange, *arm.palm], stay.members, interval, STRICT, rigid=with_hand)
+            if not stay.still:
+                table.add(group, base, stay.members, interval, STRICT)
+        for finger in arm.fingers:
+            for window in next(windows):
+                rule = gripping if window.allowed else STRICT if window.counts else NEAR
+                for stay in own:
+                    interval = _common((window.start_s, window.end_s), (stay.start_s, stay.end_s))
+                    table.add(group, finger, stay.members, interval, rule)
+
+
+def _finger_windows(
+    arm: RobotSolids,
+    by_body: Mapping[str, Sequence[Stay]],
+    held: Sequence[Grip],
+    prober: Prober,
+    near_miss: float | None,
+) -> list[tuple[Window, ...]]:
+    """Return the rules of every finger with every body, finger by finger for each body."""
+    questions = [
+        finger_windows(
+            [grip for grip in held if grip.body == body],
+            own[0].start_s,
+            own[-1].end_s,
+            near_miss,
+        )
+        for body, own in by_body.items()
+        for _ in arm.fingers
+    ]
+    sides = [(finger, own) for own in by_body.values() for finger in arm.fingers]
+
+    def answer(asked: Mapping[int, Array]) -> Mapping[int, Distances]:
+        gaps = prober.gaps([_asked(*sides[number], times) for number, times in asked.items()])
+        return dict(zip(asked, gaps, strict=True))
+
+    return all_told(questions, answer)
+
+
+def _asked(first: Sequence[int], stays: Sequence[Stay], times: Array) -> Asked:
+    return Asked(first, [(stay.members, stay.start_s, stay.end_s) for stay in stays], times)
+
+
+def _always(stay: Stay, other: Stay, times: Array) -> Asked:
+    """Ask about one stay at times that are within it but for rounding."""
+    return Asked(stay.members, [(other.members, -np.inf, np.inf)], times)
+
+
+def _body_pairs(
+    table: _Table, stays: Sequence[Stay], prober: Prober, near_miss: float | None
+) -> None:
+    """Held and falling bodies against all others; `near_miss` None: no matter how near."""
+    meetings = [
+        (stay, other, interval)
+        for stay in stays
+        if not stay.still
+        for other in stays
+        if other.body != stay.body
+        and (interval := _common((stay.start_s, stay.end_s), (other.start_s, other.end_s)))
+        and interval[1] > interval[0]
+    ]
+    counted = iter(_counted(meetings, prober, near_miss))
+    for stay, other, interval in meetings:
+        if other.still:
+            counts = next(counted) if stay.parted_from(other) else interval
+            _moving_against_still(table, stay, other, interval, counts)
+        elif stay.lie is Lie.FALLING and other.lie is Lie.HELD:
+            # from the hand, or met by what the hand carries
+            rule = NEAR if stay.before == other.body else STRICT
+            table.add((ROBOT, stay.body), other.members, stay.members, interval, rule)
+
+
+def _counted(
+    meetings: Sequence[_Meeting], prober: Prober, near_miss: float | None
+) -> list[tuple[float, float]]:
+    """Return when the distance of moving bodies from what they come from or go to counts."""
+    parted = [meeting for meeting in meetings if meeting[0].parted_from(meeting[1])]
+    if near_miss is None:
+        return [(end_s, end_s) for _, _, (_, end_s) in parted]
+    questions: list[Asking[float]] = []
+    sides: list[tuple[Stay, Stay]] = []
+    for stay, other, (start_s, end_s) in parted:
+        if stay.lie is Lie.HELD and other.body == stay.before:
+            questions.append(counted_from(start_s, end_s, near_miss))
+            sides.append((stay, other))
+        if stay.lie is Lie.HELD and other.body == stay.after:
+            questions.append(counted_until(start_s, end_s, near_miss))
+            sides.append((stay, other))
+
+    def answer(asked: Mapping[int, Array]) -> Mapping[int, Distances]:
+        gaps = prober.gaps([_always(*sides[number], times) for number, times in asked.items()])
+        return dict(zip(asked, gaps, strict=True))
+
+    told = iter(all_told(questions, answer))
+    found: list[tuple[float, float]] = []
+    for stay, other, (start_s, end_s) in parted:
+        if stay.lie is not Lie.HELD:
+            found.append((end_s, end_s))
+            continue
+        counts_s = min(next(told), end_s) if other.body == stay.before else start_s
+        ceases_s = next(told) if other.body == stay.after else end_s
+        found.append((counts_s, max(ceases_s, counts_s)))
+    return found
+
+
+def _moving_against_still(
+    table: _Table,
+    stay: Stay,
+    other: Stay,
+    interval: tuple[float, float],
+    counts: tuple[float, float],
+) -> None:
+    group = (ROBOT if stay.lie is Lie.HELD else stay.body, other.body)
+    if not stay.parted_from(other):
+        table.add(group, stay.members, other.members, interval, STRICT)
+        return
+    table.add(group, stay.members, other.lowered, interval, NEAR)
+    table.add(group, stay.members, other.members, counts, DISTANCE)
+
+
+def _common(a: tuple[float, float], b: tuple[float, float]) -> tuple[float, float]:
+    return max(a[0], b[0]), min(a[1], b[1])

@@ -1,0 +1,154 @@
+"""From verdicts to a mark, with every lost point explained."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+from vrts.base.diagnostic import Diagnostic
+from vrts.check.judgement import Judgement
+from vrts.check.mark.earned import earned
+from vrts.check.mark.grade import REVIEW, Grade, Loss, Status
+from vrts.check.mark.losses import (
+    PROGRAM_ENDS,
+    Mishap,
+    broken_demands,
+    losses_of,
+    mishaps_of,
+    stopped_by,
+)
+from vrts.check.rounding import exact_s
+from vrts.check.task.demands import DEMAND
+from vrts.check.task.score import (
+    FULL,
+    Achieved,
+    rounded_mark,
+    score,
+)
+from vrts.check.task.task import Task
+from vrts.check.verdict import Answer
+from vrts.check.verdicts.duration import duration
+from vrts.check.verdicts.targets import Reached, describe, reached
+from vrts.check.verdicts.vias import Passed, passed
+from vrts.engine.memory.records import Ending
+from vrts.engine.run import Run
+
+NOTHING = Fraction(0)
+
+
+def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
+    """Return the mark of a run."""
+    results = reached(run, task)
+    points = passed(run, task)
+    mishaps = mishaps_of(run, judgement)
+    took = duration(run)
+    demands = broken_demands(task, judgement)
+    achieved = Achieved(
+        goals=tuple((result.goal.weight, result.share) for result in results),
+        vias=len(task.vias),
+        vias_met=points.number,
+        contacts=len(mishaps),
+        completed=run.ending in PROGRAM_ENDS,
+        duration_s=took,
+        broken=sum((loss.points for loss in demands), NOTHING),
+        kept=not demands,
+    )
+    parts = score(achieved, task.mark, exact_s(task.t_par), exact_s(task.t_max))
+    mark = rounded_mark(parts)
+    losses = losses_of(task, run, results, points, mishaps, demands, achieved, parts, mark)
+    lowest = _lowest(task, achieved, judgement, sum(points.certain))
+    obstacles = _obstacles(run, results, points, mishaps, judgement)
+    if lowest is not None and lowest < mark:
+        obstacles += (f"{REVIEW}: the mark is between {float(lowest)} and {float(mark)}",)
+    return Grade(
+        mark,
+        _status(run),
+        parts.targets,
+        parts.vias,
+        parts.contacts,
+        parts.time,
+        losses,
+        not obstacles,
+        obstacles,
+        None if took is None else float(took),
+        parts.demands,
+        lowest,
+        earned(task, results, points, judgement.verdicts, losses, parts, mark),
+    )
+
+
+def ungraded(status: Status, diagnostics: Sequence[Diagnostic]) -> Grade:
+    """Return the mark 0 of a submission that could not be run, with its first error as the loss."""
+    errors = [d for d in diagnostics if d.is_error] or list(diagnostics)
+    sentence, hint, span = status.value, "", None
+    if errors:
+        first = errors[0]
+        span = first.primary.span if first.primary else None
+        sentence = f"line {span.line}, {first.headline}" if span else first.headline
+        hint = first.help[0] if first.help else ""
+    loss = Loss(FULL, "program", sentence, hint, span, None)
+    return Grade(
+        NOTHING, status, NOTHING, NOTHING, NOTHING, NOTHING, (loss,), False, (sentence,), None
+    )
+
+
+def _lowest(task: Task, achieved: Achieved, judgement: Judgement, vias: int) -> Fraction | None:
+    """Return the mark if everything that cannot be told went wrong; None when all can be told.
+
+    `vias` points are passed for certain.
+    """
+    asked = [v for v in judgement.verdicts if v.check.startswith(DEMAND)]
+    doubtful = [
+        demand.points
+        for demand, verdict in zip(task.demands, asked, strict=True)
+        if verdict.answer is Answer.UNDETERMINED
+    ]
+    contacts = 0 if judgement.collisions is None else len(judgement.collisions.undetermined)
+    if not doubtful and not contacts and vias == achieved.vias_met:
+        return None
+    worst = replace(
+        achieved,
+        vias_met=vias,
+        contacts=achieved.contacts + contacts,
+        broken=achieved.broken + sum(doubtful, NOTHING),
+        kept=achieved.kept and not doubtful,
+    )
+    return rounded_mark(score(worst, task.mark, exact_s(task.t_par), exact_s(task.t_max)))
+
+
+def _obstacles(
+    run: Run,
+    results: tuple[Reached, ...],
+    points: Passed,
+    mishaps: list[Mishap],
+    judgement: Judgement,
+) -> tuple[str, ...]:
+    """Return why a program is not ready for the real robot, most serious first."""
+    found = [mishap.loss.sentence for mishap in mishaps]
+    stopped = stopped_by(run)
+    if stopped is not None:
+        found.append(stopped.sentence)
+    for verdict in judgement.verdicts:
+        asked = verdict.check == "limits" or verdict.check.startswith(DEMAND)
+        if asked and verdict.answer is Answer.VIOLATED:
+            found.append(verdict.summary)
+        if verdict.answer is Answer.UNDETERMINED:
+            found.append(f"{REVIEW}: {verdict.check}: {verdict.summary}")
+    found += [f"`{r.goal.body}` {describe(r)}" for r in results if r.share < 1]
+    missed = len(points.met) - points.number
+    if missed:
+        found.append(f"{missed} via points are not passed")
+    disputed = () if judgement.collisions is None else judgement.collisions.disagreements
+    found += [f"{REVIEW}: two engines disagree: {words}" for words in disputed]
+    if judgement.collisions is None:
+        found.append("collisions were not checked")
+    return tuple(found)
+
+
+def _status(run: Run) -> Status:
+    match run.ending:
+        case Ending.ERROR:
+            return Status.STOPPED
+        case Ending.LIMIT:
+            return Status.LIMIT
+        case _:
+            return Status.GRADED

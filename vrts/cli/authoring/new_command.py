@@ -1,0 +1,196 @@
+"""`vrts new`."""
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.shared.console import color_option, fail, guarded, say, show_diagnostics, write_file
+
+if TYPE_CHECKING:
+    from vrts.pipeline.settings import Setting
+
+EPILOG = """\b
+Examples:
+  vrts new scene lab1
+  vrts new task lab1 --from cans-on-bases
+  vrts new task lab2 --from 02-dish-on-stand
+  vrts new program mine.v2 --from cans-on-bases
+  vrts new lab lab.toml
+"""
+
+from_option = click.option(
+    "--from", "origin", metavar="SCENE", help="Begin with this scene, or with that of an example."
+)
+
+
+@click.group(name="new", epilog=EPILOG)
+def command() -> None:
+    """Write a scene, a task, a program or a lab to begin with. Nothing is overwritten."""
+
+
+@command.command(name="scene", epilog=EPILOG)
+@click.argument("name", type=click.Path(path_type=Path))
+@from_option
+@color_option
+@guarded
+def scene(name: Path, origin: str | None, color: str) -> None:
+    """Write the folder NAME with a scene in it."""
+    _write(name, scene_files(name, origin))
+    say(f"look at it with `vrts scene show {name}`, check it with `vrts scene check {name}`")
+
+
+@command.command(name="program", epilog=EPILOG)
+@click.argument("name", type=click.Path(path_type=Path))
+@from_option
+@color_option
+@guarded
+def program(name: Path, origin: str | None, color: str) -> None:
+    """Write the program NAME with all locations of a scene."""
+    from vrts.assignments.new_files import new_program
+    from vrts.pipeline.settings import load_scene
+
+    file = name if name.suffix else name.with_suffix(".v2")
+    taken = origin or "cans-on-bases"
+    setting = load_scene(_scene_of(taken))
+    text = new_program(f"vrts verify {file.name} --scene {taken}", setting.scene)
+    _write(file.parent, {file.name: text.encode()})
+    say(f"check it with `vrts verify {file} --scene {taken}`")
+
+
+@command.command(name="lab", epilog=EPILOG)
+@click.argument("name", type=click.Path(path_type=Path))
+@color_option
+@guarded
+def lab(name: Path, color: str) -> None:
+    """Write the file NAME with the measures of a robot, a hand and a table.
+
+    Laid over a scene by `--lab NAME`, or by `lab = "NAME"` in a task, its numbers take the place of
+    the scene's: so any scene is that of your own laboratory.
+    """
+    from vrts.assignments.new_lab import LAB
+
+    file = name if name.suffix else name.with_suffix(".toml")
+    _write(file.parent, {file.name: LAB.encode()})
+    say(f"write your measures into it; `vrts scene check cans-on-bases --lab {file}` looks at them")
+
+
+@command.command(name="task", epilog=EPILOG)
+@click.argument("name", type=click.Path(path_type=Path))
+@from_option
+@click.option("--title", help="Of the task; otherwise its name.")
+@color_option
+@guarded
+def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
+    """Write the folder NAME with a task, its scene and its reference solution.
+
+    A scene.toml that is there already is taken as the scene. `--from` an example takes its task,
+    too; from a scene, and without it, the task is to carry every can to a base.
+    """
+    from vrts.assignments.new_files import new_program, new_readme, new_staff_task
+    from vrts.assignments.task_copy import copied_reference, copied_task, example_folder
+    from vrts.pipeline.files import SCENE_FILE
+    from vrts.pipeline.settings import STAFF, TASK_FILE, load_scene, load_task
+
+    made: dict[str, bytes] = {}
+    if not (name / SCENE_FILE).is_file():
+        made = scene_files(name, origin)
+    elif origin is not None:
+        fail(f"`{name / SCENE_FILE}` is there already", ("leave out `--from`",))
+    _refuse_existing(name, (TASK_FILE, "start.v2", "README.md", f"{STAFF}/solution.v2"))
+    _write(name, made)
+    scene = load_scene(SCENE_FILE, name)
+    show_diagnostics(scene.diagnostics, color)
+    example = example_folder(origin)
+    if example is None:
+        task_text, solution = _carrying(name, scene, title or _words(name))
+    else:
+        task_text, solution = copied_task(example, title), copied_reference(example)
+    _write(name, {TASK_FILE: task_text})
+    task = load_task(name).task
+    assert task is not None
+    label = name.resolve().name
+    started = new_program(f"vrts grade {label}-student.zip start.v2", scene.scene)
+    _write(
+        name,
+        {
+            "README.md": new_readme(label, task).encode(),
+            "start.v2": started.encode(),
+            f"{STAFF}/solution.v2": solution,
+            f"{STAFF}/{TASK_FILE}": new_staff_task(scene.scene).encode(),
+        },
+    )
+    say(f"check it with `vrts task check {name}`")
+
+
+def _carrying(name: Path, setting: "Setting", title: str) -> tuple[bytes, bytes]:
+    """Return a task in which everything is carried to a base, and the program that does it."""
+    from vrts.assignments.new_files import carryings, new_solution, new_task
+    from vrts.assignments.task_check import times_of
+    from vrts.pipeline.assess import assess
+
+    work = carryings(setting.scene)
+    if not work:
+        fail(
+            "the scene has nothing to carry to a base",
+            ("give it a can and a base within reach", f"see `vrts scene check {name}`"),
+        )
+    solution = new_solution(title, setting.scene, work).encode()
+    times = times_of(assess(solution, setting=setting, title="solution.v2"))
+    if times is None:
+        fail("the reference solution does not come to its end in this scene")
+    label = name.resolve().name
+    text = new_task(title, label, setting.scene, work, Fraction(times.reference_s))
+    return text.encode(), solution
+
+
+def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:
+    """Return the files of a new scene: a simple one, or a copy."""
+    from vrts.assignments.new_scene import new_scene
+    from vrts.pipeline.files import SCENE_FILE, find_scene, read_bytes
+
+    if origin is None:
+        return {SCENE_FILE: new_scene(name.resolve().name, _words(name)).encode()}
+    place = find_scene(_scene_of(origin))
+    found = {SCENE_FILE: read_bytes(place)}
+    for path in sorted(place.parent.iterdir()):
+        if path.suffix.lower() in (".urdf", ".stl", ".obj", ".dae"):
+            found[path.name] = read_bytes(path)
+    return found
+
+
+def _scene_of(origin: str) -> str:
+    """Return the scene of an example, or a scene as it is."""
+    from vrts.check.task.task_file import scene_name
+    from vrts.pipeline.files import find_example, find_scene, read_toml_source
+    from vrts.pipeline.settings import TASK_FILE
+
+    folder = find_example(origin)
+    if folder is None or not (folder / TASK_FILE).is_file():
+        return origin
+    named, _ = scene_name(read_toml_source(folder / TASK_FILE))
+    return origin if named is None else str(find_scene(named, folder))
+
+
+def _words(name: Path) -> str:
+    """Return a name in words: "cans-on-bases" is "Cans on bases"."""
+    words = re.sub(r"[^\w]+|_+", " ", name.resolve().name).strip() or "A task"
+    return words[:1].upper() + words[1:]
+
+
+def _refuse_existing(folder: Path, names: "tuple[str, ...] | Mapping[str, bytes]") -> None:
+    for name in names:
+        if (folder / name).exists():
+            fail(f"`{folder / name}` is there already", ("give another name, or move it away",))
+
+
+def _write(folder: Path, files: Mapping[str, bytes]) -> None:
+    _refuse_existing(folder, files)
+    for name, data in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_file(path, data)
+        say(f"wrote {path}")

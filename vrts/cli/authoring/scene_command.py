@@ -1,0 +1,161 @@
+"""`vrts scene`."""
+
+import sys
+import time
+from contextlib import suppress
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.shared.console import (
+    HOLDS,
+    WRONG,
+    color_option,
+    guarded,
+    lab_option,
+    out,
+    say,
+    show_diagnostics,
+    write_file,
+)
+
+if TYPE_CHECKING:
+    from vrts.pipeline.settings import Setting
+
+EPILOG = """\b
+Examples:
+  vrts scene list
+  vrts scene show cans-on-bases
+  vrts scene show cans-on-bases --svg map.svg
+  vrts scene check lab1
+  vrts scene check lab1 --lab lab.toml
+  vrts scene watch lab1 --svg map.svg
+"""
+
+
+@click.group(name="scene", epilog=EPILOG)
+def command() -> None:
+    """List the scenes; show where things are in one; find mistakes; redraw while you edit."""
+
+
+@command.command(name="list")
+@guarded
+def list_scenes() -> None:
+    """List the scenes that come with vrts."""
+    from vrts.pipeline.files import scene_names
+    from vrts.pipeline.settings import load_scene
+
+    for name in scene_names():
+        out(f"{name:<20} {load_scene(name).scene.title}")
+
+
+@command.command(name="show", epilog=EPILOG)
+@click.argument("name")
+@click.option("--svg", type=click.Path(path_type=Path), help="Write a drawing, top and side view.")
+@lab_option
+@color_option
+@guarded
+def show(name: str, svg: Path | None, lab: Path | None, color: str) -> None:
+    """Print every object of scene NAME, and its locations ready to paste into a program."""
+    from vrts.pipeline.settings import load_scene
+    from vrts.report.screen.scene_text import scene_text
+
+    scene = load_scene(name, lab=lab).scene
+    out(scene_text(scene))
+    if svg is not None:
+        from vrts.report.scene_drawing import scene_svg
+
+        write_file(svg, scene_svg(scene).encode())
+        say(f"wrote {svg}")
+
+
+@command.command(name="check", epilog=EPILOG)
+@click.argument("name")
+@lab_option
+@color_option
+@guarded
+def check(name: str, lab: Path | None, color: str) -> None:
+    """Look for what cannot be meant in scene NAME, or in the folder of a task.
+
+    Finds overlaps, floating objects, objects too wide for the hand, objects and locations out of
+    reach on every arm branch, locations inside bodies; and in a task goals out of reach, in the air
+    or inside bodies, and via points out of reach. Exit status 1 when something is wrong; warnings
+    are no errors.
+    """
+    from vrts.check.task.feasible import task_findings
+    from vrts.report.plain import one_line
+    from vrts.scene.checks import scene_findings, without_repeats
+
+    setting = _setting(name, lab)
+    scene, task = setting.scene, setting.task
+    found = list(without_repeats(setting.diagnostics, scene_findings(scene)))
+    if task is not None:
+        found += task_findings(scene, task)
+    show_diagnostics(found, color)
+    counts = [("object", len(scene.bodies) - 1), ("location", len(scene.locations))]
+    counts += [("goal", len(task.goals))] if task is not None else []
+    what = ", ".join(f"{n} {word}{'' if n == 1 else 's'}" for word, n in counts)
+    out(f"{one_line(scene.title)}: {what}: " + ("see above" if found else "nothing found"))
+    sys.exit(WRONG if any(d.is_error for d in found) else HOLDS)
+
+
+def _setting(name: str, lab: Path | None) -> "Setting":
+    """Return a scene, with the task where NAME is the folder of one."""
+    from vrts.pipeline.settings import TASK_FILE, load_scene, load_task
+
+    path = Path(name)
+    if (path / TASK_FILE).is_file() or (path.name == TASK_FILE and path.is_file()):
+        return load_task(path, staff=True, lab=lab)
+    return load_scene(name, lab=lab)
+
+
+@command.command(name="watch", epilog=EPILOG)
+@click.argument("name")
+@click.option("--svg", type=click.Path(path_type=Path), help="Write a drawing on every change.")
+@click.option("--for", "seconds", type=float, help="End after so many seconds; otherwise never.")
+@lab_option
+@color_option
+@guarded
+def watch_scene(
+    name: str, svg: Path | None, seconds: float | None, lab: Path | None, color: str
+) -> None:
+    """Show scene NAME, and again whenever its file or the lab is saved. Control-C ends it."""
+    from vrts.cli.shared.watching import watch
+    from vrts.pipeline.files import find_scene
+
+    place = find_scene(name)
+    until = None if seconds is None else time.monotonic() + seconds
+
+    def redraw() -> None:
+        draw(place, svg, lab, color)
+
+    files = [place] if lab is None else [place, lab]
+    with suppress(KeyboardInterrupt):  # how it ends
+        watch(files, redraw, clock=time.monotonic, sleep=time.sleep, until=until)
+
+
+def draw(place: Path, svg: Path | None, lab: Path | None, color: str) -> None:
+    """Show a scene as it is now, with a drawing; or what is wrong with it."""
+    from vrts.pipeline.files import CannotRead
+    from vrts.pipeline.settings import Refused, load_scene
+    from vrts.report.scene_drawing import scene_svg
+    from vrts.report.screen.scene_text import scene_text
+    from vrts.scene.checks import scene_findings, without_repeats
+
+    if sys.stdout.isatty():
+        click.clear()
+    try:
+        setting = load_scene(str(place.resolve()), lab=lab)
+    except Refused as problem:
+        show_diagnostics(problem.diagnostics, color)
+        return
+    except CannotRead as problem:  # in the middle of being saved
+        say(problem.message)
+        return
+    out(scene_text(setting.scene))
+    findings = scene_findings(setting.scene)
+    show_diagnostics(without_repeats(setting.diagnostics, findings), color)
+    if svg is not None:
+        write_file(svg, scene_svg(setting.scene).encode())
+        say(f"wrote {svg}")

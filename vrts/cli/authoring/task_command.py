@@ -1,0 +1,141 @@
+"""`vrts task`."""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.shared.console import (
+    HOLDS,
+    WRONG,
+    color_option,
+    fail,
+    guarded,
+    lab_option,
+    out,
+    show_diagnostics,
+    write_file,
+)
+
+if TYPE_CHECKING:
+    from vrts.assignments.task_check import TaskCheck
+    from vrts.pipeline.settings import Setting
+
+EPILOG = """\b
+Examples:
+  vrts task check lab1
+  vrts task check lab1 --lab lab.toml
+  vrts task pack lab1 -o handout
+"""
+
+folder_argument = click.argument("folder", type=click.Path(path_type=Path))
+
+
+@click.group(name="task", epilog=EPILOG)
+def command() -> None:
+    """Check an assignment before it is handed out, and pack it."""
+
+
+@command.command(name="check", epilog=EPILOG)
+@folder_argument
+@click.option(
+    "--reference",
+    type=click.Path(path_type=Path),
+    help="The reference solution; otherwise staff/solution.v2 or solution.v2 in FOLDER.",
+)
+@lab_option
+@color_option
+@guarded
+def check(folder: Path, reference: Path | None, lab: Path | None, color: str) -> None:
+    """Tell whether the task in FOLDER, with its hidden part, is ready to be handed out.
+
+    The reference must get 10 of 10, a program that does nothing 0, and every goal must be within
+    reach. Proposes times, and lists what everything is worth. With a lab, tells whether the task
+    would work there. Exit status 1 when something is wrong.
+    """
+    from vrts.assignments.task_check import check_task
+    from vrts.assignments.task_folder import reference_of
+
+    setting = _setting(folder, lab)
+    found = check_task(setting, reference or reference_of(_folder(folder)))
+    show_diagnostics(found.findings, color)
+    out(_text(setting, found))
+    sys.exit(HOLDS if found.ready else WRONG)
+
+
+@command.command(name="pack", epilog=EPILOG)
+@folder_argument
+@click.option("-o", "--out", "target", type=click.Path(path_type=Path), default=Path("."))
+@click.option(
+    "--allow",
+    "versions",
+    multiple=True,
+    metavar="VERSION",
+    help="A version of vrts that may mark; otherwise this one.",
+)
+@color_option
+@guarded
+def pack(folder: Path, target: Path, versions: tuple[str, ...], color: str) -> None:
+    """Write NAME-student.zip, without the folder `staff`, and NAME-staff.zip with everything.
+
+    Students get task.toml, scenario.toml, README.md, start.v2, the scene, and the folders pictures
+    and handout: nothing else. The task must pass `vrts task check`.
+    """
+    from vrts.assignments.pack import staff_zip, student_zip
+    from vrts.assignments.task_check import check_task
+    from vrts.assignments.task_folder import read_folder, reference_of
+
+    setting = _setting(folder)
+    found = check_task(setting, reference_of(_folder(folder)))
+    if not found.ready:
+        show_diagnostics(found.findings, color)
+        fail("nothing is packed: the task does not pass `vrts task check`", status=WRONG)
+    files = read_folder(_folder(folder))
+    student = student_zip(files, setting.hidden, versions)
+    staff = staff_zip(files, setting.hidden, versions)
+    target.mkdir(parents=True, exist_ok=True)
+    for data, audience, count in (
+        (student, "student", len(files.public)),
+        (staff, "staff", len(files.public) + len(files.staff)),
+    ):
+        path = target / f"{files.name}-{audience}.zip"
+        write_file(path, data)
+        out(f"{path}: {count} files")
+    checks = "1 hidden check" if setting.hidden == 1 else f"{setting.hidden} hidden checks"
+    out(f"students are told of {checks}")
+
+
+def _folder(path: Path) -> Path:
+    return path if path.is_dir() else path.parent
+
+
+def _setting(folder: Path, lab: Path | None = None) -> "Setting":
+    from vrts.pipeline.settings import TASK_FILE, load_task
+
+    if folder.is_dir() and not (folder / TASK_FILE).is_file():
+        fail(f"there is no `{TASK_FILE}` in `{folder}`", (f"begin with `vrts new task {folder}`",))
+    return load_task(folder, staff=True, lab=lab)
+
+
+def _text(setting: "Setting", found: "TaskCheck") -> str:
+    """Return what was found out, for the terminal."""
+    from vrts.report.plain import plain_text
+
+    task = setting.task
+    assert task is not None
+    lines = [f"{task.title}: {'ready to be handed out' if found.ready else 'not ready'}"]
+    if found.reference is not None and found.reference.grade is not None:
+        lines.append(f"  reference      {float(found.reference.grade.mark):4.1f} of 10")
+    assert found.empty.grade is not None
+    lines.append(f"  empty program  {float(found.empty.grade.mark):4.1f} of 10")
+    lines.append(f"  hidden checks  {setting.hidden:2d}")
+    if found.times is not None:
+        lines += ["", "times [s]        now   from the reference"]
+        times = found.times
+        lines.append(f"  reference_s      -   {float(times.reference_s):6.2f}")
+        lines.append(f"  t_par_s     {task.t_par:6.2f}   {float(times.t_par_s):6.2f}")
+        lines.append(f"  t_max_s     {task.t_max:6.2f}   {float(times.t_max_s):6.2f}")
+    lines += ["", "points  lost by"]
+    lines += [f"  {float(worth.points):5.2f}  {worth.what}" for worth in found.worths]
+    return plain_text("\n".join(lines))

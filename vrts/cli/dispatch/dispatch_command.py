@@ -1,0 +1,45 @@
+"""`vrts dispatch`: a group whose subcommands are loaded when they are called."""
+
+import importlib
+
+import click
+
+SUBCOMMANDS = {
+    "plan": "verify a program for a real controller, and write a bundle",
+    "choose": "list the ready programs of a marking by clearance and mark",
+    "send": "send a bundle to a controller and read everything back",
+    "fetch": "fetch programs and locations from a controller",
+    "diff": "compare what a controller holds with a bundle",
+    "profile": "list the profiles of controllers, print one to be corrected",
+    "emulate": "emulate a controller at a pseudo-terminal",
+    "export": "write a verified program in the language of another controller",
+}
+
+
+class DispatchGroup(click.Group):
+    """Loads a subcommand only when it is called."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return the names of all subcommands, in the order of use."""
+        return list(SUBCOMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import and return a subcommand."""
+        if cmd_name not in SUBCOMMANDS:
+            return None
+        module = importlib.import_module(f"vrts.cli.dispatch.{cmd_name}_command")
+        return module.command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """List the subcommands without importing them."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(SUBCOMMANDS.items()))
+
+
+@click.group(name="dispatch", cls=DispatchGroup)
+def command() -> None:
+    """Bring a verified program to a real controller.
+
+    Nothing here executes a program, enables power or moves an arm: the operator does, at the
+    controller.
+    """

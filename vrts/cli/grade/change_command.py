@@ -1,0 +1,95 @@
+"""`vrts grade change`."""
+
+from datetime import date
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.shared.console import color_option, fail, guarded, out, say, show_diagnostics
+
+if TYPE_CHECKING:
+    from vrts.marking.row import Row
+
+EPILOG = """\b
+Examples:
+  vrts grade change anna --from out --delta 0.5 --reason "goal 2 was met" --who "R. Huber"
+  vrts grade change anna --from out --mark 7 --reason "marked from paper" --who "R. Huber"
+"""
+
+LARGEST = 10
+
+
+class Points(click.ParamType[Fraction]):
+    """Points as written, exactly; a comma will do."""
+
+    name = "points"
+
+    def convert(
+        self, value: object, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Fraction:
+        """Return the number."""
+        try:
+            points = Fraction(str(value).replace(",", "."))
+        except (ValueError, ZeroDivisionError):
+            self.fail(f"`{value}` is no number of points", param, ctx)
+        if abs(points) > LARGEST or (points * 1000).denominator != 1:
+            self.fail(f"`{value}`: points are from -10 to 10, with three decimals", param, ctx)
+        return points
+
+
+@click.command(name="change", epilog=EPILOG)
+@click.argument("student")
+@click.option(
+    "--from",
+    "folder",
+    type=click.Path(path_type=Path),
+    required=True,
+    metavar="OUT",
+    help="The folder that the marking wrote.",
+)
+@click.option("--delta", type=Points(), help="Points to add, or with a minus to take.")
+@click.option("--mark", type=Points(), help="What the mark is to be, after lateness.")
+@click.option("--reason", required=True, help="Why; the student may ask.")
+@click.option("--who", required=True, help="Who decides.")
+@click.option("--date", "day", metavar="YYYY-MM-DD", help="When; otherwise today.")
+@color_option
+@guarded
+def command(
+    student: str,
+    folder: Path,
+    delta: Fraction | None,
+    mark: Fraction | None,
+    reason: str,
+    who: str,
+    day: str | None,
+    color: str,
+) -> None:
+    """Change the mark of STUDENT by hand.
+
+    STUDENT is an id, or a name or address that only one student has. The change is added to the end
+    of OUT/staff/overrides.toml, which may as well be edited: comments in it stay. It stands beside
+    the computed mark, and counts whenever the class is marked again. Changes of one student are
+    made one after the other.
+    """
+    from vrts.marking.appeals.written import read_written
+    from vrts.marking.by_hand.override_text import add_overrides
+    from vrts.marking.by_hand.overrides import Override, with_overrides
+
+    if (delta is None) == (mark is None):
+        fail("a change is either `--delta` or `--mark`")
+    written = read_written(folder)
+    row = written.row(student)
+    today = day or date.today().isoformat()
+    added = Override(row.id, delta, mark, reason, who, today)
+    overrides = add_overrides(written.layout.overrides, [added], written.known)
+    show_diagnostics(overrides.diagnostics, color)
+    changed = with_overrides(written.rows, overrides)
+    after = next(other for other in changed.rows if other.id == row.id)
+    out(f"{row.id}: {_mark(row)} until now, {_mark(after)} when the class is marked again")
+    say(f"wrote {written.layout.overrides}")
+
+
+def _mark(row: "Row") -> str:
+    return "no mark" if row.final is None else f"{row.final:.1f}"

@@ -1,0 +1,122 @@
+"""`vrts grade diff`."""
+
+import getpass
+import sys
+from datetime import date
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.shared.console import (
+    HOLDS,
+    WRONG,
+    color_option,
+    fail,
+    guarded,
+    out,
+    say,
+    show_diagnostics,
+)
+
+if TYPE_CHECKING:
+    from vrts.marking.appeals.moves import Diff
+    from vrts.marking.by_hand.overrides import Overrides
+    from vrts.marking.row import Class
+
+EPILOG = """\b
+Examples:
+  vrts grade diff out-before out-after
+  vrts grade diff out-before out-after --never-lower --who "R. Huber"
+  vrts grade diff before/results.json after/results.json --format json
+"""
+
+RESULTS = "results.json"
+
+
+@click.command(name="diff", epilog=EPILOG)
+@click.argument("old", type=click.Path(path_type=Path))
+@click.argument("new", type=click.Path(path_type=Path))
+@click.option(
+    "--never-lower",
+    is_flag=True,
+    help="Write a change by hand into NEW/staff/overrides.toml for everybody who falls.",
+)
+@click.option("--who", help="Who decides that; otherwise the name of the user.")
+@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@color_option
+@guarded
+def command(
+    old: Path, new: Path, never_lower: bool, who: str | None, form: str, color: str
+) -> None:
+    """Tell who moves from the marking OLD to the marking NEW, and why.
+
+    OLD and NEW are folders that `vrts grade` wrote with -o, or their staff/results.json. To repair
+    a task: mark into another folder, compare, and hand out the marks of the new one. Compared are
+    final marks, after lateness and changes by hand, those in NEW as its overrides.toml has them
+    now. Copy the overrides.toml of OLD to NEW before, or its changes are missing there.
+
+    With --never-lower nobody ends below the old mark: mark NEW again afterwards, which takes
+    moments. Exit status 1 when somebody falls or has no mark any more.
+    """
+    from vrts.marking.appeals.moves import diff
+    from vrts.marking.appeals.moves_text import diff_text
+
+    before, after = _rows(old), _rows(new)
+    known = [row.id for row in after.rows]
+    overrides = _overrides(new, known)
+    if overrides is not None:
+        from vrts.marking.by_hand.overrides import with_overrides
+
+        show_diagnostics(overrides.diagnostics, color)
+        after = with_overrides(after, overrides)
+        changed = {row.id for row in before.rows if row.change is not None}
+        lacking = sorted(changed & set(known) - set(overrides.changes))
+        if lacking:
+            say(f"note: {len(lacking)} changed by hand in OLD and not in NEW, as `{lacking[0]}`")
+    found = diff(before, after)
+    out(_json(found) if form == "json" else diff_text(found))
+    lowered = any(move.falls or move.new is None for move in found.moves)
+    if never_lower:
+        if overrides is None:
+            fail("with `--never-lower` NEW is a folder that `vrts grade` wrote")
+        _raise(found, after, new, who or getpass.getuser())
+        lowered = any(move.new is None for move in found.moves)
+    sys.exit(WRONG if lowered else HOLDS)
+
+
+def _rows(place: Path) -> "Class":
+    from vrts.marking.appeals.written import read_class
+    from vrts.marking.layout import Layout
+
+    return read_class(Layout(place).results if place.is_dir() else place, place)
+
+
+def _overrides(place: Path, known: list[str]) -> "Overrides | None":
+    """Return the changes by hand of a folder; None for a file."""
+    from vrts.marking.by_hand.override_text import load_overrides
+    from vrts.marking.layout import Layout
+
+    return load_overrides(Layout(place).overrides, known) if place.is_dir() else None
+
+
+def _raise(found: "Diff", after: "Class", new: Path, who: str) -> None:
+    """Write changes for everybody who falls."""
+    from vrts.marking.appeals.moves import never_lower
+    from vrts.marking.by_hand.override_text import add_overrides
+    from vrts.marking.layout import Layout
+
+    added = never_lower(found, after, who, date.today().isoformat())
+    if not added:
+        say("nobody falls: nothing was written")
+        return
+    path = Layout(new).overrides
+    add_overrides(path, added, [row.id for row in after.rows])
+    one = "1 change" if len(added) == 1 else f"{len(added)} changes"
+    say(f"wrote {one} into {path}; mark the class again")
+
+
+def _json(found: "Diff") -> str:
+    import msgspec
+
+    return msgspec.json.format(msgspec.json.encode(found), indent=1).decode()

@@ -1,0 +1,180 @@
+"""`vrts grade export`."""
+
+import os
+from datetime import UTC, datetime
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.shared.console import color_option, fail, guarded, say, show_diagnostics
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vrts.marking.exports.given import Options, Page
+    from vrts.marking.layout import Layout
+    from vrts.marking.row import Class
+
+EPILOG = """\b
+Formats:
+  csv              a table of all marks
+  json             everything, as in `vrts schema class`
+  moodle           Moodle's grading worksheet, filled in with marks and comments
+  canvas           the grade book of Canvas, filled in
+  moodle-feedback  a zip for Moodle's "Upload multiple feedback files in a zip"
+  folders          a folder for each student: feedback.txt, report, recording
+  gradescope       results.json of each submission
+  prairielearn     results.json of each submission
+  classroom50      result.json, inside a run of Classroom 50
+  junit            JUnit XML, a suite for each submission
+  sarif            what compiler, run and checks found in all submissions
+
+\b
+Examples:
+  vrts grade export out --to csv --to junit
+  vrts grade export out --to moodle --fill Grades-Robotics-Lab1.csv
+  vrts grade export out --to canvas --fill gradebook.csv --column "Lab 1 (4711)"
+  vrts grade export out --to moodle-feedback -o feedback.zip
+"""
+
+MOST_POINTS = 10_000
+NAMES = (
+    "csv",
+    "json",
+    "moodle",
+    "canvas",
+    "moodle-feedback",
+    "folders",
+    "gradescope",
+    "prairielearn",
+    "classroom50",
+    "junit",
+    "sarif",
+)  # a test holds them against the table of formats, which is imported when it is used
+
+
+@click.command(name="export", epilog=EPILOG)
+@click.argument("folder", metavar="OUT", type=click.Path(path_type=Path))
+@click.option(
+    "--to",
+    "names",
+    type=click.Choice(NAMES),
+    multiple=True,
+    required=True,
+    metavar="FORMAT",
+    help="What to write; may be given more than once.",
+)
+@click.option(
+    "--fill",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="The worksheet or grade book that you exported; it is read, and stays as it is.",
+)
+@click.option("--column", default="", metavar="TITLE", help="The column in FILE for the marks.")
+@click.option("--points", metavar="N", help="What full marks are worth; otherwise as in FILE.")
+@click.option("--no-comments", is_flag=True, help="Fill in marks only, no comments.")
+@click.option("--no-pages", is_flag=True, help="Feedback without reports and recordings.")
+@click.option(
+    "--delimiter",
+    type=click.Choice([",", ";"]),
+    default=",",
+    show_default=True,
+    help="In `csv`; with `;` numbers have a decimal comma.",
+)
+@click.option(
+    "-o",
+    "--out",
+    "target",
+    type=click.Path(path_type=Path),
+    help="The file to write, or the folder where there are several; otherwise OUT/staff/exports.",
+)
+@color_option
+@guarded
+def command(
+    folder: Path,
+    names: tuple[str, ...],
+    fill: Path | None,
+    column: str,
+    points: str | None,
+    no_comments: bool,
+    no_pages: bool,
+    delimiter: str,
+    target: Path | None,
+    color: str,
+) -> None:
+    """Write the marks in OUT in the formats of other systems.
+
+    OUT is the folder that `vrts grade` wrote with -o. Marks are final ones, after lateness and
+    changes by hand as OUT/staff/overrides.toml has them now. A worksheet or grade book is filled
+    in: every other field, the order of rows and columns, delimiter, decimal mark and line ends stay
+    as they are; students are found by id, then address or login, then name. What students get says
+    nothing of hidden checks. After marking with --pseudonyms what goes to Moodle and Canvas, and
+    the table, have the names again, from OUT/staff/names.csv; the rest stays without.
+    """
+    from vrts.marking.appeals.written import read_written
+    from vrts.marking.by_hand.overrides import with_overrides
+    from vrts.marking.exports.autograders.classroom50 import from_environment
+    from vrts.marking.exports.given import Options
+    from vrts.pipeline.settings import Refused
+
+    written = read_written(folder)
+    overrides = written.overrides()
+    show_diagnostics(overrides.diagnostics, color)
+    if overrides.wrong:
+        raise Refused(())
+    options = Options(
+        given_page(fill),
+        column,
+        _full_marks(points),
+        not no_comments,
+        delimiter,
+        not no_pages,
+        from_environment(os.environ),
+        datetime.now(UTC),
+    )
+    export(names, with_overrides(written.rows, overrides), written.layout, options, color, target)
+
+
+def given_page(path: Path | None) -> "Page | None":
+    """Return the teacher's file that is to be filled in."""
+    from vrts.marking.exports.given import Page
+    from vrts.pipeline.files import read_bytes
+
+    return None if path is None else Page(path.name, read_bytes(path))
+
+
+def export(
+    names: "Sequence[str]",
+    rows: "Class",
+    layout: "Layout",
+    options: "Options",
+    color: str,
+    target: Path | None = None,
+) -> None:
+    """Write a class in some formats, and say what was written."""
+    from vrts.marking.exports.write import write_exports
+
+    paths = write_exports(
+        tuple(dict.fromkeys(names)),
+        rows,
+        layout,
+        options,
+        tell=lambda found: show_diagnostics(found, color),
+        target=target,
+    )
+    for path in paths:
+        say(f"wrote {path}")
+
+
+def _full_marks(text: str | None) -> Fraction | None:
+    """Return what full marks are worth, exactly; a comma will do."""
+    from vrts.marking.exports.numbers import parsed
+
+    if text is None:
+        return None
+    found = parsed(text)
+    if found is None or not 0 < found <= MOST_POINTS:
+        fail(f"`{text}` is no number of points", (f"write a number up to {MOST_POINTS:,}",))
+    return found

@@ -1,0 +1,56 @@
+"""`vrts grade`: marking is what it does unless the first word is one of its subcommands."""
+
+import importlib
+
+import click
+
+SUBCOMMANDS = {
+    "intake": "tell who handed in what, and write a table to edit",
+    "plan": "cut a class into shards for other machines",
+    "run": "mark one shard, on any machine",
+    "merge": "bring the results of shards together",
+    "export": "write grade books, feedback and results for other systems",
+    "init": "write an autograder for a platform",
+    "evidence": "pack all that a mark rests on, for an appeal",
+    "reproduce": "mark what is in an evidence zip again, and compare",
+    "diff": "compare two markings of a class",
+    "change": "change a mark by hand",
+    "session": "mark sessions of the live server",
+}
+MARK = "mark"
+SESSION = "session"
+HELP = ("-h", "--help")
+
+
+class GradeGroup(click.Group):
+    """Takes a first word that is no subcommand for the task to mark by."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Put in the name of the subcommand that is left out."""
+        if not args or (args[0] not in SUBCOMMANDS and args[0] != MARK):
+            of_sessions = any(word.split("=")[0] == f"--{SESSION}" for word in args)
+            args = [SESSION if of_sessions else MARK, *args]
+        return super().parse_args(ctx, args)
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return the names of all subcommands."""
+        return [MARK, *SUBCOMMANDS]
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import and return a subcommand."""
+        if cmd_name != MARK and cmd_name not in SUBCOMMANDS:
+            return None
+        module = importlib.import_module(f"vrts.cli.grade.{cmd_name}_command")
+        return module.command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Return the subcommand; marking is named as it is called, without a name of its own."""
+        name, found, rest = super().resolve_command(ctx, args)
+        return ("" if name == MARK else name), found, rest
+
+
+@click.group(name="grade", cls=GradeGroup)
+def command() -> None:
+    """Mark many submissions."""

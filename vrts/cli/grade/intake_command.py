@@ -1,0 +1,130 @@
+"""`vrts grade intake`."""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.grade.zones import zone_named
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, write_file
+
+if TYPE_CHECKING:
+    from vrts.check.task.task import Task
+    from vrts.marking.intake.row import Intake
+
+EPILOG = """\b
+Examples:
+  vrts grade intake download.zip --task lab1
+  vrts grade intake submissions/ --program pick -o intake.csv
+"""
+
+
+@click.command(name="intake", epilog=EPILOG)
+@click.argument("place", type=click.Path(path_type=Path))
+@click.option("--task", type=click.Path(path_type=Path), help="The task: which program it runs.")
+@click.option("--program", metavar="NAME", help="The program to look for, where there is no task.")
+@click.option(
+    "--roster",
+    "class_list",
+    type=click.Path(path_type=Path),
+    help="Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing, and"
+    " with Moodle when the work came.",
+)
+@click.option(
+    "--zone",
+    metavar="ZONE",
+    help="Of times without one: Europe/Vienna, or +01:00; otherwise that of the task's deadline.",
+)
+@click.option("-o", "--out", "target", type=click.Path(path_type=Path), help="The table to write.")
+@click.option("--force", is_flag=True, help="Write the table also where there is one already.")
+@click.option(
+    "--delimiter",
+    type=click.Choice([",", ";"]),
+    default=",",
+    show_default=True,
+    help="Between fields of the table; spreadsheets of many languages want `;`.",
+)
+@guarded
+def command(
+    place: Path,
+    task: Path | None,
+    program: str | None,
+    class_list: Path | None,
+    zone: str | None,
+    target: Path | None,
+    force: bool,
+    delimiter: str,
+) -> None:
+    """Tell who handed in which program in PLACE, and what is wrong.
+
+    PLACE is a folder or a zip: a download of Moodle, Canvas or Gradescope, a folder for each
+    student, or files side by side. Writes intake.csv into a folder or beside a zip (with -o
+    elsewhere), which may be edited: another file, another id, an own deadline in `due`, `excused`
+    as the problem; `vrts grade` obeys it. Its column `download` tells of which download it is:
+    where there is one of another, it is called NAME-intake.csv. Exit status 1 when a row has a
+    problem.
+    """
+    from vrts.marking.intake.tables.intake_table import write_rows
+    from vrts.marking.intake.tables.own_table import place_of_table
+    from vrts.marking.intake.tables.roster import read_roster
+    from vrts.marking.intake.take_in import take_in
+    from vrts.pipeline.files import read_bytes
+
+    table = target or place_of_table(place)
+    if table.exists() and not force:
+        fail(f"`{table}` is there already", ("`--force` writes it anew; edits in it are lost",))
+    asked = _task(task)
+    times = (
+        zone_named(zone)
+        if zone
+        else None
+        if asked is None or asked.late is None
+        else asked.late.due.tzinfo
+    )
+    roster = (
+        None if class_list is None else read_roster(read_bytes(class_list), class_list.name, times)
+    )
+    wanted = program or (None if asked is None else asked.program)
+    intake = take_in(place, program=wanted, zone=times, roster=roster)
+    out(_text(intake))
+    write_file(table, write_rows(intake.rows, delimiter, place.absolute().name))
+    for remark in intake.remarks:
+        say(f"note: {remark}")
+    obeys = f"vrts grade {task or 'TASK'} {place}{'' if target is None else f' --intake {table}'}"
+    say(f"wrote {table}: change what is not right, and `{obeys}` obeys it")
+    sys.exit(WRONG if any(row.problem for row in intake.rows) else HOLDS)
+
+
+def _task(path: Path | None) -> "Task | None":
+    """Return the task, without its hidden part."""
+    if path is None:
+        return None
+    from vrts.assignments.packed import is_packed, load_zip
+    from vrts.pipeline.files import find_example
+    from vrts.pipeline.settings import TASK_FILE, load_task
+
+    folder = find_example(str(path))
+    file = folder / TASK_FILE if folder is not None else path
+    return (load_zip if is_packed(file) else load_task)(file, staff=False).task
+
+
+def _text(intake: "Intake") -> str:
+    """Return the rows for the terminal."""
+    from vrts.report.plain import one_line, width
+
+    lines = [("id", "file", "why, or what is wrong")]
+    for row in intake.rows:
+        found = row.problem
+        words = row.why if found is None else f"{found.kind.value}: {found.sentence}"
+        lines.append((one_line(row.identifier), one_line(row.title or "-"), one_line(words)))
+    columns = [min(40, max(width(line[k]) for line in lines)) for k in (0, 1)]
+    shown = [
+        "  ".join(text + " " * (columns[k] - width(text)) for k, text in enumerate(line[:2]))
+        + f"  {line[2]}"
+        for line in lines
+    ]
+    bad = sum(row.problem is not None for row in intake.rows)
+    one = "1 hand-in" if len(intake.rows) == 1 else f"{len(intake.rows)} hand-ins"
+    shown += ["", f"{intake.layout}: {one}, {bad or 'none'} with a problem"]
+    return "\n".join(shown)

@@ -1,0 +1,324 @@
+"""`vrts grade TASK [SUBMISSIONS]...`."""
+
+import os
+import random
+import sys
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.grade.export_command import NAMES, export, given_page
+from vrts.cli.grade.what_to_mark import require_folder, what_to_mark
+from vrts.cli.grade.zones import zone_named
+from vrts.cli.shared.console import (
+    FAULT,
+    HOLDS,
+    WRONG,
+    color_option,
+    fail,
+    guarded,
+    lab_option,
+    out,
+    say,
+    show_diagnostics,
+)
+from vrts.cli.shared.progress import Progress
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from vrts.marking.about import About
+    from vrts.marking.layout import Layout
+    from vrts.marking.marking import Done
+    from vrts.marking.row import Row
+    from vrts.marking.submission.marker import Marker
+    from vrts.marking.whole_class import HowTo, Marked
+
+EPILOG = """\b
+Examples:
+  vrts grade examples/01-cans-on-bases -o out
+  vrts grade task.toml download.zip -o out
+  vrts grade lab1-staff.zip submissions/ -o out --recordings
+  vrts grade task.toml anna.v2 ben.v2 --format json
+  vrts grade lab1-student.zip mine.v2
+  vrts grade task.toml download.zip -o out --export moodle --fill Grades-Lab1.csv
+  vrts grade task.toml download.zip -o out --backend dask:tcp://192.0.2.1:8786
+
+\b
+Clusters (pip install 'vrts[cluster]', here and where the workers are):
+  dask:ADDRESS      the workers of that scheduler
+  dask              those of Dask's own configuration, else threads of this machine
+  slurm, htcondor   --jobs many jobs, as ~/.config/dask/jobqueue.yaml says, for example
+                    jobqueue: {slurm: {cores: 1, memory: 2GB, walltime: "01:00:00"}}
+                    (htcondor needs disk: 2GB besides); call it where jobs are submitted
+Workers get pseudonyms and programs, and the task with its hidden checks: use clusters whose
+scheduler only you can reach. Without Dask: vrts grade plan, run and merge.
+
+\b
+Further: vrts grade intake | plan | run | merge | export | init | evidence | reproduce | diff |
+change, each with --help. Sessions of the live server: vrts grade [TASK] --session FILE.
+"""
+
+
+@click.command(name="mark", epilog=EPILOG)
+@click.argument("task")
+@click.argument("submissions", nargs=-1, type=click.Path(path_type=Path))
+@click.option("-o", "--out", "folder", type=click.Path(path_type=Path), help="Folder for results.")
+@click.option("--jobs", type=click.IntRange(1, 256), help="Programs at a time; one a core.")
+@click.option(
+    "--intake",
+    "table",
+    type=click.Path(path_type=Path),
+    help="The table of `vrts grade intake`, as edited.",
+)
+@click.option(
+    "--roster",
+    "class_list",
+    type=click.Path(path_type=Path),
+    help="Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing.",
+)
+@click.option(
+    "--zone",
+    metavar="ZONE",
+    help="Of times without one: Europe/Vienna, or +01:00; otherwise that of the task's deadline.",
+)
+@click.option(
+    "--backend",
+    metavar="CLUSTER",
+    help="Mark on a cluster: dask, dask:ADDRESS, slurm or htcondor; see below.",
+)
+@click.option(
+    "--export",
+    "formats",
+    type=click.Choice(NAMES),
+    multiple=True,
+    metavar="FORMAT",
+    help="Write the marks in another format too: see `vrts grade export --help`.",
+)
+@click.option(
+    "--fill",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="The worksheet or grade book to fill in, for `--export moodle` or `canvas`.",
+)
+@click.option("--verify", is_flag=True, help="Mark a random sample again, and compare.")
+@click.option(
+    "--sample",
+    type=click.IntRange(1),
+    default=10,
+    show_default=True,
+    help="How many `--verify` marks again.",
+)
+@click.option(
+    "--pseudonyms",
+    is_flag=True,
+    help="Give ids and files other names; who is who stands in staff/names.csv alone.",
+)
+@click.option("--again", is_flag=True, help="Mark also what is marked already.")
+@click.option("--no-pages", is_flag=True, help="Write results only, no pages.")
+@click.option("--recordings", is_flag=True, help="Write a Rerun recording of every run.")
+@click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
+@click.option("--engine", type=click.Choice(["coal", "fcl"]), help="What measures distances.")
+@click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
+@lab_option
+@color_option
+@guarded
+def command(
+    task: str,
+    submissions: tuple[Path, ...],
+    folder: Path | None,
+    jobs: int | None,
+    table: Path | None,
+    class_list: Path | None,
+    zone: str | None,
+    backend: str | None,
+    formats: tuple[str, ...],
+    fill: Path | None,
+    verify: bool,
+    sample: int,
+    pseudonyms: bool,
+    again: bool,
+    no_pages: bool,
+    recordings: bool,
+    no_collisions: bool,
+    engine: str | None,
+    form: str,
+    lab: Path | None,
+    color: str,
+) -> None:
+    """Mark SUBMISSIONS by TASK.
+
+    TASK is a task.toml, its folder, a zip of `vrts task pack`, or the name of an example; an
+    example without submissions marks its own. SUBMISSIONS are programs, a folder, or a zip: a
+    download of Moodle, Canvas or Gradescope, a folder for each student, or files side by side.
+
+    Every submission has two reports: `students/ID` in the output is for the student alone,
+    `staff/students/ID` is for those who mark and has what is to be reviewed, the facts for an
+    appeal, and hidden checks. Marks, the overview of the class, and a ranking of programs that are
+    alike are in `staff`. A second call marks only what has changed since, and one that was
+    interrupted (exit status 130) goes on. Exit status 0 when every row has a result.
+
+    With --pseudonyms no name of a person or file is in the output but in staff/names.csv, which
+    only its owner may read; ids are made with the key in staff/pseudonyms.key, and stay the same
+    when it does. What students write into their programs is not changed.
+    """
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
+    from vrts.marking.layout import Layout
+    from vrts.marking.privacy.pseudonyms import require_names
+    from vrts.marking.remote.backend import read_backend
+    from vrts.marking.submission.marker import Marker
+    from vrts.marking.submission.one import Wanted
+    from vrts.marking.whole_class import HowTo
+
+    place, found = what_to_mark(task, submissions, lab)
+    require_folder(folder)
+    pages = folder is not None and not no_pages
+    wanted = Wanted(not no_collisions, engine, pages, recordings and folder is not None)
+    marker = Marker(place, wanted)
+    layout = None if folder is None else Layout(folder)
+    if formats and layout is None:
+        fail("`--export` needs a folder for results", ("name it with `-o`",))
+    if pseudonyms and layout is None:
+        fail("`--pseudonyms` needs a folder for results", ("name it with `-o`",))
+    if layout is not None and not pseudonyms:
+        require_names(layout)
+    where = None if backend is None else read_backend(backend)
+    how = HowTo(
+        jobs or os.cpu_count() or 1,
+        again,
+        table,
+        where,
+        class_list,
+        zone_named(zone) if zone else None,
+        pseudonyms,
+    )
+    about = _about(marker, [str(path) for path in submissions], pseudonyms=pseudonyms)
+    progress = Progress()
+    then = "nothing is kept without `-o`" if layout is None else "the same call goes on"
+    with progress.interruptible(then):
+        marked = _mark(marker, found, layout, how, about, progress, quiet=form == "json")
+        show_diagnostics((*marker.whole.stamps, *marked.warnings), color)
+        for remark in marked.remarks:
+            say(f"note: {remark}")
+        if layout is not None:
+            _write(marker, marked, layout, about)
+    if layout is not None and formats:
+        _export(formats, marked, layout, fill, color)
+    if form == "json":
+        from vrts.marking.row import class_to_bytes
+
+        out(class_to_bytes(marked.rows).decode().rstrip("\n"))
+    same = not verify or _same_again(marker, marked, sample, how.jobs)
+    if any(done.result.is_fault for done in marked.done):
+        sys.exit(FAULT)
+    sys.exit(HOLDS if same else WRONG)
+
+
+def _same_again(marker: "Marker", marked: "Marked", count: int, jobs: int) -> bool:
+    """Mark some programs again, and say what differs; return whether nothing does."""
+    from vrts.marking.sample import sampled, verify_sample
+
+    seed = random.SystemRandom().randrange(1_000_000)
+    number = len(sampled(marked.done, count, seed))
+    unlike = verify_sample(marker, marked.done, count=count, seed=seed, jobs=jobs)
+    for one in unlike:
+        path, old, new = one.first
+        say(f"`{one.identifier}`: the result {one.whose} differs: {path} was {old}, is {new}")
+    say(f"marked {number} again (sample {seed}): {len(unlike) or 'none'} differ")
+    return not unlike
+
+
+def _export(
+    formats: "Sequence[str]", marked: "Marked", layout: "Layout", fill: Path | None, color: str
+) -> None:
+    from vrts.marking.exports.given import Options
+
+    options = Options(given_page(fill), now=datetime.now(UTC))
+    export(formats, marked.rows, layout, options, color)
+
+
+def _mark(
+    marker: "Marker",
+    submissions: "Path | Sequence[Path]",
+    layout: "Layout | None",
+    how: "HowTo",
+    about: "About",
+    progress: Progress,
+    *,
+    quiet: bool,
+) -> "Marked":
+    from vrts.assignments.packed import public_answer
+    from vrts.marking.class_files import begin_class
+    from vrts.marking.row_words import row_words
+    from vrts.marking.whole_class import mark_whole_class
+
+    order: list[str] = []  # ids whose lines are still to come
+    waiting: dict[str, tuple[Done, Row]] = {}
+
+    def begun(identifiers: "Sequence[str]") -> None:
+        if layout is not None:
+            begin_class(about, layout)
+        order.extend(identifiers)
+        progress.begin(len(order))
+
+    def told(done: "Done", row: "Row") -> None:
+        progress.step(reused=done.reused)
+        waiting[row.id] = done, row
+        while order and order[0] in waiting:
+            line(*waiting.pop(order.pop(0)))
+        progress.show()
+
+    def line(done: "Done", row: "Row") -> None:
+        if quiet:
+            return
+        progress.clear()
+        out(row_words(row, done.entry.title))
+        answer = public_answer(done.result.ready, marker.whole)
+        if answer is not None:
+            out(f"      {answer}")
+
+    marked = mark_whole_class(marker, submissions, layout, how, begun=begun, told=told)
+    progress.clear()
+    return marked
+
+
+def _about(marker: "Marker", submissions: "Sequence[str]", *, pseudonyms: bool) -> "About":
+    """Return what a marking is that begins now."""
+    from vrts import __version__
+    from vrts.marking.about import About
+    from vrts.marking.privacy.pseudonyms import nameless_about
+
+    assert marker.whole.task is not None
+    about = About(
+        "vrts.marking/1",
+        marker.whole.task.title,
+        marker.place,
+        tuple(submissions),
+        marker.wanted,
+        __version__,
+        tuple(sys.argv),
+        None,
+        begun=datetime.now(UTC),
+    )
+    return nameless_about(about) if pseudonyms else about
+
+
+def _write(marker: "Marker", marked: "Marked", layout: "Layout", about: "About") -> None:
+    import msgspec
+
+    from vrts.marking.class_files import write_class, write_overview
+    from vrts.marking.exports.write import write_feedback
+    from vrts.marking.similarity.files import compare_class
+
+    about = msgspec.structs.replace(
+        about, finished=datetime.now(UTC), intake_sha256=marked.intake_sha256
+    )
+    write_class(marked.rows, about, layout)
+    write_feedback(marked.rows, layout)
+    compare_class(marked, marker, layout)
+    write_overview(marked.rows, about, layout)  # again: it links to what was compared
+    say(f"wrote {layout.overview}")
+    without = ", without the hidden checks" if marker.hidden else ""
+    say(f"wrote {layout.root / 'students'}, to be sent to each{without}")

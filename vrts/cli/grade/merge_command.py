@@ -1,0 +1,96 @@
+"""`vrts grade merge`."""
+
+import sys
+from collections.abc import Iterable, Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.grade.what_to_mark import require_folder
+from vrts.cli.shared.console import HOLDS, WRONG, color_option, fail, guarded, out, show_diagnostics
+
+if TYPE_CHECKING:
+    from vrts.marking.about import About
+    from vrts.marking.remote.plan import Key
+
+EPILOG = """\b
+Examples:
+  vrts grade merge plan results -o out
+  vrts grade merge plan shard-01.zip shard-02.zip -o out
+
+\b
+Lists of marks and the overview are written when the class is marked into the same folder: what was
+merged is not marked again, and what is missing is marked here.
+  vrts grade lab1-staff.zip download.zip -o out
+"""
+
+
+@click.command(name="merge", epilog=EPILOG)
+@click.argument("plan", type=click.Path(path_type=Path))
+@click.argument("results", nargs=-1, type=click.Path(path_type=Path))
+@click.option(
+    "-o",
+    "--out",
+    "folder",
+    type=click.Path(path_type=Path),
+    required=True,
+    help="Folder of the marking.",
+)
+@color_option
+@guarded
+def command(plan: Path, results: tuple[Path, ...], folder: Path, color: str) -> None:
+    """Put RESULTS of shards where marking puts them, under the names they have at home.
+
+    PLAN is the folder of `vrts grade plan`, or its key.json; RESULTS are zips of `vrts grade run`,
+    or folders of them. Results that are damaged, or belong to another plan, are refused one by one.
+    It can be called again with further results. Exit status 1 when results are refused or missing.
+    """
+    from vrts.marking.about import NAME
+    from vrts.marking.class_files import begin_class
+    from vrts.marking.layout import Layout
+    from vrts.marking.privacy.pseudonyms import require_names
+    from vrts.marking.remote.merge import merge
+    from vrts.marking.remote.plan import read_key
+
+    require_folder(folder)
+    require_names(Layout(folder))
+    key = read_key(plan)
+    if not (Layout(folder).staff / NAME).exists():
+        begin_class(_about(key), Layout(folder))
+    merged = merge(key, list(_zips(results)), Layout(folder))
+    show_diagnostics(merged.findings, color)
+    total = sum(len(sent.entries) for sent in key.shards) + len(key.others)
+    out(f"{folder}: {total - len(merged.missing)} of {total} submissions have results")
+    sys.exit(WRONG if merged.findings else HOLDS)
+
+
+def _about(key: "Key") -> "About":
+    """Return what is known of a marking whose lists are still to be made."""
+    from vrts import __version__
+    from vrts.marking.about import About
+    from vrts.marking.submission.one import Wanted
+    from vrts.marking.submission.setting import Place
+
+    task = key.staff.task
+    command = tuple(sys.argv)
+    begun = datetime.now(UTC)
+    return About(
+        "vrts.marking/1",
+        task.title,
+        Place(task.name),
+        (),
+        Wanted(),
+        __version__,
+        command,
+        None,
+        begun=begun,
+    )
+
+
+def _zips(places: Iterable[Path]) -> Iterator[Path]:
+    for place in places:
+        if not place.exists():
+            fail(f"there is no `{place}`")
+        yield from sorted(place.glob("*.zip")) if place.is_dir() else (place,)

@@ -1,0 +1,133 @@
+"""`vrts grade plan`."""
+
+import os
+from pathlib import Path
+
+import click
+
+from vrts.cli.grade.what_to_mark import require_folder, what_to_mark
+from vrts.cli.grade.zones import zone_named
+from vrts.cli.shared.console import (
+    color_option,
+    fail,
+    guarded,
+    lab_option,
+    out,
+    say,
+    show_diagnostics,
+)
+
+EPILOG = """\b
+Examples:
+  vrts grade plan lab1-staff.zip download.zip --shards 20 -o plan
+
+\b
+Then, on one machine:
+  ls plan/shards | xargs -P 4 -I{} vrts grade run plan/shards/{} -o results
+with GNU parallel, on several:
+  parallel -S node1,node2 --transfer --return {/.}.zip vrts grade run {} -o {/.}.zip \\
+      ::: plan/shards/*.json
+as a SLURM array, on machines that share this folder:
+  sbatch --array=1-20 --mem=4G --wrap \\
+      'vrts grade run plan/shards/shard-$(printf %02d $SLURM_ARRAY_TASK_ID).json -o results'
+and at home again:
+  vrts grade merge plan results -o out
+  vrts grade lab1-staff.zip download.zip -o out
+"""
+
+
+@click.command(name="plan", epilog=EPILOG)
+@click.argument("task")
+@click.argument("submissions", nargs=-1, type=click.Path(path_type=Path))
+@click.option("--shards", type=click.IntRange(1, 10_000), default=10, show_default=True)
+@click.option(
+    "-o",
+    "--out",
+    "folder",
+    type=click.Path(path_type=Path),
+    default=Path("plan"),
+    show_default=True,
+    help="Folder of the plan.",
+)
+@click.option("--force", is_flag=True, help="Plan anew: results of the old plan become foreign.")
+@click.option(
+    "--intake",
+    "table",
+    type=click.Path(path_type=Path),
+    help="The table of `vrts grade intake`, as edited.",
+)
+@click.option(
+    "--roster",
+    "class_list",
+    type=click.Path(path_type=Path),
+    help="Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing.",
+)
+@click.option(
+    "--zone",
+    metavar="ZONE",
+    help="Of times without one: Europe/Vienna, or +01:00; otherwise that of the task's deadline.",
+)
+@click.option("--no-pages", is_flag=True, help="Results only, no pages.")
+@click.option("--recordings", is_flag=True, help="A Rerun recording of every run.")
+@click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
+@click.option("--engine", type=click.Choice(["coal", "fcl"]), help="What measures distances.")
+@lab_option
+@color_option
+@guarded
+def command(
+    task: str,
+    submissions: tuple[Path, ...],
+    shards: int,
+    folder: Path,
+    force: bool,
+    table: Path | None,
+    class_list: Path | None,
+    zone: str | None,
+    no_pages: bool,
+    recordings: bool,
+    no_collisions: bool,
+    engine: str | None,
+    lab: Path | None,
+    color: str,
+) -> None:
+    """Cut a class into shards that other machines can mark.
+
+    TASK, SUBMISSIONS and options are those of `vrts grade`; give it the same ones in the end, and
+    -o, for the lists of marks (--pseudonyms there is for marking on this machine only).
+
+    Every file in PLAN/shards has all that marking needs: the task, its hidden checks too, and some
+    programs under pseudonyms. It holds no name of a student or of a file; what students write in
+    their programs goes along. PLAN/key.json tells whose results are whose and stays at home.
+    """
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
+    from vrts.marking.class_plan import plan_class
+    from vrts.marking.remote.plan import KEY, SHARDS, write_plan
+    from vrts.marking.submission.marker import Marker
+    from vrts.marking.submission.one import Wanted
+    from vrts.marking.whole_class import HowTo
+
+    require_folder(folder)
+    if (folder / KEY).exists() and not force:
+        hints = ("`--force` plans anew; results of the old plan cannot be merged then",)
+        fail(f"there is a plan in `{folder}` already", hints)
+    place, found = what_to_mark(task, submissions, lab)
+    marker = Marker(place, Wanted(not no_collisions, engine, not no_pages, recordings))
+    how = HowTo(
+        os.cpu_count() or 1,
+        table=table,
+        roster=class_list,
+        zone=zone_named(zone) if zone else None,
+    )
+    planned = plan_class(marker, found, shards, how)
+    show_diagnostics((*marker.whole.stamps, *planned.warnings), color)
+    for remark in planned.remarks:
+        say(f"note: {remark}")
+    for old in (folder / SHARDS).glob("shard-*.json"):
+        old.unlink()
+    key = planned.plan.key
+    places = write_plan(planned.plan, folder)
+    count = sum(len(sent.entries) for sent in key.shards)
+    out(f"{folder / SHARDS}: {len(places)} shards of {count} programs")
+    if key.others:
+        out(f"{len(key.others)} more have nothing to mark; their results are in the key")
+    out(f"{folder / KEY}: whose results are whose; keep it here")

@@ -1,0 +1,70 @@
+"""`vrts grade run`."""
+
+import os
+import shutil
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.shared.console import color_option, guarded, out, write_file
+
+if TYPE_CHECKING:
+    from vrts.marking.marking import Done
+
+EPILOG = """\b
+Examples:
+  vrts grade run plan/shards/shard-07.json -o results
+  vrts grade run shard-07.json -o shard-07.zip --jobs 4
+"""
+
+
+@click.command(name="run", epilog=EPILOG)
+@click.argument("shard", type=click.Path(path_type=Path))
+@click.option(
+    "-o",
+    "--out",
+    "target",
+    type=click.Path(path_type=Path),
+    default=Path("."),
+    help="The zip to write, or a folder for it; otherwise this folder.",
+)
+@click.option(
+    "--jobs", type=click.IntRange(1, 256), default=1, show_default=True, help="Programs at a time."
+)
+@color_option
+@guarded
+def command(shard: Path, target: Path, jobs: int, color: str) -> None:
+    """Mark one SHARD of `vrts grade plan`, on any machine that has the same vrts.
+
+    Writes a zip of results and pages for `vrts grade merge`. Limits are those of `vrts grade`. A
+    call that was interrupted goes on where it was, and one whose zip is there does nothing.
+    """
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy: threads do not fork
+    from vrts.cli.shared.progress import Progress
+    from vrts.marking.remote.marked import is_of
+    from vrts.marking.remote.run_shard import run_shard
+    from vrts.marking.remote.shard import digest_of, read_shard
+    from vrts.pipeline.files import read_bytes
+
+    data = read_bytes(shard)
+    found = read_shard(data)
+    path = target if target.suffix.lower() == ".zip" else target / f"{shard.stem}.zip"
+    if path.is_file() and is_of(path, digest_of(data)):
+        out(f"{path}: there already")
+        return
+    path.parent.mkdir(parents=True, exist_ok=True)
+    work = path.with_name(f".{path.stem}-{digest_of(data)[:12]}")
+    progress = Progress()
+    progress.begin(len(found.pieces))
+
+    def done(row: "Done") -> None:
+        progress.step(reused=row.reused)
+        progress.show()
+
+    with progress.interruptible("the same call goes on"):
+        results = run_shard(found, data, work, jobs=jobs, done=done)
+    progress.clear()
+    write_file(path, results)
+    shutil.rmtree(work, ignore_errors=True)
+    out(f"{path}: {len(found.pieces)} marked")

@@ -1,0 +1,64 @@
+"""`vrts explain`."""
+
+from difflib import get_close_matches
+from importlib.resources import files
+from pathlib import Path
+
+import click
+
+from vrts.cli.shared.console import fail, guarded, out
+
+EPILOG = """\b
+Examples:
+  vrts explain
+  vrts explain V301
+  vrts explain joint-speed
+  vrts explain --assumptions
+"""
+
+
+@click.command(name="explain", epilog=EPILOG)
+@click.argument("code", required=False)
+@click.option("--assumptions", is_flag=True, help="List what had to be decided without a source.")
+@guarded
+def command(code: str | None, assumptions: bool) -> None:
+    """Explain a diagnostic by its CODE or name; without one, list them all."""
+    if assumptions:
+        _list_assumptions()
+        return
+    pages = _pages()
+    if code is None:
+        for key, slug in pages.items():
+            out(f"{key}  {slug}")
+        return
+    by_slug = {slug: key for key, slug in pages.items()}
+    key = code.upper() if code.upper() in pages else by_slug.get(code.lower())
+    if key is None:
+        near = get_close_matches(code.upper(), pages, 1, 0.5) or get_close_matches(code, by_slug, 1)
+        fail(
+            f"there is no diagnostic `{code}`",
+            (f"did you mean `{near[0]}`?",) if near else ("`vrts explain` lists all",),
+        )
+    out((files("vrts") / "pages" / f"{key}.md").read_text(encoding="utf-8"), end=False)
+
+
+def _list_assumptions() -> None:
+    """Print every decision that the source of vrts marks as assumed."""
+    from vrts.report.assumptions import decisions, text_of
+
+    package = Path(str(files("vrts")))
+    sources = {
+        ".".join(path.relative_to(package).with_suffix("").parts): path.read_text(encoding="utf-8")
+        for path in sorted(package.rglob("*.py"))
+    }
+    out(text_of(decisions(sources)))
+
+
+def _pages() -> dict[str, str]:
+    """Return the slug of every code, from the first line of its page."""
+    found: dict[str, str] = {}
+    for page in sorted((files("vrts") / "pages").iterdir(), key=lambda p: p.name):
+        if page.name.endswith(".md"):
+            title = page.read_text(encoding="utf-8").split("\n", 1)[0]
+            found[page.name.removesuffix(".md")] = title.lstrip("# ").partition(" ")[2]
+    return found

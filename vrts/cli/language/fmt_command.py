@@ -1,0 +1,85 @@
+"""`vrts fmt`."""
+
+import sys
+from pathlib import Path
+
+import click
+
+from vrts.cli.shared.console import (
+    HOLDS,
+    WRONG,
+    color_option,
+    guarded,
+    out,
+    program_bytes,
+    say,
+    show_diagnostics,
+    write_file,
+)
+
+EPILOG = """\b
+Examples:
+  vrts fmt prog.v2
+  vrts fmt --check submissions/*.v2
+  vrts fmt --diff prog.v2
+  cat prog.v2 | vrts fmt -
+"""
+
+
+@click.command(name="fmt", epilog=EPILOG)
+@click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True)
+@click.option("--check", is_flag=True, help="Write nothing; exit status 1 if a file would change.")
+@click.option("--diff", is_flag=True, help="Write nothing to files; print what would change.")
+@click.option(
+    "--dialect",
+    type=click.Choice(["auto", "val2", "val2+", "val", "vplus", "as"]),
+    default="auto",
+    show_default=True,
+    help="Language of the family; auto looks at file name and content.",
+)
+@color_option
+@guarded
+def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, color: str) -> None:
+    """Write each PROGRAM (a file, or - for stdin) in the canonical layout.
+
+    Keywords upper case, names lower case, structures indented; comments, blank lines and the
+    numbers of the steps stay, and so does what the program means.
+    """
+    from vrts.pipeline.programs import format_bytes
+
+    status = HOLDS
+    for program in programs:
+        data, name, path = program_bytes(program)
+        found = format_bytes(data, name, None if dialect == "auto" else dialect)
+        if found.diagnostic is not None:
+            show_diagnostics([found.diagnostic], color)
+            status = WRONG
+        elif diff:
+            _print_diff(found.before, found.after, name)
+            status = WRONG if found.changed and check else status
+        elif check:
+            if found.changed:
+                say(f"would change {name}")
+                status = WRONG
+        elif path is None:
+            out(found.after, end=False)
+        elif found.changed:
+            _rewrite(path, found.data)
+            say(f"changed {name}")
+    sys.exit(status)
+
+
+def _print_diff(before: str, after: str, name: str) -> None:
+    from difflib import unified_diff
+
+    from vrts.report.plain import plain_text
+
+    rows = unified_diff(before.splitlines(), after.splitlines(), name, name, lineterm="")
+    for row in rows:
+        out(plain_text(row))
+
+
+def _rewrite(path: Path, data: bytes) -> None:
+    mode = path.stat().st_mode
+    write_file(path, data)
+    path.chmod(mode)

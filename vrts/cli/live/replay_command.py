@@ -1,0 +1,145 @@
+"""`vrts replay`."""
+
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.shared.console import WRONG, fail, guarded, out, say, write_file
+from vrts.cli.shared.run_page import assessed, open_page, write_page
+
+if TYPE_CHECKING:
+    from vrts.base.source import SourceFile
+    from vrts.engine.run import Run
+
+RUN = ".vrun"
+EPILOG = """\b
+Examples:
+  vrts replay log-3f2a90bc.jsonl
+  vrts replay log-3f2a90bc.jsonl --page -o session.html --no-open
+  vrts replay out.vrun --page
+  vrts replay log-3f2a90bc.jsonl --session 2 --csv motion.csv
+"""
+
+
+@click.command(name="replay", epilog=EPILOG)
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option("--session", type=click.IntRange(1), help="Which session; else the last.")
+@click.option("--scene", help="Scene or task, where the library has none of the log's name.")
+@click.option("--csv", "table", type=click.Path(path_type=Path), help="Write a table.")
+@click.option("--rate", type=click.IntRange(1, 1000), default=50, help="Rows a second.")
+@click.option(
+    "--more",
+    type=click.FloatRange(0.0, 3600.0),
+    default=10.0,
+    show_default=True,
+    help="How long to go on after the last command [s].",
+)
+@click.option("--page", is_flag=True, help="See it move in the browser, both ways, at any speed.")
+@click.option("-o", "--out", "target", type=click.Path(path_type=Path), help="File for the page.")
+@click.option("--no-open", is_flag=True, help="Write the page (see -o), but open nothing.")
+@guarded
+def command(
+    file: Path,
+    session: int | None,
+    scene: str | None,
+    table: Path | None,
+    rate: int,
+    more: float,
+    page: bool,
+    target: Path | None,
+    no_open: bool,
+) -> None:
+    """Repeat a live session from its exported log FILE, exactly, and print what happened.
+
+    The log's chain is verified first. Supervisors fetch logs from the panel Lead of the page.
+    FILE may also be a run that `vrts run --save` has written (.vrun).
+    """
+    if (target is not None or no_open) and not page:
+        fail("`--out` and `--no-open` are about the page", ("give `--page` too",))
+    if file.suffix == RUN:
+        if scene is not None or session is not None:
+            fail(f"`{file.name}` is one run, and its scene is in it")
+        run, source = _saved(file), None
+    else:
+        run, source = _repeated(file, session, scene, more)
+    _tell(run)
+    if table is not None:
+        from vrts.report.formats.run_csv import run_csv
+
+        write_file(table, "".join(run_csv(run, rate)).encode())
+        say(f"wrote {table}")
+    if page:
+        _show(file, run, source, target, opens=not no_open)
+
+
+def _saved(file: Path) -> "Run":
+    """Return a run that was saved."""
+    from vrts.pipeline.files import read_bytes, shown
+    from vrts.run_files import load_run
+
+    run = load_run(read_bytes(file), shown(file), file.parent).run
+    assert run is not None
+    return run
+
+
+def _repeated(
+    log: Path, session: int | None, scene: str | None, more: float
+) -> "tuple[Run, SourceFile]":
+    """Return the run of a session of a log, and what was done as a program."""
+    from vrts.base.source import SourceFile
+    from vrts.live.logs.log_file import LogFault, read_log
+    from vrts.live.places import places_of
+    from vrts.live.session.again.replay import replay
+    from vrts.live.session.channel.messages import Start
+    from vrts.live.session.views.program import as_program
+    from vrts.pipeline.files import read_bytes
+
+    try:
+        sessions = read_log(read_bytes(log))
+    except LogFault as problem:
+        fail(str(problem), status=WRONG)
+    if not sessions:
+        fail("the log holds no session", status=WRONG)
+    number = session or len(sessions)
+    if number > len(sessions):
+        fail(f"the log holds {len(sessions)} sessions")
+    chosen = sessions[number - 1]
+    place = places_of((scene or chosen.scene,))[0]
+    end = chosen.entries[-1].at_s if chosen.entries else 0.0
+    start = Start(chosen.number, "", place.scene, place.task)
+    try:
+        run = replay(start, chosen.entries, until_s=end + more)
+    except ValueError as problem:
+        fail(f"the log does not fit: {problem}", status=WRONG)
+    say(
+        f"the chain is unbroken; session {number} of {len(sessions)} in {chosen.scene},"
+        f" {len(chosen.entries)} commands, {run.until_s:.3f} s"
+    )
+    return run, SourceFile("session.v2", as_program(run, "session"))
+
+
+def _tell(run: "Run") -> None:
+    """Print what happened."""
+    from vrts.report.event_words import event_text
+    from vrts.report.plain import plain_text
+
+    for event in run.events:
+        shown = event_text(event)
+        if shown is not None:
+            out(f"{event.time_s:9.3f}  {plain_text(shown[1])}")
+
+
+def _show(
+    file: Path, run: "Run", source: "SourceFile | None", target: Path | None, *, opens: bool
+) -> None:
+    """Write the page, and open it."""
+    name = f"{file.stem}.html"
+    elsewhere = Path(name) if not opens else Path(tempfile.mkdtemp(prefix="vrts-")) / name
+    path = target or elsewhere
+    write_page(assessed(file.stem, file.name, run, source), path)
+    if target is not None or not opens:
+        say(f"wrote {path}")
+    if opens:
+        open_page(path)

@@ -1,0 +1,184 @@
+"""`vrts serve`."""
+
+from contextlib import suppress
+from pathlib import Path
+
+import click
+
+from vrts.cli.shared.console import WRONG, fail, guarded, lab_option, say
+
+EPILOG = """\b
+Examples:
+  vrts serve cans-on-bases
+  vrts serve examples/01-cans-on-bases final-project --host 0.0.0.0 --rooms groups.txt
+  vrts serve --folder vrts-live --backup monday.sqlite
+"""
+
+
+@click.command(name="serve", epilog=EPILOG)
+@click.argument("scenes", nargs=-1)
+@click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen at.")
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65_535),
+    default=8000,
+    show_default=True,
+    help="Port; 0 takes any.",
+)
+@click.option(
+    "--folder",
+    type=click.Path(path_type=Path),
+    default=Path("vrts-live"),
+    show_default=True,
+    help="What is kept: accounts, rooms, logs, users' files.",
+)
+@lab_option
+@click.option(
+    "--rooms", type=click.Path(path_type=Path), help="File with the name of a room a line."
+)
+@click.option("--name", "names", multiple=True, help="Name under which browsers find the server.")
+@click.option("--tls-cert", type=click.Path(path_type=Path), help="Certificate, for https.")
+@click.option("--tls-key", type=click.Path(path_type=Path), help="Its key.")
+@click.option("--behind-proxy", is_flag=True, help="A proxy on this machine does https.")
+@click.option("--no-code", is_flag=True, help="No class code: links and accounts only.")
+@click.option(
+    "--turn", type=click.IntRange(0), default=0, help="Longest turn [s] while others wait."
+)
+@click.option("--idle", type=click.IntRange(0), default=120, help="Longest idle time [s].")
+@click.option(
+    "--history-quota",
+    metavar="MB",
+    type=click.IntRange(1),
+    default=64,
+    show_default=True,
+    help="Of a session's history older than ten minutes.",
+)
+@click.option(
+    "--log-quota",
+    metavar="MB",
+    type=click.IntRange(1),
+    default=256,
+    show_default=True,
+    help="Of the log of a session.",
+)
+@click.option("--students-reset", is_flag=True, help="Operators may reset and rewind.")
+@click.option("--add-user", metavar="NAME", help="Add an account, ask for its password, and end.")
+@click.option("--supervisor", is_flag=True, help="The added account may supervise.")
+@click.option("--purge-user", metavar="NAME", help="Forget a user, and end; logs stay verifiable.")
+@click.option("--verify-logs", is_flag=True, help="Check the chains of all logs, and end.")
+@click.option("--backup", type=click.Path(path_type=Path), help="Copy the database, and end.")
+@guarded
+def command(
+    scenes: tuple[str, ...],
+    host: str,
+    port: int,
+    folder: Path,
+    lab: Path | None,
+    rooms: Path | None,
+    names: tuple[str, ...],
+    tls_cert: Path | None,
+    tls_key: Path | None,
+    behind_proxy: bool,
+    no_code: bool,
+    turn: int,
+    idle: int,
+    history_quota: int,
+    log_quota: int,
+    students_reset: bool,
+    add_user: str | None,
+    supervisor: bool,
+    purge_user: str | None,
+    verify_logs: bool,
+    backup: Path | None,
+) -> None:
+    """Share sessions in the browser: a class works with one virtual robot together.
+
+    SCENES are names or files of scenes, task files, or folders with a task: the set that the
+    supervisor may choose from. Students open the page and type the class code.
+
+    Who is sent away cannot enter that room again until they are allowed: known by account, and as a
+    guest by browser and name. A class code lets in whoever knows it: another browser and another
+    name are another guest. Where that matters, use `--no-code`, accounts and join links.
+
+    However it ends, by kill -9 too: started again with the same folder, every room goes on where it
+    was, with arm and programs stopped. What was done is done again from the log, exactly; where
+    that cannot be, for another scene or a purged user, the room begins anew and is told why.
+
+    A session can be rewound to any moment and saved as a program, however long ago: what is older
+    than ten minutes goes to a file, the oldest of it first when `--history-quota` is reached. The
+    log is never cut: when `--log-quota` is reached, commands are refused, but panic, until the
+    supervisor begins another session by choosing the scene again. The room is told of both.
+
+    It listens on this machine only unless `--host` says otherwise. For https give `--tls-cert` and
+    `--tls-key`, or put a proxy before it that passes `Host` and WebSockets on, with
+    `--behind-proxy --name lab.example.org`.
+    """
+    if add_user or purge_user or verify_logs or backup:
+        administer(folder, add_user, purge_user, backup, supervisor=supervisor, verify=verify_logs)
+        return
+    if not scenes:
+        fail("which scenes shall be served?", ("such as `vrts serve cans-on-bases`",))
+    if (tls_cert is None) != (tls_key is None):
+        fail("`--tls-cert` and `--tls-key` go together")
+    try:
+        from vrts.live.serving import Listening, serve
+    except ModuleNotFoundError as missing:
+        hint = "install them with `pip install 'vrts[live]'`"
+        fail(f"the live server needs the package {missing.name}", (hint,), WRONG)
+    from vrts.live.places import places_of
+    from vrts.live.settings import Settings
+    from vrts.pipeline.files import read_bytes
+
+    lines = read_bytes(rooms).decode(errors="replace").splitlines() if rooms else ["Class"]
+    named = tuple(line.strip() for line in lines if line.strip())
+    settings = Settings(
+        folder,
+        places_of(scenes, lab),
+        names,
+        students_reset=students_reset,
+        idle_s=float(idle),
+        turn_s=float(turn),
+        history_quota=history_quota * 1_000_000,
+        log_quota=log_quota * 1_000_000,
+    )
+    listening = Listening(host, port, tls_cert, tls_key, behind_proxy)
+    with suppress(KeyboardInterrupt):  # how it ends
+        serve(settings, listening, named, say, with_code=not no_code)
+
+
+def administer(
+    folder: Path,
+    add_user: str | None,
+    purge_user: str | None,
+    backup: Path | None,
+    *,
+    supervisor: bool,
+    verify: bool,
+) -> None:
+    """Do what the options ask for to a folder."""
+    from vrts.live import administration
+
+    if add_user:
+        password = click.prompt("password", hide_input=True, confirmation_prompt=True, err=True)
+        try:
+            name = administration.add_user(folder, add_user, password, supervisor=supervisor)
+        except ValueError as problem:
+            fail(str(problem))
+        say(f"there is an account `{name}` now")
+        return
+    if not (folder / "live.sqlite").is_file():
+        fail(f"there is no server's database in `{folder}`")
+    if backup:
+        administration.save_backup(folder, backup)
+        say(f"copied to {backup}")
+    if purge_user:
+        count = administration.purge_user(folder, purge_user)
+        if not count:
+            fail(f"there is no account `{purge_user}`", status=WRONG)
+        say(f"accounts forgotten: {count}; the chains of the logs stay as they were")
+    if verify:
+        found = administration.verify_logs(folder)
+        for room, problem in found.items():
+            say(f"{room}: {problem or 'unbroken'}")
+        if any(found.values()):
+            raise SystemExit(WRONG)

@@ -1,0 +1,89 @@
+"""`vrts teach`."""
+
+import sys
+import time
+from pathlib import Path
+
+import click
+
+from vrts.cli.shared.console import WRONG, fail, guarded, lab_option, say, write_file
+
+EPILOG = """\b
+Examples:
+  vrts teach cans-on-bases -o points.v2
+  vrts teach cans-on-bases -o points.v2 --terminal
+"""
+
+
+@click.command(name="teach", epilog=EPILOG)
+@click.argument("scene")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path), required=True, help="File for the locations."
+)
+@lab_option
+@click.option("--terminal", is_flag=True, help="Use the keys of the terminal as the pendant.")
+@click.option("--overwrite", is_flag=True, help="Replace the file if it is there.")
+@click.option("--no-open", is_flag=True, help="Say the link, but open no browser.")
+@click.option(
+    "--port", type=click.IntRange(0, 65_535), default=0, help="Port of the page; 0 takes any."
+)
+@guarded
+def command(
+    scene: str,
+    output: Path,
+    lab: Path | None,
+    terminal: bool,
+    overwrite: bool,
+    no_open: bool,
+    port: int,
+) -> None:
+    """Move the arm in SCENE, record locations, write them as `.LOCATIONS`.
+
+    The page in the browser has a virtual pointer, a pendant and the monitor, for one user on this
+    machine: the link lets one browser in, once. Every location that is recorded is in the file at
+    once. The scene can be reset, and the session be taken back to an earlier moment to go on from
+    there; what was recorded stays. Ctrl-C ends it.
+    """
+    if output.exists() and not overwrite:
+        if terminal and not _at_terminal():
+            fail("the pendant needs a terminal")
+        fail(f"`{output}` is there already", ("give another name, or `--overwrite`",))
+    if terminal:
+        _by_keys(scene, lab, output)
+    else:
+        _in_browser(scene, lab, output, port, opens=not no_open)
+
+
+def _at_terminal() -> bool:
+    return sys.stdin.isatty() and sys.stdout.isatty()
+
+
+def _by_keys(scene: str, lab: Path | None, output: Path) -> None:
+    from vrts.monitor.opening import opened
+    from vrts.monitor.pendant import points_text
+
+    if not _at_terminal():
+        fail("the pendant needs a terminal")
+    from vrts.monitor.screens.pendant_screen import teach
+
+    dialogue, _ = opened((), scene, "val2", asks=False, lab=lab)
+    pendant = teach(dialogue, time.monotonic)
+    if pendant.done == "write" and pendant.recorded:
+        write_file(output, points_text(pendant).encode())
+        say(_written(len(pendant.recorded), output))
+    else:
+        say("nothing is written")
+
+
+def _in_browser(scene: str, lab: Path | None, output: Path, port: int, *, opens: bool) -> None:
+    try:
+        from vrts.live.teaching import teach
+    except ModuleNotFoundError as missing:
+        hints = ("install them with `pip install 'vrts[live]'`", "`--terminal` needs none of them")
+        fail(f"teaching in the browser needs the package {missing.name}", hints, WRONG)
+    count = teach(scene, output, port, say, lab=lab, opens=opens)
+    say(_written(count, output) if count else "nothing is written")
+
+
+def _written(count: int, output: Path) -> str:
+    return f"{count} location{'' if count == 1 else 's'} written to {output}"

@@ -1,0 +1,266 @@
+"""`vrts run`."""
+
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import click
+
+from vrts.cli.shared.console import (
+    HOLDS,
+    WRONG,
+    color_option,
+    fail,
+    guarded,
+    lab_option,
+    language_options,
+    out,
+    program_bytes,
+    reading_of,
+    say,
+    show_diagnostics,
+    write_file,
+)
+
+if TYPE_CHECKING:
+    from vrts.engine.run import Run
+    from vrts.pipeline.programs import Reading
+    from vrts.run_files import Simulated
+
+EPILOG = """\b
+Examples:
+  vrts run prog.v2
+  vrts run prog.v2 --scene cans-on-bases --at 4.5
+  vrts run prog.v2 --scene cans-on-bases --from 10 --to 4 --speed -4
+  vrts run prog.v2 --scene cans-on-bases --csv motion.csv --rate 100
+  vrts run prog.v2 --scene cans-on-bases --scenario gripper-slips.toml
+  vrts run prog.v2 --scene cans-on-bases --lab lab.toml
+  vrts run prog.v2 --save out.vrun
+  vrts run out.vrun --at 3.2
+"""
+ROUNDED_S = 0.0005  # half of the last decimal of a time that is printed
+SLOWEST, FASTEST = 0.001, 1e6  # seconds of the run a second
+SLOWEST_HZ, FASTEST_HZ = 0.001, 1000.0  # rows of a table: their times have three decimals
+
+
+class _Span(NamedTuple):
+    """The part of a run to show."""
+
+    from_s: float
+    to_s: float
+    speed: float  # 0: without waiting
+
+
+class _Wanted(NamedTuple):
+    """What a program runs in."""
+
+    scene: str | None
+    lab: Path | None
+    scenario: Path | None
+    entry: str | None
+
+
+@click.command(name="run", epilog=EPILOG)
+@click.argument("program")
+@click.option("--scene", help="Name or path of a scene; without it the robot stands alone.")
+@click.option(
+    "--scenario", type=click.Path(path_type=Path), help="What happens in the run: a scenario file."
+)
+@click.option("--program", "entry", help="Program of the file to execute; the first, if not given.")
+@click.option("--at", "time_s", type=float, help="Print the state at a time in s, not the output.")
+@click.option(
+    "--statement", type=int, help="Print the state after so many statements; EXECUTE is the first."
+)
+@click.option("--from", "from_s", type=float, help="Tell what happens, from a time in s.")
+@click.option("--to", "to_s", type=float, help="Tell what happens, up to a time in s.")
+@click.option("--speed", type=float, help="Times as fast; negative is backward, 0 does not wait.")
+@click.option("--csv", "table", help="Write a table of arm, tool and signals; `-` is stdout.")
+@click.option("--rate", type=float, default=50.0, show_default=True, help="Rows a second, in Hz.")
+@click.option("--save", type=click.Path(path_type=Path), help="Write the run to a file (.vrun).")
+@click.option("--check", is_flag=True, help="Execute a saved run again and compare.")
+@click.option("--overwrite", is_flag=True, help="Replace files that are there.")
+@lab_option
+@language_options
+@color_option
+@guarded
+def command(
+    program: str,
+    scene: str | None,
+    scenario: Path | None,
+    lab: Path | None,
+    entry: str | None,
+    time_s: float | None,
+    statement: int | None,
+    from_s: float | None,
+    to_s: float | None,
+    speed: float | None,
+    table: str | None,
+    rate: float,
+    save: Path | None,
+    check: bool,
+    overwrite: bool,
+    others: tuple[str, ...],
+    dialect: str | None,
+    prec: str | None,
+    replace: bool,
+    color: str,
+) -> None:
+    """Run PROGRAM; what it TYPEs goes to stdout, everything else to stderr.
+
+    PROGRAM may be a run that `--save` wrote: it is asked, not executed again. --from, --to and
+    --speed tell the run line by line; on a terminal as fast as it happened, unless --speed is
+    given.
+    """
+    shows = [time_s is not None, statement is not None, table == "-"]
+    shows.append(from_s is not None or to_s is not None or speed is not None)
+    if sum(shows) > 1:
+        fail("one of --at, --statement, --from/--to/--speed and --csv - is shown at a time")
+    if table is not None and not SLOWEST_HZ <= rate <= FASTEST_HZ:
+        fail(f"--rate goes from {SLOWEST_HZ:g} to {FASTEST_HZ:g} Hz")
+    if speed and not SLOWEST <= abs(speed) <= FASTEST:
+        fail(f"--speed is 0, or from {SLOWEST:g} to {FASTEST:g}, or the same backward")
+    written = [path for path in (save, Path(table) if table not in (None, "-") else None) if path]
+    for path in written:
+        if path.exists() and not overwrite:
+            fail(f"`{path}` is there already", ("give another name, or `--overwrite`",))
+        if path == Path(program):
+            fail(f"`{path}` is what is to be run")
+    from vrts.engine.storage.recognise import is_saved_run
+
+    data, name, path = program_bytes(program)
+    if is_saved_run(data):
+        if scene or scenario or lab or entry or others or dialect or prec or replace:
+            fail("a saved run has its own scene, scenario and programs")
+        found = _loaded(data, name, path, color)
+    elif check:
+        fail("only a saved run can be checked", ("`--save FILE` writes one",))
+    elif lab is not None and scene is None:
+        fail("a lab is laid over a scene", ("give `--scene NAME`, too",))
+    else:
+        reading = reading_of(others, dialect or "auto", prec, replace=replace)
+        wanted = _Wanted(scene, lab, scenario, entry)
+        found = _simulated(data, name, path, wanted, reading, color)
+    run = found.run
+    if run is None:
+        sys.exit(WRONG)
+    _write_files(found, run, save, table, rate)
+    if check:
+        _check(found, name, color)
+    elif time_s is not None or statement is not None:
+        _show_state(run, time_s, statement)
+    elif shows[-1]:
+        _replay(run, _span(run, from_s, to_s, speed))
+    elif table != "-":
+        _show_output(run)
+    sys.exit(WRONG if any(d.is_error for d in run.findings) else HOLDS)
+
+
+def _simulated(
+    data: bytes,
+    name: str,
+    path: Path | None,
+    wanted: _Wanted,
+    reading: "Reading",
+    color: str,
+) -> "Simulated":
+    from vrts.pipeline.settings import load_scene, robot_alone, with_scenario
+    from vrts.run_files import simulate
+
+    scene, lab, scenario, entry = wanted
+    beside = path.parent if path else None
+    setting = load_scene(scene, beside, lab=lab) if scene else robot_alone()
+    if scenario is not None:
+        setting = with_scenario(setting, scenario)
+    found = simulate(data, name, setting, entry=entry, reading=reading)
+    warnings = setting.scenario.warnings if setting.scenario else ()
+    show_diagnostics((*warnings, *found.diagnostics), color)
+    return found
+
+
+def _loaded(data: bytes, name: str, path: Path | None, color: str) -> "Simulated":
+    from vrts.run_files import load_run
+
+    found = load_run(data, name, path.parent if path else None)
+    show_diagnostics(found.diagnostics, color)
+    return found
+
+
+def _write_files(
+    found: "Simulated", run: "Run", save: Path | None, table: str | None, rate: float
+) -> None:
+    if save is not None:
+        from vrts.run_files import saved_bytes
+
+        write_file(save, saved_bytes(found))
+        say(f"wrote {save}")
+    if table is not None:
+        from vrts.report.formats.run_csv import run_csv
+
+        pieces = run_csv(run, rate)
+        if table == "-":
+            for piece in pieces:
+                out(piece, end=False)
+            return
+        write_file(Path(table), "".join(pieces).encode())
+        say(f"wrote {table}")
+
+
+def _check(found: "Simulated", name: str, color: str) -> None:
+    from vrts.run_files import check_again
+
+    different = check_again(found)
+    if different is not None:
+        show_diagnostics((different,), color)
+        sys.exit(WRONG)
+    say(f"{name} holds: executed again, everything is the same")
+
+
+def _show_state(run: "Run", time_s: float | None, statement: int | None) -> None:
+    from vrts.report.screen.state_text import state_text
+
+    if time_s is not None:
+        state = run.at(_inside(run, time_s))
+    else:
+        assert statement is not None
+        if not 0 <= statement <= run.statements:
+            fail(f"the run has {run.statements:,} statements")
+        state = run.at_statement(statement)
+    out(state_text(run, state))
+
+
+def _inside(run: "Run", time_s: float) -> float:
+    """Return a time of the run; its end may be given rounded, as it is printed."""
+    if not 0.0 <= time_s <= run.horizon_s + ROUNDED_S:
+        fail(f"the run goes from 0 to {run.horizon_s:.3f} s")
+    return min(time_s, run.horizon_s)
+
+
+def _span(run: "Run", from_s: float | None, to_s: float | None, speed: float | None) -> _Span:
+    """Return what to tell; a negative speed goes from the later time to the earlier."""
+    backward = speed is not None and speed < 0.0
+    begin = _inside(run, from_s if from_s is not None else run.horizon_s if backward else 0.0)
+    end = _inside(run, to_s if to_s is not None else 0.0 if backward else run.horizon_s)
+    if backward and begin < end:
+        begin, end = end, begin
+    if speed is not None and speed > 0.0 and begin > end:
+        fail("from the later time to the earlier goes backward", ("give a negative --speed",))
+    if speed is None:
+        speed = 1.0 if sys.stdout.isatty() else 0.0
+    return _Span(begin, end, speed)
+
+
+def _replay(run: "Run", span: _Span) -> None:
+    from vrts.cli.shared.pacing import show_paced
+    from vrts.report.screen.replay_text import replay
+
+    lines = replay(run, span.from_s, span.to_s)
+    show_paced(lines, span.from_s, span.speed, out, time.monotonic, time.sleep)
+
+
+def _show_output(run: "Run") -> None:
+    from vrts.report.plain import plain_text
+
+    out(plain_text(run.output.replace("\r\n", "\n")), end=False)
+    ended = run.ended_s if run.ended_s is not None else run.horizon_s
+    say(f"{run.ending.value} after {ended:.3f} s of simulated time")

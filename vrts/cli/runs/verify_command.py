@@ -1,0 +1,183 @@
+"""`vrts verify`."""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+import click
+
+from vrts.cli.shared.console import (
+    HOLDS,
+    UNDETERMINED,
+    WRONG,
+    color_option,
+    fail,
+    guarded,
+    lab_option,
+    language_options,
+    out,
+    program_bytes,
+    reading_of,
+    say,
+    show_diagnostics,
+    use_color,
+    write_file,
+)
+
+if TYPE_CHECKING:
+    from vrts.report.assessment import Assessment
+
+NO_RERUN = (
+    "recordings need the package rerun-sdk, which has no wheel for this machine;"
+    " everything else works without it"
+)
+
+EPILOG = """\b
+Examples:
+  vrts verify examples/01-cans-on-bases/solution.v2
+  vrts verify prog.v2 --scene cans-on-bases
+  vrts verify prog.v2 --task task.toml --html page.html --record run.rrd
+  vrts verify prog.v2 --task lab1-student.zip
+  vrts verify prog.v2 --scenario gripper-slips.toml
+  vrts verify prog.v2 --lab lab.toml
+  vrts verify prog.v2 --engine fcl
+  vrts verify prog.v2 --format json
+"""
+
+
+@click.command(name="verify", epilog=EPILOG)
+@click.argument("program")
+@click.option("--scene", help="Name or path of a scene: verify in it, without a mark.")
+@click.option("--task", type=click.Path(path_type=Path), help="Task file, its folder, or a zip.")
+@click.option(
+    "--scenario", type=click.Path(path_type=Path), help="What happens in the run: a scenario file."
+)
+@click.option("--html", type=click.Path(path_type=Path), help="Write a page with a replay.")
+@click.option(
+    "--for",
+    "reader",
+    type=click.Choice(["student", "grader"]),
+    default="student",
+    help="Whom the page is for: a grader's has what is to be reviewed, and facts for an appeal.",
+)
+@click.option("--record", type=click.Path(path_type=Path), help="Write a Rerun recording (.rrd).")
+@click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
+@click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
+@click.option(
+    "--engine",
+    type=click.Choice(["coal", "fcl"]),
+    help="What measures distances; without it coal, or fcl where coal is not installed.",
+)
+@lab_option
+@language_options
+@color_option
+@guarded
+def command(
+    program: str,
+    scene: str | None,
+    task: Path | None,
+    scenario: Path | None,
+    lab: Path | None,
+    html: Path | None,
+    reader: str,
+    record: Path | None,
+    form: str,
+    no_collisions: bool,
+    engine: str | None,
+    others: tuple[str, ...],
+    dialect: str | None,
+    prec: str | None,
+    replace: bool,
+    color: str,
+) -> None:
+    """Run PROGRAM and check everything: collisions, limits, goals.
+
+    Takes the task.toml beside the program unless a scene or task is given, and the scenario.toml
+    beside the task unless a scenario is given. Exit status 1 when something is wrong, 3 when a
+    check cannot tell.
+    """
+    from vrts.assignments.packed import is_packed, load_zip, public_answer
+    from vrts.pipeline.assess import assess
+    from vrts.pipeline.settings import setting_for
+
+    data, name, path = program_bytes(program)
+    if task is not None and is_packed(task):
+        setting = load_zip(task, scene=scene, scenario=scenario, staff=False, lab=lab)
+    else:
+        setting = setting_for(path, scene=scene, task=task, scenario=scenario, lab=lab)
+    if setting is None:
+        _no_setting()
+    if scenario is not None and setting.scenario is not None:
+        show_diagnostics(setting.scenario.warnings, color)
+    identifier = path.stem if path else "stdin"
+    found = assess(
+        path or data,
+        setting=setting,
+        identifier=identifier,
+        title=None if path else name,
+        collisions=not no_collisions,
+        engine=engine,
+        curve=html is not None or record is not None,
+        reading=reading_of(others, dialect or "val2", prec, replace=replace),
+    )
+    if form == "json":
+        from vrts.report.formats.json_form import assessment_json
+        from vrts.report.formats.json_text import json_text
+
+        out(json_text(assessment_json(found)))
+    else:
+        from vrts.report.screen.text import assessment_text
+
+        out(assessment_text(found, color=use_color(color)))
+        answer = public_answer(found.grade.ready, setting) if found.grade else None
+        if answer is not None:
+            out(f"\n{answer}")
+    if html is not None:
+        write_page(found, html, reader, setting.more)
+    if record is not None:
+        write_record(found, record)
+    sys.exit(status_of(found))
+
+
+def write_page(found: "Assessment", path: Path, reader: str = "student", more: int = 0) -> None:
+    """Write the HTML page for a reader and say so; `more` checks there will be at marking."""
+    from vrts.report.audience import Audience
+    from vrts.report.page.page import page
+    from vrts.report.page.stills import page_stills
+
+    text = page(found, page_stills(found), audience=Audience(reader), more=more)
+    write_file(path, text.encode())
+    say(f"wrote {path}")
+
+
+def write_record(found: "Assessment", path: Path) -> None:
+    """Write the recording and say so."""
+    if found.run is None:
+        say("nothing ran, so there is nothing to record")
+        return
+    try:
+        from vrts.report.recording import write_recording
+    except ImportError:
+        fail(NO_RERUN, status=WRONG)
+    write_recording(found, path)
+    say(f"wrote {path}")
+
+
+def status_of(found: "Assessment") -> int:
+    """Return the exit status of an assessment."""
+    from vrts.check.verdict import Answer
+
+    if found.judgement is None or any(d.is_error for d in found.findings):
+        return WRONG
+    return {Answer.HOLDS: HOLDS, Answer.VIOLATED: WRONG, Answer.UNDETERMINED: UNDETERMINED}[
+        found.judgement.answer
+    ]
+
+
+def _no_setting() -> NoReturn:
+    from vrts.pipeline.files import scene_names
+
+    fail(
+        "nothing says in which scene to verify the program: there is no task.toml beside it",
+        ("give `--scene NAME` or `--task FILE`", f"scenes: {', '.join(scene_names())}"),
+    )

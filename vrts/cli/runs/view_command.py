@@ -1,0 +1,158 @@
+"""`vrts view`."""
+
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.shared.console import (
+    HOLDS,
+    WRONG,
+    color_option,
+    fail,
+    guarded,
+    say,
+    show_diagnostics,
+    write_file,
+)
+from vrts.cli.shared.run_page import AGAIN, assessed, open_page, write_page
+
+if TYPE_CHECKING:
+    from vrts.report.assessment import Assessment
+
+RECORDING, RUN = ".rrd", ".vrun"
+MAGIC = b"RRF"  # how recordings begin
+EPILOG = """\b
+Examples:
+  vrts view prog.v2
+  vrts view prog.v2 --scene cans-on-bases
+  vrts view prog.v2 --with rerun
+  vrts view prog.v2 --still 6.4 -o moment.png
+  vrts view out.vrun
+  vrts view run.rrd
+"""
+
+
+@click.command(name="view", epilog=EPILOG)
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option("--scene", help="Name or path of a scene; without it the task's, or the robot alone.")
+@click.option("--task", type=click.Path(path_type=Path), help="Task file, or its folder.")
+@click.option("--with", "viewer", type=click.Choice(["browser", "rerun"]), default="browser")
+@click.option("--still", type=float, help="Draw one moment, in s, as a PNG picture instead.")
+@click.option("-o", "--out", "target", type=click.Path(path_type=Path), help="File to write.")
+@click.option("--no-open", is_flag=True, help="Write the file (see -o), but open nothing.")
+@color_option
+@guarded
+def command(
+    file: Path,
+    scene: str | None,
+    task: Path | None,
+    viewer: str,
+    still: float | None,
+    target: Path | None,
+    no_open: bool,
+    color: str,
+) -> None:
+    """See FILE move: as a page with a replay, or in the Rerun viewer.
+
+    FILE is a program, a run that `vrts run --save` has written (.vrun), or a recording (.rrd),
+    which the Rerun viewer shows as it is.
+    """
+    if file.suffix in (RECORDING, RUN) and (scene is not None or task is not None):
+        fail(f"the scene of `{file.name}` is in it", ("leave out `--scene` and `--task`",))
+    if file.suffix == RECORDING:
+        if still is not None or target is not None:
+            fail(f"`{file.name}` is a recording already", ("give the program or its .vrun",))
+        _check_recording(file)
+        if not no_open:
+            _open(file, "rerun")
+        sys.exit(HOLDS)
+    found = _of_run(file) if file.suffix == RUN else _of_program(file, scene, task, still is None)
+    if found.run is None:
+        show_diagnostics(found.findings, color)
+        sys.exit(WRONG)
+    if still is not None:
+        _draw(found, still, target or Path(f"{file.stem}.png"))
+    else:
+        _show(found, viewer, target, no_open=no_open)
+    sys.exit(HOLDS)
+
+
+def _of_program(file: Path, scene: str | None, task: Path | None, curve: bool) -> "Assessment":
+    from vrts.pipeline.assess import assess
+    from vrts.pipeline.settings import robot_alone, setting_for
+
+    setting = setting_for(file, scene=scene, task=task) or robot_alone()
+    return assess(file, setting=setting, curve=curve)
+
+
+def _of_run(file: Path) -> "Assessment":
+    """Return what is known of a saved run, checked again without its task."""
+    from vrts.pipeline.files import read_bytes, shown
+    from vrts.run_files import load_run
+
+    run = load_run(read_bytes(file), shown(file), file.parent).run
+    assert run is not None
+    return assessed(file.stem, file.name, run)
+
+
+def _check_recording(file: Path) -> None:
+    from vrts.pipeline.files import CannotRead
+
+    try:
+        with file.open("rb") as stream:
+            begin = stream.read(len(MAGIC))
+    except OSError as problem:
+        raise CannotRead(
+            f"cannot read `{file}`: {(problem.strerror or 'failed').lower()}"
+        ) from None
+    if begin != MAGIC:
+        fail(f"`{file}` is no Rerun recording", ("`vrts verify PROGRAM --record FILE` writes one",))
+
+
+def _draw(found: "Assessment", time_s: float, target: Path) -> None:
+    from vrts.report.picture.moments import picture_at
+
+    assert found.run is not None
+    if not 0 <= time_s <= found.run.horizon_s:
+        fail(f"the run ends at {found.run.horizon_s:.3f} s")
+    write_file(target, picture_at(found, time_s))
+    say(f"wrote {target}")
+
+
+def _show(found: "Assessment", viewer: str, target: Path | None, *, no_open: bool) -> None:
+    """Write a file, beside where we are or where nobody looks for it, and open it."""
+    name = f"{found.identifier}{RECORDING if viewer == 'rerun' else '.html'}"
+    if target is None and no_open:
+        target = Path(name)
+    path = target or Path(tempfile.mkdtemp(prefix="vrts-")) / name
+    if viewer == "rerun":
+        from vrts.report.recording import write_recording
+
+        write_recording(found, path)
+    else:
+        write_page(found, path)
+    if target is not None:
+        say(f"wrote {target}")
+    if not no_open:
+        _open(path, viewer)
+
+
+def _open(path: Path, viewer: str) -> None:
+    if viewer == "browser":
+        open_page(path)
+        return
+    program = shutil.which("rerun", path=str(Path(sys.executable).parent)) or shutil.which("rerun")
+    if program is None:
+        fail("the Rerun viewer is not installed here", (AGAIN,), status=WRONG)
+    ended = subprocess.run(  # noqa: S603 -- our own file
+        [program, "--bind", "127.0.0.1", "--port", "auto", str(path)],
+        stderr=subprocess.DEVNULL,
+        check=False,
+    )
+    if ended.returncode:
+        fail("the Rerun viewer could not show it; it needs a display", (AGAIN,), status=WRONG)

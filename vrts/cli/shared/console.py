@@ -1,0 +1,171 @@
+"""What commands share: colour, diagnostics on stderr, files, exit statuses."""
+
+import os
+import sys
+from collections.abc import Callable, Sequence
+from functools import wraps
+from pathlib import Path
+from typing import Any, NoReturn, TypeVar
+
+import click
+
+from vrts.base.diagnostic import Diagnostic, Severity
+from vrts.pipeline.files import CannotRead
+from vrts.pipeline.programs import ProgramFile, Reading
+from vrts.pipeline.settings import Refused
+
+HOLDS, WRONG, WRONG_CALL, UNDETERMINED, FAULT = 0, 1, 2, 3, 70
+INTERRUPTED = 130  # by Ctrl-C, as shells tell it
+
+UNAVAILABLE = {
+    "coal": "this needs the package pin, which has no wheel for this machine (Windows): run vrts"
+    " on Linux, on a Mac or in WSL; `vrts compile` and `vrts explain` work everywhere",
+    "rerun": "recordings need the package rerun-sdk, which has no wheel for this machine (Intel"
+    " Macs); everything else works without it",
+}
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+color_option = click.option(
+    "--color",
+    type=click.Choice(["auto", "always", "never"]),
+    default="auto",
+    show_default=True,
+    help="When to use colour; NO_COLOR and FORCE_COLOR are obeyed.",
+)
+
+
+lab_option = click.option(
+    "--lab",
+    type=click.Path(path_type=Path),
+    help="Lay a lab over the scene: your own arm, table and hand; see `vrts new lab`.",
+)
+
+
+def language_options(function: Command) -> Command:
+    """Add the options that say how programs are read."""
+    for option in (
+        click.option("--replace", is_flag=True, help="A program that comes again replaces."),
+        click.option(
+            "--prec",
+            type=click.Choice(["A", "B"]),
+            help="How operators bind: A as in VAL-II, B as in AS; otherwise as the dialect has it.",
+        ),
+        click.option(
+            "--dialect",
+            type=click.Choice(["auto", "val2", "val2+", "val", "vplus", "as"]),
+            help="Language of the family; auto looks at file name and content.",
+        ),
+        click.option(
+            "--with",
+            "others",
+            metavar="FILE",
+            multiple=True,
+            help="Compile together with the programs and data of FILE.",
+        ),
+    ):
+        function = option(function)
+    return function
+
+
+def reading_of(
+    others: tuple[str, ...], dialect: str, prec: str | None, *, replace: bool
+) -> Reading:
+    """Return how programs are to be read; `auto` is as name and content tell."""
+    files = tuple(ProgramFile(*program_bytes(name)[:2]) for name in others)
+    return Reading(None if dialect == "auto" else dialect, prec, replace, files)
+
+
+def use_color(choice: str, *, err: bool = False) -> bool:
+    """Return whether to write colour to a stream."""
+    if choice != "auto":
+        return choice == "always"
+    if os.environ.get("NO_COLOR"):
+        return False
+    if os.environ.get("FORCE_COLOR"):
+        return True
+    stream = sys.stderr if err else sys.stdout
+    return stream.isatty() and os.environ.get("TERM") != "dumb"
+
+
+def say(text: str) -> None:
+    """Write words to stderr; names in them, of files and of programs, may be anybody's."""
+    from vrts.report.plain import plain_text
+
+    _err(plain_text(text))
+
+
+def _err(rendered: str) -> None:
+    """Write to stderr what a renderer made, colours as given."""
+    click.echo(rendered, err=True, color=True)
+
+
+def out(text: str, *, end: bool = True) -> None:
+    """Write results to stdout, colours as given."""
+    click.echo(text, nl=end, color=True)
+
+
+def show_diagnostics(found: Sequence[Diagnostic], color: str) -> None:
+    """Write diagnostics to stderr, and count them."""
+    from vrts.report.screen.text import diagnostic_text
+
+    for diagnostic in found:
+        _err(diagnostic_text(diagnostic, color=use_color(color, err=True)) + "\n")
+    errors = sum(diagnostic.is_error for diagnostic in found)
+    notes = sum(diagnostic.severity is Severity.NOTE for diagnostic in found)
+    counts = ((errors, "error"), (len(found) - errors - notes, "warning"), (notes, "note"))
+    words = [f"{n} {word}{'' if n == 1 else 's'}" for n, word in counts if n]
+    if words:
+        say(", ".join(words))
+
+
+def fail(message: str, hints: Sequence[str] = (), status: int = WRONG_CALL) -> NoReturn:
+    """Say in one sentence what is wrong with the call, and end."""
+    say(f"error: {message}")
+    for hint in hints:
+        say(f"help: {hint}")
+    sys.exit(status)
+
+
+def guarded(function: Command) -> Command:
+    """Turn what the pipeline raises into words and an exit status."""
+
+    @wraps(function)
+    def wrapped(*args: Any, **kwargs: Any) -> Any:
+        try:
+            return function(*args, **kwargs)
+        except CannotRead as problem:
+            fail(problem.message, problem.hints)
+        except Refused as problem:
+            show_diagnostics(problem.diagnostics, str(kwargs.get("color", "auto")))
+            sys.exit(WRONG)
+        except KeyboardInterrupt:
+            say("interrupted")
+            sys.exit(INTERRUPTED)
+        except BrokenPipeError:
+            raise
+        except ModuleNotFoundError as missing:
+            if missing.name not in UNAVAILABLE:
+                raise
+            fail(UNAVAILABLE[missing.name], status=WRONG)
+        except OSError as problem:
+            fail(f"{(problem.strerror or 'failed').lower()}: `{problem.filename}`")
+
+    return wrapped  # type: ignore[return-value]
+
+
+def program_bytes(name: str) -> tuple[bytes, str, Path | None]:
+    """Return the bytes of a program, its name as shown, and its file; `-` is stdin."""
+    from vrts.pipeline.files import read_bytes, shown
+
+    if name == "-":
+        return sys.stdin.buffer.read(), "stdin", None
+    path = Path(name)
+    return read_bytes(path), shown(path), path
+
+
+def write_file(path: Path, data: bytes) -> None:
+    """Write a file whole or not at all."""
+    draft = path.with_name(path.name + ".part")
+    draft.write_bytes(data)
+    draft.replace(path)

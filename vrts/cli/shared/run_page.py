@@ -1,0 +1,60 @@
+"""A run that is there already, as a page with a replay."""
+
+import webbrowser
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from vrts.cli.shared.console import WRONG, fail, write_file
+
+if TYPE_CHECKING:
+    from vrts.base.source import SourceFile
+    from vrts.engine.run import Run
+    from vrts.report.assessment import Assessment
+
+AGAIN = "`--no-open` writes it for another machine"
+
+
+def assessed(
+    identifier: str, title: str, run: "Run", source: "SourceFile | None" = None
+) -> "Assessment":
+    """Return what is known of a run, checked again without its task.
+
+    Args:
+        identifier: Short name, for files.
+        title: Above the page.
+        run: What is to be seen.
+        source: The program to be shown; None: the one that was executed first.
+    """
+    from vrts.check.judge import judge
+    from vrts.pipeline.assess import with_curve
+    from vrts.report.assessment import Assessment
+
+    main = run.module.main
+    if source is None and main is not None:
+        source = run.module.programs[main].span.source
+    found = Assessment(
+        identifier,
+        title,
+        source,
+        (),
+        module=run.module,
+        scene=run.scene,
+        run=run,
+        judgement=judge(run.scene, run, None),
+    )
+    return with_curve(found)
+
+
+def write_page(found: "Assessment", path: Path) -> None:
+    """Write the page."""
+    from vrts.report.page.page import page
+    from vrts.report.page.stills import page_stills
+
+    write_file(path, page(found, page_stills(found)).encode())
+
+
+def open_page(path: Path, time_s: float | None = None) -> None:
+    """Open a page in the browser, at a time [s] of its replay if one is given."""
+    at = "" if time_s is None else f"#t={time_s:.3f}"
+    if not webbrowser.open(path.resolve().as_uri() + at):
+        fail("no browser was found here", (AGAIN,), status=WRONG)

@@ -1,0 +1,112 @@
+"""`vrts validate simulate`."""
+
+from pathlib import Path
+
+import click
+
+from vrts.cli.shared.console import (
+    color_option,
+    fail,
+    guarded,
+    language_options,
+    out,
+    say,
+    write_file,
+)
+from vrts.cli.validate.shared import Where, run_of, setting_options
+
+EPILOG = """\b
+Examples:
+  vrts validate simulate path.v2 -o robot.csv
+  vrts validate simulate path.v2 -o robot.csv --lag-ms 12 --base-mm 0.6 0.8 0 --seed 7
+  vrts validate simulate path.v2 --scene cans-on-bases --lab true.toml -o robot.csv
+"""
+LARGEST = 1000.0
+
+
+@click.command(name="simulate", epilog=EPILOG)
+@click.argument("program")
+@click.option("-o", "--output", default="-", help="The log to write; `-` is stdout.")
+@click.option(
+    "--lag-ms",
+    type=click.FloatRange(0.0, LARGEST),
+    default=20.0,
+    show_default=True,
+    help="How late every servo is.",
+)
+@click.option(
+    "--encoder-deg",
+    type=click.FloatRange(0.0, 10.0),
+    default=0.005,
+    show_default=True,
+    help="A step of every encoder.",
+)
+@click.option(
+    "--noise-deg",
+    type=click.FloatRange(0.0, 10.0),
+    default=0.01,
+    show_default=True,
+    help="Noise of every joint, one standard deviation.",
+)
+@click.option(
+    "--base-mm",
+    type=click.FloatRange(-LARGEST, LARGEST),
+    nargs=3,
+    default=(0.6, 0.8, 0.0),
+    show_default=True,
+    help="X Y Z by which the base stands elsewhere.",
+)
+@click.option(
+    "--base-turn-deg",
+    type=click.FloatRange(-45.0, 45.0),
+    default=0.0,
+    show_default=True,
+    help="By how much the base is turned about the vertical.",
+)
+@click.option("--clock-s", type=float, default=0.0, help="What its clock shows at the start.")
+@click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of the noise.")
+@click.option("--overwrite", is_flag=True, help="Replace a file that is there.")
+@setting_options
+@language_options
+@color_option
+@guarded
+def command(
+    program: str,
+    output: str,
+    lag_ms: float,
+    encoder_deg: float,
+    noise_deg: float,
+    base_mm: tuple[float, float, float],
+    base_turn_deg: float,
+    clock_s: float,
+    seed: int,
+    overwrite: bool,
+    scene: str | None,
+    scenario: Path | None,
+    entry: str | None,
+    lab: Path | None,
+    others: tuple[str, ...],
+    dialect: str | None,
+    prec: str | None,
+    replace: bool,
+    color: str,
+) -> None:
+    """Write the log that a robot with errors would make of PROGRAM. It is synthetic and says so.
+
+    A row every 28 ms: set points joined by straight lines, a servo that lags, encoders with steps,
+    noise, a base that stands a little elsewhere. The same seed gives the same bytes. With --lab the
+    robot has other speeds than the scene says: something for --fit to find out.
+    """
+    from vrts.validate.synthetic import Imperfect, synthetic_log
+
+    if output != "-" and Path(output).exists() and not overwrite:
+        fail(f"`{output}` is there already", ("give another name, or `--overwrite`",))
+    where = Where(scene, scenario, entry, lab)
+    run, name = run_of(program, where, others, dialect, prec, replace=replace, color=color)
+    robot = Imperfect(lag_ms / 1e3, encoder_deg, noise_deg, base_mm, base_turn_deg, clock_s, seed)
+    text = "".join(synthetic_log(run, robot, Path(name).name))
+    if output == "-":
+        out(text, end=False)
+        return
+    write_file(Path(output), text.encode())
+    say(f"wrote {output}")

@@ -1,0 +1,114 @@
+"""Debugging at a terminal: the whole screen, and the same keys forward and backward."""
+
+from collections.abc import Callable
+
+from prompt_toolkit.application import Application, get_app
+from prompt_toolkit.formatted_text import StyleAndTextTuples
+from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
+from prompt_toolkit.keys import Keys
+from prompt_toolkit.layout import FormattedTextControl, Layout, Window
+from prompt_toolkit.mouse_events import MouseEvent, MouseEventType
+from prompt_toolkit.styles import Style
+
+from vrts.debug.console import Console
+from vrts.debug.debugger import Debugger
+from vrts.debug.terminal.keys import Keyboard, Outside
+from vrts.debug.terminal.panel import View, panel, time_at, time_bar
+
+_STYLE = Style.from_dict(
+    {
+        "title": "reverse bold",
+        "alarm": "reverse bold ansired",
+        "here": "bold ansicyan",
+        "chosen": "reverse",
+        "point": "bold ansired",
+        "dim": "ansibrightblack",
+        "head": "ansiblue",
+        "frame": "ansibrightblack",
+        "bar": "ansigreen",
+        "help": "ansibrightblack",
+        "prompt": "bold",
+        "cursor": "reverse",
+        "said": "ansiyellow",
+    }
+)
+_NAMES = {
+    Keys.Up: "up",
+    Keys.Down: "down",
+    Keys.Left: "left",
+    Keys.Right: "right",
+    Keys.Home: "home",
+    Keys.End: "end",
+    Keys.PageUp: "page up",
+    Keys.PageDown: "page down",
+    Keys.ControlM: "enter",
+    Keys.ControlJ: "enter",
+    Keys.ControlH: "backspace",
+    Keys.Escape: "escape",
+}
+
+
+def debug(debugger: Debugger, console: Console, outside: Outside) -> None:
+    """Show the program and take keys until the user ends it.
+
+    Args:
+        debugger: Where it stands.
+        console: Reads commands.
+        outside: What keys ask for beside.
+    """
+    view = View()
+    keyboard = Keyboard(debugger, console, view, outside)
+
+    def text() -> StyleAndTextTuples:
+        size = get_app().output.get_size()
+        found: StyleAndTextTuples = []
+        for row in panel(debugger, view, size.columns, size.rows):
+            found += [(f"class:{style}" if style else "", words) for style, words in row]
+            found.append(("", "\n"))
+        return found[:-1]
+
+    window = Window(_Control(text, debugger), always_hide_cursor=True)
+    app: Application[None] = Application(
+        Layout(window),
+        key_bindings=_bindings(keyboard),
+        style=_STYLE,
+        full_screen=True,
+        mouse_support=True,
+    )
+    app.ttimeoutlen = 0.05
+    app.run()
+
+
+class _Control(FormattedTextControl):
+    """The screen; a click on the time bar goes there."""
+
+    def __init__(self, text: Callable[[], StyleAndTextTuples], debugger: Debugger) -> None:
+        super().__init__(text, focusable=True)
+        self._debugger = debugger
+
+    def mouse_handler(self, mouse_event: MouseEvent) -> None:
+        size = get_app().output.get_size()
+        at = mouse_event.position
+        if mouse_event.event_type is MouseEventType.MOUSE_UP and at.y == size.rows - 2:
+            label = len(time_bar(self._debugger, size.columns)[-1][1])
+            horizon_s = self._debugger.run.horizon_s
+            self._debugger.seek(time_at(at.x, horizon_s, size.columns, label))
+
+
+def _bindings(keyboard: Keyboard) -> KeyBindings:
+    bindings = KeyBindings()
+
+    def take(event: KeyPressEvent) -> None:
+        key = event.key_sequence[0].key
+        name = _NAMES.get(key) if isinstance(key, Keys) else None
+        if keyboard.press(name or event.data):
+            event.app.exit()
+
+    def leave(event: KeyPressEvent) -> None:
+        event.app.exit()
+
+    for known in (Keys.Any, *_NAMES):
+        bindings.add(known)(take)
+    bindings.add(Keys.ControlC)(leave)
+    bindings.add(Keys.ControlD)(leave)
+    return bindings

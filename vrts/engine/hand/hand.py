@@ -1,0 +1,396 @@
+"""The hand: strokes of the fingers, what they grasp, carry and let go, and where objects are.
+
+Frames: F is the flange, P stands between the pads, O is an object. The hand closes and opens at
+constant speed. Objects attach as they lie at the instant the opening equals their width.
+"""
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+
+from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
+from vrts.base.pose import Pose
+from vrts.base.units import mm
+from vrts.engine.hand.grip import Between, between
+from vrts.engine.hand.settle import Standing, settle
+from vrts.engine.memory.events import (
+    Cause,
+    Event,
+    Found,
+    Grasped,
+    HandCommanded,
+    Landed,
+    MissedOffCentre,
+    Released,
+    Toppled,
+)
+from vrts.engine.memory.log import Log
+from vrts.engine.memory.records import GRAVITY, Lie, Placement
+from vrts.engine.timeline import Stroke, stroke_at
+from vrts.ir.instructions import HandAction
+from vrts.robots.kinematics.kinematics import forward
+from vrts.robots.model import Gripper
+from vrts.scene.model import Mobility, Scene
+
+if TYPE_CHECKING:
+    from vrts.engine.motion.planner import Planner
+
+CLOSED_ON_NOTHING = Rule("V310", "nothing-grasped")
+OFF_CENTRE = Rule("V311", "off-centre")
+DROPPED = Rule("V312", "dropped")
+TOPPLED = Rule("V313", "toppled")
+
+DROP_HEIGHT = 2e-3  # [m] letting go higher than this is a drop [assumed]
+LOOK = 7e-3  # [s] between looks at a closing hand that moves: a quarter tick [assumed]
+INSTANT = 1e-7  # [s] to which the instant of a grasp is found
+
+EventLog: TypeAlias = Log[Event]
+
+
+class Closing(NamedTuple):
+    """The hand closes, and what comes of it unless the arm's motion is changed before."""
+
+    begin_s: float
+    start_m: float
+    cause: Cause
+    end_s: float  # of the stroke, or the instant of the grasp
+    body: str | None  # grasped, or missed
+    X_FO: Pose | None  # of the body grasped
+    tested: bool  # the program finds out by itself whether a part is in the hand
+
+
+class Hand:
+    """The hand's tracks, and where every movable body is."""
+
+    def __init__(self, scene: Scene, opening_m: float) -> None:
+        """Start with every body where the scene has it."""
+        self.gripper: Gripper = scene.robot.gripper
+        self.scene = scene
+        self.opening_m = opening_m  # before the first stroke
+        self.strokes: list[Stroke] = []
+        self.closing: Closing | None = None
+        self.held: str | None = None
+        self.slips = False  # what is grasped next drops out of the hand
+        self.planner: Planner  # where the arm goes: set by the machine
+        self.placements: dict[str, list[Placement]] = {
+            body.name: [Placement(body.name, 0.0, math.inf, Lie.RESTING, body.X_WO, body.rests_on)]
+            for body in scene.bodies
+            if body.mobility is Mobility.MOVABLE
+        }
+
+    def copy(self) -> "Hand":
+        """Return an independent hand that shares the past."""
+        other = Hand.__new__(Hand)
+        other.__dict__.update(self.__dict__)
+        other.strokes = self.strokes.copy()
+        other.placements = {name: list(track) for name, track in self.placements.items()}
+        return other
+
+    def opening(self, time_s: float) -> float:
+        """Return the opening at a time not before the last stroke [m]."""
+        for stroke in reversed(self.strokes):
+            if time_s >= stroke.start_s:
+                return stroke_at(stroke, time_s)
+        return self.opening_m
+
+    def settle_until(self, time_s: float, events: EventLog) -> None:
+        """Carry out what comes of closing, if its instant has come."""
+        if self.closing is None or self.closing.end_s > time_s:
+            return
+        closing, self.closing = self.closing, None
+        if closing.X_FO is None:
+            self._report_miss(closing, events)
+            return
+        assert closing.body is not None
+        self.held = closing.body
+        last = self.placements[closing.body][-1]
+        X_FW = closing.X_FO @ last.X.inverse()
+        carried = self._stack_on(closing.body)
+        self._place(closing.body, closing.end_s, Lie.HELD, closing.X_FO, None)
+        for name, support in carried:
+            X_WO = self.placements[name][-1].X
+            self._place(name, closing.end_s, Lie.HELD, X_FW @ X_WO, support)
+        events.append(Grasped(closing.end_s, closing.body, closing.X_FO, closing.cause))
+        if self.slips:
+            self.slips = False
+            self._release(closing.end_s, None, events)
+
+    @property
+    def next_s(self) -> float | None:
+        """When something comes of closing the hand [s]; None when it is not closing."""
+        return self.closing.end_s if self.closing is not None else None
+
+    def path_changed(self, now: float) -> None:
+        """Find out anew what comes of closing: the arm goes another way from now on."""
+        closing = self.closing
+        if closing is None or closing.end_s <= now:
+            return
+        self.strokes.pop()
+        self._close(closing.start_m, closing.begin_s, closing.cause, tested=closing.tested)
+
+    def let_slip(self, time_s: float, cause: Cause | None, events: EventLog) -> None:
+        """Lose what the hand holds, or else what it grasps next, although it stays closed."""
+        if self.held is None:
+            self.slips = True
+        else:
+            self._release(time_s, cause, events)
+
+    def _flange_at(self, time_s: float) -> Pose:
+        planner = self.planner
+        return forward(planner.arm, planner.configuration_at(time_s))
+
+    def command(
+        self,
+        action: HandAction,
+        time_s: float,
+        cause: Cause,
+        events: EventLog,
+        *,
+        tested: bool = False,
+    ) -> None:
+        """Begin an action of the hand at an instant."""
+        self.settle_until(time_s, events)
+        self.closing = None
+        events.append(HandCommanded(time_s, action.value, cause))
+        start = self.opening(time_s)
+        if action is HandAction.CLOSE:
+            if self.held is None:
+                self._close(start, time_s, cause, tested=tested)
+            return
+        if self.held is not None:
+            self._release(time_s, cause, events)
+        self._stroke(
+            time_s, start, self.gripper.opening_max if action is HandAction.OPEN else start
+        )
+
+    # --- closing ------------------------------------------------------------------------------
+
+    def _close(self, start: float, time_s: float, cause: Cause, *, tested: bool) -> None:
+        stop = time_s + (start - self.gripper.opening_min) / self._speed
+        found = self._meeting(start, time_s, stop)
+        if isinstance(found, tuple):
+            instant, body, _ = found
+            X_FO = self._flange_at(instant).inverse() @ self.placements[body][-1].X
+            self.closing = Closing(time_s, start, cause, instant, body, X_FO, tested)
+            end = start - self._speed * (instant - time_s)
+            self.strokes.append(Stroke(time_s, instant, start, end))
+            return
+        self.closing = Closing(time_s, start, cause, stop, found, None, tested)
+        self.strokes.append(Stroke(time_s, stop, start, self.gripper.opening_min))
+
+    def _report_miss(self, closing: Closing, events: EventLog) -> None:
+        stop, cause, found = closing.end_s, closing.cause, closing.body
+        if found is not None:
+            events.append(MissedOffCentre(stop, found, cause))
+            self._warn(
+                events,
+                stop,
+                OFF_CENTRE,
+                f"the hand closes beside `{found}`: the pads do not meet it from both sides",
+                cause,
+                help="bring the point between the pads over the middle of the object",
+                body=found,
+            )
+            return
+        if closing.tested:
+            return
+        already = closing.start_m <= self.gripper.opening_min
+        self._warn(
+            events,
+            stop,
+            CLOSED_ON_NOTHING,
+            "the hand is told to close but is closed already"
+            if already
+            else "the hand closes on nothing",
+            cause,
+            help="open the hand before the approach: `OPENI`"
+            if already
+            else "compare the location with the object's in `vrts scene show`",
+        )
+
+    def _meeting(
+        self, start: float, begin: float, stop: float
+    ) -> tuple[float, str, Between] | str | None:
+        """Return the first grasp of a closing hand, the name of a body missed, or None."""
+        missed: str | None = None
+        best: tuple[float, str, Between] | None = None
+        for name, track in self.placements.items():
+            last = track[-1]
+            if last.start_s > begin or last.lie not in (Lie.RESTING, Lie.TOPPLED):
+                continue
+            found = self._meets(name, last.X, start, begin, stop)
+            if isinstance(found, str):
+                missed = missed or found
+            elif found is not None and (best is None or found[0] < best[0]):
+                best = found
+        return best or missed
+
+    def _meets(
+        self,
+        name: str,
+        X_WO: Pose,
+        start: float,
+        begin: float,
+        stop: float,
+    ) -> tuple[float, str, Between] | str | None:
+        pieces = self.scene.body(name).pieces
+
+        def look(time_s: float) -> Between | None:
+            X_PO = (self._flange_at(time_s) @ self.gripper.X_FP).inverse() @ X_WO
+            return between(self.gripper, pieces, X_PO)
+
+        def excess(time_s: float, met: Between) -> float:
+            return start - self._speed * (time_s - begin) - met.width
+
+        first = look(begin)
+        if self.planner.motion_end <= begin:
+            if first is None or excess(begin, first) < 0.0:
+                return None
+            if not first.centred or first.overlap < self.gripper.overlap_min:
+                return name
+            return (begin + (start - first.width) / self._speed, name, first)
+        before, met = begin, first
+        while before < stop:
+            after = min(before + LOOK, stop)
+            now = look(after)
+            excesses = (met and excess(before, met), now and excess(after, now))
+            if excesses[0] is not None and excesses[1] is not None:  # noqa: SIM102
+                if excesses[0] >= 0.0 >= excesses[1]:
+                    return self._instant(name, before, after, look, excess)
+            before, met = after, now
+        return None
+
+    def _instant(
+        self,
+        name: str,
+        before: float,
+        after: float,
+        look: Callable[[float], Between | None],
+        excess: Callable[[float, Between], float],
+    ) -> tuple[float, str, Between] | str:
+        while after - before > INSTANT:
+            middle = 0.5 * (before + after)
+            met = look(middle)
+            if met is not None and excess(middle, met) > 0.0:
+                before = middle
+            else:
+                after = middle
+        met = look(before)
+        if met is None or not met.centred or met.overlap < self.gripper.overlap_min:
+            return name
+        return (before, name, met)
+
+    # --- opening ------------------------------------------------------------------------------
+
+    def _release(self, time_s: float, cause: Cause | None, events: EventLog) -> None:
+        assert self.held is not None
+        name, self.held = self.held, None
+        X_WF = self._flange_at(time_s)
+        carried = [
+            track[-1]
+            for track in self.placements.values()
+            if track[-1].lie is Lie.HELD and track[-1].body != name
+        ]
+        body = self.scene.body(name)
+        X_WO = X_WF @ self.placements[name][-1].X
+        group = {name} | {placement.body for placement in carried}
+        rest = settle(body.pieces, X_WO, body.centre_of_mass, self._supports(group))
+        if rest is None:  # nothing below, not even a floor: it stays where it was let go
+            events.append(Released(time_s, name, 0.0, cause))
+            self._place(name, time_s, Lie.TOPPLED, X_WO, None)
+            return
+        events.append(Released(time_s, name, rest.height_m, cause))
+        landing = time_s + math.sqrt(2.0 * rest.height_m / GRAVITY)
+        lie = Lie.RESTING if rest.stands else Lie.TOPPLED
+        X_OO = X_WO.inverse() @ rest.X_WO  # as seen from the body
+        for member, X, support in (
+            (name, X_WO, rest.support),
+            *((p.body, X_WF @ p.X, p.support) for p in carried),
+        ):
+            if landing > time_s:
+                self._place(member, time_s, Lie.FALLING, X, None)
+            X_end = X_WO @ X_OO @ X_WO.inverse() @ X
+            self._place(member, landing, lie, X_end, support)
+        if rest.height_m > DROP_HEIGHT:
+            self._warn(
+                events,
+                time_s,
+                DROPPED,
+                f"`{name}` is let go {mm(rest.height_m):.0f} mm above `{rest.support}`",
+                cause,
+                help="open the hand only when the object stands on its support",
+                body=name,
+            )
+        if rest.stands:
+            events.append(Landed(landing, name, rest.support, cause))
+            return
+        events.append(Toppled(landing, name, rest.support, cause))
+        self._warn(
+            events,
+            landing,
+            TOPPLED,
+            f"`{name}` cannot stand on `{rest.support}` as it is let go",
+            cause,
+            help="hold the object upright and over the middle of its support",
+            body=name,
+        )
+
+    def _supports(self, without: set[str]) -> list[Standing]:
+        found: list[Standing] = []
+        for body in self.scene.bodies:
+            if body.name in without:
+                continue
+            movable = body.mobility is Mobility.MOVABLE
+            X_WO = self.placements[body.name][-1].X if movable else body.X_WO
+            found.append(Standing(body.name, body.pieces, X_WO))
+        return found
+
+    # --- records ------------------------------------------------------------------------------
+
+    @property
+    def _speed(self) -> float:
+        """Change of the opening while the fingers move [m/s]."""
+        gripper = self.gripper
+        return (gripper.opening_max - gripper.opening_min) / gripper.stroke_time
+
+    def _stroke(self, time_s: float, start: float, end: float) -> None:
+        if start == end:
+            if self.strokes and self.strokes[-1].end_s > time_s:
+                self.strokes.append(Stroke(time_s, time_s, start, start))
+            return
+        self.strokes.append(Stroke(time_s, time_s + abs(end - start) / self._speed, start, end))
+
+    def _place(self, name: str, time_s: float, lie: Lie, X: Pose, support: str | None) -> None:
+        track = self.placements[name]
+        track[-1] = track[-1]._replace(end_s=time_s)
+        track.append(Placement(name, time_s, math.inf, lie, X, support))
+
+    def _stack_on(self, name: str) -> list[tuple[str, str]]:
+        """Return the bodies that rest on a body, directly or not, with their supports."""
+        found: list[tuple[str, str]] = []
+        for other, track in self.placements.items():
+            last = track[-1]
+            if last.lie is Lie.RESTING and last.support == name:
+                found += [(other, name), *self._stack_on(other)]
+        return found
+
+    def _warn(
+        self,
+        events: EventLog,
+        time_s: float,
+        rule: Rule,
+        headline: str,
+        cause: Cause | None,
+        *,
+        help: str,  # noqa: A002 -- the diagnostic's own word
+        body: str = "",
+    ) -> None:
+        diagnostic = Diagnostic(
+            rule,
+            Severity.WARNING,
+            headline,
+            Label(cause.span) if cause else None,
+            help=(help,),
+            data={"time_s": round(time_s, 3), "body": body},
+        )
+        events.append(Found(time_s, diagnostic, cause))

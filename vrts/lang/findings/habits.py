@@ -1,0 +1,130 @@
+"""Legal steps that beginners regret: each warning needs no run to be seen."""
+
+from vrts.base.diagnostic import Rule
+from vrts.lang.findings.endless import LoopCheck, runs_beside
+from vrts.lang.findings.motion_habits import check_motion
+from vrts.lang.grammar.syntax import (
+    Number,
+    ProgramText,
+    Simple,
+    SpeedStatement,
+    Statement,
+)
+from vrts.lang.meaning.constants import constant
+from vrts.lang.meaning.scope import Scope
+from vrts.lang.meaning.structure import Block
+from vrts.lang.problems import Problems
+
+CONSTANT_WAIT = Rule("V152", "constant-wait")
+NEGATIVE_APPROACH = Rule("V220", "negative-approach")
+HAND_ON_THE_WAY = Rule("V221", "hand-on-the-way")
+
+NEAR = 50  # steps that are looked through for the motion before or after
+_ARRIVING = frozenset({"MOVE", "MOVES"})
+_LEAVING = frozenset({"DEPART", "DEPARTS"})
+_MOTIONS = _ARRIVING | _LEAVING | {"APPRO", "APPROS", "DRIVE", "READY"}
+
+
+def check_habits(
+    problems: Problems,
+    scope: Scope,
+    programs: list[ProgramText],
+    structures: dict[str, list[Block]],
+) -> None:
+    """Warn of what the language allows and the writer hardly means."""
+    alone = not runs_beside(programs)
+    loops = LoopCheck(problems, scope)
+    for program in programs:
+        steps = [s.statement for s in program.steps]
+        for at, node in enumerate(steps):
+            if isinstance(node, Simple):
+                _waiting(problems, node)
+                _approach(problems, scope, program, node)
+                _hand(problems, steps, at, node)
+        check_motion(problems, scope, program)
+        if alone:
+            loops.check(program, structures[program.name])
+
+
+def _waiting(problems: Problems, node: Simple) -> None:
+    if problems.dialect.is_val:
+        return  # there a number is a signal
+    if node.word != "WAIT" or not isinstance(node.operands[0] if node.operands else None, Number):
+        return
+    value = node.operands[0]
+    assert isinstance(value, Number)
+    waits = "at once" if value.value else "never"
+    problems.warning(
+        CONSTANT_WAIT,
+        f"this WAIT goes on {waits}",
+        value.start,
+        value.end,
+        "a constant condition",
+        notes=("WAIT takes a condition, not a time; any number but 0 is true",),
+        help=(
+            f"to wait {value.value:g} s write `DELAY {value.value:g}`",
+            f"to wait for a signal write `WAIT SIG({value.value:g})`",
+        ),
+    )
+
+
+def _approach(problems: Problems, scope: Scope, program: ProgramText, node: Simple) -> None:
+    away = {"APPRO": 1, "APPROS": 1, "DEPART": 0, "DEPARTS": 0}.get(node.word)
+    if away is None:
+        return
+    operand = node.operands[away]
+    distance = constant(scope, program.name, operand)
+    if operand is None or distance is None or distance >= 0:
+        return
+    approach = node.word.startswith("APPRO")
+    problems.warning(
+        NEGATIVE_APPROACH,
+        f"{node.word} by {distance:g} mm goes {'beyond the location' if approach else 'forward'}",
+        operand.start,
+        operand.end,
+        f"{-distance:g} mm along the tool, towards what lies in front of it",
+        notes=(
+            "the distance counts backwards from the "
+            + ("location" if approach else "tool")
+            + ": positive is away from the part",
+        ),
+        help=(f"write `{-distance:g}` to keep away from the part",),
+        data={"distance_mm": distance},
+    )
+
+
+def _hand(problems: Problems, steps: list[Statement | None], at: int, node: Simple) -> None:
+    """`MOVES part / CLOSE / DEPARTS 50`: the hand closes while it leaves."""
+    if node.word not in ("OPEN", "CLOSE"):
+        return
+    following = next((s for s in steps[at + 1 : at + 1 + NEAR] if _counts(s)), None)
+    before = next((s for s in reversed(steps[max(at - NEAR, 0) : at]) if _counts(s)), None)
+    if not isinstance(following, Simple) or not isinstance(before, Simple):
+        return
+    leaves = following.word in _LEAVING
+    grips = node.word == "CLOSE" and following.word in _MOTIONS
+    if before.word not in _ARRIVING or not (leaves or grips):
+        return
+    does = "close" if node.word == "CLOSE" else "open"
+    problems.warning(
+        HAND_ON_THE_WAY,
+        f"the hand only begins to {does} when {following.word} begins",
+        node.start,
+        node.end,
+        f"acts together with the {following.word} below",
+        secondary=(
+            problems.label(following.start, following.end, f"the hand {does}s during this motion"),
+        ),
+        notes=(f"{node.word} belongs to the next motion, whether BREAK stands before it or not",),
+        help=(f"write `{node.word}I`: it waits for the arm, {does}s, and waits for the hand",),
+        fix=problems.replace(node.start, node.start + len(node.word), f"{node.word}I")
+        if problems.source.text[node.start : node.end].upper() == node.word
+        else None,
+    )
+
+
+def _counts(node: Statement | None) -> bool:
+    """Whether a step matters for when the hand acts."""
+    if node is None or isinstance(node, SpeedStatement):
+        return False
+    return not (isinstance(node, Simple) and node.word in ("BREAK", "TYPE", "SIGNAL"))

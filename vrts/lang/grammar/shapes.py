@@ -1,0 +1,111 @@
+"""What the grammar takes in common and one dialect refuses: operands too many, labels by name."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from vrts.base.diagnostic import Rule
+from vrts.lang.dialect import Dialect
+from vrts.lang.grammar.syntax import (
+    Goto,
+    Item,
+    Name,
+    Number,
+    ReactStatement,
+    Setting,
+    Simple,
+    SpeedStatement,
+    Statement,
+)
+from vrts.lang.problems import Problems
+from vrts.lang.vocabulary.word import Word
+
+UNEXPECTED_TEXT = Rule("V125", "unexpected-text")
+LABEL_EXPECTED = Rule("V136", "label-expected")
+TOO_MANY_OPERANDS = Rule("V156", "too-many-operands")
+
+_DRAW = 3
+_DRAW_OF_AS = 7  # three rotations and a speed more
+_MOST = {
+    "BASE": 4,
+    "TDRAW": _DRAW_OF_AS,
+    "PCEXECUTE": 3,
+    "REACT": 3,
+    "REACTI": 3,
+    "IGNORE": 1,
+    "ON": 3,
+    "ONI": 3,
+    "WAIT.EVENT": 2,
+}
+_TEXT_SAYS = "VAL-II says *Unexpected text at end of line*"
+
+
+def fits(problems: Problems, node: Statement, word: Word | None) -> bool:
+    """Return whether a dialect takes a step that the grammar took; report it if not."""
+    dialect = problems.dialect
+    match node:
+        case Goto(label=Name() as label) if not dialect.has("a"):
+            return _named_label(problems, label)
+        case Goto(label=Number(value=value) as label) if value != int(value):
+            return _named_label(problems, label)
+        case Simple(word="GRASP", operands=(_, label)) if not isinstance(label, Number):
+            assert label is not None
+            return _named_label(problems, label)
+        case Simple(operands=operands) | ReactStatement(operands=operands):
+            return _few_enough(problems, word, operands, _most(node.word, dialect))
+        case SpeedStatement(levels=levels):
+            most = 1 if node.word in ("DURATION", "ACCURACY", "DECEL") or not _pairs(dialect) else 2
+            return _few_enough(problems, word, levels, most)
+        case Setting(value=value) if value is not None and not dialect.has("+"):
+            return _few_enough(problems, word, (value,), 0)
+        case _:
+            return True
+
+
+def _pairs(dialect: Dialect) -> bool:
+    """Whether SPEED takes a second value, for the speed of turning."""
+    return dialect.has("+a")
+
+
+def _most(word: str, dialect: Dialect) -> int | None:
+    if word == "DRAW":
+        return _DRAW_OF_AS if dialect.has("a") else _DRAW
+    if word == "BASE" and dialect.is_as:
+        return 1
+    if word == "RETURN":
+        return 1 if dialect.has("1") else 0
+    return _MOST.get(word)
+
+
+def _few_enough(
+    problems: Problems, word: Word | None, operands: Sequence[Any], most: int | None
+) -> bool:
+    if most is None or len(operands) <= most or word is None:
+        return True
+    extra = [operand for operand in operands[most:] if operand is not None]
+    if not extra:
+        return True
+    takes = f"at most {most} operand{'' if most == 1 else 's'}" if most else "no operand"
+    problems.error(
+        TOO_MANY_OPERANDS,
+        f"{word.text} takes {takes}, {len(operands)} given",
+        extra[0].start,
+        extra[-1].end,
+        "this is too much",
+        notes=(_TEXT_SAYS,),
+        help=(f"write `{word.usage}`",),
+    )
+    return False
+
+
+def _named_label(problems: Problems, label: Item) -> bool:
+    text = problems.source.text[label.start : label.end]
+    problems.error(
+        LABEL_EXPECTED,
+        f"`{text[:40]}` is not a label",
+        label.start,
+        label.end,
+        "the number of a label belongs here",
+        notes=("VAL-II says *Invalid statement label*",),
+        help=("labels are whole numbers at the start of a line: `10 MOVE a`, then `GOTO 10`",),
+    )
+    return False

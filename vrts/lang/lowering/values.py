@@ -1,0 +1,215 @@
+"""Expressions to the IR."""
+
+from vrts.base.numbers import single
+from vrts.base.source import SourceFile, Span
+from vrts.ir import expressions as x
+from vrts.lang.dialect import Angles
+from vrts.lang.grammar.syntax import (
+    Application,
+    Element,
+    FormatItem,
+    Infix,
+    Item,
+    Name,
+    Number,
+    Parenthesised,
+    Prefix,
+    Text,
+    Variable,
+)
+from vrts.lang.joined import Joined, span_in
+from vrts.lang.meaning.expression_types import ExpressionTypes
+from vrts.lang.meaning.scope import Scope
+from vrts.lang.names import key
+from vrts.lang.vocabulary.functions import CONSTANTS, Signature
+
+_NO_TURN = (90.0, -90.0, 0.0)  # O, A, T of TRANS without angles [val2.md 4.6 note 1]
+
+
+class ValueLowering:
+    """Lowers the expressions of one program."""
+
+    def __init__(
+        self, source: SourceFile, scope: Scope, types: ExpressionTypes, program: str
+    ) -> None:
+        self.source = source
+        self.joined = isinstance(source, Joined)
+        self.scope = scope
+        self.dialect = types.dialect
+        self.functions = types.functions
+        self.bare_functions = types.bare_functions
+        self.composing = types.composing
+        self.program_name = program
+
+    def _span(self, node: Item) -> Span:
+        if self.joined:
+            return span_in(self.source, node.start, node.end)
+        return Span(self.source, node.start, node.end)
+
+    def variable(self, name: Name) -> x.Variable:
+        """Return the variable of a name as the program sees it."""
+        entry = self.scope.entry(self.program_name, key(name.text))
+        if entry.slot is not None:
+            return x.Slot(entry.slot, entry.name, entry.type)
+        return x.Global(entry.stored or entry.name, entry.type)
+
+    def place(self, node: Variable) -> x.Place:
+        """Return what a name or element stands for when assigned."""
+        if isinstance(node, Name):
+            return x.Place(self.variable(node), (), self._span(node))
+        subscripts = tuple(
+            self.value(s) if s is not None else x.Constant(0.0) for s in node.subscripts
+        )
+        return x.Place(self.variable(node.name), subscripts, self._span(node))
+
+    def value(self, node: Item) -> x.Expression:
+        """Return an expression."""
+        span = self._span(node)
+        match node:
+            case Number(value):
+                return x.Constant(value, span)
+            case Text(value):
+                return x.Constant(value, span)
+            case Parenthesised(inner):
+                return self.value(inner)
+            case Element():
+                return x.Load(self.place(node))
+            case Name():
+                return self._name(node, span)
+            case Prefix("-", operand) if node.start in self.composing:
+                return x.Apply(x.Function.INVERSE, (self.value(operand),), span)
+            case Prefix(operator, operand):
+                if operator == "+":
+                    return self.value(operand)
+                return x.Unary(x.UnaryOperator(operator.lower()), self.value(operand), span)
+            case Infix(operator, left, right):
+                if operator == ":" or node.operator_start in self.composing:
+                    a, b = self.value(left), self.value(right)
+                    if operator == "-":
+                        b = x.Apply(x.Function.INVERSE, (b,), span)
+                    parts = a.parts if isinstance(a, x.Compose) else (a,)
+                    return x.Compose((*parts, b), span)
+                return x.Binary(
+                    x.BinaryOperator(operator.lower()), self.value(left), self.value(right), span
+                )
+            case Application():
+                return self._application(node, span)
+            case FormatItem():
+                raise AssertionError("a format is no expression")
+
+    def _optional(self, node: Item | None) -> x.Expression | None:
+        return None if node is None else self.value(node)
+
+    def _name(self, node: Name, span: Span) -> x.Expression:
+        lower = node.text.lower()
+        if lower in CONSTANTS:
+            return x.Constant(single(CONSTANTS[lower]), span)
+        signature = self.bare_functions.get(lower)
+        if signature is not None:
+            value = x.Apply(signature.function, _named(signature), span)
+            if signature.function is x.Function.BASE and self.dialect.is_as:
+                return x.Apply(x.Function.INVERSE, (value,), span)  # the opposite sense
+            return value
+        return x.Load(self.place(node))
+
+    def _application(self, node: Application, span: Span) -> x.Expression:
+        signature = self.functions[node.name.text.lower()]
+        function = signature.function
+        given = node.arguments
+        arguments: tuple[x.Argument, ...]
+        match function:
+            case x.Function.TRANS if self.dialect.angles is Angles.ZYZ:
+                function = x.Function.TRANS_ZYZ
+                arguments = self._filled(given, (0.0,) * 6)
+            case x.Function.TRANS:
+                arguments = self._trans(given)
+            case x.Function.SHIFT:
+                pose = given[0]
+                assert pose is not None
+                arguments = (self.value(pose), *self._three(given[1:]))
+            case x.Function.PPOINT:
+                arguments = self._filled(given, (0.0,) * 6)
+            case x.Function.DEFINED | x.Function.LAST | x.Function.TAS | x.Function.UNPACK:
+                first = given[0]
+                assert isinstance(first, Name | Element)
+                rest = (self._optional(a) for a in given[1:])
+                arguments = (self._variable_argument(first), *rest)
+            case x.Function.SWITCH | x.Function.PARAMETER:
+                name, index = _name_and_index(given[0])
+                more = (index, *given[1:]) if index is not None else given[1:]
+                arguments = (x.Constant(name), *(self._optional(a) for a in more))
+            case x.Function.ENCODE:
+                arguments = self.written(given)
+            case x.Function.POS if signature.name == "instr":  # AS: the start comes first
+                start, *texts = given
+                arguments = tuple(self._optional(a) for a in (*texts, start))
+            case x.Function.OPAQUE:
+                arguments = _named(signature)
+            case _:
+                arguments = tuple(self._optional(a) for a in given)
+        return x.Apply(function, arguments, span)
+
+    def _variable_argument(self, node: Variable) -> x.Place | x.WholeArray:
+        if isinstance(node, Element) and not node.subscripts:
+            return x.WholeArray(self.variable(node.name), self._span(node))
+        return self.place(node)
+
+    def _argument(self, node: Item | None) -> x.Expression | x.Place | x.WholeArray | None:
+        if node is None:
+            return None
+        if isinstance(node, Element):
+            return self._variable_argument(node)
+        if isinstance(node, Name):
+            value = self.value(node)
+            return value.place if isinstance(value, x.Load) else value
+        return self.value(node)
+
+    def written(self, items: tuple[Item | None, ...]) -> tuple[x.Expression | x.Format, ...]:
+        """Return the items of TYPE and $ENCODE."""
+        return tuple(
+            format_of(item.text) if isinstance(item, FormatItem) else self.value(item)
+            for item in items
+            if item is not None and not (isinstance(item, FormatItem) and item.text[1] in "Nn")
+        )
+
+    def _trans(self, arguments: tuple[Item | None, ...]) -> tuple[x.Expression, ...]:
+        angles = arguments[3:]
+        turned = any(a is not None for a in angles)
+        return self._filled(arguments, (0.0, 0.0, 0.0, *((0.0,) * 3 if turned else _NO_TURN)))
+
+    def _three(self, offsets: tuple[Item | None, ...]) -> tuple[x.Expression, ...]:
+        return self._filled(offsets, (0.0, 0.0, 0.0))
+
+    def _filled(
+        self, arguments: tuple[Item | None, ...], defaults: tuple[float, ...]
+    ) -> tuple[x.Expression, ...]:
+        padded = (*arguments, *(None for _ in defaults))
+        return tuple(
+            x.Constant(default) if argument is None else self.value(argument)
+            for argument, default in zip(padded, defaults, strict=False)
+        )
+
+
+def format_of(text: str) -> x.Format:
+    """Return a format control as written, `/F8.2`."""
+    width, _, decimals = text[2:].partition(".")
+    return x.Format(
+        x.FormatKind(text[1].upper()),
+        int(width) if width else None,
+        int(decimals) if decimals else None,
+    )
+
+
+def _named(signature: Signature) -> tuple[x.Expression, ...]:
+    """Return the argument of a function that is never carried out: its name."""
+    if not signature.opaque:
+        return ()
+    return (x.Constant(signature.name.upper()),)
+
+
+def _name_and_index(node: Item | None) -> tuple[str, Item | None]:
+    """Return the name of a switch or parameter in upper case, and its index in brackets."""
+    if isinstance(node, Element):
+        return node.name.text.upper(), node.subscripts[0] if node.subscripts else None
+    assert isinstance(node, Name)
+    return node.text.upper(), None

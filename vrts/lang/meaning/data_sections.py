@@ -1,0 +1,269 @@
+"""Data sections to initial values: .LOCATIONS, .REALS, .STRINGS and those of the relatives.
+
+Lines are read as they stand in real files: values between blanks or commas, with or without `=`
+behind the name, locations of 3, 6 or 12 values [val2.md 2.2].
+"""
+
+import math
+import re
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Rule
+from vrts.base.numbers import round_half_away
+from vrts.base.oat import rotation_from_oat
+from vrts.base.pose import IDENTITY_ROTATION, Pose, Rotation
+from vrts.ir.module import Datum
+from vrts.ir.values import Joints, Type, Value
+from vrts.lang.decimals import metres, radians
+from vrts.lang.dialect import Angles
+from vrts.lang.grammar.lalr import Failure
+from vrts.lang.grammar.syntax import DataLine, Element, Name, Number
+from vrts.lang.meaning.scope import Scope
+from vrts.lang.names import key
+from vrts.lang.problems import Problems
+from vrts.lang.reading.splitter import Line, Section
+from vrts.lang.steps.steps import StepParser
+
+INVALID_DATA = Rule("V145", "invalid-data-line")
+VALUE_COUNT = Rule("V146", "value-count")
+EXTRA_AXES = Rule("V162", "extra-axes")
+NO_ROTATION = Rule("V163", "no-rotation")
+VALUE_REPLACED = Rule("V216", "value-replaced")
+
+MAX_STRING = 128  # [val2.md 1.6]
+SKEW = 1e-3  # how far a matrix may be from a rotation and still be read as one [assumed]
+_JOINTS = 6
+_AXES_OF_AS = (7, 8)
+_NAME = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
+_STRING = re.compile(
+    r"(?P<name>\$[A-Za-z][\w.]*)[ \t]*(?:\[(?P<subscripts>[^\]]*)\])?[ \t]*=?[ \t]*(?P<value>.*)$",
+    re.ASCII,
+)
+_FORMS = {
+    "locations": "name X Y Z O A T",
+    "reals": "name value",
+    "strings": '$name "text"',
+}
+
+
+class _Read(NamedTuple):
+    """A line that gives a value."""
+
+    name: str  # as written
+    start: int  # of the name
+    subscripts: tuple[int, ...]
+    value: Value
+    type: Type
+    number: Number | None = None  # of a real, as written
+
+
+def read_data(section: Section, parser: StepParser, scope: Scope) -> list[Datum]:
+    """Return the values of a data section; report lines that give none."""
+    data: list[Datum] = []
+    for line in section.lines:
+        found = _read(section.kind, line, parser)
+        if found is not None:
+            _note(found, scope)
+            span = parser.problems.span(line.start, line.end)
+            data.append(Datum(key(found.name), found.subscripts, found.value, span))
+        else:
+            name = _NAME.match(line.text)
+            if name is not None:  # a bad line still means to give its name a value
+                scope.entry(None, key(name.group())).writes.append((line.start, line.end))
+    return data
+
+
+def _note(found: _Read, scope: Scope) -> None:
+    where = (found.start, found.start + len(found.name))
+    entry = scope.entry(None, key(found.name))
+    entry.spellings.setdefault(found.name.lower(), where)
+    entry.writes.append(where)
+    if found.type in (Type.REAL, Type.POSE):
+        entry.types.setdefault(found.type, where)
+    if found.subscripts and entry.array is None:
+        entry.array = where
+    elif not found.subscripts and entry.scalar is None:
+        entry.scalar = where
+        if found.number is not None:
+            entry.values.append(found.number)
+
+
+def _read(kind: str, line: Line, parser: StepParser) -> _Read | None:
+    if kind == "strings":
+        return _string(parser.problems, line)
+    problems = parser.problems
+    node = parser.data(line)
+    if isinstance(node, Failure):
+        _invalid(problems, line, kind, "this line gives no value")
+    if not isinstance(node, DataLine):
+        return None
+    name = node.target if isinstance(node.target, Name) else node.target.name
+    subscripts = _subscripts(node, problems, line, kind)
+    numbers = [value for value in node.values if isinstance(value, Number)]
+    if subscripts is None:
+        return None
+    if len(numbers) < len(node.values) or name.text[0] == "$":
+        _invalid(problems, line, kind, "strings belong to a .STRINGS section")
+        return None
+    if kind == "reals":
+        if name.text[0] == "#" or len(numbers) != 1:
+            _count(problems, line, name.text, len(numbers), "one value")
+            return None
+        value = numbers[0].value
+        return _Read(name.text, name.start, subscripts, value, Type.REAL, numbers[0])
+    if name.text[0] == "#":
+        joints = _joints(problems, line, name, numbers)
+        if joints is None:
+            return None
+        return _Read(name.text, name.start, subscripts, joints, Type.JOINTS)
+    pose = _pose(problems, line, name, numbers)
+    if pose is None:
+        return None
+    return _Read(name.text, name.start, subscripts, pose, Type.POSE)
+
+
+def _subscripts(
+    node: DataLine, problems: Problems, line: Line, kind: str
+) -> tuple[int, ...] | None:
+    found: list[int] = []
+    if isinstance(node.target, Element):
+        for subscript in node.target.subscripts:
+            if not isinstance(subscript, Number):
+                _invalid(problems, line, kind, "an index in a data section is a number")
+                return None
+            found.append(round_half_away(subscript.value))
+    return tuple(found)
+
+
+def _string(problems: Problems, line: Line) -> _Read | None:
+    """`$name "text"`; the quotes may be missing."""
+    match = _STRING.match(line.text)
+    text = match["value"].strip() if match is not None else ""
+    quoted = len(text) > 1 and text[0] == text[-1] == '"'
+    inner = text[1:-1] if quoted else text
+    if match is None or not text or '"' in inner:
+        _invalid(problems, line, "strings", "a string has a name with `$` and one text")
+        return None
+    if len(inner) > MAX_STRING:
+        _invalid(problems, line, "strings", f"a string has at most {MAX_STRING} characters")
+        return None
+    subscripts: list[int] = []
+    for written in (match["subscripts"] or "").split(",") if match["subscripts"] else ():
+        if not written.strip().isdecimal():
+            _invalid(problems, line, "strings", "an index in a data section is a number")
+            return None
+        subscripts.append(int(written))
+    return _Read(match["name"], line.start, tuple(subscripts), inner, Type.STRING)
+
+
+# --- locations ------------------------------------------------------------------------------------
+
+
+def _written(problems: Problems, number: Number) -> str:
+    """Return a number as written, with its sign, so that it is rounded only once."""
+    text = problems.source.text[number.start : number.end].lstrip("+-")
+    if not text[:1].isdecimal() and text[:1] != ".":
+        return repr(number.value)  # `^HFF`
+    return f"-{text}" if math.copysign(1.0, number.value) < 0 else text  # -0.0 of what is tiny
+
+
+def _joints(problems: Problems, line: Line, name: Name, numbers: list[Number]) -> Joints | None:
+    if problems.dialect.has("a") and len(numbers) in _AXES_OF_AS:
+        problems.warning(
+            EXTRA_AXES,
+            f"`{name.text}` has {len(numbers)} axes; the first six are taken",
+            name.start,
+            name.end,
+            help=("the simulated arm has six joints",),
+        )
+        numbers = numbers[:_JOINTS]
+    if len(numbers) != _JOINTS:
+        _count(problems, line, name.text, len(numbers), "6 joint angles")
+        return None
+    a, b, c, d, e, f = (radians(_written(problems, number)) for number in numbers)
+    return (a, b, c, d, e, f)
+
+
+def _pose(problems: Problems, line: Line, name: Name, numbers: list[Number]) -> Pose | None:
+    texts = [_written(problems, number) for number in numbers]
+    match texts:
+        case [x, y, z]:
+            return Pose(IDENTITY_ROTATION, (metres(x), metres(y), metres(z)))
+        case [x, y, z, *angles] if len(angles) == 3:
+            o, a, t = map(float, angles)
+            if problems.dialect.angles is Angles.ZYZ:
+                o, a = o + 90.0, a - 90.0
+            return Pose(rotation_from_oat(o, a, t), (metres(x), metres(y), metres(z)))
+        case [nx, ny, nz, ox, oy, oz, ax, ay, az, x, y, z]:
+            columns = (nx, ox, ax, ny, oy, ay, nz, oz, az)
+            r1, r2, r3, r4, r5, r6, r7, r8, r9 = map(float, columns)
+            rotation: Rotation = (r1, r2, r3, r4, r5, r6, r7, r8, r9)
+            if _skew(rotation) > SKEW:
+                problems.error(
+                    NO_ROTATION,
+                    f"the matrix of `{name.text}` is no rotation",
+                    line.start,
+                    line.end,
+                    notes=("12 values are the columns n, o, a of a rotation, and the position",),
+                    help=("write six values: `X Y Z O A T`",),
+                )
+                return None
+            return Pose(rotation, (metres(x), metres(y), metres(z)))
+        case _:
+            wanted = "6 values: X Y Z in mm, O A T in degrees"
+            _count(problems, line, name.text, len(numbers), wanted)
+            return None
+
+
+def _skew(r: Rotation) -> float:
+    """Return how far a matrix is from a rotation: columns of length 1, square, right-handed."""
+    n, o, a = (r[0], r[3], r[6]), (r[1], r[4], r[7]), (r[2], r[5], r[8])
+    across = (
+        n[1] * o[2] - n[2] * o[1] - a[0],
+        n[2] * o[0] - n[0] * o[2] - a[1],
+        n[0] * o[1] - n[1] * o[0] - a[2],
+    )
+    products = [sum(u * v for u, v in zip(p, q, strict=True)) for p, q in ((n, o), (n, a), (o, a))]
+    lengths = [abs(sum(u * u for u in column) - 1.0) for column in (n, o, a)]
+    return max(*map(abs, products), *lengths, *map(abs, across))
+
+
+# --- wording --------------------------------------------------------------------------------------
+
+
+def _invalid(problems: Problems, line: Line, kind: str, headline: str) -> None:
+    problems.error(
+        INVALID_DATA,
+        headline,
+        line.start,
+        line.end,
+        help=(f"write `{_FORMS[kind]}`",),
+    )
+
+
+def _count(problems: Problems, line: Line, name: str, count: int, wanted: str) -> None:
+    problems.error(
+        VALUE_COUNT,
+        f"`{name}` has {count} value{'' if count == 1 else 's'}",
+        line.start,
+        line.end,
+        f"it takes {wanted}",
+        data={"name": name, "count": count},
+    )
+
+
+def report_replaced(problems: Problems, data: list[Datum]) -> None:
+    """Warn where a later line gives the same variable another value."""
+    seen: dict[tuple[str, tuple[int, ...]], Datum] = {}
+    for datum in data:
+        before = seen.get((datum.name, datum.subscripts))
+        seen[datum.name, datum.subscripts] = datum
+        if before is not None:
+            problems.warning(
+                VALUE_REPLACED,
+                f"`{datum.name}` is given a value twice; the last one holds",
+                datum.span.start,
+                datum.span.end,
+                secondary=(problems.label(before.span.start, before.span.end, "first here"),),
+                help=("take one of the lines out",),
+            )

@@ -1,0 +1,208 @@
+"""Operands of the instructions that are a word and a list: which types they want."""
+
+from vrts.base.diagnostic import Rule
+from vrts.ir.system import PARAMETERS, SWITCHES
+from vrts.ir.values import Type
+from vrts.lang.grammar.syntax import (
+    Device,
+    Element,
+    Give,
+    Item,
+    Name,
+    Number,
+    ReactStatement,
+    Simple,
+)
+from vrts.lang.meaning.expression_types import (
+    FUNCTION_ARGUMENTS,
+    TYPES_SAY,
+    WRONG_TYPE,
+    ExpressionTypes,
+)
+from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
+from vrts.lang.names import key
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+
+WITHOUT_EFFECT = Rule("V229", "without-effect")
+
+_LOCATION_WORDS = frozenset(
+    {"MOVE", "MOVES", "APPRO", "APPROS", "MOVET", "MOVEST", "C1MOVE", "C2MOVE"}
+)
+_TEXT_WORDS = frozenset({"STOP", "HALT", "PAUSE"})
+_PROGRAM_WORDS = frozenset({"REACTE", "PCEXECUTE"})  # their first operand names a program
+_FRAME_POINTS = 4  # FRAME f = a, b, c, d
+
+
+class OperandTypes(ExpressionTypes):
+    """Checks the operands of instructions."""
+
+    def simple(self, node: Simple) -> None:
+        """Check an instruction with a plain list of operands."""
+        word, operands = node.word, node.operands
+        if INSTRUCTIONS[word].opaque:
+            self.warn_not_simulated(word, node.start, node.start + len(word))
+        if word in _LOCATION_WORDS:
+            first, *rest = operands
+            if isinstance(first, Number) and rest and isinstance(rest[0], Name):
+                self._swapped(node, first, rest[0])
+            elif first is not None:
+                self._location(first, f"{word} goes to a location")
+            self._items(tuple(rest), Type.REAL)
+        elif word == "TOOL" or (word == "BASE" and self.dialect.is_as):
+            for operand in operands:
+                if operand is not None:
+                    self.check(operand, Type.POSE, f"{word} takes a location")
+        elif word in _TEXT_WORDS:
+            self._items(operands, Type.STRING)
+        elif word == "TYPE":
+            self.items_of_type(operands)
+        elif word == "TYPEI":
+            self._items(operands, Type.REAL)
+        elif word in ("ENABLE", "DISABLE"):
+            for operand in operands:
+                if operand is not None:
+                    self.system_name(operand, SWITCHES.keys(), "switch")
+        elif word == "PROMPT":
+            self._prompt(operands)
+        elif word in _PROGRAM_WORDS:
+            if operands and operands[0] is not None:
+                self.program_name(operands[0], word)
+            self._items(operands[1:], Type.REAL)
+        elif word == "GRASP":
+            self._items(operands[:1], Type.REAL)
+        else:
+            self._items(operands, Type.REAL)
+
+    def _prompt(self, operands: tuple[Item | None, ...]) -> None:
+        text, variables = prompt_parts(operands)
+        if text is not None:
+            self.check(text, Type.STRING, "PROMPT shows a text first")
+        for variable in variables:
+            if isinstance(variable, Name | Element):
+                name = variable if isinstance(variable, Name) else variable.name
+                kind = Type.STRING if name.text[0] == "$" else Type.REAL
+                self._write(variable, kind, "PROMPT reads numbers and strings", None)
+            elif variable is not None:
+                self.problems.error(
+                    WRONG_TYPE,
+                    "PROMPT reads into variables",
+                    variable.start,
+                    variable.end,
+                    notes=(TYPES_SAY,),
+                    help=('write `PROMPT "text", variable`',),
+                )
+
+    def give(self, node: Give) -> None:
+        """Check PARAMETER, DECOMPOSE and the assignments of VAL."""
+        word, target, values = node.word, node.target, node.values
+        match word:
+            case "PARAMETER":
+                self.system_name(target, PARAMETERS.keys(), "parameter")
+                if isinstance(target, Element):
+                    self._items(target.subscripts, Type.REAL)
+                self._values(node, 1, Type.REAL)
+            case "DECOMPOSE":
+                if isinstance(target, Element) and not target.subscripts:
+                    target = target._replace(subscripts=(Number(0.0, target.start, target.end),))
+                self._write(target, Type.REAL, "DECOMPOSE stores numbers", None)
+                if self._count_of(node, 1):
+                    self._location(values[0], "DECOMPOSE takes a location")
+            case "SETI":
+                self._write(target, Type.REAL, "SETI gives a value to a number", values[0])
+                self._values(node, 1, Type.REAL)
+            case _:
+                self._write(target, Type.POSE, f"{word} gives a value to a location", None)
+                self._values(node, _FRAME_POINTS if word == "FRAME" else 1, Type.POSE)
+
+    def _values(self, node: Give, count: int, wanted: Type) -> None:
+        if self._count_of(node, count):
+            self._items(node.values, wanted)
+
+    def _count_of(self, node: Give, count: int) -> bool:
+        if len(node.values) == count:
+            return True
+        self.problems.error(
+            FUNCTION_ARGUMENTS,
+            f"{node.word} takes {count} value{'' if count == 1 else 's'}, {len(node.values)} given",
+            node.start,
+            node.end,
+            help=(f"write `{INSTRUCTIONS[node.word].usage}`",),
+        )
+        return False
+
+    def react(self, node: ReactStatement) -> None:
+        """Check REACT, REACTI, IGNORE, ON and ONI."""
+        signal, program, priority = (*node.operands, None, None, None)[:3]
+        if signal is None:
+            self.problems.error(
+                FUNCTION_ARGUMENTS,
+                f"{node.word} needs a signal number",
+                node.start,
+                node.end,
+                notes=("VAL-II says *Missing argument*",),
+                help=(f"write `{INSTRUCTIONS[node.word].usage}`",),
+            )
+        else:
+            self.check(signal, Type.REAL, f"{node.word} watches a signal")
+        if program is not None:
+            self.program_name(program, node.word)
+        elif node.word == "REACT":
+            self.problems.warning(
+                WITHOUT_EFFECT,
+                "REACT without a program does nothing",
+                node.start,
+                node.end,
+                notes=("REACTI without a program stops the motion",),
+                help=("name the program to call: `REACT signal, program`",),
+            )
+        if priority is not None:
+            self.check(priority, Type.REAL, "a priority is a number")
+
+    def program_name(self, node: Item, word: str) -> None:
+        """Note that an operand names a program; report what cannot."""
+        if isinstance(node, Name) and node.text[0] not in "$#":
+            self.called.append(node)
+            return
+        self.problems.error(
+            WRONG_TYPE,
+            f"{word} takes the name of a program",
+            node.start,
+            node.end,
+            notes=("VAL-II says *Invalid program or variable name*",),
+            help=(f"write `{INSTRUCTIONS[word].usage}`",),
+        )
+
+    def device(self, node: Device) -> None:
+        """Check the instructions of V+ with a device: WRITE is TYPE on the terminal."""
+        for number in node.unit or ():
+            self._loosely(number)
+        if node.word == "WRITE":
+            self.items_of_type(node.operands)
+        else:
+            for operand in node.operands:
+                self._loosely(operand)
+        if device_is_opaque(node):
+            self.warn_not_simulated(node.word, node.start, node.start + len(node.word))
+
+    def _loosely(self, node: Item | None) -> None:
+        """Note names in operands that are not looked into: they may be given values."""
+        name = node.name if isinstance(node, Element) else node
+        if isinstance(name, Name):
+            self.bad_names.add(key(name.text))
+
+    def _swapped(self, node: Simple, distance: Number, location: Name) -> None:
+        """`APPRO 50, part`."""
+        text = self.problems.source.text[distance.start : distance.end]
+        self.wrong_lines.add(self.problems.source.line_of(node.start))
+        self.problems.error(
+            WRONG_TYPE,
+            f"the location comes first in {node.word}",
+            distance.start,
+            location.end,
+            notes=(TYPES_SAY,),
+            help=(f"write `{node.word} {location.text}, {text}`",),
+            fix=self.problems.replace(distance.start, location.end, f"{location.text}, {text}"),
+        )
+
+    def _location(self, node: Item, why: str) -> None:
+        self.check(node, Type.POSE, why, joints=True)

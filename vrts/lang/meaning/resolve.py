@@ -1,0 +1,203 @@
+"""Statements: which types each wants, and which names each gives a value."""
+
+from vrts.base.diagnostic import Rule, Severity
+from vrts.ir.values import Type
+from vrts.lang.grammar.syntax import (
+    Assignment,
+    Bad,
+    CallNamed,
+    CallStatement,
+    Case,
+    Declare,
+    Device,
+    Element,
+    Expression,
+    For,
+    Give,
+    Goto,
+    HereStatement,
+    If,
+    Infix,
+    Item,
+    Name,
+    PackStatement,
+    Put,
+    ReactStatement,
+    Rest,
+    SetLocation,
+    Setting,
+    ShiftStatement,
+    Simple,
+    SpeedStatement,
+    Statement,
+    Structure,
+    Until,
+    ValueGroup,
+    Variable,
+    While,
+)
+from vrts.lang.meaning.expression_types import WRONG_TYPE
+from vrts.lang.meaning.forms import is_text
+from vrts.lang.meaning.operands import OperandTypes
+from vrts.lang.meaning.scope import Passed
+from vrts.lang.names import key
+
+ASSIGNED_LOCATION = Rule("V203", "assigned-location")
+
+
+class Resolver(OperandTypes):
+    """Walks the statements of one program after the other."""
+
+    def statement(self, node: Statement) -> None:
+        """Record and check one statement of the current program."""
+        match node:
+            case Assignment(target, value):
+                self._assignment(node, target, value)
+            case SetLocation(target, value):
+                self._write(target, Type.POSE, "SET gives a value to a location", value)
+                self._location(value, "SET gives a value to a location")
+            case HereStatement(target):
+                self._here(target)
+            case ShiftStatement(target, offsets):
+                self._write(target, Type.POSE, "SHIFT moves a location", None)
+                self._items(offsets, Type.REAL)
+            case Simple():
+                self.simple(node)
+            case SpeedStatement(word, levels):
+                for level in levels:
+                    self.check(level.value, Type.REAL, f"{word} takes a number")
+            case Setting(word, value):
+                if value is not None:
+                    self.check(value, Type.REAL, f"{word} takes a number")
+            case Give():
+                self.give(node)
+            case Put(word, target, count, value):
+                for part in (target, count, value):
+                    if part is not None:
+                        self.check(part, Type.REAL, f"{word} takes numbers")
+                if word == "IOPUT":
+                    self.warn_not_simulated(word, node.start, node.end)
+            case PackStatement(target, first, count, value):
+                self._write(target, Type.STRING, "PACK changes a string", None)
+                self.check(first, Type.REAL, "PACK takes a position")
+                self.check(count, Type.REAL, "PACK takes a number of characters")
+                self.check(value, Type.STRING, "PACK puts a string in")
+            case ReactStatement():
+                self.react(node)
+            case Device():
+                self.device(node)
+            case Rest(word, names):
+                self.bad_names.update(names)
+                self.warn_not_simulated(word, node.start, node.start + len(word))
+            case Goto(_, condition):
+                if condition is not None:
+                    self.check(condition, Type.REAL, "IF takes a condition")
+            case If(condition) | While(condition) | Until(condition):
+                self.check(condition, Type.REAL, "a condition is a number")
+            case Case(selector):
+                self._selector(selector)
+            case ValueGroup(values):
+                for value in values:
+                    if value is not None:
+                        self._selector(value)
+            case For(target, first, last, increment):
+                self._write(target, Type.REAL, "FOR counts a number", None)
+                for part in (first, last, increment):
+                    if part is not None:
+                        self.check(part, Type.REAL, "FOR counts with numbers")
+            case CallStatement(program, arguments):
+                self._call(program, arguments)
+            case CallNamed(program, arguments):
+                self.check(program, Type.STRING, "CALLS takes the name of a program in a string")
+                self._call(Name("", node.start, node.start), arguments)
+            case Bad(_, names):
+                self.bad_names.update(names)
+            case Structure() | Declare():
+                pass
+
+    # --- statements -----------------------------------------------------------------------------
+
+    def _assignment(self, node: Assignment, target: Variable, value: Expression) -> None:
+        name = target if isinstance(target, Name) else target.name
+        if name.text[0] == "$":
+            self._write(target, Type.STRING, "`=` keeps the type", value)
+            self.check(value, Type.STRING, f"`{name.text}` holds a string")
+            return
+        if name.text[0] == "#" or self.is_location(value):
+            self.assigned_location(node)
+            if self.dialect.tolerant:
+                self._location(value, "a location is given a location")
+            else:
+                self._type(value, Type.POSE)
+            if name.text[0] != "#" or self.dialect.tolerant:
+                self._write(target, Type.POSE, "", value)
+            return
+        if isinstance(value, Name | Element) and self._open_type(value):
+            self.moves.append(node)
+            self.program_of[node.start] = self.program
+            self._write(target, Type.REAL, "", value)
+            entry = self.scope.entry(self.program, key(name.text))
+            if entry.types.get(Type.REAL) == (name.start, name.end):
+                del entry.types[Type.REAL]
+            self._type(value, None)
+            return
+        self._write(target, Type.REAL, "`=` gives a value to a number", value)
+        self.check(value, Type.REAL, f"`{name.text}` holds a number")
+
+    def _open_type(self, node: Name | Element) -> bool:
+        name = node if isinstance(node, Name) else node.name
+        return name.text[0] not in "$#" and name.text.lower() not in self.predefined
+
+    def _selector(self, node: Item) -> None:
+        """CASE compares numbers; the relatives also compare strings."""
+        if self.dialect.tolerant and is_text(node):
+            self._type(node, Type.STRING)
+        else:
+            self.check(node, Type.REAL, "CASE compares numbers")
+
+    def assigned_location(self, node: Assignment) -> None:
+        """Report `a = b` between locations."""
+        self.problems.error(
+            ASSIGNED_LOCATION,
+            "a location is given a value by SET",
+            node.start,
+            node.target.end,
+            notes=("`=` is for numbers and strings", "VAL-II says *Illegal assignment*"),
+            help=(f"write `SET {self.problems.source.text[node.start : node.end]}`",),
+            fix=self.problems.replace(node.start, node.start, "SET "),
+            severity=Severity.WARNING if self.dialect.tolerant else Severity.ERROR,
+        )
+
+    def _here(self, target: Expression) -> None:
+        last = target
+        if isinstance(target, Infix) and target.operator == ":":
+            self.check(target.left, Type.POSE, "`:` joins locations")
+            last = target.right
+        if isinstance(last, Name | Element):
+            self._write(last, Type.POSE, "HERE gives a value to a location", None)
+        else:
+            self.problems.error(
+                WRONG_TYPE,
+                "HERE takes the name of a location",
+                last.start,
+                last.end,
+                notes=("VAL-II says *Illegal assignment*",),
+                help=("write `HERE part`, or `HERE frame:part`",),
+            )
+
+    def _call(self, program: Name, arguments: tuple[Item | None, ...]) -> None:
+        callee = key(program.text) if program.text else ""
+        for i, argument in enumerate(arguments):
+            if isinstance(argument, Element) and not argument.subscripts:
+                entry = self._use(argument.name, None)
+                self._once(entry, argument.name, array=True)
+                entry.passed.append(Passed(callee, i, True))
+            elif isinstance(argument, Name | Element):
+                name = argument if isinstance(argument, Name) else argument.name
+                self._type(argument, None)
+                if name.text.lower() not in self.predefined:
+                    entry = self.scope.entry(self.program, key(name.text))
+                    entry.passed.append(Passed(callee, i, False))
+                    entry.reads.pop()
+            elif argument is not None:
+                self.argument_types[id(argument)] = self._type(argument, None)

@@ -1,0 +1,157 @@
+"""Which words of a step are keywords [val2.md 1.4, 1.13].
+
+The first word of a step is an instruction unless `=` or `[...]=` follows; elsewhere a word is a
+keyword only if the instruction of the step wants it. So `stop` may be a variable wherever no
+instruction can stand.
+"""
+
+from typing import NamedTuple
+
+from vrts.lang.dialect import VAL2, Dialect
+from vrts.lang.grammar.syntax import Token
+from vrts.lang.vocabulary.lookup import look_up
+from vrts.lang.vocabulary.word import Word
+from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
+
+_KINDS = {"REAL": "KIND", "DOUBLE": "KIND", "LOC": "KIND"}
+_RELATIONS = {"EQ": "==", "NE": "<>", "LT": "<", "GT": ">", "LE": "<=", "GE": ">="}
+_UNITS = {  # of AS, by the word before and after the slash
+    ("MM", "S"): "MMPS",
+    ("MM", "MIN"): "MM/MIN",
+    ("CM", "MIN"): "CM/MIN",
+    ("DEG", "S"): "DEG/S",
+}
+_OPERAND_ENDS = frozenset({"NUMBER", "NAME", "RPAREN", "RBRACKET"})
+_DEVICE_WORDS = frozenset({"TYPE", "PCEXECUTE"})  # AS puts a number and a colon before operands
+
+
+class Head(NamedTuple):
+    """The instruction of a step as far as its first word tells."""
+
+    word: Word | None  # None: an assignment, or no instruction
+    abbreviates: tuple[Word, ...] = ()
+
+
+NO_HEAD = Head(None)
+
+
+def classify(tokens: list[Token], dialect: Dialect = VAL2) -> tuple[list[Token], Head]:
+    """Return the tokens with the kinds that the grammar wants, and the instruction of the step."""
+    first = tokens[0]
+    head = NO_HEAD
+    if first.kind == "WORD" and not is_assigned(tokens):
+        match = look_up(first.text, dialect)
+        head = Head(match.word, match.candidates)
+    word = head.word
+    if word is not None and dialect.has("a"):
+        tokens = _without_device(_with_units(tokens, word), word)
+    wanted = word.qualifiers if word else frozenset[str]()
+    result: list[Token] = []
+    depth = 0
+    for i, token in enumerate(tokens):
+        kind = token.kind
+        if kind == "WORD":
+            upper = token.text.upper()
+            if i == 0 and word is not None:
+                token = Token(word.terminal, word.canonical, token.start, token.end)
+            elif upper in OPERATORS:
+                token = Token(OPERATORS[upper].terminal, upper, token.start, token.end)
+            elif upper == "FINE" and upper in wanted:
+                continue  # ACCURACY of AS may say it; nothing here depends on it
+            elif (upper in wanted and not depth) or (upper == "BY" and depth):
+                token = Token(_kind_of(upper), upper, token.start, token.end)
+            elif word is not None and dialect.tolerant and not depth:
+                token = _tolerant(token, upper, word, dialect, result[-1].kind)
+            else:
+                token = Token("NAME", token.text, token.start, token.end)
+        elif kind in ("LPAREN", "LBRACKET"):
+            depth += 1
+        elif kind in ("RPAREN", "RBRACKET"):
+            depth -= 1
+        result.append(token)
+    if word is not None:
+        if word.terminal in ("VALUE", "ANY") and result[-1].text == ":":
+            result[-1] = result[-1]._replace(kind="ENDCOLON")
+        if word.unit and len(result) > 1 and result[1].kind == "LPAREN":
+            _open_unit(result)
+    return result, head
+
+
+def is_assigned(tokens: list[Token]) -> bool:
+    """Return whether a step begins with `name =` or `name[...] =`."""
+    if len(tokens) < 2:
+        return False
+    if tokens[1].kind != "LBRACKET":
+        return tokens[1].kind == "EQUAL"
+    depth = 0
+    for i in range(1, len(tokens)):
+        if tokens[i].kind == "LBRACKET":
+            depth += 1
+        elif tokens[i].kind == "RBRACKET":
+            depth -= 1
+            if depth == 0:
+                return i + 1 < len(tokens) and tokens[i + 1].kind == "EQUAL"
+    return False
+
+
+def _kind_of(upper: str) -> str:
+    found = QUALIFIERS.get(upper)
+    return found.terminal if found is not None else _KINDS.get(upper, upper)
+
+
+def _tolerant(token: Token, upper: str, word: Word, dialect: Dialect, before: str) -> Token:
+    """Return a word that is a keyword for some relatives only."""
+    kind, text = "NAME", token.text
+    if word.terminal == "IF" and upper in _RELATIONS and dialect.has("1"):
+        kind, text = "RELATION", _RELATIONS[upper]
+    elif word.terminal == "GOTO" and upper == "IF":
+        kind = "IF"
+    elif word.terminal == "SPEED" and _is_unit(upper, dialect, before):
+        kind, text = "UNIT", upper
+    return Token(kind, text, token.start, token.end)
+
+
+def _with_units(tokens: list[Token], word: Word) -> list[Token]:
+    """Join `MM / S` to one word where AS has it as a unit."""
+    if word.terminal != "SPEED" or not any(t.text == "/" for t in tokens):
+        return tokens
+    joined: list[Token] = []
+    skip = 0
+    for i, token in enumerate(tokens):
+        if skip:
+            skip -= 1
+            continue
+        if token.kind == "WORD" and i + 2 < len(tokens) and tokens[i + 1].text == "/":
+            unit = _UNITS.get((token.text.upper(), tokens[i + 2].text.upper()))
+            if unit is not None:
+                joined.append(Token("WORD", unit, token.start, tokens[i + 2].end))
+                skip = 2
+                continue
+        joined.append(token)
+    return joined
+
+
+def _without_device(tokens: list[Token], word: Word) -> list[Token]:
+    """Drop `2:` before the operands of PRINT and PCEXECUTE of AS."""
+    if word.canonical in _DEVICE_WORDS and len(tokens) > 2 and tokens[2].text == ":":
+        return [tokens[0], *tokens[3:]]
+    return tokens
+
+
+def _open_unit(tokens: list[Token]) -> None:
+    """Mark the parentheses round the number of a device."""
+    depth = 0
+    for i in range(1, len(tokens)):
+        depth += (tokens[i].kind == "LPAREN") - (tokens[i].kind == "RPAREN")
+        if depth == 0:
+            tokens[1] = tokens[1]._replace(kind="UNITOPEN")
+            tokens[i] = tokens[i]._replace(kind="UNITCLOSE")
+            return
+
+
+def _is_unit(upper: str, dialect: Dialect, before: str) -> bool:
+    if upper == "MONITOR":
+        return dialect.has("+")
+    if upper == "S":  # a time, in AS; `SPEED s` is a variable
+        return dialect.has("a") and before in _OPERAND_ENDS
+    return upper in _UNITS.values()

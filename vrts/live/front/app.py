@@ -1,0 +1,73 @@
+"""The application: routes, and what starts and ends with it."""
+
+import gc
+from collections.abc import AsyncGenerator
+from contextlib import asynccontextmanager
+
+from starlette.applications import Starlette
+from starlette.routing import Route, WebSocketRoute
+from starlette.types import ASGIApp
+from starlette.websockets import WebSocket
+
+from vrts.live.front.guard import Guard
+from vrts.live.front.http import Pages
+from vrts.live.front.origin import Names
+from vrts.live.front.socket import serve_socket
+from vrts.live.front.static_files import StaticFiles
+from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.sessions import Sessions
+from vrts.live.settings import DATABASE, Settings
+from vrts.live.store.database import Database
+
+
+def application(settings: Settings, code: str, address: str, rooms: tuple[str, ...]) -> ASGIApp:
+    """Return the server's application.
+
+    Args:
+        settings: What it is told.
+        code: The class code; empty: there is none.
+        address: Where browsers find the server, without a slash at the end.
+        rooms: Names of the rooms to begin with, in the first scene, where the database has none.
+    """
+    hub = Hub(settings, Database(settings.folder / DATABASE))
+    sessions = Sessions(hub)
+    pages = Pages(hub, StaticFiles(), code, address)
+
+    @asynccontextmanager
+    async def lifespan(_: Starlette) -> AsyncGenerator[None, None]:
+        await hub.open_kept()
+        for room in hub.rooms.values():
+            sessions.begin(room, carries_on=True)
+        if not hub.rooms:
+            for name in rooms:
+                sessions.begin(await hub.make_room(name, settings.places[0].id))
+        hub.spawn(hub.pulse())
+        gc.collect()
+        gc.freeze()  # what is loaded is needed for good: no collection has to look at it again
+        yield
+        sessions.stop()
+        await hub.stop()
+
+    async def socket(websocket: WebSocket) -> None:
+        account = await pages.who(websocket.cookies)
+        await serve_socket(hub, sessions, websocket, account)
+
+    app = Starlette(
+        lifespan=lifespan,
+        routes=[
+            Route("/", pages.page),
+            Route("/web/{path:path}", pages.file),
+            Route("/enter", pages.enter, methods=["POST"]),
+            Route("/login", pages.login, methods=["POST"]),
+            Route("/logout", pages.logout, methods=["POST"]),
+            Route("/me", pages.me),
+            Route("/scene/{room}/{session:int}", pages.scene),
+            Route("/log/{room}", pages.log),
+            Route("/replay/{room}", pages.replay),
+            Route("/link", pages.link, methods=["POST"]),
+            Route("/code", pages.code),
+            Route("/code.svg", pages.code_picture),
+            WebSocketRoute("/ws", socket),
+        ],
+    )
+    return Guard(app, Names(settings.names), secure=settings.secure)

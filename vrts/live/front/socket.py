@@ -1,0 +1,129 @@
+"""One WebSocket: who it is, the first message, then one message after another."""
+
+import asyncio
+from typing import Any, Final
+
+import msgspec
+from starlette.websockets import WebSocket
+
+from vrts.live import limits
+from vrts.live.door import Door, door_of, text_frame
+from vrts.live.front.guard import refused
+from vrts.live.protocol import (
+    VERSION,
+    AskProgram,
+    AskReach,
+    Closed,
+    Command,
+    ExportLog,
+    FromClient,
+    Join,
+    Refused,
+)
+from vrts.live.refusal import NotObeyed
+from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.member import Member
+from vrts.live.rooms.obeying import obey
+from vrts.live.rooms.room import encode
+from vrts.live.rooms.sessions import Sessions
+from vrts.live.store.accounts import Account
+
+JOIN_S: Final = 10.0  # until the first message must be there
+MOST_BAD: Final = 20  # messages that cannot be read, after which a connection ends
+
+_decode = msgspec.json.Decoder(FromClient).decode
+
+
+async def serve_socket(
+    hub: Hub, sessions: Sessions, websocket: WebSocket, account: Account | None
+) -> None:
+    """Serve a connection until it ends; `Host` and `Origin` were looked at before."""
+    if account is None:
+        refusal = refused(401, "login", "nobody is logged in", "open the join link again")
+        await websocket.send_denial_response(refusal)
+        return
+    if hub.stopping or sum(m.door is not None for m in hub.everybody()) >= limits.ALL_CONNECTIONS:
+        refusal = refused(503, "limit", "the server takes no more connections", "come back later")
+        await websocket.send_denial_response(refusal)
+        return
+    await websocket.accept()
+    door = door_of(websocket.scope)
+    try:
+        member = await asyncio.wait_for(_join(hub, websocket, account, door), JOIN_S)
+    except TimeoutError:
+        _end(door, Closed("join", "no `join` came"))
+        return
+    if member is None:
+        return
+    try:
+        await _listen(hub, sessions, websocket, member, door)
+    finally:
+        hub.drop(member, door)
+
+
+async def _join(hub: Hub, websocket: WebSocket, account: Account, door: Door) -> Member | None:
+    text = await _receive(websocket)
+    if text is None:
+        return None
+    try:
+        message = _decode(text)
+    except msgspec.DecodeError as problem:
+        _end(door, Closed("message", str(problem)))
+        return None
+    if not isinstance(message, Join):
+        _end(door, Closed("join", "the first message must be `join`"))
+        return None
+    if message.version != VERSION:
+        _end(door, Closed("version", "the page is of another version: load it again"))
+        return None
+    try:
+        return hub.enter(account, message, door)
+    except NotObeyed as refusal:
+        _end(door, Closed(refusal.code, refusal.text))
+        return None
+
+
+async def _listen(
+    hub: Hub, sessions: Sessions, websocket: WebSocket, member: Member, door: Door
+) -> None:
+    while (text := await _receive(websocket)) is not None:
+        if member.door is not door:
+            return  # sent away, or back on another connection
+        of = 0
+        try:
+            message = _decode(text)
+            of = _number(message)
+            await obey(hub, sessions, member, message)
+        except msgspec.DecodeError as problem:
+            member.bad += 1
+            hub.tell_only(member, Refused(0, "message", str(problem)))
+        except NotObeyed as refusal:
+            answer = Refused(of, refusal.code, refusal.text, refusal.help)
+            hub.tell_only(member, answer)
+        if member.bad > MOST_BAD or member.excess > limits.EXCESS:
+            _end(door, Closed("message", "too many messages that count for nothing"))
+            return
+
+
+async def _receive(websocket: WebSocket) -> str | None:
+    """Return the next message, None when the connection has ended or is not ours."""
+    event: dict[str, Any] = dict(await websocket.receive())
+    if event["type"] == "websocket.disconnect":
+        return None
+    text = event.get("text")
+    return text if isinstance(text, str) else ""  # bytes: read as a message of nothing
+
+
+def _number(message: FromClient) -> int:
+    match message:
+        case Command():
+            return message.number
+        case AskReach() | AskProgram() | ExportLog():
+            return message.of
+        case _:
+            return 0
+
+
+def _end(door: Door, closed: Closed) -> None:
+    door.send(text_frame(encode(closed)))
+    door.finish()

@@ -1,0 +1,51 @@
+"""The session that a room had when the server ended, from its log."""
+
+from typing import NamedTuple
+
+import msgspec
+
+from vrts.live.logs.logged_sessions import LogFault, LoggedSession, LogRow, sessions_of
+from vrts.live.store import log, progress
+from vrts.live.store.database import Connection
+from vrts.live.store.progress import Kept
+
+
+class Unfinished(NamedTuple):
+    """What is to be carried on."""
+
+    session: LoggedSession
+    until_s: float  # how far it had come
+
+
+def unfinished(connection: Connection, room: str, scene: str) -> Unfinished | None:
+    """Return the session of a room that is to go on; None: it has had none, or it is over.
+
+    Args:
+        connection: Of the database.
+        room: The room's id.
+        scene: The scene that it has.
+
+    Raises:
+        LogFault: The log was changed, or a part of it purged.
+    """
+    rows = progress.last_session(connection, room)
+    if not rows:
+        return None
+    wrong = log.verify(connection, room)
+    if wrong:
+        raise LogFault(wrong)
+    try:
+        (session,) = sessions_of(map(log_row, rows))
+    except msgspec.DecodeError as problem:
+        raise LogFault(f"its log cannot be read: {problem}") from problem
+    if session.over or session.scene != scene:
+        return None
+    session.require_whole()
+    until_s = progress.reached(connection, room, session.number, session.jumped)
+    return Unfinished(session, until_s)
+
+
+def log_row(kept: Kept) -> LogRow:
+    """Return a record of the database as what sessions are made of."""
+    text = None if kept.text is None else kept.text.encode()
+    return LogRow(kept.seq, kept.session, kept.kind, f"p{kept.account}", text)

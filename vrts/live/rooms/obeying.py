@@ -1,0 +1,169 @@
+"""Messages of everybody in a room, and of its operator: authorised here, then obeyed.
+
+Hiding a button is not security: whatever a browser sends, this decides by the account's role and
+by who holds the control right.
+"""
+
+import time
+
+from vrts.live.actions import Action, Keep, LetGo, Reset, Rewind, Save, Typed, Upload
+from vrts.live.names import readable
+from vrts.live.protocol import (
+    AskProgram,
+    AskReach,
+    Command,
+    FromClient,
+    HandBack,
+    Join,
+    Panic,
+    RaiseHand,
+    RequestControl,
+    Say,
+    SetRate,
+)
+from vrts.live.refusal import NotObeyed
+from vrts.live.rooms.hub import LOG_FULL, LOG_HELP, Hub
+from vrts.live.rooms.member import Member
+from vrts.live.rooms.process import SessionProcess
+from vrts.live.rooms.room import EVERYBODY, Audience, Room, encode
+from vrts.live.rooms.sessions import Sessions
+from vrts.live.rooms.supervising import supervise
+
+_WHY = {
+    "role": ("you do not have the control right", "ask for it, or wait for your turn"),
+    "lease": ("this was sent under an earlier control right", ""),
+    "replayed": ("this command was sent before", "each needs a greater number"),
+}
+
+
+async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient) -> None:
+    """Do what a message asks for.
+
+    Raises:
+        NotObeyed: The sender may not ask for it, or it cannot be done.
+    """
+    room = hub.rooms.get(member.room)
+    if room is None:
+        raise NotObeyed("room", "the room was closed")
+    now = time.time()
+    if isinstance(message, Panic):
+        _panic(room, member)
+        return
+    if not member.messages.take(now):
+        member.excess += 1
+        raise NotObeyed("rate", "too many messages at once", "slow down")
+    match message:
+        case Command():
+            _command(hub, room, member, message, now)
+        case Join():
+            raise NotObeyed("joined", "this connection has joined already")
+        case SetRate():
+            member.rate = message.rate
+            hub.crowd_changed(room)
+        case RequestControl():
+            if room.control.request(member.id, now):
+                hub.control_changed(room)
+        case HandBack():
+            if room.control.hand_back(member.id, now):
+                hub.control_changed(room)
+        case RaiseHand():
+            member.hand = message.up
+            hub.crowd_changed(room)
+        case Say():
+            await _say(hub, room, member, message, now)
+        case AskReach():
+            _ask_reach(room, member, message, now)
+        case AskProgram():
+            _ask_program(room, member, message, now)
+        case _:
+            if not member.supervisor:
+                raise NotObeyed("role", "only a supervisor may do this")
+            await supervise(hub, sessions, room, member, message)
+
+
+def _panic(room: Room, member: Member) -> None:
+    if member.id != room.control.holder and not member.supervisor:
+        raise NotObeyed("role", "panic is for the operator and the supervisor")
+    room.panic(member)
+
+
+def _command(hub: Hub, room: Room, member: Member, message: Command, now: float) -> None:
+    action = message.action
+    why = room.control.accept(member.id, message.lease, message.number, now)
+    if why:
+        raise NotObeyed(why, *_WHY[why])
+    if room.frozen:
+        raise NotObeyed("frozen", "the supervisor has frozen the room")
+    if room.control.locked:
+        raise NotObeyed("locked", "the supervisor has locked the control right")
+    may_reset = member.supervisor or hub.settings.alone or hub.settings.students_reset
+    if isinstance(action, Reset | Rewind) and not may_reset:
+        raise NotObeyed("role", "only a supervisor may reset or rewind")
+    if isinstance(action, Upload | Save) and not member.programs.take(now):
+        raise NotObeyed("rate", "too many files at once", "wait a few seconds")
+    if isinstance(action, Typed) and not action.line.isprintable():
+        raise NotObeyed("line", "a line has only visible characters")
+    if room.logged > hub.settings.log_quota and not _stops(action):
+        raise NotObeyed("log", LOG_FULL, LOG_HELP)
+    process = _running(room)
+    kind = "keep" if isinstance(action, Keep) else str(action.__struct_config__.tag)
+    ref = process.act(f"p{member.account.id}", action)
+    room.ask(ref, kind, member, message.number, encode(action))
+
+
+def _stops(action: Action) -> bool:
+    """Return whether an action only stops what moves."""
+    if isinstance(action, Typed):
+        return action.line.strip().upper() in ("PANIC", "ABORT")
+    return isinstance(action, LetGo)
+
+
+async def _say(hub: Hub, room: Room, member: Member, message: Say, now: float) -> None:
+    if not room.kept.chat and not (member.supervisor or message.private):
+        raise NotObeyed("chat", "chat is off", "write to the supervisor privately")
+    if member.account.id in hub.muted:
+        raise NotObeyed("muted", "the supervisor has muted you")
+    if not member.chat.take(now):
+        raise NotObeyed("rate", "too many lines at once", "wait a few seconds")
+    text = readable(message.text)
+    if not text:
+        return
+    if message.to and not member.supervisor:
+        raise NotObeyed("role", "private messages go to the supervisor")
+    if message.to:
+        other = room.members.get(message.to)
+        if other is None:
+            raise NotObeyed("person", "they are not here any more")
+        ends = frozenset((other.account.id, member.account.id))
+        to = Audience(accounts=ends, supervisors=True)
+        await hub.say(room, member, text, to, other.account)
+    elif message.private:
+        to = Audience(accounts=frozenset((member.account.id,)), supervisors=True)
+        await hub.say(room, member, text, to, None)
+    else:
+        await hub.say(room, member, text, EVERYBODY, None)
+
+
+def _ask_reach(room: Room, member: Member, message: AskReach, now: float) -> None:
+    if not member.questions.take(now):
+        raise NotObeyed("rate", "too many questions at once")
+    process = _running(room)
+    position, oat = message.position_m, message.oat_rad
+    ref = process.ask_reach(position, oat, straight=message.straight)
+    room.ask(ref, "reach", member, message.of)
+
+
+def _ask_program(room: Room, member: Member, message: AskProgram, now: float) -> None:
+    if not member.programs.take(now):
+        raise NotObeyed("rate", "too many programs at once", "wait a few seconds")
+    ref = _running(room).ask_program(message.name)
+    room.ask(ref, "program", member, message.of)
+
+
+def _running(room: Room) -> SessionProcess:
+    process = room.process
+    if process is None or not process.ready:
+        raise NotObeyed("session", "the session is not ready yet", "wait a moment")
+    if process.behind:
+        raise NotObeyed("busy", "the session has not read what it was told yet", "wait a moment")
+    return process

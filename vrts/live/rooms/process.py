@@ -1,0 +1,230 @@
+"""The process of one session, as the server sees it: started, fed, read, ended."""
+
+import asyncio
+import os
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Final
+
+import msgspec
+
+from vrts.live.actions import Action, Number
+from vrts.live.session.channel.messages import (
+    LENGTH,
+    Act,
+    AskProgram,
+    AskReach,
+    AskSnapshot,
+    Halt,
+    Pace,
+    Start,
+    Stop,
+    ToSession,
+)
+
+LONGEST: Final = 16 * 1024 * 1024  # bytes of a message from a session
+CHUNK: Final = 256 * 1024  # bytes read at once
+BEHIND: Final = 1024 * 1024  # bytes that may wait for a session
+END_S: Final = 3.0  # how long a session may take to end
+
+_POSE = 1  # first byte of a pose frame
+
+
+class Head(msgspec.Struct, frozen=True):
+    """What the server reads of a message; the rest is passed on as it is."""
+
+    type: str
+    ref: int = 0
+    epoch_s: float = 0.0
+    at_s: float = 0.0
+    accepted: bool = True
+    counts: bool = True
+    text: str = ""
+    row: str = ""
+    task: msgspec.Raw = msgspec.Raw()
+    scene: msgspec.Raw = msgspec.Raw()
+    carried_s: float | None = None
+    anew: str = ""
+
+
+_heads = msgspec.json.Decoder(Head)
+_encode = msgspec.json.Encoder().encode
+
+OnPose = Callable[[bytes], None]
+OnMessage = Callable[[Head, bytes], None]
+
+
+class SessionProcess:
+    """Owns a subprocess that runs `vrts.live.session`."""
+
+    def __init__(self, start: Start, on_pose: OnPose, on_message: OnMessage) -> None:
+        """Say what the session is about and who is told what it says."""
+        self.start = start
+        self._on_pose = on_pose
+        self._on_message = on_message
+        self._process: asyncio.subprocess.Process | None = None
+        self._epoch = 0.0
+        self._ref = 0
+        self.ready = False
+        self.first_snapshot = 0  # number of the snapshot that everybody is sent
+        self.scene = b""  # JSON of what is drawn
+        self.failure = ""  # why it ended
+
+    async def run(self) -> None:
+        """Start the process and read it until it ends."""
+        folder = Path(self.start.folder)
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        with (folder / "stderr.txt").open("ab") as errors:
+            self._process = await asyncio.create_subprocess_exec(
+                sys.executable,
+                "-m",
+                "vrts.live.session",
+                stdin=asyncio.subprocess.PIPE,
+                stdout=asyncio.subprocess.PIPE,
+                stderr=errors,
+                env=_environment(),
+                start_new_session=True,  # Ctrl-C is for the server, which ends its sessions
+            )
+        try:
+            self._send(self.start)
+            await self._read(self._process)
+        finally:
+            self.ready = False
+            await self._end()
+
+    def act(self, owner: str, action: Action) -> int:
+        """Pass an action on, stamped now; return the number its answer will have."""
+        self._ref += 1
+        self._send(Act(self._ref, self._now(), owner, action))
+        return self._ref
+
+    def halt(self) -> int:
+        """Pass a panic on."""
+        self._ref += 1
+        self._send(Halt(self._ref, self._now()))
+        return self._ref
+
+    def ask_reach(
+        self,
+        position_m: tuple[Number, Number, Number],
+        oat_rad: tuple[Number, Number, Number],
+        *,
+        straight: bool,
+    ) -> int:
+        """Ask whether the tool can go somewhere."""
+        self._ref += 1
+        self._send(AskReach(self._ref, position_m, oat_rad, straight))
+        return self._ref
+
+    def ask_program(self, name: str) -> int:
+        """Ask for what was done as a program."""
+        self._ref += 1
+        self._send(AskProgram(self._ref, name))
+        return self._ref
+
+    def set_pace(self, rate: int) -> None:
+        """Have so many pose frames made a second."""
+        self._send(Pace(rate))
+
+    def ask_snapshot(self) -> int:
+        """Ask for everything that is now."""
+        self._ref += 1
+        self._send(AskSnapshot(self._ref))
+        return self._ref
+
+    @property
+    def behind(self) -> bool:
+        """Whether the session does not read what it is told."""
+        pipe = None if self._process is None else self._process.stdin
+        return pipe is not None and pipe.transport.get_write_buffer_size() > BEHIND
+
+    def stop(self) -> None:
+        """Ask the session to end; `run` then returns."""
+        if self._process is not None and self._process.stdin is not None:
+            self._send(Stop())
+            self._process.stdin.close()
+
+    def _now(self) -> float:
+        """Return the session time of now [s]."""
+        return max(0.0, time.monotonic() - self._epoch)
+
+    def _send(self, order: ToSession) -> None:
+        pipe = None if self._process is None else self._process.stdin
+        if pipe is not None and not pipe.is_closing():
+            pipe.write(_encode(order) + b"\n")
+
+    async def _read(self, process: asyncio.subprocess.Process) -> None:
+        assert process.stdout is not None
+        begun = bytearray()
+        try:
+            while data := await process.stdout.read(CHUNK):
+                begun += data
+                self._take_all(_whole(begun))
+            self.failure = self.failure or "the session ended"
+        except (msgspec.DecodeError, _BadLength):
+            self.failure = "the session sent what cannot be read"
+
+    def _take_all(self, messages: list[bytes]) -> None:
+        """Take messages; of several pose frames the last, so that who is late shows what is now."""
+        poses = [number for number, message in enumerate(messages) if message[0] == _POSE]
+        for number, message in enumerate(messages):
+            if message[0] != _POSE:
+                self._take(message)
+            elif number == poses[-1]:
+                self._on_pose(message)
+
+    def _take(self, message: bytes) -> None:
+        head = _heads.decode(message)
+        if head.type == "ready":
+            self._epoch = head.epoch_s
+            self.scene = bytes(head.scene)
+            self.ready = True
+        elif head.type == "failed":
+            self.failure = head.text
+        self._on_message(head, message)
+
+    async def _end(self) -> None:
+        process = self._process
+        if process is None:
+            return
+        if process.stdin is not None:
+            process.stdin.close()
+        try:
+            await asyncio.wait_for(process.wait(), END_S)
+        except TimeoutError:
+            process.kill()
+            await process.wait()
+
+
+class _BadLength(Exception):  # noqa: N818 -- names the situation
+    """What comes is no message."""
+
+
+def _whole(begun: bytearray) -> list[bytes]:
+    """Take all messages that are whole off the front of what has come.
+
+    Raises:
+        _BadLength: A message is too long, or has no content.
+    """
+    found: list[bytes] = []
+    at = 0
+    while len(begun) - at >= LENGTH.size:
+        (length,) = LENGTH.unpack_from(begun, at)
+        if not 0 < length <= LONGEST:
+            raise _BadLength
+        end = at + LENGTH.size + length
+        if len(begun) < end:
+            break
+        found.append(bytes(begun[at + LENGTH.size : end]))
+        at = end
+    del begun[:at]
+    return found
+
+
+def _environment() -> dict[str, str]:
+    """Return the environment without what is not needed; numbers are crunched by one thread."""
+    kept = ("PATH", "HOME", "LANG", "LC_ALL", "PYTHONPATH", "VIRTUAL_ENV", "TMPDIR", "SYSTEMROOT")
+    own = {name: os.environ[name] for name in kept if name in os.environ}
+    return {**own, "OPENBLAS_NUM_THREADS": "1", "PYTHONUNBUFFERED": "1"}

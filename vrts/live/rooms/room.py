@@ -1,0 +1,338 @@
+"""A room: the people in it, the control right, the session they share, and what they were told."""
+
+from collections import deque
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Final, NamedTuple
+
+import msgspec
+from msgspec import structs
+
+from vrts.live.door import binary_frame, text_frame
+from vrts.live.protocol import (
+    Chat,
+    Control,
+    Message,
+    Now,
+    People,
+    Person,
+    Role,
+    RoomEntry,
+    WallRow,
+)
+from vrts.live.rooms.control import ControlRight
+from vrts.live.rooms.member import FULL_RATE, Member
+from vrts.live.rooms.process import SessionProcess
+from vrts.live.session.views.frame import unpacked
+from vrts.live.store.bars import Bars
+from vrts.live.store.progress import Reached
+from vrts.live.store.rooms import HISTORY, KeptRoom
+
+REMEMBERED: Final = 4000  # reliable messages for those who come back
+REMEMBERED_BYTES: Final = 4 * 1024 * 1024
+
+encode = msgspec.json.Encoder().encode
+
+
+class Audience(NamedTuple):
+    """Who is told something."""
+
+    persons: frozenset[str] = frozenset()  # places in the room
+    accounts: frozenset[int] = frozenset()
+    supervisors: bool = False
+    everybody: bool = False
+
+    def includes(self, member: Member) -> bool:
+        """Return whether somebody is meant."""
+        return (
+            self.everybody
+            or member.id in self.persons
+            or member.account.id in self.accounts
+            or (self.supervisors and member.supervisor)
+        )
+
+
+EVERYBODY: Final = Audience(everybody=True)
+
+
+class Told(NamedTuple):
+    """A reliable message that was sent."""
+
+    number: int
+    to: Audience
+    frame: bytes
+
+
+class Asked(NamedTuple):
+    """A command or question that the session has not answered yet."""
+
+    kind: str
+    person: str
+    of: int
+    account: int | None
+    name: str
+    action: bytes  # JSON; empty for questions
+
+
+class Watched(msgspec.Struct, frozen=True):
+    """What the wall shows of a session's `Status`."""
+
+    time_s: float = 0.0
+    joints_rad: tuple[float, ...] = ()
+    hand_m: float = 0.0
+    text: str = ""
+    contacts: int = 0
+    mark: float | None = None
+
+
+class _Placed(msgspec.Struct, frozen=True):
+    """What the wall reads of a session's `Moved` or `Snapshot`: rows of `Placed`."""
+
+    bodies: tuple[msgspec.Raw, ...] = ()
+
+
+class _Body(msgspec.Struct, frozen=True):
+    body: str
+
+
+_placed = msgspec.json.Decoder(_Placed)
+_body = msgspec.json.Decoder(_Body)
+_watched = msgspec.json.Decoder(Watched)
+
+
+@dataclass(slots=True, eq=False)
+class Room:
+    """One of the server's rooms."""
+
+    kept: KeptRoom
+    number: int = 0  # last reliable number
+    session: int = 0
+    process: SessionProcess | None = None
+    task: str = ""  # title
+    frozen: bool = False
+    logged: int = 0  # bytes of the log of the session
+    log_full: bool = False  # that was told
+    barred: Bars = field(default_factory=dict[int, str])  # who may not enter
+    members: dict[str, Member] = field(default_factory=dict[str, Member])
+    control: ControlRight = field(default_factory=ControlRight)
+    chat: "deque[tuple[Chat, Audience]]" = field(default_factory=lambda: deque(maxlen=HISTORY))
+    asked: dict[int, Asked] = field(default_factory=dict[int, Asked])
+    joining: list[Member] = field(default_factory=list[Member])  # wait for a snapshot
+    status: bytes = b""  # JSON of the last `Status`
+    placed: dict[str, msgspec.Raw] = field(default_factory=dict[str, msgspec.Raw])  # by body
+    pace: int = FULL_RATE  # pose frames a second that the session makes
+    halting: bool = False  # a panic is on its way
+    frame: bytes = b""  # the last pose frame; empty: session time is another one since
+    crowd_changed: float = 0.0  # since when people are to be told who is here; 0: they know
+    _told: deque[Told] = field(default_factory=deque[Told])
+    _bytes: int = 0
+
+    @property
+    def id(self) -> str:
+        """What the room is called in messages."""
+        return self.kept.id
+
+    @property
+    def entry(self) -> RoomEntry:
+        """The room as a list of rooms shows it."""
+        kept = self.kept
+        return RoomEntry(kept.id, kept.name, kept.scene, self.task, self.crowd)
+
+    @property
+    def crowd(self) -> int:
+        """How many people are here; some have several pages open."""
+        return len({member.account.id for member in self.members.values()})
+
+    @property
+    def reached(self) -> Reached | None:
+        """How far the session has come; None: that is not known now."""
+        return Reached(self.id, self.session, unpacked(self.frame).time_s) if self.frame else None
+
+    @property
+    def scene_url(self) -> str:
+        """Where the scene can be fetched; empty while the session begins."""
+        ready = self.process is not None and self.process.ready
+        return f"/scene/{self.id}/{self.session}" if ready else ""
+
+    # --- telling ---------------------------------------------------------------------------------
+
+    def pose(self, payload: bytes, now: float) -> None:
+        """Pass a pose frame on to those for whom one is due."""
+        self.frame = payload
+        frame = binary_frame(payload)
+        for member in self.members.values():
+            member.pose(frame, now, self.pace)
+
+    def set_pace(self) -> None:
+        """Have as many pose frames made as the fastest wants."""
+        wanted = (m.rate for m in self.members.values() if m.door is not None)
+        pace = max(FULL_RATE, *wanted, 0)
+        if pace != self.pace and self.process is not None and self.process.ready:
+            self.pace = pace
+            self.process.set_pace(pace)
+
+    def forget(self, name: str) -> None:
+        """Forget what somebody said who was purged."""
+        kept = [
+            (structs.replace(line, to="") if line.to == name else line, to)
+            for line, to in self.chat
+            if line.name != name
+        ]
+        self.chat.clear()
+        self.chat.extend(kept)
+        self._told.clear()
+        self._bytes = 0
+
+    def next_number(self) -> int:
+        """Return the number of the reliable message that is sent next."""
+        self.number += 1
+        return self.number
+
+    def tell(self, message: Message, number: int, to: Audience = EVERYBODY) -> None:
+        """Send a reliable message, and remember it for those who come back."""
+        frame = text_frame(encode(message))
+        self._told.append(Told(number, to, frame))
+        self._bytes += len(frame)
+        while len(self._told) > REMEMBERED or self._bytes > REMEMBERED_BYTES:
+            self._bytes -= len(self._told.popleft().frame)
+        for member in self.audience(to):
+            member.send(frame)
+
+    def show(self, message: Message, to: Audience = EVERYBODY) -> None:
+        """Send a state, which a later one replaces."""
+        frame = text_frame(encode(message))
+        for member in self.audience(to):
+            member.send(frame)
+
+    def show_status(self, status: bytes) -> None:
+        """Pass the session's status on, latest value wins."""
+        self.status = status
+        frame = text_frame(encode(Now(msgspec.Raw(status))))
+        for member in self.members.values():
+            if member.door is not None and member.settled:
+                member.door.latest("now", frame)
+
+    def place(self, message: bytes, *, whole: bool) -> None:
+        """Learn how bodies lie from a session's `Moved`, or all of them from its `Snapshot`."""
+        if whole:
+            self.placed.clear()
+        for row in _placed.decode(message).bodies:  # later rows of a body replace earlier ones
+            self.placed[_body.decode(row).body] = row.copy()
+
+    def audience(self, to: Audience) -> Iterable[Member]:
+        """Return who is meant."""
+        everybody = self.members.values()
+        return everybody if to.everybody else [m for m in everybody if to.includes(m)]
+
+    def remembers(self, seen: int) -> bool:
+        """Return whether all that came after a number is still known."""
+        return seen <= self.number and (
+            seen == self.number or (bool(self._told) and self._told[0].number <= seen + 1)
+        )
+
+    def missed(self, member: Member, seen: int) -> list[bytes]:
+        """Return the frames for somebody who came back."""
+        return [
+            told.frame for told in self._told if told.number > seen and told.to.includes(member)
+        ]
+
+    def chat_for(self, member: Member) -> tuple[Chat, ...]:
+        """Return the history of the chat that somebody may read."""
+        return tuple(line for line, to in self.chat if to.includes(member))
+
+    # --- the session ------------------------------------------------------------------------------
+
+    def ask(self, ref: int, kind: str, member: Member, of: int, action: bytes = b"") -> None:
+        """Remember who waits for an answer of the session."""
+        account = member.account
+        self.asked[ref] = Asked(kind, member.id, of, account.id, account.name, action)
+
+    def panic(self, member: Member) -> None:
+        """Pass a panic on at once; while one is on its way, another would change nothing."""
+        if self.process is not None and self.process.ready and not self.halting:
+            self.halting = True
+            self.ask(self.process.halt(), "panic", member, 0, b'{"type":"panic"}')
+
+    # --- states ----------------------------------------------------------------------------------
+
+    def show_control(self) -> None:
+        """Tell everybody who has the control right, and the holder the lease."""
+        for_all = text_frame(encode(self.control_for(None)))
+        for member in self.members.values():
+            if member.id == self.control.holder:
+                member.send(text_frame(encode(self.control_for(member))))
+            else:
+                member.send(for_all)
+
+    def control_for(self, member: Member | None) -> Control:
+        """Return the state of the control right as somebody may know it."""
+        control = self.control
+        holds = member is not None and member.id == control.holder
+        return Control(
+            holder=control.holder,
+            lease=control.lease if holds else "",
+            queue=tuple(control.queue),
+            locked=control.locked,
+            frozen=self.frozen,
+            chat=self.kept.chat,
+            turn_s=control.turn_s,
+            idle_s=control.idle_s,
+            ends=control.ends(),
+        )
+
+    def show_people(self, muted: frozenset[int]) -> None:
+        """Tell everybody who is here."""
+        self.crowd_changed = 0.0
+        with_rates, without = (
+            text_frame(encode(self.people(muted, rates=rates))) for rates in (True, False)
+        )
+        for member in self.members.values():
+            member.send(with_rates if member.supervisor else without)
+
+    def people(self, muted: frozenset[int], *, rates: bool) -> People:
+        """Return who is here; `rates`: with what only supervisors are told."""
+        return People(
+            tuple(
+                Person(
+                    member.id,
+                    member.account.name,
+                    self._role(member),
+                    member.hand,
+                    member.account.id in muted,
+                    member.door is None,
+                    member.rate if rates else 0,
+                )
+                for member in self.members.values()
+            ),
+            tuple(sorted(set(self.barred.values()))) if rates else (),
+        )
+
+    def wall_row(self) -> WallRow:
+        """Return the room as the wall shows it."""
+        status = _watched.decode(self.status) if self.status else Watched()
+        holder = self.members.get(self.control.holder)
+        reached = self.reached
+        return WallRow(
+            id=self.id,
+            name=self.kept.name,
+            scene=self.kept.scene,
+            task=self.task,
+            operator=holder.account.name if holder else "",
+            people=self.crowd,
+            hands=tuple(m.account.name for m in self.members.values() if m.hand),
+            queue=len(self.control.queue),
+            time_s=status.time_s if reached is None else reached.time_s,
+            line=status.text,
+            contacts=status.contacts,
+            mark=status.mark,
+            joints_rad=status.joints_rad,
+            alive=self.process is not None and self.process.ready,
+            scene_url=self.scene_url,
+            hand_m=status.hand_m,
+            bodies=tuple(self.placed.values()),
+        )
+
+    def _role(self, member: Member) -> Role:
+        if member.supervisor:
+            return "supervisor"
+        return "operator" if member.id == self.control.holder else "viewer"

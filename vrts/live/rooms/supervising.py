@@ -1,0 +1,185 @@
+"""What a supervisor may do besides: people, control right, rooms, scenes, the wall, logs."""
+
+import time
+
+from vrts.live.names import display_name, readable
+from vrts.live.protocol import (
+    Allow,
+    Broadcast,
+    CloseRoom,
+    ExportLog,
+    Freeze,
+    HandOver,
+    Kick,
+    Lock,
+    LogFile,
+    MakeRooms,
+    Mute,
+    Project,
+    SetChat,
+    SetScene,
+    SetTurn,
+    WatchWall,
+)
+from vrts.live.refusal import NotObeyed
+from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.member import Member
+from vrts.live.rooms.room import EVERYBODY, Room
+from vrts.live.rooms.sessions import Sessions
+from vrts.live.store.bars import allow, bar
+
+Supervision = (
+    HandOver
+    | Lock
+    | Freeze
+    | Kick
+    | Allow
+    | Mute
+    | SetChat
+    | SetTurn
+    | SetScene
+    | MakeRooms
+    | CloseRoom
+    | Broadcast
+    | WatchWall
+    | Project
+    | ExportLog
+)
+
+
+async def supervise(
+    hub: Hub, sessions: Sessions, room: Room, member: Member, message: Supervision
+) -> None:
+    """Do what a supervisor asks for; that they are one was made sure of.
+
+    Raises:
+        NotObeyed: It cannot be done.
+    """
+    match message:
+        case HandOver() | Lock() | Freeze():
+            _control(hub, room, member, message)
+        case Kick():
+            await _kick(hub, room, member, message)
+        case Allow():
+            await hub.database.do(lambda connection: allow(connection, room.id, message.name))
+            room.barred = {a: name for a, name in room.barred.items() if name != message.name}
+            hub.record(room, "allow", member.account, {"name": message.name})
+            hub.crowd_changed(room)
+            hub.rooms_changed()
+        case Mute():
+            account = _person(room, message.person).account.id
+            (hub.muted.add if message.on else hub.muted.discard)(account)
+            hub.crowd_changed(room)
+        case SetChat():
+            await hub.change(room, room.kept._replace(chat=message.on))
+            room.show_control()
+        case SetTurn():
+            kept = room.kept._replace(turn_s=message.turn_s, idle_s=message.idle_s)
+            await hub.change(room, kept)
+            room.show_control()
+        case SetScene():
+            await _set_scene(hub, sessions, room, member, message.scene)
+        case MakeRooms():
+            await _make_rooms(hub, sessions, message)
+        case CloseRoom():
+            closed = _room(hub, message.room)
+            if len(hub.rooms) == 1:
+                help_ = "begin anew in it, or make another one first"
+                raise NotObeyed("room", "the last room stays open", help_)
+            hub.record(closed, "close", member.account, {})
+            await hub.close(closed)
+        case Broadcast():
+            await _broadcast(hub, sessions, member, message)
+        case WatchWall():
+            member.wall = message.on
+        case Project():
+            hub.projector = _room(hub, message.room).id
+            hub.rooms_changed()
+        case ExportLog():
+            url = f"/log/{_room(hub, message.room).id}"
+            hub.tell_only(member, LogFile(message.of, url))
+
+
+def _control(hub: Hub, room: Room, member: Member, message: HandOver | Lock | Freeze) -> None:
+    now = time.time()
+    match message:
+        case HandOver():
+            to = _person(room, message.person) if message.person else None
+            if to is None:
+                room.control.release(now)
+            else:
+                room.control.hand_over(to.id, now)
+            hub.record(room, "hand_over", member.account, {"to": to and to.account.id})
+            hub.control_changed(room)
+        case Lock():
+            hub.record(room, "lock", member.account, {"on": message.on})
+            if message.on:
+                room.control.locked = True
+            else:
+                room.control.unlock(now)
+            hub.control_changed(room)
+        case Freeze():
+            for frozen in hub.rooms.values() if message.everywhere else (room,):
+                frozen.frozen = message.on
+                hub.record(frozen, "freeze", member.account, {"on": message.on})
+                if message.on:
+                    frozen.panic(member)
+                frozen.show_control()
+
+
+async def _kick(hub: Hub, room: Room, member: Member, message: Kick) -> None:
+    account = _person(room, message.person).account
+    if account.supervisor:
+        raise NotObeyed("role", "a supervisor cannot be sent away")
+    await hub.database.do(lambda connection: bar(connection, room.id, account.id, account.name))
+    room.barred[account.id] = account.name
+    hub.record(room, "kick", member.account, {"whom": account.id})
+    for other in list(room.members.values()):
+        if other.account.id == account.id:
+            hub.send_away(other, "kicked", "the supervisor has sent you away from this room")
+
+
+async def _set_scene(hub: Hub, sessions: Sessions, room: Room, member: Member, scene: str) -> None:
+    _known(hub, scene)
+    await hub.change(room, room.kept._replace(scene=scene))
+    hub.record(room, "scene", member.account, {"scene": scene})
+    sessions.begin_anew(room)
+
+
+async def _make_rooms(hub: Hub, sessions: Sessions, message: MakeRooms) -> None:
+    names = [display_name(wanted.name) for wanted in message.rooms]
+    if not all(names):
+        raise NotObeyed("name", "a name needs a letter or a digit")
+    for wanted in message.rooms:
+        _known(hub, wanted.scene)
+    for name, wanted in zip(names, message.rooms, strict=True):
+        sessions.begin(await hub.make_room(name, wanted.scene))
+    hub.rooms_changed()
+
+
+async def _broadcast(hub: Hub, sessions: Sessions, member: Member, message: Broadcast) -> None:
+    text = readable(message.text)
+    for room in list(hub.rooms.values()):
+        if text:
+            await hub.say(room, member, text, EVERYBODY, None)
+        if message.scene:
+            await _set_scene(hub, sessions, room, member, message.scene)
+
+
+def _known(hub: Hub, scene: str) -> None:
+    if hub.settings.place(scene) is None:
+        raise NotObeyed("scene", f"there is no scene `{readable(scene)}` in the set")
+
+
+def _person(room: Room, id_: str) -> Member:
+    found = room.members.get(id_)
+    if found is None:
+        raise NotObeyed("person", "they are not here any more")
+    return found
+
+
+def _room(hub: Hub, id_: str) -> Room:
+    found = hub.rooms.get(id_)
+    if found is None:
+        raise NotObeyed("room", "there is no such room any more")
+    return found

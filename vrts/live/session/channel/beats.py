@@ -1,0 +1,41 @@
+"""When a session beats: 50 times a second or as told, once sooner when a command is to show."""
+
+import math
+
+from vrts.live.actions import Keep
+from vrts.live.session.channel.messages import BEAT, Act, Halt, ToSession
+
+AFTER_TICK = 0.004  # [s] after a tick the first motion of an arm that stood still can be seen
+
+
+class Beats:
+    """Knows when the next beat is due, by the clock that the session is given."""
+
+    def __init__(self, now_s: float) -> None:
+        """Have the first one due now [s]."""
+        self.period_s = BEAT
+        self._regular_s = now_s
+        self._early_s = math.inf
+
+    @property
+    def due_s(self) -> float:
+        """When the next beat is due [s]."""
+        return min(self._regular_s, self._early_s)
+
+    def bring_forward(self, at_s: float) -> None:
+        """Have a beat at a time [s], however soon that is; the later ones follow from there."""
+        self._early_s = min(self._early_s, at_s)
+
+    def kept(self, now_s: float) -> None:
+        """Take note that the beat that was due is over at a time [s]."""
+        due_s = self.due_s
+        if due_s >= self._early_s:
+            self._early_s = math.inf
+        self._regular_s = max(due_s + self.period_s, now_s)
+
+
+def shows(order: ToSession) -> bool:
+    """Return whether an order may change what is seen at the next tick."""
+    return isinstance(order, Halt) or (
+        isinstance(order, Act) and not isinstance(order.action, Keep)
+    )

@@ -1,7 +1,0 @@
-"""Marks one session in a process that was started for it, where processes are not forked."""
-
-from vrts.live.session_marker import SessionMarker
-from vrts.marking.alone import main
-
-if __name__ == "__main__":
-    main(SessionMarker)

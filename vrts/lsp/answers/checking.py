@@ -1,0 +1,61 @@
+"""The diagnostics of a buffer, with what other files of its group add to it."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from vrts.base.diagnostic import Diagnostic, Severity
+from vrts.lang.compiler import Options, compile_source
+from vrts.lang.findings.usage import UNDEFINED_LOCATION, UNDEFINED_PROGRAM, UNDEFINED_VARIABLE
+from vrts.lsp.documents.documents import Document
+
+_FAMILIES = {
+    UNDEFINED_PROGRAM: "program",
+    UNDEFINED_LOCATION: "variable",
+    UNDEFINED_VARIABLE: "variable",
+}
+
+
+def check(
+    document: Document, group: Sequence[Document] = (), *, is_whole: bool = True
+) -> tuple[Diagnostic, ...]:
+    """Return what is wrong with a buffer.
+
+    Args:
+        document: The buffer.
+        group: Files that belong together with it. What they define is only noted as coming from
+            elsewhere.
+        is_whole: Whether all files of the folder are known; else what is missing is only noted.
+    """
+    if document.refusal is not None:
+        return (document.refusal,)
+    if not document.source.text.strip():
+        return ()
+    found = compile_source(document.source, Options(dialect=None)).diagnostics
+    return tuple(_linked(d, document, group, is_whole=is_whole) for d in found)
+
+
+def _linked(
+    diagnostic: Diagnostic, document: Document, group: Sequence[Document], *, is_whole: bool
+) -> Diagnostic:
+    family = _FAMILIES.get(diagnostic.rule)
+    name = diagnostic.data.get("name")
+    if family is None or not isinstance(name, str):
+        return diagnostic
+    for other in group:
+        if other is not document and name in _defined(other, family):
+            return replace(
+                diagnostic,
+                severity=Severity.NOTE,
+                notes=(f"`{other.source.name}` has it",),
+                help=(f"check both together: `--with {other.source.name}`",),
+                fix=None,
+            )
+    if not is_whole:
+        notes = ("the other files of the folder are still being read",)
+        return replace(diagnostic, severity=Severity.NOTE, notes=notes, help=(), fix=None)
+    return diagnostic
+
+
+def _defined(document: Document, family: str) -> frozenset[str]:
+    names = document.names
+    return names.defined_programs if family == "program" else names.defined_variables

@@ -1,0 +1,77 @@
+"""Edits that take the cause of a diagnostic away."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Diagnostic
+from vrts.lang.findings.usage import UNDEFINED_PROGRAM
+from vrts.lang.meaning.structure import MISSING_END
+from vrts.lang.reading.splitter import MISSING_END_LINE
+from vrts.lsp.answers.formatting import Edit
+from vrts.lsp.documents.documents import Document
+
+
+class Remedy(NamedTuple):
+    """An edit, and what it does in a few words."""
+
+    title: str
+    edit: Edit
+    preferred: bool = True
+
+
+def remedies(document: Document, diagnostic: Diagnostic) -> Iterator[Remedy]:
+    """Return what would take the cause of a diagnostic of a buffer away."""
+    fix = diagnostic.fix
+    if fix is not None:
+        span = fix.span
+        yield Remedy(_title(span.text, fix.replacement), Edit(*span[1:], fix.replacement))
+    if diagnostic.rule == MISSING_END:
+        yield from _end(document, diagnostic)
+    elif diagnostic.rule == MISSING_END_LINE:
+        yield _end_line(document, diagnostic)
+    elif diagnostic.rule == UNDEFINED_PROGRAM:
+        name = diagnostic.data.get("name")
+        end = len(document.source.text)
+        begin = "\n" if document.source.text.endswith("\n") else "\n\n"
+        text = f"{begin}.PROGRAM {name}\n.END\n"
+        yield Remedy(f"Write a program `{name}`", Edit(end, end, text), preferred=False)
+
+
+def _title(before: str, after: str) -> str:
+    if not before:
+        return f"Insert `{after.strip()}`" if after.strip() else "Insert a blank"
+    if not after:
+        return f"Take out `{before.strip()}`" if before.strip() else "Take out blanks"
+    return f"Write `{after}` instead of `{before}`"
+
+
+def _end(document: Document, diagnostic: Diagnostic) -> Iterator[Remedy]:
+    """Close a structure where its program ends; a DO would need its condition."""
+    if diagnostic.primary is None or not diagnostic.secondary:
+        return
+    opener = diagnostic.primary.span
+    if opener.text[:2].upper() == "DO":
+        return
+    source = document.source
+    line = source.line_text(opener.line)
+    column = opener.column - 1
+    indent = " " * len(line[:column].expandtabs(8))
+    finish = diagnostic.secondary[0].span
+    if finish.start == finish.end:
+        edit = Edit(finish.end, finish.end, f"\n{indent}END")
+    else:
+        start = source.line_starts[finish.line - 1]
+        edit = Edit(start, start, f"{indent}END\n")
+    yield Remedy("Write the missing END", edit)
+
+
+def _end_line(document: Document, diagnostic: Diagnostic) -> Remedy:
+    """End a section before the next one begins, or at the end of the text."""
+    source = document.source
+    if diagnostic.secondary:
+        start = source.line_starts[diagnostic.secondary[0].span.line - 1]
+        edit = Edit(start, start, ".END\n")
+    else:
+        end = len(source.text)
+        edit = Edit(end, end, ".END\n" if source.text.endswith("\n") else "\n.END\n")
+    return Remedy("Write the missing .END", edit)

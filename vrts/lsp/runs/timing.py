@@ -1,0 +1,79 @@
+"""When each motion of a program ends, and how near it comes, for the end of its line."""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from vrts.engine.run import Run
+    from vrts.pipeline.settings import Setting
+
+MOST_TIMES = 3  # of one step that are told
+STEP_S = 0.05  # between samples of the clearance
+_SAMPLES = 1000
+
+
+class Timing(NamedTuple):
+    """The motions of one line."""
+
+    line: int  # from 1
+    ends_s: tuple[float, ...]  # the first few times, since the program began [s]
+    takes_s: float  # how long the first one takes [s]
+    times: int  # how often the line moved the arm
+    clearance_mm: float | None = None  # the least that was sampled; None: far, or no scene
+
+
+def timings(setting: "Setting", run: "Run", path: str, *, near: bool) -> tuple[Timing, ...]:
+    """Return the motions of a run by the lines of one file.
+
+    Args:
+        setting: What was run in.
+        run: What happened.
+        path: Of the file.
+        near: Whether to measure clearances.
+    """
+    curve = _clearance_curve(setting, run) if near else []
+    by_line: dict[int, list[tuple[float, float]]] = {}
+    for motion in run.motions:
+        span = motion.cause.span
+        if span.source.name == path:
+            times = motion.start_s - run.started_s, motion.end_s - run.started_s
+            by_line.setdefault(span.line, []).append(times)
+    return tuple(
+        Timing(
+            line,
+            tuple(end for _, end in moved[:MOST_TIMES]),
+            moved[0][1] - moved[0][0],
+            len(moved),
+            _least(curve, moved),
+        )
+        for line, moved in sorted(by_line.items())
+    )
+
+
+def _clearance_curve(setting: "Setting", run: "Run") -> list[tuple[float, float]]:
+    """Return times since the program began [s] and clearances [mm]; none without a task."""
+    if setting.task is None or run.horizon_s <= 0.0:
+        return []
+    import numpy as np
+
+    from vrts.base.units import mm
+    from vrts.check.collision.clearance_curve import FAR, clearance_curve
+
+    count = min(int(run.horizon_s / STEP_S) + 2, _SAMPLES)
+    times = np.linspace(0.0, run.horizon_s, count)
+    values = clearance_curve(setting.scene, run, times, setting.task.near_miss)
+    rows = zip(times.tolist(), values.tolist(), strict=True)
+    return [(time - run.started_s, mm(value)) for time, value in rows if value < FAR]
+
+
+def _least(curve: list[tuple[float, float]], moved: list[tuple[float, float]]) -> float | None:
+    """Return the least clearance [mm] sampled during some motions."""
+    inside = (value for time, value in curve if any(start <= time <= end for start, end in moved))
+    return min(inside, default=None)
+
+
+def hint(timing: Timing) -> str:
+    """Return what to show behind a motion."""
+    shown = ", ".join(f"{end:.1f}" for end in timing.ends_s)
+    text = f"{shown}{' ...' if timing.times > len(timing.ends_s) else ''} s"
+    near = timing.clearance_mm
+    return text if near is None else f"{text}, {near:.0f} mm"

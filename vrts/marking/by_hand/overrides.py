@@ -1,0 +1,182 @@
+"""Changes of marks by hand: `overrides.toml` in `staff`, which marking reads and never writes over.
+
+Every `[[change]]` names a student, and either `delta` (points to add) or `mark` (what the mark is
+to be after lateness), with a reason, who decides, and when. Those of one student are made in the
+order of the file. They stand beside the computed mark, and survive marking again.
+"""
+
+from collections.abc import Collection, Iterable, Mapping
+from datetime import date
+from difflib import get_close_matches
+from fractions import Fraction
+from types import MappingProxyType
+from typing import NamedTuple
+
+import msgspec
+
+from vrts.base.diagnostic import Diagnostic, Label, Rule
+from vrts.base.source import SourceFile, Span
+from vrts.base.toml.reading import Problems, Table, read_toml
+from vrts.marking.row import Change, Class, Row, final_mark, row_of
+
+CHANGE = Rule("V770", "change-by-hand")
+UNKNOWN_STUDENT = Rule("V771", "unknown-student")
+
+FULL = 10  # points
+LONGEST = 1000  # characters of a reason
+
+
+class Override(NamedTuple):
+    """One change, as the file has it."""
+
+    student: str
+    delta: Fraction | None  # None: `mark` is given
+    mark: Fraction | None
+    reason: str
+    who: str
+    date: str  # ISO 8601
+
+
+class Overrides(NamedTuple):
+    """The changes of a class."""
+
+    changes: Mapping[str, tuple[Override, ...]]  # by student, in the order of the file
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+    @property
+    def wrong(self) -> bool:
+        """Whether the file has errors; nothing in it may be used then."""
+        return any(diagnostic.is_error for diagnostic in self.diagnostics)
+
+
+NONE = Overrides(MappingProxyType({}))
+
+
+def read_overrides(source: SourceFile, known: Collection[str]) -> Overrides:
+    """Return the changes in a file.
+
+    Args:
+        source: Text of `overrides.toml`.
+        known: Identifiers of the class; who is not among them is warned of.
+    """
+    top, problems = read_toml(source)
+    if top is None:
+        return Overrides({}, problems.in_order())
+    found: dict[str, tuple[Override, ...]] = {}
+    seen: dict[Override, Span] = {}
+    for table in top.tables("change"):
+        override = _override(table, problems, known)
+        if override is None:
+            continue
+        if override in seen:
+            problems.error(
+                CHANGE,
+                f"the same change of `{override.student}` is there twice",
+                table.span,
+                "again here",
+                secondary=(Label(seen[override], "first here"),),
+                help=("delete one of them; two changes that are both meant differ in `reason`",),
+            )
+        seen.setdefault(override, table.span)
+        found[override.student] = (*found.get(override.student, ()), override)
+    top.finish()
+    return Overrides({} if problems.any_error else found, problems.in_order())
+
+
+def _override(table: Table, problems: Problems, known: Collection[str]) -> Override | None:
+    student = table.string("student", required=True)
+    delta = table.fraction("delta", minimum=-FULL, maximum=FULL)
+    mark = table.fraction("mark", minimum=0, maximum=FULL)
+    reason = _words(table, problems, "reason")
+    who = _words(table, problems, "who")
+    day = _date(table, problems)
+    table.finish()
+    given = [key for key in ("delta", "mark") if key in table]
+    if len(given) != 1:
+        problems.error(
+            CHANGE,
+            "a change has either `delta` or `mark`" + (", not both" if given else ""),
+            table.span_of("mark"),
+            help=("`delta` is added to the mark; `mark` takes its place",),
+        )
+        return None
+    if student is not None and student not in known:
+        close = get_close_matches(student, known, 1, 0.6)
+        problems.warning(
+            UNKNOWN_STUDENT,
+            f"there is no student `{student}` in this class",
+            table.value_span("student"),
+            notes=("this change has no effect",),
+            help=(f"did you mean `{close[0]}`?",) if close else (),
+        )
+    if student is None or reason is None or who is None or day is None:
+        return None
+    if delta is None and mark is None:
+        return None
+    return Override(student, delta, mark, reason, who, day)
+
+
+def _words(table: Table, problems: Problems, key: str) -> str | None:
+    text = table.string(key, required=True)
+    if text is None:
+        return None
+    if not text.strip() or len(text) > LONGEST:
+        what = "is empty" if not text.strip() else f"has more than {LONGEST} characters"
+        problems.error(CHANGE, f"`{key}` {what}", table.value_span(key))
+        return None
+    return text.strip()
+
+
+def _date(table: Table, problems: Problems) -> str | None:
+    text = table.string("date", required=True)
+    if text is None:
+        return None
+    try:
+        date.fromisoformat(text)
+    except ValueError:
+        problems.error(
+            CHANGE,
+            f"`{text}` is no date",
+            table.value_span("date"),
+            help=('write such as "2026-11-30"',),
+        )
+        return None
+    return text
+
+
+def change_of(after_lateness: Fraction | None, overrides: Iterable[Override]) -> Change | None:
+    """Return what changes by hand come to, made one after the other; None where there are none.
+
+    Args:
+        after_lateness: The mark before they are made; None counts as 0.
+        overrides: Of one student.
+    """
+    before = value = after_lateness or Fraction(0)
+    made = tuple(overrides)
+    if not made:
+        return None
+    for override in made:
+        if override.mark is not None:
+            value = override.mark
+        else:
+            assert override.delta is not None
+            value += override.delta
+    return Change(
+        str(value - before),
+        "; ".join(override.reason for override in made),
+        ", ".join(dict.fromkeys(override.who for override in made)),
+        made[-1].date,
+    )
+
+
+def with_overrides(rows: Class, overrides: Overrides) -> Class:
+    """Return the rows of a class with these changes by hand, and no others."""
+    changed = tuple(with_change(row, overrides) for row in rows.rows)
+    return msgspec.structs.replace(rows, rows=changed)
+
+
+def with_change(row: Row, overrides: Overrides) -> Row:
+    """Return a row with the changes by hand that are for it, and no others."""
+    after_lateness = final_mark(row.result.exact_mark, row.late, None)
+    change = change_of(after_lateness, overrides.changes.get(row.id, ()))
+    return row_of(row.result, row.student, row.handed_in, row.late, change)

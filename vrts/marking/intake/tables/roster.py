@@ -1,0 +1,144 @@
+"""Lists of a class that platforms export: who is in it, and with Moodle when their work came.
+
+Moodle's grading worksheet tells ids, names, addresses and times; Canvas's grade book ids, names and
+logins. Headers are of the platform's language, so what is in a column counts where they are not
+known.
+"""
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from datetime import UTC, datetime, tzinfo
+from typing import NamedTuple
+
+from vrts.marking.intake.layouts.hand_in import HandIn, Layout
+from vrts.marking.intake.row import Platform, Student, plain_id
+from vrts.marking.intake.tables.local_time import local_time
+from vrts.marking.intake.tables.table_text import Cell, read_text, table
+from vrts.pipeline.files import CannotRead
+
+LARGEST = 16_000_000  # bytes
+CANVAS_HEADER = ("student", "id")
+KNOWN = ("identifier", "full name", "email address", "status", *CANVAS_HEADER, "section")
+
+_PARTICIPANT = re.compile(r"[^\d@]+?(\d+)$")  # "Participant 123456", "Teilnehmer/in123456"
+_ADDRESS = re.compile(r"[^@\s]+@[^@\s]+$")
+_GRADED = re.compile(r"grade|bewert|note|calific|valut|beoord|avalia", re.IGNORECASE)
+
+
+class Member(NamedTuple):
+    """Somebody in the class."""
+
+    student: Student
+    received: datetime | None  # when the work came, if the list tells
+
+
+class Roster(NamedTuple):
+    """A class."""
+
+    platform: Platform
+    members: Mapping[str, Member]  # by their id on the platform
+    remarks: tuple[str, ...]
+
+
+def read_roster(data: bytes, name: str, zone: tzinfo | None) -> Roster:
+    """Return the class of a grading worksheet of Moodle, or a grade book of Canvas.
+
+    Args:
+        data: Content of the list.
+        name: As shown.
+        zone: In which Moodle shows its times; None: they are left out.
+
+    Raises:
+        CannotRead: It is neither.
+    """
+    lines = table(read_text(data[:LARGEST], name), KNOWN)
+    header = [cell.text.strip().casefold() for cell in lines[0]] if lines else []
+    if tuple(header[:2]) == CANVAS_HEADER:
+        return _canvas(header, lines[1:])
+    if len(lines) > 1 and all(_PARTICIPANT.match(line[0].text.strip()) for line in lines[1:]):
+        return _moodle(header, lines[1:], name, zone)
+    hint = "export Moodle's grading worksheet, or the grade book of Canvas"
+    raise CannotRead(f"`{name}` is no list of a class", (hint,))
+
+
+def enrolled(layout: Layout, roster: Roster) -> Layout:
+    """Return a layout with what a list tells of its students, and hand-ins of who is absent."""
+    platform = roster.platform.value
+    if not any(platform in hand_in.student.ids for hand_in in layout.hand_ins):
+        remark = f"the list of the class has ids of {platform}, the download has none: not used"
+        return layout._replace(remarks=(*layout.remarks, remark))
+    seen: set[str] = set()
+    hand_ins: list[HandIn] = []
+    remarks = list(roster.remarks)
+    for hand_in in layout.hand_ins:
+        number = hand_in.student.ids.get(platform, "")
+        member = roster.members.get(number)
+        if member is None:
+            remarks.append(f"`{' '.join(hand_in.words)}` is not in the list of the class")
+            hand_ins.append(hand_in)
+            continue
+        seen.add(number)
+        ids = {**hand_in.student.ids, **member.student.ids}
+        hand_ins.append(
+            hand_in._replace(
+                student=replace(member.student, ids=ids),
+                received=hand_in.received or member.received,
+            )
+        )
+    hand_ins += [
+        HandIn(number, (member.student.name, number), member.student, ())
+        for number, member in roster.members.items()
+        if number not in seen
+    ]
+    return layout._replace(hand_ins=tuple(hand_ins), remarks=(*layout.remarks, *remarks))
+
+
+def _canvas(header: Sequence[str], lines: Sequence[Sequence[Cell]]) -> Roster:
+    members: dict[str, Member] = {}
+    for line in lines:
+        cells = dict(zip(header, (cell.text.strip() for cell in line), strict=False))
+        number = cells.get("id", "")
+        if not number.isdecimal():
+            continue  # points possible, and the like
+        ids = {Platform.CANVAS.value: number}
+        if cells.get("sis user id"):
+            ids[Platform.SIS.value] = plain_id(cells["sis user id"])
+        student = Student(cells["student"], login=cells.get("sis login id", ""), ids=ids)
+        members[number] = Member(student, None)
+    return Roster(Platform.CANVAS, members, ())
+
+
+def _moodle(
+    header: Sequence[str], lines: Sequence[Sequence[Cell]], name: str, zone: tzinfo | None
+) -> Roster:
+    times = _column_of_times(header, lines)
+    members: dict[str, Member] = {}
+    for line in lines:
+        cells = [cell.text.strip() for cell in line]
+        found = _PARTICIPANT.match(cells[0])
+        assert found is not None, "looked at before"
+        email = next((cell for cell in cells[1:] if _ADDRESS.match(cell)), "")
+        # blind marking has no names
+        named = len(cells) > 1 and len(header) > 1 and header[1] not in ("status", "email address")
+        full = cells[1] if named else ""
+        student = Student(full or cells[0], email, ids={Platform.MOODLE.value: found[1]})
+        time = None
+        if times is not None and times < len(cells) and zone is not None:
+            time = local_time(cells[times], zone)
+        members[found[1]] = Member(student, time)
+    remarks = ()
+    if times is not None and zone is None:
+        remarks = (f"the times in `{name}` have no zone, so they do not count: give one",)
+    return Roster(Platform.MOODLE, members, remarks)
+
+
+def _column_of_times(header: Sequence[str], lines: Sequence[Sequence[Cell]]) -> int | None:
+    """Return the column that tells when work came; the one of grades has times too."""
+    for column, title in enumerate(header):
+        if _GRADED.search(title):
+            continue
+        texts = (line[column].text for line in lines if column < len(line))
+        if any(local_time(text, UTC) is not None for text in texts):
+            return column
+    return None

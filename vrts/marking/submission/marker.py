@@ -1,0 +1,198 @@
+"""Marks one program in a process of its own: the worker of marking.
+
+Where a task has hidden checks a program is marked twice, so that what students get comes from a
+run of the checks that know nothing of the hidden ones.
+"""
+
+import base64
+import sys
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import msgspec
+
+from vrts.assignments.packed import is_packed
+from vrts.assignments.task_folder import reference_of
+from vrts.check.mark.earned import not_reached
+from vrts.marking.result import Damaged, Kind, Record, Result, key_of
+from vrts.marking.submission.one import Marked, Order, Wanted, mark, refused
+from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT, Reader, write_files
+from vrts.marking.submission.setting import Place, load
+from vrts.marking.submission.summary import result_of, unmarked
+from vrts.pipeline.settings import Setting
+
+STUDENT, STAFF = "student", "staff"  # folders of what a process writes
+WRITTEN = tuple(f"{who}/{name}" for who in (STUDENT, STAFF) for name in (REPORT, RECORDING, FAULT))
+
+IDLE = b".PROGRAM warm()\nSTOP\n.END\n"
+
+
+class Marks(Record, frozen=True):
+    """What a process answers."""
+
+    staff: Result
+    student: Result
+
+
+class Marker:
+    """Marks programs by one task."""
+
+    def __init__(self, place: Place, wanted: Wanted) -> None:
+        """Read the task.
+
+        Raises:
+            CannotRead: A file is not there.
+            Refused: Task, scene or scenario have errors.
+        """
+        self.place = place
+        self.wanted = wanted
+        self.whole: Setting = load(place, staff=True)
+        self.public: Setting = self.whole
+        if self.whole.hidden:  # students are told how many checks they do not see
+            self.public = replace(load(place, staff=False), more=self.whole.hidden)
+        assert self.whole.task is not None
+        assert self.public.task is not None
+        known = {entry.check for entry in not_reached(self.public.task)}
+        every = {entry.check for entry in not_reached(self.whole.task)}
+        self.hidden = frozenset(every - known)  # names of checks
+
+    def key(self, data: bytes) -> str:
+        """Return the digest of everything that the result for the staff depends on."""
+        return self._key(data, (self.whole, self.public, *self.whole.variants))
+
+    def public_key(self, data: bytes) -> str:
+        """Return the same for the student: nothing of hidden checks is in it."""
+        return self._key(data, (self.public,))
+
+    def _key(self, data: bytes, settings: Iterable[Setting]) -> str:
+        digests: list[str] = []
+        for setting in settings:
+            assert setting.task is not None
+            digests += [setting.task.digest, setting.scene.digest]
+        wanted = msgspec.json.encode(self.wanted).decode()
+        return key_of(data, *digests, *versions_of_scoring(), wanted)
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the task's file."""
+        path = Path(self.place.task)
+        return path if path.is_dir() else path.parent
+
+    def warm_up(self) -> None:
+        """Load and draw what all submissions share, by marking the reference of the task.
+
+        Without a reference a program that does nothing has to do. Nothing is recorded: recordings
+        start threads, which must not be there when processes fork.
+        """
+        reference = None if is_packed(Path(self.place.task)) else reference_of(self.folder)
+        program = IDLE if reference is None else reference.read_bytes()
+        order = Order("warm-up", "warm-up.v2", program)
+        quiet = msgspec.structs.replace(self.wanted, recordings=False)
+        if self.wanted.recordings:
+            from vrts.report.recording import prepare  # rerun is heavy
+
+            prepare(self.whole.scene)
+        with TemporaryDirectory(prefix="vrts-") as folder:
+            self._work(order, Path(folder), quiet)
+
+    def work(self, order: Order, folder: Path) -> bytes:
+        """Mark, write pages and recordings, and answer with the results."""
+        return msgspec.json.encode(self._work(order, folder, self.wanted))
+
+    def _work(self, order: Order, folder: Path, wanted: Wanted) -> Marks:
+        staff = self._mark(order, self.whole, wanted)
+        student = staff if self.public is self.whole else self._mark(order, self.public, wanted)
+        return self._finished(staff, student, order.data, folder, wanted)
+
+    def _mark(self, order: Order, setting: Setting, wanted: Wanted) -> Marked:
+        return mark(order, setting, wanted)
+
+    def _finished(
+        self, staff: Marked, student: Marked, data: bytes | None, folder: Path, wanted: Wanted
+    ) -> Marks:
+        write_files(
+            (staff, Reader(folder / STAFF, self.whole, grader=True)),
+            (student, Reader(folder / STUDENT, self.public, grader=False)),
+            wanted,
+            self.hidden,
+        )
+        return Marks(
+            self._result(staff, self.whole, data),
+            self._result(student, self.public, data, student=True),
+        )
+
+    def lost(self, order: Order, sentence: str) -> Marks:
+        """Return the results of an order whose process was ended."""
+        hint = "mark it again on a machine with more memory, or look at the program by hand"
+        return self.unmarked(Kind.RESOURCE, order.identifier, sentence, hint, order.data)
+
+    def unmarked(
+        self, kind: Kind, identifier: str, sentence: str, hint: str | None, data: bytes = b""
+    ) -> Marks:
+        """Return the results of a submission that has no mark."""
+        staff = unmarked(kind, identifier, sentence, hint, self.whole, self.key(data))
+        student = unmarked(kind, identifier, sentence, hint, self.public, self.public_key(data))
+        return Marks(staff, student)
+
+    def refused(self, identifier: str, title: str, sentence: str, folder: Path) -> Marks:
+        """Return the results of a file that is no program, and write its pages."""
+        row = refused(identifier, title, sentence, self.public)
+        return self._finished(row, row, None, folder, self.wanted)
+
+    def command(self, order: Order, folder: Path) -> tuple[list[str], bytes]:
+        """Return the same as a command, for systems where nothing is forked."""
+        told = Told(
+            self.place,
+            self.wanted,
+            order.identifier,
+            order.title,
+            base64.b64encode(order.data).decode(),
+            str(folder),
+        )
+        return [sys.executable, "-m", "vrts.marking.submission.alone"], msgspec.json.encode(told)
+
+    def _result(
+        self, row: Marked, setting: Setting, data: bytes | None, *, student: bool = False
+    ) -> Result:
+        from vrts.report.audience import for_student
+
+        a = for_student(row.assessment) if student else row.assessment
+        hidden = () if student else self.hidden
+        key = (self.public_key if student else self.key)(data or b"")
+        if row.fault is not None:
+            found = result_of(a, setting, data, key, hidden)
+            return msgspec.structs.replace(found, kind=Kind.FAULT, mark=None, review=(found.cause,))
+        return result_of(a, setting, data, key, hidden)
+
+
+class Told(Record, frozen=True):
+    """What a process that is started anew is told."""
+
+    place: Place
+    wanted: Wanted
+    identifier: str
+    title: str
+    program: str  # in base64
+    folder: str
+
+
+def read_marks(data: bytes) -> Marks:
+    """Return the results that a process answered with.
+
+    Raises:
+        Damaged: They are none.
+    """
+    try:
+        return msgspec.json.decode(data, type=Marks)
+    except msgspec.MsgspecError as problem:
+        raise Damaged(str(problem)) from problem
+
+
+def versions_of_scoring() -> tuple[str, str]:
+    """Return the versions that results depend on: of vrts and of the scoring."""
+    from vrts import __version__
+    from vrts.marking.result import SCORING
+
+    return __version__, str(SCORING)

@@ -1,0 +1,39 @@
+"""A comparison as a recording: the real robot drawn over the simulated one."""
+
+from pathlib import Path
+
+import numpy as np
+
+from vrts.base.units import DEG, MM
+from vrts.report.assessment import Assessment
+from vrts.report.recording.overlay import Real, write_overlay
+from vrts.validate.comparison import Comparison
+from vrts.validate.reports.comparison_text import comparison_text
+
+
+def write_both(c: Comparison, name: str, path: Path) -> None:
+    """Write a recording of a run and of the log that was compared with it.
+
+    Args:
+        c: The comparison.
+        name: Of the program, as shown.
+        path: The file.
+    """
+    a = Assessment(
+        f"validate-{Path(name).stem}",
+        name,
+        None,
+        (),
+        module=c.run.module,
+        scene=c.run.scene,
+        run=c.run,
+    )
+    e = c.after
+    joints = errors = None
+    times, tool, path_errors = e.times, e.real, e.path / MM
+    if e.joints is not None:
+        known = np.isfinite(e.joints).all(axis=1)
+        times, tool, path_errors = times[known], tool[known], path_errors[known]
+        joints = e.joints[known] + c.run.timeline.batch.values(times)[:, :6]
+        errors = e.joints[known] / DEG
+    write_overlay(a, Real(times, tool, path_errors, joints, errors), comparison_text(c), path)
