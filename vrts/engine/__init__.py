@@ -1,1 +1,5 @@
-"""IR, scene and scenario to a Run: memory, threads, scheduler, motion, timeline and grasp."""
+"""IR, scene and scenario to a run.
+
+In: a compiled module, a scene, a scenario, timed commands. Out: a `Run` that answers for any time.
+Sees no source text, opens no file and reads no clock.
+"""

@@ -1,1 +1,5 @@
-"""Convex shapes and the questions asked about them: the only door to coal and fcl."""
+"""Convex shapes and the questions asked about them: the only door to coal and fcl.
+
+In: shapes and poses. Out: distances, supports, boxes, meshes.
+Knows no robot and no scene.
+"""

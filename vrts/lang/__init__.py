@@ -1,1 +1,5 @@
-"""VAL-II text to IR: splitter, tokeniser, grammar, vocabulary, resolution and lowering."""
+"""VAL-II text to IR, and back to text.
+
+In: the bytes of program files, a dialect. Out: an `ir.Module`, diagnostics, canonical text.
+Knows no robot, no scene and no run.
+"""

@@ -1,1 +1,5 @@
-"""What was found, written for people and programs. Reports decide nothing."""
+"""What was found, written for people and programs.
+
+In: assessments, runs, diagnostics. Out: text, JSON, HTML, pictures, recordings.
+Reports decide nothing.
+"""

@@ -1,1 +1,5 @@
-"""A program verified as a controller will hold it: refusals, margins, the operator's sheet."""
+"""A program verified as a controller will hold it.
+
+In: a program, scenarios, a profile. Out: a bundle with the operator's sheet, or refusals.
+Talks to no controller.
+"""

@@ -1,5 +1,5 @@
-"""Runs as the bytes of a `.vrun` file: a JSON manifest and numpy arrays in a zip, never pickle.
+"""Runs as the bytes of a `.vrun` file: a JSON manifest and numpy arrays in a zip.
 
-`save` makes the bytes; `load` reads them without trusting them, and re-makes the run from them, its
-compiled sources and its scene, without executing anything; `compare` tells two runs apart.
+In: a run, or bytes that nobody vouches for. Out: bytes, or a run, or a diagnostic.
+Nothing is pickled, and no file is opened here.
 """

@@ -1,1 +1,5 @@
-"""Results of a class in the formats of other systems: pure functions of what marking wrote."""
+"""Results of a class in the formats of other systems.
+
+In: rows and results of a marking, files of a teacher. Out: files, as pure functions.
+Computes no mark; `write` alone touches files.
+"""

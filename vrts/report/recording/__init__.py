@@ -1,7 +1,7 @@
-"""Recordings for the Rerun viewer: the only door to rerun, imported only when one is written.
+"""Recordings for the Rerun viewer: the only door to rerun, imported when one is written.
 
-Everything is sent in columns, never frame by frame. Time is in seconds on the timeline "t". Static
-things are logged once; links, hand and bodies get poses only while they move.
+In: an assessment, or two runs. Out: a `.rrd` file, sent in columns, never frame by frame.
+Decides nothing.
 """
 
 from pathlib import Path

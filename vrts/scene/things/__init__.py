@@ -1,1 +1,5 @@
-"""TODO."""
+"""The kinds of things that stand in a workspace, as convex pieces, and where they are put.
+
+In: measures [m]. Out: bodies.
+Reads no file.
+"""

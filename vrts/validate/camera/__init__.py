@@ -1,5 +1,5 @@
 """A real camera, found from marked points, and the simulated robot drawn over what it saw.
 
-The only door to OpenCV. `calibration_file` reads what was marked, `calibrate` finds the camera,
-`views` says where it looked when, `frames` opens pictures and videos, `overlay` draws.
+In: frames and marks. Out: one camera for all pictures, frames with the robot drawn over them.
+Knows no log. The only door to OpenCV.
 """

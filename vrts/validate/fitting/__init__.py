@@ -1,8 +1,7 @@
 """Speeds, acceleration and corners of a real robot, found in its logs: the only door to scipy.
 
-Every motion goes along its path as `profile` has it, with a duration of its own; how long
-acceleration and corners take, and how far the servos lag, is the same for all. `solve` finds these
-by least squares; `speeds` tells from the durations how fast each joint is.
+In: a run and a log of the same program. Out: the numbers with which both agree best.
+Every motion keeps its path; only its time along it is fitted.
 """
 
 from vrts.validate.fitting.robot import fit_robot
