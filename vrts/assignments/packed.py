@@ -85,8 +85,7 @@ def setting_of(
 
 def _require_own_scene(bundle: Bundle, folder: Path, home: Path) -> None:
     """Refuse a task that names a scene or a lab outside its zip, or no scene."""
-    from vrts.check.task.task_file import scene_name
-    from vrts.check.task.task_lab import lab_name
+    from vrts.check.task.task_places import lab_name, scene_name
 
     named, lab, found = None, None, ()
     if TASK_FILE in bundle.files:

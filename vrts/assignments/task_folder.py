@@ -59,7 +59,7 @@ def reference_of(folder: Path) -> Path | None:
 
 def _add_scene(folder: Path, public: dict[str, bytes]) -> str:
     """Add the scene and the files beside it; return the name it gets."""
-    from vrts.check.task.task_file import scene_name
+    from vrts.check.task.task_places import scene_name
 
     named, found = scene_name(read_toml_source(folder / TASK_FILE))
     if named is None:
@@ -82,7 +82,7 @@ def _add_scene(folder: Path, public: dict[str, bytes]) -> str:
 
 def _add_lab(folder: Path, public: dict[str, bytes]) -> str:
     """Add the lab and the files beside it; return the name it has, "" where there is none."""
-    from vrts.check.task.task_lab import lab_name
+    from vrts.check.task.task_places import lab_name
 
     named = lab_name(read_toml_source(folder / TASK_FILE))
     if named is None:

@@ -5,8 +5,7 @@ from pathlib import Path
 
 from vrts.base.safe_names import safe
 from vrts.live.settings import Place
-from vrts.pipeline.files import SCENE_FILE, CannotRead, find_example, find_scene
-from vrts.pipeline.settings import TASK_FILE
+from vrts.pipeline.files import SCENE_FILE, TASK_FILE, CannotRead, find_example, find_scene
 
 
 def places_of(names: Sequence[str], lab: Path | None = None) -> tuple[Place, ...]:

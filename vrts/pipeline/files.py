@@ -13,6 +13,7 @@ LIBRARY = PACKAGE / "library"  # scenes and examples in an installed package
 CHECKOUT = PACKAGE.parent  # the same in a checkout
 
 SCENE_FILE = "scene.toml"
+TASK_FILE = "task.toml"
 MAX_TOML = 1_000_000  # bytes
 
 

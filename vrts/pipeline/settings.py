@@ -7,14 +7,13 @@ from typing import TYPE_CHECKING, TypeVar
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
-from vrts.pipeline.files import MAX_TOML, find_scene, read_bytes, read_toml_source
+from vrts.pipeline.files import MAX_TOML, TASK_FILE, find_scene, read_bytes, read_toml_source
 
 if TYPE_CHECKING:
     from vrts.check.task.task import Task
     from vrts.scene.model import Scene
     from vrts.scene.reading.scenario_file import ScenarioFile
 
-TASK_FILE = "task.toml"
 STAFF = "staff"  # folder beside a task: what students do not get
 MANIFEST_FILE = "manifest.json"  # of a packed task, also after unpacking
 SCENARIO_FILE = "scenario.toml"  # beside a task: how its runs begin, and what happens in them
@@ -112,8 +111,8 @@ def load_task(
     """
     from vrts.check.task.manifest import altered, announced, other_scene
     from vrts.check.task.staff import read_whole_task
-    from vrts.check.task.task_file import read_task, scene_name
-    from vrts.check.task.task_lab import lab_name
+    from vrts.check.task.task_file import read_task
+    from vrts.check.task.task_places import lab_name, scene_name
 
     folder = path if path.is_dir() else path.parent
     source = read_toml_source(folder / TASK_FILE if path.is_dir() else path, home)

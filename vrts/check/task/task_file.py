@@ -32,16 +32,6 @@ NEAR_MISS_MM = 1.0, 50.0  # least and most of `near_miss_mm`
 FARTHEST = 10_000.0  # [mm] any position
 
 
-def scene_name(source: SourceFile) -> tuple[str | None, tuple[Diagnostic, ...]]:
-    """Return which scene a task is set in, before anything else of it is read."""
-    top, problems = read_toml(source)
-    if top is None:
-        return None, problems.in_order()
-    section = top.table("task", required=True)
-    name = section.string("scene", required=True) if section is not None else None
-    return name, problems.in_order()
-
-
 def read_task(source: SourceFile, scene: Scene) -> tuple[Task | None, tuple[Diagnostic, ...]]:
     """Return the task a file describes, or None, with everything there is to say about it."""
     top, problems = read_toml(source)
@@ -59,7 +49,7 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
     name = folder[-2] if len(folder) > 1 else "task"
     title = section.string("title", name)
     scene_name = section.string("scene", required=True) or ""
-    section.string("lab")  # for `lab_name`
+    section.string("lab")  # for `task_places`
     program = section.string("program")
     ordered = section.boolean("ordered", default=False)
     section.finish()

@@ -164,7 +164,7 @@ def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:
 
 def _scene_of(origin: str) -> str:
     """Return the scene of an example, or a scene as it is."""
-    from vrts.check.task.task_file import scene_name
+    from vrts.check.task.task_places import scene_name
     from vrts.pipeline.files import find_example, find_scene, read_toml_source
     from vrts.pipeline.settings import TASK_FILE
 

@@ -5,9 +5,9 @@ from itertools import islice
 from pathlib import Path
 from typing import TypeAlias
 
+from vrts.check.task.task_places import lab_name, scene_name
 from vrts.lsp.documents.documents import is_program_file
-from vrts.pipeline.files import CannotRead, find_scene, read_toml_source
-from vrts.pipeline.settings import TASK_FILE
+from vrts.pipeline.files import TASK_FILE, CannotRead, find_scene, read_toml_source
 
 MOST_FILES = 500  # of a folder that are looked at
 _DEPTH = 3  # of folders within the folder of a scene: its meshes
@@ -45,9 +45,6 @@ def task_file(program: str) -> str | None:
 
 def _folders(task: str) -> tuple[str, ...]:
     """Return the folders that hold a task, its scene and its lab."""
-    from vrts.check.task.task_file import scene_name
-    from vrts.check.task.task_lab import lab_name
-
     folder = Path(task).parent
     found = [folder]
     try:

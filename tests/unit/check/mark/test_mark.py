@@ -13,7 +13,8 @@ from vrts.check.mark.grade import Grade, Status
 from vrts.check.mark.mark import grade, ungraded
 from vrts.check.task.score import Achieved, rounded_mark, score
 from vrts.check.task.task import MarkScheme, Task
-from vrts.check.task.task_file import read_task, scene_name
+from vrts.check.task.task_file import read_task
+from vrts.check.task.task_places import scene_name
 from vrts.check.verdict import Answer
 from vrts.check.verdicts.limits import check_limits
 from vrts.check.verdicts.vias import in_order
