@@ -1,16 +1,17 @@
 """TOML with places: the one way in which vrts reads scenes and tasks.
 
-Values come from `tomllib`, places from `base.toml_places`; the two must see the same shape.
+Values come from `tomllib`, places from `base.toml.places`; the two must see the same shape.
 """
 
 import tomllib
 from typing import cast
 
 from vrts.base.source import SourceFile
+from vrts.base.toml.kinds import Fields
 from vrts.base.toml.places import Layout, Place, places
 from vrts.base.toml.problems import Problems
 from vrts.base.toml.syntax import LONGEST, refused, too_deep, too_long
-from vrts.base.toml.table import Fields, Table
+from vrts.base.toml.table import Table
 
 __all__ = ["Problems", "Table", "read_toml"]
 

@@ -4,25 +4,32 @@ A getter that finds something wrong records one located diagnostic in the shared
 returns the default, so that a reader goes on and reports everything in one pass.
 """
 
-import math
 from collections.abc import Iterable
 from datetime import datetime
 from difflib import get_close_matches
 from fractions import Fraction
-from typing import TypeAlias, cast, overload
+from typing import TypedDict, TypeVar, Unpack, overload
 
 from vrts.base.diagnostic import Diagnostic, Fix, Rule
 from vrts.base.source import Span
+from vrts.base.toml import kinds
+from vrts.base.toml.kinds import Fields, Kind, Wrong
 from vrts.base.toml.places import Place
 from vrts.base.toml.problems import Problems
 
 UNKNOWN_KEY = Rule("V602", "unknown-key")
 MISSING_KEY = Rule("V603", "missing-key")
-WRONG_TYPE = Rule("V604", "wrong-type")
-OUT_OF_RANGE = Rule("V605", "out-of-range")
-UNKNOWN_CHOICE = Rule("V606", "unknown-choice")
 
-Fields: TypeAlias = dict[str, object]
+T = TypeVar("T")
+D = TypeVar("D")
+
+
+class Bounds(TypedDict, total=False):
+    """What a number must be: at least, at most, and more than."""
+
+    minimum: float
+    maximum: float
+    above: float
 
 
 class Table:
@@ -107,165 +114,88 @@ class Table:
         required: bool = False,
     ) -> str | None:
         """Return a text, one of `choices` when they are given."""
-        value = self._take(key, required=required)
-        if value is None:
-            return default
-        if not isinstance(value, str):
-            self._wrong_type(key, "text in quotation marks", value)
-            return default
-        if choices is None:
-            return value
-        known = tuple(choices)
-        if value in known:
-            return value
-        self._unknown_choice(key, value, known)
-        return default
+        return self._get(key, kinds.text(choices), default, required=required)
 
     @overload
-    def number(
-        self,
-        key: str,
-        default: float,
-        *,
-        minimum: float = -math.inf,
-        maximum: float = math.inf,
-        above: float = -math.inf,
-    ) -> float: ...
+    def number(self, key: str, default: float, **bounds: Unpack[Bounds]) -> float: ...
     @overload
     def number(
         self,
         key: str,
         default: None = None,
         *,
-        minimum: float = -math.inf,
-        maximum: float = math.inf,
-        above: float = -math.inf,
         required: bool = False,
+        **bounds: Unpack[Bounds],
     ) -> float | None: ...
     def number(
         self,
         key: str,
         default: float | None = None,
         *,
-        minimum: float = -math.inf,
-        maximum: float = math.inf,
-        above: float = -math.inf,
         required: bool = False,
+        **bounds: Unpack[Bounds],
     ) -> float | None:
-        """Return a finite number: at least `minimum`, at most `maximum`, more than `above`."""
-        value = self._take(key, required=required)
-        if value is None:
-            return default
-        number = _number(value)
-        if number is None:
-            self._wrong_type(key, "a number", value)
-            return default
-        complaint = _outside(number, minimum, maximum, above)
-        if complaint:
-            self._out_of_range(f"`{key}`", complaint, self.value_span(key), number)
-            return default
-        return number
+        """Return a finite number within bounds."""
+        return self._get(key, kinds.number(**bounds), default, required=required)
 
     @overload
-    def fraction(
-        self, key: str, default: Fraction, *, minimum: float = -math.inf, maximum: float = math.inf
-    ) -> Fraction: ...
+    def fraction(self, key: str, default: Fraction, **bounds: Unpack[Bounds]) -> Fraction: ...
     @overload
     def fraction(
         self,
         key: str,
         default: None = None,
         *,
-        minimum: float = -math.inf,
-        maximum: float = math.inf,
         required: bool = False,
+        **bounds: Unpack[Bounds],
     ) -> Fraction | None: ...
     def fraction(
         self,
         key: str,
         default: Fraction | None = None,
         *,
-        minimum: float = -math.inf,
-        maximum: float = math.inf,
         required: bool = False,
+        **bounds: Unpack[Bounds],
     ) -> Fraction | None:
         """Return a number exactly as written: 0.1 is one tenth."""
-        number = self.number(key, minimum=minimum, maximum=maximum, required=required)
+        number = self._get(key, kinds.number(**bounds), None, required=required)
         return default if number is None else Fraction(repr(number))
 
     @overload
-    def integer(
-        self, key: str, default: int, *, minimum: float = -math.inf, maximum: float = math.inf
-    ) -> int: ...
+    def integer(self, key: str, default: int, **bounds: Unpack[Bounds]) -> int: ...
     @overload
     def integer(
         self,
         key: str,
         default: None = None,
         *,
-        minimum: float = -math.inf,
-        maximum: float = math.inf,
         required: bool = False,
+        **bounds: Unpack[Bounds],
     ) -> int | None: ...
     def integer(
         self,
         key: str,
         default: int | None = None,
         *,
-        minimum: float = -math.inf,
-        maximum: float = math.inf,
         required: bool = False,
+        **bounds: Unpack[Bounds],
     ) -> int | None:
         """Return a whole number within bounds."""
-        value = self._take(key, required=required)
-        if value is None:
-            return default
-        if not isinstance(value, int) or isinstance(value, bool):
-            self._wrong_type(key, "a whole number", value)
-            return default
-        complaint = _outside(value, minimum, maximum, -math.inf)
-        if complaint:
-            self._out_of_range(f"`{key}`", complaint, self.value_span(key), value)
-            return default
-        return value
+        return self._get(key, kinds.integer(**bounds), default, required=required)
 
     @overload
     def boolean(self, key: str, default: bool) -> bool: ...
     @overload
     def boolean(self, key: str, default: None = None, *, required: bool = False) -> bool | None: ...
     def boolean(
-        self,
-        key: str,
-        default: bool | None = None,
-        *,
-        required: bool = False,
+        self, key: str, default: bool | None = None, *, required: bool = False
     ) -> bool | None:
         """Return true or false."""
-        value = self._take(key, required=required)
-        if value is None:
-            return default
-        if not isinstance(value, bool):
-            self._wrong_type(key, "true or false", value)
-            return default
-        return value
+        return self._get(key, kinds.boolean, default, required=required)
 
     def time(self, key: str, *, required: bool = False) -> datetime | None:
         """Return a date with a time and its offset from UTC: an instant everywhere."""
-        value = self._take(key, required=required)
-        if value is None:
-            return None
-        wanted = "a date with time and offset, such as 2026-11-30T23:59:00+01:00"
-        if not isinstance(value, datetime):
-            self._wrong_type(key, wanted, value)
-            return None
-        if value.tzinfo is None:
-            span = self.value_span(key)
-            headline = f"`{key}` must be {wanted}"
-            self.problems.error(
-                WRONG_TYPE, headline, span, "this has no offset from UTC", data={"key": key}
-            )
-            return None
-        return value
+        return self._get(key, kinds.time, None, required=required)
 
     # lists
 
@@ -275,89 +205,36 @@ class Table:
         default: tuple[float, ...] | None = None,
         *,
         count: int | tuple[int, ...] | None = None,
-        minimum: float = -math.inf,
-        maximum: float = math.inf,
-        above: float = -math.inf,
         required: bool = False,
+        **bounds: Unpack[Bounds],
     ) -> tuple[float, ...] | None:
         """Return a list of finite numbers, of the given length (or one of the lengths)."""
-        value = self._take(key, required=required)
-        if value is None:
-            return default
         counts = (count,) if isinstance(count, int) else count
-        wanted = f"a list of {_counted(counts)} numbers" if counts else "a list of numbers"
-        if not isinstance(value, list):
-            self._wrong_type(key, wanted, value)
-            return default
-        items = cast("list[object]", value)
-        if counts and len(items) not in counts:
-            headline = f"`{key}` must be {wanted}, not of {len(items)}"
-            self.problems.error(
-                WRONG_TYPE, headline, self.value_span(key), data={"key": key, "count": len(items)}
-            )
-            return default
-        found: list[float] = []
-        for index, item in enumerate(items):
-            number = _number(item)
-            span = self.element_span(key, index)
-            if number is None:
-                headline = f"`{key}` must be {wanted}"
-                self.problems.error(WRONG_TYPE, headline, span, f"this is {_kind(item)}")
-                return default
-            complaint = _outside(number, minimum, maximum, above)
-            if complaint:
-                self._out_of_range(f"every number of `{key}`", complaint, span, number)
-                return default
-            found.append(number)
-        return tuple(found)
+        return self._get(key, kinds.numbers(counts, **bounds), default, required=required)
 
     def strings(
         self, key: str, default: tuple[str, ...] | None = None, *, required: bool = False
     ) -> tuple[str, ...] | None:
         """Return a list of texts."""
-        value = self._take(key, required=required)
-        if value is None:
-            return default
-        if not isinstance(value, list):
-            self._wrong_type(key, "a list of texts", value)
-            return default
-        found: list[str] = []
-        for index, item in enumerate(cast("list[object]", value)):
-            if not isinstance(item, str):
-                span = self.element_span(key, index)
-                headline = f"`{key}` must be a list of texts"
-                self.problems.error(WRONG_TYPE, headline, span, f"this is {_kind(item)}")
-                return default
-            found.append(item)
-        return tuple(found)
+        return self._get(key, kinds.texts, default, required=required)
 
     # tables
 
     def table(self, key: str, *, required: bool = False) -> "Table | None":
         """Return the table `[key]`."""
-        value = self._take(key, required=required)
-        if value is None:
-            return None
-        if not isinstance(value, dict):
-            self._wrong_type(key, f"a table {_header(self._joined(key))}", value)
-            return None
-        place = self._place_of(key)
-        return Table(self.problems, self._joined(key), cast("Fields", value), place)
+        path = self._joined(key)
+        fields = self._get(key, kinds.fields(path), None, required=required)
+        return None if fields is None else Table(self.problems, path, fields, self._place_of(key))
 
     def tables(self, key: str, *, required: bool = False) -> "tuple[Table, ...]":
         """Return the tables `[[key]]`, in order."""
-        value = self._take(key, required=required)
-        if value is None:
-            return ()
         path = self._joined(key)
-        wanted = f"tables with headers `[[{path}]]`"
-        items = cast("list[object]", value) if isinstance(value, list) else None
-        if items is None or not all(isinstance(item, dict) for item in items):
-            self._wrong_type(key, wanted, cast("object", value))
+        items = self._get(key, kinds.list_of_fields(path), None, required=required)
+        if items is None:
             return ()
         elements = self._place_of(key).items or []
         return tuple(
-            Table(self.problems, f"{path} {number}", cast("Fields", item), place)
+            Table(self.problems, f"{path} {number}", item, place)
             for number, (item, place) in enumerate(zip(items, elements, strict=True), 1)
         )
 
@@ -399,6 +276,17 @@ class Table:
 
     # inside
 
+    def _get(self, key: str, kind: Kind[T], default: D, *, required: bool) -> T | D:
+        """Return the value of a key, or the default where it is missing or wrong: that is said."""
+        value = self._take(key, required=required)
+        if value is None:
+            return default
+        found = kind(key, value)
+        if isinstance(found, Wrong):
+            self._report(key, found)
+            return default
+        return found
+
     def _take(self, key: str, *, required: bool) -> object:
         self._asked.append(key)
         value = self._fields.get(key)
@@ -412,31 +300,18 @@ class Table:
             self._missing[key] = self.problems.found[-1]
         return value
 
-    def _wrong_type(self, key: str, wanted: str, value: object) -> None:
+    def _report(self, key: str, wrong: Wrong) -> None:
+        at = wrong.element
+        span = self.value_span(key) if at is None else self.element_span(key, at)
         self.problems.error(
-            WRONG_TYPE,
-            f"`{key}` must be {wanted}",
-            self.value_span(key),
-            f"this is {_kind(value)}",
-            data={"key": key},
-        )
-
-    def _out_of_range(self, what: str, complaint: str, span: Span, value: float) -> None:
-        self.problems.error(
-            OUT_OF_RANGE, f"{what} must be {complaint}", span, data={"value": value}
-        )
-
-    def _unknown_choice(self, key: str, value: str, known: tuple[str, ...]) -> None:
-        span = self.value_span(key)
-        close = get_close_matches(value, known, 1, 0.6)
-        self.problems.error(
-            UNKNOWN_CHOICE,
-            f"unknown `{key}`: `{value}`",
+            wrong.rule,
+            wrong.headline,
             span,
-            notes=(f"known: {', '.join(f'`{name}`' for name in known)}",),
-            help=(f"did you mean `{close[0]}`?",) if close else (),
-            fix=Fix(span, f'"{close[0]}"') if close else None,
-            data={"key": key, "value": value},
+            wrong.text,
+            notes=wrong.notes,
+            help=wrong.help,
+            fix=Fix(span, wrong.instead) if wrong.instead else None,
+            data=wrong.data,
         )
 
     def _joined(self, key: str) -> str:
@@ -452,48 +327,3 @@ class Table:
 
     def _span(self, place: tuple[int, int]) -> Span:
         return Span(self.problems.source, *place)
-
-
-def _number(value: object) -> float | None:
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        return None
-    if isinstance(value, int) and abs(value) > 10**15:
-        return None
-    return float(value) if math.isfinite(value) else None
-
-
-def _outside(value: float, minimum: float, maximum: float, above: float) -> str:
-    """Return what a number must be when it is not, else nothing."""
-    if minimum <= value <= maximum and value > above:
-        return ""
-    low = f"more than {above:g}" if above >= minimum else f"at least {minimum:g}"
-    high = f"at most {maximum:g}"
-    if max(minimum, above) == -math.inf:
-        return high
-    return low if maximum == math.inf else f"{low} and {high}"
-
-
-def _kind(value: object) -> str:
-    match value:
-        case bool():
-            return "true or false"
-        case str():
-            return "text"
-        case int() | float():
-            if isinstance(value, int):
-                return "a whole number"
-            return "a number" if math.isfinite(value) else "not a finite number"
-        case list():
-            return "a list"
-        case dict():
-            return "a table"
-        case _:
-            return "a date or time"
-
-
-def _counted(counts: tuple[int, ...]) -> str:
-    return " or ".join(str(count) for count in counts)
-
-
-def _header(path: str) -> str:
-    return f"`[{path}]`"

@@ -11,8 +11,8 @@ from typing import NamedTuple, cast
 from vrts.base.diagnostic import Label, Rule
 from vrts.base.pose import Vector
 from vrts.base.source import Span
+from vrts.base.toml.kinds import UNKNOWN_CHOICE
 from vrts.base.toml.reading import Problems, Table
-from vrts.base.toml.table import UNKNOWN_CHOICE
 from vrts.base.units import MM
 from vrts.scene.model import FaultKind, Mobility, PlannedFault, Region, Scene, Sensor
 from vrts.scene.sensors import TOOL
