@@ -13,7 +13,6 @@ from vrts.lang.dialect import VAL2, Dialect, Precedence
 from vrts.lang.findings.flow import check_jumps, check_process_programs, check_reachable
 from vrts.lang.findings.habits import check_habits
 from vrts.lang.findings.usage import check_usage
-from vrts.lang.grammar.syntax import Bad, ProgramText
 from vrts.lang.joined import Joined
 from vrts.lang.lowering.lower import Lowering
 from vrts.lang.meaning.data_sections import read_data, report_replaced
@@ -25,6 +24,8 @@ from vrts.lang.reading.detection import detect
 from vrts.lang.reading.headers import is_remarks, read_header
 from vrts.lang.reading.splitter import Section, split
 from vrts.lang.steps.steps import StepParser, report_pasted_characters, report_tolerated
+from vrts.lang.syntax.program import ProgramText
+from vrts.lang.syntax.statements import Bad
 from vrts.lang.uncollected import uncollected
 
 NOT_A_PROGRAM = Rule("V104", "not-a-program")

@@ -6,8 +6,8 @@ from vrts.dispatch.posts.post import TIGHTEST, CannotWrite, Post, Settled
 from vrts.ir.values import Type
 from vrts.lang.compiler import Resolved
 from vrts.lang.dialect import AS
-from vrts.lang.grammar import syntax
 from vrts.lang.names import key
+from vrts.lang.syntax import expressions, statements
 
 COARSE_MM = 10.0  # ACCURACY for COARSE [assumed]
 FINE_MM = 1.0  # the same for FINE, AS's own default [val2.md 9.1]
@@ -51,39 +51,39 @@ class KawasakiAs(Post):
         """Write programs of one source."""
         super().__init__(found, settled)
         self._named = 0  # locations that are worked out before a call
-        statements = (step.statement for program in found.programs for step in program.steps)
-        speeds = [s for s in statements if isinstance(s, syntax.SpeedStatement)]
+        written = (step.statement for program in found.programs for step in program.steps)
+        speeds = [s for s in written if isinstance(s, statements.SpeedStatement)]
         self._inches = any(level.unit == "IPS" for s in speeds for level in s.levels)
 
     # --- statements -----------------------------------------------------------------------------
 
-    def _write_movet(self, node: syntax.Simple) -> tuple[str, ...]:
+    def _write_movet(self, node: statements.Simple) -> tuple[str, ...]:
         return self._with_hand(node, "JMOVE")
 
-    def _write_movest(self, node: syntax.Simple) -> tuple[str, ...]:
+    def _write_movest(self, node: statements.Simple) -> tuple[str, ...]:
         return self._with_hand(node, "LMOVE")
 
-    def _with_hand(self, node: syntax.Simple, word: str) -> tuple[str, ...]:
+    def _with_hand(self, node: statements.Simple, word: str) -> tuple[str, ...]:
         """MOVET: the hand opens or closes when the motion begins, as OPEN and CLOSE do."""
         target, opening = node.operands
         motion = f"{word} {self.listed((target,))}"
-        if isinstance(opening, syntax.Number):
+        if isinstance(opening, expressions.Number):
             return ("OPEN" if opening.value > 0.0 else "CLOSE", motion)
         return (f"IF {self.listed((opening,))} > 0 THEN", "OPEN", "ELSE", "CLOSE", "END", motion)
 
-    def _write_ready(self, _: syntax.Simple) -> tuple[str, ...]:
+    def _write_ready(self, _: statements.Simple) -> tuple[str, ...]:
         """READY of the arm that was simulated: HOME of AS is wherever it was set."""
         joints = ", ".join(f"{joint:.9g}" for joint in self.settled.ready_deg)
         return (f"JMOVE #PPOINT({joints})",)
 
-    def _write_grasp(self, node: syntax.Simple) -> tuple[str, ...]:
+    def _write_grasp(self, node: statements.Simple) -> tuple[str, ...]:
         return self.grasped(node)
 
-    def _write_shift(self, node: syntax.ShiftStatement) -> tuple[str, ...]:
+    def _write_shift(self, node: statements.ShiftStatement) -> tuple[str, ...]:
         place = self.expression(node.target)
         return (f"POINT {place} = SHIFT({place} BY {self.listed(node.offsets)})",)
 
-    def _write_base(self, node: syntax.Simple) -> tuple[str, ...]:
+    def _write_base(self, node: statements.Simple) -> tuple[str, ...]:
         """BASE of AS takes the pose of the new frame, the inverse of what VAL-II is told."""
         if not any(node.operands):
             return ("BASE NULL",)
@@ -91,7 +91,7 @@ class KawasakiAs(Post):
         lengths = [self.listed((item,)) or "0" for item in (dx, dy, dz)]
         return (f"BASE -TRANS({', '.join(lengths)}, {self.listed((turn,)) or '0'}, 0, 0)",)
 
-    def _write_speed(self, node: syntax.SpeedStatement) -> tuple[str, ...]:
+    def _write_speed(self, node: statements.SpeedStatement) -> tuple[str, ...]:
         (value, unit, *_), *more = node.levels
         if unit == "MONITOR":
             raise self.lacking(node, "SPEED MONITOR", "set the speed at the monitor")
@@ -103,145 +103,146 @@ class KawasakiAs(Post):
         always = " ALWAYS" if node.always else ""
         return (f"SPEED {text}{'' if unit is None else ' MM/S'}{always}",)
 
-    def _write_coarse(self, node: syntax.Setting) -> tuple[str, ...]:
+    def _write_coarse(self, node: statements.Setting) -> tuple[str, ...]:
         return self._accuracy(node, COARSE_MM)
 
-    def _write_fine(self, node: syntax.Setting) -> tuple[str, ...]:
+    def _write_fine(self, node: statements.Setting) -> tuple[str, ...]:
         return self._accuracy(node, FINE_MM)
 
-    def _accuracy(self, node: syntax.Setting, accuracy_mm: float) -> tuple[str, ...]:
+    def _accuracy(self, node: statements.Setting, accuracy_mm: float) -> tuple[str, ...]:
         if node.value is not None:
             raise self.lacking(node, f"{node.word} with a percentage")
         return (f"ACCURACY {accuracy_mm:g}{' ALWAYS' if node.always else ''}",)
 
-    def _write_react(self, node: syntax.ReactStatement) -> tuple[str, ...]:
+    def _write_react(self, node: statements.ReactStatement) -> tuple[str, ...]:
         """REACT branches after the present step; ON waits until the motion is complete."""
         raise self.lacking(node, "REACT", "react at once, by REACTI, which is ONI in AS")
 
-    def _write_reacti(self, node: syntax.ReactStatement) -> tuple[str, ...]:
+    def _write_reacti(self, node: statements.ReactStatement) -> tuple[str, ...]:
         signal, program, priority = (*node.operands, None, None)[:3]
         if program is None or node.always:
             raise self.lacking(node, "REACTI ALWAYS" if node.always else "REACTI without a program")
         more = "" if priority is None else f", {self.expression(priority)}"
         return (f"ONI {self.listed((signal,))} CALL {key(self._text(program))}{more}",)
 
-    def _write_enable(self, node: syntax.Simple) -> tuple[str, ...]:
+    def _write_enable(self, node: statements.Simple) -> tuple[str, ...]:
         raise self.lacking(node, "ENABLE", "set the switch at the monitor: its name, then ON")
 
-    def _write_disable(self, node: syntax.Simple) -> tuple[str, ...]:
+    def _write_disable(self, node: statements.Simple) -> tuple[str, ...]:
         raise self.lacking(node, "DISABLE", "set the switch at the monitor: its name, then OFF")
 
-    def statement(self, node: syntax.Statement) -> tuple[str, ...]:
+    def statement(self, node: statements.Statement) -> tuple[str, ...]:
         """Return the steps of a statement; locations that are passed to a program are marked."""
-        if not isinstance(node, syntax.CallStatement) or not node.arguments:
+        if not isinstance(node, statements.CallStatement) or not node.arguments:
             return super().statement(node)
         before: list[str] = []
         passed = [self._passed(item, before) for item in node.arguments]
         return (*before, f"CALL {key(node.program.text)}({', '.join(passed)})")
 
-    def _passed(self, item: syntax.Item | None, before: list[str]) -> str:
+    def _passed(self, item: expressions.Item | None, before: list[str]) -> str:
         """Return an argument; what is worked out and is a location gets a name first."""
         text = self.listed((item,))
-        while isinstance(item, syntax.Parenthesised):
+        while isinstance(item, expressions.Parenthesised):
             item = item.inner
-        if item is None or isinstance(item, syntax.FormatItem):
+        if item is None or isinstance(item, expressions.FormatItem):
             return text
-        if isinstance(item, syntax.Name | syntax.Element):
+        if isinstance(item, expressions.Name | expressions.Element):
             return f"&{text}" if self.type_of(item) in _LOCATIONS else text
         if not self.found.resolver.is_location(item):
             return text
         self._named += 1
         name = f"passed.{self._named}"
-        if isinstance(item, syntax.Application) and item.name.text[0] == "#":
+        if isinstance(item, expressions.Application) and item.name.text[0] == "#":
             name = f"#{name}"
         before.append(f"POINT {name} = {text}")
         return f"&{name}"
 
     # --- expressions ----------------------------------------------------------------------------
 
-    def infix(self, node: syntax.Infix) -> str:
+    def infix(self, node: expressions.Infix) -> str:
         """Return an operation; locations are joined by `+`, and by `-` with an inverse."""
         if node.operator != ":":
             return super().infix(node)
         level = self._table["+"]
         right = node.right
-        while isinstance(right, syntax.Parenthesised):
+        while isinstance(right, expressions.Parenthesised):
             right = right.inner
-        if isinstance(right, syntax.Application) and right.name.text.lower() == "inverse":
+        if isinstance(right, expressions.Application) and right.name.text.lower() == "inverse":
             return f"{self.operand(node.left, level)}-{self._inverted(right)}"
         return f"{self.operand(node.left, level)}+{self.operand(node.right, level + 1)}"
 
-    def operand(self, node: syntax.Expression, level: int) -> str:
+    def operand(self, node: expressions.Expression, level: int) -> str:
         """Return an operand; joined locations bind like a sum."""
-        if isinstance(node, syntax.Infix) and node.operator == ":":
+        if isinstance(node, expressions.Infix) and node.operator == ":":
             text = self.expression(node)
             return f"({text})" if self._table["+"] < level else text
         return super().operand(node, level)
 
-    def function(self, node: syntax.Name) -> str:
+    def function(self, node: expressions.Name) -> str:
         """Return the name of a function; BASE counts in the opposite sense."""
         if node.text.lower() == "base":
             return "(-BASE)"
         return super().function(node)
 
-    def _apply_inverse(self, node: syntax.Application) -> str:
+    def _apply_inverse(self, node: expressions.Application) -> str:
         return f"(-{self._inverted(node)})"
 
-    def _inverted(self, node: syntax.Application) -> str:
+    def _inverted(self, node: expressions.Application) -> str:
         inner = node.arguments[0]
         assert inner is not None
-        assert not isinstance(inner, syntax.FormatItem)
+        assert not isinstance(inner, expressions.FormatItem)
         return self.operand(inner, self._table["+"] + 1)
 
-    def _apply_speed(self, node: syntax.Application) -> str:
+    def _apply_speed(self, node: expressions.Application) -> str:
         """SPEED yields what was set, in its unit, and AS has no inches."""
         if self._inches:
             headline = "SPEED would yield mm/s where it yields inches a second"
             raise CannotWrite(node.start, node.end, headline, "set the speed in MMPS")
         return f"SPEED({self.arguments(node)})"
 
-    def _apply_sqr(self, node: syntax.Application) -> str:
+    def _apply_sqr(self, node: expressions.Application) -> str:
         value = self._twice(node)
         return f"({value}*{value})"
 
-    def _apply_tan(self, node: syntax.Application) -> str:
+    def _apply_tan(self, node: expressions.Application) -> str:
         value = self._twice(node)
         return f"(SIN({value})/COS({value}))"
 
-    def _apply_fract(self, node: syntax.Application) -> str:
+    def _apply_fract(self, node: expressions.Application) -> str:
         value = self._twice(node)
         return f"({value} - INT({value}))"
 
-    def _apply_sign(self, node: syntax.Application) -> str:
+    def _apply_sign(self, node: expressions.Application) -> str:
         """1 or -1: a true comparison is -1 in both languages."""
         value = self._twice(node)
         return f"(({value} < 0)*2 + 1)"
 
-    def _apply_outside(self, node: syntax.Application) -> str:
+    def _apply_outside(self, node: expressions.Application) -> str:
         low, value, high = (f"({self.listed((item,))})" for item in node.arguments)
         self._once(node)
         return f"({value} < {low} OR {value} > {high})"
 
-    def _apply_pos(self, node: syntax.Application) -> str:
+    def _apply_pos(self, node: expressions.Application) -> str:
         text, part, *start = node.arguments
         first = self.listed(tuple(start)) if any(start) else "1"
         return f"INSTR({first}, {self.listed((text,))}, {self.listed((part,))})"
 
-    def _twice(self, node: syntax.Application) -> str:
+    def _twice(self, node: expressions.Application) -> str:
         """Return an argument that is written twice."""
         self._once(node)
         (inner,) = node.arguments
         assert inner is not None
-        assert not isinstance(inner, syntax.FormatItem)
+        assert not isinstance(inner, expressions.FormatItem)
         return self.operand(inner, TIGHTEST)
 
-    def _once(self, node: syntax.Application) -> None:
+    def _once(self, node: expressions.Application) -> None:
         """Refuse to work RANDOM and its like out twice."""
         waiting: list[object] = list(node.arguments)
         while waiting:
             part = waiting.pop()
-            if isinstance(part, syntax.Application) or (
-                isinstance(part, syntax.Name) and part.text.lower() in ("random", "here", "hand")
+            if isinstance(part, expressions.Application) or (
+                isinstance(part, expressions.Name)
+                and part.text.lower() in ("random", "here", "hand")
             ):
                 headline = f"AS has no {node.name.text.upper()}, and its argument is a function"
                 raise CannotWrite(

@@ -13,9 +13,9 @@ from vrts.base.diagnostic import Rule
 from vrts.ir.values import Type
 from vrts.lang.compiler import Resolved
 from vrts.lang.dialect import Angles, Dialect, Precedence
-from vrts.lang.grammar import syntax
 from vrts.lang.grammar.operators import TABLE_A, TABLE_B
 from vrts.lang.names import key
+from vrts.lang.syntax import expressions, statements
 from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions, bare_functions
 from vrts.lang.vocabulary.lookup import instructions_of, reserved_words
 
@@ -27,20 +27,20 @@ _FIRST_ANGLE = 3  # of the arguments of TRANS
 _WORD = re.compile(r"[A-Za-z][\w.]*", re.ASCII)
 _PLAIN_NUMBER = re.compile(r"[\d.]+(?:[eE][+-]?\d+)?", re.ASCII)
 _WORDS_OF_THEIR_OWN: dict[type, str] = {
-    syntax.SetLocation: "SET",
-    syntax.HereStatement: "HERE",
-    syntax.ShiftStatement: "SHIFT",
-    syntax.PackStatement: "PACK",
+    statements.SetLocation: "SET",
+    statements.HereStatement: "HERE",
+    statements.ShiftStatement: "SHIFT",
+    statements.PackStatement: "PACK",
 }
 _NODES = (
-    syntax.Number,
-    syntax.Text,
-    syntax.Name,
-    syntax.Element,
-    syntax.Application,
-    syntax.Prefix,
-    syntax.Infix,
-    syntax.Parenthesised,
+    expressions.Number,
+    expressions.Text,
+    expressions.Name,
+    expressions.Element,
+    expressions.Application,
+    expressions.Prefix,
+    expressions.Infix,
+    expressions.Parenthesised,
 )
 TIGHTEST = 100  # as an operand, an expression that needs no parentheses
 
@@ -89,7 +89,7 @@ class Post:
 
     # --- statements -----------------------------------------------------------------------------
 
-    def statement(self, node: syntax.Statement) -> tuple[str, ...]:
+    def statement(self, node: statements.Statement) -> tuple[str, ...]:
         """Return a statement as steps of this language: one or more; of a comment, one.
 
         Raises:
@@ -99,7 +99,7 @@ class Post:
         if word in self.LEFT_OUT:
             self.left_out.append((node.start, node.end, word))
             return (f"; {self._text(node)}",)
-        own: Callable[[syntax.Statement], tuple[str, ...]] | None = getattr(
+        own: Callable[[statements.Statement], tuple[str, ...]] | None = getattr(
             self, f"_write_{word.lower()}", None
         )
         if own is not None:
@@ -109,7 +109,7 @@ class Post:
             raise self.lacking(node, word)
         return (self.rewritten(node),)
 
-    def rewritten(self, node: syntax.Statement) -> str:
+    def rewritten(self, node: statements.Statement) -> str:
         """Return the text of a statement with its keyword and expressions in this language."""
         word = self._keyword(node)
         start, head = node.start, ""
@@ -119,13 +119,13 @@ class Post:
             start, head = written.end(), self.WORDS.get(word, word)
         return head + self._edited(node, start)
 
-    def lacking(self, node: syntax.Statement, word: str, remedy: str = "") -> CannotWrite:
+    def lacking(self, node: statements.Statement, word: str, remedy: str = "") -> CannotWrite:
         """Return what to raise for a keyword."""
         title = self.dialect.title
         headline = f"{title} has nothing that means {word}"
         return CannotWrite(node.start, node.end, headline, remedy or "write the step without it")
 
-    def grasped(self, node: syntax.Simple) -> tuple[str, ...]:
+    def grasped(self, node: statements.Simple) -> tuple[str, ...]:
         """Return the steps of GRASP for a language without it: close, then look at the hand."""
         least, *label = node.operands
         missing = f"HAND < {self.listed((least,))}"
@@ -134,25 +134,25 @@ class Post:
         said = f'{self.WORDS.get("TYPE", "TYPE")} "the hand closed too far"'
         return ("CLOSEI", f"IF {missing} THEN", said, "HALT", "END")
 
-    def _keyword(self, node: syntax.Statement) -> str:
+    def _keyword(self, node: statements.Statement) -> str:
         """Return the keyword of a statement, as VAL-II writes it; empty where it stays."""
         own = _WORDS_OF_THEIR_OWN.get(type(node))
         if own is not None:
             return own
         named = (
-            syntax.Simple,
-            syntax.SpeedStatement,
-            syntax.Setting,
-            syntax.Give,
-            syntax.Put,
-            syntax.ReactStatement,
-            syntax.Device,
-            syntax.Declare,
-            syntax.Rest,
+            statements.Simple,
+            statements.SpeedStatement,
+            statements.Setting,
+            statements.Give,
+            statements.Put,
+            statements.ReactStatement,
+            statements.Device,
+            statements.Declare,
+            statements.Rest,
         )
         return node.word if isinstance(node, named) else ""
 
-    def _edited(self, node: syntax.Statement, start: int) -> str:
+    def _edited(self, node: statements.Statement, start: int) -> str:
         """Return the text of a statement from an offset on, its expressions written anew."""
         pieces: list[str] = []
         at = start
@@ -163,33 +163,33 @@ class Post:
             at = inner.end
         return "".join((*pieces, self.source.text[at : node.end]))
 
-    def _text(self, node: syntax.Statement | syntax.Item) -> str:
+    def _text(self, node: statements.Statement | expressions.Item) -> str:
         return self.source.text[node.start : node.end]
 
     # --- expressions ----------------------------------------------------------------------------
 
-    def expression(self, node: syntax.Item) -> str:
+    def expression(self, node: expressions.Item) -> str:
         """Return an expression in this language."""
         match node:
-            case syntax.Number():
+            case expressions.Number():
                 return self.number(node)
-            case syntax.Text() | syntax.FormatItem():
+            case expressions.Text() | expressions.FormatItem():
                 return self._text(node)
-            case syntax.Name():
+            case expressions.Name():
                 return self.variable(node)
-            case syntax.Element(name, subscripts):
+            case expressions.Element(name, subscripts):
                 return f"{self.variable(name)}[{self.listed(subscripts)}]"
-            case syntax.Application():
+            case expressions.Application():
                 return self.application(node)
-            case syntax.Parenthesised(inner):
+            case expressions.Parenthesised(inner):
                 return f"({self.expression(inner)})"
-            case syntax.Prefix(operator, operand):
+            case expressions.Prefix(operator, operand):
                 blank = " " if operator.isalpha() else ""
                 return f"{operator}{blank}{self.operand(operand, TIGHTEST)}"
-            case syntax.Infix():
+            case expressions.Infix():
                 return self.infix(node)
 
-    def infix(self, node: syntax.Infix) -> str:
+    def infix(self, node: expressions.Infix) -> str:
         """Return two operands and what stands between them."""
         level = self._table[node.operator]
         left = self.operand(node.left, level)
@@ -197,18 +197,18 @@ class Post:
         tight = node.operator in (":", "**", "*", "/")
         return f"{left}{node.operator}{right}" if tight else f"{left} {node.operator} {right}"
 
-    def operand(self, node: syntax.Expression, level: int) -> str:
+    def operand(self, node: expressions.Expression, level: int) -> str:
         """Return an operand, in parentheses where it binds less than a level of the table."""
         text = self.expression(node)
-        own = self._table[node.operator] if isinstance(node, syntax.Infix) else TIGHTEST
+        own = self._table[node.operator] if isinstance(node, expressions.Infix) else TIGHTEST
         return f"({text})" if own < level else text
 
-    def number(self, node: syntax.Number) -> str:
+    def number(self, node: expressions.Number) -> str:
         """Return a number as written, or in decimals what is octal or hexadecimal."""
         text = self._text(node)
         return text if _PLAIN_NUMBER.fullmatch(text) else f"{node.value:.9g}"
 
-    def variable(self, node: syntax.Name) -> str:
+    def variable(self, node: expressions.Name) -> str:
         """Return a name; one that is a word of this language only is refused."""
         name = key(node.text)
         if name in CONSTANTS or name in self._functions:
@@ -223,7 +223,7 @@ class Post:
             )
         return name
 
-    def function(self, node: syntax.Name) -> str:
+    def function(self, node: expressions.Name) -> str:
         """Return the name of a function or constant."""
         name = node.text.lower()
         if name in self.LACKS_FUNCTIONS or name not in self._known:
@@ -231,28 +231,28 @@ class Post:
             raise CannotWrite(node.start, node.end, headline, "work the value out in another way")
         return self.FUNCTIONS.get(name, name.upper())
 
-    def application(self, node: syntax.Application) -> str:
+    def application(self, node: expressions.Application) -> str:
         """Return a function with its arguments."""
         name = node.name.text.lower()
-        own: Callable[[syntax.Application], str] | None = getattr(
+        own: Callable[[expressions.Application], str] | None = getattr(
             self, f"_apply_{name.lstrip('$#')}", None
         )
         if own is not None:
             return own(node)
         return f"{self.function(node.name)}({self.arguments(node)})"
 
-    def arguments(self, node: syntax.Application) -> str:
+    def arguments(self, node: expressions.Application) -> str:
         """Return what stands between the parentheses of a function."""
         if node.by is None:
             return self.listed(node.arguments)
         before, behind = node.arguments[: node.by], node.arguments[node.by :]
         return f"{self.listed(before)} BY {self.listed(behind)}"
 
-    def listed(self, items: tuple[syntax.Item | None, ...]) -> str:
+    def listed(self, items: tuple[expressions.Item | None, ...]) -> str:
         """Return items between commas; what is left out stays left out."""
         return ", ".join("" if item is None else self.expression(item) for item in items)
 
-    def _apply_trans(self, node: syntax.Application) -> str:
+    def _apply_trans(self, node: expressions.Application) -> str:
         """TRANS, its angles turned into those of this language."""
         given = node.arguments
         if self.dialect.angles is self.origin.angles or not any(given[_FIRST_ANGLE:]):
@@ -266,46 +266,46 @@ class Post:
         ]
         return f"TRANS({', '.join((*lengths, *angles))})"
 
-    def shifted(self, item: syntax.Item | None, offset: float) -> str:
+    def shifted(self, item: expressions.Item | None, offset: float) -> str:
         """Return a number, or what is left out and means 0, with a constant added."""
         value = 0.0 if item is None else _constant(item)
         if value is not None:
             return f"{value + offset:.9g}"
         assert item is not None
-        assert not isinstance(item, syntax.FormatItem)
+        assert not isinstance(item, expressions.FormatItem)
         if offset == 0.0:
             return self.expression(item)
         sign = "+" if offset > 0.0 else "-"
         return f"{self.operand(item, self._table['+'])} {sign} {abs(offset):g}"
 
-    def type_of(self, node: syntax.Item | None) -> Type | None:
+    def type_of(self, node: expressions.Item | None) -> Type | None:
         """Return the type of a name or element in the program being written."""
-        if isinstance(node, syntax.Element):
+        if isinstance(node, expressions.Element):
             node = node.name
-        if not isinstance(node, syntax.Name):
+        if not isinstance(node, expressions.Name):
             return None
         return self.found.resolver.scope.entry(self.program, key(node.text)).type
 
 
-def _expressions(node: syntax.Statement) -> Iterator[syntax.Item]:
+def _expressions(node: statements.Statement) -> Iterator[expressions.Item]:
     """Return the outermost expressions of a statement in the order of the text."""
-    found: list[syntax.Item] = []
+    found: list[expressions.Item] = []
     waiting: list[object] = list(node)
     while waiting:
         part = waiting.pop()
-        if isinstance(part, (*_NODES, syntax.FormatItem)):
+        if isinstance(part, (*_NODES, expressions.FormatItem)):
             found.append(part)
         elif isinstance(part, tuple):
             waiting.extend(part)  # pyright: ignore[reportUnknownArgumentType]
     return iter(sorted(found, key=lambda item: item.start))
 
 
-def _constant(item: syntax.Item) -> float | None:
+def _constant(item: expressions.Item) -> float | None:
     """Return the value of a number, with its sign."""
     match item:
-        case syntax.Number(value):
+        case expressions.Number(value):
             return value
-        case syntax.Prefix("-", syntax.Number(value)):
+        case expressions.Prefix("-", expressions.Number(value)):
             return -value
         case _:
             return None

@@ -4,7 +4,7 @@ from typing import ClassVar
 
 from vrts.dispatch.posts.post import CannotWrite, Post
 from vrts.lang.dialect import VAL2
-from vrts.lang.grammar import syntax
+from vrts.lang.syntax import expressions
 
 
 class Val2(Post):
@@ -15,7 +15,7 @@ class Val2(Post):
     suffix = ".v2"
     LACKS: ClassVar[frozenset[str]] = frozenset({"DECOMPOSE"})
 
-    def infix(self, node: syntax.Infix) -> str:
+    def infix(self, node: expressions.Infix) -> str:
         """Return an operation; VAL-II has no powers."""
         if node.operator == "**":
             raise CannotWrite(node.start, node.end, "VAL-II has no `**`", "multiply, or use SQR")

@@ -4,7 +4,7 @@ from typing import ClassVar
 
 from vrts.dispatch.posts.post import Post
 from vrts.lang.dialect import VPLUS
-from vrts.lang.grammar import syntax
+from vrts.lang.syntax import statements
 
 
 class VPlus(Post):
@@ -17,13 +17,13 @@ class VPlus(Post):
     LEFT_OUT: ClassVar[frozenset[str]] = frozenset({"INTON", "INTOFF"})
     LACKS_FUNCTIONS: ClassVar[frozenset[str]] = frozenset({"adc", "ioget"})
 
-    def _write_draw(self, node: syntax.Simple) -> tuple[str, ...]:
+    def _write_draw(self, node: statements.Simple) -> tuple[str, ...]:
         """DRAW is a straight motion to where the last one ends, shifted."""
         return (f"MOVES SHIFT(DEST BY {self.listed(node.operands)})",)
 
-    def _write_shift(self, node: syntax.ShiftStatement) -> tuple[str, ...]:
+    def _write_shift(self, node: statements.ShiftStatement) -> tuple[str, ...]:
         place = self.expression(node.target)
         return (f"SET {place} = SHIFT({place} BY {self.listed(node.offsets)})",)
 
-    def _write_grasp(self, node: syntax.Simple) -> tuple[str, ...]:
+    def _write_grasp(self, node: statements.Simple) -> tuple[str, ...]:
         return self.grasped(node)

@@ -12,8 +12,8 @@ from vrts.dispatch.posts.vplus import VPlus
 from vrts.ir.values import Type
 from vrts.lang.compiler import Compilation, Resolved, resolve_source
 from vrts.lang.dialect import VAL2
-from vrts.lang.grammar.syntax import Formal, ProgramText, Step
 from vrts.lang.reading.splitter import Section, comment_start
+from vrts.lang.syntax.program import Formal, ProgramText, Step
 from vrts.lang.writing.layout import layout
 from vrts.lang.writing.store import data_text
 

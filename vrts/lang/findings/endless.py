@@ -4,32 +4,33 @@ from collections.abc import Sequence
 
 from vrts.base.diagnostic import Rule
 from vrts.ir.values import Type
-from vrts.lang.grammar.syntax import (
+from vrts.lang.meaning.scope import Scope
+from vrts.lang.meaning.structure import Block
+from vrts.lang.names import key
+from vrts.lang.problems import Problems
+from vrts.lang.syntax.expressions import (
     Application,
-    CallNamed,
-    CallStatement,
-    Device,
     Element,
     Expression,
-    Goto,
     Infix,
     Name,
     Number,
     Parenthesised,
     Prefix,
-    ProgramText,
+    Text,
+)
+from vrts.lang.syntax.program import ProgramText, Step
+from vrts.lang.syntax.statements import (
+    CallNamed,
+    CallStatement,
+    Device,
+    Goto,
     ReactStatement,
     Rest,
     Simple,
-    Step,
-    Text,
     Until,
     While,
 )
-from vrts.lang.meaning.scope import Scope
-from vrts.lang.meaning.structure import Block
-from vrts.lang.names import key
-from vrts.lang.problems import Problems
 from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS
 
 ENDLESS_LOOP = Rule("V222", "endless-loop")

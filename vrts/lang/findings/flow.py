@@ -5,13 +5,16 @@ from collections.abc import Iterator
 from vrts.base.diagnostic import Rule
 from vrts.ir import instructions as i
 from vrts.ir.module import Program
-from vrts.lang.grammar.syntax import (
+from vrts.lang.meaning.structure import Block, label_key
+from vrts.lang.names import key
+from vrts.lang.problems import Problems
+from vrts.lang.syntax.expressions import Name
+from vrts.lang.syntax.program import ProgramText
+from vrts.lang.syntax.statements import (
     CallStatement,
     Device,
     Goto,
     HereStatement,
-    Name,
-    ProgramText,
     ReactStatement,
     Rest,
     Setting,
@@ -19,9 +22,6 @@ from vrts.lang.grammar.syntax import (
     SpeedStatement,
     Statement,
 )
-from vrts.lang.meaning.structure import Block, label_key
-from vrts.lang.names import key
-from vrts.lang.problems import Problems
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 UNREACHABLE = Rule("V223", "unreachable-step")

@@ -3,17 +3,13 @@
 from vrts.base.diagnostic import Rule
 from vrts.lang.findings.endless import LoopCheck, runs_beside
 from vrts.lang.findings.motion_habits import check_motion
-from vrts.lang.grammar.syntax import (
-    Number,
-    ProgramText,
-    Simple,
-    SpeedStatement,
-    Statement,
-)
 from vrts.lang.meaning.constants import constant
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.meaning.structure import Block
 from vrts.lang.problems import Problems
+from vrts.lang.syntax.expressions import Number
+from vrts.lang.syntax.program import ProgramText
+from vrts.lang.syntax.statements import Simple, SpeedStatement, Statement
 
 CONSTANT_WAIT = Rule("V152", "constant-wait")
 NEGATIVE_APPROACH = Rule("V220", "negative-approach")

@@ -1,10 +1,11 @@
 """Motions and speeds that a controller refuses or changes, seen without a run."""
 
 from vrts.base.diagnostic import Rule
-from vrts.lang.grammar.syntax import ProgramText, Simple, SpeedStatement, Statement
 from vrts.lang.meaning.constants import constant
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.problems import Problems
+from vrts.lang.syntax.program import ProgramText
+from vrts.lang.syntax.statements import Simple, SpeedStatement, Statement
 
 SPEED_RANGE = Rule("V226", "speed-range")
 STRAIGHT_FROM_READY = Rule("V228", "straight-from-ready")

@@ -5,12 +5,14 @@ from collections.abc import Callable
 
 from vrts.base.diagnostic import Rule
 from vrts.ir.values import Type
-from vrts.lang.grammar.syntax import CallStatement, Element, Infix, Name, ProgramText
 from vrts.lang.meaning.resolve import Resolver
 from vrts.lang.meaning.scope import Entry
 from vrts.lang.names import NAME_TRUNCATED, SIGNIFICANT, is_truncated, key
 from vrts.lang.problems import LIMIT
 from vrts.lang.spelling import nearest
+from vrts.lang.syntax.expressions import Element, Infix, Name
+from vrts.lang.syntax.program import ProgramText
+from vrts.lang.syntax.statements import CallStatement
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 REAL_AND_LOCATION = Rule("V201", "real-and-location")

@@ -9,30 +9,34 @@ from vrts.base.diagnostic import Rule
 from vrts.lang.dialect import Precedence
 from vrts.lang.grammar.lalr import Build
 from vrts.lang.grammar.operators import TABLE_A, TABLE_B, ambiguous, tree, written
-from vrts.lang.grammar.syntax import (
+from vrts.lang.problems import Problems
+from vrts.lang.syntax.expressions import (
     Application,
+    Element,
+    Expression,
+    FormatItem,
+    Infix,
+    Name,
+    Number,
+    Parenthesised,
+    Prefix,
+    Text,
+)
+from vrts.lang.syntax.program import DataLine
+from vrts.lang.syntax.statements import (
     Assignment,
     CallNamed,
     CallStatement,
     Case,
-    DataLine,
     Declare,
     Device,
-    Element,
-    Expression,
     For,
-    FormatItem,
     Give,
     Goto,
     HereStatement,
     If,
-    Infix,
     Level,
-    Name,
-    Number,
     PackStatement,
-    Parenthesised,
-    Prefix,
     Put,
     ReactStatement,
     SetLocation,
@@ -41,12 +45,10 @@ from vrts.lang.grammar.syntax import (
     Simple,
     SpeedStatement,
     Structure,
-    Text,
     Until,
     ValueGroup,
     While,
 )
-from vrts.lang.problems import Problems
 from vrts.lang.vocabulary.functions import FUNCTIONS
 
 PRECEDENCE = Rule("V150", "precedence")

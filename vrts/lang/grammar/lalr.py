@@ -7,8 +7,8 @@ on its own tokens. Most steps of a program share their shape with another.
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from vrts.lang.grammar.syntax import Token
 from vrts.lang.grammar.tables import ACTIONS, ENDS, RULES, STARTS
+from vrts.lang.syntax.token import Token
 
 END = "$END"
 

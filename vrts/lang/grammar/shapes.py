@@ -5,18 +5,16 @@ from typing import Any
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.dialect import Dialect
-from vrts.lang.grammar.syntax import (
+from vrts.lang.problems import Problems
+from vrts.lang.syntax.expressions import Item, Name, Number
+from vrts.lang.syntax.statements import (
     Goto,
-    Item,
-    Name,
-    Number,
     ReactStatement,
     Setting,
     Simple,
     SpeedStatement,
     Statement,
 )
-from vrts.lang.problems import Problems
 from vrts.lang.vocabulary.word import Word
 
 UNEXPECTED_TEXT = Rule("V125", "unexpected-text")

@@ -6,15 +6,23 @@ from vrts.ir import expressions as x
 from vrts.ir import instructions as i
 from vrts.ir.module import Origin
 from vrts.lang.dialect import Angles
-from vrts.lang.grammar.syntax import (
-    Device,
+from vrts.lang.joined import span_in
+from vrts.lang.lowering.values import ValueLowering
+from vrts.lang.meaning.expression_types import ExpressionTypes
+from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
+from vrts.lang.meaning.scope import Scope
+from vrts.lang.names import key
+from vrts.lang.syntax.expressions import (
     Element,
     FormatItem,
-    Give,
     Item,
     Name,
     Number,
-    ProgramText,
+)
+from vrts.lang.syntax.program import ProgramText
+from vrts.lang.syntax.statements import (
+    Device,
+    Give,
     Put,
     ReactStatement,
     Rest,
@@ -22,12 +30,6 @@ from vrts.lang.grammar.syntax import (
     Simple,
     SpeedStatement,
 )
-from vrts.lang.joined import span_in
-from vrts.lang.lowering.values import ValueLowering
-from vrts.lang.meaning.expression_types import ExpressionTypes
-from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
-from vrts.lang.meaning.scope import Scope
-from vrts.lang.names import key
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 ACCURACY_FINE = 1.0  # [mm] AS's normal accuracy; what is larger is COARSE [assumed]

@@ -7,7 +7,20 @@ from vrts.ir import expressions as x
 from vrts.ir import instructions as i
 from vrts.ir.module import Origin, Program
 from vrts.ir.values import Type
-from vrts.lang.grammar.syntax import (
+from vrts.lang.joined import span_in
+from vrts.lang.lowering.instructions import InstructionLowering
+from vrts.lang.meaning.expression_types import ExpressionTypes
+from vrts.lang.meaning.scope import Scope
+from vrts.lang.meaning.structure import Block, exits, label_key
+from vrts.lang.names import key
+from vrts.lang.syntax.expressions import (
+    Element,
+    Expression,
+    Infix,
+    Name,
+)
+from vrts.lang.syntax.program import ProgramText, Step
+from vrts.lang.syntax.statements import (
     Assignment,
     Bad,
     CallNamed,
@@ -15,17 +28,12 @@ from vrts.lang.grammar.syntax import (
     Case,
     Declare,
     Device,
-    Element,
-    Expression,
     For,
     Give,
     Goto,
     HereStatement,
     If,
-    Infix,
-    Name,
     PackStatement,
-    ProgramText,
     Put,
     ReactStatement,
     Rest,
@@ -34,18 +42,11 @@ from vrts.lang.grammar.syntax import (
     ShiftStatement,
     Simple,
     SpeedStatement,
-    Step,
     Structure,
     Until,
     ValueGroup,
     While,
 )
-from vrts.lang.joined import span_in
-from vrts.lang.lowering.instructions import InstructionLowering
-from vrts.lang.meaning.expression_types import ExpressionTypes
-from vrts.lang.meaning.scope import Scope
-from vrts.lang.meaning.structure import Block, exits, label_key
-from vrts.lang.names import key
 
 
 class Lowering(InstructionLowering):

@@ -4,7 +4,11 @@ from vrts.base.numbers import single
 from vrts.base.source import SourceFile, Span
 from vrts.ir import expressions as x
 from vrts.lang.dialect import Angles
-from vrts.lang.grammar.syntax import (
+from vrts.lang.joined import Joined, span_in
+from vrts.lang.meaning.expression_types import ExpressionTypes
+from vrts.lang.meaning.scope import Scope
+from vrts.lang.names import key
+from vrts.lang.syntax.expressions import (
     Application,
     Element,
     FormatItem,
@@ -17,10 +21,6 @@ from vrts.lang.grammar.syntax import (
     Text,
     Variable,
 )
-from vrts.lang.joined import Joined, span_in
-from vrts.lang.meaning.expression_types import ExpressionTypes
-from vrts.lang.meaning.scope import Scope
-from vrts.lang.names import key
 from vrts.lang.vocabulary.functions import CONSTANTS, Signature
 
 _NO_TURN = (90.0, -90.0, 0.0)  # O, A, T of TRANS without angles [val2.md 4.6 note 1]

@@ -1,8 +1,14 @@
 """Operands whose value is known without a run."""
 
-from vrts.lang.grammar.syntax import Item, Name, Number, Parenthesised, Prefix
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
+from vrts.lang.syntax.expressions import (
+    Item,
+    Name,
+    Number,
+    Parenthesised,
+    Prefix,
+)
 from vrts.lang.vocabulary.functions import CONSTANTS
 
 

@@ -17,12 +17,13 @@ from vrts.ir.values import Joints, Type, Value
 from vrts.lang.decimals import metres, radians
 from vrts.lang.dialect import Angles
 from vrts.lang.grammar.lalr import Failure
-from vrts.lang.grammar.syntax import DataLine, Element, Name, Number
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.reading.splitter import Line, Section
 from vrts.lang.steps.steps import StepParser
+from vrts.lang.syntax.expressions import Element, Name, Number
+from vrts.lang.syntax.program import DataLine
 
 INVALID_DATA = Rule("V145", "invalid-data-line")
 VALUE_COUNT = Rule("V146", "value-count")

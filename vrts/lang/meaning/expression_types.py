@@ -12,9 +12,14 @@ from vrts.base.diagnostic import Label, Rule
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
 from vrts.lang.dialect import Angles
-from vrts.lang.grammar.syntax import (
+from vrts.lang.meaning.forms import is_text
+from vrts.lang.meaning.scope import Entry, Scope
+from vrts.lang.names import key
+from vrts.lang.problems import LIMIT, Problems
+from vrts.lang.spelling import nearest
+from vrts.lang.steps.mistakes import INVALID_FORMAT
+from vrts.lang.syntax.expressions import (
     Application,
-    Assignment,
     Element,
     Expression,
     FormatItem,
@@ -27,12 +32,7 @@ from vrts.lang.grammar.syntax import (
     Text,
     Variable,
 )
-from vrts.lang.meaning.forms import is_text
-from vrts.lang.meaning.scope import Entry, Scope
-from vrts.lang.names import key
-from vrts.lang.problems import LIMIT, Problems
-from vrts.lang.spelling import nearest
-from vrts.lang.steps.mistakes import INVALID_FORMAT
+from vrts.lang.syntax.statements import Assignment
 from vrts.lang.vocabulary.functions import (
     CONSTANTS,
     FOREIGN_FUNCTIONS,

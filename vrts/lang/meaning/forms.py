@@ -1,8 +1,7 @@
 """What expressions and statements are by their form alone, before names are looked up."""
 
-from vrts.lang.grammar.syntax import (
+from vrts.lang.syntax.expressions import (
     Application,
-    Device,
     Element,
     Expression,
     FormatItem,
@@ -13,6 +12,7 @@ from vrts.lang.grammar.syntax import (
     Parenthesised,
     Text,
 )
+from vrts.lang.syntax.statements import Device
 
 
 def is_text(node: Item) -> bool:

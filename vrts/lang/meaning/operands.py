@@ -3,16 +3,6 @@
 from vrts.base.diagnostic import Rule
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
-from vrts.lang.grammar.syntax import (
-    Device,
-    Element,
-    Give,
-    Item,
-    Name,
-    Number,
-    ReactStatement,
-    Simple,
-)
 from vrts.lang.meaning.expression_types import (
     FUNCTION_ARGUMENTS,
     TYPES_SAY,
@@ -21,6 +11,18 @@ from vrts.lang.meaning.expression_types import (
 )
 from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
 from vrts.lang.names import key
+from vrts.lang.syntax.expressions import (
+    Element,
+    Item,
+    Name,
+    Number,
+)
+from vrts.lang.syntax.statements import (
+    Device,
+    Give,
+    ReactStatement,
+    Simple,
+)
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 WITHOUT_EFFECT = Rule("V229", "without-effect")

@@ -2,7 +2,20 @@
 
 from vrts.base.diagnostic import Rule, Severity
 from vrts.ir.values import Type
-from vrts.lang.grammar.syntax import (
+from vrts.lang.meaning.expression_types import WRONG_TYPE
+from vrts.lang.meaning.forms import is_text
+from vrts.lang.meaning.operands import OperandTypes
+from vrts.lang.meaning.scope import Passed
+from vrts.lang.names import key
+from vrts.lang.syntax.expressions import (
+    Element,
+    Expression,
+    Infix,
+    Item,
+    Name,
+    Variable,
+)
+from vrts.lang.syntax.statements import (
     Assignment,
     Bad,
     CallNamed,
@@ -10,16 +23,11 @@ from vrts.lang.grammar.syntax import (
     Case,
     Declare,
     Device,
-    Element,
-    Expression,
     For,
     Give,
     Goto,
     HereStatement,
     If,
-    Infix,
-    Item,
-    Name,
     PackStatement,
     Put,
     ReactStatement,
@@ -33,14 +41,8 @@ from vrts.lang.grammar.syntax import (
     Structure,
     Until,
     ValueGroup,
-    Variable,
     While,
 )
-from vrts.lang.meaning.expression_types import WRONG_TYPE
-from vrts.lang.meaning.forms import is_text
-from vrts.lang.meaning.operands import OperandTypes
-from vrts.lang.meaning.scope import Passed
-from vrts.lang.names import key
 
 ASSIGNED_LOCATION = Rule("V203", "assigned-location")
 

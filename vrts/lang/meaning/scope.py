@@ -4,8 +4,10 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from vrts.ir.values import Type
-from vrts.lang.grammar.syntax import Declare, Element, Expression, Name, ProgramText
 from vrts.lang.names import key
+from vrts.lang.syntax.expressions import Element, Expression, Name
+from vrts.lang.syntax.program import ProgramText
+from vrts.lang.syntax.statements import Declare
 
 Place = tuple[int, int]  # range of offsets
 

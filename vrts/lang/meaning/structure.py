@@ -4,25 +4,23 @@ import heapq
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule
-from vrts.lang.grammar.syntax import (
+from vrts.lang.names import key
+from vrts.lang.problems import Problems
+from vrts.lang.syntax.expressions import Name, Number
+from vrts.lang.syntax.program import ProgramText, Step
+from vrts.lang.syntax.statements import (
     Bad,
     Case,
     For,
     Goto,
     If,
-    Name,
-    Number,
-    ProgramText,
     Simple,
     Statement,
-    Step,
     Structure,
     Until,
     ValueGroup,
     While,
 )
-from vrts.lang.names import key
-from vrts.lang.problems import Problems
 
 DUPLICATE_LABEL = Rule("V134", "duplicate-label")
 UNDEFINED_LABEL = Rule("V135", "undefined-label")

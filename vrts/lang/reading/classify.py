@@ -8,7 +8,7 @@ instruction can stand.
 from typing import NamedTuple
 
 from vrts.lang.dialect import VAL2, Dialect
-from vrts.lang.grammar.syntax import Token
+from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.lookup import look_up
 from vrts.lang.vocabulary.word import Word
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS

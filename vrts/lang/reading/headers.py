@@ -4,10 +4,11 @@ import re
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.dialect import Dialect
-from vrts.lang.grammar.syntax import Formal, Name
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.reading.splitter import DEFAULT_PROGRAM, INVALID_HEADER, Section
+from vrts.lang.syntax.expressions import Name
+from vrts.lang.syntax.program import Formal
 
 DUPLICATE_FORMAL = Rule("V217", "duplicate-formal")
 

@@ -9,10 +9,10 @@ import re
 from vrts.base.diagnostic import Rule
 from vrts.base.numbers import single
 from vrts.lang.dialect import Dialect
-from vrts.lang.grammar.syntax import Token
 from vrts.lang.problems import Problems
 from vrts.lang.reading.characters import BLANKS, INVISIBLE, LOOK_ALIKES, OPENING_QUOTES, STRANGERS
 from vrts.lang.reading.nesting import MAX_NESTING, balanced
+from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 
 STRAY_CHARACTER = Rule("V107", "stray-character")

@@ -9,8 +9,8 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Rule
 from vrts.lang.grammar.lalr import END, Failure, expected
 from vrts.lang.grammar.shapes import LABEL_EXPECTED, UNEXPECTED_TEXT
-from vrts.lang.grammar.syntax import Token
 from vrts.lang.problems import Problems
+from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.functions import FUNCTIONS
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.word import Word

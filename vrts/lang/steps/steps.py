@@ -9,17 +9,6 @@ from vrts.lang.dialect import Dialect, Precedence
 from vrts.lang.grammar.build import builders
 from vrts.lang.grammar.lalr import Failure, TableParser
 from vrts.lang.grammar.shapes import fits
-from vrts.lang.grammar.syntax import (
-    Bad,
-    DataLine,
-    Label,
-    Rest,
-    Simple,
-    Statement,
-    Step,
-    Text,
-    Token,
-)
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.reading.characters import (
@@ -35,6 +24,15 @@ from vrts.lang.reading.splitter import Line
 from vrts.lang.reading.tokens import MAX_STRING, tokenise
 from vrts.lang.steps.mistakes import explain
 from vrts.lang.steps.unknown_words import refuse, structural_word
+from vrts.lang.syntax.expressions import Text
+from vrts.lang.syntax.program import DataLine, Label, Step
+from vrts.lang.syntax.statements import (
+    Bad,
+    Rest,
+    Simple,
+    Statement,
+)
+from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.lookup import instructions_of, look_up
 

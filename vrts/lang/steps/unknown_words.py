@@ -2,11 +2,11 @@
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.dialect import titles
-from vrts.lang.grammar.syntax import Token
 from vrts.lang.names import key
 from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.reading.classify import Head, is_assigned
 from vrts.lang.spelling import nearest
+from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.commands import COMMANDS
 from vrts.lang.vocabulary.foreign import FOREIGN
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS

@@ -12,7 +12,6 @@ from vrts.base.stack import deep_stack
 from vrts.lang.dialect import VAL2, Dialect
 from vrts.lang.grammar.build import builders
 from vrts.lang.grammar.lalr import Failure, TableParser
-from vrts.lang.grammar.syntax import Item, Token
 from vrts.lang.problems import Problems
 from vrts.lang.reading.classify import is_assigned
 from vrts.lang.reading.nesting import MAX_NESTING, too_deep
@@ -21,6 +20,8 @@ from vrts.lang.reading.tokens import tokenise
 from vrts.lang.spelling import nearest
 from vrts.lang.steps.mistakes import explain
 from vrts.lang.steps.steps import operands_only
+from vrts.lang.syntax.expressions import Item
+from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.commands import COMMANDS, look_up_command
 from vrts.lang.vocabulary.lookup import spellings
 from vrts.lang.vocabulary.word import Word

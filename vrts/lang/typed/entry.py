@@ -7,24 +7,23 @@ from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.source import SourceFile
 from vrts.base.stack import deep_stack
 from vrts.lang.dialect import Dialect
-from vrts.lang.grammar.syntax import (
-    Bad,
-    CallNamed,
-    CallStatement,
-    Goto,
-    Name,
-    ReactStatement,
-    Rest,
-    Simple,
-    Step,
-    Structure,
-    Text,
-)
 from vrts.lang.meaning.structure import word_of
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.reading.splitter import LINE_TOO_LONG, Line, comment_start
 from vrts.lang.steps.steps import StepParser, report_pasted_characters
+from vrts.lang.syntax.expressions import Name, Text
+from vrts.lang.syntax.program import Step
+from vrts.lang.syntax.statements import (
+    Bad,
+    CallNamed,
+    CallStatement,
+    Goto,
+    ReactStatement,
+    Rest,
+    Simple,
+    Structure,
+)
 
 NOT_ALONE = Rule("V522", "not-alone")
 

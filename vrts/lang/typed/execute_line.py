@@ -3,10 +3,10 @@
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.ir.commands import Command, Execute
-from vrts.lang.grammar.syntax import Item, Name
 from vrts.lang.meaning.constants import number_of
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
+from vrts.lang.syntax.expressions import Item, Name
 from vrts.lang.typed.commands import INVALID_COMMAND, CommandLine, FileName, read_command
 
 _USAGE = "write EXECUTE program, cycles, step"

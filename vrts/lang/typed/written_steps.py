@@ -4,12 +4,12 @@ from typing import NamedTuple
 
 from vrts.base.source import SourceFile, Span
 from vrts.base.stack import deep_stack
-from vrts.lang.grammar import syntax
 from vrts.lang.problems import Problems
 from vrts.lang.reading.detection import detect
 from vrts.lang.reading.headers import is_remarks, read_header
 from vrts.lang.reading.splitter import split
 from vrts.lang.steps.steps import StepParser
+from vrts.lang.syntax import statements
 
 
 class WrittenStep(NamedTuple):
@@ -38,44 +38,44 @@ def written_steps(source: SourceFile) -> tuple[WrittenStep, ...]:
     )
 
 
-def _words(node: syntax.Statement) -> tuple[str, ...]:
+def _words(node: statements.Statement) -> tuple[str, ...]:
     match node:
-        case syntax.Assignment():
+        case statements.Assignment():
             return ()
-        case syntax.Goto(condition=condition):
+        case statements.Goto(condition=condition):
             return ("GOTO",) if condition is None else ("IF", "GOTO")
         case (
-            syntax.SetLocation()
-            | syntax.HereStatement()
-            | syntax.ShiftStatement()
-            | syntax.PackStatement()
-            | syntax.If()
-            | syntax.While()
-            | syntax.Until()
-            | syntax.For()
-            | syntax.Case()
-            | syntax.ValueGroup()
-            | syntax.CallStatement()
-            | syntax.CallNamed()
+            statements.SetLocation()
+            | statements.HereStatement()
+            | statements.ShiftStatement()
+            | statements.PackStatement()
+            | statements.If()
+            | statements.While()
+            | statements.Until()
+            | statements.For()
+            | statements.Case()
+            | statements.ValueGroup()
+            | statements.CallStatement()
+            | statements.CallNamed()
         ):
             return (_OWN_WORD[type(node)],)
-        case syntax.Bad(word=None):
+        case statements.Bad(word=None):
             return ()
         case _:
             return (str(node.word),)
 
 
-_OWN_WORD: dict[type[syntax.Statement], str] = {
-    syntax.SetLocation: "SET",
-    syntax.HereStatement: "HERE",
-    syntax.ShiftStatement: "SHIFT",
-    syntax.PackStatement: "PACK",
-    syntax.If: "IF",
-    syntax.While: "WHILE",
-    syntax.Until: "UNTIL",
-    syntax.For: "FOR",
-    syntax.Case: "CASE",
-    syntax.ValueGroup: "VALUE",
-    syntax.CallStatement: "CALL",
-    syntax.CallNamed: "CALLS",
+_OWN_WORD: dict[type[statements.Statement], str] = {
+    statements.SetLocation: "SET",
+    statements.HereStatement: "HERE",
+    statements.ShiftStatement: "SHIFT",
+    statements.PackStatement: "PACK",
+    statements.If: "IF",
+    statements.While: "WHILE",
+    statements.Until: "UNTIL",
+    statements.For: "FOR",
+    statements.Case: "CASE",
+    statements.ValueGroup: "VALUE",
+    statements.CallStatement: "CALL",
+    statements.CallNamed: "CALLS",
 }

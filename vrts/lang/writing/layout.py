@@ -9,12 +9,14 @@ from typing import NamedTuple
 from vrts.base.source import SourceFile
 from vrts.base.stack import deep_stack
 from vrts.lang.dialect import Dialect
-from vrts.lang.grammar.syntax import Bad, Rest, Step, Token
 from vrts.lang.meaning.structure import word_of
 from vrts.lang.problems import Problems
 from vrts.lang.reading.headers import read_header
 from vrts.lang.reading.splitter import Line, Section, comment_start, split
 from vrts.lang.steps.steps import StepParser
+from vrts.lang.syntax.program import Step
+from vrts.lang.syntax.statements import Bad, Rest
+from vrts.lang.syntax.token import Token
 from vrts.lang.writing.spelling_of_tokens import written
 
 GUTTER = 8  # columns for labels, before the first level

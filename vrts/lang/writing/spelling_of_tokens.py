@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from vrts.lang.dialect import Dialect
-from vrts.lang.grammar.syntax import Token
 from vrts.lang.reading.classify import Head
+from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions, bare_functions
 
 _COMPARISONS = frozenset({"==", "<>", "<", "<=", ">", ">="})

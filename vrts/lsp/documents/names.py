@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 from vrts.base.source import SourceFile
 from vrts.lang.dialect import Dialect
-from vrts.lang.grammar.syntax import Formal
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.reading.headers import is_remarks, read_header
 from vrts.lang.reading.splitter import Section, split
+from vrts.lang.syntax.program import Formal
 from vrts.lsp.documents.uses import Kind, Role, Use, read_line, variable_kind
 
 MOST_KEPT = 2000  # programs

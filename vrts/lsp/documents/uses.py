@@ -10,37 +10,39 @@ from typing import Any, NamedTuple
 
 from vrts.base.source import SourceFile
 from vrts.lang.dialect import Dialect
-from vrts.lang.grammar.syntax import (
+from vrts.lang.meaning.structure import word_of
+from vrts.lang.names import key
+from vrts.lang.problems import Problems
+from vrts.lang.reading.splitter import Line
+from vrts.lang.steps.steps import StepParser
+from vrts.lang.syntax.expressions import (
     Application,
+    Element,
+    FormatItem,
+    Infix,
+    Name,
+    Number,
+    Parenthesised,
+    Prefix,
+)
+from vrts.lang.syntax.statements import (
     Assignment,
     Bad,
     CallNamed,
     CallStatement,
     Declare,
     Device,
-    Element,
     For,
-    FormatItem,
     Give,
     Goto,
     HereStatement,
-    Infix,
-    Name,
-    Number,
     PackStatement,
-    Parenthesised,
-    Prefix,
     ReactStatement,
     SetLocation,
     ShiftStatement,
     Simple,
     Statement,
 )
-from vrts.lang.meaning.structure import word_of
-from vrts.lang.names import key
-from vrts.lang.problems import Problems
-from vrts.lang.reading.splitter import Line
-from vrts.lang.steps.steps import StepParser
 from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS, bare_functions
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS

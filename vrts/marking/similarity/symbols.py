@@ -8,12 +8,12 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile, Span
 from vrts.lang.dialect import VAL2
-from vrts.lang.grammar.syntax import Token
 from vrts.lang.problems import Problems
 from vrts.lang.reading.classify import classify
 from vrts.lang.reading.decoding import decode
 from vrts.lang.reading.splitter import Line, Section, split
 from vrts.lang.reading.tokens import tokenise
+from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.functions import applied_functions
 from vrts.lang.vocabulary.lookup import reserved_words
 

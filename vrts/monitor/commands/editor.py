@@ -7,8 +7,8 @@ from vrts.base.pose import IDENTITY
 from vrts.engine.memory.records import ProgramStatus
 from vrts.ir.commands import Command, SetVariable
 from vrts.ir.values import Type
-from vrts.lang.grammar.syntax import Application
 from vrts.lang.names import key
+from vrts.lang.syntax.expressions import Application
 from vrts.lang.typed.commands import CommandLine
 from vrts.lang.typed.entry import check_step
 from vrts.monitor import words

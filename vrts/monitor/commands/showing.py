@@ -5,7 +5,7 @@ from vrts.engine.machine.signals import INPUTS, INTERNAL, OUTPUTS
 from vrts.engine.memory.records import ProgramState, ProgramStatus
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
-from vrts.lang.grammar.syntax import Element, Name
+from vrts.lang.syntax.expressions import Element, Name
 from vrts.lang.typed.commands import CommandLine
 from vrts.monitor import words
 from vrts.monitor.commands.execution import as_instruction

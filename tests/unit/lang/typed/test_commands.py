@@ -5,7 +5,7 @@ import pytest
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.lang.dialect import VAL2, VAL2_PLUS, Dialect
-from vrts.lang.grammar.syntax import Name, Number
+from vrts.lang.syntax.expressions import Name, Number
 from vrts.lang.typed.commands import CommandLine, FileName, read_command
 from vrts.lang.vocabulary.commands import COMMANDS, look_up_command
 
