@@ -1,4 +1,4 @@
-"""Example programs of the language reference and the IR they lower to.
+"""Example programs and the IR they lower to.
 
 The end of a file's name tells its dialect. After a change of the IR that is meant,
 `UPDATE_GOLDEN=1 pytest tests/golden/test_golden_lang.py` writes the files anew.
@@ -33,6 +33,6 @@ def test_ir(path: Path) -> None:
     assert dump(compilation.module) == golden.read_text("utf-8")
 
 
-def test_all_examples_of_the_reference_are_there() -> None:
+def test_all_examples_are_there() -> None:
     named = (re.match(r"; Example E(\d+) ", path.read_text("utf-8")) for path in PROGRAMS)
     assert {int(found[1]) for found in named if found} == set(range(1, 19))

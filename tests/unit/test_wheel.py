@@ -15,6 +15,7 @@ from tests.places import ROOT
 NEEDED = (
     "vrts/dispatch/profiles/mark2-val2.toml",
     "vrts/lang/grammar/grammar.lark",
+    "vrts/manual/language/signals.md",
     "vrts/pages/V301.md",
     "vrts/library/scenes/cans-on-bases/scene.toml",
     "vrts/library/examples/01-cans-on-bases/solution.v2",

@@ -21,5 +21,8 @@ def single(value: float) -> float:
 
 
 def round_half_away(value: float) -> int:
-    """Return the nearest integer; halves go away from zero [assumed, val2.md 1.5]."""
+    """Return the nearest integer.
+
+    Halves go away from zero [assumed, manual language/numbers#rounding].
+    """
     return math.floor(value + 0.5) if value >= 0 else math.ceil(value - 0.5)

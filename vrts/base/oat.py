@@ -10,7 +10,8 @@ from typing import TypeAlias
 from vrts.base.pose import Pose, Rotation
 from vrts.base.units import DEG, MM
 
-VERTICAL_TOLERANCE = 1e-7  # below this hypot(a_x, a_y) the tool counts as vertical [puma.md 3.2]
+# below this hypot(a_x, a_y) the tool is vertical [manual language/locations#vertical-tolerance]
+VERTICAL_TOLERANCE = 1e-7
 
 Components: TypeAlias = tuple[float, float, float, float, float, float]
 
@@ -36,7 +37,8 @@ def rotation_from_oat(o: float, a: float, t: float) -> Rotation:
 def oat_from_rotation(rotation: Rotation) -> tuple[float, float, float]:
     """Return O, A, T in degrees with A in [-90, 90].
 
-    With the tool vertical only O - T or O + T is defined; T is then 0 [assumed, puma.md 3.2].
+    With the tool vertical only O - T or O + T is defined; T is then 0 [assumed, manual
+    language/locations#vertical].
     """
     _, r12, r13, _, r22, r23, r31, r32, r33 = rotation
     level = math.hypot(r13, r23)

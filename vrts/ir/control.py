@@ -132,7 +132,7 @@ class React(NamedTuple):
     program: str | None
     priority: Expression | None
     immediate: bool
-    always: bool = False  # stays armed [assumed, val2.md 3.6]
+    always: bool = False  # stays armed [assumed, manual language/reactions#always]
     after_motion: bool = False
 
 

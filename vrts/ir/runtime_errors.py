@@ -1,6 +1,7 @@
 """VAL's run-time errors: their words and numbers.
 
-Numbers are those of the family as far as they are remembered [assumed, val2.md 8.3].
+Numbers are those of the family as far as they are remembered [assumed, manual
+language/errors#numbers].
 """
 
 from enum import Enum
@@ -42,6 +43,7 @@ class RuntimeErrorKind(Enum):
     INVALID_NUMBER = ValError("Invalid number format", -457)
     PROCESS_EXECUTING = ValError("Process control program executing", -305)
     ILLEGAL_IN_PROCESS = ValError("Illegal in process control program", -306)
-    ILLEGAL_RETURNE = ValError("Illegal RETURNE", -307)  # text and number assumed [val2.md 3.4]
+    # text and number assumed [manual language/reactions#returne]
+    ILLEGAL_RETURNE = ValError("Illegal RETURNE", -307)
     INVALID_SWITCH = ValError("Invalid switch", -424)  # number assumed
     NOT_INSTALLED = ValError("Option not installed", -802)

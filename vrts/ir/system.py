@@ -1,4 +1,7 @@
-"""System switches and parameters: names and what they are at the start [val2.md 3.9]."""
+"""System switches and parameters: names and what they are at the start.
+
+See [manual language/settings#switches, language/settings#parameters].
+"""
 
 from collections.abc import Mapping
 from types import MappingProxyType

@@ -1,4 +1,4 @@
-"""The relatives of VAL-II as far as the front end tells them apart [val2.md 0.2, 9].
+"""The relatives of VAL-II as far as the front end tells them apart [manual language/dialects].
 
 A dialect says which words count, how operators bind and what the three angles of a location mean.
 """
@@ -15,7 +15,7 @@ class Angles(Enum):
 
 
 class Precedence(Enum):
-    """How operators bind [val2.md 4.2]."""
+    """How operators bind [manual language/operators#binding]."""
 
     A = "A"  # VAL-II and V+: AND like `*`, OR like `+`, comparisons last
     B = "B"  # AS: comparisons before AND and OR
@@ -52,7 +52,8 @@ class Dialect(NamedTuple):
         return not set(self.letters).isdisjoint(letters)
 
 
-_STRICT_LINE, _TOLERANT_LINE = 255, 4096  # [assumed, val2.md 1.1 item 5; the second is ours]
+# the second is ours [assumed, manual language/programs#line-length]
+_STRICT_LINE, _TOLERANT_LINE = 255, 4096
 
 VAL2 = Dialect("val2", "VAL-II", "2", False, Angles.OAT, Precedence.A, _STRICT_LINE)
 VAL2_PLUS = Dialect("val2+", "VAL-II", "2+1a", True, Angles.OAT, Precedence.A, _TOLERANT_LINE)

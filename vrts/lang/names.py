@@ -4,7 +4,7 @@ from vrts.base.diagnostic import Rule
 
 NAME_TRUNCATED = Rule("V212", "name-truncated")
 
-SIGNIFICANT = 15  # characters, the sigil not counted [val2.md 1.4]
+SIGNIFICANT = 15  # characters, the sigil not counted [manual language/names#length]
 
 
 def key(name: str) -> str:

@@ -1,4 +1,7 @@
-"""The layouts in which the monitor shows values [val2.md 5.6]. Each ends with a line end."""
+"""The layouts in which the monitor shows values. Each ends with a line end.
+
+See [manual language/monitor#layouts].
+"""
 
 from collections.abc import Iterable, Mapping
 

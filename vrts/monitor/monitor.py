@@ -102,7 +102,7 @@ class Monitor:
         if now.asks:
             return ""  # the program has asked
         if self.desk.dialect.is_as:
-            return ">"  # [val2.md 9.1]
+            return ">"  # [manual language/monitor#prompt]
         return "*" if now.executing else "."
 
     def enter(self, line: str, now: Situation) -> Turn:

@@ -24,7 +24,7 @@ class Assumption(NamedTuple):
     name: str  # of the constant, field or rule
     value: str  # as the source writes it; empty: a rule
     why: str  # the words beside it
-    about: str  # section of the reference, where one is named
+    about: str  # page and rule of the manual, where one is named
     uses: tuple[str, ...] = ()  # functions and classes that read it
 
     @property

@@ -6,7 +6,7 @@ from vrts.base.oat import components
 from vrts.base.pose import Pose
 
 DECIMALS = 2  # 0.01 mm and 0.01 degrees
-NAME_WIDTH = 15  # VAL-II counts 15 characters of a name [val2.md 1.4]
+NAME_WIDTH = 15  # VAL-II counts 15 characters of a name [manual language/names#length]
 
 
 def location_line(name: str, X_WT: Pose) -> str:

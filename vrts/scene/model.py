@@ -76,7 +76,7 @@ class Limits:
     statements: int = 2_000_000
     time_s: float = 600.0  # simulated [s]
     motions: int = 20_000
-    call_depth: int = 200  # [assumed, val2.md 1.12]
+    call_depth: int = 200  # [assumed, manual language/programs#call-depth]
     output_characters: int = 1_000_000
 
 

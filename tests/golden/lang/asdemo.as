@@ -1,4 +1,4 @@
-; Example E18 of the VAL-II language reference (val2.md), unchanged.
+; Example E18 of VAL-II and its relatives, written for vrts [manual language/dialects#differences].
 .PROGRAM asdemo()
   SPEED 200 MM/S ALWAYS
   ACCURACY 1 ALWAYS

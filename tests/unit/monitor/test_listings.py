@@ -1,4 +1,4 @@
-"""The layouts of val2.md 5.6, character by character."""
+"""The layouts of the monitor, character by character [manual language/monitor#layouts]."""
 
 import math
 

@@ -9,7 +9,7 @@ from vrts.report.assumptions import assumptions_in, decisions, text_of
 SOURCE = '''
 """A module."""
 
-LIMIT = 5  # [m] farther is away [assumed, val2.md 1.2]
+LIMIT = 5  # [m] farther is away [assumed, manual language/numbers#subscripts]
 # assumed: no document says how long
 TIME = 3.5
 OTHER = 7  # measured
@@ -23,18 +23,18 @@ def rule(x):
 def test_marks_in_comments_and_docstrings() -> None:
     found = assumptions_in("a.b", SOURCE)
     assert [(entry.what, entry.why, entry.about) for entry in found] == [
-        ("LIMIT = 5", "[m] farther is away", "val2.md 1.2"),
+        ("LIMIT = 5", "[m] farther is away", "manual language/numbers#subscripts"),
         ("TIME = 3.5", "assumed: no document says how long", ""),
         ("rule()", "Halves go away from zero", ""),
     ]
     assert text_of(found).splitlines()[:2] == [
         "a.b",
-        "  LIMIT = 5  -- [m] farther is away; val2.md 1.2",
+        "  LIMIT = 5  -- [m] farther is away; manual language/numbers#subscripts",
     ]
 
 
 FIELDS = '''
-"""Rules of the house. Names are long [assumed, val2.md 3]."""
+"""Rules of the house. Names are long [assumed, manual language/names#longest]."""
 
 class Limits:
     depth: int = 200  # calls [assumed]
@@ -52,7 +52,7 @@ TABLE = _by_name(Row("SPEED", 100.0, "upper limit [assumed]"))
 def test_fields_tables_and_modules_are_named() -> None:
     found = assumptions_in("a.b", FIELDS)
     assert [(entry.what, entry.why, entry.about) for entry in found] == [
-        ("a.b", "Names are long", "val2.md 3"),
+        ("a.b", "Names are long", "manual language/names#longest"),
         ("Limits.depth = 200", "calls", ""),
         ("ARM.speed = degrees(90)", "assumed", ""),
         ("'SPEED' = 100.0", "upper limit", ""),

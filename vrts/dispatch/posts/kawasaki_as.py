@@ -1,4 +1,7 @@
-"""AS of Kawasaki: its words for motions, and `+` between locations [val2.md 9]."""
+"""AS of Kawasaki: its words for motions, and `+` between locations.
+
+See [manual language/dialects#to-as].
+"""
 
 from typing import ClassVar
 
@@ -10,7 +13,7 @@ from vrts.lang.names import key
 from vrts.lang.syntax import expressions, statements
 
 COARSE_MM = 10.0  # ACCURACY for COARSE [assumed]
-FINE_MM = 1.0  # the same for FINE, AS's own default [val2.md 9.1]
+FINE_MM = 1.0  # the same for FINE, AS's own default [manual language/dialects#accuracy]
 MM_PER_INCH = 25.4
 _LOCATIONS = frozenset({Type.POSE, Type.JOINTS})
 

@@ -22,7 +22,8 @@ from vrts.lang.vocabulary.lookup import instructions_of, reserved_words
 CANNOT_WRITE = Rule("V860", "no-such-word")
 LEFT_OUT = Rule("V861", "word-left-out")
 
-OFFSETS = (-90.0, 90.0, 0.0)  # from O, A, T to yaw, pitch, roll [val2.md 6.2]
+# from O, A, T to yaw, pitch, roll [manual language/locations#yaw-pitch-roll]
+OFFSETS = (-90.0, 90.0, 0.0)
 _FIRST_ANGLE = 3  # of the arguments of TRANS
 _WORD = re.compile(r"[A-Za-z][\w.]*", re.ASCII)
 _PLAIN_NUMBER = re.compile(r"[\d.]+(?:[eE][+-]?\d+)?", re.ASCII)

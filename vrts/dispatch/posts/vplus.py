@@ -1,4 +1,7 @@
-"""V+ of Adept: nearly all of VAL-II, with yaw, pitch and roll [val2.md 9]."""
+"""V+ of Adept: nearly all of VAL-II, with yaw, pitch and roll.
+
+See [manual language/dialects#to-vplus].
+"""
 
 from typing import ClassVar
 

@@ -317,7 +317,8 @@ def _return(skip: Callable[[Context], float] | None, *, implicit: bool) -> Step:
             return CYCLE_ENDED
         frame = c.frames[-1]
         if frame.kind is FrameKind.ERROR and implicit:
-            return CYCLE_ENDED  # an error program has to say how it goes on [assumed, val2.md 3.6]
+            # an error program says how to go on [assumed, manual language/reactions#error-end]
+            return CYCLE_ENDED
         steps = int(skip(c)) if skip is not None else 0
         left = c.leave()
         if left.kind is not FrameKind.CALL:

@@ -25,7 +25,7 @@ from vrts.engine.outcomes import (
 if TYPE_CHECKING:
     from vrts.engine.machine.machine import Machine
 
-STEPS_A_TICK = 100  # of each program [assumed, val2.md 3.7]
+STEPS_A_TICK = 100  # of each program [assumed, manual language/processes#share]
 
 
 def execute(machine: "Machine", c: Context, now: float) -> None:

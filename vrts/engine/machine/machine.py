@@ -43,7 +43,7 @@ from vrts.ir.commands import TimedCommand
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.scene.model import FaultKind, Scenario, Scene
 
-STEPS_A_TICK = 100  # of each program [assumed, val2.md 3.7]
+STEPS_A_TICK = 100  # of each program [assumed, manual language/processes#share]
 
 
 class Lineage:

@@ -66,7 +66,11 @@ def abort(c: Context, now: float) -> None:
 
 
 def end_later(c: Context, *, on: bool) -> None:
-    """Let a program stop at the end of its cycle, or take that back [assumed, val2.md 3.7]."""
+    """Let a program stop at the end of its cycle, or take that back.
+
+    PCEND waits for the end of the cycle, PCEND -1 takes that back [assumed, manual
+    language/processes#end].
+    """
     if on and c.cycles_left != 1:
         c.kept_cycles, c.cycles_left = c.cycles_left, 1
     elif not on and c.kept_cycles is not None:

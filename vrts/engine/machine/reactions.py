@@ -1,10 +1,13 @@
-"""Reactions: signals that a program watches, and what it does when one changes [val2.md 3.6]."""
+"""Reactions: signals that a program watches, and what it does when one changes.
+
+See [manual language/reactions].
+"""
 
 from dataclasses import dataclass
 
 HIGHEST_PRIORITY = 127
-ERROR_PRIORITY = 254  # of a program that REACTE names [assumed, val2.md 3.6]
-MOST_WATCHES = 8  # [assumed, val2.md 3.6]
+ERROR_PRIORITY = 254  # of a program that REACTE names [assumed, manual language/reactions#errors]
+MOST_WATCHES = 8  # [assumed, manual language/reactions#number]
 
 
 @dataclass(slots=True)

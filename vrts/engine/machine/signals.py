@@ -6,7 +6,7 @@ from vrts.base.source import Span
 from vrts.engine.faults import RuntimeFault
 from vrts.ir.runtime_errors import RuntimeErrorKind
 
-OUTPUTS = range(1, 33)  # [assumed, val2.md 3.5]
+OUTPUTS = range(1, 33)  # [assumed, manual language/signals#ranges]
 INPUTS = range(1001, 1033)
 INTERNAL = range(2001, 2257)
 

@@ -8,7 +8,7 @@ start and stop at once. At each end that straight line is rounded over a zone:
   whose acceleration is zero at both ends [Paul1981]_. Added to the neighbour's, it gives the
   rounded corner; the peak acceleration is 1.5 times the change of speed divided by 2 W.
 
-All numbers are [assumed, val2.md 7.3].
+All numbers are [assumed, manual language/motion#time-scaling].
 """
 
 import math

@@ -7,8 +7,10 @@ from vrts.base.units import INCH, MM
 from vrts.ir.instructions import Accuracy, SpeedUnit
 from vrts.robots.model import Arm
 
-SPEED_MAX = 100.0  # [%] a higher program speed acts as this [assumed, val2.md 3.1]
-SETTLING = {Accuracy.FINE: 3, Accuracy.COARSE: 1}  # ticks at a stop [assumed, val2.md 3.1]
+# [%] a higher program speed acts as this [assumed, manual language/settings#speed-limit]
+SPEED_MAX = 100.0
+# ticks at a stop [assumed, manual language/settings#settling]
+SETTLING = {Accuracy.FINE: 3, Accuracy.COARSE: 1}
 
 
 class Speed(NamedTuple):

@@ -10,7 +10,7 @@ from vrts.lang.syntax.statements import Simple, SpeedStatement, Statement
 SPEED_RANGE = Rule("V226", "speed-range")
 STRAIGHT_FROM_READY = Rule("V228", "straight-from-ready")
 
-FULL_SPEED = 100.0  # [%] what is above acts as this [assumed, val2.md 3.1]
+FULL_SPEED = 100.0  # [%] what is above acts as this [assumed, manual language/settings#speed-limit]
 _STRAIGHT = frozenset({"MOVES", "MOVEST", "APPROS", "DEPARTS", "DRAW"})
 _JOINT = frozenset({"MOVE", "MOVET", "APPRO", "DEPART", "DRIVE", "ALIGN"})
 

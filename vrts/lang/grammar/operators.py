@@ -1,6 +1,7 @@
 """Precedence: a flat chain of operands and operators to a tree.
 
-Table A is VAL-II's and V+'s, table B that of AS [val2.md 4.2]. Inside a level: left to right.
+Table A is VAL-II's and V+'s, table B that of AS [manual language/operators#binding]. Inside a
+level: left to right.
 Operators before an operand bind tighter than any between two.
 """
 
@@ -22,7 +23,7 @@ def _levels(*levels: tuple[str, ...]) -> dict[str, int]:
     return {operator: len(levels) - i for i, level in enumerate(levels) for operator in level}
 
 
-TABLE_A = _levels(  # of VAL-II from memory only [assumed, val2.md 4.2]
+TABLE_A = _levels(  # of VAL-II from memory only [assumed, manual language/operators#table-a]
     (":",),
     ("**",),
     ("*", "/", "MOD", "AND", "BAND"),

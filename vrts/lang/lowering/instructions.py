@@ -33,7 +33,8 @@ from vrts.lang.syntax.statements import (
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 ACCURACY_FINE = 1.0  # [mm] AS's normal accuracy; what is larger is COARSE [assumed]
-FIRST_INPUT = 1000.0  # what VAL's channels lack to be inputs of VAL-II [assumed, val2.md 3.5]
+# what VAL's channels lack to be inputs of VAL-II [assumed, manual language/signals#channels]
+FIRST_INPUT = 1000.0
 MAX_TEXT = 60  # characters of an instruction in a message
 
 _UNITS = {None: i.SpeedUnit.PERCENT, "MMPS": i.SpeedUnit.MM_PER_S, "IPS": i.SpeedUnit.INCH_PER_S}

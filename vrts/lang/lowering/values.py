@@ -23,7 +23,7 @@ from vrts.lang.syntax.expressions import (
 )
 from vrts.lang.vocabulary.functions import CONSTANTS, Signature
 
-_NO_TURN = (90.0, -90.0, 0.0)  # O, A, T of TRANS without angles [val2.md 4.6 note 1]
+_NO_TURN = (90.0, -90.0, 0.0)  # O, A, T of TRANS without angles [manual language/locations#trans]
 
 
 class ValueLowering:

@@ -1,7 +1,7 @@
 """Data sections to initial values: .LOCATIONS, .REALS, .STRINGS and those of the relatives.
 
 Lines are read as they stand in real files: values between blanks or commas, with or without `=`
-behind the name, locations of 3, 6 or 12 values [val2.md 2.2].
+behind the name, locations of 3, 6 or 12 values [manual language/files#data-lines].
 """
 
 import math
@@ -31,7 +31,7 @@ EXTRA_AXES = Rule("V162", "extra-axes")
 NO_ROTATION = Rule("V163", "no-rotation")
 VALUE_REPLACED = Rule("V216", "value-replaced")
 
-MAX_STRING = 128  # [val2.md 1.6]
+MAX_STRING = 128  # [manual language/strings#length]
 SKEW = 1e-3  # how far a matrix may be from a rotation and still be read as one [assumed]
 _JOINTS = 6
 _AXES_OF_AS = (7, 8)

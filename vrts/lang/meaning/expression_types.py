@@ -53,7 +53,7 @@ INVALID_SWITCH = Rule("V218", "invalid-switch")
 INVALID_PARAMETER = Rule("V219", "invalid-parameter")
 NOT_SIMULATED = Rule("V161", "not-simulated")
 
-MAX_SUBSCRIPTS = 3  # [val2.md 1.10]
+MAX_SUBSCRIPTS = 3  # [manual language/numbers#dimensions]
 FORMAT = re.compile(r"/[DFIGEHOCXUBSJKLN](\d{0,3}(\.\d{1,2})?)?", re.IGNORECASE)
 _WORD = re.compile(r"[$#]?[\w.]+")
 TYPES_SAY = "VAL-II says *Illegal operator*"

@@ -1,4 +1,6 @@
-"""Which words of a step are keywords [val2.md 1.4, 1.13].
+"""Which words of a step are keywords.
+
+See [manual language/names#reserved, language/names#abbreviations].
 
 The first word of a step is an instruction unless `=` or `[...]=` follows; elsewhere a word is a
 keyword only if the instruction of the step wants it. So `stop` may be a variable wherever no

@@ -1,7 +1,7 @@
 """A file to sections and lines, by hand. Never fails: what is odd is kept and reported.
 
 Steps are numbered as the controller numbers them: from 1, blank and comment lines included, the
-.PROGRAM line not counted [val2.md 1.1].
+.PROGRAM line not counted [manual language/programs#steps].
 """
 
 import re
@@ -219,7 +219,7 @@ class _Splitter:
         )
 
     def _stray(self, line: Line) -> None:
-        """Steps outside any program: real files have them [val2.md 1.1 item 9]."""
+        """Steps outside any program, as in real files [manual language/programs#loose-steps]."""
         self.problems.warning(
             MISSING_PROGRAM_LINE,
             "these steps stand outside any program",

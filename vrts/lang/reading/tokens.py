@@ -22,7 +22,7 @@ INVALID_NAME = Rule("V111", "invalid-name")
 CHARACTER_IN_STRING = Rule("V112", "character-in-string")
 STRING_TOO_LONG = Rule("V114", "string-too-long")
 
-MAX_STRING = 128  # [val2.md 1.6]
+MAX_STRING = 128  # [manual language/strings#length]
 MOST_BAD = 20  # problems of one step; it is not read further
 
 _QUOTES = re.escape(OPENING_QUOTES)

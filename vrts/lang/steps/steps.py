@@ -43,7 +43,7 @@ TOLERATED = Rule("V155", "tolerated")
 TOO_MANY_WORDS = Rule("V116", "too-many-words")
 BLOCK_STEP = Rule("V158", "block-step")
 
-MAX_LABEL = 65535  # [val2.md 1.3]
+MAX_LABEL = 65535  # [manual language/programs#labels]
 MAX_VAL2_LABEL = 32767  # beyond it VAL-II may refuse what V+ takes [assumed]
 MAX_SEEN = 4096  # different lines whose tokens are kept
 MAX_KEPT = 64  # tokens of such a line

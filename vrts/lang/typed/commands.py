@@ -30,7 +30,7 @@ INVALID_COMMAND = Rule("V153", "invalid-command")
 UNKNOWN_COMMAND = Rule("V520", "unknown-command")
 AMBIGUOUS_COMMAND = Rule("V521", "ambiguous-command")
 
-MAX_LINE = 255  # characters [val2.md 1.1 item 5]
+MAX_LINE = 255  # characters [manual language/monitor#line]
 _WORD = re.compile(r"[A-Za-z][\w.]*", re.ASCII)
 _FILE = re.compile(r'[ \t]*(?:"(?P<quoted>[^"]*)"|(?P<bare>[^\s="]+))')
 _ILLEGAL_SAYS = "VAL-II says *Illegal monitor command*"
@@ -118,7 +118,7 @@ def _assigns(problems: Problems, body: str, start: int) -> bool:
 
 
 def _assignment(problems: Problems, body: str, start: int) -> CommandLine | None:
-    """`n = 5` without DO: relatives take it, VAL-II does not [val2.md 5.3]."""
+    """`n = 5` without DO: VAL-II does not take it [manual language/monitor#assignment]."""
     if not problems.dialect.tolerant:
         problems.error(
             UNKNOWN_COMMAND,

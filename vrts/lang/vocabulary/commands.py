@@ -1,4 +1,6 @@
-"""The commands of the monitor: what an operator types, not steps of programs [val2.md 5].
+"""The commands of the monitor: what an operator types, not steps of programs.
+
+See [manual language/monitor#commands].
 
 The terminal of a command says how its operands are read:
 
@@ -105,7 +107,7 @@ _COMMANDS = (
 
 COMMANDS = {word.text: word for word in _COMMANDS}
 
-IDLE_ONLY = frozenset(  # refused while a program executes [val2.md 5.2 to 5.4]
+IDLE_ONLY = frozenset(  # refused while a program executes [manual language/monitor#idle]
     {
         *("BASE", "CALIBRATE", "DELETE", "DELETEL", "DELETEP", "DELETER", "DELETES", "DO"),
         *("DPOINT", "EXECUTE", "KILL", "NEXT", "PRIME", "PROCEED", "RENAME", "RETRY", "SSTEP"),

@@ -1,4 +1,4 @@
-"""Which instruction a first word stands for [val2.md 1.13]."""
+"""Which instruction a first word stands for [manual language/names#abbreviations]."""
 
 from functools import cache, lru_cache
 

@@ -18,7 +18,7 @@ class Word(NamedTuple):
 
     text: str  # upper case
     place: Place
-    dialects: str  # columns: `1` VAL, `2` VAL-II, `+` V+, `a` AS [val2.md 12]
+    dialects: str  # columns: `1` VAL, `2` VAL-II, `+` V+, `a` AS [manual language/names#columns]
     terminal: str  # class of words with the same operands, in the grammar
     usage: str = ""  # as a reader would write it
     about: str = ""  # what it does, in one line

@@ -1,4 +1,4 @@
-"""A compilation as the controller's STORE writes it [val2.md 2.1, 2.2].
+"""A compilation as the controller's STORE writes it [manual language/files#store].
 
 Programs in alphabetical order, then locations, reals and strings. What is read back is the same:
 programs, strings and reals exactly, locations rounded to 4 decimals, or exactly too if asked for.

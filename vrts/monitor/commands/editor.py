@@ -1,4 +1,7 @@
-"""EDIT: the line editor [val2.md 5.5]. It shows a step, asks for the step, and goes on."""
+"""EDIT: the line editor. It shows a step, asks for the step, and goes on.
+
+See [manual language/editor].
+"""
 
 import re
 from typing import NamedTuple

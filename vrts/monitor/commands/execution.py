@@ -1,4 +1,4 @@
-"""Commands that execute programs and single instructions [val2.md 5.2]."""
+"""Commands that execute programs and single instructions [manual language/monitor#execution]."""
 
 from vrts.engine.machine.signals import INTERNAL, OUTPUTS
 from vrts.ir.commands import (
@@ -37,7 +37,7 @@ from vrts.monitor.desk import (
 from vrts.monitor.programs import StoredProgram
 
 _MOST_CYCLES = 32767
-_MOST_SPEED = 100.0  # % [val2.md 3.1: V+ clips there]
+_MOST_SPEED = 100.0  # %; V+ clips there [manual language/settings#monitor-limit]
 
 PLAIN: dict[str, Command] = {
     "ABORT": Abort(),

@@ -1,4 +1,4 @@
-"""Commands on files: LOAD, STORE and their like, and those of the disk [val2.md 2.1, 2.3, 5.4]."""
+"""Commands on files: LOAD, STORE and their like, and those of the disk [manual language/files]."""
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile, Span

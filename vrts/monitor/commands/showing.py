@@ -1,4 +1,4 @@
-"""Commands that show what is going on, and what is set [val2.md 5.3, 5.6]."""
+"""Commands that show what is going on, and what is set [manual language/monitor#showing]."""
 
 from vrts import __version__
 from vrts.engine.machine.signals import INPUTS, INTERNAL, OUTPUTS

@@ -1,4 +1,7 @@
-"""Commands on programs in memory: LISTP, DIRECTORY, COPY, RENAME, DELETE, ZERO [val2.md 5.4]."""
+"""Commands on programs in memory: LISTP, DIRECTORY, COPY, RENAME, DELETE, ZERO.
+
+See [manual language/monitor#programs].
+"""
 
 from collections.abc import Iterable
 

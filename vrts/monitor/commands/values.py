@@ -1,4 +1,7 @@
-"""Commands on variables: HERE, POINT, LISTL, LISTR, LISTS, DELETEL and its like [val2.md 5.3]."""
+"""Commands on variables: HERE, POINT, LISTL, LISTR, LISTS, DELETEL and its like.
+
+See [manual language/monitor#values].
+"""
 
 from collections.abc import Iterable
 

@@ -1,4 +1,4 @@
-"""The hand on every flange: two fingers, closed and opened by air."""
+"""The hand on every flange: two fingers, closed and opened by air [manual robots/grippers]."""
 
 from typing import NamedTuple
 

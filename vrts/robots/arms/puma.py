@@ -1,7 +1,8 @@
 """The Unimation PUMA 761 and 762 as data: every number with its source, or the word assumed.
 
 Sources: *maker's drawing*, the workspace and range drawings of the 700 series; *762 model*, a
-public CAD-derived model of a real PUMA 762 (dimensions only).
+public CAD-derived model of a real PUMA 762 (dimensions only). See [manual robots/puma761,
+robots/puma762].
 """
 
 import math

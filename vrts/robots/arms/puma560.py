@@ -1,4 +1,7 @@
-"""The Unimation PUMA 560 as data: kinematics from [Lee1984]_ and [FGL1987]_, shape assumed."""
+"""The Unimation PUMA 560 as data: kinematics from [Lee1984]_ and [FGL1987]_, shape assumed.
+
+See [manual robots/puma560].
+"""
 
 import math
 

@@ -17,8 +17,8 @@ from vrts.robots.model import (
     Wrist,
 )
 
-SHOULDER_BOUNDARY = 25e-3  # [m] of signed reach [assumed, val2.md 6.7]
-ELBOW_BOUNDARY = 25e-3  # [m] of signed bend [assumed, val2.md 6.7]
+SHOULDER_BOUNDARY = 25e-3  # [m] of signed reach [assumed, manual robots/branches#boundary]
+ELBOW_BOUNDARY = 25e-3  # [m] of signed bend [assumed, manual robots/branches#boundary]
 WRIST_BOUNDARY = math.radians(0.01)  # [rad] of joint 5 [assumed]
 
 INITIAL_BRANCH = ArmBranch(Shoulder.LEFTY, Elbow.ABOVE, Wrist.NOFLIP)  # [assumed]

@@ -64,8 +64,9 @@ def choose(
 
     Shoulder and elbow are those requested, else those of the present branch. FLIP and NOFLIP bind
     only when requested; otherwise the wrist solution within limits whose largest change of joints
-    4 to 6 is smaller is taken [assumed, val2.md 6.8]. Arms without branches take, of the solutions
-    within limits, the one whose largest change of a joint is smallest; requests are ignored.
+    4 to 6 is smaller is taken [assumed, manual robots/branches#wrist]. Arms without branches take,
+    of the solutions within limits, the one whose largest change of a joint is smallest; requests
+    are ignored.
     """
     if isinstance(arm, SerialArm):
         return _choose_nearest(arm, X_BF, present, near)

@@ -23,7 +23,7 @@ FLAT_REGION = Rule("V476", "flat-region")
 BLIND_SENSOR = Rule("V477", "blind-sensor")
 TOO_MANY = Rule("V480", "too-many-entries")
 
-FIRST_INPUT, LAST_INPUT = 1001, 1032  # [assumed, val2.md 3.5]
+FIRST_INPUT, LAST_INPUT = 1001, 1032  # [assumed, manual language/signals#ranges]
 LATEST_S = 7200.0  # any time in a scenario [s]
 FARTHEST_MM = 10_000.0  # any corner of a region
 MOST_CHANGES = 10_000  # of all inputs together

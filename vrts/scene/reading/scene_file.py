@@ -41,7 +41,7 @@ INVALID_NAME = Rule("V612", "invalid-name")
 HEIGHT = Rule("V610", "height-of-object")
 UNKNOWN_COLOR = Rule("V607", "unknown-color")
 
-LONGEST_NAME = 10  # letters; with "_grip" it fills VAL's 15 [val2.md 1.4]
+LONGEST_NAME = 10  # letters; with "_grip" it fills VAL's 15 [manual language/names#length]
 
 _NAME = re.compile(r"[a-z][a-z0-9_]*", re.IGNORECASE)
 

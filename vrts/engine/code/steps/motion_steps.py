@@ -311,7 +311,7 @@ class MotionStepCompiler:
 def aligned(pose: Pose) -> Pose:
     """Return a pose turned about its origin until z is parallel to the nearest world axis.
 
-    The turn is the smallest one, about z x axis [assumed, val2.md 3.1].
+    The turn is the smallest one, about z x axis [assumed, manual language/motion#align].
     """
     z = pose.approach
     axis = max(WORLD_AXES, key=lambda candidate: dot(candidate, z))

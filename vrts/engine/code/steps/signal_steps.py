@@ -15,11 +15,11 @@ from vrts.engine.outcomes import BLOCKED
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
 
-HIGHEST_TIMER = 15  # [val2.md 3.9]
-MOST_BITS = 16  # that BITS writes at once [val2.md 3.5]
-ANALOG_OUTPUTS = 4  # [assumed, val2.md 3.5]
-ANALOG_RANGE = (-2048, 2047)  # counts [assumed, val2.md 3.5]
-PULSE_TIME = 0.2  # [s] of PULSE without a time [assumed, val2.md 9]
+HIGHEST_TIMER = 15  # [manual language/settings#timers]
+MOST_BITS = 16  # that BITS writes at once [manual language/signals#bits]
+ANALOG_OUTPUTS = 4  # [assumed, manual language/signals#analog]
+ANALOG_RANGE = (-2048, 2047)  # counts [assumed, manual language/signals#analog]
+PULSE_TIME = 0.2  # [s] of PULSE without a time [assumed, manual language/signals#pulse]
 
 SignalInstruction = (
     ir.Signal

@@ -24,10 +24,10 @@ if TYPE_CHECKING:
 
 POWERED_UP = datetime(1988, 1, 1)
 MONTHS = ("JAN", "FEB", "MAR", "APR", "MAY", "JUN", "JUL", "AUG", "SEP", "OCT", "NOV", "DEC")
-ANALOG_INPUTS = 8  # [assumed, val2.md 3.5]
+ANALOG_INPUTS = 8  # [assumed, manual language/signals#analog]
 MEMORY_CELLS = 100_000  # of a controller that is empty; FREE tells the share left [assumed]
-UNDER_PROGRAM_CONTROL = 7.0  # STATE(1) [assumed, val2.md 4.3]
-AT_REST, MOVING, STOPPING = 0.0, 1.0, 2.0  # STATE(2) [assumed, val2.md 4.3]
+UNDER_PROGRAM_CONTROL = 7.0  # STATE(1) [assumed, manual language/functions#state]
+AT_REST, MOVING, STOPPING = 0.0, 1.0, 2.0  # STATE(2) [assumed, manual language/functions#state]
 UNKNOWN, IDLE, RUNNING, PAUSED, WAITING = -1.0, 0.0, 1.0, 2.0, 3.0  # STATUS [assumed]
 
 

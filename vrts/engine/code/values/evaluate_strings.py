@@ -17,7 +17,7 @@ from vrts.ir.values import Value
 if TYPE_CHECKING:
     from vrts.engine.code.values.evaluate import Compiler, Evaluate
 
-HIGHEST_SUBSCRIPT = 32767  # [assumed, val2.md 1.10]
+HIGHEST_SUBSCRIPT = 32767  # [assumed, manual language/numbers#subscripts]
 
 
 def written(

@@ -93,7 +93,7 @@ _ROBOT_ONLY = frozenset(
         ir.SetBaseFrame,
         ir.AssignHere,
     }
-)  # marked [R] [val2.md 3.0]
+)  # marked [R] [manual language/motion#robot-steps]
 _STATEFUL = frozenset(
     {
         Function.BASE,

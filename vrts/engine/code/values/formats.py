@@ -1,4 +1,4 @@
-"""How numbers are written by TYPE and $ENCODE [val2.md 3.8, 4.5.2]."""
+"""How numbers are written by TYPE and $ENCODE [manual language/formats]."""
 
 import math
 

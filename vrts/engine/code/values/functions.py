@@ -61,7 +61,11 @@ def bad(headline: str, span: Span | None) -> RuntimeFault:
 
 
 def _trans(a: Arguments, span: Span | None) -> Pose:
-    """TRANS: with all three angles omitted the orientation is identity [assumed, val2.md 4.6]."""
+    """TRANS.
+
+    With all three angles omitted the orientation is identity [assumed, manual
+    language/locations#trans].
+    """
     x, y, z = (_real(a, k) for k in range(3))
     if all(k >= len(a) or a[k] is None for k in (3, 4, 5)):
         return Pose(IDENTITY.rotation, (x * MM, y * MM, z * MM))
@@ -69,7 +73,7 @@ def _trans(a: Arguments, span: Span | None) -> Pose:
 
 
 def _trans_zyz(a: Arguments, span: Span | None) -> Pose:
-    """TRANS of V+ and AS: plain Z Y' Z'' angles [val2.md 6.2]."""
+    """TRANS of V+ and AS: plain Z Y' Z'' angles [manual language/locations#yaw-pitch-roll]."""
     x, y, z, yaw, pitch, roll = (_real(a, k) for k in range(6))
     return pose_from_components(x, y, z, yaw + 90.0, pitch - 90.0, roll)
 

@@ -1,4 +1,7 @@
-"""Pieces of strings: $DECODE, $UNPACK and PACK on values [val2.md 3.9, 4.4, 4.5.1]."""
+"""Pieces of strings: $DECODE, $UNPACK and PACK on values.
+
+See [manual language/strings#decode, language/strings#pack].
+"""
 
 ELEMENT = 128  # characters of an element of a string array that PACK and $UNPACK count through
 

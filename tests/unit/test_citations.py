@@ -1,0 +1,236 @@
+"""Citations lead to rules of the manual, and each rule says what it stands on.
+
+A citation in a comment or docstring names a page and a rule, as in the texts at the end, with
+*assumed* in front where somebody had to decide.
+"""
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from tests.places import ROOT
+from tests.support_programs import compiled, program
+
+MANUAL = ROOT / "vrts" / "manual"
+PAGES = {
+    path.relative_to(MANUAL).with_suffix("").as_posix(): path.read_text("utf-8")
+    for path in sorted(MANUAL.rglob("*.md"))
+}
+OF_RULES = sorted(n for n in PAGES if "/" in n and not n.endswith("/index"))
+KEYS = frozenset(
+    re.findall(r"^\| \[(\w+)\] \|", (ROOT / "vrts" / "README.md").read_text("utf-8"), re.M)
+)
+
+STATUSES = ("documented", "inferred", "assumed")
+SUFFIXES = {".py", ".md", ".toml", ".lark", ".json", ".v2", ".val", ".vplus", ".as"}
+DIALECTS = {"val2", "val2+", "val", "vplus", "as"}
+
+CITATION = re.compile(r"\[(assumed,\s+)?manual\s+([^\]]+)\]")
+ONE = re.compile(r"([a-z0-9/-]+)(?:#([a-z0-9-]+))?")
+SECTION = re.compile(r"(?:^\(([^)\n]*)\)=\n)?^## (.+)\n((?:(?!^\(|^## ).*\n?)*)", re.M)
+FIELD = re.compile(r"^- \*\*(Status|Source|Code):\*\* (.*\S)$", re.M)
+KEY = re.compile(r"\[([A-Z]\w+)\](?!\()")
+LINK = re.compile(r"\]\(#([^)]*)\)")
+BLOCK = re.compile(r"^```(\S+)\n(.*?)^```$", re.M | re.S)
+NOT_HERE = re.compile(r"\b(?:val2|puma|paper|traps)\.md\b")  # notes that nobody outside has
+
+
+class Rule(NamedTuple):
+    """One section of a page."""
+
+    page: str
+    label: str  # of the whole manual; empty: it has none
+    title: str
+    fields: Mapping[str, str]
+
+
+def rules(page: str, text: str) -> list[Rule]:
+    """Return the sections of a page."""
+    return [
+        Rule(page, label, title, dict(FIELD.findall(body)))
+        for label, title, body in SECTION.findall(text)
+    ]
+
+
+def faults_of_page(
+    page: str, text: str, keys: frozenset[str], exists: Callable[[str], bool]
+) -> Iterator[str]:
+    """Yield what a page of rules lacks."""
+    found = rules(page, text)
+    if not found:
+        yield f"{page}: no rule"
+    for rule in found:
+        where = f"{page}: {rule.title}"
+        if not rule.label.startswith(page.replace("/", "-") + "-"):
+            yield f"{where}: the label `{rule.label}` is not of this page"
+        if rule.fields.get("Status") not in STATUSES:
+            yield f"{where}: status is one of {', '.join(STATUSES)}"
+        if not rule.fields.get("Source"):
+            yield f"{where}: no source"
+        paths = re.findall(r"`([^`]+)`", rule.fields.get("Code", ""))
+        if not paths:
+            yield f"{where}: no code"
+        yield from (f"{where}: there is no {path}" for path in paths if not exists(path))
+    for key in KEY.findall(text):
+        if key not in keys:
+            yield f"{page}: the key [{key}] is not defined"
+
+
+def citations(text: str) -> Iterator[tuple[bool, str]]:
+    """Yield every citation in a text: whether it is of something assumed, page and rule."""
+    for mark, cited in CITATION.findall(text):
+        for one in cited.split(","):
+            yield bool(mark), " ".join(one.split())
+
+
+def faults_of_citations(name: str, text: str, pages: Mapping[str, str]) -> Iterator[str]:
+    """Yield citations in a file that lead nowhere, or call assumed what is documented."""
+    for assumed, cited in citations(text):
+        match = ONE.fullmatch(cited)
+        page, anchor = (match[1], match[2]) if match else (cited, None)
+        if page not in pages:
+            yield f"{name}: there is no page `{page}`"
+        elif anchor is not None:
+            label = f"{page.replace('/', '-')}-{anchor}"
+            rule = next((r for r in rules(page, pages[page]) if r.label == label), None)
+            if rule is None:
+                yield f"{name}: `{page}` has no rule `{anchor}`"
+            elif assumed and rule.fields.get("Status") == "documented":
+                yield f"{name}: `{cited}` is documented, not assumed"
+
+
+def sources() -> Iterator[tuple[str, str]]:
+    """Yield name and text of every file that may cite."""
+    for folder in ("vrts", "tests", "scenes", "examples", "README.md", "pyproject.toml"):
+        for path in sorted([ROOT / folder, *(ROOT / folder).rglob("*")]):
+            if path.suffix in SUFFIXES and path.is_file() and _is_ours(path):
+                yield path.relative_to(ROOT).as_posix(), path.read_text("utf-8", "replace")
+
+
+def _is_file(path: str) -> bool:
+    return (ROOT / path).is_file()
+
+
+def _is_ours(path: Path) -> bool:
+    return path != Path(__file__) and not {"vendor", "node_modules"} & set(path.parts)
+
+
+def test_every_citation_leads_to_a_rule() -> None:
+    found = [fault for name, text in sources() for fault in faults_of_citations(name, text, PAGES)]
+    assert found == []
+    cited = {one for name, text in sources() if name.endswith(".py") for one in citations(text)}
+    assert len(cited) > 50, "few citations found: the pattern is wrong"
+
+
+def test_nothing_names_notes_that_nobody_has() -> None:
+    assert [name for name, text in sources() if NOT_HERE.search(text)] == []
+
+
+@pytest.mark.parametrize("page", OF_RULES)
+def test_every_rule_has_a_status_a_source_and_code(page: str) -> None:
+    assert list(faults_of_page(page, PAGES[page], KEYS, _is_file)) == []
+
+
+def test_labels_are_unique_and_links_lead_to_them() -> None:
+    labels = [rule.label for page, text in PAGES.items() for rule in rules(page, text)]
+    labels = [label for label in labels if label]
+    assert sorted(labels) == sorted(set(labels))
+    linked = {link for text in PAGES.values() for link in LINK.findall(text)}
+    assert linked - set(labels) == set()
+
+
+def test_the_index_lists_every_page_and_every_rule_with_its_status() -> None:
+    for folder in ("language", "robots"):
+        index = PAGES[f"{folder}/index"]
+        expected = [page for page in OF_RULES if page.startswith(folder)]
+        listed = re.findall(r"^## \[.+\]\((.+)\.md\)$", index, re.M)
+        assert sorted(f"{folder}/{page}" for page in listed) == expected
+        found = [rule for page in listed for rule in rules(folder, PAGES[f"{folder}/{page}"])]
+        lines = [f"- [{r.title}](#{r.label}): {r.fields.get('Status')}" for r in found]
+        assert re.findall(r"^- .*$", index, re.M) == lines
+    assert set(re.findall(r"\]\((.+)\.md\)", PAGES["index"])) == {
+        name for name in PAGES if name.endswith("/index") or name == "sources"
+    }
+
+
+def blocks() -> list[tuple[str, str, str]]:
+    """Return page, language and text of every block of code in the manual."""
+    return [(name, *block) for name, text in PAGES.items() for block in BLOCK.findall(text)]
+
+
+@pytest.mark.parametrize("page", sorted(PAGES))
+def test_every_program_of_a_page_compiles(page: str) -> None:
+    for name, language, text in blocks():
+        if name == page:
+            assert language in DIALECTS | {"text"}, language
+            if language in DIALECTS:
+                compiled(text if ".PROGRAM" in text else program(text.rstrip()), language)
+
+
+# --- the checker finds faults ---------------------------------------------------------------------
+
+PAGE = """# Signals
+
+(language-signals-ranges)=
+## Which signals there are
+
+Outputs are 1 to 32.
+
+- **Status:** assumed
+- **Source:** no document, but see [Known2000]
+- **Code:** `vrts/engine.py`
+
+(language-signals-sign)=
+## A minus means off
+
+- **Status:** documented
+- **Source:** [Known2000]
+- **Code:** `vrts/engine.py`
+"""
+SMALL = {"language/signals": PAGE}
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ("OUTPUTS = 32  # [assumed, manual language/signals#ranges]", ""),
+        ("x  # [manual language/signals]", ""),
+        ("x  # [manual language/signals#sign, language/signals#ranges]", ""),
+        ("x  # [manual language/signals#no-such]", "`language/signals` has no rule `no-such`"),
+        ("x  # [manual language/signal#sign]", "there is no page `language/signal`"),
+        ("x  # [manual Signals]", "there is no page `Signals`"),
+        ("x  # [manual language/signals#sign, robots]", "there is no page `robots`"),
+        (
+            "x  # [assumed, manual language/signals#sign]",
+            "`language/signals#sign` is documented, not assumed",
+        ),
+    ],
+)
+def test_a_wrong_citation_is_found(text: str, fault: str) -> None:
+    found = list(faults_of_citations("a.py", text, SMALL))
+    assert found == ([f"a.py: {fault}"] if fault else [])
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "fault"),
+    [
+        ("", "", ""),
+        ("assumed", "guessed", "status is one of documented, inferred, assumed"),
+        ("- **Status:** assumed\n", "", "status is one of documented, inferred, assumed"),
+        ("- **Source:** no document, but see [Known2000]\n", "", "no source"),
+        ("(language-signals-ranges)=\n", "", "the label `` is not of this page"),
+        ("language-signals-ranges", "ranges", "the label `ranges` is not of this page"),
+        ("vrts/engine.py", "vrts/gone.py", "there is no vrts/gone.py"),
+        ("- **Code:** `vrts/engine.py`\n", "", "no code"),
+        ("[Known2000]", "[Else1999]", "the key [Else1999] is not defined"),
+    ],
+)
+def test_a_rule_that_lacks_something_is_found(before: str, after: str, fault: str) -> None:
+    text = PAGE.replace(before, after, 1) if before else PAGE
+    keys, code = frozenset({"Known2000"}), "vrts/engine.py"
+    found = list(faults_of_page("language/signals", text, keys, code.__eq__))
+    prefix = "language/signals: " + ("" if "key" in fault else "Which signals there are: ")
+    assert found == ([prefix + fault] if fault else [])
