@@ -24,6 +24,7 @@ Result = TypeVar("Result")
 
 PATIENCE = 60.0  # [s] on a busy machine
 EDITOR = "neovim@v0.11"
+SERVER = ("-m", "vrts.cli.main", "lsp")  # words for the interpreter
 CONVERTER = default_converter()
 
 
@@ -71,7 +72,11 @@ class Client:
     """
 
     def __init__(
-        self, folder: Path, encodings: list[str] | None = None, editor: str = EDITOR
+        self,
+        folder: Path,
+        encodings: list[str] | None = None,
+        editor: str = EDITOR,
+        server: tuple[str, ...] = SERVER,
     ) -> None:
         self.folder = folder
         self.said: list[tuple[str, Any]] = []  # by the server: nobody has taken it yet
@@ -81,7 +86,7 @@ class Client:
         self._loop = asyncio.new_event_loop()
         self._thread = threading.Thread(target=self._loop.run_forever, daemon=True)
         self._thread.start()
-        self.client, self.process, self._listening = self._wait(self._start())
+        self.client, self.process, self._listening = self._wait(self._start(server))
         able = client_capabilities(editor)
         if encodings:
             wanted = [types.PositionEncodingKind(encoding) for encoding in encodings]
@@ -111,9 +116,11 @@ class Client:
         self._loop.close()
         return status
 
-    async def _start(self) -> tuple[Driven, asyncio.subprocess.Process, asyncio.Task[None]]:
+    async def _start(
+        self, server: tuple[str, ...]
+    ) -> tuple[Driven, asyncio.subprocess.Process, asyncio.Task[None]]:
         client = Driven(self._heard)
-        process = await client.begin(sys.executable, "-m", "vrts.cli.main", "lsp")
+        process = await client.begin(sys.executable, *server)
         return client, process, asyncio.ensure_future(self._listen(process))
 
     async def _listen(self, process: asyncio.subprocess.Process) -> None:

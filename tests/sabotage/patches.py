@@ -18,7 +18,7 @@ MONITOR = "tests/spec/test_spec_monitor.py"
 LAB = "tests/unit/scene/reading/test_lab.py"
 SAVED = "tests/unit/engine/storage/test_vrun.py"
 VERIFYING = "tests/unit/lsp/runs/test_verifying.py"
-BACKGROUND = "tests/unit/lsp/server/test_background.py"
+BACKGROUND = "tests/unit/lsp/server/background/test_background.py"
 REMOTE = "tests/unit/marking/remote/test_plan_run_merge.py"
 DAP = "tests/unit/debug/dap/test_dap.py"
 VALIDATE = "tests/unit/validate/test_"
@@ -1172,21 +1172,21 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "lsp: findings of an earlier text stay in lines that changed",
-        "vrts/lsp/runs/findings.py",
+        "vrts/lsp/channel/findings.py",
         "if head <= line < len(old) - tail:",
         "if False:",
         (VERIFYING,),
     ),
     Patch(
         "lsp: times of an earlier text count as those of this one",
-        "vrts/lsp/server/verifying.py",
+        "vrts/lsp/server/background/verifying.py",
         "if known is None or known.subject.document is not document:",
         "if known is None:",
         ("tests/unit/lsp/runs/test_running.py::test_over_the_protocol",),
     ),
     Patch(
         "lsp: files that change on disk are not looked at",
-        "vrts/lsp/server/watching.py",
+        "vrts/lsp/server/background/watching.py",
         "if before.get(f, seen) != seen]",
         "if False]",
         (f"{BACKGROUND}::test_files_that_change_on_disk_are_looked_at_again",),
@@ -1200,17 +1200,17 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "lsp: a folder counts as read before it is",
-        "vrts/lsp/server/reading.py",
+        "vrts/lsp/server/background/reading.py",
         "return not self._documents.unread(folder)",
         "return True",
-        ("tests/unit/lsp/answers/test_reading.py::test_the_open_buffer_comes_first",),
+        ("tests/unit/lsp/server/background/test_reading.py::test_the_open_buffer_comes_first",),
     ),
     Patch(
         "lsp: reach is told of the scene as it was",
         "vrts/lsp/runs/reaching.py",
         "if known is None or known.stamp != stamp:",
         "if known is None:",
-        ("tests/unit/lsp/documents/test_setting_files.py",),
+        ("tests/unit/lsp/runs/test_reaching.py",),
     ),
     Patch(
         "lsp: names kept of a program stay where it stood before",
@@ -1238,7 +1238,7 @@ PATCHES: tuple[Patch, ...] = (
         "vrts/lsp/server/colours.py",
         "types.SemanticTokensEdit(head, len(before) - tail - head, new)",
         "types.SemanticTokensEdit(head, 0, new)",
-        ("tests/unit/lsp/answers/test_marking.py",),
+        ("tests/unit/lsp/answers/test_colours_and_mending.py",),
     ),
     Patch(
         "the clock of a log is moved the wrong way",

@@ -28,7 +28,7 @@ from vrts.check.verdicts.vias import Lack, passed
 from vrts.engine.memory.records import Motion
 from vrts.engine.run import Run
 from vrts.lsp.answers.formatting import Edit
-from vrts.lsp.runs.findings import Found, Mending
+from vrts.lsp.channel.findings import Found, Mending
 
 TRIES = 4  # at what is still too fast
 MOST_MENDED = 8  # faults for which a speed is worked out: each costs runs

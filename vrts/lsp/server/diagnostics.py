@@ -8,7 +8,7 @@ from pygls.uris import from_fs_path
 
 from vrts.base.diagnostic import Diagnostic, Severity
 from vrts.lang.findings.usage import UNUSED_NAME
-from vrts.lsp.runs.findings import Finding, in_words
+from vrts.lsp.channel.findings import Finding, in_words
 from vrts.lsp.server.places import Places
 
 VERIFICATION = "vrts verify"  # where a diagnostic comes from that concerns a run

@@ -6,7 +6,6 @@ from vrts.lsp.answers.completing import Proposal, What, complete
 from vrts.lsp.answers.hovering import hover
 from vrts.lsp.answers.signatures import signature
 from vrts.lsp.documents.linking import group
-from vrts.lsp.runs.reaching import reach_text
 from vrts.lsp.server.session import Session
 
 _KINDS = {
@@ -36,7 +35,7 @@ def register(session: Session) -> None:
         about = found.about
         place = found.place
         if place is not None:
-            reached = await server.aside(lambda: reach_text(document.path, place))
+            reached = await server.aside(lambda: server.reaching.text(document.path, place))
             about += f"\n\n```\n{reached}\n```" if reached else ""
         text = f"```val2\n{found.code}\n```\n{about}"
         content = types.MarkupContent(types.MarkupKind.Markdown, text)

@@ -4,7 +4,7 @@ from lsprotocol import types
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.lsp.answers.fixing import Remedy, remedies
-from vrts.lsp.runs.findings import Mending
+from vrts.lsp.channel.findings import Mending
 from vrts.lsp.server.diagnostics import converted
 from vrts.lsp.server.places import Places
 from vrts.lsp.server.session import Session

@@ -3,8 +3,8 @@
 from lsprotocol import types
 
 from vrts.lsp.answers.lenses import lenses
+from vrts.lsp.channel.timing import STEP_S, Timing, hint
 from vrts.lsp.documents.documents import Document
-from vrts.lsp.runs.timing import STEP_S, Timing, hint
 from vrts.lsp.server.session import Session
 
 

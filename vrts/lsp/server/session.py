@@ -14,15 +14,16 @@ from pygls.uris import from_fs_path, to_fs_path
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
 from vrts.lsp.answers.checking import check
+from vrts.lsp.channel.findings import Finding
 from vrts.lsp.documents.documents import Document, Documents
 from vrts.lsp.documents.linking import group
 from vrts.lsp.documents.setting_files import setting_stamp
-from vrts.lsp.runs.findings import Finding
+from vrts.lsp.server.background.reaching import Reaching
+from vrts.lsp.server.background.reading import Reading
+from vrts.lsp.server.background.verifying import Subject, Verifications
+from vrts.lsp.server.background.watching import watch
 from vrts.lsp.server.diagnostics import converted, converted_finding
 from vrts.lsp.server.places import Places
-from vrts.lsp.server.reading import Reading
-from vrts.lsp.server.verifying import Subject, Verifications
-from vrts.lsp.server.watching import watch
 
 Result = TypeVar("Result")
 
@@ -40,6 +41,7 @@ class Session(LanguageServer):
         self._watch: asyncio.Task[None] | None = None
         self._found: dict[str, tuple[Document, tuple[Diagnostic, ...]]] = {}
         self.reading = Reading(self, self.documents, self._check_folder)
+        self.reaching = Reaching()
         self.verifications = Verifications(_background, self._learned)
         self._worker = ThreadPoolExecutor(1, "check")  # one: answers come first
 
@@ -161,6 +163,7 @@ class Session(LanguageServer):
         """End what goes on in the background."""
         self.verifications.stop()
         self.reading.stop()
+        self.reaching.stop()
         for task in (*self._checks.values(), self._watch):
             if task is not None:
                 task.cancel()

@@ -3,42 +3,8 @@
 import os
 from pathlib import Path
 
-from tests.places import ROOT
-from vrts.base.oat import pose_from_components
+from tests.unit.lsp.in_a_cell import TASK, setting
 from vrts.lsp.documents.setting_files import setting_stamp
-from vrts.lsp.runs.reaching import reach_text
-
-TASK = """[task]
-title = "a"
-scene = "cell/scene.toml"
-[time]
-reference_s = 10
-[[goal]]
-object = "can1"
-on = "base2"
-"""
-
-
-def setting(folder: Path) -> Path:
-    scene = (ROOT / "scenes" / "cans-on-bases" / "scene.toml").read_text("utf-8")
-    (folder / "cell").mkdir()
-    (folder / "cell" / "scene.toml").write_text(scene, "utf-8")
-    (folder / "task.toml").write_text(TASK, "utf-8")
-    return folder / "a.v2"
-
-
-def test_reach_is_that_of_the_scene_as_it_is_now(tmp_path: Path) -> None:
-    program, scene = str(setting(tmp_path)), tmp_path / "cell" / "scene.toml"
-    X_WT = pose_from_components(900.0, 0.0, 0.0, 90.0, 90.0, 0.0)
-    text = scene.read_text("utf-8")
-    near = reach_text(program, X_WT)
-    assert near.startswith("reachable")
-    scene.write_text(text.replace("puma761", "puma560"), "utf-8")  # the task stays as it is
-    assert reach_text(program, X_WT) != near
-    scene.write_text("nonsense", "utf-8")
-    assert reach_text(program, X_WT) == ""
-    scene.write_text(text, "utf-8")
-    assert reach_text(program, X_WT) == near
 
 
 def test_every_file_of_a_setting_counts(tmp_path: Path) -> None:

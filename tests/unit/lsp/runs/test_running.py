@@ -11,9 +11,10 @@ import pytest
 from tests.places import ROOT
 from tests.support_lsp import PATIENCE, Client
 from vrts.lsp.answers.lenses import lenses
+from vrts.lsp.channel.timing import Timing, hint
+from vrts.lsp.channel.verification import Asked
 from vrts.lsp.documents.documents import Document
-from vrts.lsp.runs.timing import Timing, hint
-from vrts.lsp.runs.verifying import Asked, verify
+from vrts.lsp.runs.verifying import verify
 from vrts.pipeline.assess import assess
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"

@@ -11,9 +11,10 @@ import pytest
 from tests.places import ROOT
 from vrts.base.diagnostic import Severity
 from vrts.base.source import SourceFile
-from vrts.lsp.runs.findings import Finding, carried
+from vrts.lsp.channel.findings import Finding, carried
+from vrts.lsp.channel.verification import Answer, Asked
 from vrts.lsp.runs.speeds import applied
-from vrts.lsp.runs.verifying import Answer, Asked, verify
+from vrts.lsp.runs.verifying import verify
 
 EXAMPLES = ROOT / "examples"
 CANS = EXAMPLES / "01-cans-on-bases"

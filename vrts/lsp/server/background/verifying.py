@@ -1,16 +1,22 @@
 """Verifications in processes of their own: what is shown of them while buffers change."""
 
 import asyncio
-import json
 import signal
 import sys
 from collections.abc import Callable, Coroutine
 from typing import Any, NamedTuple
 
+from vrts.lsp.channel.findings import Finding, carried
+from vrts.lsp.channel.verification import (
+    CPU_S,
+    Answer,
+    Asked,
+    answer_of,
+    line_of,
+    stopped,
+)
 from vrts.lsp.documents.documents import Document
 from vrts.lsp.documents.setting_files import Stamp
-from vrts.lsp.runs.findings import Finding, carried
-from vrts.lsp.runs.verifying import CPU_S, Answer, Asked, answer_of, stopped
 
 DELAY_S = 0.5  # after a check has found no error, before the program is run
 PATIENCE_S = 60.0  # for a verification, whatever it does
@@ -116,7 +122,7 @@ class Verifications:
         answer = Answer()
         try:
             async with asyncio.timeout(PATIENCE_S):
-                process.stdin.write(json.dumps(asked).encode() + b"\n")
+                process.stdin.write(line_of(asked))
                 async for line in process.stdout:
                     answer = answer_of(line)
                     if not answer.is_whole:

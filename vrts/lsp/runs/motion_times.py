@@ -1,27 +1,17 @@
-"""When each motion of a program ends, and how near it comes, for the end of its line."""
+"""The motions of a run by the lines that gave them, with clearances sampled meanwhile."""
 
-from typing import TYPE_CHECKING, NamedTuple
+import numpy as np
 
-if TYPE_CHECKING:
-    from vrts.engine.run import Run
-    from vrts.pipeline.settings import Setting
+from vrts.base.units import mm
+from vrts.check.collision.clearance_curve import FAR, clearance_curve
+from vrts.engine.run import Run
+from vrts.lsp.channel.timing import MOST_TIMES, STEP_S, Timing
+from vrts.pipeline.settings import Setting
 
-MOST_TIMES = 3  # of one step that are told
-STEP_S = 0.05  # between samples of the clearance
 _SAMPLES = 1000
 
 
-class Timing(NamedTuple):
-    """The motions of one line."""
-
-    line: int  # from 1
-    ends_s: tuple[float, ...]  # the first few times, since the program began [s]
-    takes_s: float  # how long the first one takes [s]
-    times: int  # how often the line moved the arm
-    clearance_mm: float | None = None  # the least that was sampled; None: far, or no scene
-
-
-def timings(setting: "Setting", run: "Run", path: str, *, near: bool) -> tuple[Timing, ...]:
+def timings(setting: Setting, run: Run, path: str, *, near: bool) -> tuple[Timing, ...]:
     """Return the motions of a run by the lines of one file.
 
     Args:
@@ -49,15 +39,10 @@ def timings(setting: "Setting", run: "Run", path: str, *, near: bool) -> tuple[T
     )
 
 
-def _clearance_curve(setting: "Setting", run: "Run") -> list[tuple[float, float]]:
+def _clearance_curve(setting: Setting, run: Run) -> list[tuple[float, float]]:
     """Return times since the program began [s] and clearances [mm]; none without a task."""
     if setting.task is None or run.horizon_s <= 0.0:
         return []
-    import numpy as np
-
-    from vrts.base.units import mm
-    from vrts.check.collision.clearance_curve import FAR, clearance_curve
-
     count = min(int(run.horizon_s / STEP_S) + 2, _SAMPLES)
     times = np.linspace(0.0, run.horizon_s, count)
     values = clearance_curve(setting.scene, run, times, setting.task.near_miss)
@@ -69,11 +54,3 @@ def _least(curve: list[tuple[float, float]], moved: list[tuple[float, float]]) -
     """Return the least clearance [mm] sampled during some motions."""
     inside = (value for time, value in curve if any(start <= time <= end for start, end in moved))
     return min(inside, default=None)
-
-
-def hint(timing: Timing) -> str:
-    """Return what to show behind a motion."""
-    shown = ", ".join(f"{end:.1f}" for end in timing.ends_s)
-    text = f"{shown}{' ...' if timing.times > len(timing.ends_s) else ''} s"
-    near = timing.clearance_mm
-    return text if near is None else f"{text}, {near:.0f} mm"
