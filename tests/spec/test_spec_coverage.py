@@ -1,7 +1,7 @@
 """The pages of this folder hold every conformance case.
 
-The cases C1 to C99 are numbered in the language reference this project was written from; a page
-names those that it judges, in its headings or its prose.
+C1 to C99 are the cases that this project was to show at least, from constants (C1) to BITS (C99); a
+page names those that it judges, in its headings or its prose.
 """
 
 import re
