@@ -142,3 +142,8 @@ def _errors_first(ordered: list[Diagnostic]) -> list[Diagnostic]:
     errors = [i for i, d in enumerate(ordered) if d.is_error][:LIMIT]
     others = [i for i, d in enumerate(ordered) if not d.is_error][: LIMIT - len(errors)]
     return [ordered[i] for i in sorted(errors + others)]
+
+
+def short(text: str) -> str:
+    """Return a piece of a program as a message quotes it."""
+    return text if len(text) <= 40 else text[:37] + "..."

@@ -17,7 +17,7 @@ from vrts.lang.meaning.scope import Entry, Scope
 from vrts.lang.names import key
 from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.spelling import nearest
-from vrts.lang.steps.mistakes import INVALID_FORMAT
+from vrts.lang.steps.other_forms import INVALID_FORMAT
 from vrts.lang.syntax.expressions import (
     Application,
     Element,

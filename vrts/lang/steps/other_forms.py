@@ -1,0 +1,132 @@
+"""What a step says in the form of another language, or of another instruction.
+
+Each function reports its mistake where a step has it, and returns whether it does.
+"""
+
+from vrts.base.diagnostic import Rule
+from vrts.lang.grammar.lalr import END
+from vrts.lang.problems import short
+from vrts.lang.steps.broken_step import OPERANDS, BrokenStep
+from vrts.lang.vocabulary.functions import FUNCTIONS
+
+INVALID_EXPRESSION = Rule("V126", "invalid-expression")
+SINGLE_EQUALS = Rule("V127", "single-equals")
+INVALID_FORMAT = Rule("V132", "invalid-format")
+
+
+def beginning(step: BrokenStep) -> bool:
+    """`// comment`, `= 5`: the step begins with a sign."""
+    here = step.here
+    if step.failure.at or here is None or here.kind in OPERANDS:
+        return False
+    comment = here.text in ("/", "*", "-")
+    step.problems.error(
+        INVALID_EXPRESSION,
+        f"a step does not begin with `{short(here.text)}`",
+        here.start,
+        here.end,
+        notes=("VAL-II says *Unknown instruction*",),
+        help=("begin comments with `;`",)
+        if comment
+        else ("a step begins with an instruction, as in `MOVE part`, or assigns, as in `n = 1`",),
+    )
+    return True
+
+
+def compound_set(step: BrokenStep) -> bool:
+    """`SET frame:part = ...`."""
+    here = step.here
+    if here is None or step.tokens[0].kind != "SET" or here.text != ":" or step.failure.at > 5:
+        return False
+    end = next((t.start for t in step.tokens if t.kind == "EQUAL"), here.end)
+    step.problems.error(
+        INVALID_EXPRESSION,
+        "SET gives a value to one location, not to a compound",
+        step.tokens[1].start,
+        end,
+        notes=("VAL-II says *Illegal assignment*",),
+        help=("write `SET part = INVERSE(frame):...` for the part in its frame",),
+    )
+    return True
+
+
+def function_without_parentheses(step: BrokenStep) -> bool:
+    """`WAIT SIG 1001`."""
+    here, before = step.here, step.before
+    if here is None or before is None or here.kind not in ("NUMBER", "NAME", "STRINGNAME"):
+        return False
+    signature = FUNCTIONS.get(before.text.lower())
+    if before.kind != "NAME" or signature is None or signature.bare:
+        return False
+    name = before.text.upper()
+    step.problems.error(
+        INVALID_EXPRESSION,
+        f"{name} without parentheses",
+        before.start,
+        here.end,
+        notes=("VAL-II says *Missing parenthesis*",),
+        help=(f"write `{name}({short(here.text)})`",),
+    )
+    return True
+
+
+def equals_for_compare(step: BrokenStep) -> bool:
+    """`IF a = b THEN`."""
+    here = step.here
+    if here is None or here.kind != "EQUAL" or "INFIX" not in step.wanted:
+        return False
+    step.problems.error(
+        SINGLE_EQUALS,
+        "`=` does not compare",
+        here.start,
+        here.end,
+        notes=(
+            "`=` gives a value, `==` asks whether two are equal",
+            "VAL-II says *Illegal operator*",
+        ),
+        help=("write `==`",),
+        fix=step.problems.replace(here.start, here.end, "=="),
+    )
+    return True
+
+
+def list_in_parentheses(step: BrokenStep) -> bool:
+    """`MOVE (100,200,300)` and `SET p = 100,200,300`."""
+    here = step.here
+    if here is None or here.kind != "COMMA":
+        return False
+    start = None
+    if "RPAREN" in step.wanted and "COMMA" not in step.wanted:
+        start = next(t for t in reversed(step.tokens[: step.failure.at]) if t.kind == "LPAREN")
+    elif step.tokens[0].kind == "SET" and END in step.wanted:
+        start = step.before
+    if start is None:
+        return False
+    step.problems.error(
+        INVALID_EXPRESSION,
+        "a list of numbers is not a location",
+        here.start,
+        here.end,
+        secondary=(step.problems.label(start.start, start.end, "the list begins here"),),
+        notes=("VAL-II says *Illegal expression syntax*",),
+        help=("write `TRANS(x, y, z, o, a, t)`, in mm and degrees",),
+    )
+    return True
+
+
+def format_misplaced(step: BrokenStep) -> bool:
+    """`MOVE /F8.2`."""
+    here = step.here
+    if here is None or here.kind != "FORMAT":
+        return False
+    step.problems.error(
+        INVALID_FORMAT,
+        f"the format `{short(here.text)}` does not belong here",
+        here.start,
+        here.end,
+        notes=("VAL-II says *Invalid format specifier*",),
+        help=(
+            "formats stand between the commas of TYPE and $ENCODE; a division needs a left side",
+        ),
+    )
+    return True
