@@ -15,7 +15,7 @@ from vrts.lang.compiler import compile_source
 from vrts.lang.problems import Problems
 from vrts.lang.reading.classify import classify
 from vrts.lang.reading.splitter import comment_start
-from vrts.lang.reading.tokens import tokenise
+from vrts.lang.reading.tokeniser import tokenise
 
 HEAVY = ("numpy", "pinocchio", "coal", "fcl", "trimesh", "rerun", "lark")
 LIMIT_S = 0.25

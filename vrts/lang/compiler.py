@@ -22,8 +22,9 @@ from vrts.lang.meaning.structure import Block, blocks, check_exits, labels
 from vrts.lang.problems import Problems
 from vrts.lang.reading.detection import detect
 from vrts.lang.reading.headers import is_remarks, read_header
+from vrts.lang.reading.pasted_characters import report_pasted_characters
 from vrts.lang.reading.splitter import Section, split
-from vrts.lang.steps.steps import StepParser, report_pasted_characters, report_tolerated
+from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import Bad
 from vrts.lang.uncollected import uncollected
@@ -148,7 +149,7 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
         if section.kind != "program":
             data += read_data(section, parser, scope)
     report_pasted_characters(problems)
-    report_tolerated(parser)
+    parser.tolerated.report(problems)
     report_replaced(problems, data)
     resolver = Resolver(problems, scope)
     structures: dict[str, tuple[list[Block], dict[int | str, int]]] = {}

@@ -14,12 +14,7 @@ from vrts.ir.values import Type, Value
 from vrts.lang.dialect import VAL2, Dialect
 from vrts.lang.meaning.constants import number_of
 from vrts.lang.names import SIGNIFICANT, key
-from vrts.lang.syntax.expressions import (
-    Element,
-    FormatItem,
-    Item,
-    Name,
-)
+from vrts.lang.syntax.expressions import Element, FormatItem, Item, Name
 from vrts.lang.typed.commands import CommandLine, FileName
 from vrts.monitor import words
 from vrts.monitor.folder import Folder

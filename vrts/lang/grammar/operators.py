@@ -7,12 +7,7 @@ Operators before an operand bind tighter than any between two.
 
 from collections.abc import Sequence
 
-from vrts.lang.syntax.expressions import (
-    Expression,
-    Infix,
-    Parenthesised,
-    Prefix,
-)
+from vrts.lang.syntax.expressions import Expression, Infix, Parenthesised, Prefix
 from vrts.lang.syntax.token import Token
 
 _COMPARISONS = ("==", "<>", "<", "<=", ">", ">=")

@@ -21,7 +21,7 @@ _SHIFT = 0  # how Lark serialises a shift; a reduction is 1
 
 
 class _NoLexer(Lexer):
-    """Stands in for a lexer: the tokens come from `tokens.py`."""
+    """Stands in for a lexer: the tokens come from `tokeniser`."""
 
     def __init__(self, lexer_conf: object) -> None:
         pass

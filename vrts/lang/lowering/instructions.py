@@ -12,13 +12,7 @@ from vrts.lang.meaning.expression_types import ExpressionTypes
 from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
-from vrts.lang.syntax.expressions import (
-    Element,
-    FormatItem,
-    Item,
-    Name,
-    Number,
-)
+from vrts.lang.syntax.expressions import Element, FormatItem, Item, Name, Number
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import (
     Device,

@@ -13,12 +13,7 @@ from vrts.lang.meaning.expression_types import ExpressionTypes
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.meaning.structure import Block, exits, label_key
 from vrts.lang.names import key
-from vrts.lang.syntax.expressions import (
-    Element,
-    Expression,
-    Infix,
-    Name,
-)
+from vrts.lang.syntax.expressions import Element, Expression, Infix, Name
 from vrts.lang.syntax.program import ProgramText, Step
 from vrts.lang.syntax.statements import (
     Assignment,

@@ -2,13 +2,7 @@
 
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
-from vrts.lang.syntax.expressions import (
-    Item,
-    Name,
-    Number,
-    Parenthesised,
-    Prefix,
-)
+from vrts.lang.syntax.expressions import Item, Name, Number, Parenthesised, Prefix
 from vrts.lang.vocabulary.functions import CONSTANTS
 
 

@@ -21,7 +21,7 @@ from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.reading.splitter import Line, Section
-from vrts.lang.steps.steps import StepParser
+from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax.expressions import Element, Name, Number
 from vrts.lang.syntax.program import DataLine
 

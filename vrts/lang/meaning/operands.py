@@ -11,18 +11,8 @@ from vrts.lang.meaning.expression_types import (
 )
 from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
 from vrts.lang.names import key
-from vrts.lang.syntax.expressions import (
-    Element,
-    Item,
-    Name,
-    Number,
-)
-from vrts.lang.syntax.statements import (
-    Device,
-    Give,
-    ReactStatement,
-    Simple,
-)
+from vrts.lang.syntax.expressions import Element, Item, Name, Number
+from vrts.lang.syntax.statements import Device, Give, ReactStatement, Simple
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 WITHOUT_EFFECT = Rule("V229", "without-effect")

@@ -7,14 +7,7 @@ from vrts.lang.meaning.forms import is_text
 from vrts.lang.meaning.operands import OperandTypes
 from vrts.lang.meaning.scope import Passed
 from vrts.lang.names import key
-from vrts.lang.syntax.expressions import (
-    Element,
-    Expression,
-    Infix,
-    Item,
-    Name,
-    Variable,
-)
+from vrts.lang.syntax.expressions import Element, Expression, Infix, Item, Name, Variable
 from vrts.lang.syntax.statements import (
     Assignment,
     Bad,

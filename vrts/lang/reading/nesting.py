@@ -4,13 +4,7 @@ from typing import Any
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.problems import Problems
-from vrts.lang.syntax.expressions import (
-    Application,
-    Element,
-    Infix,
-    Parenthesised,
-    Prefix,
-)
+from vrts.lang.syntax.expressions import Application, Element, Infix, Parenthesised, Prefix
 from vrts.lang.syntax.token import Token
 
 NESTED_TOO_DEEPLY = Rule("V113", "nested-too-deeply")

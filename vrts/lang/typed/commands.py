@@ -16,10 +16,10 @@ from vrts.lang.problems import Problems
 from vrts.lang.reading.classify import is_assigned
 from vrts.lang.reading.nesting import MAX_NESTING, too_deep
 from vrts.lang.reading.splitter import comment_start
-from vrts.lang.reading.tokens import tokenise
+from vrts.lang.reading.tokeniser import tokenise
 from vrts.lang.spelling import nearest
 from vrts.lang.steps.mistakes import explain
-from vrts.lang.steps.steps import operands_only
+from vrts.lang.steps.step_parser import operands_only
 from vrts.lang.syntax.expressions import Item
 from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.commands import COMMANDS, look_up_command

@@ -10,8 +10,9 @@ from vrts.lang.dialect import Dialect
 from vrts.lang.meaning.structure import word_of
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
+from vrts.lang.reading.pasted_characters import report_pasted_characters
 from vrts.lang.reading.splitter import LINE_TOO_LONG, Line, comment_start
-from vrts.lang.steps.steps import StepParser, report_pasted_characters
+from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax.expressions import Name, Text
 from vrts.lang.syntax.program import Step
 from vrts.lang.syntax.statements import (

@@ -12,7 +12,7 @@ from vrts.lang.meaning.scope import Scope
 from vrts.lang.problems import Problems
 from vrts.lang.reading.headers import is_remarks, read_header
 from vrts.lang.reading.splitter import Section, split
-from vrts.lang.steps.steps import StepParser
+from vrts.lang.steps.step_parser import StepParser
 
 
 class ProgramLines(NamedTuple):

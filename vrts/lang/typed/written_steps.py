@@ -8,7 +8,7 @@ from vrts.lang.problems import Problems
 from vrts.lang.reading.detection import detect
 from vrts.lang.reading.headers import is_remarks, read_header
 from vrts.lang.reading.splitter import split
-from vrts.lang.steps.steps import StepParser
+from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax import statements
 
 

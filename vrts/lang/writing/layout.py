@@ -13,7 +13,8 @@ from vrts.lang.meaning.structure import word_of
 from vrts.lang.problems import Problems
 from vrts.lang.reading.headers import read_header
 from vrts.lang.reading.splitter import Line, Section, comment_start, split
-from vrts.lang.steps.steps import StepParser
+from vrts.lang.steps.labels import read_label
+from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax.program import Step
 from vrts.lang.syntax.statements import Bad, Rest
 from vrts.lang.syntax.token import Token
@@ -174,7 +175,7 @@ class _Layout:
 
     def _step(self, line: Line) -> str | None:
         found = len(self.problems.found)
-        label, text, at = self.parser.label(line)
+        label, text, at = read_label(line, self.problems, self.parser.tolerated)
         step = self.parser.step(line)
         indent = self._indent(step)
         code = ""

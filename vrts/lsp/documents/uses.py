@@ -14,7 +14,8 @@ from vrts.lang.meaning.structure import word_of
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.reading.splitter import Line
-from vrts.lang.steps.steps import StepParser
+from vrts.lang.steps.labels import read_label
+from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax.expressions import (
     Application,
     Element,
@@ -107,7 +108,7 @@ def read_line(text: str, dialect: Dialect) -> ReadLine:
     problems = Problems(SourceFile("", text), dialect)
     parser = StepParser(problems)
     line = Line(1, text, 0, len(text))
-    label, rest, at = parser.label(line)
+    label, rest, at = read_label(line, problems, parser.tolerated)
     found: list[Use] = []
     if label is not None:
         found.append(Use(str(label.number), Kind.LABEL, Role.WRITE, label.start, label.end))

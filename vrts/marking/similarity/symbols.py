@@ -12,7 +12,7 @@ from vrts.lang.problems import Problems
 from vrts.lang.reading.classify import classify
 from vrts.lang.reading.decoding import decode
 from vrts.lang.reading.splitter import Line, Section, split
-from vrts.lang.reading.tokens import tokenise
+from vrts.lang.reading.tokeniser import tokenise
 from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.functions import applied_functions
 from vrts.lang.vocabulary.lookup import reserved_words

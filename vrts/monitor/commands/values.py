@@ -8,12 +8,7 @@ from collections.abc import Iterable
 from vrts.base.pose import IDENTITY, Pose
 from vrts.ir.commands import Command, DeleteVariables, SetVariable
 from vrts.ir.values import Joints, Type, Value, type_of_value
-from vrts.lang.syntax.expressions import (
-    Element,
-    FormatItem,
-    Infix,
-    Name,
-)
+from vrts.lang.syntax.expressions import Element, FormatItem, Infix, Name
 from vrts.lang.typed.commands import CommandLine, FileName
 from vrts.monitor import words
 from vrts.monitor.commands.change import show_and_ask

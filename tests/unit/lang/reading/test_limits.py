@@ -11,7 +11,7 @@ from vrts.lang.dialect import AS, VAL2, VAL2_PLUS, Dialect
 from vrts.lang.problems import LIMIT, MOST_KEPT
 from vrts.lang.reading.decoding import MAX_BYTES, decode
 from vrts.lang.reading.splitter import MAX_STEPS
-from vrts.lang.reading.tokens import MOST_BAD
+from vrts.lang.reading.tokeniser import MOST_BAD
 from vrts.lang.writing.layout import layout
 from vrts.scene.default import robot_alone
 

@@ -1,0 +1,105 @@
+"""Signs and names that the language does not have: what is said of them, and how they are read."""
+
+from vrts.base.diagnostic import Rule
+from vrts.lang.problems import Problems, short
+from vrts.lang.reading.characters import BLANKS, INVISIBLE, LOOK_ALIKES, STRANGERS
+from vrts.lang.syntax.token import Token
+
+STRAY_CHARACTER = Rule("V107", "stray-character")
+INVALID_NAME = Rule("V111", "invalid-name")
+
+SIGNS = {
+    "=": "EQUAL",
+    ",": "COMMA",
+    "(": "LPAREN",
+    ")": "RPAREN",
+    "[": "LBRACKET",
+    "]": "RBRACKET",
+    "-": "MINUS",
+    "+": "PLUS",
+}
+INFIX = frozenset({"*", "/", "<", ">", ":", "==", "<>", "<=", "=<", ">=", "=>"})
+_MISTAKEN = {  # signs of other languages: what to write
+    "!=": "<>",
+    "><": "<>",
+    ":=": "=",
+    "**": "SQR(x)` or `x*x",
+    "&&": "AND",
+    "||": "OR",
+    "+=": "x = x+1",
+    "-=": "x = x-1",
+    "++": "x = x+1",
+    "--": "x = x-1",
+}
+
+
+def stranger(written: str, start: int, problems: Problems) -> Token | None:
+    """Report a character with no meaning here; read a look-alike as what it stands for."""
+    if written in LOOK_ALIKES:
+        look_alike(written, start, problems)
+        replacement = LOOK_ALIKES[written].replacement
+        if written in BLANKS + INVISIBLE or not replacement:
+            return None
+        kind = SIGNS.get(replacement, "INFIX" if replacement in INFIX else "")
+        return Token(kind, replacement, start, start + 1) if kind else None
+    hint = STRANGERS.get(written, "")
+    problems.error(
+        STRAY_CHARACTER,
+        f"`{visible(written)}` has no meaning here",
+        start,
+        start + 1,
+        notes=("VAL-II says *Illegal expression syntax*",),
+        help=(hint,) if hint else (),
+    )
+    return None
+
+
+def look_alike(character: str, start: int, problems: Problems) -> None:
+    """Note the place; all look-alikes of a file become one diagnostic (see `pasted_characters`)."""
+    problems.look_alikes.append((character, start))
+
+
+def mistaken(written: str, start: int, problems: Problems) -> Token | None:
+    """Report an operator of another language."""
+    instead = _MISTAKEN[written]
+    plain = instead if instead in ("<>", "=", "AND", "OR") else None
+    problems.error(
+        STRAY_CHARACTER,
+        f"`{written}` is not an operator of VAL-II",
+        start,
+        start + len(written),
+        help=(f"write `{instead}`",),
+        fix=problems.replace(start, start + len(written), plain) if plain else None,
+        notes=("VAL-II says *Illegal operator*",),
+    )
+    return None
+
+
+def foreign_name(written: str, start: int, problems: Problems) -> None:
+    """Report a name with a letter that names cannot have."""
+    at = next(i for i, c in enumerate(written) if not c.isascii())
+    problems.error(
+        INVALID_NAME,
+        f"the name `{short(written)}` contains `{visible(written[at])}`",
+        start,
+        start + len(written),
+        notes=("VAL-II says *Invalid program or variable name*",),
+        help=("names consist of the letters A to Z, digits, `.` and `_`",),
+    )
+
+
+def name_after_digit(written: str, start: int, problems: Problems) -> None:
+    """Report `3x`."""
+    problems.error(
+        INVALID_NAME,
+        f"`{short(written)}` is neither a number nor a name",
+        start,
+        start + len(written),
+        notes=("VAL-II says *Invalid program or variable name*",),
+        help=("begin names with a letter; put an operator or a blank after a number",),
+    )
+
+
+def visible(character: str) -> str:
+    """Return a character as a message shows it."""
+    return character if character.isprintable() else f"U+{ord(character):04X}"
