@@ -35,6 +35,8 @@ FIELD = re.compile(r"^- \*\*(Status|Source|Code):\*\* (.*\S)$", re.M)
 KEY = re.compile(r"\[([A-Z]\w+)\](?!\()")
 LINK = re.compile(r"\]\(#([^)]*)\)")
 BLOCK = re.compile(r"^```(\S+)\n(.*?)^```$", re.M | re.S)
+CONSTANT = re.compile(r"^\s*(?:\w+(?:, \w+)*)(?:: \w+)? = ([^#\n]*\d[^#\n]*)", re.M)
+NUMBER = re.compile(r"(?<![\w.])\d[\d_]*(?:\.\d+)?(?:e-?\d+)?")
 NOT_HERE = re.compile(r"\b(?:val2|puma|paper|traps)\.md\b")  # notes that nobody outside has
 
 
@@ -45,12 +47,13 @@ class Rule(NamedTuple):
     label: str  # of the whole manual; empty: it has none
     title: str
     fields: Mapping[str, str]
+    text: str
 
 
 def rules(page: str, text: str) -> list[Rule]:
     """Return the sections of a page."""
     return [
-        Rule(page, label, title, dict(FIELD.findall(body)))
+        Rule(page, label, title, dict(FIELD.findall(body)), f"{title}\n{body}")
         for label, title, body in SECTION.findall(text)
     ]
 
@@ -102,6 +105,35 @@ def faults_of_citations(name: str, text: str, pages: Mapping[str, str]) -> Itera
                 yield f"{name}: `{cited}` is documented, not assumed"
 
 
+def faults_of_constants(name: str, text: str, pages: Mapping[str, str]) -> Iterator[str]:
+    """Yield constants with numbers that the rule cited beside or above them does not have."""
+    lines = text.splitlines()
+    for above, line in zip(["", *lines], lines, strict=False):
+        constant = CONSTANT.match(line)
+        if constant is None:
+            continue
+        comment = above if above.lstrip().startswith("#") else line.partition("#")[2]
+        for _, cited in citations(comment):
+            page, _, anchor = cited.partition("#")
+            label = f"{page.replace('/', '-')}-{anchor}"
+            for rule in rules(page, pages.get(page, "")):
+                if rule.label == label:
+                    missing = [n for n in _numbers(constant[1]) if not _says(rule.text, n)]
+                    yield from (f"{name}: {n:g} is not in `{cited}`" for n in missing)
+
+
+def _numbers(code: str) -> list[float]:
+    """Return the numbers of a constant; of a range, the first and the last that is in it."""
+    numbers = [float(number) for number in NUMBER.findall(code)]
+    return [numbers[0], numbers[1] - 1] if code.startswith("range(") else numbers
+
+
+def _says(text: str, number: float) -> bool:
+    """Return whether a text has a number, or a length in mm for one in m."""
+    forms = {f"{number:.10g}", f"{number * 1000:.10g}", f"{number:.0E}".replace("E-0", "E-")}
+    return any(re.search(rf"(?<![\d.]){re.escape(form)}(?!\d)", text) for form in forms)
+
+
 def sources() -> Iterator[tuple[str, str]]:
     """Yield name and text of every file that may cite."""
     for folder in ("vrts", "tests", "scenes", "examples", "README.md", "pyproject.toml"):
@@ -123,6 +155,11 @@ def test_every_citation_leads_to_a_rule() -> None:
     assert found == []
     cited = {one for name, text in sources() if name.endswith(".py") for one in citations(text)}
     assert len(cited) > 50, "few citations found: the pattern is wrong"
+
+
+def test_numbers_in_the_source_are_those_of_the_rules() -> None:
+    python = [(name, text) for name, text in sources() if name.startswith("vrts/")]
+    assert [f for name, text in python for f in faults_of_constants(name, text, PAGES)] == []
 
 
 def test_nothing_names_notes_that_nobody_has() -> None:
@@ -212,6 +249,21 @@ SMALL = {"language/signals": PAGE}
 def test_a_wrong_citation_is_found(text: str, fault: str) -> None:
     found = list(faults_of_citations("a.py", text, SMALL))
     assert found == ([f"a.py: {fault}"] if fault else [])
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ("OUTPUTS = range(1, 33)  # [assumed, manual language/signals#ranges]", ""),
+        ("# [assumed, manual language/signals#ranges]\nOUTPUTS = 32", ""),
+        ("OUTPUTS = 64  # [manual language/signals#ranges]", "64"),
+        ("# [manual language/signals#ranges]\nOUTPUTS = 7", "7"),
+    ],
+)
+def test_another_number_than_that_of_the_rule_is_found(text: str, fault: str) -> None:
+    found = list(faults_of_constants("a.py", text, SMALL))
+    said = f"a.py: {fault} is not in `language/signals#ranges`"
+    assert found == ([said] if fault else [])
 
 
 @pytest.mark.parametrize(
