@@ -8,7 +8,7 @@ from playwright.sync_api import Browser
 from tests.browser.support_sessions import SHOWN, Desk, desk, supervisor
 from tests.support_live import LiveServer
 from tests.unit.live.test_teaching import Teaching
-from vrts.live.administration import add_user
+from vrts.live.new_account import add_user
 
 pytestmark = pytest.mark.browser
 PASSWORD = "correct horse"

@@ -1,35 +1,17 @@
 """What is done to a server's folder from the command line, while it runs or not."""
 
 import shutil
-import time
 from pathlib import Path
 
-from vrts.live.passwords import hashed
 from vrts.live.session.growing.past import FILE, OFF
 from vrts.live.settings import DATABASE, SESSIONS
 from vrts.live.store import log
-from vrts.live.store.accounts import add_account
 from vrts.live.store.database import backup, opened
 
 
 def save_backup(folder: Path, target: Path) -> None:
     """Copy the database; the server may run meanwhile."""
     backup(folder / DATABASE, target)
-
-
-def add_user(folder: Path, name: str, password: str, *, supervisor: bool) -> str:
-    """Add a local account; return the name it has.
-
-    Raises:
-        ValueError: The name cannot be shown, or is taken.
-    """
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    kept = hashed(password)
-    connection = opened(folder / DATABASE)
-    try:
-        return add_account(connection, name, time.time(), password=kept, supervisor=supervisor).name
-    finally:
-        connection.close()
 
 
 def purge_user(folder: Path, name: str) -> int:

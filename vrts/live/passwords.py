@@ -4,6 +4,9 @@ import asyncio
 from concurrent.futures import ThreadPoolExecutor
 from typing import Final
 
+from argon2 import PasswordHasher
+from argon2.exceptions import InvalidHashError, VerificationError
+
 AT_ONCE: Final = 2  # each takes 64 MiB and a quarter of a second
 WAITING: Final = 16  # more than these are told to come back
 
@@ -34,15 +37,10 @@ class Passwords:
 
 def hashed(password: str) -> str:
     """Return what is kept of a password; takes a quarter of a second."""
-    from argon2 import PasswordHasher
-
     return PasswordHasher().hash(password)
 
 
 def _right(password: str, kept: str | None) -> bool:
-    from argon2 import PasswordHasher
-    from argon2.exceptions import InvalidHashError, VerificationError
-
     if kept is None:
         PasswordHasher().hash(password)
         return False

@@ -12,7 +12,7 @@ import uvicorn
 
 from vrts.live.door import DoorProtocol
 from vrts.live.front.app import application
-from vrts.live.protocol import LONGEST_MESSAGE
+from vrts.live.protocol.fields import LONGEST_MESSAGE
 from vrts.live.settings import DATABASE, Settings
 from vrts.live.store.accounts import LINK_S, LINK_USES, add_link
 from vrts.live.store.database import opened

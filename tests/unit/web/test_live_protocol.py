@@ -6,7 +6,11 @@ from typing import Any, get_args
 import msgspec
 import pytest
 
-from vrts.live import actions, protocol
+from vrts.live import actions
+from vrts.live.protocol.fields import LONGEST_CHAT, VERSION
+from vrts.live.protocol.from_clients import FromClient
+from vrts.live.protocol.from_server import Control, FromServer
+from vrts.live.protocol.listed import Person, WallRow
 from vrts.live.session.channel import messages
 from vrts.live.session.views import frame
 from vrts.web.assets import asset
@@ -47,9 +51,9 @@ def at_server(*kinds: Any) -> dict[str, list[str]]:
 @pytest.mark.parametrize(
     ("name", "kinds"),
     [
-        ("FROM_CLIENT", get_args(protocol.FromClient)),
+        ("FROM_CLIENT", get_args(FromClient)),
         ("ACTIONS", get_args(actions.Action)),
-        ("FROM_SERVER", get_args(protocol.FromServer)),
+        ("FROM_SERVER", get_args(FromServer)),
         ("FROM_SESSION", FROM_SESSION),
     ],
 )
@@ -61,9 +65,9 @@ def test_both_sides_know_the_same_fields(name: str, kinds: tuple[Any, ...]) -> N
 @pytest.mark.parametrize(
     ("typedef", "kind"),
     [
-        ("Person", protocol.Person),
-        ("WallRow", protocol.WallRow),
-        ("Control", protocol.Control),
+        ("Person", Person),
+        ("WallRow", WallRow),
+        ("Control", Control),
         ("Status", messages.Status),
         ("Placed", messages.Placed),
     ],
@@ -76,9 +80,9 @@ def test_types_have_the_same_fields(typedef: str, kind: type[msgspec.Struct]) ->
 
 def test_versions_limits_and_the_size_of_a_frame_agree() -> None:
     numbers = {name: int(value) for name, value in re.findall(r"const ([A-Z_]+) = ([\d_]+);", TEXT)}
-    assert numbers["VERSION"] == protocol.VERSION
+    assert numbers["VERSION"] == VERSION
     assert numbers["LONGEST_PROGRAM"] == actions.LONGEST_PROGRAM
-    assert numbers["LONGEST_CHAT"] == protocol.LONGEST_CHAT
+    assert numbers["LONGEST_CHAT"] == LONGEST_CHAT
     framing = dict(re.findall(r"const ([A-Z]+) = (\d+);", asset("live/frame.js")))
     wanted = {
         "KIND": frame.KIND,

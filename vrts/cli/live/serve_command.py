@@ -159,9 +159,11 @@ def administer(
     from vrts.live import administration
 
     if add_user:
+        from vrts.live.new_account import add_user as add_account
+
         password = click.prompt("password", hide_input=True, confirmation_prompt=True, err=True)
         try:
-            name = administration.add_user(folder, add_user, password, supervisor=supervisor)
+            name = add_account(folder, add_user, password, supervisor=supervisor)
         except ValueError as problem:
             fail(str(problem))
         say(f"there is an account `{name}` now")

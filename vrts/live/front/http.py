@@ -14,7 +14,7 @@ from vrts.live.front.qr_code import qr_svg
 from vrts.live.front.static_files import PAGE, Content, StaticFiles, content
 from vrts.live.logs.replay_page import NoPage, Order, replay_page
 from vrts.live.names import display_name
-from vrts.live.protocol import Enter, Link, LogIn, MakeLink, Me
+from vrts.live.protocol.over_http import Enter, Link, LogIn, MakeLink, Me
 from vrts.live.rooms.hub import Hub
 from vrts.live.store import accounts
 from vrts.live.store.accounts import LINK_S, LINK_USES, LOGIN_S, Account

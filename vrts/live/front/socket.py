@@ -9,17 +9,11 @@ from starlette.websockets import WebSocket
 from vrts.live import limits
 from vrts.live.door import Door, door_of, text_frame
 from vrts.live.front.guard import refused
-from vrts.live.protocol import (
-    VERSION,
-    AskProgram,
-    AskReach,
-    Closed,
-    Command,
-    ExportLog,
-    FromClient,
-    Join,
-    Refused,
-)
+from vrts.live.protocol.fields import VERSION
+from vrts.live.protocol.from_anybody import AskProgram, AskReach, Command, Join
+from vrts.live.protocol.from_clients import FromClient
+from vrts.live.protocol.from_server import Closed, Refused
+from vrts.live.protocol.from_supervisors import ExportLog
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.member import Member

@@ -13,18 +13,9 @@ from vrts.live import limits
 from vrts.live.door import Door, text_frame
 from vrts.live.limits import FailedLogIns
 from vrts.live.passwords import Passwords
-from vrts.live.protocol import (
-    Chat,
-    Closed,
-    Join,
-    Message,
-    RoomEntry,
-    Rooms,
-    SceneEntry,
-    Snapshot,
-    Wall,
-    Welcome,
-)
+from vrts.live.protocol.from_anybody import Join
+from vrts.live.protocol.from_server import Chat, Closed, Message, Rooms, Snapshot, Wall, Welcome
+from vrts.live.protocol.listed import RoomEntry, SceneEntry
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.member import Member

@@ -8,11 +8,10 @@ import time
 
 from vrts.live.actions import Action, Keep, LetGo, Reset, Rewind, Save, Typed, Upload
 from vrts.live.names import readable
-from vrts.live.protocol import (
+from vrts.live.protocol.from_anybody import (
     AskProgram,
     AskReach,
     Command,
-    FromClient,
     HandBack,
     Join,
     Panic,
@@ -21,6 +20,7 @@ from vrts.live.protocol import (
     Say,
     SetRate,
 )
+from vrts.live.protocol.from_clients import FromClient
 from vrts.live.refusal import NotObeyed
 from vrts.live.rooms.hub import LOG_FULL, LOG_HELP, Hub
 from vrts.live.rooms.member import Member

@@ -9,17 +9,9 @@ import msgspec
 from msgspec import structs
 
 from vrts.live.door import binary_frame, text_frame
-from vrts.live.protocol import (
-    Chat,
-    Control,
-    Message,
-    Now,
-    People,
-    Person,
-    Role,
-    RoomEntry,
-    WallRow,
-)
+from vrts.live.protocol.fields import Role
+from vrts.live.protocol.from_server import Chat, Control, Message, Now, People
+from vrts.live.protocol.listed import Person, RoomEntry, WallRow
 from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.member import FULL_RATE, Member
 from vrts.live.rooms.process import SessionProcess

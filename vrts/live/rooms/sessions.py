@@ -11,7 +11,7 @@ import msgspec
 from vrts import __version__
 from vrts.live.logs.logged_sessions import JUMPS, LogFault
 from vrts.live.logs.unfinished import Unfinished, unfinished
-from vrts.live.protocol import Happened, Program, Reach, Refused, Result, State
+from vrts.live.protocol.from_server import Happened, Program, Reach, Refused, Result, State
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.member import FULL_RATE
 from vrts.live.rooms.process import Head, SessionProcess

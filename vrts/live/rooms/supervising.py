@@ -3,7 +3,8 @@
 import time
 
 from vrts.live.names import display_name, readable
-from vrts.live.protocol import (
+from vrts.live.protocol.from_server import LogFile
+from vrts.live.protocol.from_supervisors import (
     Allow,
     Broadcast,
     CloseRoom,
@@ -12,7 +13,6 @@ from vrts.live.protocol import (
     HandOver,
     Kick,
     Lock,
-    LogFile,
     MakeRooms,
     Mute,
     Project,

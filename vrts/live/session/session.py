@@ -34,6 +34,7 @@ from vrts.live.session.operator.motions import (
     turn_joint,
 )
 from vrts.live.session.operator.recording import Unrecordable, recorded, stored_row
+from vrts.live.session.views.program import as_program, is_program_name
 from vrts.live.session.views.showing import Showing
 from vrts.live.session.views.status import runs
 from vrts.monitor.desk import Desk
@@ -184,8 +185,6 @@ class Session:
 
     def program(self, name: str) -> str:
         """Return what was done as VAL-II text."""
-        from vrts.live.session.views.program import as_program
-
         growing = self.growing
         return as_program(self.run, name, growing.deeds() or Deeds(), growing.known_from_s)
 
@@ -334,8 +333,6 @@ class Session:
         return m.Done(ref, at_s, True, text, row=stored_row(command))
 
     def _save(self, ref: int, name: str, owner: str) -> m.Done:
-        from vrts.live.session.views.program import is_program_name
-
         at_s = self.growing.time_s
         if not is_program_name(name):
             return m.Done(ref, at_s, False, f"`{name}` is no name of a program", code="name")

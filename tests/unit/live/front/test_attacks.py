@@ -13,7 +13,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from tests.support_live import LiveServer
 from vrts.live.front.socket import MOST_BAD
 from vrts.live.limits import EXCESS, FAILURES
-from vrts.live.protocol import LONGEST_CHAT, LONGEST_MESSAGE
+from vrts.live.protocol.fields import LONGEST_CHAT, LONGEST_MESSAGE
 from vrts.live.settings import DATABASE
 
 NASTY = [

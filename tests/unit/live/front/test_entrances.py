@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.support_live import LiveServer
-from vrts.live import administration
+from vrts.live.new_account import add_user
 from vrts.live.places import places_of
 from vrts.live.serving import Entrances, Listening, greeting
 from vrts.live.settings import Settings
@@ -55,7 +55,7 @@ def test_tls_by_flags_makes_secure_cookies(tmp_path: Path) -> None:
 
 def test_accounts_groups_and_administration(tmp_path: Path) -> None:
     folder = tmp_path / "live"
-    name = administration.add_user(folder, "Dr. Lee", "correct horse", supervisor=True)
+    name = add_user(folder, "Dr. Lee", "correct horse", supervisor=True)
     names = tmp_path / "groups.txt"
     names.write_text("Group A\n\nGroup B\n")
     with LiveServer(

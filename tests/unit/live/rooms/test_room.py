@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from vrts.live.places import places_of
-from vrts.live.protocol import Chat
+from vrts.live.protocol.from_server import Chat
 from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.member import Member

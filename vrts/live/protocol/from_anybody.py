@@ -1,0 +1,79 @@
+"""What anybody in a room may say, and its operator.
+
+The first message of a connection is `Join`; the answer is `Welcome`, then `Snapshot`. What people
+do passes `Command` with the lease of the control right and a number that grows by any amount from
+command to command; `Panic` needs neither.
+"""
+
+from typing import Annotated
+
+from msgspec import Meta
+
+from vrts.live.actions import Action, Number, Strict
+from vrts.live.protocol.fields import VERSION, Count, Id, Of, Rate, Text
+
+
+class Join(Strict, frozen=True, tag="join"):
+    """Enter a room; the account is known by the cookie."""
+
+    room: Id = ""  # empty: the account's own room, else the first one
+    rate: Rate = 50  # pose frames a second
+    resume: Annotated[str, Meta(max_length=128)] = ""  # `Welcome.resume` of the dropped connection
+    seen: Count = 0  # last `number` that was seen
+    version: int = VERSION
+
+
+class SetRate(Strict, frozen=True, tag="rate"):
+    """Choose the pose frames a second."""
+
+    rate: Rate
+
+
+class Command(Strict, frozen=True, tag="command"):
+    """An action of the operator, answered by `Result` or `Refused`."""
+
+    lease: Id  # `Control.lease`
+    number: Of  # greater than the one before on this lease
+    action: Action
+
+
+class Panic(Strict, frozen=True, tag="panic"):
+    """Stop the arm now. Operator and supervisor; needs no lease, is never held back."""
+
+
+class RequestControl(Strict, frozen=True, tag="request_control"):
+    """Ask for the control right: at once if it is free, else stand in the queue."""
+
+
+class HandBack(Strict, frozen=True, tag="hand_back"):
+    """Give the control right back, or leave the queue."""
+
+
+class RaiseHand(Strict, frozen=True, tag="raise_hand"):
+    """Raise or lower one's hand."""
+
+    up: bool
+
+
+class Say(Strict, frozen=True, tag="say"):
+    """Chat, with everybody in the room or with the supervisors only."""
+
+    text: Text
+    private: bool = False
+    to: Id = ""  # supervisors may answer one person privately
+
+
+class AskReach(Strict, frozen=True, tag="reach"):
+    """Ask whether the tool can go somewhere; answered by `Reach`."""
+
+    of: Of
+    position_m: tuple[Number, Number, Number]
+    oat_rad: tuple[Number, Number, Number]
+    straight: bool = False
+
+
+class AskProgram(Strict, frozen=True, tag="program"):
+    """Ask for what was done as a VAL-II program, without saving; answered by `Program`."""
+
+    of: Of
+    name: Annotated[str, Meta(max_length=64)]

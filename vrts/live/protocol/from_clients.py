@@ -1,0 +1,59 @@
+"""Everything that a client may say."""
+
+from vrts.live.protocol.from_anybody import (
+    AskProgram,
+    AskReach,
+    Command,
+    HandBack,
+    Join,
+    Panic,
+    RaiseHand,
+    RequestControl,
+    Say,
+    SetRate,
+)
+from vrts.live.protocol.from_supervisors import (
+    Allow,
+    Broadcast,
+    CloseRoom,
+    ExportLog,
+    Freeze,
+    HandOver,
+    Kick,
+    Lock,
+    MakeRooms,
+    Mute,
+    Project,
+    SetChat,
+    SetScene,
+    SetTurn,
+    WatchWall,
+)
+
+FromClient = (
+    Join
+    | SetRate
+    | Command
+    | Panic
+    | RequestControl
+    | HandBack
+    | RaiseHand
+    | Say
+    | AskReach
+    | AskProgram
+    | HandOver
+    | Lock
+    | Freeze
+    | Kick
+    | Allow
+    | Mute
+    | SetChat
+    | SetTurn
+    | SetScene
+    | MakeRooms
+    | CloseRoom
+    | Broadcast
+    | WatchWall
+    | Project
+    | ExportLog
+)
