@@ -8,8 +8,8 @@ from vrts.ir.module import Origin
 from vrts.lang.dialect import Angles
 from vrts.lang.joined import span_in
 from vrts.lang.lowering.values import ValueLowering
-from vrts.lang.meaning.expression_types import ExpressionTypes
 from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
+from vrts.lang.meaning.name_uses import NameUses
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Element, FormatItem, Item, Name, Number
@@ -39,7 +39,7 @@ class InstructionLowering(ValueLowering):
     """Lowers the instructions of one program, one after the other."""
 
     def __init__(
-        self, source: SourceFile, scope: Scope, types: ExpressionTypes, program: ProgramText
+        self, source: SourceFile, scope: Scope, types: NameUses, program: ProgramText
     ) -> None:
         super().__init__(source, scope, types, program.name)
         self.code: list[i.Instruction] = []

@@ -9,7 +9,7 @@ from vrts.ir.module import Origin, Program
 from vrts.ir.values import Type
 from vrts.lang.joined import span_in
 from vrts.lang.lowering.instructions import InstructionLowering
-from vrts.lang.meaning.expression_types import ExpressionTypes
+from vrts.lang.meaning.name_uses import NameUses
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.meaning.structure import Block, exits, label_key
 from vrts.lang.names import key
@@ -51,7 +51,7 @@ class Lowering(InstructionLowering):
         self,
         source: SourceFile,
         scope: Scope,
-        types: ExpressionTypes,
+        types: NameUses,
         program: ProgramText,
         blocks: list[Block],
         labels: dict[int | str, int],

@@ -5,7 +5,7 @@ from vrts.base.source import SourceFile, Span
 from vrts.ir import expressions as x
 from vrts.lang.dialect import Angles
 from vrts.lang.joined import Joined, span_in
-from vrts.lang.meaning.expression_types import ExpressionTypes
+from vrts.lang.meaning.name_uses import NameUses
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import (
@@ -29,9 +29,7 @@ _NO_TURN = (90.0, -90.0, 0.0)  # O, A, T of TRANS without angles [manual languag
 class ValueLowering:
     """Lowers the expressions of one program."""
 
-    def __init__(
-        self, source: SourceFile, scope: Scope, types: ExpressionTypes, program: str
-    ) -> None:
+    def __init__(self, source: SourceFile, scope: Scope, types: NameUses, program: str) -> None:
         self.source = source
         self.joined = isinstance(source, Joined)
         self.scope = scope

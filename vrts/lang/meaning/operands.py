@@ -3,13 +3,9 @@
 from vrts.base.diagnostic import Rule
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
-from vrts.lang.meaning.expression_types import (
-    FUNCTION_ARGUMENTS,
-    TYPES_SAY,
-    WRONG_TYPE,
-    ExpressionTypes,
-)
+from vrts.lang.meaning.expression_types import ExpressionTypes
 from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
+from vrts.lang.meaning.type_mistakes import FUNCTION_ARGUMENTS, TYPES_SAY, WRONG_TYPE
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Element, Item, Name, Number
 from vrts.lang.syntax.statements import Device, Give, ReactStatement, Simple

@@ -2,10 +2,10 @@
 
 from vrts.base.diagnostic import Rule, Severity
 from vrts.ir.values import Type
-from vrts.lang.meaning.expression_types import WRONG_TYPE
 from vrts.lang.meaning.forms import is_text
 from vrts.lang.meaning.operands import OperandTypes
 from vrts.lang.meaning.scope import Passed
+from vrts.lang.meaning.type_mistakes import WRONG_TYPE
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Element, Expression, Infix, Item, Name, Variable
 from vrts.lang.syntax.statements import (

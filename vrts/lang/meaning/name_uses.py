@@ -1,0 +1,124 @@
+"""How the names of a program are used: what is noted of each while its statements are read."""
+
+import re
+
+from vrts.base.diagnostic import Rule
+from vrts.ir.values import Type
+from vrts.lang.meaning.scope import Entry, Scope
+from vrts.lang.names import key
+from vrts.lang.problems import Problems
+from vrts.lang.syntax.expressions import (
+    Application,
+    Element,
+    Expression,
+    Infix,
+    Name,
+    Parenthesised,
+)
+from vrts.lang.syntax.statements import Assignment
+from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions, bare_functions
+from vrts.lang.vocabulary.lookup import reserved_words
+
+KEYWORD_AS_NAME = Rule("V160", "keyword-as-name")
+NOT_SIMULATED = Rule("V161", "not-simulated")
+
+_WORD = re.compile(r"[$#]?[\w.]+")
+
+
+class NameUses:
+    """Notes of one compilation, one program after the other."""
+
+    def __init__(self, problems: Problems, scope: Scope) -> None:
+        self.problems = problems
+        self.dialect = problems.dialect
+        self.scope = scope
+        self.functions = applied_functions(self.dialect)
+        self.bare_functions = bare_functions(self.dialect)
+        self.words = reserved_words(self.dialect)
+        self.predefined = CONSTANTS.keys() | self.bare_functions.keys()
+        self.composing: set[int] = set()  # offsets of `+` and `-` of AS that join locations
+        self.called: list[Name] = []  # programs named by REACT and its like
+        self.not_simulated: set[str] = set()  # words reported, each once
+        self.program: str | None = None
+        self.moves: list[Assignment] = []  # `a = b`, types unknown till the end
+        self.program_of: dict[int, str | None] = {}  # of each of `moves`, by offset
+        self.argument_types: dict[int, Type] = {}  # of expressions passed by value, by identity
+        self.bad_names: set[str] = set()
+        self.wrong_lines: set[int] = set()  # lines where a type did not fit
+        self.reserved: set[str] = set()  # keywords used as names, each said once
+
+    def type_of_name(self, program: str | None, name: Name) -> Type:
+        """Return the type of a name as all its uses tell."""
+        lower = name.text.lower()
+        if lower in CONSTANTS:
+            return Type.REAL
+        signature = self.bare_functions.get(lower)
+        if signature is not None:
+            return signature.result
+        return self.scope.entry(program, key(name.text)).type
+
+    def is_location(self, node: Expression) -> bool:
+        """Return whether an expression is a location by its form alone."""
+        while isinstance(node, Parenthesised):
+            node = node.inner
+        if isinstance(node, Infix):
+            return node.operator == ":" or node.operator_start in self.composing
+        if isinstance(node, Element):
+            return node.name.text[0] == "#"
+        name = node.name if isinstance(node, Application) else node
+        if not isinstance(name, Name):
+            return False
+        known = self.functions if isinstance(node, Application) else self.bare_functions
+        signature = known.get(name.text.lower())
+        if signature is None:
+            return name.text[0] == "#"
+        return signature.result in (Type.POSE, Type.JOINTS)
+
+    def warn_not_simulated(self, word: str, start: int, end: int) -> None:
+        """Say once of each word that the run stops where it is reached."""
+        if word in self.not_simulated:
+            return
+        self.not_simulated.add(word)
+        written = _WORD.match(self.problems.source.text, start, end)  # it may be abbreviated
+        self.problems.warning(
+            NOT_SIMULATED,
+            f"{word} is not simulated",
+            start,
+            written.end() if written else end,
+            "a run stops when it gets here",
+            notes=("VAL-II says *Option not installed*",),
+            data={"word": word},
+        )
+
+    def _use(self, node: Name, wanted: Type | None) -> Entry:
+        entry = self.scope.entry(self.program, key(node.text))
+        entry.spellings.setdefault(node.text.lower(), (node.start, node.end))
+        if wanted is not None and node.text[0] not in "$#":
+            entry.types.setdefault(wanted, (node.start, node.end))
+        self._reserved(node)
+        return entry
+
+    def _reserved(self, node: Name) -> None:
+        upper = node.text.upper()
+        if upper not in self.words or upper in self.reserved or self.dialect.tolerant:
+            return
+        self.reserved.add(upper)
+        self.problems.warning(
+            KEYWORD_AS_NAME,
+            f"{upper} is a word of the language, here it names a variable",
+            node.start,
+            node.end,
+            help=("choose another name",),
+        )
+
+    def _once(self, entry: Entry, node: Name, *, array: bool) -> None:
+        if array and entry.array is None:
+            entry.array = (node.start, node.end)
+        elif not array and entry.scalar is None:
+            entry.scalar = (node.start, node.end)
+
+    def _loose(self, node: Application) -> None:
+        """Note the names in arguments that cannot be told apart."""
+        for argument in node.arguments:
+            if isinstance(argument, Name):
+                self.bad_names.add(key(argument.text))
