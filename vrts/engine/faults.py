@@ -1,5 +1,6 @@
-"""Run-time errors of a program: raised where they are found, made a diagnostic once by the machine.
+"""What ends a program from within: run-time errors, and limits of the run.
 
+They are raised where they are found, and made a diagnostic once by the machine.
 Headlines are ours; VAL's own words stand in a note.
 """
 
@@ -36,6 +37,11 @@ PROCESS_EXECUTING = Rule("V263", "process-executing")
 ROBOT_INSTRUCTION = Rule("V264", "robot-instruction")
 RETURN_FROM_NO_ERROR = Rule("V265", "return-from-no-error")
 NO_SUCH_SWITCH = Rule("V266", "no-such-switch")
+STATEMENTS = Rule("V510", "too-many-statements")
+SIMULATED_TIME = Rule("V511", "too-long")
+MOTIONS = Rule("V512", "too-many-motions")
+OUTPUT = Rule("V513", "too-much-output")
+WAIT_NEVER_ENDS = Rule("V502", "wait-never-ends")
 
 RULES: Mapping[RuntimeErrorKind, Rule] = MappingProxyType(
     {
@@ -121,4 +127,15 @@ class RuntimeFault(Exception):  # noqa: N818 -- VAL's run-time errors are faults
             notes=(*self.notes, f"VAL-II says *{self.words}*"),
             help=self.help,
             data=self.data,
+        )
+
+
+class LimitReached(Exception):  # noqa: N818 -- a result of the run, not an error of ours
+    """A limit of the scenario ends the run; the diagnostic says which and where."""
+
+    def __init__(self, rule: Rule, headline: str, span: Span, note: str, remedy: str) -> None:
+        """Make the diagnostic."""
+        super().__init__(headline)
+        self.diagnostic = Diagnostic(
+            rule, Severity.ERROR, headline, Label(span), notes=(note,), help=(remedy,)
         )

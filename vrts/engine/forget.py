@@ -7,13 +7,11 @@ import math
 from array import array
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Sequence
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from vrts.engine.code.executable import Executable
 from vrts.engine.hand.hand import Hand
-from vrts.engine.machine.context import Context
 from vrts.engine.machine.machine import Machine
-from vrts.engine.machine.reactions import Watch
 from vrts.engine.memory.cells import Cell, cells_of
 from vrts.engine.memory.event_log import EventLog
 from vrts.engine.memory.event_order import begins, is_of_robot
@@ -30,9 +28,11 @@ from vrts.engine.memory.events import (
     SwitchChanged,
 )
 from vrts.engine.memory.log import Log
+from vrts.engine.memory.records import INSTANT
 from vrts.engine.memory.trace import Activation, Trace
 from vrts.engine.motion.planner import Planner
-from vrts.engine.outcomes import INSTANT
+from vrts.engine.programs.context import Context
+from vrts.engine.programs.watches import Watch
 
 Column = TypeVar("Column", "array[int]", "array[float]", "list[object]")
 
@@ -54,8 +54,8 @@ def forget(machines: Sequence[Machine], before_s: float) -> None:
     for machine in machines:
         machine.issued = machine.issued[obeyed:]
         machine.obeyed -= obeyed
-        old = machine.system.executable
-        machine.system.executable = only.setdefault(id(old), (old, old.only(used)))[1]
+        old = machine.executable
+        machine.take_over(only.setdefault(id(old), (old, old.only(used)))[1])
 
 
 def forget_values(machines: Sequence[Machine], before_s: float) -> None:
@@ -192,9 +192,8 @@ class _Reached:
                 self._told(c.trace)
                 self._executed(c.activation, c.watches, c.error_program)
             if machine.stopped is not None:
-                values: dict[str, Any] = machine.stopped.values
-                parts = (values[name] for name in ("activation", "watches", "error_program"))
-                self._executed(*parts)
+                left = machine.stopped
+                self._executed(left.activation, left.watches, left.error_program)
 
     def _told(self, trace: Trace) -> None:
         if id(trace.activations) not in self._seen:
@@ -230,8 +229,8 @@ def _cells(machine: Machine) -> Iterable[Cell]:
     for c in (machine.robot, machine.process):
         yield from _own_cells(c)
     if machine.stopped is not None:
-        for frame in machine.stopped.values["frames"]:  # type: ignore[attr-defined]
-            for slot in frame.slots:  # type: ignore[union-attr]
+        for frame in machine.stopped.frames:
+            for slot in frame.slots:
                 yield from cells_of(slot)  # type: ignore[arg-type]
 
 

@@ -10,15 +10,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from vrts.engine.machine.context import Context
-from vrts.engine.machine.process import next_instruction
 from vrts.engine.memory.cells import Bound, Cell
 from vrts.engine.memory.event_log import EventLog
 from vrts.engine.memory.events import Cause
-from vrts.engine.memory.records import ArmPiece, Ending, Motion, Placement
+from vrts.engine.memory.records import INSTANT, ArmPiece, Ending, Motion, Placement
 from vrts.engine.memory.trace import Trace
 from vrts.engine.motion.time_scale import TimeScale
-from vrts.engine.outcomes import INSTANT
+from vrts.engine.programs.context import Context
+from vrts.engine.programs.cycles import next_instruction
 from vrts.engine.timeline import Stroke
 from vrts.ir.commands import TimedCommand
 from vrts.ir.module import Module, Program
@@ -115,13 +114,13 @@ class History:
 def history_of(machine: "Machine") -> History:
     """Return what a machine knows. Nobody may change the machine afterwards."""
     system = machine.system
-    executable, planner, hand = system.executable, system.planner, system.hand
+    programs, planner, hand = system.programs, system.planner, system.hand
     return History(
-        module=executable.module,
+        module=machine.executable.module,
         code=Code(
-            [known.program for known in executable.programs],
-            [known.base for known in executable.programs],
-            executable.causes,
+            [known.program for known in programs.loaded],
+            [known.base for known in programs.loaded],
+            programs.causes,
         ),
         scene=machine.scene,
         scenario=machine.scenario,

@@ -23,6 +23,7 @@ from vrts.engine.memory.events import (
     SwitchChanged,
 )
 from vrts.engine.memory.records import (
+    INSTANT,
     Ending,
     Lie,
     Placement,
@@ -31,7 +32,6 @@ from vrts.engine.memory.records import (
     pose_of,
 )
 from vrts.engine.memory.trace import Activation
-from vrts.engine.outcomes import INSTANT
 from vrts.ir.module import Module
 from vrts.ir.system import SWITCHES
 from vrts.ir.values import Value

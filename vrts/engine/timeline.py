@@ -11,10 +11,9 @@ from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
-from vrts.engine.memory.records import ArmPiece, Segment
+from vrts.engine.memory.records import INSTANT, ArmPiece, Segment
 from vrts.engine.motion.polynomials import composed, rate, shifted, value
 from vrts.engine.motion.time_scale import TimeScale
-from vrts.engine.outcomes import INSTANT
 from vrts.robots.model import Configuration
 
 if TYPE_CHECKING:

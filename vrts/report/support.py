@@ -7,7 +7,8 @@ asked about the instructions and functions that come of it.
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from vrts.engine.code.values.extent import evaluates, simulates
+from vrts.engine.code.steps.extent import simulates
+from vrts.engine.code.values.known_functions import evaluates
 from vrts.ir import instructions as ir
 from vrts.ir.module import Module
 from vrts.ir.system import PARAMETERS, SWITCHES

@@ -82,9 +82,9 @@ def test_what_is_kept_has_an_end() -> None:
     whole, short = grown(None).machine, grown(5.0).machine
     assert len(whole.issued) > 200
     assert len(short.issued) < 40
-    assert len(whole.system.executable.programs) > 150
-    assert len(short.system.executable.programs) < 50
-    assert len(short.system.executable.causes) < 150
+    assert len(whole.system.programs.loaded) > 150
+    assert len(short.system.programs.loaded) < 50
+    assert len(short.system.programs.causes) < 150
     assert len(list(short.system.planner.motions)) < 40 < len(short.system.planner.motions)
     assert len(short.system.planner.scale.knots) < len(whole.system.planner.scale.knots) / 3
 
@@ -93,14 +93,14 @@ def test_code_that_something_can_reach_stays() -> None:
     growing = GrowingRun(SCENE, Scenario())
     growing.issue(Load(module(TWICE)))
     growing.advance(1.0)
-    executable = growing.machine.system.executable
+    executable = growing.machine.executable
     assert executable.only(()) is executable, "what is in memory can be executed"
     without = executable.without(("main",))
-    numbers = without.numbers["sub"], executable.numbers["main"]
+    numbers = without.programs.numbers["sub"], executable.programs.numbers["main"]
     left = without.only(())
-    assert left.programs[numbers[0]].program.name == "sub"
-    assert not left.programs[numbers[1]].steps
-    assert without.only(numbers).programs[numbers[1]].program.name == "main"
+    assert left.programs.loaded[numbers[0]].program.name == "sub"
+    assert not left.steps[numbers[1]]
+    assert without.only(numbers).programs.loaded[numbers[1]].program.name == "main"
 
 
 def test_a_list_keeps_the_numbers_of_what_is_left() -> None:

@@ -8,14 +8,14 @@ still to change may end, is never called endless.
 from typing import TYPE_CHECKING, NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
-from vrts.engine.machine.process import place
 from vrts.engine.memory.cells import Cell, Content
 from vrts.engine.memory.records import Lie, Placement
+from vrts.engine.programs.cycles import place
 from vrts.robots.model import Configuration
 
 if TYPE_CHECKING:
-    from vrts.engine.machine.context import Context
     from vrts.engine.machine.machine import Machine
+    from vrts.engine.programs.context import Context
 
 ENDLESS = Rule("V503", "endless-loop")
 

@@ -3,24 +3,16 @@
 import math
 from typing import TYPE_CHECKING
 
-from vrts.engine.code.step import look_again
+from vrts.engine.code.closures import BLOCKED, CYCLE_ENDED, HALTED, PAUSED, SWITCHED
 from vrts.engine.code.steps.terminal_steps import put
-from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context, FrameKind
+from vrts.engine.faults import LimitReached, RuntimeFault
 from vrts.engine.machine.limits import check_limits
-from vrts.engine.machine.process import next_cycle, note_progress, place, rest
-from vrts.engine.machine.reactions import ERROR_PRIORITY, Watch
 from vrts.engine.memory.events import Cause, Reacted
-from vrts.engine.memory.records import Ending
-from vrts.engine.outcomes import (
-    BLOCKED,
-    CYCLE_ENDED,
-    HALTED,
-    INSTANT,
-    PAUSED,
-    SWITCHED,
-    LimitReached,
-)
+from vrts.engine.memory.records import INSTANT, Ending
+from vrts.engine.programs.context import Context
+from vrts.engine.programs.cycles import next_cycle, note_progress, place, rest
+from vrts.engine.programs.frames import FrameKind
+from vrts.engine.programs.watches import ERROR_PRIORITY, Watch
 
 if TYPE_CHECKING:
     from vrts.engine.machine.machine import Machine
@@ -70,8 +62,8 @@ def _run_steps(machine: "Machine", c: Context, most: int) -> None:
 def _run_frame(machine: "Machine", c: Context, left: int) -> int:
     """Execute statements without a look at anything else; return how many more may follow."""
     frame, trace, finished = c.frames[-1], c.trace, machine.finished
-    program = machine.system.executable.programs[frame.program]
-    steps, base, index = program.steps, program.base, frame.index
+    program = machine.system.programs.loaded[frame.program]
+    steps, base, index = machine.executable.steps[frame.program], program.base, frame.index
     note = trace.instructions.append
     trace.begin_slice(finished)
     if c.steps_left is not None:
@@ -90,8 +82,9 @@ def _run_frame(machine: "Machine", c: Context, left: int) -> int:
                 index = outcome
             elif outcome == SWITCHED:
                 frame = c.frames[-1]
-                program = machine.system.executable.programs[frame.program]
-                steps, base, index = program.steps, program.base, frame.index
+                program = machine.system.programs.loaded[frame.program]
+                steps, base = machine.executable.steps[frame.program], program.base
+                index = frame.index
                 traced = machine.system.tracing
                 if c.reactions_wait:
                     break  # one may be taken now
@@ -142,7 +135,7 @@ def _stepped(machine: "Machine", c: Context, following: Cause | None) -> int:
     """Count a single step when another one comes next; return how many more may follow."""
     assert c.steps_left is not None
     count, depth = c.steps_left
-    last = machine.system.executable.causes[c.trace.instructions[-1]]
+    last = machine.system.programs.causes[c.trace.instructions[-1]]
     if (depth is not None and len(c.frames) > depth) or last == following:
         return 1
     if count > 1:
@@ -193,16 +186,16 @@ def _take(machine: "Machine", c: Context, watch: Watch) -> None:
     planner = machine.system.planner
     if watch.immediate:
         planner.brake(c.now)
-        look_again(c)
+        c.look_again()
     elif c.is_robot:
         planner.take_back(c.now)
     machine.system.hand.path_changed(c.now)
     name = ""
     if watch.program is not None:
-        program = machine.system.executable.programs[watch.program].program
+        program = machine.system.programs.loaded[watch.program].program
         name = program.name
         _note_interruption(machine, c)
-        frame = machine.system.executable.frame(watch.program)
+        frame = machine.system.programs.frame(watch.program)
         c.interrupt(frame, FrameKind.REACTION, watch.priority)
         note_progress(c)
     c.wake = c.now
@@ -212,7 +205,7 @@ def _take(machine: "Machine", c: Context, watch: Watch) -> None:
 def _note_interruption(machine: "Machine", c: Context) -> None:
     """Count being interrupted as a statement, so that before and after can be told apart."""
     frame = c.frames[-1]
-    program = machine.system.executable.programs[frame.program]
+    program = machine.system.programs.loaded[frame.program]
     c.trace.begin_slice(machine.finished)
     c.trace.instructions.append(program.base + min(frame.index, len(program.causes) - 1))
     machine.finished += 1
@@ -229,10 +222,10 @@ def _catch(machine: "Machine", c: Context, fault: RuntimeFault) -> None:
     cause = place(c)
     c.phase, c.operands, c.fault = 0, None, None
     _note_interruption(machine, c)
-    frame = machine.system.executable.frame(c.error_program)
+    frame = machine.system.programs.frame(c.error_program)
     c.interrupt(frame, FrameKind.ERROR, ERROR_PRIORITY)
     note_progress(c)
-    name = machine.system.executable.programs[c.error_program].program.name
+    name = machine.system.programs.loaded[c.error_program].program.name
     c.events.append(Reacted(c.now, 0, name, cause))
     c.wake = c.now
 

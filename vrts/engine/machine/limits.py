@@ -3,8 +3,7 @@
 from typing import TYPE_CHECKING
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
-from vrts.engine.machine.process import place
-from vrts.engine.outcomes import (
+from vrts.engine.faults import (
     MOTIONS,
     OUTPUT,
     SIMULATED_TIME,
@@ -12,11 +11,12 @@ from vrts.engine.outcomes import (
     WAIT_NEVER_ENDS,
     LimitReached,
 )
+from vrts.engine.programs.cycles import place
 from vrts.ir import instructions as ir
 
 if TYPE_CHECKING:
-    from vrts.engine.machine.context import Context
     from vrts.engine.machine.machine import Machine
+    from vrts.engine.programs.context import Context
 
 NO_ANSWER = Rule("V504", "no-answer")
 
@@ -71,7 +71,7 @@ def stuck(c: "Context", now: float) -> Diagnostic:
     cause = place(c)
     assert cause is not None
     frame = c.frames[-1]
-    program = c.system.executable.programs[frame.program].program
+    program = c.system.programs.loaded[frame.program].program
     if isinstance(program.instructions[frame.index], ir.Prompt):
         return Diagnostic(
             NO_ANSWER,

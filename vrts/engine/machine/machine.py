@@ -15,16 +15,11 @@ from vrts.engine.code.executable import Executable
 from vrts.engine.code.steps.motion_steps import CUT_SHORT
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.hand.hand import Hand
-from vrts.engine.machine.context import Context, Stopped, System
 from vrts.engine.machine.endless import Watcher
 from vrts.engine.machine.execution import execute, fail
 from vrts.engine.machine.limits import stuck
 from vrts.engine.machine.obey import obey
-from vrts.engine.machine.process import end as end_program
-from vrts.engine.machine.process import note_progress, place, rest
 from vrts.engine.machine.sensing import Sensing
-from vrts.engine.machine.signals import Signals
-from vrts.engine.machine.terminal import Terminal
 from vrts.engine.memory.cells import Bound, cells_of
 from vrts.engine.memory.events import (
     Found,
@@ -33,12 +28,16 @@ from vrts.engine.memory.events import (
     SignalChanged,
     SwitchChanged,
 )
-from vrts.engine.memory.records import Ending
+from vrts.engine.memory.records import INSTANT, Ending
 from vrts.engine.motion.planner import Planner
 from vrts.engine.motion.remarks import worded
-from vrts.engine.outcomes import (
-    INSTANT,
-)
+from vrts.engine.programs.context import Context
+from vrts.engine.programs.cycles import end as end_program
+from vrts.engine.programs.cycles import note_progress, place, rest
+from vrts.engine.programs.signals import Signals
+from vrts.engine.programs.stopped import Stopped
+from vrts.engine.programs.system import System
+from vrts.engine.programs.terminal import Terminal
 from vrts.ir.commands import TimedCommand
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.scene.model import FaultKind, Scenario, Scene
@@ -67,8 +66,9 @@ class Machine:
         self.tick = arm.tick
         rate = scenario.monitor_speed / 100.0
         configuration = scenario.configuration or arm.ready
+        self.executable = executable
         self.system = System(
-            executable,
+            executable.programs,
             executable.memory(),
             Planner(arm, configuration, scene.X_FT, rate),
             Hand(scene, scenario.hand_opening),
@@ -120,7 +120,8 @@ class Machine:
         return other
 
     def _wire(self) -> None:
-        self.system.robot, self.system.process = self.robot, self.process
+        for c in (self.robot, self.process):
+            c.robot, c.process = self.robot, self.process
         self.system.hand.planner = self.system.planner
         self.system.events.counted = self.counted
 
@@ -153,6 +154,11 @@ class Machine:
         for cell in self.system.cells():
             cell.cut(self.finished)
 
+    def take_over(self, executable: Executable) -> None:
+        """Have other programs in memory from now on."""
+        self.executable = executable
+        self.system.programs = executable.programs
+
     # --- what has happened --------------------------------------------------------------------
 
     @property
@@ -177,7 +183,7 @@ class Machine:
 
     def steps_between(self, first: int, last: int) -> str:
         """Return which steps the robot program executed between two counts of statements."""
-        trace, causes = self.robot.trace, self.system.executable.causes
+        trace, causes = self.robot.trace, self.system.programs.causes
         begin, stop = trace.executed(first), trace.executed(last)
         steps = sorted(
             {causes[k].step for k in trace.instructions[begin:stop][-STEPS_A_TICK * 50 :]}

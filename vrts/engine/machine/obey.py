@@ -5,13 +5,13 @@ from typing import TYPE_CHECKING
 from vrts.engine.code.executable import Executable
 from vrts.engine.code.steps.setting_steps import change_monitor_speed
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context
-from vrts.engine.machine.process import abort, after_step, begin, end_later, go_on, note_progress
-from vrts.engine.machine.signals import known
 from vrts.engine.memory.cells import UNDEFINED, Array, cells_of
 from vrts.engine.memory.events import CommandRefused, SignalChanged
 from vrts.engine.memory.records import Ending
 from vrts.engine.motion.requests import to_joints, to_line
+from vrts.engine.programs.context import Context
+from vrts.engine.programs.cycles import abort, after_step, begin, end_later, go_on, note_progress
+from vrts.engine.programs.signals import known
 from vrts.ir import commands as k
 from vrts.ir.instructions import Interpolation
 from vrts.ir.module import Module
@@ -95,7 +95,7 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
                 if number and system.signals.turn(abs(number), on=on):
                     system.events.append(SignalChanged(now, abs(number), on, None))
         case k.SetVariable(name=name, subscripts=subscripts, value=value):
-            cell = system.executable.variable(system.memory, name, subscripts)
+            cell = machine.executable.layout.variable(system.memory, name, subscripts)
             cell.assign(UNDEFINED if value is None else value, machine.finished)
         case k.SetLocal(process=of_process):
             _set_local(machine, process if of_process else robot, command)
@@ -123,7 +123,7 @@ def _needs_running(c: Context) -> None:
 def _start(
     machine: "Machine", c: Context, program: str, cycles: int, step: int, now: float
 ) -> None:
-    if program not in machine.system.executable.numbers:
+    if program not in machine.system.programs.numbers:
         raise _Refused(UNKNOWN)
     c.finished = machine.finished
     begin(c, program, cycles, step, now)
@@ -143,7 +143,7 @@ def _resume(machine: "Machine", c: Context, now: float, *, retry: bool) -> None:
         raise _Refused(CANNOT_PROCEED)
     if not retry and (c.ending is Ending.ERROR or c.step_was_cut):  # go on with the next step
         frame = c.frames[-1]
-        program = machine.system.executable.programs[frame.program].program
+        program = machine.system.programs.loaded[frame.program].program
         frame.index = after_step(program, frame.index)
     c.now = now
     for watch in c.watches:  # what changed meanwhile is lost
@@ -160,11 +160,9 @@ def _do(machine: "Machine", module: Module, now: float) -> None:
     """Execute an instruction beside the program that stopped, which keeps its place."""
     name = module.main
     assert name is not None
-    system = machine.system
-    system.executable = Executable(
-        Module(module.programs, ()), machine.scenario.limits.call_depth, system.executable
-    )
-    system.executable.extend(system.memory)
+    depth = machine.scenario.limits.call_depth
+    machine.take_over(Executable(Module(module.programs, ()), depth, machine.executable))
+    machine.executable.layout.extend(machine.system.memory)
     robot = machine.robot
     machine.stopped = robot.stop() if robot.frames else None
     robot.finished = machine.finished
@@ -178,33 +176,33 @@ def _do(machine: "Machine", module: Module, now: float) -> None:
 
 def _load(machine: "Machine", module: Module) -> None:
     busy = {
-        machine.system.executable.programs[frame.program].program.name
+        machine.system.programs.loaded[frame.program].program.name
         for c in (machine.robot, machine.process)
         if c.running
         for frame in c.frames
     }
     if busy & set(module.programs):
         raise _Refused(EXECUTING)
-    system = machine.system
-    system.executable = Executable(module, machine.scenario.limits.call_depth, system.executable)
-    system.executable.extend(system.memory)
-    system.executable.load(module, system.memory, machine.finished)
+    depth, memory = machine.scenario.limits.call_depth, machine.system.memory
+    machine.take_over(Executable(module, depth, machine.executable))
+    machine.executable.layout.extend(memory)
+    machine.executable.load(module, memory, machine.finished)
 
 
 def _delete(machine: "Machine", names: tuple[str, ...]) -> None:
-    executable = machine.system.executable
+    programs = machine.system.programs
     if not machine.process.running:  # where it stopped is forgotten
         machine.process.clear()
     used = {
-        executable.programs[frame.program].program.name
+        programs.loaded[frame.program].program.name
         for c in (machine.robot, machine.process)
         for frame in c.frames
     }
     if used & set(names):
         raise _Refused("Program is in use")
-    if any(name not in executable.numbers for name in names):
+    if any(name not in programs.numbers for name in names):
         raise _Refused(UNKNOWN)
-    machine.system.executable = executable.without(names)
+    machine.take_over(machine.executable.without(names))
 
 
 def _panic(machine: "Machine") -> None:
@@ -238,7 +236,7 @@ def _set_local(machine: "Machine", c: Context, command: k.SetLocal) -> None:
     if not c.frames:
         raise _Refused(NOT_EXECUTING)
     frame = c.frames[-1]
-    program = machine.system.executable.programs[frame.program].program
+    program = machine.system.programs.loaded[frame.program].program
     names = [slot.name for slot in (*program.formals, *program.autos)]
     if command.name not in names:
         raise _Refused(UNKNOWN)
@@ -253,7 +251,7 @@ def _go_to(machine: "Machine", c: Context, step: int, now: float) -> None:
     if not c.frames:
         raise _Refused(NOT_EXECUTING)
     frame = c.frames[-1]
-    steps = machine.system.executable.programs[frame.program].program.steps
+    steps = machine.system.programs.loaded[frame.program].program.steps
     if not 1 <= step <= len(steps):
         raise _Refused(UNKNOWN)
     frame.index = steps[step - 1]
@@ -263,7 +261,7 @@ def _go_to(machine: "Machine", c: Context, step: int, now: float) -> None:
 
 def _forget(machine: "Machine", name: str) -> None:
     """Delete a variable, or all elements of an array."""
-    bound = machine.system.executable.bound(machine.system.memory, name)
+    bound = machine.executable.layout.bound(machine.system.memory, name)
     if bound is not None:
         for cell in cells_of(bound):
             cell.assign(UNDEFINED, machine.finished)

@@ -1,8 +1,8 @@
 """Sensors of a scenario: inputs that are on while something is in a region of the workspace."""
 
 from vrts.base.pose import Pose
-from vrts.engine.machine.context import System
 from vrts.engine.memory.records import pose_of
+from vrts.engine.programs.system import System
 from vrts.robots.kinematics.kinematics import forward
 from vrts.scene.model import Scenario, Scene
 from vrts.scene.sensors import is_on, movable_centres

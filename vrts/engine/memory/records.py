@@ -9,6 +9,7 @@ from vrts.ir.instructions import Interpolation
 from vrts.robots.model import Configuration
 
 COORDINATES = 7  # six joints [rad] and the hand opening [m]
+INSTANT = 1e-9  # [s] of two times nearer than this neither is earlier
 
 
 class Segment(NamedTuple):

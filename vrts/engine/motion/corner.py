@@ -8,13 +8,13 @@ space, and a joint motion and a line in the joints of both.
 from typing import NamedTuple
 
 from vrts.base.pose import Pose
+from vrts.engine.memory.records import INSTANT
 from vrts.engine.motion.paths import Course, JointPath, LinePath, Path, rounded
 from vrts.engine.motion.plan import Intent, joint_pieces, parameter
 from vrts.engine.motion.polynomials import Row, added
 from vrts.engine.motion.profile import Profile, at
 from vrts.engine.motion.remarks import Remark, remarks_on
 from vrts.engine.motion.set_points import STILL, Offset, Piece, SetPoints, deviation, follow, joined
-from vrts.engine.outcomes import INSTANT
 from vrts.robots.kinematics.branch import branch_of
 from vrts.robots.model import Arm, ArmBranch, Configuration
 

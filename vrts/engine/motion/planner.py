@@ -13,7 +13,7 @@ from vrts.base.pose import IDENTITY, Pose
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.memory.events import Cause
 from vrts.engine.memory.numbered import Numbered
-from vrts.engine.memory.records import ArmPiece, Motion
+from vrts.engine.memory.records import INSTANT, ArmPiece, Motion
 from vrts.engine.motion.corner import Corner, Leg, fits, half_width, round_corner
 from vrts.engine.motion.plan import Intent, Planned, from_rest
 from vrts.engine.motion.polynomials import rate as rate_of
@@ -23,7 +23,6 @@ from vrts.engine.motion.remarks import Remark
 from vrts.engine.motion.requests import Stance, with_request
 from vrts.engine.motion.settings import Settings
 from vrts.engine.motion.time_scale import TimeScale
-from vrts.engine.outcomes import INSTANT
 from vrts.ir.instructions import BranchRequest
 from vrts.robots.kinematics.branch import INITIAL_BRANCH, branch_of
 from vrts.robots.kinematics.choice import NOTHING_REQUESTED

@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from vrts.engine.machine.signals import INPUTS
+from vrts.engine.programs.signals import INPUTS
 from vrts.engine.storage.damage import require
 from vrts.ir.system import PARAMETERS
 from vrts.robots.kinematics.kinematics import limit_violations

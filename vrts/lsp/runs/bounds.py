@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 from vrts.base.diagnostic import Diagnostic, Severity
+from vrts.engine.faults import MOTIONS, STATEMENTS
 from vrts.engine.hand.hand import CLOSED_ON_NOTHING
-from vrts.engine.outcomes import MOTIONS, STATEMENTS
 from vrts.engine.run import Run
 from vrts.lsp.channel.verification import STOPPED
 from vrts.pipeline.assess import scenario_for

@@ -1,6 +1,6 @@
 """Commands that execute programs and single instructions [manual language/monitor#execution]."""
 
-from vrts.engine.machine.signals import INTERNAL, OUTPUTS
+from vrts.engine.programs.signals import INTERNAL, OUTPUTS
 from vrts.ir.commands import (
     Abort,
     AbortProcess,

@@ -1,8 +1,8 @@
 """Commands that show what is going on, and what is set [manual language/monitor#showing]."""
 
 from vrts import __version__
-from vrts.engine.machine.signals import INPUTS, INTERNAL, OUTPUTS
 from vrts.engine.memory.records import ProgramState, ProgramStatus
+from vrts.engine.programs.signals import INPUTS, INTERNAL, OUTPUTS
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
 from vrts.lang.syntax.expressions import Element, Name

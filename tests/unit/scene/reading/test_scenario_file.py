@@ -12,7 +12,7 @@ from tests.places import ROOT
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.pose import Pose, translation
 from vrts.base.source import SourceFile
-from vrts.engine.machine.signals import INPUTS
+from vrts.engine.programs.signals import INPUTS
 from vrts.ir.system import PARAMETERS
 from vrts.robots.kinematics.kinematics import forward
 from vrts.robots.model import SphericalWristArm

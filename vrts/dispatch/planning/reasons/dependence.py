@@ -13,7 +13,7 @@ from vrts.base.diagnostic import Diagnostic, Label, error
 from vrts.dispatch.manifest import Reads
 from vrts.dispatch.planning.reasons.coverage import MOVING, Covered
 from vrts.dispatch.planning.reasons.refusals import NOT_COVERED
-from vrts.engine.machine.signals import INPUTS
+from vrts.engine.programs.signals import INPUTS
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Apply, Constant, Function, Global, Load, Place, WholeArray
 from vrts.ir.module import Module, Program

@@ -3,13 +3,12 @@
 import math
 
 from vrts.base.units import mm
-from vrts.engine.code.step import Step, parameter, reached
-from vrts.engine.code.values.evaluate import Compiler
+from vrts.engine.code.closures import BLOCKED, Step, reached
+from vrts.engine.code.values.compiler import Compiler
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context
 from vrts.engine.memory.events import Cause
 from vrts.engine.motion.profile import TICK_TOLERANCE
-from vrts.engine.outcomes import BLOCKED
+from vrts.engine.programs.context import Context
 from vrts.ir import instructions as ir
 from vrts.ir.runtime_errors import RuntimeErrorKind
 
@@ -74,7 +73,7 @@ def acted(c: Context, action: ir.HandAction, cause: Cause, *, tested: bool = Fal
             return False
         command_hand(c, action, c.now, cause, tested=tested)
         tick = c.planner.arm.tick
-        seconds = max(parameter(c, HAND_TIME, c.hand.gripper.stroke_time), 0.0)
+        seconds = max(c.system.parameter(HAND_TIME, c.hand.gripper.stroke_time), 0.0)
         c.until = c.now + math.ceil(seconds / tick - TICK_TOLERANCE) * tick
         c.phase = 1
     if not reached(c, c.until):

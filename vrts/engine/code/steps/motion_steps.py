@@ -22,16 +22,16 @@ from vrts.base.pose import (
 )
 from vrts.base.source import Span
 from vrts.base.units import DEG, MM
-from vrts.engine.code.step import Step, parameter, place_of, reached
+from vrts.engine.code.closures import BLOCKED, Step, reached
 from vrts.engine.code.steps.hand_steps import command_hand
-from vrts.engine.code.values.evaluate import Compiler
+from vrts.engine.code.values.compiler import Compiler
+from vrts.engine.code.values.operands import span_of
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context
 from vrts.engine.memory.events import Cause
 from vrts.engine.motion.plan import Intent
 from vrts.engine.motion.requests import backed_off, needs_branch_of, to_joints, to_line, to_pose
 from vrts.engine.motion.settings import SPEED_MAX, Settings, Speed
-from vrts.engine.outcomes import BLOCKED
+from vrts.engine.programs.context import Context
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
 from vrts.ir.runtime_errors import RuntimeErrorKind
@@ -159,7 +159,7 @@ class MotionStepCompiler:
                 def nest(c: Context) -> Target:
                     ready = c.planner.arm.ready
                     joints = [
-                        parameter(c, f"NEST.POS[{k + 1}]", q / DEG) * DEG
+                        c.system.parameter(f"NEST.POS[{k + 1}]", q / DEG) * DEG
                         for k, q in enumerate(ready)
                     ]
                     return _to_joints(c, tuple(joints), cause.span)  # type: ignore[arg-type]
@@ -171,7 +171,7 @@ class MotionStepCompiler:
         location = e.location(move.target)
         back = e.real(move.retreat) if move.retreat is not None else None
         opening = e.real(move.opening) if move.opening is not None else None
-        span = place_of(move.target) or cause.span
+        span = span_of(move.target) or cause.span
 
         def target(c: Context) -> Target:
             goal = location(c)
@@ -337,7 +337,7 @@ def positive(speed: Speed, span: Span | None) -> Speed:
 
 def speed_max(c: Context) -> float:
     """Return the parameter SPEED.MAX [%]."""
-    return parameter(c, "SPEED.MAX", SPEED_MAX)
+    return c.system.parameter("SPEED.MAX", SPEED_MAX)
 
 
 def _to_pose(c: Context, interpolation: ir.Interpolation, pose: Pose, span: Span) -> Target:

@@ -3,16 +3,16 @@
 from collections.abc import Callable
 
 from vrts.base.numbers import round_half_away
-from vrts.engine.code.step import Step
+from vrts.engine.code.closures import SWITCHED, Step
 from vrts.engine.code.values.arithmetic import integer
-from vrts.engine.code.values.evaluate import Compiler
+from vrts.engine.code.values.compiler import Compiler
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context, FrameKind
-from vrts.engine.machine.process import abort, after_step, begin, end_later, note_progress
-from vrts.engine.machine.reactions import HIGHEST_PRIORITY, MOST_WATCHES, Watch
-from vrts.engine.machine.signals import OUTPUTS, known
 from vrts.engine.memory.events import Cause
-from vrts.engine.outcomes import SWITCHED
+from vrts.engine.programs.context import Context
+from vrts.engine.programs.cycles import abort, after_step, begin, end_later, note_progress
+from vrts.engine.programs.frames import FrameKind
+from vrts.engine.programs.signals import OUTPUTS, known
+from vrts.engine.programs.watches import HIGHEST_PRIORITY, MOST_WATCHES, Watch
 from vrts.ir import instructions as ir
 from vrts.ir.runtime_errors import RuntimeErrorKind
 
@@ -69,7 +69,7 @@ class ReactionStepCompiler:
             case ir.AbortProcess():
 
                 def stop(c: Context) -> int:
-                    abort(c.system.process, c.now)
+                    abort(c.process, c.now)
                     return following
 
                 return stop
@@ -78,7 +78,7 @@ class ReactionStepCompiler:
 
                 def end(c: Context) -> int:
                     on = chosen is None or chosen(c) > 0.0
-                    end_later(c.system.process, on=on)
+                    end_later(c.process, on=on)
                     return following
 
                 return end
@@ -150,7 +150,7 @@ class ReactionStepCompiler:
         step = e.real(start.step) if start.step is not None else None
 
         def execute(c: Context) -> int:
-            process = c.system.process
+            process = c.process
             name = start.program or process.program
             if process.running:
                 raise RuntimeFault(
@@ -174,7 +174,7 @@ def number_of(c: Context, name: str, cause: Cause) -> int:
     Raises:
         RuntimeFault: There is none of that name.
     """
-    number = c.system.executable.numbers.get(name)
+    number = c.system.programs.numbers.get(name)
     if number is None:
         raise RuntimeFault(
             RuntimeErrorKind.UNDEFINED_PROGRAM,
@@ -196,6 +196,6 @@ def _return_error(c: Context, cause: Cause) -> int:
     c.leave()
     c.phase, c.operands, c.fault = 0, None, None
     frame = c.frames[-1]
-    program = c.system.executable.programs[frame.program].program
+    program = c.system.programs.loaded[frame.program].program
     frame.index = after_step(program, frame.index)
     return SWITCHED

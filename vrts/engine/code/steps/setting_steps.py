@@ -3,14 +3,14 @@
 from collections.abc import Callable
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
-from vrts.engine.code.step import Step, look_again, place_of, reached
+from vrts.engine.code.closures import BLOCKED, Step, reached
 from vrts.engine.code.steps.motion_steps import positive
-from vrts.engine.code.values.evaluate import Compiler
+from vrts.engine.code.values.compiler import Compiler
+from vrts.engine.code.values.operands import span_of
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context
 from vrts.engine.memory.events import Cause, SpeedChanged
 from vrts.engine.motion.settings import Speed
-from vrts.engine.outcomes import BLOCKED
+from vrts.engine.programs.context import Context
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
 from vrts.ir.runtime_errors import RuntimeErrorKind
@@ -60,7 +60,7 @@ class SettingStepCompiler:
         e = self.expressions
         match instruction:
             case ir.SetSpeed(value=value, unit=unit, rotation=rotation):
-                speed, span = e.real(value), place_of(value)
+                speed, span = e.real(value), span_of(value)
                 share = e.real(rotation) if rotation is not None else None
                 return lambda c: {
                     "speed": positive(Speed(speed(c), unit), span),
@@ -157,7 +157,7 @@ def change_monitor_speed(c: Context, percent: float, cause: Cause | None) -> Non
     percent = min(percent, 100.0)
     c.planner.set_rate(c.now, percent / 100.0)
     c.hand.path_changed(c.now)
-    look_again(c)
+    c.look_again()
     c.events.append(SpeedChanged(c.now, percent, cause))
 
 

@@ -3,15 +3,15 @@
 import math
 
 from vrts.base.numbers import round_half_away
-from vrts.engine.code.step import Step, place_of, reached
+from vrts.engine.code.closures import BLOCKED, Step, reached
 from vrts.engine.code.values.arithmetic import integer
-from vrts.engine.code.values.evaluate import Compiler
+from vrts.engine.code.values.compiler import Compiler
+from vrts.engine.code.values.operands import span_of
 from vrts.engine.code.values.volatile import changes_by_itself
-from vrts.engine.machine.context import Context
-from vrts.engine.machine.signals import OUTPUTS, known
 from vrts.engine.memory.events import AnalogChanged, Cause, SignalChanged
 from vrts.engine.motion.profile import TICK_TOLERANCE
-from vrts.engine.outcomes import BLOCKED
+from vrts.engine.programs.context import Context
+from vrts.engine.programs.signals import OUTPUTS, known
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
 
@@ -64,7 +64,7 @@ class SignalStepCompiler:
                 return self._wait_time(time, following)
 
     def _signal(self, signals: tuple[Expression, ...], following: int, cause: Cause) -> Step:
-        numbers = tuple((self.expressions.real(s), place_of(s)) for s in signals)
+        numbers = tuple((self.expressions.real(s), span_of(s)) for s in signals)
 
         def signal(c: Context) -> int:
             for value, span in numbers:

@@ -6,16 +6,15 @@ from vrts.base.numbers import single
 from vrts.base.oat import components
 from vrts.base.pose import Pose
 from vrts.base.units import deg
-from vrts.engine.code.step import Step
+from vrts.engine.code.closures import BLOCKED, Step
 from vrts.engine.code.values.arithmetic import LONGEST_STRING, checked_string, integer, rounded
-from vrts.engine.code.values.evaluate import Compiler
-from vrts.engine.code.values.evaluate_strings import written
+from vrts.engine.code.values.compiler import Compiler
 from vrts.engine.code.values.functions import number_at_start
 from vrts.engine.code.values.pieces import packed, spread
+from vrts.engine.code.values.string_functions import written
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context
 from vrts.engine.memory.events import Answered, Cause, Printed, Prompted
-from vrts.engine.outcomes import BLOCKED
+from vrts.engine.programs.context import Context
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression, Format, FormatKind
 from vrts.ir.runtime_errors import RuntimeErrorKind

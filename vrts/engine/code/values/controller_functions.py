@@ -5,22 +5,19 @@ The controller's clock begins at a fixed instant, so that a run is the same when
 
 import math
 from datetime import datetime, timedelta
-from typing import TYPE_CHECKING
 
 from vrts.base.numbers import round_half_away
 from vrts.base.source import Span
-from vrts.engine.code.step import parameter
+from vrts.engine.code.closures import Evaluate
 from vrts.engine.code.values.arithmetic import integer, logical, rounded
+from vrts.engine.code.values.compiler import Compiler
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context
 from vrts.engine.memory.records import Ending
+from vrts.engine.programs.context import Context
 from vrts.ir.expressions import Apply, Constant, Function
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Value
-
-if TYPE_CHECKING:
-    from vrts.engine.code.values.evaluate import Compiler, Evaluate
 
 POWERED_UP = datetime(1988, 1, 1)
 MONTHS = ("JAN", "FEB", "MAR", "APR", "MAY", "JUN", "JUL", "AUG", "SEP", "OCT", "NOV", "DEC")
@@ -31,7 +28,7 @@ AT_REST, MOVING, STOPPING = 0.0, 1.0, 2.0  # STATE(2) [assumed, manual language/
 UNKNOWN, IDLE, RUNNING, PAUSED, WAITING = -1.0, 0.0, 1.0, 2.0, 3.0  # STATUS [assumed]
 
 
-def controller_function(compiler: "Compiler", expression: Apply) -> "Evaluate":
+def controller_function(compiler: Compiler, expression: Apply) -> Evaluate:
     """Return a closure that asks the controller."""
     span, arguments = expression.span, expression.arguments
     match expression.function:
@@ -143,7 +140,7 @@ def _name(expression: Apply) -> str:
     return str(named.value).upper()
 
 
-def _switch(name: str, span: Span | None) -> "Evaluate":
+def _switch(name: str, span: Span | None) -> Evaluate:
     def state(c: Context) -> Value:
         if name not in SWITCHES:
             raise RuntimeFault(
@@ -171,7 +168,7 @@ def _parameter(c: Context, name: str, wanted: str, span: Span | None) -> float:
     if name == "NEST.POS" and wanted.endswith("]"):
         joint = integer(float(wanted[len(name) + 1 : -1]), span, 1, 6, "index")
         otherwise = math.degrees(arm.ready[joint - 1])
-    return rounded(parameter(c, wanted, otherwise), span)
+    return rounded(c.system.parameter(wanted, otherwise), span)
 
 
 def _state(c: Context, which: int) -> float:
@@ -185,10 +182,9 @@ def _state(c: Context, which: int) -> float:
 
 
 def _status(c: Context, name: str) -> float:
-    system = c.system
-    if name not in system.executable.numbers:
+    if name not in c.system.programs.numbers:
         return UNKNOWN
-    for program in (system.robot, system.process):
+    for program in (c.robot, c.process):
         if program.program == name:
             if program.running:
                 blocked = program is not c and program.phase and program.wake > c.now

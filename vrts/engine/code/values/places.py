@@ -2,54 +2,29 @@
 
 from collections.abc import Callable
 from difflib import get_close_matches
-from typing import TYPE_CHECKING
 
 from vrts.base.source import Span
+from vrts.engine.code.closures import Evaluate, Find, Real
+from vrts.engine.code.layout import Layout
 from vrts.engine.code.values.arithmetic import integer
-from vrts.engine.code.values.evaluate_strings import HIGHEST_SUBSCRIPT
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context
 from vrts.engine.memory.cells import UNDEFINED, Array, Bound, Cell, Undefined
+from vrts.engine.programs.context import Context
 from vrts.ir.expressions import Expression, Global, Place, Slot, Variable
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Type, Value, type_of_value
 
-if TYPE_CHECKING:
-    from vrts.engine.code.values.evaluate import Evaluate
+HIGHEST_SUBSCRIPT = 32767  # [assumed, manual language/numbers#subscripts]
 
-Find = Callable[[Context], Cell]
-RealOf = Callable[[Expression], Callable[[Context], float]]
-
-
-class Numbering:
-    """Gives every global variable its number in memory."""
-
-    def __init__(self) -> None:
-        """Start with no variable."""
-        self.numbers: dict[str, int] = {}
-        self.arrays: set[str] = set()
-
-    def copy(self) -> "Numbering":
-        """Return a numbering that goes on by itself."""
-        other = Numbering()
-        other.numbers, other.arrays = dict(self.numbers), set(self.arrays)
-        return other
-
-    def number(self, name: str) -> int:
-        """Return the number of a global variable, a new one at first."""
-        return self.numbers.setdefault(name, len(self.numbers))
-
-    def bound(self) -> list[Bound]:
-        """Return fresh memory for all of them."""
-        return [Array(name) if name in self.arrays else Cell(name) for name in self.numbers]
+RealOf = Callable[[Expression], Real]
 
 
 class Places:
     """Compiles places; subscripts are compiled by a function for reals."""
 
-    def __init__(self, numbering: Numbering, real: RealOf) -> None:
-        """Share the numbering of global variables."""
-        self.numbering = numbering
+    def __init__(self, layout: Layout, real: RealOf) -> None:
+        """Share the layout of memory."""
+        self.layout = layout
         self._real = real
 
     def bound(self, variable: Variable, *, array: bool) -> Callable[[Context], Bound]:
@@ -62,8 +37,8 @@ class Places:
 
     def _number(self, variable: Global, *, array: bool) -> int:
         if array:
-            self.numbering.arrays.add(variable.name)
-        return self.numbering.number(variable.name)
+            self.layout.arrays.add(variable.name)
+        return self.layout.number(variable.name)
 
     def cell(self, place: Place) -> Find:
         """Return a closure that finds the cell of a place, making array elements as needed."""
@@ -118,7 +93,7 @@ class Places:
 
         return element
 
-    def load(self, place: Place) -> "Evaluate":
+    def load(self, place: Place) -> Evaluate:
         """Return a closure that reads a place."""
         find = self.cell(place)
         span, wanted = place.span, place.variable.type
@@ -134,7 +109,7 @@ class Places:
 
         return self._fast(place, read) if wanted is Type.REAL else read
 
-    def _fast(self, place: Place, read: "Evaluate") -> "Evaluate":
+    def _fast(self, place: Place, read: Evaluate) -> Evaluate:
         """Return a closure that reads a real; what is no real is left to the slow one."""
         variable = place.variable
         if place.subscripts:
@@ -153,7 +128,7 @@ class Places:
                 return value if value.__class__ is float else read(c)  # type: ignore[return-value]
 
             return formal
-        number = self.numbering.number(variable.name)
+        number = self.layout.number(variable.name)
 
         def scalar(c: Context) -> Value:
             value = c.memory.bound[number].value

@@ -6,54 +6,27 @@ not know, or what may be a string, is left to `evaluate`.
 
 import struct
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from vrts.base.source import Span
+from vrts.engine.code.closures import Real
 from vrts.engine.code.values.arithmetic import FALSE, TRUE, binary, overflow, unary
+from vrts.engine.code.values.compiler import Compiler
+from vrts.engine.code.values.static_types import of_reals
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context
+from vrts.engine.programs.context import Context
 from vrts.ir.expressions import (
-    Apply,
     Binary,
     BinaryOperator,
-    Compose,
     Constant,
     Expression,
-    Function,
-    Load,
     Unary,
     UnaryOperator,
 )
 from vrts.ir.runtime_errors import RuntimeErrorKind
-from vrts.ir.values import Type, type_of_value
-
-if TYPE_CHECKING:
-    from vrts.engine.code.values.evaluate import Compiler
-
-Real = Callable[[Context], float]
 
 _pack = struct.Struct("<f").pack  # standard layout: packing what is too large raises
 _unpack = struct.Struct("<f").unpack
 
-LOCATIONS = frozenset(
-    {
-        Function.TRANS,
-        Function.TRANS_ZYZ,
-        Function.NULL,
-        Function.INVERSE,
-        Function.FRAME,
-        Function.SHIFT,
-        Function.SCALE,
-        Function.RX,
-        Function.RY,
-        Function.RZ,
-        Function.HERE,
-        Function.DEST,
-        Function.BASE,
-        Function.TOOL,
-    }
-)
-NOT_KNOWN = frozenset({Function.OPAQUE, Function.TAS})
 ARITHMETIC = {
     BinaryOperator.ADD,
     BinaryOperator.SUBTRACT,
@@ -70,39 +43,7 @@ COMPARISONS = {
 }
 
 
-def static_type(expression: Expression) -> Type | None:
-    """Return the type that an expression has whenever it has a value; None when that is open."""
-    match expression:
-        case Constant(value=value):
-            return type_of_value(value)
-        case Load(place=place):
-            known = place.variable.type
-            return None if known is Type.DYNAMIC else known
-        case Unary():
-            return Type.REAL
-        case Binary(operator=BinaryOperator.ADD, left=left, right=right):
-            found = {static_type(left), static_type(right)} - {None}
-            return found.pop() if len(found) == 1 else None
-        case Binary():
-            return Type.REAL
-        case Compose():
-            return Type.POSE
-        case Apply(function=function):
-            if function in NOT_KNOWN:
-                return None
-            if function in LOCATIONS:
-                return Type.POSE
-            if function.value.startswith("#"):
-                return Type.JOINTS
-            return Type.STRING if function.value.startswith("$") else Type.REAL
-
-
-def of_reals(expression: Binary) -> bool:
-    """Return whether both operands are known to be reals."""
-    return static_type(expression.left) is Type.REAL and static_type(expression.right) is Type.REAL
-
-
-def real_unary(compiler: "Compiler", expression: Unary) -> Real:
+def real_unary(compiler: Compiler, expression: Unary) -> Real:
     """Return a closure for an operator with one operand."""
     inner = compiler.real(expression.operand)
     match expression.operator:
@@ -115,7 +56,7 @@ def real_unary(compiler: "Compiler", expression: Unary) -> Real:
             return lambda c: apply(inner(c))
 
 
-def real_binary(compiler: "Compiler", expression: Binary) -> Real:
+def real_binary(compiler: Compiler, expression: Binary) -> Real:
     """Return a closure for an operator on two reals."""
     operator, span = expression.operator, expression.span
     if operator in COMPARISONS:
@@ -130,7 +71,7 @@ def real_binary(compiler: "Compiler", expression: Binary) -> Real:
     return _arithmetic(operator, left, right, span)
 
 
-def truth(compiler: "Compiler", expression: Expression) -> Callable[[Context], bool]:
+def truth(compiler: Compiler, expression: Expression) -> Callable[[Context], bool]:
     """Return a closure that gives whether a condition holds."""
     if (
         isinstance(expression, Binary)

@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from vrts.engine.machine.signals import OUTPUTS
 from vrts.engine.memory.events import Event, HandCommanded, SignalChanged
 from vrts.engine.memory.records import Motion
+from vrts.engine.programs.signals import OUTPUTS
 
 MOST_STEPS = 5_000  # of a program that is made of a session
 

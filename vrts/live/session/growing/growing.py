@@ -364,8 +364,8 @@ def _repeated(
 
 def _release(machine: Machine) -> None:
     """Let a machine that nobody needs any more go at once: its parts know one another."""
-    system = machine.system
-    del system.robot, system.process
+    for c in (machine.robot, machine.process):
+        del c.robot, c.process
     del machine.system, machine.robot, machine.process
 
 

@@ -96,8 +96,8 @@ class Past:
 
     def keep_state(self, time_s: float, machine: Machine) -> None:
         """Keep a machine at a time [s]; it is of no use to anybody afterwards."""
-        executable = machine.system.executable
-        machine.system.executable = None  # type: ignore[assignment] -- written as its source
+        executable = machine.executable
+        del machine.executable, machine.system.programs  # written as their source
         self._given = _given(machine)
         self._add(STATE, time_s, (executable.source, machine))
 
@@ -179,7 +179,7 @@ class Past:
         at = states[-1]
         record = self._records[at]
         source, machine = self._read(record)
-        machine.system.executable = Executable.remade(source)
+        machine.take_over(Executable.remade(source))
         given = tuple(command for each in self._all(COMMANDS, at) for command in each)
         return record.time_s, machine.copy(), given
 

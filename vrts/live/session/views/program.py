@@ -19,8 +19,7 @@ from vrts.base.pose import Pose
 from vrts.base.source import SourceFile, Span
 from vrts.base.units import DEG, deg
 from vrts.engine.memory.events import HandCommanded, SignalChanged
-from vrts.engine.memory.records import Motion
-from vrts.engine.outcomes import INSTANT
+from vrts.engine.memory.records import INSTANT, Motion
 from vrts.engine.run import Run
 from vrts.ir.instructions import Interpolation
 from vrts.ir.module import Datum, Module

@@ -2,9 +2,9 @@
 
 from vrts.base.oat import components
 from vrts.base.pose import Pose
-from vrts.engine.machine.process import place
 from vrts.engine.memory.events import Cause
 from vrts.engine.memory.records import Ending, Placement
+from vrts.engine.programs.cycles import place
 from vrts.live.session.channel.messages import Placed
 from vrts.live.session.growing.growing import GrowingRun
 from vrts.live.session.views import frame
@@ -81,7 +81,7 @@ def step_under_way(growing: GrowingRun) -> Cause | None:
                 return motion.cause
             break
     if robot.finishing and robot.trace.instructions:  # the last step is done, the arm still moves
-        return machine.system.executable.causes[robot.trace.instructions[-1]]
+        return machine.system.programs.causes[robot.trace.instructions[-1]]
     return place(robot)
 
 

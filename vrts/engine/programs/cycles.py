@@ -1,8 +1,8 @@
-"""Programs begin and end: the robot program and the process control program alike."""
+"""Programs begin, go through their cycles and end, the robot program as the other one."""
 
-from vrts.engine.machine.context import Context
 from vrts.engine.memory.events import Cause, ProgramEnded, ProgramProgressed, ProgramStarted
 from vrts.engine.memory.records import Ending
+from vrts.engine.programs.context import Context
 from vrts.ir.module import Program
 
 
@@ -42,7 +42,7 @@ def next_cycle(c: Context) -> bool:
     if c.cycles_left > 0:
         c.cycles_left -= 1
     frame = c.frames[-1]
-    causes = c.system.executable.programs[frame.program].causes
+    causes = c.system.programs.loaded[frame.program].causes
     c.last_step = causes[max(min(frame.index, len(causes) - 1) - 1, 0)]
     c.clear()
     if c.cycles_left != 0:
@@ -96,7 +96,7 @@ def place(c: Context) -> Cause | None:
     if not c.frames:
         return c.last_step if c.finishing else None
     frame = c.frames[-1]
-    causes = c.system.executable.programs[frame.program].causes
+    causes = c.system.programs.loaded[frame.program].causes
     return causes[min(frame.index, len(causes) - 1)]
 
 
@@ -111,7 +111,7 @@ def next_instruction(c: Context) -> int | None:
     """Return the number of the instruction that comes next, of those of all programs."""
     if not c.frames:
         return None
-    program = c.system.executable.programs[c.frames[-1].program]
+    program = c.system.programs.loaded[c.frames[-1].program]
     return program.base + min(c.frames[-1].index, len(program.causes) - 1)
 
 
@@ -123,10 +123,10 @@ def after_step(program: Program, index: int) -> int:
 
 
 def _begin_cycle(c: Context, step: int) -> None:
-    executable = c.system.executable
-    number = executable.numbers[c.program]
-    c.enter(executable.frame(number))
-    steps = executable.programs[number].program.steps
+    programs = c.system.programs
+    number = programs.numbers[c.program]
+    c.enter(programs.frame(number))
+    steps = programs.loaded[number].program.steps
     c.frames[0].index = steps[min(max(step, 1), len(steps)) - 1] if steps else 0
     c.phase, c.operands, c.fault, c.next_hand = 0, None, None, []
     c.priority, c.watches, c.error_program, c.last_error = 0, [], None, None

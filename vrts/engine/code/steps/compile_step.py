@@ -1,6 +1,6 @@
 """Instructions of the IR as closures: each takes the context and returns what comes next.
 
-The result is the index of the next instruction, or a negative outcome of `outcomes`. An instruction
+The result is the index of the next instruction, or a negative outcome of `closures`. An instruction
 that has to wait returns BLOCKED and is entered again; `Context.phase` remembers how far it came.
 """
 
@@ -9,7 +9,19 @@ from collections.abc import Callable
 from vrts.base.numbers import round_half_away
 from vrts.base.pose import Pose
 from vrts.base.source import Span
-from vrts.engine.code.step import Step, look_again, reached
+from vrts.engine.code.closures import (
+    BLOCKED,
+    CYCLE_ENDED,
+    HALTED,
+    PAUSED,
+    SWITCHED,
+    Evaluate,
+    Step,
+    reached,
+)
+from vrts.engine.code.steps.call_steps import CallStepCompiler
+from vrts.engine.code.steps.extent import robot_only, simulates
+from vrts.engine.code.steps.guard import for_robot
 from vrts.engine.code.steps.hand_steps import HandStepCompiler
 from vrts.engine.code.steps.motion_steps import MotionStepCompiler
 from vrts.engine.code.steps.reaction_steps import ReactionStepCompiler
@@ -17,13 +29,12 @@ from vrts.engine.code.steps.setting_steps import SettingStepCompiler
 from vrts.engine.code.steps.signal_steps import SignalStepCompiler
 from vrts.engine.code.steps.terminal_steps import TerminalStepCompiler, put
 from vrts.engine.code.values.arithmetic import checked_string, rounded
-from vrts.engine.code.values.evaluate import Compiler, Evaluate
-from vrts.engine.code.values.extent import simulates
-from vrts.engine.code.values.real_expressions import static_type, truth
+from vrts.engine.code.values.compiler import Compiler
+from vrts.engine.code.values.real_expressions import truth
+from vrts.engine.code.values.static_types import static_type
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context
 from vrts.engine.memory.events import Cause, SwitchChanged
-from vrts.engine.outcomes import BLOCKED, CYCLE_ENDED, HALTED, PAUSED, SWITCHED
+from vrts.engine.programs.context import Context
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression, Place
 from vrts.ir.runtime_errors import RuntimeErrorKind
@@ -33,11 +44,12 @@ from vrts.robots.kinematics.kinematics import forward, solve
 
 
 class StepCompiler:
-    """Compiles the instructions of one program, except calls and returns."""
+    """Compiles instructions of any kind."""
 
-    def __init__(self, expressions: Compiler) -> None:
-        """Share the compiler of expressions."""
+    def __init__(self, expressions: Compiler, call_depth: int) -> None:
+        """Share the compiler of expressions; programs call each other at most so deep."""
         self.expressions = expressions
+        self.calls = CallStepCompiler(expressions, call_depth)
         self.motions = MotionStepCompiler(expressions)
         self.settings = SettingStepCompiler(expressions)
         self.hands = HandStepCompiler(expressions)
@@ -45,8 +57,18 @@ class StepCompiler:
         self.reactions = ReactionStepCompiler(expressions)
         self.texts = TerminalStepCompiler(expressions)
 
-    def step(self, instruction: ir.Instruction, index: int, cause: Cause) -> Step:
-        """Return the closure of an instruction that stands at an index."""
+    def step(self, instruction: ir.Instruction, index: int, cause: Cause, count: int) -> Step:
+        """Return the closure of an instruction that stands at an index, of so many."""
+        if isinstance(instruction, ir.Call | ir.CallNamed):
+            return self.calls.call(instruction, index + 1, cause)
+        if isinstance(instruction, ir.Return):
+            return self.calls.leave(instruction, implicit=index == count - 1)
+        step = self._step(instruction, index, cause)
+        if not robot_only(instruction) or not simulates(instruction):
+            return step
+        return for_robot(step, cause)
+
+    def _step(self, instruction: ir.Instruction, index: int, cause: Cause) -> Step:
         following = index + 1
         e = self.expressions
         if isinstance(instruction, ir.Opaque):
@@ -79,7 +101,7 @@ class StepCompiler:
                 def brake(c: Context) -> int:
                     c.planner.brake(c.now)
                     c.hand.path_changed(c.now)
-                    look_again(c)
+                    c.look_again()
                     return following
 
                 return brake
@@ -163,7 +185,7 @@ class StepCompiler:
             case ir.SetParameter():
                 return self._set_parameter(instruction, following, cause)
             case ir.Call() | ir.CallNamed() | ir.Return():
-                raise ValueError("calls and returns are compiled by `executable`")
+                raise ValueError("calls and returns are compiled apart")
 
     def _jump_if(self, condition: Expression, target: int, following: int, *, when: bool) -> Step:
         holds = truth(self.expressions, condition)
@@ -337,7 +359,7 @@ def _switch(instruction: ir.Switch, following: int, cause: Cause) -> Step:
                 if not on:
                     c.planner.brake(c.now)
                     c.hand.path_changed(c.now)
-                    look_again(c)
+                    c.look_again()
             elif name == "TRACE":
                 c.system.tracing = on
             elif name == "DRY.RUN" and not on:

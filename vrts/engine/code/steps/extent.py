@@ -1,8 +1,6 @@
-"""What of the language the engine carries out; the rest stops a run where it is reached."""
+"""Which instructions the engine carries out; the rest stops a run where it is reached."""
 
-from vrts.engine.code.values.functions import PURE
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Function
 
 _INSTRUCTIONS = frozenset(
     {
@@ -94,42 +92,6 @@ _ROBOT_ONLY = frozenset(
         ir.AssignHere,
     }
 )  # marked [R] [manual language/motion#robot-steps]
-_STATEFUL = frozenset(
-    {
-        Function.BASE,
-        Function.TIME_TEXT,
-        Function.TIME,
-        Function.SWITCH,
-        Function.STATUS,
-        Function.STATE,
-        Function.PRIORITY,
-        Function.PENDANT,
-        Function.PARAMETER,
-        Function.FREE,
-        Function.ERROR_TEXT,
-        Function.ERROR,
-        Function.DATE_TEXT,
-        Function.ADC,
-        Function.BITS,
-        Function.DECODE,
-        Function.DEFINED,
-        Function.DEST,
-        Function.DEST_JOINTS,
-        Function.ENCODE,
-        Function.HAND,
-        Function.HERE,
-        Function.HERE_JOINTS,
-        Function.INRANGE,
-        Function.LAST,
-        Function.RANDOM,
-        Function.SIG,
-        Function.SPEED,
-        Function.TAS,
-        Function.TIMER,
-        Function.TOOL,
-        Function.UNPACK,
-    }
-)
 
 
 def simulates(instruction: ir.Instruction) -> bool:
@@ -140,8 +102,3 @@ def simulates(instruction: ir.Instruction) -> bool:
 def robot_only(instruction: ir.Instruction) -> bool:
     """Return whether an instruction may stand in the robot program only."""
     return type(instruction) in _ROBOT_ONLY
-
-
-def evaluates(function: Function) -> bool:
-    """Return whether the engine knows the value of a function."""
-    return function in _STATEFUL or function in PURE

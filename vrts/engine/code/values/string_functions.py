@@ -1,27 +1,24 @@
 """String functions that write text, or change what they read, as closures."""
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
 
 from vrts.base.numbers import round_half_away
+from vrts.engine.code.closures import Evaluate
 from vrts.engine.code.values.arithmetic import integer
+from vrts.engine.code.values.compiler import Compiler
 from vrts.engine.code.values.formats import FREE, NUMBER_KINDS, control, number
 from vrts.engine.code.values.operands import expression_of, span_of
 from vrts.engine.code.values.pieces import ELEMENT, decode, spread
+from vrts.engine.code.values.places import HIGHEST_SUBSCRIPT
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.machine.context import Context
+from vrts.engine.programs.context import Context
 from vrts.ir.expressions import Apply, Constant, Expression, Format, Load, Place, WholeArray
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Value
 
-if TYPE_CHECKING:
-    from vrts.engine.code.values.evaluate import Compiler, Evaluate
-
-HIGHEST_SUBSCRIPT = 32767  # [assumed, manual language/numbers#subscripts]
-
 
 def written(
-    compiler: "Compiler", items: Sequence[Expression | Format], word: str
+    compiler: Compiler, items: Sequence[Expression | Format], word: str
 ) -> Callable[[Context], str]:
     """Return a closure that gives the text of items as TYPE writes them."""
     parts = [
@@ -56,7 +53,7 @@ def written(
     return write
 
 
-def decoding(compiler: "Compiler", expression: Apply) -> "Evaluate":
+def decoding(compiler: Compiler, expression: Apply) -> Evaluate:
     """Return $DECODE: it takes the piece that it returns out of its variable."""
     variable, breaks, *mode = expression.arguments
     assert isinstance(variable, Load)
@@ -74,7 +71,7 @@ def decoding(compiler: "Compiler", expression: Apply) -> "Evaluate":
     return decoded
 
 
-def unpacking(compiler: "Compiler", expression: Apply) -> "Evaluate":
+def unpacking(compiler: Compiler, expression: Apply) -> Evaluate:
     """Return $UNPACK: a piece of a string array whose elements count 128 characters."""
     place, first, length = expression.arguments
     span = expression.span
