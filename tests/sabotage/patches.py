@@ -1018,9 +1018,9 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "who has waited for a snapshot is not told who is here",
-        "vrts/live/rooms/hub.py",
-        "            self.crowd_changed(room)  # who waits for a snapshot is told nothing else",
-        "            pass",
+        "vrts/live/rooms/entering.py",
+        "        room.tell_people_soon()  # who waits for a snapshot is told nothing else",
+        "        pass",
         ("tests/unit/live/rooms/test_room.py",),
     ),
     Patch(

@@ -15,6 +15,8 @@ from vrts.live.front.origin import Names
 from vrts.live.front.socket import serve_socket
 from vrts.live.front.static_files import StaticFiles
 from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.opening import make_room, open_kept
+from vrts.live.rooms.pulse import pulse
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.settings import DATABASE, Settings
 from vrts.live.store.database import Database
@@ -35,13 +37,13 @@ def application(settings: Settings, code: str, address: str, rooms: tuple[str, .
 
     @asynccontextmanager
     async def lifespan(_: Starlette) -> AsyncGenerator[None, None]:
-        await hub.open_kept()
+        await open_kept(hub)
         for room in hub.rooms.values():
             sessions.begin(room, carries_on=True)
         if not hub.rooms:
             for name in rooms:
-                sessions.begin(await hub.make_room(name, settings.places[0].id))
-        hub.spawn(hub.pulse())
+                sessions.begin(await make_room(hub, name, settings.places[0].id))
+        hub.spawn(pulse(hub))
         gc.collect()
         gc.freeze()  # what is loaded is needed for good: no collection has to look at it again
         yield

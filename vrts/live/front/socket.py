@@ -9,23 +9,22 @@ from starlette.websockets import WebSocket
 from vrts.live import limits
 from vrts.live.door import Door, door_of, text_frame
 from vrts.live.front.guard import refused
+from vrts.live.protocol.coding import decode, encode
 from vrts.live.protocol.fields import VERSION
 from vrts.live.protocol.from_anybody import AskProgram, AskReach, Command, Join
 from vrts.live.protocol.from_clients import FromClient
 from vrts.live.protocol.from_server import Closed, Refused
 from vrts.live.protocol.from_supervisors import ExportLog
 from vrts.live.refusal import NotObeyed
+from vrts.live.rooms.entering import drop, enter
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.obeying import obey
-from vrts.live.rooms.room import encode
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.store.accounts import Account
 
 JOIN_S: Final = 10.0  # until the first message must be there
 MOST_BAD: Final = 20  # messages that cannot be read, after which a connection ends
-
-_decode = msgspec.json.Decoder(FromClient).decode
 
 
 async def serve_socket(
@@ -52,7 +51,7 @@ async def serve_socket(
     try:
         await _listen(hub, sessions, websocket, member, door)
     finally:
-        hub.drop(member, door)
+        drop(hub, member, door)
 
 
 async def _join(hub: Hub, websocket: WebSocket, account: Account, door: Door) -> Member | None:
@@ -60,7 +59,7 @@ async def _join(hub: Hub, websocket: WebSocket, account: Account, door: Door) ->
     if text is None:
         return None
     try:
-        message = _decode(text)
+        message = decode(text)
     except msgspec.DecodeError as problem:
         _end(door, Closed("message", str(problem)))
         return None
@@ -71,7 +70,7 @@ async def _join(hub: Hub, websocket: WebSocket, account: Account, door: Door) ->
         _end(door, Closed("version", "the page is of another version: load it again"))
         return None
     try:
-        return hub.enter(account, message, door)
+        return enter(hub, account, message, door)
     except NotObeyed as refusal:
         _end(door, Closed(refusal.code, refusal.text))
         return None
@@ -85,15 +84,15 @@ async def _listen(
             return  # sent away, or back on another connection
         of = 0
         try:
-            message = _decode(text)
+            message = decode(text)
             of = _number(message)
             await obey(hub, sessions, member, message)
         except msgspec.DecodeError as problem:
             member.bad += 1
-            hub.tell_only(member, Refused(0, "message", str(problem)))
+            member.tell(Refused(0, "message", str(problem)))
         except NotObeyed as refusal:
             answer = Refused(of, refusal.code, refusal.text, refusal.help)
-            hub.tell_only(member, answer)
+            member.tell(answer)
         if member.bad > MOST_BAD or member.excess > limits.EXCESS:
             _end(door, Closed("message", "too many messages that count for nothing"))
             return

@@ -3,8 +3,10 @@
 from dataclasses import dataclass, field
 
 from vrts.live import limits
-from vrts.live.door import Door
+from vrts.live.door import Door, text_frame
 from vrts.live.limits import Bucket
+from vrts.live.protocol.coding import encode
+from vrts.live.protocol.from_server import Message
 from vrts.live.store.accounts import Account
 from vrts.live.tokens import new_id, new_token
 
@@ -43,6 +45,11 @@ class Member:
         """Send a reliable frame, if there is somebody and they have their snapshot."""
         if self.door is not None and self.settled:
             self.door.send(frame)
+
+    def tell(self, message: Message) -> None:
+        """Send a message to the connection, if there is one, whatever was sent before."""
+        if self.door is not None:
+            self.door.send(text_frame(encode(message)))
 
     def pose(self, frame: bytes, now: float, made: int) -> None:
         """Send a pose frame if one is due; `made` are a second."""

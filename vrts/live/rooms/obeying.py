@@ -8,6 +8,7 @@ import time
 
 from vrts.live.actions import Action, Keep, LetGo, Reset, Rewind, Save, Typed, Upload
 from vrts.live.names import readable
+from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_anybody import (
     AskProgram,
     AskReach,
@@ -22,10 +23,12 @@ from vrts.live.protocol.from_anybody import (
 )
 from vrts.live.protocol.from_clients import FromClient
 from vrts.live.refusal import NotObeyed
-from vrts.live.rooms.hub import LOG_FULL, LOG_HELP, Hub
+from vrts.live.rooms.audience import EVERYBODY, Audience
+from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.keeping import LOG_FULL, LOG_HELP, control_changed, say
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.process import SessionProcess
-from vrts.live.rooms.room import EVERYBODY, Audience, Room, encode
+from vrts.live.rooms.room import Room
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.rooms.supervising import supervise
 
@@ -59,16 +62,16 @@ async def obey(hub: Hub, sessions: Sessions, member: Member, message: FromClient
             raise NotObeyed("joined", "this connection has joined already")
         case SetRate():
             member.rate = message.rate
-            hub.crowd_changed(room)
+            room.tell_people_soon()
         case RequestControl():
             if room.control.request(member.id, now):
-                hub.control_changed(room)
+                control_changed(hub, room)
         case HandBack():
             if room.control.hand_back(member.id, now):
-                hub.control_changed(room)
+                control_changed(hub, room)
         case RaiseHand():
             member.hand = message.up
-            hub.crowd_changed(room)
+            room.tell_people_soon()
         case Say():
             await _say(hub, room, member, message, now)
         case AskReach():
@@ -136,12 +139,12 @@ async def _say(hub: Hub, room: Room, member: Member, message: Say, now: float) -
             raise NotObeyed("person", "they are not here any more")
         ends = frozenset((other.account.id, member.account.id))
         to = Audience(accounts=ends, supervisors=True)
-        await hub.say(room, member, text, to, other.account)
+        await say(hub, room, member, text, to, other.account)
     elif message.private:
         to = Audience(accounts=frozenset((member.account.id,)), supervisors=True)
-        await hub.say(room, member, text, to, None)
+        await say(hub, room, member, text, to, None)
     else:
-        await hub.say(room, member, text, EVERYBODY, None)
+        await say(hub, room, member, text, EVERYBODY, None)
 
 
 def _ask_reach(room: Room, member: Member, message: AskReach, now: float) -> None:

@@ -1,5 +1,6 @@
 """A room: the people in it, the control right, the session they share, and what they were told."""
 
+import time
 from collections import deque
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -9,9 +10,11 @@ import msgspec
 from msgspec import structs
 
 from vrts.live.door import binary_frame, text_frame
+from vrts.live.protocol.coding import encode
 from vrts.live.protocol.fields import Role
 from vrts.live.protocol.from_server import Chat, Control, Message, Now, People
-from vrts.live.protocol.listed import Person, RoomEntry, WallRow
+from vrts.live.protocol.listed import Person, RoomEntry
+from vrts.live.rooms.audience import EVERYBODY, Audience
 from vrts.live.rooms.control import ControlRight
 from vrts.live.rooms.member import FULL_RATE, Member
 from vrts.live.rooms.process import SessionProcess
@@ -22,29 +25,6 @@ from vrts.live.store.rooms import HISTORY, KeptRoom
 
 REMEMBERED: Final = 4000  # reliable messages for those who come back
 REMEMBERED_BYTES: Final = 4 * 1024 * 1024
-
-encode = msgspec.json.Encoder().encode
-
-
-class Audience(NamedTuple):
-    """Who is told something."""
-
-    persons: frozenset[str] = frozenset()  # places in the room
-    accounts: frozenset[int] = frozenset()
-    supervisors: bool = False
-    everybody: bool = False
-
-    def includes(self, member: Member) -> bool:
-        """Return whether somebody is meant."""
-        return (
-            self.everybody
-            or member.id in self.persons
-            or member.account.id in self.accounts
-            or (self.supervisors and member.supervisor)
-        )
-
-
-EVERYBODY: Final = Audience(everybody=True)
 
 
 class Told(NamedTuple):
@@ -64,32 +44,6 @@ class Asked(NamedTuple):
     account: int | None
     name: str
     action: bytes  # JSON; empty for questions
-
-
-class Watched(msgspec.Struct, frozen=True):
-    """What the wall shows of a session's `Status`."""
-
-    time_s: float = 0.0
-    joints_rad: tuple[float, ...] = ()
-    hand_m: float = 0.0
-    text: str = ""
-    contacts: int = 0
-    mark: float | None = None
-
-
-class _Placed(msgspec.Struct, frozen=True):
-    """What the wall reads of a session's `Moved` or `Snapshot`: rows of `Placed`."""
-
-    bodies: tuple[msgspec.Raw, ...] = ()
-
-
-class _Body(msgspec.Struct, frozen=True):
-    body: str
-
-
-_placed = msgspec.json.Decoder(_Placed)
-_body = msgspec.json.Decoder(_Body)
-_watched = msgspec.json.Decoder(Watched)
 
 
 @dataclass(slots=True, eq=False)
@@ -204,13 +158,6 @@ class Room:
             if member.door is not None and member.settled:
                 member.door.latest("now", frame)
 
-    def place(self, message: bytes, *, whole: bool) -> None:
-        """Learn how bodies lie from a session's `Moved`, or all of them from its `Snapshot`."""
-        if whole:
-            self.placed.clear()
-        for row in _placed.decode(message).bodies:  # later rows of a body replace earlier ones
-            self.placed[_body.decode(row).body] = row.copy()
-
     def audience(self, to: Audience) -> Iterable[Member]:
         """Return who is meant."""
         everybody = self.members.values()
@@ -272,6 +219,10 @@ class Room:
             ends=control.ends(),
         )
 
+    def tell_people_soon(self) -> None:
+        """Have everybody told soon who is here."""
+        self.crowd_changed = self.crowd_changed or time.time()
+
     def show_people(self, muted: frozenset[int]) -> None:
         """Tell everybody who is here."""
         self.crowd_changed = 0.0
@@ -297,31 +248,6 @@ class Room:
                 for member in self.members.values()
             ),
             tuple(sorted(set(self.barred.values()))) if rates else (),
-        )
-
-    def wall_row(self) -> WallRow:
-        """Return the room as the wall shows it."""
-        status = _watched.decode(self.status) if self.status else Watched()
-        holder = self.members.get(self.control.holder)
-        reached = self.reached
-        return WallRow(
-            id=self.id,
-            name=self.kept.name,
-            scene=self.kept.scene,
-            task=self.task,
-            operator=holder.account.name if holder else "",
-            people=self.crowd,
-            hands=tuple(m.account.name for m in self.members.values() if m.hand),
-            queue=len(self.control.queue),
-            time_s=status.time_s if reached is None else reached.time_s,
-            line=status.text,
-            contacts=status.contacts,
-            mark=status.mark,
-            joints_rad=status.joints_rad,
-            alive=self.process is not None and self.process.ready,
-            scene_url=self.scene_url,
-            hand_m=status.hand_m,
-            bodies=tuple(self.placed.values()),
         )
 
     def _role(self, member: Member) -> Role:

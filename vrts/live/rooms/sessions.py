@@ -11,11 +11,16 @@ import msgspec
 from vrts import __version__
 from vrts.live.logs.logged_sessions import JUMPS, LogFault
 from vrts.live.logs.unfinished import Unfinished, unfinished
+from vrts.live.protocol.coding import encode
 from vrts.live.protocol.from_server import Happened, Program, Reach, Refused, Result, State
+from vrts.live.rooms.audience import EVERYBODY, Audience
+from vrts.live.rooms.entering import settle
 from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.keeping import log, log_soon, record, say, stamped
 from vrts.live.rooms.member import FULL_RATE
 from vrts.live.rooms.process import Head, SessionProcess
-from vrts.live.rooms.room import EVERYBODY, Asked, Audience, Room, encode
+from vrts.live.rooms.room import Asked, Room
+from vrts.live.rooms.wall import learn_bodies
 from vrts.live.session.again.carrying_on import empty, write_entries
 from vrts.live.session.channel.messages import Start
 from vrts.live.settings import SESSIONS
@@ -73,11 +78,11 @@ class Sessions:
             failures = 1 if time.monotonic() - began > WELL_S else failures + 1
             text = f"the session ended: {process.failure}"
             if failures < MOST_FAILURES:
-                await hub.say(room, None, f"{text}; it begins anew", EVERYBODY, None)
+                await say(hub, room, None, f"{text}; it begins anew", EVERYBODY, None)
                 await asyncio.sleep(0.5 * 2**failures)
             else:
                 help_ = "the supervisor can begin it anew"
-                await hub.say(room, None, f"{text}; {help_}", EVERYBODY, None)
+                await say(hub, room, None, f"{text}; {help_}", EVERYBODY, None)
                 await wake.wait()
                 failures = 0
         self._wake.pop(room.id, None)
@@ -92,7 +97,7 @@ class Sessions:
 
     async def _say_anew(self, room: Room, why: str) -> None:
         text = f"the server was started again, and the session begins anew: {why}"
-        await self._hub.say(room, None, text, EVERYBODY, None)
+        await say(self._hub, room, None, text, EVERYBODY, None)
 
     async def _one(self, room: Room, before: Unfinished | None) -> SessionProcess:
         """Run a session to its end, one that goes on where there was one before."""
@@ -150,9 +155,9 @@ class Sessions:
             case "program_text":
                 self._answer(room, head, Program(self._of(room, head), _RAW(message)))
             case "snapshot":
-                self._hub.settle(room, message)
+                settle(self._hub, room, message)
                 if head.ref in (0, process.first_snapshot):
-                    room.place(message, whole=True)
+                    learn_bodies(room, message, whole=True)
                     room.show(State(room.session, room.scene_url, _RAW(message)))
             case "ready":
                 room.task = msgspec.json.decode(head.task, type=str) if head.task else ""
@@ -160,10 +165,10 @@ class Sessions:
                 if head.carried_s is None:
                     room.logged = 0
                     what: dict[str, object] = {"scene": room.kept.scene, "scene_sha256": scene}
-                    self._hub.record(room, "begin", None, {**what, "vrts": __version__})
+                    record(self._hub, room, "begin", None, {**what, "vrts": __version__})
                 else:
                     what = {"at_s": head.carried_s, "vrts": __version__}
-                    self._hub.record(room, "carry_on", None, what)
+                    record(self._hub, room, "carry_on", None, what)
                     self._hub.spawn(_empty_earlier(Path(process.start.folder), room.id))
                 if head.anew:
                     self._hub.spawn(self._say_anew(room, head.anew))
@@ -173,7 +178,7 @@ class Sessions:
                 pass  # `SessionProcess.failure` has it; nobody asked for an export
             case _:
                 if head.type == "moved":
-                    room.place(message, whole=False)
+                    learn_bodies(room, message, whole=False)
                 number = room.next_number()
                 room.tell(Happened(number, _RAW(message)), number)
 
@@ -186,7 +191,7 @@ class Sessions:
         asked = room.asked.pop(head.ref, None)
         member = None if asked is None else room.members.get(asked.person)
         if member is not None:
-            self._hub.tell_only(member, message)
+            member.tell(message)
 
     def _done(self, room: Room, head: Head, message: bytes) -> None:
         asked = room.asked.pop(head.ref, None)
@@ -199,7 +204,7 @@ class Sessions:
         if asked.kind == "keep":
             member = room.members.get(asked.person)
             if member is not None and not head.accepted:
-                self._hub.tell_only(member, Refused(asked.of, "keep", head.text))
+                member.tell(Refused(asked.of, "keep", head.text))
             if not head.counts:
                 return  # a replay needs those that kept the arm moving
         self._hub.spawn(self._acknowledge(room, asked, head, message))
@@ -207,15 +212,15 @@ class Sessions:
     async def _acknowledge(self, room: Room, asked: Asked, head: Head, message: bytes) -> None:
         """Record a command with what became of it, then tell who gave it."""
         text = b'{"action":' + asked.action + b',"result":' + message + b"}"
-        entry = self._hub.entry(
+        entry = stamped(
             room, asked.kind, None, text.decode(), at_s=head.at_s, accepted=head.accepted
         )._replace(account=asked.account, name=asked.name)
         try:
-            await self._hub.log(entry)
+            await log(self._hub, entry)
         except Failed:  # such as a full disk: it was done, but cannot be acknowledged
             member = room.members.get(asked.person)
             if member is not None:
-                self._hub.tell_only(member, Refused(asked.of, "log", NOT_LOGGED))
+                member.tell(Refused(asked.of, "log", NOT_LOGGED))
             raise
         if head.row and self._hub.settings.recorded is not None:
             self._hub.settings.recorded(head.row)
@@ -235,12 +240,12 @@ class Sessions:
             member = room.members.get(one.person)
             if member is not None:
                 refused = Refused(one.of, "session", "the session ended before it answered")
-                self._hub.tell_only(member, refused)
+                member.tell(refused)
             if one.action:
                 text = encode({"action": _RAW(one.action), "result": None}).decode()
-                entry = self._hub.entry(room, one.kind, None, text, at_s=0.0, accepted=False)
-                self._hub.record_entry(entry._replace(account=one.account, name=one.name))
-        self._hub.settle(room, b"null")
+                entry = stamped(room, one.kind, None, text, at_s=0.0, accepted=False)
+                log_soon(self._hub, entry._replace(account=one.account, name=one.name))
+        settle(self._hub, room, b"null")
         room.show(State(room.session, "", _RAW(b"null")))
 
 

@@ -22,9 +22,13 @@ from vrts.live.protocol.from_supervisors import (
     WatchWall,
 )
 from vrts.live.refusal import NotObeyed
+from vrts.live.rooms.audience import EVERYBODY
+from vrts.live.rooms.entering import send_away
 from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.keeping import control_changed, record, say
 from vrts.live.rooms.member import Member
-from vrts.live.rooms.room import EVERYBODY, Room
+from vrts.live.rooms.opening import change, close, make_room
+from vrts.live.rooms.room import Room
 from vrts.live.rooms.sessions import Sessions
 from vrts.live.store.bars import allow, bar
 
@@ -63,19 +67,19 @@ async def supervise(
         case Allow():
             await hub.database.do(lambda connection: allow(connection, room.id, message.name))
             room.barred = {a: name for a, name in room.barred.items() if name != message.name}
-            hub.record(room, "allow", member.account, {"name": message.name})
-            hub.crowd_changed(room)
+            record(hub, room, "allow", member.account, {"name": message.name})
+            room.tell_people_soon()
             hub.rooms_changed()
         case Mute():
             account = _person(room, message.person).account.id
             (hub.muted.add if message.on else hub.muted.discard)(account)
-            hub.crowd_changed(room)
+            room.tell_people_soon()
         case SetChat():
-            await hub.change(room, room.kept._replace(chat=message.on))
+            await change(hub, room, room.kept._replace(chat=message.on))
             room.show_control()
         case SetTurn():
             kept = room.kept._replace(turn_s=message.turn_s, idle_s=message.idle_s)
-            await hub.change(room, kept)
+            await change(hub, room, kept)
             room.show_control()
         case SetScene():
             await _set_scene(hub, sessions, room, member, message.scene)
@@ -86,8 +90,8 @@ async def supervise(
             if len(hub.rooms) == 1:
                 help_ = "begin anew in it, or make another one first"
                 raise NotObeyed("room", "the last room stays open", help_)
-            hub.record(closed, "close", member.account, {})
-            await hub.close(closed)
+            record(hub, closed, "close", member.account, {})
+            await close(hub, closed)
         case Broadcast():
             await _broadcast(hub, sessions, member, message)
         case WatchWall():
@@ -97,7 +101,7 @@ async def supervise(
             hub.rooms_changed()
         case ExportLog():
             url = f"/log/{_room(hub, message.room).id}"
-            hub.tell_only(member, LogFile(message.of, url))
+            member.tell(LogFile(message.of, url))
 
 
 def _control(hub: Hub, room: Room, member: Member, message: HandOver | Lock | Freeze) -> None:
@@ -109,19 +113,19 @@ def _control(hub: Hub, room: Room, member: Member, message: HandOver | Lock | Fr
                 room.control.release(now)
             else:
                 room.control.hand_over(to.id, now)
-            hub.record(room, "hand_over", member.account, {"to": to and to.account.id})
-            hub.control_changed(room)
+            record(hub, room, "hand_over", member.account, {"to": to and to.account.id})
+            control_changed(hub, room)
         case Lock():
-            hub.record(room, "lock", member.account, {"on": message.on})
+            record(hub, room, "lock", member.account, {"on": message.on})
             if message.on:
                 room.control.locked = True
             else:
                 room.control.unlock(now)
-            hub.control_changed(room)
+            control_changed(hub, room)
         case Freeze():
             for frozen in hub.rooms.values() if message.everywhere else (room,):
                 frozen.frozen = message.on
-                hub.record(frozen, "freeze", member.account, {"on": message.on})
+                record(hub, frozen, "freeze", member.account, {"on": message.on})
                 if message.on:
                     frozen.panic(member)
                 frozen.show_control()
@@ -133,16 +137,16 @@ async def _kick(hub: Hub, room: Room, member: Member, message: Kick) -> None:
         raise NotObeyed("role", "a supervisor cannot be sent away")
     await hub.database.do(lambda connection: bar(connection, room.id, account.id, account.name))
     room.barred[account.id] = account.name
-    hub.record(room, "kick", member.account, {"whom": account.id})
+    record(hub, room, "kick", member.account, {"whom": account.id})
     for other in list(room.members.values()):
         if other.account.id == account.id:
-            hub.send_away(other, "kicked", "the supervisor has sent you away from this room")
+            send_away(hub, other, "kicked", "the supervisor has sent you away from this room")
 
 
 async def _set_scene(hub: Hub, sessions: Sessions, room: Room, member: Member, scene: str) -> None:
     _known(hub, scene)
-    await hub.change(room, room.kept._replace(scene=scene))
-    hub.record(room, "scene", member.account, {"scene": scene})
+    await change(hub, room, room.kept._replace(scene=scene))
+    record(hub, room, "scene", member.account, {"scene": scene})
     sessions.begin_anew(room)
 
 
@@ -153,7 +157,7 @@ async def _make_rooms(hub: Hub, sessions: Sessions, message: MakeRooms) -> None:
     for wanted in message.rooms:
         _known(hub, wanted.scene)
     for name, wanted in zip(names, message.rooms, strict=True):
-        sessions.begin(await hub.make_room(name, wanted.scene))
+        sessions.begin(await make_room(hub, name, wanted.scene))
     hub.rooms_changed()
 
 
@@ -161,7 +165,7 @@ async def _broadcast(hub: Hub, sessions: Sessions, member: Member, message: Broa
     text = readable(message.text)
     for room in list(hub.rooms.values()):
         if text:
-            await hub.say(room, member, text, EVERYBODY, None)
+            await say(hub, room, member, text, EVERYBODY, None)
         if message.scene:
             await _set_scene(hub, sessions, room, member, message.scene)
 

@@ -5,6 +5,7 @@ from pathlib import Path
 from vrts.live.places import places_of
 from vrts.live.protocol.from_server import Chat
 from vrts.live.rooms.control import ControlRight
+from vrts.live.rooms.entering import settle
 from vrts.live.rooms.hub import Hub
 from vrts.live.rooms.member import Member
 from vrts.live.rooms.room import REMEMBERED, REMEMBERED_BYTES, Room
@@ -39,7 +40,7 @@ def test_who_has_waited_for_a_snapshot_is_told_who_is_here(tmp_path: Path) -> No
     try:
         room.joining.append(Member(Account(1, "Ben", False, None), room.id))
         room.show_people(frozenset())  # reaches nobody who waits
-        hub.settle(room, b"null")
+        settle(hub, room, b"null")
         assert room.crowd_changed, "everybody is told again"
     finally:
         hub.database.close()

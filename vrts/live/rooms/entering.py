@@ -1,0 +1,145 @@
+"""People who come into a room, drop out of it, come back, and leave it."""
+
+import secrets
+import time
+
+import msgspec
+
+from vrts.live import limits
+from vrts.live.door import Door, text_frame
+from vrts.live.protocol.coding import encode
+from vrts.live.protocol.from_anybody import Join
+from vrts.live.protocol.from_server import Closed, Rooms, Snapshot, Welcome
+from vrts.live.protocol.listed import SceneEntry
+from vrts.live.refusal import NotObeyed
+from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.keeping import control_changed
+from vrts.live.rooms.member import Member
+from vrts.live.rooms.room import Room
+from vrts.live.store.accounts import Account
+
+
+def enter(hub: Hub, account: Account, join: Join, door: Door) -> Member:
+    """Give somebody a place in a room, or the one they had."""
+    room = _room_for(hub, account, join.room)
+    member = _returning(room, account, join)
+    if member is None:
+        connected = sum(m.account.id == account.id and m.door is not None for m in hub.everybody())
+        if connected >= limits.CONNECTIONS:
+            raise NotObeyed("limit", f"there are {connected} connections of this account")
+        member = Member(account, room.id)
+        room.members[member.id] = member
+    resumed = join.resume == member.resume and room.remembers(join.seen)
+    member.seen = join.seen if resumed else None
+    member.door, member.rate, member.settled = door, join.rate, False
+    room.control.back(member.id)
+    welcome = Welcome(
+        member.id,
+        account.name,
+        account.supervisor,
+        room.id,
+        member.resume,
+        resumed,
+        join.rate,
+    )
+    door.send(text_frame(encode(welcome)))
+    if hub.settings.alone and room.control.request(member.id, time.time()):
+        control_changed(hub, room)
+    room.tell_people_soon()
+    room.joining.append(member)
+    if room.process is None or not room.process.ready:
+        settle(hub, room, b"null")
+    elif len(room.joining) == 1:
+        room.process.ask_snapshot()
+    return member
+
+
+def settle(hub: Hub, room: Room, state: bytes) -> None:
+    """Send those who wait the state of the room."""
+    joining, room.joining = room.joining, []
+    if joining:
+        room.tell_people_soon()  # who waits for a snapshot is told nothing else
+    for member in joining:
+        if member.door is None:
+            continue
+        member.settled = True
+        if member.seen is not None:
+            for frame in room.missed(member, member.seen):
+                member.send(frame)
+        snapshot = Snapshot(
+            room=room.entry,
+            rooms=hub.entries(member.account),
+            scenes=_scenes(hub) if member.supervisor else (),
+            number=room.number,
+            session=room.session,
+            scene_url=room.scene_url,
+            state=msgspec.Raw(state),
+            chat=() if member.seen is not None else room.chat_for(member),
+        )
+        member.send(text_frame(encode(snapshot)))
+        member.send(text_frame(encode(room.control_for(member))))
+        all_rooms = Rooms(hub.entries(member.account), hub.projector)
+        member.send(text_frame(encode(all_rooms)))
+
+
+def drop(hub: Hub, member: Member, door: Door) -> None:
+    """Take note that a connection is gone; the place is kept for a while."""
+    if member.door is not door:
+        return  # they are back already, on another connection
+    member.door, member.settled, member.wall = None, False, False
+    member.away_since = time.time()
+    room = hub.rooms.get(member.room)
+    if room is not None:
+        room.control.away(member.id, member.away_since)
+        room.tell_people_soon()
+
+
+def remove(hub: Hub, room: Room, member: Member) -> None:
+    """Give up somebody's place."""
+    room.members.pop(member.id, None)
+    if room.control.hand_back(member.id, time.time()):
+        control_changed(hub, room)
+    room.tell_people_soon()
+
+
+def send_away(hub: Hub, member: Member, code: str, text: str) -> None:
+    """End somebody's connection and place."""
+    door = member.door
+    if door is not None:
+        door.send(text_frame(encode(Closed(code, text))))
+        door.finish()
+    member.door = None
+    room = hub.rooms.get(member.room)
+    if room is not None:
+        remove(hub, room, member)
+
+
+def _scenes(hub: Hub) -> tuple[SceneEntry, ...]:
+    return tuple(SceneEntry(place.id, bool(place.task)) for place in hub.settings.places)
+
+
+def _room_for(hub: Hub, account: Account, wanted: str) -> Room:
+    only = None if account.supervisor else account.room
+    if only is not None and wanted not in ("", only):
+        raise NotObeyed("room", "this link is for another room")
+    free = (room.id for room in hub.rooms.values() if account.id not in room.barred)
+    id_ = wanted or only or next(free, next(iter(hub.rooms), ""))
+    room = hub.rooms.get(id_)
+    if room is None:
+        raise NotObeyed("room", "there is no such room any more")
+    if account.id in room.barred:
+        raise NotObeyed("kicked", "the supervisor has sent you away from this room")
+    return room
+
+
+def _returning(room: Room, account: Account, join: Join) -> Member | None:
+    if not join.resume:
+        return None
+    for member in room.members.values():
+        same = secrets.compare_digest(member.resume.encode(), join.resume.encode())
+        if same and member.account.id == account.id:
+            if member.door is not None:
+                member.tell(Closed("replaced", "you came back elsewhere"))
+                member.door.finish()
+            return member
+    return None

@@ -1,0 +1,82 @@
+"""What is kept of a room while it happens: its log, and what is said in it."""
+
+import time
+from typing import Final
+
+from vrts.live.protocol.coding import encode
+from vrts.live.protocol.from_server import Chat
+from vrts.live.rooms.audience import EVERYBODY, Audience
+from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.member import Member
+from vrts.live.rooms.room import Room
+from vrts.live.store import log as store_log
+from vrts.live.store.accounts import Account
+from vrts.live.store.log import Entry
+from vrts.live.store.rooms import Line, keep_line
+
+LOG_FULL: Final = "the log of this session is full, so nothing more can be done in it but panic"
+LOG_HELP: Final = "a supervisor can begin another session: choose the scene again"
+
+
+def record(
+    hub: Hub, room: Room, kind: str, account: Account | None, what: dict[str, object]
+) -> None:
+    """Put something that is no command into the log."""
+    text = encode(what).decode()
+    log_soon(hub, stamped(room, kind, account, text, at_s=0.0, accepted=True))
+
+
+def control_changed(hub: Hub, room: Room) -> None:
+    """Tell and record who has the control right."""
+    room.show_control()
+    room.tell_people_soon()
+    holder = room.members.get(room.control.holder)
+    record(hub, room, "control", None if holder is None else holder.account, {})
+
+
+def log_soon(hub: Hub, entry: Entry) -> None:
+    """Put an entry into the log, without waiting for it."""
+    hub.spawn(log(hub, entry))
+
+
+async def log(hub: Hub, entry: Entry) -> None:
+    """Put an entry into the log, and say so when that has become full."""
+    await hub.database.do(lambda connection: store_log.append_now(connection, entry))
+    room = hub.rooms.get(entry.room)
+    if room is None:
+        return
+    room.logged += store_log.RECORD + len(entry.text)
+    if room.logged > hub.settings.log_quota and not room.log_full:
+        room.log_full = True
+        await say(hub, room, None, f"{LOG_FULL}; {LOG_HELP}", EVERYBODY, None)
+
+
+def stamped(
+    room: Room,
+    kind: str,
+    account: Account | None,
+    text: str,
+    *,
+    at_s: float,
+    accepted: bool,
+) -> Entry:
+    """Return a record of the log, stamped now."""
+    id_, name = (None, "") if account is None else (account.id, account.name)
+    return Entry(room.id, room.session, at_s, time.time(), kind, accepted, id_, name, text)
+
+
+async def say(
+    hub: Hub, room: Room, speaker: Member | None, text: str, to: Audience, reader: Account | None
+) -> None:
+    """Keep a line of chat, then tell it; it is acknowledged by being told."""
+    number, at = room.next_number(), time.time()
+    account = None if speaker is None else speaker.account
+    name = "" if account is None else account.name
+    private = not to.everybody
+    id_, read_by = (one.id if one else None for one in (account, reader))
+    line = Line(room.id, number, at, id_, name, text, private, read_by)
+    await hub.database.do(lambda connection: keep_line(connection, line))
+    shown_to = reader.name if reader else ""
+    said = Chat(number, at, speaker.id if speaker else "", name, text, private, shown_to)
+    room.chat.append((said, to))
+    room.tell(said, number, to)

@@ -1,0 +1,74 @@
+"""Rooms that are opened, changed and closed."""
+
+from typing import Final
+
+from vrts.live.protocol.from_server import Chat
+from vrts.live.refusal import NotObeyed
+from vrts.live.rooms.audience import EVERYBODY, Audience
+from vrts.live.rooms.control import ControlRight
+from vrts.live.rooms.entering import send_away
+from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.room import Room
+from vrts.live.store.bars import bars_of
+from vrts.live.store.rooms import KeptRoom, Line, close_room, keep_room, lines, open_rooms
+from vrts.live.tokens import new_id
+
+MOST_ROOMS: Final = 64
+
+
+async def open_kept(hub: Hub) -> None:
+    """Open the rooms that were open when the server ended."""
+    for kept in await hub.database.do(open_rooms):
+        if hub.settings.place(kept.scene) is None:
+            kept = kept._replace(scene=hub.settings.places[0].id)
+        await _open(hub, kept)
+
+
+async def make_room(hub: Hub, name: str, scene: str) -> Room:
+    """Make a room."""
+    if len(hub.rooms) >= MOST_ROOMS:
+        raise NotObeyed("limit", f"there are {MOST_ROOMS} rooms already", "close some")
+    settings = hub.settings
+    place = max((room.kept.place for room in hub.rooms.values()), default=0) + 1
+    kept = KeptRoom(new_id(), name, scene, place, True, settings.turn_s, settings.idle_s)
+    await hub.database.do(lambda connection: keep_room(connection, kept))
+    return await _open(hub, kept)
+
+
+async def _open(hub: Hub, kept: KeptRoom) -> Room:
+    room = Room(kept, control=ControlRight(kept.turn_s, kept.idle_s))
+    for line in await hub.database.do(lambda connection: lines(connection, kept.id)):
+        room.number = line.number
+        to = line.reader_name
+        said = Chat(line.number, line.at, "", line.name, line.text, line.private, to)
+        room.chat.append((said, _readers(line) if line.private else EVERYBODY))
+    room.barred = await hub.database.do(lambda connection: bars_of(connection, kept.id))
+    hub.rooms[kept.id] = room
+    hub.projector = hub.projector or kept.id
+    return room
+
+
+async def close(hub: Hub, room: Room) -> None:
+    """End a room for good."""
+    await hub.database.do(lambda connection: close_room(connection, room.id))
+    hub.rooms.pop(room.id, None)
+    if hub.projector == room.id:
+        hub.projector = next(iter(hub.rooms), "")
+    for member in list(room.members.values()):
+        send_away(hub, member, "room closed", "the room was closed")
+    if room.process is not None:
+        room.process.stop()
+    hub.rooms_changed()
+
+
+async def change(hub: Hub, room: Room, kept: KeptRoom) -> None:
+    """Keep what was changed about a room."""
+    room.kept = kept
+    room.control.turn_s, room.control.idle_s = kept.turn_s, kept.idle_s
+    await hub.database.do(lambda connection: keep_room(connection, kept))
+
+
+def _readers(line: Line) -> Audience:
+    """Return who may read a private line: its two ends and the supervisors."""
+    ends = (line.account, line.reader)
+    return Audience(accounts=frozenset(end for end in ends if end is not None), supervisors=True)

@@ -1,0 +1,66 @@
+"""What time alone brings about in the rooms of a server."""
+
+import asyncio
+import time
+from typing import Final
+
+from vrts.live.rooms.entering import remove, send_away
+from vrts.live.rooms.hub import Hub
+from vrts.live.rooms.keeping import control_changed
+from vrts.live.rooms.room import Room
+from vrts.live.rooms.wall import show_wall
+from vrts.live.store.accounts import existing
+from vrts.live.store.progress import keep_reached
+
+AWAY_S: Final = 300.0  # how long the place of somebody whose connection dropped is kept
+PULSE: Final = 0.1  # [s]
+
+
+async def pulse(hub: Hub) -> None:
+    """Do what time alone brings about: flush slots, end turns, forget who is gone."""
+    wall_due = 0.0
+    while not hub.stopping:
+        await asyncio.sleep(PULSE)
+        now = time.time()
+        for room in list(hub.rooms.values()):
+            _pulse_room(hub, room, now)
+        if now >= wall_due:
+            wall_due = now + 1.0
+            show_wall(hub)
+            _keep_reached(hub)
+            await _send_purged_away(hub)
+
+
+def _pulse_room(hub: Hub, room: Room, now: float) -> None:
+    for member in list(room.members.values()):
+        if member.door is not None:
+            member.door.flush()
+        elif now - member.away_since > AWAY_S:
+            remove(hub, room, member)
+    if room.control.pass_time(now):
+        control_changed(hub, room)
+    room.set_pace()
+    # a crowd is told less often: everybody is told about everybody
+    if room.crowd_changed and now - room.crowd_changed > 0.004 * len(room.members):
+        room.show_people(frozenset(hub.muted))
+
+
+async def _send_purged_away(hub: Hub) -> None:
+    """End the places of accounts that were purged meanwhile, from the command line."""
+    present = {member.account.id for member in hub.everybody()}
+    if not present:
+        return
+    there = await hub.database.do(lambda connection: existing(connection, present))
+    for account in present - there:
+        for member in [m for m in hub.everybody() if m.account.id == account]:
+            for room in hub.rooms.values():
+                room.forget(member.account.name)
+            send_away(hub, member, "kicked", "your account was removed")
+
+
+def _keep_reached(hub: Hub) -> None:
+    """Keep how far sessions have come: after a restart they go on from there."""
+    known = [room.reached for room in hub.rooms.values()]
+    found = [reached for reached in known if reached is not None]
+    if found:
+        hub.spawn(hub.database.do(lambda connection: keep_reached(connection, found)))
