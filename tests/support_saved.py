@@ -14,9 +14,13 @@ from tests.support_programs import ROOT
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile, Span
 from vrts.engine.run import Run, State
-from vrts.pipeline.programs import Reading
-from vrts.pipeline.settings import Setting, load_scene, robot_alone
-from vrts.run_files import Simulated, load_run, saved_bytes, simulate
+from vrts.pipeline.reading import ProgramFile, Reading
+from vrts.pipeline.request import Request
+from vrts.pipeline.scenes import load_scene, robot_alone
+from vrts.pipeline.setting import Setting
+from vrts.run_files.loading import load_run
+from vrts.run_files.saving import saved_bytes
+from vrts.run_files.simulated import Simulated, simulate
 from vrts.scene.model import FaultKind, Limits, PlannedFault, Region, Scenario, Sensor
 from vrts.scene.reading.scenario_file import ScenarioFile
 
@@ -90,7 +94,7 @@ TRAFFIC = Scenario(
 def busy() -> Simulated:
     """Return a run with calls, a process control program, reactions, strings and an error."""
     setting = with_scenario(robot_alone(), TRAFFIC)
-    found = simulate(BUSY, "busy.v2", setting, reading=Reading("val2+"))
+    found = simulate(Request(ProgramFile(BUSY, "busy.v2"), setting, Reading("val2+")))
     assert found.run is not None, found.diagnostics
     return found
 
@@ -98,7 +102,7 @@ def busy() -> Simulated:
 @cache
 def carrying() -> Simulated:
     """Return the run of the first example: two cans are carried."""
-    found = simulate(SOLUTION, "solution.v2", load_scene("cans-on-bases"))
+    found = simulate(Request(ProgramFile(SOLUTION, "solution.v2"), load_scene("cans-on-bases")))
     assert found.run is not None
     return found
 

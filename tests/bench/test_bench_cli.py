@@ -60,14 +60,15 @@ def test_stages_in_a_warm_process(tmp_path: Path) -> None:
     from vrts.check.judge import judge
     from vrts.engine.controller import execute
     from vrts.pipeline.assess import assess
-    from vrts.pipeline.settings import load_scene
+    from vrts.pipeline.requesting import request_for
+    from vrts.pipeline.scenes import load_scene
     from vrts.report.page.page import page
     from vrts.report.picture.moments import moment_picture
     from vrts.report.recording import write_recording
 
     setting = load_scene("cans-on-bases")
     program = long_program(tmp_path / "long.v2", 6)
-    found = assess(program, setting=setting)
+    found = assess(request_for(program, setting=setting))
     module, run = found.module, found.run
     assert module is not None
     assert run is not None

@@ -13,7 +13,8 @@ import pytest
 from tests.bench.test_bench_compile import realistic
 from tests.support_emulator import PLACES, sending
 from vrts.dispatch.bundle import bundle_bytes
-from vrts.dispatch.planning.plan import Request, plan
+from vrts.dispatch.planning.plan import plan
+from vrts.dispatch.planning.wish import Wish
 from vrts.dispatch.profile import find_profile
 from vrts.dispatch.steps import steps_of
 from vrts.dispatch.transfer.cargo import Cargo
@@ -22,6 +23,8 @@ from vrts.dispatch.transfer.port import Port
 from vrts.dispatch.transfer.talk import Talk
 from vrts.dispatch.transfer.transcript import Transcript
 from vrts.pipeline.files import CHECKOUT
+from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.request import Request
 from vrts.pipeline.settings import load_task
 
 LINES, BAUD = 500, 9600
@@ -94,7 +97,7 @@ def test_the_solution_of_every_example_is_planned(name: str) -> None:
     data = (folder / "solution.v2").read_bytes()
     setting, known = load_task(folder), find_profile("mark2-val2")
     began = time.process_time()
-    found = plan(Request(data, "solution.v2", (setting,), known))
+    found = plan(Wish(Request(ProgramFile(data, "solution.v2"), setting), known))
     busy = time.process_time() - began
     assert found.bundle is not None, [d.headline for d in found.refused]
     manifest = found.bundle.manifest

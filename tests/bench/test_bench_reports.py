@@ -7,7 +7,10 @@ from time import process_time
 
 from tests.places import ROOT
 from vrts.pipeline.assess import assess
+from vrts.pipeline.request import Checks
+from vrts.pipeline.requesting import request_for
 from vrts.pipeline.settings import setting_for
+from vrts.pipeline.where import Where
 from vrts.report.assessment import Assessment
 from vrts.report.page.page import page
 from vrts.report.page.stills import contacts_of, page_stills
@@ -75,8 +78,8 @@ def _alone(a: Assessment) -> None:
 def test_a_page_with_ten_contacts_and_four_stills(tmp_path: Path) -> None:
     program = tmp_path / "contacts.v2"
     program.write_text(TOUCHING)
-    setting = setting_for(program, scene="cans-on-bases", task=None)
-    a = assess(program, setting=setting, curve=True)
+    setting = setting_for(program, Where("cans-on-bases"))
+    a = assess(request_for(program, setting=setting, checks=Checks(curve=True)))
     stills = page_stills(a)
     text = page(a, stills)
     print(f"\n{len(contacts_of(a))} contacts, page {len(text.encode()) / 1e6:.2f} MB")
@@ -91,8 +94,8 @@ def test_a_page_with_ten_contacts_and_four_stills(tmp_path: Path) -> None:
 def test_reports_of_a_minute(tmp_path: Path) -> None:
     program = tmp_path / "minute.v2"
     program.write_text(PROGRAM)
-    setting = setting_for(program, scene="cans-on-bases", task=None)
-    a = assess(program, setting=setting, curve=True)
+    setting = setting_for(program, Where("cans-on-bases"))
+    a = assess(request_for(program, setting=setting, checks=Checks(curve=True)))
     assert a.run is not None
     print(f"\nrun of {a.run.horizon_s:.1f} s, {len(a.run.timeline.segments)} segments")
     picture = moment_picture(a)

@@ -4,10 +4,14 @@ from statistics import median
 from time import perf_counter
 
 from tests.support_saved import SOLUTION, ask_everything
-from vrts.pipeline.programs import Reading
-from vrts.pipeline.settings import Setting, load_scene, robot_alone
+from vrts.pipeline.reading import ProgramFile, Reading
+from vrts.pipeline.request import Request
+from vrts.pipeline.scenes import load_scene, robot_alone
+from vrts.pipeline.setting import Setting
 from vrts.report.formats.run_csv import run_csv
-from vrts.run_files import Simulated, check_again, load_run, saved_bytes, simulate
+from vrts.run_files.loading import check_again, load_run
+from vrts.run_files.saving import saved_bytes
+from vrts.run_files.simulated import Simulated, simulate
 
 LOOP = b"""\
 .PROGRAM main
@@ -30,7 +34,7 @@ ROUNDS = 5
 
 def measured(name: str, text: bytes, setting: Setting) -> tuple[Simulated, bytes]:
     begin = perf_counter()
-    found = simulate(text, "main.v2", setting, reading=Reading("val2+"))
+    found = simulate(Request(ProgramFile(text, "main.v2"), setting, Reading("val2+")))
     executing = perf_counter() - begin
     assert found.run is not None
     saving: list[float] = []

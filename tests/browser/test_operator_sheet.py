@@ -4,10 +4,13 @@ import pytest
 from playwright.sync_api import Browser
 
 from tests.browser.support import Opened, opened
-from vrts.dispatch.planning.plan import Request, plan
+from vrts.dispatch.planning.plan import plan
 from vrts.dispatch.planning.reasons.refusals import Promise
+from vrts.dispatch.planning.wish import Wish
 from vrts.dispatch.profile import find_profile
 from vrts.pipeline.files import CHECKOUT
+from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.request import Request
 from vrts.pipeline.settings import load_task
 
 pytestmark = pytest.mark.browser
@@ -23,7 +26,9 @@ def view(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Opened:
     data = (example / "solution.v2").read_bytes()
     promises = (Promise("V812", "the oven was measured twice, to half a millimetre", "R. Huber"),)
     profile = find_profile("mark2-val2")
-    found = plan(Request(data, "solution.v2", (load_task(example),), profile, 14.0, promises))
+    found = plan(
+        Wish(Request(ProgramFile(data, "solution.v2"), load_task(example)), profile, 14.0, promises)
+    )
     assert found.bundle is not None, found.refused
     path = tmp_path_factory.mktemp("sheet") / "sheet.html"
     path.write_text(found.bundle.sheet, "utf-8")

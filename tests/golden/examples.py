@@ -7,6 +7,8 @@ from typing import TypeAlias
 
 from tests.places import ROOT
 from vrts.pipeline.assess import assess
+from vrts.pipeline.requesting import request_for
+from vrts.pipeline.where import Where
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import first_screen, status
 
@@ -46,7 +48,7 @@ def row(a: Assessment) -> Row:
 
 def mark(path: Path) -> Row:
     """Return the row of one program of an example."""
-    return row(assess(path, task=example_of(path) / "task.toml"))
+    return row(assess(request_for(path, Where(task=example_of(path) / "task.toml"))))
 
 
 def name(path: Path) -> str:

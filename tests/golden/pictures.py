@@ -14,6 +14,8 @@ from vrts.check.verdicts.vias import visits_of
 from vrts.engine.memory.events import Event, Grasped, Released
 from vrts.engine.run import Run
 from vrts.pipeline.assess import assess
+from vrts.pipeline.requesting import request_for
+from vrts.pipeline.where import Where
 from vrts.report.assessment import Assessment
 from vrts.report.picture.camera import Camera
 from vrts.report.picture.still import still
@@ -117,7 +119,7 @@ def _released(a: Assessment, body: str) -> float:
 
 def _assessed(program: Path) -> Assessment:
     folder = program.parent.parent if program.parent.name == "submissions" else program.parent
-    return assess(program, task=folder / "task.toml")
+    return assess(request_for(program, Where(task=folder / "task.toml")))
 
 
 def _run(a: Assessment) -> Run:

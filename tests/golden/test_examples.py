@@ -9,6 +9,8 @@ import pytest
 
 from tests.golden.examples import EXAMPLES, example_of, expected, long_name, mark, name, programs
 from vrts.pipeline.assess import assess
+from vrts.pipeline.requesting import request_for
+from vrts.pipeline.where import Where
 
 FURTHER = [path for example in EXAMPLES[1:] for path in programs(example)]
 
@@ -41,7 +43,7 @@ def test_only_the_solution_has_full_marks_and_it_is_fit_for_the_real_robot(examp
 def test_a_program_that_does_nothing_earns_nothing(example: Path, tmp_path: Path) -> None:
     empty = tmp_path / "empty.v2"
     empty.write_text(".PROGRAM main()\n.END\n")
-    a = assess(empty, task=example / "task.toml")
+    a = assess(request_for(empty, Where(task=example / "task.toml")))
     assert a.grade is not None
     assert float(a.grade.mark) == 0.0
 

@@ -23,7 +23,7 @@ from vrts.report.page.html import joined, painted
 from vrts.report.page.listing import listing
 from vrts.report.page.page import page
 from vrts.report.plain import shown, visible
-from vrts.report.screen.text import assessment_text
+from vrts.report.screen.assessment_text import assessment_text
 
 few = settings(max_examples=40)
 FOR_PEOPLE: tuple[Form, ...] = ("full", "concise")

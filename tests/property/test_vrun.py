@@ -24,8 +24,13 @@ from tests.support_saved import (
 from vrts.base.diagnostic import Diagnostic
 from vrts.engine.run import Run
 from vrts.engine.storage.load import LAYOUT
-from vrts.pipeline.settings import Refused, robot_alone
-from vrts.run_files import check_again, load_run, saved_bytes, simulate
+from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.request import Request
+from vrts.pipeline.scenes import robot_alone
+from vrts.run_files.loading import check_again, load_run
+from vrts.run_files.saving import saved_bytes
+from vrts.run_files.simulated import simulate
 
 FILES = (file_of(busy), file_of(carrying))
 CODES = {"V540", "V541", "V542", "V543"}
@@ -79,7 +84,7 @@ def taken(data: bytes) -> Run | tuple[Diagnostic, ...]:
 @given(BODIES, st.sampled_from([100.0, 50.0, 12.5]))
 def test_what_is_loaded_answers_as_what_was_saved(lines: list[str], speed: float) -> None:
     body = "\n".join(["n = 0", *lines]).replace("SPEED 40 MONITOR", f"SPEED {speed}")
-    found = simulate(program(body).encode(), "main.v2", robot_alone())
+    found = simulate(Request(ProgramFile(program(body).encode(), "main.v2"), robot_alone()))
     run = found.run
     assert run is not None, found.diagnostics
     data = saved_bytes(found)

@@ -15,9 +15,11 @@ PROGRAM = ROOT / "examples" / "01-cans-on-bases" / "submissions" / "hits-base.v2
 TOLD = """
 import hashlib, json
 from tests.support_saved import BUSY, TRAFFIC, SOLUTION, plain, with_scenario
-from vrts.pipeline.programs import Reading
-from vrts.pipeline.settings import load_scene, robot_alone
-from vrts.run_files import saved_bytes, simulate
+from vrts.pipeline.reading import ProgramFile, Reading
+from vrts.pipeline.request import Request
+from vrts.pipeline.scenes import load_scene, robot_alone
+from vrts.run_files.saving import saved_bytes
+from vrts.run_files.simulated import simulate
 
 def told(value):
     return getattr(value, "value", None) or repr(value)
@@ -25,7 +27,7 @@ def told(value):
 alone = with_scenario(robot_alone(), TRAFFIC)
 for _ in range(2):
     for text, setting in ((BUSY, alone), (SOLUTION, load_scene("cans-on-bases"))):
-        found = simulate(text, "main.v2", setting, reading=Reading("val2+"))
+        found = simulate(Request(ProgramFile(text, "main.v2"), setting, Reading("val2+")))
         run = found.run
         events = [[type(event).__name__, plain(event)] for event in run.events]
         print(json.dumps([events, plain(run.timeline.segments)], default=told))

@@ -12,7 +12,7 @@ from vrts.engine.controller import execute
 from vrts.ir.system import PARAMETERS
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS
-from vrts.pipeline.settings import load_scene
+from vrts.pipeline.scenes import load_scene
 from vrts.scene.default import robot_alone
 from vrts.scene.model import Limits, Scenario, Scene
 from vrts.scene.reading.scenario_file import read_scenario

@@ -3,21 +3,21 @@
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from tests.places import ROOT
-from vrts.pipeline.assess import assess, scenario_for
+from vrts.pipeline.assess import assess
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.settings import (
-    Refused,
-    load_scene,
-    load_task,
-    robot_alone,
-    setting_for,
-    with_scenario,
-)
+from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.request import NO_CHECKS, Request
+from vrts.pipeline.scenes import load_scene, robot_alone, with_scenario
+from vrts.pipeline.setting import scenario_of
+from vrts.pipeline.settings import load_task, setting_for
+from vrts.pipeline.where import Where
 from vrts.scene.model import Scenario
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
@@ -49,7 +49,7 @@ def vrts(*words: str | Path, cwd: Path = ROOT) -> "subprocess.CompletedProcess[s
 def test_the_engine_runs_under_the_scenario(tmp_path: Path) -> None:
     path = file(tmp_path, "seed = 3\n[[inputs]]\nsignal = 1001\non_s = [2.0]\n")
     setting = with_scenario(robot_alone(), path)
-    found = assess(WAITS, setting=setting, judged=False)
+    found = assess(Request(ProgramFile(WAITS, "program"), setting, checks=NO_CHECKS))
     assert found.run is not None
     assert setting.scenario is not None
     assert found.run.scenario == setting.scenario.scenario
@@ -57,10 +57,12 @@ def test_the_engine_runs_under_the_scenario(tmp_path: Path) -> None:
 
 
 def test_without_a_scenario_nothing_changes() -> None:
-    assert scenario_for(None) == Scenario()
+    assert scenario_of(robot_alone()) == Scenario()
     task = load_task(EXAMPLE)
     assert task.scenario is None
-    assert scenario_for(task.task) == scenario_for(task.task, task.scenario)
+    assert task.task is not None
+    plain = Scenario()
+    assert scenario_of(task) == replace(plain, limits=replace(plain.limits, time_s=task.task.t_max))
 
 
 @pytest.mark.parametrize(("limit", "stopped"), [(10.0, 10.0), (300.0, None)])
@@ -68,10 +70,10 @@ def test_the_shorter_of_scenario_and_task_stops_a_run(
     limit: float, stopped: float | None, tmp_path: Path
 ) -> None:
     path = file(tmp_path, f"[limits]\ntime_s = {limit}\nmotions = 5\n")
-    setting = setting_for(EXAMPLE / "solution.v2", scenario=path)
+    setting = setting_for(EXAMPLE / "solution.v2", Where(scenario=path))
     assert setting is not None
     assert setting.task is not None
-    limits = scenario_for(setting.task, setting.scenario).limits
+    limits = scenario_of(setting).limits
     assert limits.time_s == (stopped or setting.task.t_max)
     assert limits.motions == 5
 
@@ -108,10 +110,10 @@ def test_the_scenario_asked_for_replaces_the_one_beside_the_task(tmp_path: Path)
 def test_a_scene_alone_takes_no_scenario_unless_asked(tmp_path: Path) -> None:
     file(tmp_path, "seed = 3\n", "scenario.toml")
     program = tmp_path / "a.v2"
-    plain = setting_for(program, scene="cans-on-bases")
+    plain = setting_for(program, Where("cans-on-bases"))
     assert plain is not None
     assert plain.scenario is None
-    asked = setting_for(program, scene="cans-on-bases", scenario=SLIPS)
+    asked = setting_for(program, Where("cans-on-bases", scenario=SLIPS))
     assert asked is not None
     assert asked.scenario is not None
     assert asked.scenario.title == "The first can slips out of the hand"

@@ -14,7 +14,7 @@ from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.zips import BadZip, Flaw, Unpacker, packed
 from vrts.check.task.manifest import NAME as MANIFEST
 from vrts.check.task.manifest import Manifest, altered, manifest_bytes, read_manifest, sha256
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 BAD_ARCHIVE = Rule("V677", "bad-task-archive")
 

@@ -7,8 +7,12 @@ from tempfile import TemporaryDirectory
 
 from vrts.assignments.pack import BAD_ARCHIVE, Bundle, read_zip
 from vrts.base.diagnostic import error
-from vrts.pipeline.files import SCENE_FILE, read_bytes, read_toml_source
-from vrts.pipeline.settings import TASK_FILE, Refused, Setting, load_task
+from vrts.check.task.task_places import lab_name, scene_name
+from vrts.pipeline.files import SCENE_FILE, TASK_FILE, read_bytes, read_toml_source
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.setting import Setting
+from vrts.pipeline.settings import load_task, setting_for
+from vrts.pipeline.where import Where
 
 SUFFIX = ".zip"
 
@@ -51,6 +55,17 @@ def load_zip(
     return setting_of(bundle, staff=staff, scene=scene, scenario=scenario, lab=lab)
 
 
+def found_setting(program: Path | None, where: Where) -> Setting | None:
+    """Return the setting that a program is verified in; see `pipeline.settings.setting_for`.
+
+    The task may also be a packed one; its hidden part is left out.
+    """
+    scene, task, scenario, lab = where
+    if task is None or not is_packed(task):
+        return setting_for(program, where)
+    return load_zip(task, scene=scene, scenario=scenario, staff=False, lab=lab)
+
+
 def setting_of(
     bundle: Bundle,
     *,
@@ -85,8 +100,6 @@ def setting_of(
 
 def _require_own_scene(bundle: Bundle, folder: Path, home: Path) -> None:
     """Refuse a task that names a scene or a lab outside its zip, or no scene."""
-    from vrts.check.task.task_places import lab_name, scene_name
-
     named, lab, found = None, None, ()
     if TASK_FILE in bundle.files:
         source = read_toml_source(folder / TASK_FILE, home)

@@ -19,7 +19,9 @@ from vrts.check.task.task_file import MAX_SHARE, PAR_SHARE
 from vrts.check.verdicts.duration import duration
 from vrts.pipeline.assess import assess
 from vrts.pipeline.files import read_bytes
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.request import Request
+from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment
 from vrts.scene.checks import scene_findings
 
@@ -72,22 +74,23 @@ def check_task(setting: Setting, reference: Path | None) -> TaskCheck:
     assert task is not None
     findings = [*setting.diagnostics, *scene_findings(setting.scene)]
     findings += task_findings(setting.scene, task)
-    empty = assess(EMPTY, setting=setting, identifier="empty", title="the empty program")
+    empty = assess(Request(ProgramFile(EMPTY, "the empty program"), setting, identifier="empty"))
     findings += _about_empty(empty, task)
     if reference is None:
         remedy = "write `staff/solution.v2` in the folder of the task"
         findings.append(error(NO_REFERENCE, "the task has no reference solution", help=(remedy,)))
         return TaskCheck(None, empty, None, worths(task), tuple(findings))
     longest = replace(task, t_max=max(task.t_max, setting_limit(task)))
-    found = assess(read_bytes(reference), setting=setting, title=reference.name)
-    free = assess(read_bytes(reference), setting=replace(setting, task=longest), title="reference")
+    data = read_bytes(reference)
+    found = assess(Request(ProgramFile(data, reference.name), setting))
+    free = assess(Request(ProgramFile(data, "reference"), replace(setting, task=longest)))
     findings += _about_reference(found)
     for variant in setting.variants:
         assert variant.task is not None
         findings += (*variant.diagnostics, *scene_findings(variant.scene))
         findings += task_findings(variant.scene, variant.task)
         name = f"{reference.name} in {variant.scene.name}"
-        there = assess(read_bytes(reference), setting=variant, title=name)
+        there = assess(Request(ProgramFile(data, name), variant))
         findings += _about_reference(there)
     return TaskCheck(found, empty, times_of(free), worths(task), tuple(findings))
 

@@ -6,8 +6,7 @@ from vrts.assignments.new_files import quoted
 from vrts.assignments.task_folder import reference_of
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import read_toml
-from vrts.pipeline.files import SCENE_FILE, find_example, read_bytes, read_toml_source
-from vrts.pipeline.settings import TASK_FILE
+from vrts.pipeline.files import SCENE_FILE, TASK_FILE, find_example, read_bytes, read_toml_source
 
 
 def example_folder(origin: str | None) -> Path | None:

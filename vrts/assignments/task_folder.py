@@ -9,15 +9,20 @@ from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from vrts.base.safe_names import safe
+from vrts.check.task.task_places import lab_name, scene_name
 from vrts.pipeline.files import (
     MAX_TOML,
+    SCENARIO_FILE,
     SCENE_FILE,
+    STAFF,
+    TASK_FILE,
     CannotRead,
     find_scene,
     read_bytes,
     read_toml_source,
 )
-from vrts.pipeline.settings import SCENARIO_FILE, STAFF, TASK_FILE, Refused, load_task
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.settings import load_task
 
 PUBLIC = (TASK_FILE, SCENARIO_FILE, "README.md", "start.v2")  # names in the folder itself
 PUBLIC_FOLDERS = ("pictures", "handout")
@@ -59,8 +64,6 @@ def reference_of(folder: Path) -> Path | None:
 
 def _add_scene(folder: Path, public: dict[str, bytes]) -> str:
     """Add the scene and the files beside it; return the name it gets."""
-    from vrts.check.task.task_places import scene_name
-
     named, found = scene_name(read_toml_source(folder / TASK_FILE))
     if named is None:
         raise Refused(found)
@@ -82,8 +85,6 @@ def _add_scene(folder: Path, public: dict[str, bytes]) -> str:
 
 def _add_lab(folder: Path, public: dict[str, bytes]) -> str:
     """Add the lab and the files beside it; return the name it has, "" where there is none."""
-    from vrts.check.task.task_places import lab_name
-
     named = lab_name(read_toml_source(folder / TASK_FILE))
     if named is None:
         return ""

@@ -19,7 +19,7 @@ COMMANDS = {  # name: where it is, what it does
     "run": ("runs.run_command", "run a program and print what it prints"),
     "verify": (
         "runs.verify_command",
-        "run a program, check everything, mark it if there is a task",
+        "run a program and check everything; mark it if there is a task",
     ),
     "grade": ("grade.grade_command", "mark many submissions"),
     "view": ("runs.view_command", "see a program move"),

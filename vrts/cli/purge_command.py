@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import color_option, guarded, out, say
+from vrts.cli.shared.console import guarded, out, say
+from vrts.cli.shared.options import color_option
 
 if TYPE_CHECKING:
     from vrts.marking.privacy.purge import Looked

@@ -9,28 +9,21 @@ from vrts.base.source import SourceFile
 from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger
 from vrts.debug.files import Files
-from vrts.engine.controller import execute
-from vrts.pipeline.assess import no_program, scenario_for, without_repeats
-from vrts.pipeline.files import read_bytes
-from vrts.pipeline.programs import ProgramFile, Reading, compile_bytes
-from vrts.pipeline.settings import (
-    SCENARIO_FILE,
-    TASK_FILE,
-    Setting,
-    robot_alone,
-    setting_for,
-    task_beside,
-)
+from vrts.pipeline.execution import executed
+from vrts.pipeline.files import SCENARIO_FILE, TASK_FILE, read_bytes, task_beside
+from vrts.pipeline.reading import ProgramFile, Reading
+from vrts.pipeline.request import Request
+from vrts.pipeline.scenes import robot_alone
+from vrts.pipeline.setting import Setting
+from vrts.pipeline.settings import setting_for
+from vrts.pipeline.where import ANYWHERE, Where
 
 
 class Asked(NamedTuple):
     """What is to be debugged, and where."""
 
     program: Path
-    scene: str | None = None  # name or path; None: the task's, else the robot alone
-    task: Path | None = None  # None: the one beside the program, unless a scene is given
-    scenario: Path | None = None
-    lab: Path | None = None
+    where: Where = ANYWHERE  # without scene and task: the task beside it, else the robot alone
     entry: str | None = None  # program to execute; None: the task's, else the first
     others: tuple[Path, ...] = ()  # compiled together with the program
     dialect: str | None = None  # None: as file name and content tell
@@ -58,29 +51,20 @@ def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
         Refused: Scene, task, scenario or lab have errors.
     """
     path = asked.program.resolve()
-    setting = setting_for(
-        path, scene=asked.scene, task=asked.task, scenario=asked.scenario, lab=asked.lab
-    )
-    if setting is None:
-        setting = robot_alone()
+    setting = setting_for(path, asked.where) or robot_alone()
     files = Files(_read(asked, path, setting))
     others = tuple(ProgramFile(read_bytes(p), str(p.resolve())) for p in asked.others)
-    _, compilation, found = compile_bytes(
-        read_bytes(path), str(path), Reading(asked.dialect, others=others)
-    )
-    if compilation is None or compilation.module is None or compilation.module.main is None:
-        return Opened(None, None, (), found, files)
-    module, task = compilation.module, setting.task
-    name = asked.entry or (task.program if task is not None else None)
-    if name is not None and name.lower() not in module.programs:
-        return Opened(None, None, (), (*found, no_program(module, name)), files)
-    scenario = scenario_for(task, setting.scenario)
-    run = execute(module, setting.scene, scenario, name.lower() if name else None)
+    program = ProgramFile(read_bytes(path), str(path))
+    reading = Reading(asked.dialect, others=others)
+    found = executed(Request(program, setting, reading, asked.entry))
+    run, compilation, task = found.run, found.compiled.compilation, setting.task
+    if run is None or compilation is None:
+        return Opened(None, None, (), found.diagnostics, files)
     near = near_miss_m if task is None else task.near_miss
     debugger = Debugger(run, compilation.dialect, near)
     sources = _sources(debugger)
     console = Console(debugger, path.parent, sources)
-    return Opened(debugger, console, sources, without_repeats(found, run.findings), files)
+    return Opened(debugger, console, sources, found.diagnostics, files)
 
 
 def why_not(diagnostics: Sequence[Diagnostic]) -> str:
@@ -95,11 +79,12 @@ def why_not(diagnostics: Sequence[Diagnostic]) -> str:
 def _read(asked: Asked, program: Path, setting: Setting) -> list[Path]:
     """Return the files that a session is made of."""
     found = [program, *asked.others]
-    task = asked.task or (task_beside(program) if asked.scene is None else None)
+    where = asked.where
+    task = where.task or (task_beside(program) if where.scene is None else None)
     if task is not None:
         folder = task if task.is_dir() else task.parent
         found += [folder / TASK_FILE if task.is_dir() else task, folder / SCENARIO_FILE]
-    found += [path for path in (asked.scenario, asked.lab) if path is not None]
+    found += [path for path in (where.scenario, where.lab) if path is not None]
     if setting.scene_source is not None:
         found.append(Path(setting.scene_source.name))
     return [path.resolve() for path in found]

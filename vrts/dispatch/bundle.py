@@ -17,7 +17,7 @@ import msgspec
 from vrts.base.diagnostic import Rule, error
 from vrts.base.zips import BadZip, Unpacker, packed
 from vrts.dispatch.manifest import Manifest, Member
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 BAD_BUNDLE = Rule("V800", "bad-bundle")
 

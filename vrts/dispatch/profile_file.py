@@ -18,7 +18,7 @@ from vrts.dispatch.profile_parts import (
     Typing,
 )
 from vrts.lang.dialect import DIALECTS
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 BAD_PATTERN = Rule("V830", "bad-pattern")
 COMMAND_NOT_SENT = Rule("V831", "command-not-sent")

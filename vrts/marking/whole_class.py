@@ -32,7 +32,7 @@ from vrts.marking.result import Damaged
 from vrts.marking.row import Class, Row
 from vrts.marking.submission.marker import Marker
 from vrts.pipeline.files import CannotRead, read_bytes
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 
 class HowTo(NamedTuple):

@@ -14,8 +14,11 @@ from vrts.monitor.dialogue import Dialogue
 from vrts.monitor.folder import WorkingFolder
 from vrts.monitor.monitor import Monitor
 from vrts.pipeline.files import read_bytes, shown
-from vrts.pipeline.settings import Refused, load_scene, robot_alone, with_scenario
-from vrts.scene.model import Limits, Scenario
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.scenes import free_setting
+from vrts.pipeline.setting import scenario_of
+from vrts.pipeline.where import Where
+from vrts.scene.model import Limits
 
 DAY = 86_400.0  # [s]
 LIMITS = Limits(
@@ -25,12 +28,10 @@ LIMITS = Limits(
 
 def opened(
     files: Sequence[str],
-    scene: str | None,
+    where: Where,
     dialect: str,
     *,
     asks: bool,
-    lab: Path | None = None,
-    scenario: Path | None = None,
     replace: bool = False,
     overwrite: bool = False,
 ) -> tuple[Dialogue, str]:
@@ -38,10 +39,8 @@ def opened(
 
     Args:
         files: Read first, from anywhere: the user named them.
-        scene: Name or path; None: the robot alone.
+        where: Scene, lab and scenario; without a scene the robot alone.
         dialect: Name of the dialect.
-        lab: A file with a lab that is laid over the scene.
-        scenario: A file that says how the robot stands at first, and what happens in the cell.
         asks: Whether the monitor asks before what cannot be undone.
         replace: Whether LOAD replaces programs.
         overwrite: Whether STORE replaces files unasked.
@@ -51,10 +50,7 @@ def opened(
         Refused: Scene or scenario have errors, or a file is no text.
     """
     beside = Path(files[0]).parent if files else None
-    setting = load_scene(scene, beside, lab=lab) if scene else robot_alone()
-    if scenario is not None:
-        setting = with_scenario(setting, scenario)
-    begins = setting.scenario.scenario if setting.scenario is not None else Scenario()
+    setting = free_setting(where, beside)
     desk = Desk(
         WorkingFolder(Path.cwd()),
         DIALECTS[dialect],
@@ -63,7 +59,7 @@ def opened(
         replace=replace,
     )
     controller = Controller(
-        Module({}, ()), setting.scene, dataclasses.replace(begins, limits=LIMITS)
+        Module({}, ()), setting.scene, dataclasses.replace(scenario_of(setting), limits=LIMITS)
     )
     dialogue = Dialogue(controller, Monitor(desk))
     said: list[str] = []

@@ -14,6 +14,9 @@ CHECKOUT = PACKAGE.parent  # the same in a checkout
 
 SCENE_FILE = "scene.toml"
 TASK_FILE = "task.toml"
+STAFF = "staff"  # folder beside a task: what students do not get
+MANIFEST_FILE = "manifest.json"  # of a packed task, also after unpacking
+SCENARIO_FILE = "scenario.toml"  # beside a task: how its runs begin, and what happens in them
 MAX_TOML = 1_000_000  # bytes
 
 
@@ -70,7 +73,7 @@ def example_names() -> tuple[str, ...]:
             {
                 path.parent.name
                 for folder in library_folders()
-                for path in (folder / "examples").glob("*/task.toml")
+                for path in (folder / "examples").glob(f"*/{TASK_FILE}")
             }
         )
     )
@@ -84,6 +87,15 @@ def find_example(name: str) -> Path | None:
         candidate = folder / "examples" / name
         if re.fullmatch(r"[\w.-]+", name) and candidate.is_dir():
             return candidate
+    return None
+
+
+def task_beside(program: Path) -> Path | None:
+    """Return the file of the task that a program is verified against where nothing else is said."""
+    beside = program.parent
+    for folder in (beside, beside.parent if beside.name == "submissions" else beside):
+        if (folder / TASK_FILE).is_file():
+            return folder / TASK_FILE
     return None
 
 

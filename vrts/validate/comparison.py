@@ -6,7 +6,7 @@ import numpy as np
 
 from vrts.base.diagnostic import Diagnostic, Rule, error, warning
 from vrts.engine.run import Run
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 from vrts.validate.clock import clock_shift
 from vrts.validate.errors import Errors, errors_of, lengths, measures
 from vrts.validate.log.log import RobotLog, read_log

@@ -10,7 +10,9 @@ from vrts.assignments.pack import read_zip, staff_zip, student_zip
 from vrts.assignments.packed import setting_of
 from vrts.assignments.task_folder import read_folder
 from vrts.pipeline.files import CHECKOUT, CannotRead
-from vrts.pipeline.settings import Refused, load_scene, load_task, setting_for
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.scenes import load_scene
+from vrts.pipeline.settings import load_task, setting_for
 
 TASK = """[task]
 scene = "cans-on-bases"

@@ -13,7 +13,8 @@ from vrts.assignments.packed import load_zip, setting_of
 from vrts.assignments.task_folder import TaskFiles, read_folder
 from vrts.check.task import manifest as manifests
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.settings import Refused, load_task
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.settings import load_task
 
 SECRET = "behind the second base"
 TASK = """[task]

@@ -20,7 +20,7 @@ from vrts.dispatch.bundle import (
     with_sheet,
 )
 from vrts.dispatch.manifest import SCHEMA, Manifest, Reads, Thing
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 THING = Thing("x", "0" * 64)
 LOCATIONS = ".LOCATIONS\na[1,2]          1.00 2.00 3.00 90.000 -90.000 0.000\n.END\n"

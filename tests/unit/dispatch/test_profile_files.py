@@ -8,7 +8,7 @@ from vrts.dispatch import allowed
 from vrts.dispatch.profile import find_profile, profile_names
 from vrts.dispatch.profile_parts import Commands
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 FOLDER = Path(allowed.__file__).parent / "profiles"
 

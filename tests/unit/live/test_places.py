@@ -9,6 +9,7 @@ from vrts.live.session.channel.messages import Start
 from vrts.live.session.setting import setting_of
 from vrts.monitor.opening import opened
 from vrts.pipeline.files import CannotRead
+from vrts.pipeline.where import Where
 from vrts.robots.arms.puma import PUMA_761, PUMA_762
 
 LAB = """
@@ -37,7 +38,7 @@ def test_a_session_stands_in_the_lab_it_is_told(lab: Path, tmp_path: Path) -> No
 
 
 def test_the_monitor_speaks_to_the_arm_of_the_lab(lab: Path) -> None:
-    dialogue, _ = opened((), "cans-on-bases", "val2", asks=False, lab=lab)
+    dialogue, _ = opened((), Where("cans-on-bases", lab=lab), "val2", asks=False)
     assert dialogue.controller.run.scene.robot.arm == PUMA_762
 
 

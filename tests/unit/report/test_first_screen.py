@@ -8,7 +8,7 @@ from vrts.base.diagnostic import error
 from vrts.base.source import SourceFile
 from vrts.check.mark.grade import Loss
 from vrts.report.first_screen import NOTHING_LOST, first_screen
-from vrts.report.screen.text import assessment_text
+from vrts.report.screen.assessment_text import assessment_text
 
 
 def test_the_costliest_cause_is_one_sentence_with_its_price() -> None:

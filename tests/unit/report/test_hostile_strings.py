@@ -30,9 +30,9 @@ from vrts.report.formats.sarif import sarif
 from vrts.report.page.html import json_script
 from vrts.report.page.page import page
 from vrts.report.recording.names import of_body
+from vrts.report.screen.assessment_text import assessment_text
 from vrts.report.screen.first_screen_text import first_screen_text
 from vrts.report.screen.palette import Palette
-from vrts.report.screen.text import assessment_text
 
 DATA = TESTS / "data" / "hostile_strings.json"
 CORPUS: list[str] = json.loads(DATA.read_text(encoding="utf-8"))

@@ -16,8 +16,8 @@ from vrts.pipeline.files import CHECKOUT
 from vrts.report.assessment import Assessment
 from vrts.report.formats.json_form import assessment_json, result_json
 from vrts.report.review import review_of
+from vrts.report.screen.assessment_text import assessment_text
 from vrts.report.screen.row_text import row_text
-from vrts.report.screen.text import assessment_text
 
 SOLUTION = (CHECKOUT / "examples" / "01-cans-on-bases" / "solution.v2").read_text("utf-8")
 TASK = """[task]

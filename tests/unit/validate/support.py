@@ -9,10 +9,11 @@ import numpy.typing as npt
 
 from tests.places import ROOT
 from vrts.engine.run import Run
-from vrts.pipeline.programs import Reading
-from vrts.pipeline.settings import load_scene, robot_alone
+from vrts.pipeline.reading import ProgramFile, Reading
+from vrts.pipeline.request import Request
+from vrts.pipeline.scenes import load_scene, robot_alone
 from vrts.report.formats.run_csv import run_csv
-from vrts.run_files import simulate
+from vrts.run_files.simulated import simulate
 from vrts.validate.log.log import RobotLog
 from vrts.validate.sampling import sampled
 
@@ -63,7 +64,7 @@ def run_of(program: bytes, lab: str | None = None, folder: Path | None = None) -
         assert folder is not None
         (folder / "lab.toml").write_text(lab)
         setting = load_scene("one-can-puma761", lab=folder / "lab.toml")
-    found = simulate(program, "program.v2", setting, reading=Reading("val2+")).run
+    found = simulate(Request(ProgramFile(program, "program.v2"), setting, Reading("val2+"))).run
     assert found is not None
     return found
 

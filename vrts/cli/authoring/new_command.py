@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import color_option, fail, guarded, say, show_diagnostics, write_file
+from vrts.cli.shared.console import fail, guarded, say, show_diagnostics, write_file
+from vrts.cli.shared.options import color_option
 
 if TYPE_CHECKING:
-    from vrts.pipeline.settings import Setting
+    from vrts.pipeline.setting import Setting
 
 EPILOG = """\b
 Examples:
@@ -51,7 +52,7 @@ def scene(name: Path, origin: str | None, color: str) -> None:
 def program(name: Path, origin: str | None, color: str) -> None:
     """Write the program NAME with all locations of a scene."""
     from vrts.assignments.new_files import new_program
-    from vrts.pipeline.settings import load_scene
+    from vrts.pipeline.scenes import load_scene
 
     file = name if name.suffix else name.with_suffix(".v2")
     taken = origin or "cans-on-bases"
@@ -92,8 +93,9 @@ def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
     """
     from vrts.assignments.new_files import new_program, new_readme, new_staff_task
     from vrts.assignments.task_copy import copied_reference, copied_task, example_folder
-    from vrts.pipeline.files import SCENE_FILE
-    from vrts.pipeline.settings import STAFF, TASK_FILE, load_scene, load_task
+    from vrts.pipeline.files import SCENE_FILE, STAFF, TASK_FILE
+    from vrts.pipeline.scenes import load_scene
+    from vrts.pipeline.settings import load_task
 
     made: dict[str, bytes] = {}
     if not (name / SCENE_FILE).is_file():
@@ -131,6 +133,8 @@ def _carrying(name: Path, setting: "Setting", title: str) -> tuple[bytes, bytes]
     from vrts.assignments.new_files import carryings, new_solution, new_task
     from vrts.assignments.task_check import times_of
     from vrts.pipeline.assess import assess
+    from vrts.pipeline.reading import ProgramFile
+    from vrts.pipeline.request import Request
 
     work = carryings(setting.scene)
     if not work:
@@ -139,7 +143,7 @@ def _carrying(name: Path, setting: "Setting", title: str) -> tuple[bytes, bytes]
             ("give it a can and a base within reach", f"see `vrts scene check {name}`"),
         )
     solution = new_solution(title, setting.scene, work).encode()
-    times = times_of(assess(solution, setting=setting, title="solution.v2"))
+    times = times_of(assess(Request(ProgramFile(solution, "solution.v2"), setting)))
     if times is None:
         fail("the reference solution does not come to its end in this scene")
     label = name.resolve().name
@@ -165,8 +169,7 @@ def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:
 def _scene_of(origin: str) -> str:
     """Return the scene of an example, or a scene as it is."""
     from vrts.check.task.task_places import scene_name
-    from vrts.pipeline.files import find_example, find_scene, read_toml_source
-    from vrts.pipeline.settings import TASK_FILE
+    from vrts.pipeline.files import TASK_FILE, find_example, find_scene, read_toml_source
 
     folder = find_example(origin)
     if folder is None or not (folder / TASK_FILE).is_file():

@@ -11,15 +11,14 @@ from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
     WRONG_CALL,
-    color_option,
     fail,
     guarded,
-    lab_option,
     out,
     say,
     show_diagnostics,
     write_file,
 )
+from vrts.cli.shared.options import color_option, lab_option
 
 EPILOG = """\b
 Examples:
@@ -54,7 +53,7 @@ def command(
 ) -> None:
     """Tell whether the tool reaches X Y Z (mm) [O A T (degrees)] in SCENE, and how."""
     from vrts.base.oat import pose_from_components
-    from vrts.pipeline.settings import load_scene
+    from vrts.pipeline.scenes import load_scene
     from vrts.report.screen.scene_text import point_text
     from vrts.scene.places import down_pose
     from vrts.scene.reach import reach

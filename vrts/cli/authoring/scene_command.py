@@ -8,20 +8,11 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import (
-    HOLDS,
-    WRONG,
-    color_option,
-    guarded,
-    lab_option,
-    out,
-    say,
-    show_diagnostics,
-    write_file,
-)
+from vrts.cli.shared.console import HOLDS, WRONG, guarded, out, say, show_diagnostics, write_file
+from vrts.cli.shared.options import color_option, lab_option
 
 if TYPE_CHECKING:
-    from vrts.pipeline.settings import Setting
+    from vrts.pipeline.setting import Setting
 
 EPILOG = """\b
 Examples:
@@ -44,7 +35,7 @@ def command() -> None:
 def list_scenes() -> None:
     """List the scenes that come with vrts."""
     from vrts.pipeline.files import scene_names
-    from vrts.pipeline.settings import load_scene
+    from vrts.pipeline.scenes import load_scene
 
     for name in scene_names():
         out(f"{name:<20} {load_scene(name).scene.title}")
@@ -58,7 +49,7 @@ def list_scenes() -> None:
 @guarded
 def show(name: str, svg: Path | None, lab: Path | None, color: str) -> None:
     """Print every object of scene NAME, and its locations ready to paste into a program."""
-    from vrts.pipeline.settings import load_scene
+    from vrts.pipeline.scenes import load_scene
     from vrts.report.screen.scene_text import scene_text
 
     scene = load_scene(name, lab=lab).scene
@@ -102,7 +93,9 @@ def check(name: str, lab: Path | None, color: str) -> None:
 
 def _setting(name: str, lab: Path | None) -> "Setting":
     """Return a scene, with the task where NAME is the folder of one."""
-    from vrts.pipeline.settings import TASK_FILE, load_scene, load_task
+    from vrts.pipeline.files import TASK_FILE
+    from vrts.pipeline.scenes import load_scene
+    from vrts.pipeline.settings import load_task
 
     path = Path(name)
     if (path / TASK_FILE).is_file() or (path.name == TASK_FILE and path.is_file()):
@@ -138,7 +131,8 @@ def watch_scene(
 def draw(place: Path, svg: Path | None, lab: Path | None, color: str) -> None:
     """Show a scene as it is now, with a drawing; or what is wrong with it."""
     from vrts.pipeline.files import CannotRead
-    from vrts.pipeline.settings import Refused, load_scene
+    from vrts.pipeline.refused import Refused
+    from vrts.pipeline.scenes import load_scene
     from vrts.report.scene_drawing import scene_svg
     from vrts.report.screen.scene_text import scene_text
     from vrts.scene.checks import scene_findings, without_repeats

@@ -6,21 +6,12 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import (
-    HOLDS,
-    WRONG,
-    color_option,
-    fail,
-    guarded,
-    lab_option,
-    out,
-    show_diagnostics,
-    write_file,
-)
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, show_diagnostics, write_file
+from vrts.cli.shared.options import color_option, lab_option
 
 if TYPE_CHECKING:
     from vrts.assignments.task_check import TaskCheck
-    from vrts.pipeline.settings import Setting
+    from vrts.pipeline.setting import Setting
 
 EPILOG = """\b
 Examples:
@@ -111,7 +102,8 @@ def _folder(path: Path) -> Path:
 
 
 def _setting(folder: Path, lab: Path | None = None) -> "Setting":
-    from vrts.pipeline.settings import TASK_FILE, load_task
+    from vrts.pipeline.files import TASK_FILE
+    from vrts.pipeline.settings import load_task
 
     if folder.is_dir() and not (folder / TASK_FILE).is_file():
         fail(f"there is no `{TASK_FILE}` in `{folder}`", (f"begin with `vrts new task {folder}`",))

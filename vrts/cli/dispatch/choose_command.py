@@ -5,7 +5,8 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import HOLDS, WRONG, color_option, guarded, out
+from vrts.cli.shared.console import HOLDS, WRONG, guarded, out
+from vrts.cli.shared.options import color_option
 
 EPILOG = """\b
 Examples:

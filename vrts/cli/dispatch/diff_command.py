@@ -6,7 +6,8 @@ from pathlib import Path
 import click
 
 from vrts.cli.dispatch.serial_line import connected, dated, port_option, transcript_option
-from vrts.cli.shared.console import HOLDS, WRONG, color_option, guarded, out, say
+from vrts.cli.shared.console import HOLDS, WRONG, guarded, out, say
+from vrts.cli.shared.options import color_option
 
 EPILOG = """\b
 Example:

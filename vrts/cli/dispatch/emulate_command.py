@@ -6,6 +6,8 @@ import time
 import click
 
 from vrts.cli.shared.console import fail, guarded, out, say
+from vrts.cli.shared.options import scene_option
+from vrts.pipeline.where import Where
 
 EPILOG = """\b
 Examples:
@@ -16,7 +18,7 @@ Examples:
 
 @click.command(name="emulate", epilog=EPILOG)
 @click.argument("files", metavar="[FILE]...", nargs=-1)
-@click.option("--scene", help="Name or path of a scene; without it the robot stands alone.")
+@scene_option()
 @click.option("--profile", default="mark2-val2", show_default=True, help="A profile, or its file.")
 @click.option("--baud", type=click.IntRange(50), help="Speed of the line; else the profile's.")
 @guarded
@@ -35,7 +37,7 @@ def command(files: tuple[str, ...], scene: str | None, profile: str, baud: int |
     from vrts.report.plain import plain_text
 
     known = find_profile(profile)
-    dialogue, said = opened(files, scene, known.dialect, asks=True)
+    dialogue, said = opened(files, Where(scene), known.dialect, asks=True)
     dialogue.monitor.desk.room = known.memory_bytes
     say(plain_text(said).rstrip("\n") or f"{known.title}, emulated; Ctrl-C ends it")
     emulator = Emulator(Machine(dialogue), baud or known.serial.baud, time.monotonic)

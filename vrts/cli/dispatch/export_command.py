@@ -8,18 +8,26 @@ import click
 from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
-    color_option,
     fail,
     guarded,
-    lab_option,
-    language_options,
     out,
-    program_bytes,
-    reading_of,
     say,
     show_diagnostics,
     write_file,
 )
+from vrts.cli.shared.options import (
+    Language,
+    color_option,
+    entry_option,
+    lab_option,
+    language_options,
+    placed,
+    scenario_option,
+    scene_option,
+    task_option,
+)
+from vrts.cli.shared.programs import given_program
+from vrts.pipeline.where import Where
 
 EPILOG = """\b
 Examples:
@@ -38,30 +46,23 @@ Examples:
     required=True,
     help="VAL-II, V+ of Adept and Staeubli, or AS of Kawasaki.",
 )
-@click.option("--scene", help="Name or path of a scene to verify in.")
-@click.option("--task", type=click.Path(path_type=Path), help="Task file, or its folder.")
-@click.option(
-    "--scenario", type=click.Path(path_type=Path), help="What happens in the run: a scenario file."
-)
-@click.option("--program", "entry", help="Program to execute; otherwise the task's, or the first.")
+@scene_option("Name or path of a scene to verify in.")
+@task_option()
+@scenario_option()
+@entry_option("Program to execute; otherwise the task's, or the first.")
 @click.option("-o", "--out", "place", help="File to write; `-` is stdout.")
 @lab_option
 @language_options
 @color_option
 @guarded
+@placed
 def command(
     program: str,
     target: str,
-    scene: str | None,
-    task: Path | None,
-    scenario: Path | None,
+    where: Where,
     entry: str | None,
     place: str | None,
-    lab: Path | None,
-    others: tuple[str, ...],
-    dialect: str | None,
-    prec: str | None,
-    replace: bool,
+    language: Language,
     color: str,
 ) -> None:
     """Write PROGRAM, once verified, in the language of another controller.
@@ -71,16 +72,17 @@ def command(
     unless it moves the arm the same within 0.01 mm at every time. Joint angles and READY stay
     those of the arm that was simulated.
     """
+    from vrts.cli.shared.requests import verify_request
     from vrts.dispatch.posts.export import default_name, exported
     from vrts.dispatch.posts.same_motion import TOLERANCE_MM
     from vrts.pipeline.settings import setting_for
 
-    data, name, path = program_bytes(program)
-    setting = setting_for(path, scene=scene, task=task, scenario=scenario, lab=lab)
+    given = given_program(program)
+    path = given.path
+    setting = setting_for(path, where)
     if setting is None:
         fail("nothing says in which scene to verify the program", ("give `--scene NAME`",))
-    reading = reading_of(others, dialect or "val2", prec, replace=replace)
-    found = exported(data, name, setting, target, reading=reading, entry=entry)
+    found = exported(verify_request(given, setting, language, entry=entry), target)
     show_diagnostics(found.diagnostics, color)
     if found.text is None:
         sys.exit(WRONG)
@@ -88,7 +90,9 @@ def command(
     if place == "-" or (place is None and path is None):
         out(found.text, end=False)
     else:
-        written = default_name(path or Path(name), target) if place is None else Path(place)
+        written = (
+            default_name(path or Path(given.program.name), target) if place is None else Path(place)
+        )
         if path is not None and written.resolve() == path.resolve():
             fail(f"`{place}` is the program itself", ("give another file to `-o`",))
         write_file(written, found.text.encode())

@@ -12,7 +12,8 @@ from vrts.cli.dispatch.serial_line import (
     transcript_option,
     write_new,
 )
-from vrts.cli.shared.console import color_option, guarded, out, say
+from vrts.cli.shared.console import guarded, out, say
+from vrts.cli.shared.options import color_option
 
 EPILOG = """\b
 Examples:

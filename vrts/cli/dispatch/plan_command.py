@@ -6,21 +6,23 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import (
-    HOLDS,
-    WRONG,
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, say, show_diagnostics, write_file
+from vrts.cli.shared.options import (
+    Language,
     color_option,
-    fail,
-    guarded,
+    dialect_option,
+    file_option,
     lab_option,
-    program_bytes,
-    say,
-    show_diagnostics,
-    write_file,
+    placed,
+    scene_option,
+    task_option,
+    with_option,
 )
+from vrts.cli.shared.programs import given_program
+from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
-    from vrts.pipeline.settings import Setting
+    from vrts.pipeline.setting import Setting
 
 EPILOG = """\b
 Examples:
@@ -35,12 +37,11 @@ Examples:
 
 @click.command(name="plan", epilog=EPILOG)
 @click.argument("program")
-@click.option("--scene", help="Name or path of a scene; without it the task's.")
-@click.option("--task", type=click.Path(path_type=Path), help="Task file, its folder, or a zip.")
-@click.option(
+@scene_option("Name or path of a scene; without it the task's.")
+@task_option(packed=True)
+@file_option(
     "--scenario",
     "scenarios",
-    type=click.Path(path_type=Path),
     multiple=True,
     help="What happens in a run; several add up. Without it the one beside the task, or none.",
 )
@@ -51,10 +52,8 @@ Examples:
     metavar="NAME",
     help="The controller: mark2-val2, mark3-val2, vplus-serial, kawasaki-as, or a file NAME.toml.",
 )
-@click.option(
-    "-o", "--out", "target", type=click.Path(path_type=Path), required=True, help="The bundle."
-)
-@click.option("--sheet", type=click.Path(path_type=Path), help="Write the operator's sheet, too.")
+@file_option("-o", "--out", "target", required=True, help="The bundle.")
+@file_option("--sheet", help="Write the operator's sheet, too.")
 @click.option(
     "--clearance",
     "clearance_mm",
@@ -68,23 +67,15 @@ Examples:
 @click.option("--waive", "codes", multiple=True, metavar="CODE", help="Answer for a refusal.")
 @click.option("--reason", "reasons", multiple=True, metavar="TEXT", help="Why; one for each.")
 @click.option("--who", "people", multiple=True, metavar="NAME", help="Who answers for it.")
-@click.option(
-    "--with", "others", metavar="FILE", multiple=True, help="Send the programs of FILE, too."
-)
-@click.option(
-    "--dialect",
-    type=click.Choice(["auto", "val2", "val2+", "val", "vplus", "as"]),
-    default="val2",
-    show_default=True,
-    help="Language that the program is written in.",
-)
+@with_option("Send the programs of FILE, too.")
+@dialect_option("Language that the program is written in.", default="val2")
 @lab_option
 @color_option
 @guarded
+@placed
 def command(
     program: str,
-    scene: str | None,
-    task: Path | None,
+    where: Where,
     scenarios: tuple[Path, ...],
     profile_name: str,
     target: Path,
@@ -96,7 +87,6 @@ def command(
     people: tuple[str, ...],
     others: tuple[str, ...],
     dialect: str,
-    lab: Path | None,
     color: str,
 ) -> None:
     """Verify PROGRAM for a real controller, and write a bundle to be sent.
@@ -112,22 +102,22 @@ def command(
     same input gives the same bytes. Nothing is sent. Exit status 1 when it is refused.
     """
     from vrts.base.diagnostic import Diagnostic
-    from vrts.cli.shared.console import reading_of
+    from vrts.cli.shared.requests import verify_request
     from vrts.dispatch.bundle import bundle_bytes, digest_of, read_bundle
-    from vrts.dispatch.planning.plan import Request, plan
+    from vrts.dispatch.planning.plan import plan
     from vrts.dispatch.planning.reasons.refusals import promises_of
+    from vrts.dispatch.planning.wish import Wish
     from vrts.dispatch.profile import find_profile
-    from vrts.pipeline.settings import Refused
+    from vrts.pipeline.refused import Refused
 
     promises = promises_of(codes, reasons, people)
     if isinstance(promises, Diagnostic):
         raise Refused((promises,))
     profile = find_profile(profile_name)
-    data, name, path = program_bytes(program)
-    settings = _settings(path, scene, task, scenarios, lab)
-    reading = reading_of(others, dialect, None, replace=False)
-    request = Request(data, name, settings, profile, clearance_mm, promises, reading, entry)
-    found = plan(request)
+    given = given_program(program)
+    first, *further = _settings(given.path, where, scenarios)
+    request = verify_request(given, first, Language(others, dialect), entry=entry)
+    found = plan(Wish(request, profile, clearance_mm, promises, tuple(further)))
     show_diagnostics(found.refused, color)
     if found.bundle is None:
         say("refused: no bundle was written")
@@ -150,22 +140,13 @@ def command(
 
 
 def _settings(
-    path: Path | None,
-    scene: str | None,
-    task: Path | None,
-    scenarios: tuple[Path, ...],
-    lab: Path | None,
+    path: Path | None, where: Where, scenarios: tuple[Path, ...]
 ) -> "tuple[Setting, ...]":
     """Return what to verify in, one setting for each scenario."""
-    from vrts.assignments.packed import is_packed, load_zip
-    from vrts.pipeline.settings import setting_for
+    from vrts.assignments.packed import found_setting
 
-    found: list[Setting | None] = []
-    for scenario in scenarios or (None,):
-        if task is not None and is_packed(task):
-            found.append(load_zip(task, scene=scene, scenario=scenario, staff=False, lab=lab))
-        else:
-            found.append(setting_for(path, scene=scene, task=task, scenario=scenario, lab=lab))
+    places = [where._replace(scenario=scenario) for scenario in scenarios or (None,)]
+    found = [found_setting(path, place) for place in places]
     settings = tuple(setting for setting in found if setting is not None)
     if not settings:
         fail(

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.dispatch.serial_line import connected, dated, transcript_option, write_new
-from vrts.cli.shared.console import HOLDS, WRONG, color_option, fail, guarded, out, say
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say
+from vrts.cli.shared.options import color_option
 
 if TYPE_CHECKING:
     from vrts.dispatch.profile import Profile

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import color_option, fail, guarded, out, say, show_diagnostics
+from vrts.cli.shared.console import fail, guarded, out, say, show_diagnostics
+from vrts.cli.shared.options import color_option
 
 if TYPE_CHECKING:
     from vrts.marking.row import Row

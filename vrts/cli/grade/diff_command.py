@@ -8,16 +8,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import (
-    HOLDS,
-    WRONG,
-    color_option,
-    fail,
-    guarded,
-    out,
-    say,
-    show_diagnostics,
-)
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
+from vrts.cli.shared.options import color_option
 
 if TYPE_CHECKING:
     from vrts.marking.appeals.moves import Diff

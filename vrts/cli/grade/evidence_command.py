@@ -5,7 +5,8 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import color_option, guarded, out, say, write_file
+from vrts.cli.shared.console import guarded, out, say, write_file
+from vrts.cli.shared.options import color_option
 
 EPILOG = """\b
 Examples:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import color_option, fail, guarded, say, show_diagnostics
+from vrts.cli.shared.console import fail, guarded, say, show_diagnostics
+from vrts.cli.shared.options import color_option
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -117,7 +118,7 @@ def command(
     from vrts.marking.by_hand.overrides import with_overrides
     from vrts.marking.exports.autograders.classroom50 import from_environment
     from vrts.marking.exports.given import Options
-    from vrts.pipeline.settings import Refused
+    from vrts.pipeline.refused import Refused
 
     written = read_written(folder)
     overrides = written.overrides()

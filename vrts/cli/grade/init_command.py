@@ -4,7 +4,8 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import color_option, guarded, say, write_file
+from vrts.cli.shared.console import guarded, say, write_file
+from vrts.cli.shared.options import color_option
 
 EPILOG = """\b
 Examples:

@@ -101,8 +101,8 @@ def _task(path: Path | None) -> "Task | None":
     if path is None:
         return None
     from vrts.assignments.packed import is_packed, load_zip
-    from vrts.pipeline.files import find_example
-    from vrts.pipeline.settings import TASK_FILE, load_task
+    from vrts.pipeline.files import TASK_FILE, find_example
+    from vrts.pipeline.settings import load_task
 
     folder = find_example(str(path))
     file = folder / TASK_FILE if folder is not None else path

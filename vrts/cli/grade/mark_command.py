@@ -12,18 +12,8 @@ import click
 from vrts.cli.grade.export_command import NAMES, export, given_page
 from vrts.cli.grade.what_to_mark import require_folder, what_to_mark
 from vrts.cli.grade.zones import zone_named
-from vrts.cli.shared.console import (
-    FAULT,
-    HOLDS,
-    WRONG,
-    color_option,
-    fail,
-    guarded,
-    lab_option,
-    out,
-    say,
-    show_diagnostics,
-)
+from vrts.cli.shared.console import FAULT, HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
+from vrts.cli.shared.options import color_option, lab_option
 from vrts.cli.shared.progress import Progress
 
 if TYPE_CHECKING:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.grade.what_to_mark import require_folder
-from vrts.cli.shared.console import HOLDS, WRONG, color_option, fail, guarded, out, show_diagnostics
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, show_diagnostics
+from vrts.cli.shared.options import color_option
 
 if TYPE_CHECKING:
     from vrts.marking.about import About

@@ -7,15 +7,8 @@ import click
 
 from vrts.cli.grade.what_to_mark import require_folder, what_to_mark
 from vrts.cli.grade.zones import zone_named
-from vrts.cli.shared.console import (
-    color_option,
-    fail,
-    guarded,
-    lab_option,
-    out,
-    say,
-    show_diagnostics,
-)
+from vrts.cli.shared.console import fail, guarded, out, say, show_diagnostics
+from vrts.cli.shared.options import color_option, lab_option
 
 EPILOG = """\b
 Examples:

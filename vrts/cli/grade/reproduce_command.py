@@ -6,7 +6,8 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import HOLDS, UNDETERMINED, WRONG, color_option, guarded, out, say
+from vrts.cli.shared.console import HOLDS, UNDETERMINED, WRONG, guarded, out, say
+from vrts.cli.shared.options import color_option
 
 EPILOG = """\b
 Examples:

@@ -9,17 +9,8 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.grade.what_to_mark import require_folder
-from vrts.cli.shared.console import (
-    FAULT,
-    HOLDS,
-    color_option,
-    fail,
-    guarded,
-    lab_option,
-    out,
-    say,
-    show_diagnostics,
-)
+from vrts.cli.shared.console import FAULT, HOLDS, fail, guarded, out, say, show_diagnostics
+from vrts.cli.shared.options import color_option, lab_option
 from vrts.cli.shared.progress import Progress
 
 if TYPE_CHECKING:
@@ -132,8 +123,7 @@ def command(
 def _task(task: str | None, rooms: "Sequence[RoomSession]") -> Path:
     """Return the task to mark by: the one given, else that of the rooms."""
     from vrts.live.places import places_of
-    from vrts.pipeline.files import find_example
-    from vrts.pipeline.settings import TASK_FILE
+    from vrts.pipeline.files import TASK_FILE, find_example
 
     if task is not None:
         example = find_example(task)

@@ -19,8 +19,7 @@ def what_to_mark(
     """Return where the task is, and what is to be marked."""
     from vrts.marking.submission.setting import Place
     from vrts.marking.submission.submissions import of_example
-    from vrts.pipeline.files import find_example
-    from vrts.pipeline.settings import TASK_FILE
+    from vrts.pipeline.files import TASK_FILE, find_example
 
     folder = find_example(task)
     path = folder / TASK_FILE if folder is not None else Path(task)

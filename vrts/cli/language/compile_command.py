@@ -8,17 +8,15 @@ import click
 from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
-    color_option,
     fail,
     guarded,
-    language_options,
     out,
-    program_bytes,
-    reading_of,
     say,
     show_diagnostics,
     use_color,
 )
+from vrts.cli.shared.options import Language, color_option, language_options
+from vrts.cli.shared.programs import given_program, reading_of
 from vrts.report.formats.diagnostics_output import FORMS, Checked, Form, render
 
 if TYPE_CHECKING:
@@ -59,10 +57,7 @@ def command(
     emit: str,
     exact: bool,
     form: Form,
-    others: tuple[str, ...],
-    dialect: str | None,
-    prec: str | None,
-    replace: bool,
+    language: Language,
     color: str,
 ) -> None:
     """Check each PROGRAM (a file, or - for stdin) for mistakes, without running it."""
@@ -72,9 +67,9 @@ def command(
         fail(
             f"`--emit {emit}` and `--format {form}` both write to stdout", ("ask for one of them",)
         )
-    read = [program_bytes(program) for program in programs]
-    reading = reading_of(others, dialect or "auto", prec, replace=replace)
-    compiled = [(name, compile_bytes(data, name, reading)) for data, name, _ in read]
+    given = [given_program(name).program for name in programs]
+    reading = reading_of(language)
+    compiled = [(file.name, compile_bytes(file.data, file.name, reading)) for file in given]
     if form == "full":
         for name, found in compiled:
             _show(name, found, emit, color, exact=exact)
@@ -97,7 +92,7 @@ def _show(name: str, found: "Compiled", emit: str, color: str, *, exact: bool) -
 
         out(dump(module), end=False)
     elif emit == "store":
-        from vrts.pipeline.programs import store
+        from vrts.pipeline.storing import store
 
         assert found.compilation is not None
         out(store(found.compilation, exact=exact), end=False)

@@ -5,17 +5,9 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import (
-    HOLDS,
-    WRONG,
-    color_option,
-    guarded,
-    out,
-    program_bytes,
-    say,
-    show_diagnostics,
-    write_file,
-)
+from vrts.cli.shared.console import HOLDS, WRONG, guarded, out, say, show_diagnostics, write_file
+from vrts.cli.shared.options import color_option, dialect_option
+from vrts.cli.shared.programs import given_program
 
 EPILOG = """\b
 Examples:
@@ -30,13 +22,7 @@ Examples:
 @click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True)
 @click.option("--check", is_flag=True, help="Write nothing; exit status 1 if a file would change.")
 @click.option("--diff", is_flag=True, help="Write nothing to files; print what would change.")
-@click.option(
-    "--dialect",
-    type=click.Choice(["auto", "val2", "val2+", "val", "vplus", "as"]),
-    default="auto",
-    show_default=True,
-    help="Language of the family; auto looks at file name and content.",
-)
+@dialect_option("Language of the family; auto looks at file name and content.", default="auto")
 @color_option
 @guarded
 def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, color: str) -> None:
@@ -45,11 +31,11 @@ def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, co
     Keywords upper case, names lower case, structures indented; comments, blank lines and the
     numbers of the steps stay, and so does what the program means.
     """
-    from vrts.pipeline.programs import format_bytes
+    from vrts.pipeline.formatting import format_bytes
 
     status = HOLDS
     for program in programs:
-        data, name, path = program_bytes(program)
+        (data, name), path = given_program(program)
         found = format_bytes(data, name, None if dialect == "auto" else dialect)
         if found.diagnostic is not None:
             show_diagnostics([found.diagnostic], color)

@@ -77,7 +77,7 @@ def command(
 def _saved(file: Path) -> "Run":
     """Return a run that was saved."""
     from vrts.pipeline.files import read_bytes, shown
-    from vrts.run_files import load_run
+    from vrts.run_files.loading import load_run
 
     run = load_run(read_bytes(file), shown(file), file.parent).run
     assert run is not None

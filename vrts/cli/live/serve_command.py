@@ -5,7 +5,8 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import WRONG, fail, guarded, lab_option, say
+from vrts.cli.shared.console import WRONG, fail, guarded, say
+from vrts.cli.shared.options import lab_option
 
 EPILOG = """\b
 Examples:

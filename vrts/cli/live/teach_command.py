@@ -6,7 +6,9 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import WRONG, fail, guarded, lab_option, say, write_file
+from vrts.cli.shared.console import WRONG, fail, guarded, say, write_file
+from vrts.cli.shared.options import lab_option
+from vrts.pipeline.where import Where
 
 EPILOG = """\b
 Examples:
@@ -66,7 +68,7 @@ def _by_keys(scene: str, lab: Path | None, output: Path) -> None:
         fail("the pendant needs a terminal")
     from vrts.monitor.screens.pendant_screen import teach
 
-    dialogue, _ = opened((), scene, "val2", asks=False, lab=lab)
+    dialogue, _ = opened((), Where(scene, lab=lab), "val2", asks=False)
     pendant = teach(dialogue, time.monotonic)
     if pendant.done == "write" and pendant.recorded:
         write_file(output, points_text(pendant).encode())

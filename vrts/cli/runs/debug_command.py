@@ -5,15 +5,21 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import (
-    WRONG,
+from vrts.cli.shared.console import WRONG, fail, guarded, say, show_diagnostics
+from vrts.cli.shared.options import (
+    IN_CELL,
+    TASK_OR_ALONE,
     color_option,
-    fail,
-    guarded,
+    dialect_option,
+    entry_option,
     lab_option,
-    say,
-    show_diagnostics,
+    placed,
+    scenario_option,
+    scene_option,
+    task_option,
+    with_option,
 )
+from vrts.pipeline.where import Where
 
 EPILOG = """\b
 Examples:
@@ -26,40 +32,21 @@ moment in the browser and in the Rerun viewer, : takes a command of the monitor;
 
 @click.command(name="debug", epilog=EPILOG)
 @click.argument("program", type=click.Path(path_type=Path))
-@click.option("--scene", help="Name or path of a scene; without it the task's, or the robot alone.")
-@click.option("--task", type=click.Path(path_type=Path), help="Task file, or its folder.")
-@click.option(
-    "--scenario", type=click.Path(path_type=Path), help="What happens in the cell: a scenario file."
-)
+@scene_option(TASK_OR_ALONE)
+@task_option()
+@scenario_option(IN_CELL)
 @lab_option
-@click.option(
-    "--program",
-    "entry",
-    help="Program of the file to execute; the task's, or the first, otherwise.",
-)
-@click.option(
-    "--with",
-    "others",
-    type=click.Path(path_type=Path),
-    multiple=True,
-    metavar="FILE",
-    help="Compile together with the programs and data of FILE.",
-)
-@click.option(
-    "--dialect",
-    type=click.Choice(["val2", "val2+", "val", "vplus", "as"]),
-    help="Language of the family; left out, file name and content tell.",
-)
+@entry_option("Program of the file to execute; the task's, or the first, otherwise.")
+@with_option()
+@dialect_option("Language of the family; left out, file name and content tell.", auto=False)
 @color_option
 @guarded
+@placed
 def command(
     program: Path,
-    scene: str | None,
-    task: Path | None,
-    scenario: Path | None,
-    lab: Path | None,
+    where: Where,
     entry: str | None,
-    others: tuple[Path, ...],
+    others: tuple[str, ...],
     dialect: str | None,
     color: str,
 ) -> None:
@@ -68,7 +55,7 @@ def command(
 
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
         fail("debugging needs a terminal", ("editors use `vrts dap`",))
-    asked = Asked(program, scene, task, scenario, lab, entry, others, dialect)
+    asked = Asked(program, where, entry, tuple(map(Path, others)), dialect)
     found = opened(asked)
     if found.debugger is None or found.console is None:
         show_diagnostics(found.diagnostics, color)

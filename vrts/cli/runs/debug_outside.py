@@ -75,7 +75,7 @@ class DebugOutside:
         """Begin again, with the files as they are now if they have changed."""
         from vrts.debug.opening import opened, why_not
         from vrts.pipeline.files import CannotRead
-        from vrts.pipeline.settings import Refused
+        from vrts.pipeline.refused import Refused
 
         debugger, console = self._opened.debugger, self._opened.console
         assert debugger is not None

@@ -2,11 +2,20 @@
 
 import sys
 import time
-from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import fail, guarded, lab_option, out, say
+from vrts.cli.shared.console import guarded, out, say
+from vrts.cli.shared.options import (
+    IN_CELL,
+    dialect_option,
+    lab_option,
+    placed,
+    scenario_option,
+    scene_option,
+)
+from vrts.cli.shared.programs import require_scene_of_lab
+from vrts.pipeline.where import Where
 
 EPILOG = """\b
 Examples:
@@ -21,26 +30,17 @@ at that simulated time in s.
 
 @click.command(name="monitor", epilog=EPILOG)
 @click.argument("files", metavar="[FILE]...", nargs=-1)
-@click.option("--scene", help="Name or path of a scene; without it the robot stands alone.")
+@scene_option()
 @lab_option
-@click.option(
-    "--scenario", type=click.Path(path_type=Path), help="What happens in the cell: a scenario file."
-)
-@click.option(
-    "--dialect",
-    type=click.Choice(["val2", "val2+", "val", "vplus", "as"]),
-    default="val2",
-    show_default=True,
-    help="Language of commands and programs.",
-)
+@scenario_option(IN_CELL)
+@dialect_option("Language of commands and programs.", auto=False, default="val2")
 @click.option("--replace", is_flag=True, help="LOAD replaces programs that are in memory.")
 @click.option("--overwrite", is_flag=True, help="STORE replaces files without asking.")
 @guarded
+@placed
 def command(
     files: tuple[str, ...],
-    scene: str | None,
-    lab: Path | None,
-    scenario: Path | None,
+    where: Where,
     dialect: str,
     replace: bool,
     overwrite: bool,
@@ -49,8 +49,7 @@ def command(
 
     Files are read and written in the working folder only. Ctrl-C stops a program, Ctrl-D leaves.
     """
-    if lab is not None and scene is None:
-        fail("a lab is laid over a scene", ("give `--scene NAME`, too",))
+    require_scene_of_lab(where)
     from vrts.monitor.opening import opened
     from vrts.monitor.transcript import transcript
     from vrts.report.plain import plain_text
@@ -58,10 +57,8 @@ def command(
     at_terminal = sys.stdin.isatty() and sys.stdout.isatty()
     dialogue, said = opened(
         files,
-        scene,
+        where,
         dialect,
-        lab=lab,
-        scenario=scenario,
         asks=at_terminal,
         replace=replace,
         overwrite=overwrite,

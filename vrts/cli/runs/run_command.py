@@ -10,23 +10,30 @@ import click
 from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
-    color_option,
     fail,
     guarded,
-    lab_option,
-    language_options,
     out,
-    program_bytes,
-    reading_of,
     say,
     show_diagnostics,
     write_file,
 )
+from vrts.cli.shared.options import (
+    Language,
+    color_option,
+    entry_option,
+    file_option,
+    lab_option,
+    language_options,
+    placed,
+    scenario_option,
+    scene_option,
+)
+from vrts.cli.shared.programs import Given, given_program
+from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
     from vrts.engine.run import Run
-    from vrts.pipeline.programs import Reading
-    from vrts.run_files import Simulated
+    from vrts.run_files.simulated import Simulated
 
 EPILOG = """\b
 Examples:
@@ -52,22 +59,11 @@ class _Span(NamedTuple):
     speed: float  # 0: without waiting
 
 
-class _Wanted(NamedTuple):
-    """What a program runs in."""
-
-    scene: str | None
-    lab: Path | None
-    scenario: Path | None
-    entry: str | None
-
-
 @click.command(name="run", epilog=EPILOG)
 @click.argument("program")
-@click.option("--scene", help="Name or path of a scene; without it the robot stands alone.")
-@click.option(
-    "--scenario", type=click.Path(path_type=Path), help="What happens in the run: a scenario file."
-)
-@click.option("--program", "entry", help="Program of the file to execute; the first, if not given.")
+@scene_option()
+@scenario_option()
+@entry_option("Program of the file to execute; the first, if not given.")
 @click.option("--at", "time_s", type=float, help="Print the state at a time in s, not the output.")
 @click.option(
     "--statement", type=int, help="Print the state after so many statements; EXECUTE is the first."
@@ -77,18 +73,17 @@ class _Wanted(NamedTuple):
 @click.option("--speed", type=float, help="Times as fast; negative is backward, 0 does not wait.")
 @click.option("--csv", "table", help="Write a table of arm, tool and signals; `-` is stdout.")
 @click.option("--rate", type=float, default=50.0, show_default=True, help="Rows a second, in Hz.")
-@click.option("--save", type=click.Path(path_type=Path), help="Write the run to a file (.vrun).")
+@file_option("--save", help="Write the run to a file (.vrun).")
 @click.option("--check", is_flag=True, help="Execute a saved run again and compare.")
 @click.option("--overwrite", is_flag=True, help="Replace files that are there.")
 @lab_option
 @language_options
 @color_option
 @guarded
+@placed
 def command(
     program: str,
-    scene: str | None,
-    scenario: Path | None,
-    lab: Path | None,
+    where: Where,
     entry: str | None,
     time_s: float | None,
     statement: int | None,
@@ -100,10 +95,7 @@ def command(
     save: Path | None,
     check: bool,
     overwrite: bool,
-    others: tuple[str, ...],
-    dialect: str | None,
-    prec: str | None,
-    replace: bool,
+    language: Language,
     color: str,
 ) -> None:
     """Run PROGRAM; what it TYPEs goes to stdout, everything else to stderr.
@@ -128,25 +120,21 @@ def command(
             fail(f"`{path}` is what is to be run")
     from vrts.engine.storage.recognise import is_saved_run
 
-    data, name, path = program_bytes(program)
-    if is_saved_run(data):
-        if scene or scenario or lab or entry or others or dialect or prec or replace:
+    given = given_program(program)
+    if is_saved_run(given.program.data):
+        if any(where) or entry or language.said:
             fail("a saved run has its own scene, scenario and programs")
-        found = _loaded(data, name, path, color)
+        found = _loaded(given, color)
     elif check:
         fail("only a saved run can be checked", ("`--save FILE` writes one",))
-    elif lab is not None and scene is None:
-        fail("a lab is laid over a scene", ("give `--scene NAME`, too",))
     else:
-        reading = reading_of(others, dialect or "auto", prec, replace=replace)
-        wanted = _Wanted(scene, lab, scenario, entry)
-        found = _simulated(data, name, path, wanted, reading, color)
+        found = _simulated(given, where, language, entry, color)
     run = found.run
     if run is None:
         sys.exit(WRONG)
     _write_files(found, run, save, table, rate)
     if check:
-        _check(found, name, color)
+        _check(found, given.program.name, color)
     elif time_s is not None or statement is not None:
         _show_state(run, time_s, statement)
     elif shows[-1]:
@@ -157,31 +145,23 @@ def command(
 
 
 def _simulated(
-    data: bytes,
-    name: str,
-    path: Path | None,
-    wanted: _Wanted,
-    reading: "Reading",
-    color: str,
+    given: Given, where: Where, language: Language, entry: str | None, color: str
 ) -> "Simulated":
-    from vrts.pipeline.settings import load_scene, robot_alone, with_scenario
-    from vrts.run_files import simulate
+    from vrts.cli.shared.requests import run_request
+    from vrts.run_files.simulated import simulate
 
-    scene, lab, scenario, entry = wanted
-    beside = path.parent if path else None
-    setting = load_scene(scene, beside, lab=lab) if scene else robot_alone()
-    if scenario is not None:
-        setting = with_scenario(setting, scenario)
-    found = simulate(data, name, setting, entry=entry, reading=reading)
-    warnings = setting.scenario.warnings if setting.scenario else ()
+    request = run_request(given, where, language, entry)
+    found = simulate(request)
+    scenario = request.setting.scenario
+    warnings = () if scenario is None else scenario.warnings
     show_diagnostics((*warnings, *found.diagnostics), color)
     return found
 
 
-def _loaded(data: bytes, name: str, path: Path | None, color: str) -> "Simulated":
-    from vrts.run_files import load_run
+def _loaded(given: Given, color: str) -> "Simulated":
+    from vrts.run_files.loading import load_run
 
-    found = load_run(data, name, path.parent if path else None)
+    found = load_run(*given.program, given.folder)
     show_diagnostics(found.diagnostics, color)
     return found
 
@@ -190,7 +170,7 @@ def _write_files(
     found: "Simulated", run: "Run", save: Path | None, table: str | None, rate: float
 ) -> None:
     if save is not None:
-        from vrts.run_files import saved_bytes
+        from vrts.run_files.saving import saved_bytes
 
         write_file(save, saved_bytes(found))
         say(f"wrote {save}")
@@ -207,7 +187,7 @@ def _write_files(
 
 
 def _check(found: "Simulated", name: str, color: str) -> None:
-    from vrts.run_files import check_again
+    from vrts.run_files.loading import check_again
 
     different = check_again(found)
     if different is not None:

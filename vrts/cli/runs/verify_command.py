@@ -10,19 +10,30 @@ from vrts.cli.shared.console import (
     HOLDS,
     UNDETERMINED,
     WRONG,
-    color_option,
     fail,
     guarded,
-    lab_option,
-    language_options,
     out,
-    program_bytes,
-    reading_of,
     say,
     show_diagnostics,
     use_color,
     write_file,
 )
+from vrts.cli.shared.options import (
+    Language,
+    color_option,
+    engine_option,
+    file_option,
+    form_option,
+    lab_option,
+    language_options,
+    no_collisions_option,
+    placed,
+    scenario_option,
+    scene_option,
+    task_option,
+)
+from vrts.cli.shared.programs import given_program
+from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
     from vrts.report.assessment import Assessment
@@ -47,12 +58,10 @@ Examples:
 
 @click.command(name="verify", epilog=EPILOG)
 @click.argument("program")
-@click.option("--scene", help="Name or path of a scene: verify in it, without a mark.")
-@click.option("--task", type=click.Path(path_type=Path), help="Task file, its folder, or a zip.")
-@click.option(
-    "--scenario", type=click.Path(path_type=Path), help="What happens in the run: a scenario file."
-)
-@click.option("--html", type=click.Path(path_type=Path), help="Write a page with a replay.")
+@scene_option("Name or path of a scene: verify in it, without a mark.")
+@task_option(packed=True)
+@scenario_option()
+@file_option("--html", help="Write a page with a replay.")
 @click.option(
     "--for",
     "reader",
@@ -60,34 +69,25 @@ Examples:
     default="student",
     help="Whom the page is for: a grader's has what is to be reviewed, and facts for an appeal.",
 )
-@click.option("--record", type=click.Path(path_type=Path), help="Write a Rerun recording (.rrd).")
-@click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
-@click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
-@click.option(
-    "--engine",
-    type=click.Choice(["coal", "fcl"]),
-    help="What measures distances; without it coal, or fcl where coal is not installed.",
-)
+@file_option("--record", help="Write a Rerun recording (.rrd).")
+@form_option("full", "json")
+@no_collisions_option
+@engine_option("What measures distances; without it coal, or fcl where coal is not installed.")
 @lab_option
 @language_options
 @color_option
 @guarded
+@placed
 def command(
     program: str,
-    scene: str | None,
-    task: Path | None,
-    scenario: Path | None,
-    lab: Path | None,
+    where: Where,
     html: Path | None,
     reader: str,
     record: Path | None,
     form: str,
     no_collisions: bool,
     engine: str | None,
-    others: tuple[str, ...],
-    dialect: str | None,
-    prec: str | None,
-    replace: bool,
+    language: Language,
     color: str,
 ) -> None:
     """Run PROGRAM and check everything: collisions, limits, goals.
@@ -96,37 +96,30 @@ def command(
     beside the task unless a scenario is given. Exit status 1 when something is wrong, 3 when a
     check cannot tell.
     """
-    from vrts.assignments.packed import is_packed, load_zip, public_answer
+    from vrts.assignments.packed import found_setting, public_answer
+    from vrts.cli.shared.requests import verify_request
     from vrts.pipeline.assess import assess
-    from vrts.pipeline.settings import setting_for
+    from vrts.pipeline.request import Checks
 
-    data, name, path = program_bytes(program)
-    if task is not None and is_packed(task):
-        setting = load_zip(task, scene=scene, scenario=scenario, staff=False, lab=lab)
-    else:
-        setting = setting_for(path, scene=scene, task=task, scenario=scenario, lab=lab)
+    given = given_program(program)
+    setting = found_setting(given.path, where)
     if setting is None:
         _no_setting()
-    if scenario is not None and setting.scenario is not None:
+    if where.scenario is not None and setting.scenario is not None:
         show_diagnostics(setting.scenario.warnings, color)
-    identifier = path.stem if path else "stdin"
-    found = assess(
-        path or data,
-        setting=setting,
-        identifier=identifier,
-        title=None if path else name,
+    checks = Checks(
         collisions=not no_collisions,
         engine=engine,
         curve=html is not None or record is not None,
-        reading=reading_of(others, dialect or "val2", prec, replace=replace),
     )
+    found = assess(verify_request(given, setting, language, checks=checks))
     if form == "json":
         from vrts.report.formats.json_form import assessment_json
         from vrts.report.formats.json_text import json_text
 
         out(json_text(assessment_json(found)))
     else:
-        from vrts.report.screen.text import assessment_text
+        from vrts.report.screen.assessment_text import assessment_text
 
         out(assessment_text(found, color=use_color(color)))
         answer = public_answer(found.grade.ready, setting) if found.grade else None

@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import (
-    HOLDS,
-    WRONG,
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, say, show_diagnostics, write_file
+from vrts.cli.shared.options import (
+    TASK_OR_ALONE,
     color_option,
-    fail,
-    guarded,
-    say,
-    show_diagnostics,
-    write_file,
+    file_option,
+    placed,
+    scene_option,
+    task_option,
 )
 from vrts.cli.shared.run_page import AGAIN, assessed, open_page, write_page
+from vrts.pipeline.where import ANYWHERE, Where
 
 if TYPE_CHECKING:
     from vrts.report.assessment import Assessment
@@ -39,18 +39,18 @@ Examples:
 
 @click.command(name="view", epilog=EPILOG)
 @click.argument("file", type=click.Path(path_type=Path))
-@click.option("--scene", help="Name or path of a scene; without it the task's, or the robot alone.")
-@click.option("--task", type=click.Path(path_type=Path), help="Task file, or its folder.")
+@scene_option(TASK_OR_ALONE)
+@task_option()
 @click.option("--with", "viewer", type=click.Choice(["browser", "rerun"]), default="browser")
 @click.option("--still", type=float, help="Draw one moment, in s, as a PNG picture instead.")
-@click.option("-o", "--out", "target", type=click.Path(path_type=Path), help="File to write.")
+@file_option("-o", "--out", "target", help="File to write.")
 @click.option("--no-open", is_flag=True, help="Write the file (see -o), but open nothing.")
 @color_option
 @guarded
+@placed
 def command(
     file: Path,
-    scene: str | None,
-    task: Path | None,
+    where: Where,
     viewer: str,
     still: float | None,
     target: Path | None,
@@ -62,7 +62,7 @@ def command(
     FILE is a program, a run that `vrts run --save` has written (.vrun), or a recording (.rrd),
     which the Rerun viewer shows as it is.
     """
-    if file.suffix in (RECORDING, RUN) and (scene is not None or task is not None):
+    if file.suffix in (RECORDING, RUN) and where != ANYWHERE:
         fail(f"the scene of `{file.name}` is in it", ("leave out `--scene` and `--task`",))
     if file.suffix == RECORDING:
         if still is not None or target is not None:
@@ -71,7 +71,7 @@ def command(
         if not no_open:
             _open(file, "rerun")
         sys.exit(HOLDS)
-    found = _of_run(file) if file.suffix == RUN else _of_program(file, scene, task, still is None)
+    found = _of_run(file) if file.suffix == RUN else _of_program(file, where, still is None)
     if found.run is None:
         show_diagnostics(found.findings, color)
         sys.exit(WRONG)
@@ -82,18 +82,21 @@ def command(
     sys.exit(HOLDS)
 
 
-def _of_program(file: Path, scene: str | None, task: Path | None, curve: bool) -> "Assessment":
+def _of_program(file: Path, where: Where, curve: bool) -> "Assessment":
     from vrts.pipeline.assess import assess
-    from vrts.pipeline.settings import robot_alone, setting_for
+    from vrts.pipeline.request import Checks
+    from vrts.pipeline.requesting import request_for
+    from vrts.pipeline.scenes import robot_alone
+    from vrts.pipeline.settings import setting_for
 
-    setting = setting_for(file, scene=scene, task=task) or robot_alone()
-    return assess(file, setting=setting, curve=curve)
+    setting = setting_for(file, where) or robot_alone()
+    return assess(request_for(file, setting=setting, checks=Checks(curve=curve)))
 
 
 def _of_run(file: Path) -> "Assessment":
     """Return what is known of a saved run, checked again without its task."""
     from vrts.pipeline.files import read_bytes, shown
-    from vrts.run_files import load_run
+    from vrts.run_files.loading import load_run
 
     run = load_run(read_bytes(file), shown(file), file.parent).run
     assert run is not None

@@ -1,4 +1,4 @@
-"""What commands share: colour, diagnostics on stderr, files, exit statuses."""
+"""What commands share: colour, diagnostics on stderr, files written, exit statuses."""
 
 import os
 import sys
@@ -11,8 +11,7 @@ import click
 
 from vrts.base.diagnostic import Diagnostic, Severity
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.programs import ProgramFile, Reading
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 HOLDS, WRONG, WRONG_CALL, UNDETERMINED, FAULT = 0, 1, 2, 3, 70
 INTERRUPTED = 130  # by Ctrl-C, as shells tell it
@@ -25,55 +24,6 @@ UNAVAILABLE = {
 }
 
 Command = TypeVar("Command", bound=Callable[..., Any])
-
-color_option = click.option(
-    "--color",
-    type=click.Choice(["auto", "always", "never"]),
-    default="auto",
-    show_default=True,
-    help="When to use colour; NO_COLOR and FORCE_COLOR are obeyed.",
-)
-
-
-lab_option = click.option(
-    "--lab",
-    type=click.Path(path_type=Path),
-    help="Lay a lab over the scene: your own arm, table and hand; see `vrts new lab`.",
-)
-
-
-def language_options(function: Command) -> Command:
-    """Add the options that say how programs are read."""
-    for option in (
-        click.option("--replace", is_flag=True, help="A program that comes again replaces."),
-        click.option(
-            "--prec",
-            type=click.Choice(["A", "B"]),
-            help="How operators bind: A as in VAL-II, B as in AS; otherwise as the dialect has it.",
-        ),
-        click.option(
-            "--dialect",
-            type=click.Choice(["auto", "val2", "val2+", "val", "vplus", "as"]),
-            help="Language of the family; auto looks at file name and content.",
-        ),
-        click.option(
-            "--with",
-            "others",
-            metavar="FILE",
-            multiple=True,
-            help="Compile together with the programs and data of FILE.",
-        ),
-    ):
-        function = option(function)
-    return function
-
-
-def reading_of(
-    others: tuple[str, ...], dialect: str, prec: str | None, *, replace: bool
-) -> Reading:
-    """Return how programs are to be read; `auto` is as name and content tell."""
-    files = tuple(ProgramFile(*program_bytes(name)[:2]) for name in others)
-    return Reading(None if dialect == "auto" else dialect, prec, replace, files)
 
 
 def use_color(choice: str, *, err: bool = False) -> bool:
@@ -152,16 +102,6 @@ def guarded(function: Command) -> Command:
             fail(f"{(problem.strerror or 'failed').lower()}: `{problem.filename}`")
 
     return wrapped  # type: ignore[return-value]
-
-
-def program_bytes(name: str) -> tuple[bytes, str, Path | None]:
-    """Return the bytes of a program, its name as shown, and its file; `-` is stdin."""
-    from vrts.pipeline.files import read_bytes, shown
-
-    if name == "-":
-        return sys.stdin.buffer.read(), "stdin", None
-    path = Path(name)
-    return read_bytes(path), shown(path), path
 
 
 def write_file(path: Path, data: bytes) -> None:

@@ -26,7 +26,7 @@ def assessed(
         source: The program to be shown; None: the one that was executed first.
     """
     from vrts.check.judge import judge
-    from vrts.pipeline.assess import with_curve
+    from vrts.pipeline.curve import with_curve
     from vrts.report.assessment import Assessment
 
     main = run.module.main

@@ -9,16 +9,16 @@ import click
 from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
-    color_option,
     fail,
     guarded,
-    language_options,
     out,
     say,
     show_diagnostics,
     write_file,
 )
-from vrts.cli.validate.shared import NOT_INSTALLED, Where, run_of, setting_options
+from vrts.cli.shared.options import Language, color_option, language_options
+from vrts.cli.validate.shared import NOT_INSTALLED, run_of, setting_options
+from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
     from vrts.base.diagnostic import Diagnostic
@@ -85,14 +85,9 @@ def command(
     stills: int,
     output: Path | None,
     as_json: bool,
-    scene: str | None,
-    scenario: Path | None,
+    where: Where,
     entry: str | None,
-    lab: Path | None,
-    others: tuple[str, ...],
-    dialect: str | None,
-    prec: str | None,
-    replace: bool,
+    language: Language,
     color: str,
 ) -> None:
     """Draw the simulated robot over the frames of a real camera.
@@ -112,8 +107,7 @@ def command(
         sys.exit(HOLDS)
     if output is None:
         fail("nothing says where stills and recording go", ("give a folder to `-o`",))
-    where = Where(scene, scenario, entry, lab)
-    run, name = run_of(program, where, others, dialect, prec, replace=replace, color=color)
+    run, name = run_of(program, where, entry, language, color)
     from vrts.base.diagnostic import Diagnostic
     from vrts.validate.camera.compare import Shown
     from vrts.validate.camera.frames import open_frames

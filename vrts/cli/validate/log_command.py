@@ -11,16 +11,16 @@ import click
 from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
-    color_option,
     fail,
     guarded,
-    language_options,
     out,
     say,
     show_diagnostics,
     write_file,
 )
-from vrts.cli.validate.shared import NOT_INSTALLED, Where, run_of, setting_options
+from vrts.cli.shared.options import Language, color_option, language_options
+from vrts.cli.validate.shared import NOT_INSTALLED, run_of, setting_options
+from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
     from vrts.engine.run import Run
@@ -87,14 +87,9 @@ def command(
     fit: bool,
     output: Path | None,
     overwrite: bool,
-    scene: str | None,
-    scenario: Path | None,
+    where: Where,
     entry: str | None,
-    lab: Path | None,
-    others: tuple[str, ...],
-    dialect: str | None,
-    prec: str | None,
-    replace: bool,
+    language: Language,
     color: str,
 ) -> None:
     """Compare the log of a real robot with the run of PROGRAM.
@@ -111,8 +106,7 @@ def command(
     for path in (html, record, output):
         if path is not None and path.exists() and not overwrite:
             fail(f"`{path}` is there already", ("give another name, or `--overwrite`",))
-    where = Where(scene, scenario, entry, lab)
-    run, name = run_of(program, where, others, dialect, prec, replace=replace, color=color)
+    run, name = run_of(program, where, entry, language, color)
     if fit:
         if html is not None or record is not None or within is not None:
             fail("--html, --record and --within belong to a comparison, not to --fit")

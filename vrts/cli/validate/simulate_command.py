@@ -4,16 +4,10 @@ from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import (
-    color_option,
-    fail,
-    guarded,
-    language_options,
-    out,
-    say,
-    write_file,
-)
-from vrts.cli.validate.shared import Where, run_of, setting_options
+from vrts.cli.shared.console import fail, guarded, out, say, write_file
+from vrts.cli.shared.options import Language, color_option, language_options
+from vrts.cli.validate.shared import run_of, setting_options
+from vrts.pipeline.where import Where
 
 EPILOG = """\b
 Examples:
@@ -81,14 +75,9 @@ def command(
     clock_s: float,
     seed: int,
     overwrite: bool,
-    scene: str | None,
-    scenario: Path | None,
+    where: Where,
     entry: str | None,
-    lab: Path | None,
-    others: tuple[str, ...],
-    dialect: str | None,
-    prec: str | None,
-    replace: bool,
+    language: Language,
     color: str,
 ) -> None:
     """Write the log that a robot with errors would make of PROGRAM. It is synthetic and says so.
@@ -101,8 +90,7 @@ def command(
 
     if output != "-" and Path(output).exists() and not overwrite:
         fail(f"`{output}` is there already", ("give another name, or `--overwrite`",))
-    where = Where(scene, scenario, entry, lab)
-    run, name = run_of(program, where, others, dialect, prec, replace=replace, color=color)
+    run, name = run_of(program, where, entry, language, color)
     robot = Imperfect(lag_ms / 1e3, encoder_deg, noise_deg, base_mm, base_turn_deg, clock_s, seed)
     text = "".join(synthetic_log(run, robot, Path(name).name))
     if output == "-":

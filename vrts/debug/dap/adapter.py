@@ -18,7 +18,8 @@ from vrts.debug.dap.stopping import STOPPING
 from vrts.debug.evaluating import CannotTell
 from vrts.debug.opening import Asked, opened, why_not
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.where import Where
 from vrts.report.screen.text import diagnostic_text
 
 Send: TypeAlias = Callable[[str, Json], None]
@@ -130,10 +131,12 @@ class Adapter:
 def _asked(a: Fields) -> Asked:
     return Asked(
         program=Path(a.text("program")),
-        scene=a.optional("scene"),
-        task=_path(a.optional("task")),
-        scenario=_path(a.optional("scenario")),
-        lab=_path(a.optional("lab")),
+        where=Where(
+            a.optional("scene"),
+            _path(a.optional("task")),
+            _path(a.optional("scenario")),
+            _path(a.optional("lab")),
+        ),
         entry=a.optional("entry"),
         others=tuple(Path(name) for name in a.texts("with")),
         dialect=a.optional("dialect"),

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import NamedTuple, cast
 
 import msgspec
 
@@ -22,13 +22,11 @@ from vrts.dispatch.planning.reasons.dependence import Dependence, reads
 from vrts.dispatch.planning.reasons.proof import Case
 from vrts.dispatch.planning.reasons.refusals import Sorted
 from vrts.dispatch.planning.reasons.rounding import largest
+from vrts.dispatch.planning.scened import Scened
 from vrts.dispatch.planning.sheet.sheet import Sheet, sheet
 from vrts.dispatch.profile import Profile
 from vrts.ir.module import Module
-from vrts.pipeline.settings import Setting
-
-if TYPE_CHECKING:
-    from vrts.dispatch.planning.plan import Scened
+from vrts.pipeline.setting import Setting
 
 _PATHS = ("/", "\\")
 
@@ -50,7 +48,7 @@ class Made(NamedTuple):
     raised: DryRun
 
 
-def bundle_of(made: Made, scened: Sequence["Scened"], settings: Sequence[Setting]) -> Bundle:
+def bundle_of(made: Made, scened: Sequence[Scened], settings: Sequence[Setting]) -> Bundle:
     """Return the bundle of a program verified in scenarios."""
     manifest = _manifest(made, scened, settings)
     texts = made.texts
@@ -69,7 +67,7 @@ def bundle_of(made: Made, scened: Sequence["Scened"], settings: Sequence[Setting
     return with_sheet(bundle, sheet(facts))
 
 
-def _manifest(made: Made, scened: Sequence["Scened"], settings: Sequence[Setting]) -> Manifest:
+def _manifest(made: Made, scened: Sequence[Scened], settings: Sequence[Setting]) -> Manifest:
     scene, task = settings[0].scene, settings[0].task
     several = len(scened) > 1
     return Manifest(
@@ -97,7 +95,7 @@ def _manifest(made: Made, scened: Sequence["Scened"], settings: Sequence[Setting
     )
 
 
-def _verified(one: "Scened", setting: Setting) -> Verified:
+def _verified(one: Scened, setting: Setting) -> Verified:
     case, took = one.held, duration(one.held.run)
     clearance = one.near.clearance_m
     return Verified(

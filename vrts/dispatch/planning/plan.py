@@ -4,53 +4,38 @@ What is verified in the end is the text of the bundle, read again; the program's
 where it comes from, and where refusals point to.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.base.units import MM
 from vrts.check.judge import judge
 from vrts.dispatch.bundle import Bundle
-from vrts.dispatch.manifest import Margin
 from vrts.dispatch.planning.beside import margins
 from vrts.dispatch.planning.beside.dry_run import NO_DRY_RUN, DryRun, dry_run
 from vrts.dispatch.planning.beside.worlds import World
 from vrts.dispatch.planning.making import Made, bundle_of
 from vrts.dispatch.planning.printed import printed, read_back
 from vrts.dispatch.planning.reasons import coverage, dependence, fits
-from vrts.dispatch.planning.reasons.nearness import Nearness, nearness, too_near
+from vrts.dispatch.planning.reasons.nearness import nearness, too_near
 from vrts.dispatch.planning.reasons.proof import Case, obstacles, unproven
 from vrts.dispatch.planning.reasons.refusals import (
     LOST_BY_ROUNDING,
     OTHER_LANGUAGE,
-    Promise,
     Sorted,
     sort_out,
 )
 from vrts.dispatch.planning.reasons.rounding import lost, same_instructions
+from vrts.dispatch.planning.scened import Scened
+from vrts.dispatch.planning.wish import Wish
 from vrts.dispatch.profile import Profile
 from vrts.engine.controller import execute
 from vrts.ir.module import Module
 from vrts.lang.compiler import Compilation
-from vrts.pipeline.assess import no_program, scenario_for
-from vrts.pipeline.programs import STRICT, Reading, compile_bytes
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.execution import compiled_for, entry_of, no_program
+from vrts.pipeline.setting import Setting, scenario_of
 
-CLEARANCE_MM = 10.0  # asked for, unless somebody asks for another
 LONGEST_TITLE = 200  # characters of the title of a scenario
-
-
-class Request(NamedTuple):
-    """What is to be planned."""
-
-    data: bytes  # of the program's file
-    name: str  # of the file, as shown
-    settings: tuple[Setting, ...]  # one for each scenario
-    profile: Profile
-    clearance_mm: float = CLEARANCE_MM
-    promises: tuple[Promise, ...] = ()
-    reading: Reading = STRICT
-    entry: str | None = None  # program to execute; None: the task's, else the first
 
 
 class Plan(NamedTuple):
@@ -62,29 +47,18 @@ class Plan(NamedTuple):
     idle: tuple[str, ...] = ()  # codes of waivers that nothing needed
 
 
-class Scened(NamedTuple):
-    """One scenario, and the runs in it."""
-
-    world: World
-    given: Case  # with the values of the file
-    held: Case  # with the values as the controller will hold them
-    near: Nearness
-    margins: tuple[Margin, ...]
-    first_to_fail: str
-
-
-def plan(request: Request, step_done: Callable[[str], None] = lambda _: None) -> Plan:
+def plan(wish: Wish) -> Plan:
     """Return the bundle of a program, or why there is none.
 
     Args:
-        request: The program, and in what it is to be verified for which controller.
-        step_done: Told the name of every stage that is done.
+        wish: The program, and in what it is to be verified for which controller.
     """
-    source, compilation, said = compile_bytes(request.data, request.name, request.reading)
+    request = wish.request
+    source, compilation, said = compiled_for(request)
     if source is None or compilation is None or compilation.module is None:
         return Plan(None, tuple(d for d in said if d.is_error))
-    given, profile = compilation.module, request.profile
-    entry = _entry(request, given)
+    given, profile = compilation.module, wish.profile
+    entry = (entry_of(request) or given.main or "").lower()
     if entry not in given.programs:
         return Plan(None, (no_program(given, entry),))
     if compilation.dialect.angles is not profile.language.angles:
@@ -93,47 +67,44 @@ def plan(request: Request, step_done: Callable[[str], None] = lambda _: None) ->
     found = [*fits.fits(texts, given, profile), *fits.truncated(compilation.diagnostics)]
     read = read_back(texts, entry, profile, request.reading.precedence)
     if read.module is None or not same_instructions(given, read.module):
-        return _sorted(request, [*found, *_unreadable(read, profile)]).plan
+        return _sorted(wish, [*found, *_unreadable(read, profile)]).plan
     found += lost(given, read.module)
     held = Module(given.programs, read.module.data)  # the same programs, with places in their file
-    step_done("compile")
-    asked = request.clearance_mm * MM
+    asked = wish.clearance_mm * MM
     scened: list[Scened] = []
-    for setting in request.settings:
+    for setting in wish.settings:
         scened.append(_scened(setting, given, held, entry, asked))
-        step_done("verify")
+        request.step_done("verify")
     known = dependence.dependence(given)
     seen = coverage.covered([one.held.run for one in scened])
     found += _of_scenarios(scened, asked)
     found += coverage.not_executed(given, seen)
     found += dependence.not_covered(known, seen)
-    result = _sorted(request, found)
+    result = _sorted(wish, found)
     if result.plan.refused:  # other worlds are looked at when this one is as it should be
         return result.plan
     scened = [_with_margins(one, held, entry) for one in scened]
-    result = _sorted(
-        request, [*found, *(d for one in scened for d in margins.refused(one.margins))]
-    )
-    step_done("margins")
+    result = _sorted(wish, [*found, *(d for one in scened for d in margins.refused(one.margins))])
+    request.step_done("margins")
     if result.plan.refused:
         return result.plan
     raised = _dry_run(scened[0], held, entry, profile, asked)
-    step_done("dry run")
+    request.step_done("dry run")
     made = Made(
-        request.name,
-        request.data,
+        request.program.name,
+        request.program.data,
         entry,
         texts,
         given,
         held,
         profile,
-        request.clearance_mm,
+        wish.clearance_mm,
         seen,
         known,
         result.sorted,
         raised,
     )
-    bundle = bundle_of(made, scened, request.settings)
+    bundle = bundle_of(made, scened, wish.settings)
     return result.plan._replace(bundle=bundle)
 
 
@@ -142,20 +113,14 @@ class _Result(NamedTuple):
     sorted: Sorted
 
 
-def _sorted(request: Request, found: Sequence[Diagnostic]) -> _Result:
-    result = sort_out(_distinct(found), request.promises)
+def _sorted(wish: Wish, found: Sequence[Diagnostic]) -> _Result:
+    result = sort_out(_distinct(found), wish.promises)
     return _Result(Plan(None, result.refused, result.waived, result.idle), result)
-
-
-def _entry(request: Request, module: Module) -> str:
-    task = request.settings[0].task
-    wanted = request.entry or (task.program if task is not None else None) or module.main or ""
-    return wanted.lower()
 
 
 def _scened(setting: Setting, given: Module, held: Module, entry: str, asked: float) -> Scened:
     title = "as it is" if setting.scenario is None else setting.scenario.title[:LONGEST_TITLE]
-    world = World(setting.scene, setting.task, scenario_for(setting.task, setting.scenario))
+    world = World(setting.scene, setting.task, scenario_of(setting))
     first = _case(title, given, world, entry)
     case = _case(title, held, world, entry)
     near = nearness(world.scene, case.run, asked)

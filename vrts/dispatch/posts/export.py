@@ -11,9 +11,12 @@ from vrts.dispatch.posts.same_motion import TOLERANCE_MM, Difference, difference
 from vrts.dispatch.posts.written import POSTS, written
 from vrts.engine.controller import execute
 from vrts.lang.compiler import Compilation
-from vrts.pipeline.assess import assess, no_program, scenario_for
-from vrts.pipeline.programs import STRICT, Reading, compile_bytes
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.assess import assess
+from vrts.pipeline.execution import compiled_for, entry_of, no_program
+from vrts.pipeline.programs import compile_bytes
+from vrts.pipeline.reading import Reading
+from vrts.pipeline.request import Request
+from vrts.pipeline.setting import scenario_of
 
 NOT_VERIFIED = Rule("V862", "not-verified")
 MOVES_OTHERWISE = Rule("V863", "moves-otherwise")
@@ -30,35 +33,23 @@ class Exported(NamedTuple):
     difference: Difference | None = None  # to the motion of the original
 
 
-def exported(
-    data: bytes,
-    name: str,
-    setting: Setting,
-    target: str,
-    *,
-    reading: Reading = STRICT,
-    entry: str | None = None,
-) -> Exported:
+def exported(request: Request, target: str) -> Exported:
     """Verify a program, write it in another language, read it again, and compare the motions.
 
     Args:
-        data: The bytes of the program.
-        name: As shown.
-        setting: Where it is verified.
+        request: The program, and where it is verified.
         target: A name of `POSTS`.
-        reading: Dialect, and files compiled together with the program.
-        entry: Program to execute; None: the task's, else the first.
     """
-    _, compilation, found = compile_bytes(data, name, reading)
+    compiled, name, setting = compiled_for(request), request.program.name, request.setting
+    _, compilation, found = compiled
     if compilation is None or compilation.module is None or compilation.module.main is None:
         return Exported(None, found)
     if compilation.dialect.name not in LANGUAGES:
         return Exported(None, (*found, _other_language(compilation)))
-    if entry is None and setting.task is not None:
-        entry = setting.task.program
+    entry = entry_of(request)
     if entry is not None and entry.lower() not in compilation.module.programs:
         return Exported(None, (*found, no_program(compilation.module, entry)))
-    verified = assess(data, setting=setting, title=name, reading=reading, entry=entry)
+    verified = assess(request, compiled)
     wrong = any(d.is_error for d in verified.findings)
     if verified.judgement is None or wrong or verified.judgement.answer is not Answer.HOLDS:
         return Exported(None, (*verified.findings, _not_verified(name)))
@@ -71,8 +62,7 @@ def exported(
     if other.module is None:
         return Exported(None, (*told, *other.diagnostics))
     assert verified.run is not None
-    scenario = scenario_for(setting.task, setting.scenario)
-    run = execute(other.module, setting.scene, scenario, entry and entry.lower())
+    run = execute(other.module, setting.scene, scenario_of(setting), entry and entry.lower())
     apart = difference(verified.run, run)
     if not apart.is_none:
         return Exported(None, (*told, *run.findings, _moves_otherwise(target, apart)), apart)

@@ -10,7 +10,7 @@ from vrts.dispatch.transfer.listed import Place, six_numbers
 from vrts.dispatch.transfer.locations import same_place
 from vrts.dispatch.transfer.problems import READ_BACK_DIFFERS, stop, unlike, visible
 from vrts.dispatch.transfer.talk import Answer, Says
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 _STEP, _INSERT = frozenset({Prompt.STEP}), frozenset({Prompt.INSERT})
 _CHANGE, _ASKS = frozenset({Prompt.CHANGE}), frozenset({Prompt.CONFIRM, Prompt.READY})

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from vrts.dispatch.steps import Steps, header_of
 from vrts.dispatch.transfer.problems import LISTING_UNREADABLE, stop, visible
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 _STEP = re.compile(r"\s*(?P<number>\d{1,6})\.?(?:\s+(?P<text>\S.*))?")
 _NUMBER = r"-?\d*\.?\d+(?:E[+-]?\d+)?"

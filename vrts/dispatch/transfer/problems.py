@@ -1,7 +1,7 @@
 """What can be wrong between vrts and a controller, in words."""
 
 from vrts.base.diagnostic import Rule, error
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 NO_PORT = Rule("V832", "no-port")
 LINE_LOST = Rule("V833", "line-lost")

@@ -26,7 +26,7 @@ from vrts.dispatch.transfer.held.asking import (
 from vrts.dispatch.transfer.held.looking import Options, States, Work, copy_of_old, key, look
 from vrts.dispatch.transfer.held.read_back import same_value, verify_places, verify_program, where
 from vrts.dispatch.transfer.talk import Talk
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 BEGUN = "begun: how many steps it has is not known"
 DELETING = "begun to be deleted: whether it is there is not known"

@@ -14,7 +14,7 @@ from vrts.dispatch.profile_parts import Profile
 from vrts.dispatch.transfer.port import Wire
 from vrts.dispatch.transfer.problems import NOT_SENT, WRONG_ECHO, stop, unlike, visible
 from vrts.dispatch.transfer.transcript import Transcript
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 _MOST = 4_000_000  # characters of an answer
 _LONGEST_ANSWER_S = 900.0  # a large memory, listed at 1200 baud

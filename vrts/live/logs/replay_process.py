@@ -18,7 +18,7 @@ from vrts.live.logs.replay_page import NoPage, Order
 from vrts.live.session.again.replay import replay
 from vrts.live.session.channel.messages import Start
 from vrts.live.session.views.program import as_program
-from vrts.pipeline.assess import with_curve
+from vrts.pipeline.curve import with_curve
 from vrts.report.assessment import Assessment
 from vrts.report.page.page import page
 from vrts.report.page.stills import page_stills

@@ -18,7 +18,7 @@ from vrts.marking.submission.marker import Marker, Marks
 from vrts.marking.submission.one import Marked, NotMarkable, Order, Wanted, mark
 from vrts.marking.submission.session_run import session_run
 from vrts.marking.submission.setting import Place
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment
 
 ANOTHER = "mark it with the scene and the task that it had"

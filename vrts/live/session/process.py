@@ -30,7 +30,8 @@ from vrts.live.session.session import Session
 from vrts.live.session.setting import setting_of
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.settings import Refused, Setting
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.setting import Setting
 from vrts.report.page.viewer_data import scene_data
 
 FIRST = 30.0  # [s] within which the first order has to come

@@ -38,7 +38,7 @@ from vrts.live.session.views.program import as_program, is_program_name
 from vrts.live.session.views.showing import Showing
 from vrts.live.session.views.status import runs
 from vrts.monitor.desk import Desk
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.setting import Setting
 from vrts.scene.model import Limits, Scenario
 
 DAY = 86_400.0  # [s]

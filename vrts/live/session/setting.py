@@ -3,7 +3,9 @@
 from pathlib import Path
 
 from vrts.live.session.channel.messages import Start
-from vrts.pipeline.settings import Setting, load_scene, load_task, robot_alone
+from vrts.pipeline.scenes import load_scene, robot_alone
+from vrts.pipeline.setting import Setting
+from vrts.pipeline.settings import load_task
 
 
 def setting_of(start: Start) -> Setting:

@@ -7,24 +7,20 @@ from vrts.engine.faults import MOTIONS, STATEMENTS
 from vrts.engine.hand.hand import CLOSED_ON_NOTHING
 from vrts.engine.run import Run
 from vrts.lsp.channel.verification import STOPPED
-from vrts.pipeline.assess import scenario_for
-from vrts.pipeline.settings import Setting
-from vrts.scene.model import Limits, Scenario
+from vrts.pipeline.setting import Setting
+from vrts.scene.model import Limits
 
 _STATEMENTS, _MOTIONS, _SIMULATED_S = 200_000, 5_000, 600.0
 
 
-def bounded(setting: Setting) -> tuple[Scenario, Limits]:
-    """Return a scenario with bounds for an editor, and the bounds that it has without."""
-    scenario = scenario_for(setting.task, setting.scenario)
-    full = scenario.limits
-    limits = replace(
+def bounded(full: Limits) -> Limits:
+    """Return the limits of a run with bounds for an editor."""
+    return replace(
         full,
         statements=min(full.statements, _STATEMENTS),
         motions=min(full.motions, _MOTIONS),
         time_s=min(full.time_s, _SIMULATED_S),
     )
-    return replace(scenario, limits=limits), full
 
 
 def said_by(run: Run, full: Limits, setting: Setting) -> list[Diagnostic]:

@@ -6,7 +6,7 @@ from vrts.base.units import mm
 from vrts.check.collision.clearance_curve import FAR, clearance_curve
 from vrts.engine.run import Run
 from vrts.lsp.channel.timing import MOST_TIMES, STEP_S, Timing
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.setting import Setting
 
 _SAMPLES = 1000
 

@@ -14,7 +14,9 @@ from vrts.base.pose import Pose
 from vrts.lsp.channel.reach import reach_of
 from vrts.lsp.documents.setting_files import Stamp, setting_stamp
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.settings import Refused, Setting, setting_for
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.setting import Setting
+from vrts.pipeline.settings import setting_for
 from vrts.report.screen.scene_text import point_text
 from vrts.scene.reach import reach
 

@@ -14,9 +14,7 @@ from threading import Thread
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.source import SourceFile
 from vrts.check.judge import judge
-from vrts.engine.controller import execute
 from vrts.engine.run import Run
-from vrts.ir.module import Module
 from vrts.lsp.channel.findings import Finding, Found, told
 from vrts.lsp.channel.verification import CPU_S, Answer, Asked, asked_of, header_of, line_of
 from vrts.lsp.documents.documents import Document
@@ -24,10 +22,14 @@ from vrts.lsp.runs.bounds import bounded, said_by
 from vrts.lsp.runs.motion_times import timings
 from vrts.lsp.runs.speeds import with_speeds
 from vrts.marking.supervise.limits import Limits, impose
-from vrts.pipeline.assess import no_program
+from vrts.pipeline.execution import compiled_for, entry_of, executed, no_program
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.programs import ProgramFile, Reading, compile_bytes
-from vrts.pipeline.settings import Refused, robot_alone, setting_for
+from vrts.pipeline.reading import ProgramFile, Reading
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.request import Request
+from vrts.pipeline.scenes import robot_alone
+from vrts.pipeline.setting import scenario_of
+from vrts.pipeline.settings import setting_for
 
 NO_SETTING = Rule("V798", "task-not-read")
 
@@ -46,22 +48,19 @@ def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Ans
     except (CannotRead, Refused) as problem:
         refused = Found(_not_read(problem, first))
         return Answer(findings=told([refused], path, first), is_whole=True)
-    files = tuple(ProgramFile(t.encode("utf-8", "replace"), p) for p, t in asked.others)
-
-    def compiled(text: str) -> tuple[Module | None, tuple[Diagnostic, ...]]:
-        data = text.encode("utf-8", "replace")
-        found = compile_bytes(data, path, Reading(None, others=files))
-        module = found.compilation.module if found.compilation is not None else None
-        return module, found.diagnostics
-
-    module, diagnostics = compiled(asked.text)
+    full = scenario_of(setting).limits
+    reading = Reading(None, others=tuple(_file(text, name) for name, text in asked.others))
+    request = Request(_file(asked.text, path), setting, reading, limits=bounded(full))
+    compiled = compiled_for(request)
+    module = None if compiled.compilation is None else compiled.compilation.module
     if module is None or module.main is None:
         return Answer(is_whole=True)
-    asked_for = setting.task.program if setting.task is not None else None
+    asked_for = entry_of(request)
     if asked_for is None and asked.is_called:
         return Answer(is_whole=True)
     entry = (asked_for or module.main).lower()
-    known = {d.data["name"] for d in diagnostics if "name" in d.data}
+    request = request._replace(entry=entry)
+    known = {d.data["name"] for d in compiled.diagnostics if "name" in d.data}
     where = f"in the scene `{setting.scene.name}`" if setting.task else "with the robot alone"
     is_here = any(p.name == entry for p in Document(path, asked.text).names.programs)
     header = header_of(asked, entry) if is_here or entry not in module.programs else None
@@ -70,18 +69,12 @@ def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Ans
         new = [f for f in found if f.diagnostic.data.get("name") not in known]
         return told(new, path, header, where)
 
-    if entry not in module.programs:
-        return Answer((), shown([Found(no_program(module, entry))]), is_whole=True)
-    scenario, full = bounded(setting)
-
     def again(text: str) -> Run | None:
-        changed, _ = compiled(text)
-        return None if changed is None else executed(changed)
+        return executed(request._replace(program=_file(text, path))).run
 
-    def executed(module: Module) -> Run:
-        return execute(module, setting.scene, scenario, entry)
-
-    run = executed(module)
+    run = executed(request, compiled).run
+    if run is None:
+        return Answer((), shown([Found(no_program(module, entry))]), is_whole=True)
     of_run = [Found(d) for d in said_by(run, full, setting)]
     tell(Answer(timings(setting, run, path, near=False), shown(of_run)))
 
@@ -91,6 +84,10 @@ def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Ans
     tell(Answer(all_timings, shown([*of_run, *found])))
     found = with_speeds(SourceFile(path, asked.text), run, judgement, setting.task, again)
     return Answer(all_timings, shown([*of_run, *found]), is_whole=True)
+
+
+def _file(text: str, name: str) -> ProgramFile:
+    return ProgramFile(text.encode("utf-8", "replace"), name)
 
 
 def _not_read(problem: Exception, header: Label) -> Diagnostic:

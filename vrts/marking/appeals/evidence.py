@@ -9,7 +9,7 @@ from vrts.marking.result import Digest, Record, Result
 from vrts.marking.row import Row
 from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 DAMAGED = Rule("V764", "damaged-evidence")
 ALTERED = Rule("V765", "altered-evidence")

@@ -14,7 +14,7 @@ from vrts.marking.privacy.pseudonyms import read_names
 from vrts.marking.row import Row
 from vrts.marking.submission.submissions import of_example
 from vrts.pipeline.files import CannotRead, read_bytes
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 OTHER_PROGRAM = Rule("V762", "program-changed-since")
 

@@ -40,7 +40,7 @@ from vrts.marking.row import Row, final_mark, row_of
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT
 from vrts.marking.submission.setting import Place
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 LIBRARIES = ("numpy", "coal", "python-fcl", "pin", "msgspec", "rerun-sdk")
 SUBMISSIONS = "SUBMISSIONS"  # in place of the names of files, which may be names of others

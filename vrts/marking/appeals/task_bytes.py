@@ -11,8 +11,8 @@ from vrts.marking.appeals.evidence import OVER, TASK
 from vrts.marking.appeals.evidence_zip import known_name
 from vrts.marking.result import Result
 from vrts.marking.submission.setting import Place, load
-from vrts.pipeline.files import find_scene, read_bytes
-from vrts.pipeline.settings import STAFF, TASK_FILE, Refused
+from vrts.pipeline.files import STAFF, TASK_FILE, find_scene, read_bytes
+from vrts.pipeline.refused import Refused
 
 OTHER_TASK = Rule("V763", "task-changed-since")
 

@@ -14,7 +14,7 @@ from vrts.marking.privacy.pseudonyms import read_names, with_names
 from vrts.marking.result import Damaged
 from vrts.marking.row import LARGEST, Class, Row, class_from_bytes
 from vrts.pipeline.files import CannotRead, read_bytes
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 NO_MARKING = Rule("V760", "no-marking")
 NOBODY = Rule("V761", "nobody-of-that-name")

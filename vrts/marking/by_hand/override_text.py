@@ -9,7 +9,7 @@ from vrts.base.source import SourceFile
 from vrts.marking.by_hand.overrides import NONE, Override, Overrides, read_overrides
 from vrts.marking.layout import write_atomically
 from vrts.pipeline.files import read_bytes, read_toml_source
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 BEGINNING = """\
 # Changes of marks by hand. Marking reads this file and never writes over it.

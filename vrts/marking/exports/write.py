@@ -16,7 +16,7 @@ from vrts.marking.privacy.pseudonyms import with_names
 from vrts.marking.result import Damaged, Result, from_bytes
 from vrts.marking.row import Class
 from vrts.marking.submission.report_files import RECORDING, REPORT
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 NO_STUDENT_RESULT = Rule("V749", "no-result-for-student")
 EXPORTS = "exports"  # folder in `staff`

@@ -28,7 +28,7 @@ from vrts.marking.remote.names import KEPT_ENDINGS
 from vrts.marking.row import Class
 from vrts.marking.row import Student as Named
 from vrts.pipeline.files import read_bytes
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 BAD_KEY = Rule("V772", "pseudonym-key")
 MIXED = Rule("V773", "names-and-pseudonyms")

@@ -22,7 +22,7 @@ from vrts.marking.privacy.statistics_of_class import statistics_of
 from vrts.marking.privacy.statistics_of_class import to_bytes as statistics_to_bytes
 from vrts.marking.result import Damaged
 from vrts.marking.row import LARGEST, class_from_bytes
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 NOT_OURS = Rule("V768", "not-written-by-marking")
 A_LINK = Rule("V769", "link-in-the-way")

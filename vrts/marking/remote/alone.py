@@ -14,7 +14,7 @@ from types import FrameType
 from vrts.marking.remote.run_shard import run_shard
 from vrts.marking.remote.shard import read_shard
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 REFUSED = 1  # exit status
 _PR_SET_PDEATHSIG = 1  # [linux/prctl.h]

@@ -23,7 +23,7 @@ from vrts.base.diagnostic import Rule, error
 from vrts.marking.remote.backend import Backend, Scheduler
 from vrts.marking.remote.child import mark_in_child
 from vrts.marking.remote.shard import Cut
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 if TYPE_CHECKING:
     from dask_jobqueue import JobQueueCluster

@@ -16,7 +16,7 @@ from vrts.marking.remote.shard import Cut
 from vrts.marking.submission.marker import Marker, Marks
 from vrts.marking.submission.one import Order
 from vrts.marking.supervise.limits import Limits
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 NOT_INSTALLED = Rule("V728", "cluster-packages-missing")
 AT_HOME = Rule("V729", "marked-at-home")

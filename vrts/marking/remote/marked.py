@@ -18,7 +18,7 @@ from vrts.marking.remote.names import Pseudonym
 from vrts.marking.remote.shard import Number, PlanId, Shard
 from vrts.marking.result import LARGEST, Damaged, Digest, Record, Result, from_bytes, to_bytes
 from vrts.marking.submission.marker import STAFF, STUDENT, WRITTEN
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 BAD_RESULTS = Rule("V722", "bad-results")
 

@@ -16,7 +16,7 @@ from vrts.marking.remote.plan import Expected, Home, Key, Sent
 from vrts.marking.result import Damaged, Kind, Result, from_bytes
 from vrts.marking.submission.marker import STAFF, Marks
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 FOREIGN = Rule("V724", "foreign-results")
 UNFIT = Rule("V725", "results-that-do-not-fit")

@@ -21,7 +21,8 @@ from vrts.marking.submission.marker import Marker, Marks
 from vrts.marking.submission.summary import task_named
 from vrts.marking.supervise.limits import Limits
 from vrts.pipeline.files import read_bytes
-from vrts.pipeline.settings import Refused, Setting
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.setting import Setting
 
 BAD_PLAN = Rule("V723", "bad-plan")
 

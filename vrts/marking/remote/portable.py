@@ -7,8 +7,8 @@ from vrts.assignments.packed import is_packed
 from vrts.assignments.task_folder import read_folder, with_shapes
 from vrts.marking.result import Record
 from vrts.marking.submission.setting import Place
-from vrts.pipeline.files import CannotRead, find_scene, read_bytes
-from vrts.pipeline.settings import TASK_FILE, load_task
+from vrts.pipeline.files import TASK_FILE, CannotRead, find_scene, read_bytes
+from vrts.pipeline.settings import load_task
 
 _TASK = "task.zip"
 

@@ -18,7 +18,7 @@ from vrts.marking.remote.portable import PortableTask
 from vrts.marking.result import Digest, Record
 from vrts.marking.submission.one import Wanted
 from vrts.marking.supervise.limits import Limits
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 BAD_SHARD = Rule("V720", "bad-shard")
 OTHER_VRTS = Rule("V721", "shard-of-another-vrts")

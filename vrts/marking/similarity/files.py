@@ -11,7 +11,7 @@ from vrts.marking.similarity.ranking import Ranking, similarity, to_bytes
 from vrts.marking.submission.marker import Marker
 from vrts.marking.whole_class import Marked
 from vrts.pipeline.files import read_bytes
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.setting import Setting
 from vrts.scene.block import location_block
 
 PAGE, DATA = "similarity.html", "similarity.json"

@@ -21,7 +21,7 @@ from vrts.marking.submission.one import Marked, Order, Wanted, mark, refused
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT, Reader, write_files
 from vrts.marking.submission.setting import Place, load
 from vrts.marking.submission.summary import result_of, unmarked
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.setting import Setting
 
 STUDENT, STAFF = "student", "staff"  # folders of what a process writes
 WRITTEN = tuple(f"{who}/{name}" for who in (STUDENT, STAFF) for name in (REPORT, RECORDING, FAULT))

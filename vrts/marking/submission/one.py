@@ -11,7 +11,9 @@ from vrts.check.mark.grade import Status
 from vrts.check.mark.mark import ungraded
 from vrts.marking.result import Record
 from vrts.pipeline.assess import assess
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.request import Checks, Request
+from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment
 
 UNREADABLE = Rule("V191", "unreadable-file")
@@ -53,12 +55,12 @@ Assessed: TypeAlias = Callable[[Order, Setting, Wanted], Assessment]
 def assessed(order: Order, setting: Setting, wanted: Wanted) -> Assessment:
     """Compile, run, check and mark a program."""
     return assess(
-        order.data,
-        setting=setting,
-        identifier=order.identifier,
-        title=order.title,
-        collisions=wanted.collisions,
-        engine=wanted.engine,
+        Request(
+            ProgramFile(order.data, order.title),
+            setting,
+            checks=Checks(collisions=wanted.collisions, engine=wanted.engine),
+            identifier=order.identifier,
+        )
     )
 
 

@@ -4,8 +4,8 @@ from collections.abc import Collection
 from pathlib import Path
 
 from vrts.marking.submission.one import Marked, Wanted
-from vrts.pipeline.assess import with_curve
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.curve import with_curve
+from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment
 from vrts.report.page.html import Markup
 

@@ -4,7 +4,8 @@ from pathlib import Path
 
 from vrts.assignments.packed import is_packed, load_zip
 from vrts.marking.result import Record
-from vrts.pipeline.settings import Setting, load_task
+from vrts.pipeline.setting import Setting
+from vrts.pipeline.settings import load_task
 
 
 class Place(Record, frozen=True):

@@ -21,7 +21,7 @@ from vrts.marking.result import (
     Result,
     Versions,
 )
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import first_screen
 from vrts.report.quantities import millimetres, seconds

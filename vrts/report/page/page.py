@@ -8,6 +8,7 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.report.assessment import Assessment
 from vrts.report.audience import Audience, for_student, needs_review
 from vrts.report.first_screen import first_screen
+from vrts.report.ordering import in_order
 from vrts.report.page.checks import checks_section, facts_section, review_section
 from vrts.report.page.contacts import contacts_section
 from vrts.report.page.document import document_parts
@@ -20,7 +21,6 @@ from vrts.report.page.top import first_screen_section, watch_button
 from vrts.report.page.viewer_data import scene_data
 from vrts.report.plain import one_line
 from vrts.report.quantities import millimetres, seconds
-from vrts.report.screen.text import in_order
 from vrts.web.assets import asset, packed
 
 ENTRY = "report/page.js"

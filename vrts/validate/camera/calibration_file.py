@@ -8,7 +8,7 @@ from vrts.base.diagnostic import Rule
 from vrts.base.source import SourceFile, Span
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.base.units import DEG, MM
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 from vrts.validate.camera.model import Array, View
 
 UNKNOWN_POINT = Rule("V900", "unknown-point")

@@ -8,7 +8,7 @@ import numpy as np
 from vrts.base.diagnostic import Diagnostic, Rule, error, warning
 from vrts.engine.run import Run
 from vrts.ir.instructions import SetAcceleration, SetDuration
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 from vrts.validate.clock import clock_shift
 from vrts.validate.comparison import must_move
 from vrts.validate.fitted import Estimate, FittedRobot, LogRead

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, error, warning
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 from vrts.validate.log.log_columns import Column, Columns, find_columns
 from vrts.validate.log.log_table import LogTable, line_span, numbers, read_table
 from vrts.validate.log.log_units import Extent, in_units, note

@@ -10,12 +10,13 @@ from vrts.check.collision.pairs.arm_state import Prober
 from vrts.check.collision.pairs.grips import NEAR_MISS
 from vrts.geometry.narrow import engine
 from vrts.pipeline.assess import assess
+from vrts.pipeline.requesting import request_for
 
 SOLUTION = ROOT / "examples" / "01-cans-on-bases" / "solution.v2"
 
 
 def test_it_never_lies_below_the_certified_minimum_and_meets_it() -> None:
-    found = assess(SOLUTION)
+    found = assess(request_for(SOLUTION))
     assert found.run is not None
     assert found.scene is not None
     assert found.judgement is not None
@@ -31,7 +32,7 @@ def test_it_never_lies_below_the_certified_minimum_and_meets_it() -> None:
 
 
 def test_no_pair_is_nearer_than_it_says() -> None:
-    found = assess(SOLUTION)
+    found = assess(request_for(SOLUTION))
     assert found.run is not None
     assert found.scene is not None
     times = np.linspace(0.0, found.run.horizon_s, 61)

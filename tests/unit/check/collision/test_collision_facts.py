@@ -22,9 +22,11 @@ from vrts.geometry.narrow import FCL, engine
 from vrts.geometry.nearest import Array, Engine, Transform
 from vrts.geometry.support import bounds
 from vrts.pipeline.assess import assess
+from vrts.pipeline.requesting import request_for
+from vrts.pipeline.where import Where
 from vrts.report.assessment import Assessment
 from vrts.report.formats.json_form import assessment_json
-from vrts.report.screen.text import assessment_text
+from vrts.report.screen.assessment_text import assessment_text
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 SOLUTION = (EXAMPLE / "solution.v2").read_text("utf-8")
@@ -36,7 +38,7 @@ LOW = "low 800 150 -285.2 90 90 0\n"  # the fingertips 0.2 mm inside the table, 
 def assessed(folder: Path, program: str, task: str = TASK) -> Assessment:
     (folder / "task.toml").write_text(task, encoding="utf-8")
     (folder / "mine.v2").write_text(program, encoding="utf-8")
-    return assess(folder / "mine.v2", task=folder / "task.toml")
+    return assess(request_for(folder / "mine.v2", Where(task=folder / "task.toml")))
 
 
 def collisions(a: Assessment) -> dict[str, Any]:

@@ -27,7 +27,8 @@ sys.meta_path.insert(0, Missing())
 import json
 from pathlib import Path
 from vrts.pipeline.assess import assess
-found = assess(Path(sys.argv[1]))
+from vrts.pipeline.requesting import request_for
+found = assess(request_for(Path(sys.argv[1])))
 assert not {"coal", "pinocchio"} & set(sys.modules)
 engine = found.judgement.collisions.engine
 print(json.dumps([engine, str(found.grade.mark), [loss.kind for loss in found.grade.losses]]))
@@ -37,11 +38,12 @@ print(json.dumps([engine, str(found.grade.mark), [loss.kind for loss in found.gr
 @pytest.mark.parametrize("name", ["solution.v2", "submissions/hits-base.v2"])
 def test_example_01_has_the_same_mark_without_coal_and_pinocchio(name: str) -> None:
     from vrts.pipeline.assess import assess
+    from vrts.pipeline.requesting import request_for
 
     path = EXAMPLE / name
     called = [sys.executable, "-c", WITHOUT, str(path)]
     done = subprocess.run(called, capture_output=True, text=True, check=True)
-    grade = assess(path).grade
+    grade = assess(request_for(path)).grade
     assert grade is not None
     kinds = [loss.kind for loss in grade.losses]
     assert json.loads(done.stdout) == ["fcl", str(grade.mark), kinds]

@@ -9,6 +9,7 @@ from vrts.check.mark.grade import Earned, Grade
 from vrts.check.verdict import Answer
 from vrts.pipeline.assess import assess
 from vrts.pipeline.files import CHECKOUT
+from vrts.pipeline.requesting import request_for
 from vrts.pipeline.settings import load_task
 
 EXAMPLES = CHECKOUT / "examples"
@@ -18,7 +19,7 @@ PROGRAMS = sorted(EXAMPLES.glob("0[14]*/submissions/*.v2"))
 def graded(example: str, program: str) -> Grade:
     """Return the grade of a submission."""
     folder = EXAMPLES / example
-    a = assess(folder / program, setting=load_task(folder / "task.toml"))
+    a = assess(request_for(folder / program, setting=load_task(folder / "task.toml")))
     assert a.grade is not None
     return a.grade
 

@@ -13,7 +13,8 @@ from vrts.check.task.feasible import task_findings
 from vrts.check.task.staff import read_whole_task
 from vrts.check.task.task_file import read_task
 from vrts.pipeline.files import CHECKOUT
-from vrts.pipeline.settings import load_scene, load_task
+from vrts.pipeline.scenes import load_scene
+from vrts.pipeline.settings import load_task
 from vrts.scene.checks import scene_findings
 from vrts.scene.holds import holds
 from vrts.scene.reading.scene_file import read_scene

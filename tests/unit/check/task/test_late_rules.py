@@ -11,7 +11,7 @@ from vrts.check.task.late_rules import Keep, LateRules, LateStep, read_keep, rea
 from vrts.check.task.staff import read_whole_task
 from vrts.check.task.task import Task
 from vrts.check.task.task_file import read_task
-from vrts.pipeline.settings import load_scene
+from vrts.pipeline.scenes import load_scene
 
 CET = timezone(timedelta(hours=1))
 DUE = datetime(2026, 11, 30, 23, 59, tzinfo=CET)

@@ -6,7 +6,8 @@ import pytest
 
 from vrts.base.source import SourceFile
 from vrts.check.task.staff import read_whole_task
-from vrts.pipeline.settings import load_scene, load_task
+from vrts.pipeline.scenes import load_scene
+from vrts.pipeline.settings import load_task
 
 SCENE = load_scene("cans-on-bases").scene
 PUBLIC = SourceFile(

@@ -3,6 +3,8 @@
 from tests.places import ROOT
 from vrts.check.verdicts.targets import reached
 from vrts.pipeline.assess import assess
+from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.request import Request
 from vrts.pipeline.settings import load_task
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
@@ -14,7 +16,7 @@ def test_a_held_object_has_not_reached_its_goal() -> None:
         ".PROGRAM main\n OPENI\n MOVE safe\n APPRO can1_grip, 120\n MOVES can1_grip\n CLOSEI\n"
         " DEPARTS 200\n APPRO base2_put, 120\n SPEED 20\n MOVES base2_put\n.END\n.LOCATIONS"
     )
-    found = assess((program + block).encode(), setting=load_task(EXAMPLE))
+    found = assess(Request(ProgramFile((program + block).encode(), "program"), load_task(EXAMPLE)))
     assert found.run is not None
     assert found.task is not None
     assert found.grade is not None

@@ -11,13 +11,19 @@ from click.testing import CliRunner, Result
 
 from vrts.cli.main import vrts
 from vrts.dispatch.bundle import Bundle, digest_of, read_bundle, rows
-from vrts.dispatch.planning.plan import Plan, Request, plan
+from vrts.dispatch.planning.plan import Plan, plan
 from vrts.dispatch.planning.reasons.refusals import Promise
+from vrts.dispatch.planning.wish import Wish
 from vrts.dispatch.profile import Profile, find_profile
 from vrts.pipeline.assess import assess
 from vrts.pipeline.files import CHECKOUT
-from vrts.pipeline.programs import Reading
-from vrts.pipeline.settings import Setting, load_scene, load_task, with_scenario
+from vrts.pipeline.reading import ProgramFile, Reading
+from vrts.pipeline.request import Request
+from vrts.pipeline.requesting import request_for
+from vrts.pipeline.scenes import load_scene, with_scenario
+from vrts.pipeline.setting import Setting
+from vrts.pipeline.settings import load_task
+from vrts.pipeline.where import Where
 from vrts.report.first_screen import first_screen
 
 CANS = CHECKOUT / "examples" / "01-cans-on-bases"
@@ -36,12 +42,10 @@ def planned(
     target: Profile | None = None,
 ) -> Plan:
     """Plan a program in a scene with two cans, or in given settings."""
-    where = settings or (load_scene("cans-on-bases"),)
+    first, *further = settings or (load_scene("cans-on-bases"),)
     controller = target or profile()
-    read = Reading("val2+")
-    return plan(
-        Request(text.encode(), "x.v2", where, controller, clearance_mm, tuple(promises), read)
-    )
+    request = Request(ProgramFile(text.encode(), "x.v2"), first, Reading("val2+"))
+    return plan(Wish(request, controller, clearance_mm, tuple(promises), tuple(further)))
 
 
 def codes(found: Plan) -> list[str]:
@@ -63,7 +67,7 @@ def scenario(home: Path, name: str, text: str) -> Setting:
 def cans() -> Bundle:
     """Return the bundle of the reference solution."""
     data = (CANS / "solution.v2").read_bytes()
-    found = plan(Request(data, "a/b/solution.v2", (load_task(CANS),), profile()))
+    found = plan(Wish(Request(ProgramFile(data, "a/b/solution.v2"), load_task(CANS)), profile()))
     assert found.bundle is not None, found.refused
     return found.bundle
 
@@ -129,8 +133,8 @@ def test_a_second_run_would_begin_with_other_data(cans: Bundle) -> None:
 @pytest.mark.parametrize("name", ["hits-base", "releases-in-air"])
 def test_a_plan_and_a_mark_agree_about_ready(name: str) -> None:
     program = CANS / "submissions" / f"{name}.v2"
-    ready = first_screen(assess(program, task=CANS)).ready
-    found = plan(Request(program.read_bytes(), name, (load_task(CANS),), profile()))
+    ready = first_screen(assess(request_for(program, Where(task=CANS)))).ready
+    found = plan(Wish(Request(ProgramFile(program.read_bytes(), name), load_task(CANS)), profile()))
     unproven = {"V801", "V802"} & set(codes(found))
     assert ready is not bool(unproven), codes(found)
 
@@ -195,7 +199,7 @@ def test_a_program_that_only_works_in_the_scene_as_it_is_has_no_margin() -> None
     text = (CANS / "solution.v2").read_text("utf-8")
     beside = text.replace(" 800.00  -450.00", " 809.40  -450.00")
     assert beside != text
-    found = plan(Request(beside.encode(), "x", (load_task(CANS),), profile()))
+    found = plan(Wish(Request(ProgramFile(beside.encode(), "x"), load_task(CANS)), profile()))
     assert codes(found) == ["V813"], [d.headline for d in found.refused]
     assert "`can1` 3 mm along" in found.refused[0].headline
 

@@ -9,8 +9,10 @@ import pytest
 from tests.support_programs import ROOT, ran
 from vrts.dispatch.posts.export import Exported, exported
 from vrts.dispatch.posts.same_motion import TOLERANCE_MM, difference
-from vrts.pipeline.programs import STRICT, Reading
+from vrts.pipeline.reading import STRICT, ProgramFile, Reading
+from vrts.pipeline.request import Request
 from vrts.pipeline.settings import setting_for
+from vrts.pipeline.where import Where
 
 EXAMPLES = sorted((ROOT / "examples").glob("*/solution.v2"))
 
@@ -18,7 +20,7 @@ EXAMPLES = sorted((ROOT / "examples").glob("*/solution.v2"))
 def export(place: Path, target: str, reading: Reading = STRICT) -> Exported:
     setting = setting_for(place)
     assert setting is not None
-    return exported(place.read_bytes(), place.name, setting, target, reading=reading)
+    return exported(Request(ProgramFile(place.read_bytes(), place.name), setting, reading), target)
 
 
 @pytest.mark.parametrize("target", ["val2", "vplus", "as"])
@@ -44,9 +46,9 @@ def test_a_program_that_would_move_otherwise_is_refused(tmp_path: Path) -> None:
     places = ".LOCATIONS\na 900 200 100 90 90 0\nb 900 -200 100 90 90 0\n.END\n"
     place = tmp_path / "prog.v2"
     place.write_text(f".PROGRAM main\n{body}\n.END\n{places}")
-    setting = setting_for(place, scene="cans-on-bases")
+    setting = setting_for(place, Where("cans-on-bases"))
     assert setting is not None
-    found = exported(place.read_bytes(), place.name, setting, "as")
+    found = exported(Request(ProgramFile(place.read_bytes(), place.name), setting), "as")
     assert found.text is None
     assert found.diagnostics[-1].rule.code == "V863"
     assert found.difference is not None
@@ -57,7 +59,7 @@ def test_programs_in_as_are_not_exported() -> None:
     setting = setting_for(EXAMPLES[0])
     assert setting is not None
     data = b".PROGRAM main()\nJMOVE #[0,-90,90,0,0,0]\n.END\n"
-    found = exported(data, "main.as", setting, "vplus", reading=Reading("as"))
+    found = exported(Request(ProgramFile(data, "main.as"), setting, Reading("as")), "vplus")
     assert [d.rule.code for d in found.diagnostics][-1] == "V864"
 
 

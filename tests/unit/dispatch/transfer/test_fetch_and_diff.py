@@ -23,7 +23,7 @@ from vrts.dispatch.transfer.held.diff import differences
 from vrts.dispatch.transfer.held.fetch import fetch, fetched_text
 from vrts.lang.compiler import compile_source
 from vrts.lang.writing.store import store_text
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 KNOWN = profile()
 

@@ -16,7 +16,7 @@ from vrts.lang.dialect import VAL2
 from vrts.lang.typed.commands import read_command
 from vrts.lang.vocabulary.commands import COMMANDS
 from vrts.lang.vocabulary.lookup import spellings
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 PACKAGE = Path(vrts.dispatch.__file__).parent
 AT_COMMANDS = (Prompt.READY, Prompt.RUNNING)

@@ -21,7 +21,7 @@ from tests.support_emulator import (
 from vrts.dispatch.profile_parts import Profile
 from vrts.dispatch.transfer.emulator import Emulator, GoodLine
 from vrts.dispatch.transfer.held.looking import Options
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 if sys.platform == "win32":
     pytest.skip("Windows has no pseudo-terminals", allow_module_level=True)

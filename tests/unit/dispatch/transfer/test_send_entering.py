@@ -25,7 +25,7 @@ from vrts.dispatch.transfer.listed import Place
 from vrts.dispatch.transfer.rehearsal import rehearsed
 from vrts.dispatch.transfer.talk import Talk
 from vrts.dispatch.transfer.transcript import Transcript
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 KNOWN = profile()
 AS_PICK = Steps("pick", "(&at,n)", ("JMOVE at", "d = 5", "", "100 LMOVE part", "CLOSEI"))

@@ -31,7 +31,7 @@ from vrts.dispatch.transfer.cargo import Cargo
 from vrts.dispatch.transfer.held.looking import Options
 from vrts.dispatch.transfer.rehearsal import rehearsed
 from vrts.dispatch.transfer.send import BEGUN, Sending
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 KNOWN = profile()
 KINDS = ("dropped", "doubled", "garbled", "unplugged")

@@ -7,7 +7,7 @@ from vrts.engine.run import Run
 from vrts.ir.commands import Do, Execute, Panic, TimedCommand
 from vrts.ir.module import Module
 from vrts.lang.compiler import compile_source
-from vrts.pipeline.settings import load_scene
+from vrts.pipeline.scenes import load_scene
 
 
 def compiled(text: str) -> Module:

@@ -34,15 +34,13 @@ from vrts.engine.storage.recognise import is_saved_run
 from vrts.engine.storage.save import run_bytes
 from vrts.ir.commands import Abort, Execute, Load, TimedCommand
 from vrts.pipeline.files import scene_names
-from vrts.pipeline.settings import Refused, load_scene, robot_alone
-from vrts.run_files import (
-    Simulated,
-    check_again,
-    executed_again,
-    load_run,
-    saved_bytes,
-    simulate,
-)
+from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.request import Request
+from vrts.pipeline.scenes import load_scene, robot_alone
+from vrts.run_files.loading import check_again, executed_again, load_run
+from vrts.run_files.saving import saved_bytes
+from vrts.run_files.simulated import Simulated, simulate
 
 RUNS = (busy, carrying)
 
@@ -133,7 +131,9 @@ def test_a_fork_of_a_saved_run_begins_with_executing_it_again() -> None:
 
 @pytest.mark.parametrize("name", scene_names())
 def test_every_scene_of_the_library_comes_back(name: str) -> None:
-    found = simulate(b".PROGRAM a\nDELAY 0.1\n.END\n", "a.v2", load_scene(name))
+    found = simulate(
+        Request(ProgramFile(b".PROGRAM a\nDELAY 0.1\n.END\n", "a.v2"), load_scene(name))
+    )
     scene = loaded(saved_bytes(found)).scene
     assert (scene.name, scene.digest) == (name, load_scene(name).scene.digest)
     assert [body.name for body in scene.bodies] == [b.name for b in load_scene(name).scene.bodies]
@@ -143,7 +143,7 @@ def test_only_what_belongs_to_the_run_is_saved() -> None:
     """Runs share tables with longer ones: what came later is not in the file."""
     setting = robot_alone()
     text = program("FOR i = 1 TO 500\nn = i\nDELAY 0.1\nEND").encode()
-    whole = simulate(text, "main.v2", setting)
+    whole = simulate(Request(ProgramFile(text, "main.v2"), setting))
     assert whole.run is not None
     short = truncate(whole.run, 5.0)
     advance(short, 20.0)
@@ -160,7 +160,9 @@ def test_a_scene_is_kept_with_its_text(tmp_path: Path) -> None:
     folder.mkdir()
     text = (Path(load_scene("cans-on-bases").scene_source.name)).read_text("utf-8")  # type: ignore[union-attr]
     (folder / "scene.toml").write_text(text, "utf-8")
-    found = simulate(b".PROGRAM a\nMOVE safe\n.END\n", "a.v2", load_scene(str(folder)))
+    found = simulate(
+        Request(ProgramFile(b".PROGRAM a\nMOVE safe\n.END\n", "a.v2"), load_scene(str(folder)))
+    )
     data = saved_bytes(found)
     (folder / "scene.toml").unlink()
     scene = loaded(data).scene

@@ -16,6 +16,8 @@ from vrts.lsp.channel.verification import Asked
 from vrts.lsp.documents.documents import Document
 from vrts.lsp.runs.verifying import verify
 from vrts.pipeline.assess import assess
+from vrts.pipeline.request import NO_CHECKS
+from vrts.pipeline.requesting import request_for
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 LOOP = """.PROGRAM main
@@ -55,7 +57,7 @@ def timings(path: str, text: str, *others: tuple[str, str]) -> tuple[Timing, ...
 def test_times_are_those_of_the_run() -> None:
     path = EXAMPLE / "solution.v2"
     found = timings(str(path), path.read_text("utf-8"))
-    run = assess(path, judged=False).run
+    run = assess(request_for(path, checks=NO_CHECKS)).run
     assert run is not None
     last = max(run.motions, key=lambda motion: motion.end_s)
     assert sum(timing.times for timing in found) == len(run.motions)
@@ -63,7 +65,7 @@ def test_times_are_those_of_the_run() -> None:
     told = by_line[last.cause.span.line]
     if told.times <= len(told.ends_s):
         assert told.ends_s[-1] == pytest.approx(last.end_s - run.started_s)
-    judgement = assess(path).judgement
+    judgement = assess(request_for(path)).judgement
     assert judgement is not None
     near = [timing.clearance_mm for timing in found if timing.clearance_mm is not None]
     collisions = judgement.collisions

@@ -10,7 +10,7 @@ from vrts.base.source import SourceFile
 from vrts.marking.by_hand.override_text import add_overrides, load_overrides, override_text
 from vrts.marking.by_hand.overrides import Override, change_of, read_overrides, with_overrides
 from vrts.marking.row import Lateness
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 KNOWN = ("anna", "ben")
 WHOLE = """\

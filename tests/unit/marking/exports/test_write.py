@@ -18,7 +18,7 @@ from vrts.marking.exports.given import Options
 from vrts.marking.exports.write import is_name, write_exports, write_marks_table
 from vrts.marking.layout import Layout
 from vrts.marking.row import class_from_bytes
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 PEOPLE = {"Anna Ady_11": "solution.v2", "Ben_12": "submissions/syntax-error.v2"}

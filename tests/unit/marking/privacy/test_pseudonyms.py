@@ -31,7 +31,7 @@ from vrts.marking.privacy.pseudonyms import (
 )
 from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 PROGRAM = b".PROGRAM pick()\nSTOP\n.END\n"
 TIME = datetime(2026, 11, 30, 12, tzinfo=UTC)

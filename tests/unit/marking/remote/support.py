@@ -12,7 +12,7 @@ from vrts.marking.remote.backend import Scheduler
 from vrts.marking.remote.dask_cluster import queue_cluster
 from vrts.marking.result import Kind
 from vrts.pipeline.files import CHECKOUT
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 EXAMPLE = CHECKOUT / "examples" / "01-cans-on-bases"
 GOOD = (EXAMPLE / "solution.v2").read_bytes()

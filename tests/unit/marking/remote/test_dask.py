@@ -30,7 +30,7 @@ from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 MANY = tuple(Entry(f"n{k}", f"n{k}.v2", GOOD) for k in range(7))
 NOWHERE = Backend(Scheduler.DASK, "tcp://127.0.0.1:9")
@@ -169,7 +169,7 @@ import signal
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have started us deaf to it
 from vrts.marking.remote.backend import Scheduler
 from vrts.marking.remote.dask_cluster import queue_cluster
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 try:
     queue_cluster(Scheduler.SLURM)
 except Refused:

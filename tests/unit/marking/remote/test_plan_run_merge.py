@@ -25,7 +25,7 @@ from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
 from vrts.marking.supervise.limits import Limits
 from vrts.pipeline.files import CHECKOUT
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 
 class Sent(NamedTuple):

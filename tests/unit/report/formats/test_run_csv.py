@@ -11,9 +11,11 @@ from tests.support_saved import busy, carrying
 from vrts.base.oat import components
 from vrts.base.units import deg, mm
 from vrts.engine.run import Run
-from vrts.pipeline.settings import robot_alone
+from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.request import Request
+from vrts.pipeline.scenes import robot_alone
 from vrts.report.formats.run_csv import run_csv
-from vrts.run_files import Simulated, simulate
+from vrts.run_files.simulated import Simulated, simulate
 
 HALF = {3: 0.000501, 2: 0.00501}  # of the last decimal
 
@@ -91,7 +93,7 @@ def test_many_rows_come_in_pieces_of_the_same_table() -> None:
 
 def test_a_vertical_tool_has_t_zero() -> None:
     """At READY only O + T is defined; VAL writes T as 0."""
-    found = simulate(b".PROGRAM a\nDELAY 1\n.END\n", "a.v2", robot_alone())
+    found = simulate(Request(ProgramFile(b".PROGRAM a\nDELAY 1\n.END\n", "a.v2"), robot_alone()))
     assert found.run is not None
     assert {row["t_deg"] for row in rows_of(found.run, 10.0)} == {"0.000"}
     assert {row["a_deg"] for row in rows_of(found.run, 10.0)} == {"-90.000"}
@@ -99,7 +101,7 @@ def test_a_vertical_tool_has_t_zero() -> None:
 
 def test_a_tool_counts_from_when_it_is_set() -> None:
     text = b".PROGRAM a\nDELAY 1\nTOOL TRANS(0, 0, 100, 90, -90, 0)\nDELAY 1\n.END\n"
-    found = simulate(text, "a.v2", robot_alone())
+    found = simulate(Request(ProgramFile(text, "a.v2"), robot_alone()))
     assert found.run is not None
     heights = [float(row["z_mm"]) for row in rows_of(found.run, 10.0)]
     assert heights[-1] - heights[0] == pytest.approx(100.0)

@@ -6,6 +6,7 @@ from tests.places import ROOT
 from tests.support_runs import assessment
 from tests.unit.report.page.test_html import Reader
 from vrts.pipeline.assess import assess
+from vrts.pipeline.requesting import request_for
 from vrts.report.assessment import Assessment
 from vrts.report.page.page import page
 from vrts.report.page.stills import (
@@ -16,7 +17,7 @@ from vrts.report.page.stills import (
     shown_first,
     worst_first,
 )
-from vrts.report.screen.text import assessment_text
+from vrts.report.screen.assessment_text import assessment_text
 
 HITS_BASE = ROOT / "examples" / "01-cans-on-bases" / "submissions" / "hits-base.v2"
 
@@ -40,7 +41,7 @@ def with_contacts(count: int, a: Assessment) -> Assessment:
 
 
 def test_the_moment_and_the_three_deepest_other_contacts_have_stills() -> None:
-    a = with_contacts(6, assess(HITS_BASE))
+    a = with_contacts(6, assess(request_for(HITS_BASE)))
     assert shown_first(a) == 1
     stills = page_stills(a)
     assert list(stills) == [MOMENT, contact_name(5), contact_name(4), contact_name(3)]
@@ -54,7 +55,7 @@ def test_the_moment_and_the_three_deepest_other_contacts_have_stills() -> None:
 
 
 def test_times_of_a_contact_say_whether_they_are_its_begin_or_where_it_is_deepest() -> None:
-    a = assess(HITS_BASE)
+    a = assess(request_for(HITS_BASE))
     shown = Reader(page(a, page_stills(a))).text
     assert "At 4.9 s, line 11" in shown
     assert "Watch at 4.9 s" in shown

@@ -19,7 +19,7 @@ from vrts.lang.compiler import compile_source
 from vrts.report.assessment import Assessment
 from vrts.report.page.page import page
 from vrts.report.page.replay_data import MOST_EVENTS, run_data
-from vrts.report.screen.text import assessment_text
+from vrts.report.screen.assessment_text import assessment_text
 from vrts.scene.model import Limits, Scenario
 
 PROGRAM = SourceFile(

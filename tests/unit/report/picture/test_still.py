@@ -9,7 +9,7 @@ import numpy.typing as npt
 import pytest
 
 from vrts.base.pose import Pose, translation
-from vrts.pipeline.settings import load_scene
+from vrts.pipeline.scenes import load_scene
 from vrts.report.picture import backdrop
 from vrts.report.picture.camera import Camera
 from vrts.report.picture.still import still

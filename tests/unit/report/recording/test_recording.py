@@ -14,7 +14,9 @@ from rerun.chunk import RrdReader
 from tests.places import ROOT
 from vrts.base.pose import rotation_about
 from vrts.pipeline.assess import assess
+from vrts.pipeline.requesting import request_for
 from vrts.pipeline.settings import setting_for
+from vrts.pipeline.where import Where
 from vrts.report.recording import RATE_HZ, times_of, write_recording
 from vrts.report.recording.lanes import states
 from vrts.report.recording.motion import quaternions
@@ -47,8 +49,8 @@ HITS = SOLUTION.parent / "submissions" / "hits-base.v2"
 
 def test_a_contact_is_marked_and_lines_gripper_and_path_are_there(tmp_path: Path) -> None:
     path = tmp_path / "run.rrd"
-    setting = setting_for(HITS, scene=None, task=SOLUTION.parent)
-    write_recording(assess(HITS, setting=setting), path)
+    setting = setting_for(HITS, Where(task=SOLUTION.parent))
+    write_recording(assess(request_for(HITS, setting=setting)), path)
     shown = subprocess.run(
         [RERUN, "rrd", "print", "-vvv", path], capture_output=True, text=True, check=True
     ).stdout
@@ -67,7 +69,7 @@ def test_states_follow_one_another_without_overlap() -> None:
 
 def test_a_recording_has_scene_robot_plots_and_log(tmp_path: Path) -> None:
     path = tmp_path / "run.rrd"
-    write_recording(assess(SOLUTION), path)
+    write_recording(assess(request_for(SOLUTION)), path)
     shown = subprocess.run(
         [RERUN, "rrd", "print", "-v", path], capture_output=True, text=True, check=True
     ).stdout
@@ -89,7 +91,7 @@ def test_a_recording_has_scene_robot_plots_and_log(tmp_path: Path) -> None:
 
 def test_poses_are_sent_only_of_what_moves_and_while_it_moves(tmp_path: Path) -> None:
     path = tmp_path / "run.rrd"
-    a = assess(SOLUTION)
+    a = assess(request_for(SOLUTION))
     assert a.run is not None
     write_recording(a, path)
     shown = subprocess.run(
@@ -111,7 +113,7 @@ def test_poses_are_sent_only_of_what_moves_and_while_it_moves(tmp_path: Path) ->
 
 
 def test_fingers_are_where_the_hand_is_opened(tmp_path: Path) -> None:
-    a = assess(SOLUTION)
+    a = assess(request_for(SOLUTION))
     assert a.run is not None
     write_recording(a, tmp_path / "run.rrd")
     times, at = column(tmp_path / "run.rrd", "/world/robot/hand/right_finger", TRANSLATION)
@@ -121,7 +123,7 @@ def test_fingers_are_where_the_hand_is_opened(tmp_path: Path) -> None:
 
 
 def test_curves_hold_what_straight_lines_between_their_rows_would_not(tmp_path: Path) -> None:
-    a = assess(SOLUTION)
+    a = assess(request_for(SOLUTION))
     assert a.run is not None
     assert a.scene is not None
     write_recording(a, tmp_path / "run.rrd")
@@ -158,7 +160,7 @@ def column(path: Path, entity: str, name: str) -> tuple[Array, Array]:
 
 def test_nothing_of_this_machine_is_in_a_recording(tmp_path: Path) -> None:
     path = tmp_path / "run.rrd"
-    write_recording(assess(HITS, task=SOLUTION.parent / "task.toml"), path)
+    write_recording(assess(request_for(HITS, Where(task=SOLUTION.parent / "task.toml"))), path)
     shown = subprocess.run(
         [RERUN, "rrd", "print", "-vvv", path], capture_output=True, text=True, check=True
     ).stdout

@@ -20,6 +20,9 @@ from rerun.experimental import ViewerClient
 
 from tests.places import ROOT
 from vrts.pipeline.assess import assess
+from vrts.pipeline.request import Checks
+from vrts.pipeline.requesting import request_for
+from vrts.pipeline.where import Where
 from vrts.report.recording import write_recording
 from vrts.report.recording.blueprint import blueprint
 from vrts.report.recording.names import of_body
@@ -48,7 +51,9 @@ pytestmark = pytest.mark.skipif(
 
 
 def test_every_view_shows_what_it_should(tmp_path: Path) -> None:
-    a = assess(HITS, task=HITS.parent.parent / "task.toml", curve=True)
+    a = assess(
+        request_for(HITS, Where(task=HITS.parent.parent / "task.toml"), checks=Checks(curve=True))
+    )
     assert a.judgement is not None
     assert a.judgement.collisions is not None
     moment = a.judgement.collisions.contacts[0].deepest_s

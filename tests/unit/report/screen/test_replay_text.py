@@ -8,9 +8,11 @@ import pytest
 from tests.support_saved import busy
 from vrts.engine.run import Run
 from vrts.engine.statements import statements
-from vrts.pipeline.settings import robot_alone
+from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.request import Request
+from vrts.pipeline.scenes import robot_alone
 from vrts.report.screen.replay_text import MOST_STEPS, replay
-from vrts.run_files import simulate
+from vrts.run_files.simulated import simulate
 
 
 @pytest.fixture(scope="module")
@@ -66,7 +68,7 @@ def test_the_process_control_program_is_told_apart(run: Run) -> None:
 
 def test_of_a_loop_only_the_first_steps_of_an_instant_are_told() -> None:
     text = b".PROGRAM main\n  FOR i = 1 TO 30\n    n = i\n    m = i\n  END\n.END\n"
-    found = simulate(text, "main.v2", robot_alone())
+    found = simulate(Request(ProgramFile(text, "main.v2"), robot_alone()))
     assert found.run is not None
     told = [line.text for line in replay(found.run, 0.0, 0.0)]
     assert len(told) == 1 + MOST_STEPS + 1

@@ -7,7 +7,8 @@ import pytest
 from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, error, warning
 from vrts.base.source import SourceFile, Span
 from vrts.base.units import DEG
-from vrts.report.screen.text import diagnostic_text, in_order
+from vrts.report.ordering import in_order
+from vrts.report.screen.text import diagnostic_text
 
 SPEED = Rule("V302", "joint-speed")
 SYNTAX = Rule("V101", "syntax")

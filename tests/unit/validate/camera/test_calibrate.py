@@ -6,7 +6,7 @@ import pytest
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile, Span
 from vrts.base.units import DEG
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 from vrts.validate.camera.calibrate import Calibrated, calibrate
 from vrts.validate.camera.calibration_file import Marked, Picture, read_marked
 from vrts.validate.camera.model import Array, PtzCamera, View

@@ -18,6 +18,8 @@ from tests.unit.validate.camera.test_calibrate import points
 from vrts.base.diagnostic import Diagnostic
 from vrts.engine.run import Run
 from vrts.pipeline.assess import assess
+from vrts.pipeline.request import NO_CHECKS
+from vrts.pipeline.requesting import request_for
 from vrts.report.picture.camera import Camera
 from vrts.report.picture.placing import place_moving
 from vrts.report.picture.projection import project
@@ -64,7 +66,7 @@ def still_camera(view: View) -> Camera:
 
 @pytest.fixture(scope="module")
 def run() -> Run:
-    found = assess(EXAMPLE, judged=False).run
+    found = assess(request_for(EXAMPLE, checks=NO_CHECKS)).run
     assert found is not None
     return found
 

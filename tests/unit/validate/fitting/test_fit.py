@@ -11,7 +11,7 @@ from vrts.base.units import DEG
 from vrts.engine.motion.plan import parameter
 from vrts.engine.motion.profile import Profile
 from vrts.engine.run import Run
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 from vrts.validate.fitted import FittedRobot
 from vrts.validate.fitted_files import fitted_json, fitted_text, lab_file
 from vrts.validate.fitting import fit_robot

@@ -9,7 +9,7 @@ import pytest
 from tests.unit.validate.support import Array, path_run
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.units import DEG, MM
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 from vrts.validate.log.log import RobotLog, read_log
 from vrts.validate.sampling import extent_of, sampled
 

@@ -14,7 +14,7 @@ from vrts.dispatch.transfer.problems import (
     visible,
 )
 from vrts.dispatch.transfer.talk import Answer, At, Says
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 AT_COMMANDS = frozenset({Prompt.READY, Prompt.RUNNING})
 

@@ -12,7 +12,7 @@ from vrts.live.actions import Rewind, Save
 from vrts.live.session.channel.messages import Act, Done, Halt, News, Start
 from vrts.live.session.session import Session
 from vrts.live.session.setting import setting_of
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.setting import Setting
 
 
 class Entry(NamedTuple):

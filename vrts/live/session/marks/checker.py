@@ -31,7 +31,7 @@ from vrts.live.session.session import Session
 from vrts.marking.supervise.forked import ForkedProcess
 from vrts.marking.supervise.limits import Limits
 from vrts.monitor.desk import ALONE
-from vrts.pipeline.settings import Setting
+from vrts.pipeline.setting import Setting
 from vrts.report.page.replay_data import contact_rows, near_rows
 from vrts.scene.model import Scenario
 

@@ -12,7 +12,8 @@ from vrts.assignments.task_folder import read_folder
 from vrts.base.diagnostic import Rule, error
 from vrts.base.zips import packed
 from vrts.pipeline.files import CannotRead, read_bytes
-from vrts.pipeline.settings import Refused, load_task
+from vrts.pipeline.refused import Refused
+from vrts.pipeline.settings import load_task
 
 PUBLIC_TASK = Rule("V750", "task-without-hidden-part")
 

@@ -10,7 +10,7 @@ from vrts.base.diagnostic import Rule, error
 from vrts.marking.exports.autograders.gradescope import to_bytes
 from vrts.marking.exports.given import Given, Options, Product, Returned, returned
 from vrts.marking.exports.steps import FULL, NOTHING
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 from vrts.report.plain import one_line
 
 NO_RUN = Rule("V751", "no-run-of-classroom50")

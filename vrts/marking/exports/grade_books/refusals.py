@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from vrts.base.diagnostic import Rule, error
 from vrts.marking.exports.given import Options, Page
 from vrts.marking.exports.grade_books.sheet import LARGEST
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 NO_SUCH_FILE = Rule("V740", "no-grade-book")
 NO_COLUMN = Rule("V741", "no-column-for-marks")

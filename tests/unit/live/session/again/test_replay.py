@@ -16,6 +16,8 @@ from vrts.live import actions as do
 from vrts.live.session.again.replay import replay
 from vrts.live.session.views.program import as_program
 from vrts.pipeline.assess import assess
+from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.request import Checks, Request
 
 PROGRAM = """\
 .PROGRAM wave()
@@ -91,7 +93,13 @@ def test_a_session_becomes_a_program_that_makes_the_same_motions(tmp_path: Path)
     eventful(driven)
     run = driven.session.run
     text = as_program(run, "lesson")
-    found = assess(text.encode(), setting=driven.session.setting, collisions=False)
+    found = assess(
+        Request(
+            ProgramFile(text.encode(), "program"),
+            driven.session.setting,
+            checks=Checks(collisions=False),
+        )
+    )
     assert not [d for d in found.diagnostics if d.is_error]
     again = found.run
     assert again is not None
@@ -160,7 +168,12 @@ def apart(a: Pose, b: Pose) -> float:
 def test_nothing_done_is_a_program_too(tmp_path: Path) -> None:
     driven = Driven(tmp_path)
     driven.run(0.1)
-    found = assess(as_program(driven.session.run, "idle").encode(), setting=driven.session.setting)
+    found = assess(
+        Request(
+            ProgramFile(as_program(driven.session.run, "idle").encode(), "program"),
+            driven.session.setting,
+        )
+    )
     assert not [d for d in found.diagnostics if d.is_error]
 
 

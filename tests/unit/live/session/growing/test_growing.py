@@ -16,7 +16,7 @@ from vrts.ir.module import Module
 from vrts.lang.compiler import compile_source
 from vrts.live import actions as do
 from vrts.live.session.growing.growing import GrowingRun
-from vrts.pipeline.settings import load_scene
+from vrts.pipeline.scenes import load_scene
 from vrts.scene.model import Scenario
 
 PROGRAM = """\

@@ -13,7 +13,7 @@ from tests.support_exports import DATA, HOSTILE, SECRET, given, hostile, result,
 from vrts.marking.exports.autograders.classroom50 import classroom50, from_environment
 from vrts.marking.exports.given import Given, Options
 from vrts.marking.row import Row
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 SCHEMA = json.loads((DATA / "exports" / "classroom50-result.schema.json").read_text("utf-8"))
 RUN = {

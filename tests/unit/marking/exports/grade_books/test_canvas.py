@@ -12,7 +12,7 @@ from vrts.marking.exports.grade_books.canvas import canvas
 from vrts.marking.exports.numbers import parsed
 from vrts.marking.result import Kind
 from vrts.marking.row import Row, Student
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 BOOK = (
     "Student,ID,SIS User ID,SIS Login ID,Section,Notes,Lab 1 (4711),Lab 2 (4712),"

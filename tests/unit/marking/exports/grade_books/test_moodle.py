@@ -14,7 +14,7 @@ from vrts.marking.exports.grade_books.moodle import moodle
 from vrts.marking.exports.numbers import parsed
 from vrts.marking.result import Kind
 from vrts.marking.row import Row, Student
-from vrts.pipeline.settings import Refused
+from vrts.pipeline.refused import Refused
 
 HEADER = (
     'Identifier,"Full name","Email address",Status,Grade,"Maximum Grade","Grade can be changed",'

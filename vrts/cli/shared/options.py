@@ -1,0 +1,141 @@
+"""Options that mean the same in several commands, each defined once.
+
+What a command says of its own goes into the help text; the order of decorators is that of `--help`.
+"""
+
+from collections.abc import Callable
+from functools import wraps
+from pathlib import Path
+from typing import Any, NamedTuple, TypeAlias, TypeVar
+
+import click
+
+from vrts.pipeline.where import Where
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+Option: TypeAlias = Callable[[Command], Command]
+
+DIALECTS = ("val2", "val2+", "val", "vplus", "as")
+OR_AUTO = ("auto", *DIALECTS)
+
+ALONE = "Name or path of a scene; without it the robot stands alone."
+TASK_OR_ALONE = "Name or path of a scene; without it the task's, or the robot alone."
+IN_RUN = "What happens in the run: a scenario file."
+IN_CELL = "What happens in the cell: a scenario file."
+WITH_FILE = "Compile together with the programs and data of FILE."
+
+
+class Language(NamedTuple):
+    """How programs are to be read, as the options say."""
+
+    others: tuple[str, ...] = ()  # files that are compiled together with the program
+    dialect: str | None = None  # None: not said
+    prec: str | None = None
+    replace: bool = False
+
+    @property
+    def said(self) -> bool:
+        """Whether any of the options is given."""
+        return self != Language()
+
+
+color_option = click.option(
+    "--color",
+    type=click.Choice(["auto", "always", "never"]),
+    default="auto",
+    show_default=True,
+    help="When to use colour; NO_COLOR and FORCE_COLOR are obeyed.",
+)
+
+lab_option = click.option(
+    "--lab",
+    type=click.Path(path_type=Path),
+    help="Lay a lab over the scene: your own arm, table and hand; see `vrts new lab`.",
+)
+
+no_collisions_option = click.option(
+    "--no-collisions", is_flag=True, help="Do not check collisions."
+)
+
+
+def scene_option(says: str = ALONE) -> Option[Any]:
+    """Return `--scene`."""
+    return click.option("--scene", help=says)
+
+
+def task_option(*, packed: bool = False) -> Option[Any]:
+    """Return `--task`; a packed task may be a zip."""
+    says = "Task file, its folder, or a zip." if packed else "Task file, or its folder."
+    return click.option("--task", type=click.Path(path_type=Path), help=says)
+
+
+def scenario_option(says: str = IN_RUN) -> Option[Any]:
+    """Return `--scenario`."""
+    return click.option("--scenario", type=click.Path(path_type=Path), help=says)
+
+
+def entry_option(says: str) -> Option[Any]:
+    """Return `--program`, which names the one that is executed."""
+    return click.option("--program", "entry", help=says)
+
+
+def dialect_option(says: str, *, auto: bool = True, default: str | None = None) -> Option[Any]:
+    """Return `--dialect`, with or without the choice to be told by the file."""
+    choice = click.Choice(OR_AUTO if auto else DIALECTS)
+    if default is None:
+        return click.option("--dialect", type=choice, help=says)
+    return click.option("--dialect", type=choice, default=default, show_default=True, help=says)
+
+
+def with_option(says: str = WITH_FILE) -> Option[Any]:
+    """Return `--with`, which names files that belong to the program."""
+    return click.option("--with", "others", metavar="FILE", multiple=True, help=says)
+
+
+def engine_option(says: str = "What measures distances.") -> Option[Any]:
+    """Return `--engine`."""
+    return click.option("--engine", type=click.Choice(["coal", "fcl"]), help=says)
+
+
+def form_option(*forms: str) -> Option[Any]:
+    """Return `--format`, without a word of help; the first form is the default."""
+    return click.option("--format", "form", type=click.Choice(forms), default=forms[0])
+
+
+def file_option(*names: str, **attributes: Any) -> Option[Any]:
+    """Return an option that takes the path of a file or folder."""
+    return click.option(*names, type=click.Path(path_type=Path), **attributes)
+
+
+def placed(function: Command) -> Command:
+    """Give a command one `where` for what `--scene`, `--task`, `--scenario` and `--lab` say."""
+
+    @wraps(function)
+    def wrapped(*args: Any, **kwargs: Any) -> Any:
+        where = Where(*(kwargs.pop(name, None) for name in Where._fields))
+        return function(*args, where=where, **kwargs)
+
+    return wrapped  # type: ignore[return-value]
+
+
+def language_options(function: Command) -> Command:
+    """Add the options that say how programs are read; the command takes one `language`."""
+
+    @wraps(function)
+    def wrapped(*args: Any, **kwargs: Any) -> Any:
+        language = Language(*(kwargs.pop(name) for name in Language._fields))
+        return function(*args, language=language, **kwargs)
+
+    command: Any = wrapped
+    for option in (
+        click.option("--replace", is_flag=True, help="A program that comes again replaces."),
+        click.option(
+            "--prec",
+            type=click.Choice(["A", "B"]),
+            help="How operators bind: A as in VAL-II, B as in AS; otherwise as the dialect has it.",
+        ),
+        dialect_option("Language of the family; auto looks at file name and content."),
+        with_option(),
+    ):
+        command = option(command)
+    return command

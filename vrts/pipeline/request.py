@@ -1,0 +1,35 @@
+"""What is asked for: one program, how it is read, where it runs, and what is to be found out."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from vrts.pipeline.reading import STRICT, ProgramFile, Reading
+from vrts.pipeline.setting import Setting
+from vrts.scene.model import Limits
+
+
+class Checks(NamedTuple):
+    """What is to be found out about a run."""
+
+    judged: bool = True  # whether to check and mark at all
+    collisions: bool = True
+    engine: str | None = None  # that measures distances; None: the most exact there is
+    curve: bool = False  # whether to sample the clearance over time, for charts
+
+
+ALL_CHECKS = Checks()
+NO_CHECKS = Checks(judged=False)
+
+
+class Request(NamedTuple):
+    """One program and everything that its assessment depends on; and who is told of its stages."""
+
+    program: ProgramFile
+    setting: Setting
+    reading: Reading = STRICT
+    entry: str | None = None  # program to execute; None: the task's, else the first
+    checks: Checks = ALL_CHECKS
+    identifier: str = "program"  # safe for file names
+    title: str | None = None  # as reports show it; None: the name of the program
+    limits: Limits | None = None  # of its run; None: those of scenario and task
+    step_done: Callable[[str], None] = lambda _: None  # told the name of every stage that is done

@@ -1,0 +1,75 @@
+"""Settings without a task: a scene with its lab and scenario, or a robot alone."""
+
+import hashlib
+from dataclasses import replace
+from pathlib import Path
+
+from vrts.ir.system import PARAMETERS
+from vrts.pipeline.files import find_scene, read_toml_source
+from vrts.pipeline.setting import Setting, accepted
+from vrts.pipeline.where import Where
+from vrts.scene.default import robot_alone as scene_of_robot
+from vrts.scene.reading.scenario_file import read_scenario
+from vrts.scene.reading.scene_file import read_scene, read_scene_in_lab
+
+
+def robot_alone() -> Setting:
+    """Return the scene of a robot by itself."""
+    return Setting(scene_of_robot(), None, ())
+
+
+def load_scene(
+    name: str, beside: Path | None = None, home: Path | None = None, lab: Path | None = None
+) -> Setting:
+    """Return a scene without a task, with a lab laid over it if one is given.
+
+    Args:
+        name: A path, or a name of the library.
+        beside: Folder to look in first.
+        home: As for `read_toml_source`.
+        lab: File of a lab.
+
+    Raises:
+        CannotRead: There is no such scene or lab.
+        Refused: One of the files has errors.
+    """
+    path = find_scene(name, beside)
+    source = read_toml_source(path, home)
+    if lab is None:
+        scene, found = read_scene(source, path.parent)
+    else:
+        laid = read_toml_source(lab, home)
+        scene, found, source = read_scene_in_lab(source, laid, path.parent, lab.parent)
+    return Setting(accepted(scene, found), None, found, scene_source=source)
+
+
+def with_scenario(setting: Setting, path: Path, home: Path | None = None) -> Setting:
+    """Return a setting in which runs go as a scenario file says; `home` as for `load_task`.
+
+    Raises:
+        CannotRead: The file is not there.
+        Refused: It has errors.
+    """
+    numbers = PARAMETERS.keys() - {"NEST.POS"}  # which is six of them
+    scenario, found = read_scenario(read_toml_source(path, home), setting.scene, sorted(numbers))
+    file = accepted(scenario, found)
+    task = setting.task
+    if task is not None:
+        both = hashlib.sha256(f"{task.digest} {file.digest}".encode()).hexdigest()
+        task = replace(task, digest=both)
+    return replace(setting, task=task, diagnostics=(*setting.diagnostics, *found), scenario=file)
+
+
+def free_setting(where: Where, beside: Path | None = None) -> Setting:
+    """Return the scene that is asked for, or a robot alone, with its scenario; never a task.
+
+    Args:
+        where: Names of scene, lab and scenario.
+        beside: Folder to look for the scene in first.
+
+    Raises:
+        CannotRead: One of the files is not there.
+        Refused: One of them has errors.
+    """
+    setting = load_scene(where.scene, beside, lab=where.lab) if where.scene else robot_alone()
+    return setting if where.scenario is None else with_scenario(setting, where.scenario)

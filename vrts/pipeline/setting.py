@@ -1,0 +1,52 @@
+"""What a program is verified in: scene, task and scenario, read and found right."""
+
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import SourceFile
+from vrts.check.task.task import Task
+from vrts.pipeline.refused import Refused
+from vrts.scene.model import Scenario, Scene
+from vrts.scene.reading.scenario_file import ScenarioFile
+
+Value = TypeVar("Value")
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A scene, and the task and scenario set in it if there are, read and found right.
+
+    Where a task has a scenario, the digest of the task covers both: marks are valid for this
+    scenario only, as they are for this scene only.
+    """
+
+    scene: Scene
+    task: Task | None
+    diagnostics: tuple[Diagnostic, ...]  # warnings
+    scenario: ScenarioFile | None = None
+    scene_source: SourceFile | None = None  # None: a robot alone
+    stamps: tuple[Diagnostic, ...] = ()  # why marks do not count; part of every assessment
+    hidden: int = 0  # checks that are in `task` for marking only
+    more: int = 0  # checks that are not in `task` but will be at marking
+    variants: tuple["Setting", ...] = ()  # the task in hidden scenes; the lowest mark counts
+
+
+def scenario_of(setting: Setting) -> Scenario:
+    """Return the scenario of a run: where there is a task, it is stopped at its longest time."""
+    scenario = Scenario() if setting.scenario is None else setting.scenario.scenario
+    if setting.task is None:
+        return scenario
+    limits = replace(scenario.limits, time_s=min(scenario.limits.time_s, setting.task.t_max))
+    return replace(scenario, limits=limits)
+
+
+def accepted(value: Value | None, found: tuple[Diagnostic, ...]) -> Value:
+    """Return what was read from a file, if it could be.
+
+    Raises:
+        Refused: It could not; what was found says why.
+    """
+    if value is None:
+        raise Refused(found)
+    return value
