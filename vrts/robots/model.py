@@ -72,33 +72,26 @@ class Gripper:
     overlap_min: float  # a grasp needs this much overlap of object and pad [m]
 
 
-@dataclass(frozen=True, slots=True)
-class SphericalWristArm:
-    """A six-axis arm of the PUMA family: standard DH rows (alpha, a, d) with VAL's joint angles.
-
-    Rows: (-90, 0, 0), (0, a2, d2), (+90, a3, 0), (-90, 0, d4), (+90, 0, 0), (0, 0, d6). Base frame
-    B: origin where the axes of joints 1 and 2 meet level, z up.
-    """
+@dataclass(frozen=True)
+class Named:
+    """What an arm is called."""
 
     name: str  # "puma761"
     title: str  # "Unimation PUMA 761"
+
+
+@dataclass(frozen=True)
+class SphericalWristGeometry(Named):
+    """Standard DH rows (alpha, a, d) of the PUMA family, with VAL's joint angles.
+
+    Rows: (-90, 0, 0), (0, a2, d2), (+90, a3, 0), (-90, 0, d4), (+90, 0, 0), (0, 0, d6).
+    """
+
     a2: float  # [m]
     a3: float  # [m]
     d2: float  # [m]
     d4: float  # [m]
     d6: float  # [m]
-    shoulder_height: float  # of B above the floor [m]
-    lower: Configuration  # joint limits [rad]
-    upper: Configuration  # [rad]
-    speed: Configuration  # largest joint speeds [rad/s]
-    ready: Configuration  # [rad]
-    linear_speed: float  # straight lines at SPEED 100 [m/s]
-    angular_speed: float  # straight lines at SPEED 100 [rad/s]
-    acceleration_time: float  # of every motion [s]
-    tick: float  # trajectory generator [s]
-    links: tuple[Link, ...]  # joint 0 to 6
-    skipped_pairs: frozenset[frozenset[str]]  # link names never tested against each other
-    blend_time: float | None = None  # of a rounded corner [s]; None: twice the acceleration time
 
     @property
     def X_LF(self) -> Pose:
@@ -106,17 +99,18 @@ class SphericalWristArm:
         return translation(0.0, 0.0, self.d6)
 
 
-@dataclass(frozen=True, slots=True)
-class SerialArm:
-    """Any arm of six turning joints, one behind the other; it has no arm branches.
+@dataclass(frozen=True)
+class SerialGeometry(Named):
+    """Six turning joints, one behind the other: joint k turns L_k about its own z axis."""
 
-    Joint k turns L_k about its own z axis. Base frame B: z up.
-    """
-
-    name: str  # "ur5"
-    title: str  # "Universal Robots UR5"
     joints: tuple[Pose, ...]  # six: of L_k in L_(k-1) with joint k at zero; L_0 is B
     X_LF: Pose  # the flange in L_6
+
+
+@dataclass(frozen=True)
+class ArmData(Named):
+    """What is known of every arm alike: limits, speeds, shape."""
+
     shoulder_height: float  # of B above the floor [m]
     lower: Configuration  # joint limits [rad]
     upper: Configuration  # [rad]
@@ -129,6 +123,23 @@ class SerialArm:
     links: tuple[Link, ...]  # joint 0 to 6
     skipped_pairs: frozenset[frozenset[str]]  # link names never tested against each other
     blend_time: float | None = None  # of a rounded corner [s]; None: twice the acceleration time
+
+
+# The order of the bases gives that of the fields: name, geometry, the rest. Bundles hold a digest
+# of an arm, field by field.
+
+
+@dataclass(frozen=True, slots=True)
+class SphericalWristArm(ArmData, SphericalWristGeometry):
+    """A six-axis arm of the PUMA family.
+
+    Base frame B: origin where the axes of joints 1 and 2 meet level, z up.
+    """
+
+
+@dataclass(frozen=True, slots=True)
+class SerialArm(ArmData, SerialGeometry):
+    """Any arm of six turning joints; it has no arm branches. Base frame B: z up."""
 
 
 Arm: TypeAlias = SphericalWristArm | SerialArm
