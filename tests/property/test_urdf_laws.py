@@ -11,9 +11,10 @@ from vrts.base.pose import distance
 from vrts.robots.kinematics.branch import INITIAL_BRANCH
 from vrts.robots.kinematics.kinematics import forward, limit_violations, solve
 from vrts.robots.model import Configuration, SerialArm
+from vrts.robots.urdf.description import Description, UrdfFault
+from vrts.robots.urdf.reader import read_urdf
 from vrts.robots.urdf.serial_robot import Manner, serial_robot
 from vrts.robots.urdf.stl import stl_points
-from vrts.robots.urdf.urdf import Description, UrdfFault, read_urdf
 
 ARM = (ROOT / "scenes" / "one-can-urdf" / "arm.urdf").read_bytes()
 READY: Configuration = (0.0, 0.0, 0.0, 0.0, math.pi / 2, 0.0)

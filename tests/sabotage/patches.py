@@ -336,7 +336,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "the axes of described joints are their x axes",
-        "vrts/robots/urdf/urdf.py",
+        "vrts/robots/urdf/frames.py",
         "align = Pose(_from_z(joint.axis), (0.0, 0.0, 0.0))",
         "align = Pose(_from_z(X_AXIS), (0.0, 0.0, 0.0))",
         (ROBOTS, "tests/oracle/test_kinematics_oracle.py"),

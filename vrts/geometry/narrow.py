@@ -7,8 +7,6 @@ be imported; where it has no wheel, python-fcl answers.
 from functools import cache
 from importlib.util import find_spec
 
-import numpy as np
-
 from vrts.base.pose import Pose
 from vrts.geometry.nearest import Array, Engine, Nearest, Pair, Transform
 from vrts.geometry.shapes import Piece, Shape
@@ -27,12 +25,12 @@ def engine(name: str | None = None) -> Engine:
     if name is None:
         name = COAL if find_spec("coal") is not None else FCL
     if name == COAL:
-        from vrts.geometry import first
+        from vrts.geometry import first  # coal: optional, no wheel for Windows
 
-        return Engine(first.NAME, first.ERROR, first.pair, first.transform)
-    from vrts.geometry import second
+        return Engine(first.NAME, first.ERROR, first.pair, first.transform, first.placed)
+    from vrts.geometry import second  # fcl: only where there is no coal, or it is asked for
 
-    return Engine(second.NAME, second.ERROR, second.pair, second.transform)
+    return Engine(second.NAME, second.ERROR, second.pair, second.transform, second.placed)
 
 
 def pair(first: Shape, second: Shape) -> Pair:
@@ -47,17 +45,15 @@ def transform(rotation: Array, translation: Array) -> Transform:
 
 def nearest(first: Piece, X_WA: Pose, second: Piece, X_WB: Pose) -> Nearest:
     """Return the signed distance of two pieces of bodies A and B, and its points in W."""
-    return pair(first.shape, second.shape).nearest(
-        _placed(X_WA @ first.X_OP), _placed(X_WB @ second.X_OP)
+    asked = engine()
+    return asked.pair(first.shape, second.shape).nearest(
+        asked.placed(X_WA @ first.X_OP), asked.placed(X_WB @ second.X_OP)
     )
 
 
 def distance(first: Piece, X_WA: Pose, second: Piece, X_WB: Pose) -> float:
     """Return the signed distance [m] of two pieces of bodies A and B."""
-    return pair(first.shape, second.shape).distance(
-        _placed(X_WA @ first.X_OP), _placed(X_WB @ second.X_OP)
+    asked = engine()
+    return asked.pair(first.shape, second.shape).distance(
+        asked.placed(X_WA @ first.X_OP), asked.placed(X_WB @ second.X_OP)
     )
-
-
-def _placed(X_WP: Pose) -> Transform:
-    return transform(np.array(X_WP.rotation).reshape(3, 3), np.array(X_WP.translation))

@@ -1,15 +1,16 @@
 """The answer of a distance query, and what can be asked of an engine."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeAlias
 
-import numpy as np
-import numpy.typing as npt
-
-from vrts.base.pose import Vector
+from vrts.base.pose import Pose, Vector
 from vrts.geometry.shapes import Shape
 
-Array: TypeAlias = npt.NDArray[np.float64]
+if TYPE_CHECKING:  # numpy is loaded with an engine, at the first question
+    import numpy as np
+    import numpy.typing as npt
+
+Array: TypeAlias = "npt.NDArray[np.float64]"
 
 Transform: TypeAlias = Any  # a placement in the form of the engine that made it
 
@@ -47,3 +48,4 @@ class Engine(NamedTuple):
     error: float  # [m] largest error of a distance
     pair: Callable[[Shape, Shape], Pair]
     transform: Callable[[Array, Array], Transform]  # of a rotation (3, 3), an origin (3,) [m]
+    placed: Callable[[Pose], Transform]

@@ -6,10 +6,10 @@ what they leave open.
 
 import math
 from collections.abc import Sequence
-from importlib.util import find_spec
 from typing import NamedTuple
 
 from vrts.base.pose import Pose, translation
+from vrts.geometry.narrow import distance
 from vrts.geometry.shapes import Piece
 from vrts.geometry.support import Bounds, bounds
 from vrts.robots.kinematics.kinematics import link_poses
@@ -79,7 +79,7 @@ def clearance(first: Placed, second: Placed, beyond: float = math.inf) -> float:
             if apart > min(beyond, least):
                 least = min(least, apart)
             else:
-                least = min(least, _distance(a, first.X_WO, b, second.X_WO))
+                least = min(least, distance(a, first.X_WO, b, second.X_WO))
     return least
 
 
@@ -90,7 +90,7 @@ def overlap_is_within(first: Placed, second: Placed, tolerance: float) -> bool:
         for b in second.pieces:
             if _apart(box_a, bounds((b,), second.X_WO)) >= -tolerance:
                 continue  # the boxes alone show it: the depth is the least overlap in a direction
-            if _distance(a, first.X_WO, b, second.X_WO) < -tolerance:
+            if distance(a, first.X_WO, b, second.X_WO) < -tolerance:
                 return False
     return True
 
@@ -113,11 +113,3 @@ def _apart(a: Bounds, b: Bounds) -> float:
     gaps = [max(b.lower[axis] - a.upper[axis], a.lower[axis] - b.upper[axis]) for axis in range(3)]
     open_gaps = [gap for gap in gaps if gap > 0.0]
     return math.hypot(*open_gaps) if open_gaps else max(gaps)
-
-
-def _distance(a: Piece, X_WA: Pose, b: Piece, X_WB: Pose) -> float:
-    if find_spec("coal") is not None:
-        from vrts.geometry.narrow import distance
-    else:
-        from vrts.geometry.second import distance
-    return distance(a, X_WA, b, X_WB)

@@ -2,6 +2,8 @@
 
 import gc
 import math
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -60,3 +62,12 @@ def test_a_pair_outlives_the_cache_of_its_solids() -> None:
 
 def test_equal_shapes_share_a_pair() -> None:
     assert pair(BOX, Box((0.1, 0.1, 0.1))) is pair(BOX, BOX)
+
+
+def test_nothing_heavy_is_loaded_before_the_first_question() -> None:
+    asks = "import sys, vrts.geometry.narrow, vrts.scene.reading.scene_file\n"
+    says = "print([m for m in ('numpy', 'coal', 'fcl', 'pinocchio') if m in sys.modules])"
+    done = subprocess.run(
+        [sys.executable, "-c", asks + says], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == "[]\n"

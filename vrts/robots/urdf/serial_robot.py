@@ -8,18 +8,20 @@ from typing import NamedTuple, cast
 
 from vrts.base.pose import Pose, translation
 from vrts.base.units import MM
+from vrts.geometry.narrow import distance
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
 from vrts.geometry.support import bounds
 from vrts.robots.arms.gripper import TWO_FINGERS
 from vrts.robots.kinematics.chain import link_poses
 from vrts.robots.kinematics.limits import limit_violations
 from vrts.robots.model import Configuration, Link, Robot, SerialArm
-from vrts.robots.urdf.urdf import Description, Part, Shape, UrdfFault
+from vrts.robots.urdf.description import (
+    Description,
+    Part,
+    Shape,
+    UrdfFault,
+)
 
-MESH_TOLERANCE = 1e-3  # [m] by which a mesh may stand out of the hull that stands for it
-THINNEST = 1e-4  # [m] of a mesh
-GRID = 1e-5  # [m] to which corners of meshes are rounded, so that doubled corners are one
-BALL_POINTS = 120  # of the hull round a sphere
 COLUMN_RADIUS = 90 * MM  # of the column under an arm that stands above the floor [assumed]
 PLATE = (60 * MM, 5 * MM)  # radius and thickness of a base nothing is known of [assumed]
 
@@ -117,35 +119,16 @@ def _piece(shape: Shape, mesh: Callable[[str], bytes]) -> Piece:
         case "cylinder":
             radius, length = shape.size
             return Piece(Cylinder(radius, length / 2), shape.X_LP)
-        case "sphere":
-            return Piece(_ball(shape.size[0]), shape.X_LP)
         case _:
-            return Piece(_mesh_hull(shape, mesh(shape.file)), shape.X_LP)
+            return Piece(_hull(shape, mesh), shape.X_LP)
 
 
-def _ball(radius: float) -> Hull:
-    """Return a polyhedron round a sphere."""
-    from vrts.geometry.thin import sphere  # numpy: only where a description is read
+def _hull(shape: Shape, mesh: Callable[[str], bytes]) -> Hull:
+    from vrts.robots.urdf import hulls  # loads numpy, which runs with other robots do without
 
-    directions = sphere(BALL_POINTS)
-    inside = float((directions @ sphere(4 * BALL_POINTS).T).max(axis=0).min())
-    return Hull(tuple((x, y, z) for x, y, z in (directions * (radius / inside)).tolist()))
-
-
-def _mesh_hull(shape: Shape, data: bytes) -> Hull:
-    import numpy as np
-
-    from vrts.geometry.thin import thinned
-    from vrts.robots.urdf.stl import stl_points
-
-    points = stl_points(data)
-    if points is None:
-        raise UrdfFault(f"mesh `{shape.file}` is not STL", shape.line)
-    points = np.unique(np.round(points * np.array(shape.size) / GRID) * GRID, axis=0)
-    spread = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2]
-    if min(float(np.ptp(points @ axis)) for axis in spread) < THINNEST:
-        raise UrdfFault(f"mesh `{shape.file}` is flat", shape.line)
-    return Hull(tuple((x, y, z) for x, y, z in thinned(points, MESH_TOLERANCE).tolist()))
+    if shape.kind == "sphere":
+        return hulls.ball(shape.size[0])
+    return hulls.mesh_hull(shape, mesh(shape.file))
 
 
 def _with_skipped_pairs(arm: SerialArm) -> SerialArm:
@@ -164,6 +147,4 @@ def _meet(first: Link, X_BA: Pose, second: Link, X_BB: Pose) -> bool:
     a, b = bounds(first.pieces, X_BA), bounds(second.pieces, X_BB)
     if any(a.lower[k] > b.upper[k] or b.lower[k] > a.upper[k] for k in range(3)):
         return False
-    from vrts.geometry.narrow import distance  # coal: only where boxes overlap
-
     return any(distance(p, X_BA, q, X_BB) <= 0.0 for p in first.pieces for q in second.pieces)

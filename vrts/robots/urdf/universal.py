@@ -9,8 +9,9 @@ from pathlib import Path
 from vrts.base.units import DEG, MM
 from vrts.robots.arms.primitives import degrees
 from vrts.robots.model import Robot
+from vrts.robots.urdf.description import UrdfFault
+from vrts.robots.urdf.reader import read_urdf
 from vrts.robots.urdf.serial_robot import Manner, serial_robot
-from vrts.robots.urdf.urdf import UrdfFault, read_urdf
 
 WHEEL = "example-robot-data"
 SHARE = "cmeel.prefix/share"
@@ -48,7 +49,8 @@ def robot(name: str) -> Robot:
         KeyError: None of these has that name.
         WheelMissing: Its description is not installed, or not of the version this was made for.
     """
-    from importlib.metadata import PackageNotFoundError, distribution  # slow to load
+    # slow to load, and asked only for a robot of the wheel, which Windows does not have
+    from importlib.metadata import PackageNotFoundError, distribution
 
     manner = _MANNERS[name]
     try:

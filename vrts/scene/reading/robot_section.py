@@ -12,8 +12,9 @@ from vrts.base.toml.reading import Table
 from vrts.base.units import DEG, MM, deg
 from vrts.robots.catalog import WheelMissing, names, robot
 from vrts.robots.model import Arm, Configuration, Gripper, Robot
+from vrts.robots.urdf.description import UrdfFault
+from vrts.robots.urdf.reader import read_urdf
 from vrts.robots.urdf.serial_robot import Manner, serial_robot
-from vrts.robots.urdf.urdf import UrdfFault, read_urdf
 from vrts.scene.reading.files import FileFault, SceneFolder
 
 ROBOT_FILE = Rule("V421", "robot-file")

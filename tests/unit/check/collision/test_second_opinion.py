@@ -10,7 +10,7 @@ from vrts.check.collision.pairs.pairs import plan
 from vrts.check.collision.second_opinion import Witness, disagreements
 from vrts.check.curves.timeline_arrays import curves
 from vrts.geometry.narrow import engine
-from vrts.geometry.nearest import Array, Engine, Transform
+from vrts.geometry.nearest import Array, Transform
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -30,7 +30,7 @@ def test_a_second_engine_that_measures_otherwise_is_quoted() -> None:
 
     ours = Prober(case.scene.robot.arm, motion, todo.solids, engine("coal"))
     wrong = Prober(
-        case.scene.robot.arm, motion, todo.solids, Engine("wrong", fcl.error, fcl.pair, shrunk)
+        case.scene.robot.arm, motion, todo.solids, fcl._replace(name="wrong", transform=shrunk)
     )
     right = Prober(case.scene.robot.arm, motion, todo.solids, fcl)
     count = len(todo.pairs.first)

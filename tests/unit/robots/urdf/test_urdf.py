@@ -10,9 +10,10 @@ from vrts.base.pose import Pose, rotation_angle
 from vrts.geometry.shapes import Box, Cylinder, Hull
 from vrts.robots.kinematics.kinematics import forward
 from vrts.robots.model import Configuration
+from vrts.robots.urdf.description import UrdfFault
+from vrts.robots.urdf.reader import read_urdf
 from vrts.robots.urdf.serial_robot import Manner, serial_robot
 from vrts.robots.urdf.stl import stl_points
-from vrts.robots.urdf.urdf import UrdfFault, read_urdf
 from vrts.robots.urdf.xml_tree import MOST_DEPTH, MOST_ELEMENTS, XmlFault, read_xml
 
 ARM = ROOT / "scenes" / "one-can-urdf" / "arm.urdf"
