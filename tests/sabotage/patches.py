@@ -546,7 +546,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "reactions ignore priorities",
-        "vrts/engine/machine/execution.py",
+        "vrts/engine/machine/reacting.py",
         "            and watch.priority > c.priority\n",
         "",
         (ENGINE,),
@@ -588,7 +588,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "an error lets the motion finish",
-        "vrts/engine/machine/machine.py",
+        "vrts/engine/machine/ending.py",
         "if ending in (Ending.ERROR, Ending.LIMIT, Ending.ABORTED):",
         "if ending in (Ending.LIMIT, Ending.ABORTED):",
         (ENGINE,),
@@ -913,9 +913,9 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "where a program rests at a command is forgotten",
-        "vrts/engine/machine/machine.py",
-        "                rest(c, self.finished)\n",
-        "                pass\n",
+        "vrts/engine/machine/due.py",
+        "            rest(c, machine.finished)\n",
+        "            pass\n",
         ("tests/unit/engine/test_forked.py",),
     ),
     Patch(

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from vrts.base.stack import deep_stack
 from vrts.engine.code.executable import Executable
 from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.schedule import has_work
+from vrts.engine.machine.tick import run_until, settle
 from vrts.engine.run import OutOfHorizon, Run
 from vrts.ir.commands import Command, Execute, TimedCommand
 from vrts.ir.module import Module
@@ -66,7 +68,7 @@ def truncate(run: Run, time_s: float) -> Run:
     machine = kept[-1].copy()
     machine.closed = False
     machine.know(tuple(c for c in run.machine.issued if c.time_s <= time_s))
-    machine.advance(time_s)
+    run_until(machine, time_s)
     return Run(machine, time_s, tuple(kept))
 
 
@@ -144,9 +146,9 @@ class Controller:
         machine.issue(tuple(self._waiting))
         self._waiting = []
         begin = self.run.until_s
-        machine.advance(begin + most_s, stop_when_idle=True)
+        run_until(machine, begin + most_s, stop_when_idle=True)
         reached = min(max(machine.now, machine.ended_s or 0.0, begin), begin + most_s)
-        machine.settle(reached)
+        settle(machine, reached)
         self.run = Run(machine, reached, (*self.run.checkpoints, machine.copy()))
         return self.run
 
@@ -163,15 +165,15 @@ def _grown(
     kept = list(checkpoints)
     step = _spacing(kept)
     boundary = (math.floor(from_s / step) + 1) * step
-    while boundary < until_s and machine.has_work():
-        machine.advance(boundary)
+    while boundary < until_s and has_work(machine):
+        run_until(machine, boundary)
         if _worth(machine, kept[-1]):
             kept.append(machine.copy())
         if len(kept) > MOST_CHECKPOINTS:
             kept = [kept[0], *kept[2::2]]
             step *= 2.0
         boundary = (math.floor(boundary / step) + 1) * step
-    machine.advance(until_s)
+    run_until(machine, until_s)
     return Run(machine, until_s, tuple(kept))
 
 

@@ -8,8 +8,9 @@ from array import array
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
+from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.cells import Bound, Cell
 from vrts.engine.memory.event_log import EventLog
 from vrts.engine.memory.events import Cause
@@ -23,9 +24,6 @@ from vrts.ir.commands import TimedCommand
 from vrts.ir.module import Module, Program
 from vrts.robots.model import Configuration
 from vrts.scene.model import Scenario, Scene
-
-if TYPE_CHECKING:
-    from vrts.engine.machine.machine import Machine
 
 
 class Code(NamedTuple):
@@ -111,7 +109,7 @@ class History:
         return self.ticks[k] * self.tick_s if finished > 0 and k < len(self.ticks) else 0.0
 
 
-def history_of(machine: "Machine") -> History:
+def history_of(machine: Machine) -> History:
     """Return what a machine knows. Nobody may change the machine afterwards."""
     system = machine.system
     programs, planner, hand = system.programs, system.planner, system.hand
@@ -144,7 +142,7 @@ def history_of(machine: "Machine") -> History:
     )
 
 
-def _program(machine: "Machine", c: Context) -> ProgramHistory:
+def _program(machine: Machine, c: Context) -> ProgramHistory:
     return ProgramHistory(
         c.is_robot,
         c.trace,

@@ -2,7 +2,7 @@
 
 from bisect import bisect_right
 from collections.abc import Hashable, Iterator, Mapping
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
 
 from vrts.base.pose import IDENTITY, Pose
 from vrts.base.source import Span
@@ -32,14 +32,12 @@ from vrts.engine.memory.records import (
     pose_of,
 )
 from vrts.engine.memory.trace import Activation
+from vrts.engine.record import Record
 from vrts.ir.module import Module
 from vrts.ir.system import SWITCHES
 from vrts.ir.values import Value
 from vrts.robots.kinematics.kinematics import forward
 from vrts.robots.model import Configuration
-
-if TYPE_CHECKING:
-    from vrts.engine.run import Run
 
 E = TypeVar("E", bound=Event)
 
@@ -52,7 +50,7 @@ class State:
 
     __slots__ = ("_finished", "_run", "_within", "time_s")
 
-    def __init__(self, run: "Run", time_s: float, finished: int | None) -> None:
+    def __init__(self, run: Record, time_s: float, finished: int | None) -> None:
         """Remember the run and the instant; None is after all that happened in its tick."""
         self._run = run
         self._finished = self._within = finished

@@ -6,7 +6,7 @@ constant speed. Objects attach as they lie at the instant the opening equals the
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.pose import Pose
@@ -26,14 +26,12 @@ from vrts.engine.memory.events import (
 )
 from vrts.engine.memory.log import Log
 from vrts.engine.memory.records import GRAVITY, Lie, Placement
+from vrts.engine.motion.planner import Planner
 from vrts.engine.timeline import Stroke, stroke_at
 from vrts.ir.instructions import HandAction
 from vrts.robots.kinematics.kinematics import forward
 from vrts.robots.model import Gripper
 from vrts.scene.model import Mobility, Scene
-
-if TYPE_CHECKING:
-    from vrts.engine.motion.planner import Planner
 
 CLOSED_ON_NOTHING = Rule("V310", "nothing-grasped")
 OFF_CENTRE = Rule("V311", "off-centre")

@@ -5,93 +5,51 @@ passed; then a later one is kept. A loop that reads a clock or random numbers, o
 still to change may end, is never called endless.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
-
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
+from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.schedule import signals_to_come
+from vrts.engine.machine.watcher import Arm, Kept
 from vrts.engine.memory.cells import Cell, Content
 from vrts.engine.memory.records import Lie, Placement
+from vrts.engine.programs.context import Context
 from vrts.engine.programs.cycles import place
-from vrts.robots.model import Configuration
-
-if TYPE_CHECKING:
-    from vrts.engine.machine.machine import Machine
-    from vrts.engine.programs.context import Context
 
 ENDLESS = Rule("V503", "endless-loop")
 
-FIRST_LOOK = 20  # ticks that are executed before a state is kept
+MOST_LOOKED_AT = 5000  # statements that are gone through for the steps of a loop
 
 
-class Arm(NamedTuple):
-    """Where the arm is on its way, apart from when."""
-
-    since_start: int  # ticks since the motion under way began; -1 at rest
-    start: Configuration
-    goal: Configuration
-    pending: Configuration | None
-    opening: float
-
-
-class Kept(NamedTuple):
-    """The state of a machine, apart from the time."""
-
-    places: tuple[object, ...]  # cheap to compare: where the programs are
-    arm: Arm
-    values: tuple[Content, ...]
-    signals: frozenset[int]
-    switches: tuple[tuple[str, bool], ...]
-    objects: tuple[object, ...]
-    clock_reads: int
-    time_s: float
-    finished: int
-
-
-class Watcher:
-    """Looks at the state of a machine after each tick that was run."""
-
-    __slots__ = ("_kept", "_left", "_power", "_witness")
-
-    def __init__(self) -> None:
-        """Start with nothing kept."""
-        self._kept: Kept | None = None
-        self._power = FIRST_LOOK
-        self._left = FIRST_LOOK
-        self._witness: tuple[Cell, Content] | None = None  # a cell, and its value that is kept
-
-    def copy(self) -> "Watcher":
-        """Return an independent copy."""
-        other = Watcher()
-        other._kept, other._power, other._left = self._kept, self._power, self._left
-        return other
-
-    def look(self, machine: "Machine", now: float) -> Diagnostic | None:
-        """Return a diagnostic when the robot program repeats its state."""
-        if machine.signals_to_come():
-            self._kept, self._left = None, self._power
-            return None
-        kept = self._kept
-        if kept is not None and self._may_repeat(machine, kept):
-            if _state(machine, now)[:6] == kept[:6]:
-                return _endless(machine, kept, now)
-            self._witness = _difference(machine, kept)
-        self._left -= 1
-        if self._left <= 0:
-            self._power *= 2
-            self._left = self._power
-            self._kept, self._witness = _state(machine, now), None
+def look(machine: Machine, now: float) -> Diagnostic | None:
+    """Return a diagnostic when the robot program repeats its state; ask after every tick run."""
+    watcher = machine.watcher
+    if signals_to_come(machine):
+        watcher.kept, watcher.left = None, watcher.power
         return None
+    kept = watcher.kept
+    if kept is not None and _may_repeat(machine, kept):
+        if _state(machine, now)[:6] == kept[:6]:
+            return _endless(machine, kept, now)
+        watcher.witness = _difference(machine, kept)
+    watcher.left -= 1
+    if watcher.left <= 0:
+        watcher.power *= 2
+        watcher.left = watcher.power
+        watcher.kept, watcher.witness = _state(machine, now), None
+    return None
 
-    def _may_repeat(self, machine: "Machine", kept: Kept) -> bool:
-        """Return whether a quick look finds no difference to a state that was kept."""
-        return (
-            kept.clock_reads == machine.system.clock_reads
-            and kept.finished < machine.finished
-            and kept.places == (_place(machine.robot), _place(machine.process))
-            and (self._witness is None or self._witness[0].value == self._witness[1])
-        )
+
+def _may_repeat(machine: Machine, kept: Kept) -> bool:
+    """Return whether a quick look finds no difference to a state that was kept."""
+    witness = machine.watcher.witness
+    return (
+        kept.clock_reads == machine.system.clock_reads
+        and kept.finished < machine.finished
+        and kept.places == (_place(machine.robot), _place(machine.process))
+        and (witness is None or witness[0].value == witness[1])
+    )
 
 
-def _difference(machine: "Machine", kept: Kept) -> tuple[Cell, Content] | None:
+def _difference(machine: Machine, kept: Kept) -> tuple[Cell, Content] | None:
     """Return a variable that has changed, most likely not for the last time, and what it was."""
     for cell, value in zip(machine.system.memory.cells(), kept.values, strict=False):
         if cell.value != value:
@@ -99,11 +57,11 @@ def _difference(machine: "Machine", kept: Kept) -> tuple[Cell, Content] | None:
     return None
 
 
-def _place(c: "Context") -> tuple[object, ...]:
+def _place(c: Context) -> tuple[object, ...]:
     return (c.ending, c.phase, c.priority, tuple((f.program, f.index, f.kind) for f in c.frames))
 
 
-def _state(machine: "Machine", now: float) -> Kept:
+def _state(machine: Machine, now: float) -> Kept:
     system, robot, process = machine.system, machine.robot, machine.process
     planner = system.planner
     values: list[Content] = [cell.value for cell in system.memory.cells()]
@@ -129,7 +87,7 @@ def _state(machine: "Machine", now: float) -> Kept:
     )
 
 
-def _arm(machine: "Machine", now: float) -> Arm:
+def _arm(machine: Machine, now: float) -> Arm:
     planner, hand = machine.system.planner, machine.system.hand
     opening = hand.opening(now)
     if not planner.under_way(now):
@@ -149,10 +107,10 @@ def _where(placement: Placement) -> object:
     return (placement.lie, placement.X, placement.support)
 
 
-def _endless(machine: "Machine", kept: Kept, now: float) -> Diagnostic:
+def _endless(machine: Machine, kept: Kept, now: float) -> Diagnostic:
     cause = place(machine.robot)
     assert cause is not None
-    lines = machine.steps_between(kept.finished, machine.finished)
+    lines = _steps_between(machine, kept.finished, machine.finished)
     period = now - kept.time_s
     return Diagnostic(
         ENDLESS,
@@ -168,3 +126,11 @@ def _endless(machine: "Machine", kept: Kept, now: float) -> Diagnostic:
         help=("change something in the loop that its condition depends on",),
         data={"period_s": round(period, 3), "since_s": round(kept.time_s, 3)},
     )
+
+
+def _steps_between(machine: Machine, first: int, last: int) -> str:
+    """Return which steps the robot program executed between two counts of statements."""
+    trace, causes = machine.robot.trace, machine.system.programs.causes
+    begin, stop = trace.executed(first), trace.executed(last)
+    steps = sorted({causes[k].step for k in trace.instructions[begin:stop][-MOST_LOOKED_AT:]})
+    return f"{steps[0]} to {steps[-1]}" if len(steps) > 1 else str(steps[0])

@@ -1,7 +1,5 @@
 """Limits of a run, and waits that never end: each is a diagnostic, and ends the program."""
 
-from typing import TYPE_CHECKING
-
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.engine.faults import (
     MOTIONS,
@@ -11,17 +9,15 @@ from vrts.engine.faults import (
     WAIT_NEVER_ENDS,
     LimitReached,
 )
+from vrts.engine.machine.machine import Machine
+from vrts.engine.programs.context import Context
 from vrts.engine.programs.cycles import place
 from vrts.ir import instructions as ir
-
-if TYPE_CHECKING:
-    from vrts.engine.machine.machine import Machine
-    from vrts.engine.programs.context import Context
 
 NO_ANSWER = Rule("V504", "no-answer")
 
 
-def check_limits(machine: "Machine", c: "Context") -> None:
+def check_limits(machine: Machine, c: Context) -> None:
     """Check the limits of a run, once in a tick; a program that is over keeps them.
 
     Raises:
@@ -66,7 +62,7 @@ def check_limits(machine: "Machine", c: "Context") -> None:
         )
 
 
-def stuck(c: "Context", now: float) -> Diagnostic:
+def stuck(c: Context, now: float) -> Diagnostic:
     """Return what is wrong with a program that waits for something that never comes."""
     cause = place(c)
     assert cause is not None
@@ -91,7 +87,7 @@ def stuck(c: "Context", now: float) -> Diagnostic:
     )
 
 
-def _reached(c: "Context", rule: Rule, headline: str, note: str, remedy: str) -> LimitReached:
+def _reached(c: Context, rule: Rule, headline: str, note: str, remedy: str) -> LimitReached:
     cause = place(c)
     assert cause is not None
     return LimitReached(rule, headline, cause.span, note, remedy)

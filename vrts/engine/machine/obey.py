@@ -1,10 +1,11 @@
 """What the machine does when it is given a command."""
 
-from typing import TYPE_CHECKING
-
 from vrts.engine.code.executable import Executable
 from vrts.engine.code.steps.setting_steps import change_monitor_speed
 from vrts.engine.faults import RuntimeFault
+from vrts.engine.machine.ending import abort as abort_robot
+from vrts.engine.machine.ending import end
+from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.cells import UNDEFINED, Array, cells_of
 from vrts.engine.memory.events import CommandRefused, SignalChanged
 from vrts.engine.memory.records import Ending
@@ -15,9 +16,6 @@ from vrts.engine.programs.signals import known
 from vrts.ir import commands as k
 from vrts.ir.instructions import Interpolation
 from vrts.ir.module import Module
-
-if TYPE_CHECKING:
-    from vrts.engine.machine.machine import Machine
 
 RESUMABLE = (Ending.PAUSED, Ending.ABORTED, Ending.STEPPED, Ending.ERROR, Ending.LIMIT)
 
@@ -32,7 +30,7 @@ UNKNOWN = "Undefined program or variable name"
 CANNOT_PROCEED = "Program cannot be resumed"
 
 
-def obey(command: k.Command, machine: "Machine", now: float) -> None:
+def obey(command: k.Command, machine: Machine, now: float) -> None:
     """Carry a command out at a tick."""
     try:
         _obey(command, machine, now)
@@ -42,7 +40,7 @@ def obey(command: k.Command, machine: "Machine", now: float) -> None:
         machine.system.events.append(CommandRefused(now, fault.words))
 
 
-def _obey(command: k.Command, machine: "Machine", now: float) -> None:
+def _obey(command: k.Command, machine: Machine, now: float) -> None:
     robot, process, system = machine.robot, machine.process, machine.system
     match command:
         case k.Execute(program=program, cycles=cycles, step=step):
@@ -54,7 +52,7 @@ def _obey(command: k.Command, machine: "Machine", now: float) -> None:
             _start(machine, process, program or process.program, cycles, step, now)
         case k.Abort():
             _needs_running(robot)
-            machine.abort(robot)
+            abort_robot(machine, robot)
         case k.Panic():
             _panic(machine)
         case k.Proceed():
@@ -120,9 +118,7 @@ def _needs_running(c: Context) -> None:
         raise _Refused(NOT_EXECUTING)
 
 
-def _start(
-    machine: "Machine", c: Context, program: str, cycles: int, step: int, now: float
-) -> None:
+def _start(machine: Machine, c: Context, program: str, cycles: int, step: int, now: float) -> None:
     if program not in machine.system.programs.numbers:
         raise _Refused(UNKNOWN)
     c.finished = machine.finished
@@ -131,7 +127,7 @@ def _start(
         machine.started_s, machine.ended_s = now, None
 
 
-def _resume(machine: "Machine", c: Context, now: float, *, retry: bool) -> None:
+def _resume(machine: Machine, c: Context, now: float, *, retry: bool) -> None:
     if c.running:
         raise _Refused(EXECUTING)
     c.finished = machine.finished
@@ -156,7 +152,7 @@ def _resume(machine: "Machine", c: Context, now: float, *, retry: bool) -> None:
         machine.ended_s = None
 
 
-def _do(machine: "Machine", module: Module, now: float) -> None:
+def _do(machine: Machine, module: Module, now: float) -> None:
     """Execute an instruction beside the program that stopped, which keeps its place."""
     name = module.main
     assert name is not None
@@ -174,7 +170,7 @@ def _do(machine: "Machine", module: Module, now: float) -> None:
     machine.ended_s = None
 
 
-def _load(machine: "Machine", module: Module) -> None:
+def _load(machine: Machine, module: Module) -> None:
     busy = {
         machine.system.programs.loaded[frame.program].program.name
         for c in (machine.robot, machine.process)
@@ -189,7 +185,7 @@ def _load(machine: "Machine", module: Module) -> None:
     machine.executable.load(module, memory, machine.finished)
 
 
-def _delete(machine: "Machine", names: tuple[str, ...]) -> None:
+def _delete(machine: Machine, names: tuple[str, ...]) -> None:
     programs = machine.system.programs
     if not machine.process.running:  # where it stopped is forgotten
         machine.process.clear()
@@ -205,19 +201,19 @@ def _delete(machine: "Machine", names: tuple[str, ...]) -> None:
     machine.take_over(machine.executable.without(names))
 
 
-def _panic(machine: "Machine") -> None:
+def _panic(machine: Machine) -> None:
     """Stop both programs and the arm."""
     planner = machine.system.planner
     if machine.process.running:
-        machine.end(machine.process, Ending.ABORTED, None)
+        end(machine, machine.process, Ending.ABORTED, None)
     if machine.robot.running:
-        machine.end(machine.robot, Ending.ABORTED, None)
+        end(machine, machine.robot, Ending.ABORTED, None)
     else:
         planner.brake(machine.now)
         machine.system.hand.path_changed(machine.now)
 
 
-def _repeat_motion(machine: "Machine", now: float) -> None:
+def _repeat_motion(machine: Machine, now: float) -> None:
     """Give the motion that was cut once more, as RETRY does."""
     planner = machine.system.planner
     if not planner.motions or not planner.motions[-1].cut:
@@ -232,7 +228,7 @@ def _repeat_motion(machine: "Machine", now: float) -> None:
     planner.begin(intent, start, planner.destination, cut.cause)
 
 
-def _set_local(machine: "Machine", c: Context, command: k.SetLocal) -> None:
+def _set_local(machine: Machine, c: Context, command: k.SetLocal) -> None:
     if not c.frames:
         raise _Refused(NOT_EXECUTING)
     frame = c.frames[-1]
@@ -247,7 +243,7 @@ def _set_local(machine: "Machine", c: Context, command: k.SetLocal) -> None:
     cell.assign(UNDEFINED if command.value is None else command.value, machine.finished)
 
 
-def _go_to(machine: "Machine", c: Context, step: int, now: float) -> None:
+def _go_to(machine: Machine, c: Context, step: int, now: float) -> None:
     if not c.frames:
         raise _Refused(NOT_EXECUTING)
     frame = c.frames[-1]
@@ -259,7 +255,7 @@ def _go_to(machine: "Machine", c: Context, step: int, now: float) -> None:
     c.wake = now
 
 
-def _forget(machine: "Machine", name: str) -> None:
+def _forget(machine: Machine, name: str) -> None:
     """Delete a variable, or all elements of an array."""
     bound = machine.executable.layout.bound(machine.system.memory, name)
     if bound is not None:

@@ -6,17 +6,16 @@ instruction of every statement of one program, and where its slices begin in tha
 
 from array import array
 from bisect import bisect_right
-from typing import TYPE_CHECKING, NamedTuple, Union
+from typing import NamedTuple, Union
 
-if TYPE_CHECKING:
-    from vrts.engine.memory.cells import Bound
+from vrts.engine.memory.cells import Bound
 
 
 class Activation(NamedTuple):
     """A program that is being executed, and what called it."""
 
     program: int  # number of the executable program
-    slots: "list[Bound]"
+    slots: list[Bound]
     called_from: int | None  # instruction; None for the first program
     caller: Union["Activation", None]
 

@@ -5,6 +5,7 @@ and joints stay double.
 """
 
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 
@@ -160,8 +161,6 @@ def _pos(a: Arguments, span: Span | None) -> float:
 
 def number_at_start(text: str) -> tuple[float, int] | None:
     """Return the number that a text begins with and how long it is; None when there is none."""
-    import re
-
     based = re.match(r"([-+]?)\^(?:[hH]([0-9a-fA-F]+)|[bB]([01]+)|([0-7]+))", text)
     if based:
         sign, hexadecimal, binary, octal = based.groups()

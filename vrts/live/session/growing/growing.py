@@ -13,6 +13,7 @@ from vrts.base.stack import deep_stack
 from vrts.engine.controller import start
 from vrts.engine.forget import forget, forget_values
 from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.tick import run_until
 from vrts.engine.memory.events import Event, ProgramEnded, ProgramStarted
 from vrts.engine.run import Run
 from vrts.ir.commands import Command, Panic, TimedCommand
@@ -85,10 +86,10 @@ class GrowingRun:
             raise ValueError(f"{until_s} s is before the horizon at {self.time_s} s")
         self._run = None
         while (second := math.floor(self.time_s) + 1.0) <= until_s:
-            self.machine.advance(second)
+            run_until(self.machine, second)
             self.time_s = second
             self._tidy_up()
-        self.machine.advance(until_s)
+        run_until(self.machine, until_s)
         self.time_s = until_s
 
     def _tidy_up(self) -> None:
@@ -350,7 +351,7 @@ def _repeated(
         if following < len(commands):
             at_s = min(at_s, commands[following].time_s)
         at_s = min(at_s, minute * FORGETTING)
-        machine.advance(at_s)
+        run_until(machine, at_s)
         if at_s == minute * FORGETTING:
             minute += 1.0
         begin = following

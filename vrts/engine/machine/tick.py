@@ -1,0 +1,104 @@
+"""The machine goes on, tick by tick.
+
+Order within a tick: commands, faults of the scenario, signal inputs and sensors, the hand, then
+reactions, at most `execution.STEPS_A_TICK` steps of the robot program, as many of the process
+control program. Motion needs no work of its own, because it is planned as polynomials when it is
+issued. Ticks in which nothing can happen are skipped.
+"""
+
+import math
+
+from vrts.engine.machine.due import is_due, obey_due
+from vrts.engine.machine.ending import end
+from vrts.engine.machine.endless import look
+from vrts.engine.machine.execution import execute
+from vrts.engine.machine.limits import stuck
+from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.noting import note_motions
+from vrts.engine.machine.schedule import future_s, has_work, is_idle
+from vrts.engine.machine.surroundings import bring_faults_about, sample
+from vrts.engine.memory.records import INSTANT, Ending
+
+
+def run_until(machine: Machine, until_s: float, *, stop_when_idle: bool = False) -> None:
+    """Run every tick up to a time [s], or until nothing executes and nothing moves."""
+    machine.write()
+    last = math.floor(until_s / machine.tick + INSTANT / machine.tick)
+    while machine.next_tick <= last and has_work(machine):
+        if stop_when_idle and is_idle(machine):
+            break
+        _run_tick(machine, machine.next_tick)
+    settle(machine, until_s)
+
+
+def settle(machine: Machine, until_s: float) -> None:
+    """Note what needs no tick: grasps, and motions that begin and end."""
+    machine.system.hand.settle_until(until_s, machine.system.events)
+    note_motions(machine, until_s)
+
+
+def _run_tick(machine: Machine, tick: int) -> None:
+    now = tick * machine.tick
+    machine.last_tick, machine.next_tick = tick, tick + 1
+    system = machine.system
+    machine.robot.now = machine.process.now = now
+    note_motions(machine, now)
+    obey_due(machine, now)
+    bring_faults_about(machine, now)
+    sample(machine, now)
+    system.hand.settle_until(now, system.events)
+    before = machine.finished
+    on = system.signals.changes
+    _execute(machine, now)
+    while is_due(machine):  # what a debugger does at the end of the tick
+        obey_due(machine, now)
+        _execute(machine, now)
+    progress = machine.finished != before
+    if progress:
+        machine.ticks.append(tick)
+        machine.counts.append(machine.finished)
+    _look_for_loops(machine, now)
+    if machine.running:
+        _plan_next(machine, now, progress=progress, stirred=on != system.signals.changes)
+    else:
+        following = future_s(machine)
+        _skip_to(machine, following if following is not None else now)
+
+
+def _execute(machine: Machine, now: float) -> None:
+    for c in (machine.robot, machine.process):
+        if c.running:
+            execute(machine, c, now)
+
+
+def _plan_next(machine: Machine, now: float, *, progress: bool, stirred: bool) -> None:
+    """Choose the next tick that has to be run."""
+    programs = [c for c in (machine.robot, machine.process) if c.running]
+    if any(c.wake <= now for c in programs):
+        return  # some program goes on at the next tick
+    if progress and any(c.wake == math.inf for c in programs):
+        return  # what one program has changed another may wait for
+    if stirred and any(c.watches for c in programs):
+        return
+    waking = min(c.wake for c in programs)
+    if machine.closed and waking < math.inf:  # the limit is noticed when it is reached
+        latest = min(c.started_s for c in programs) + machine.scenario.limits.time_s
+        waking = min(waking, latest + machine.tick)
+    following = future_s(machine)
+    if following is not None and following < waking:
+        waking = following
+    if waking < math.inf:
+        _skip_to(machine, waking)
+    elif machine.closed and machine.robot.running:
+        end(machine, machine.robot, Ending.LIMIT, stuck(machine.robot, now))
+
+
+def _skip_to(machine: Machine, time_s: float) -> None:
+    machine.next_tick = max(machine.next_tick, machine.tick_of(time_s))
+
+
+def _look_for_loops(machine: Machine, now: float) -> None:
+    if machine.closed and machine.robot.running:
+        finding = look(machine, now)
+        if finding is not None:
+            end(machine, machine.robot, Ending.LIMIT, finding)
