@@ -8,10 +8,17 @@ from pathlib import Path
 
 import pytest
 
+from tests.imports import circles, graph, imports, modules, siblings
 from tests.places import ROOT
 
 PACKAGE = ROOT / "vrts"
 MODULES = sorted(p for p in PACKAGE.rglob("*.py") if "stubs" not in p.parts)
+
+MOST_MODULES = 15  # of a folder, beside `__init__`
+MOST_LINES = 5  # of what a folder says of itself
+DOORS = {  # imports within functions below `cli`: libraries that need not be installed
+}
+FOLDERS = sorted({path.parent for path in MODULES} - {PACKAGE})
 
 HEAVY = ("numpy", "pinocchio", "coal", "fcl", "trimesh", "rerun", "hypothesis")
 
@@ -62,3 +69,51 @@ def test_the_top_level_holds_only_what_was_agreed() -> None:
     tops = {line.split("/")[0] for line in tracked.stdout.splitlines()}
     agreed = {"pyproject.toml", "README.md", "LICENSE", "vrts", "examples", "scenes", "tests"}
     assert {top for top in tops if not top.startswith(".")} <= agreed
+
+
+@pytest.mark.parametrize("folder", [PACKAGE, *FOLDERS], ids=lambda p: str(p.relative_to(ROOT)))
+def test_no_folder_is_too_full_to_be_seen_at_a_glance(folder: Path) -> None:
+    assert len([path for path in folder.glob("*.py") if path.stem != "__init__"]) <= MOST_MODULES
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda p: str(p.relative_to(PACKAGE)))
+def test_a_folder_says_what_it_is_for_what_comes_in_and_what_goes_out(folder: Path) -> None:
+    said = ast.get_docstring(ast.parse((folder / "__init__.py").read_text("utf-8"))) or ""
+    assert len(said.splitlines()) <= MOST_LINES
+    assert re.search(r"^In(:| and out:)", said, re.M), "what comes in"
+    assert re.search(r"\bOut:|\bIn and out:", said), "what goes out"
+
+
+def test_circles_are_found() -> None:
+    edges = {"a": frozenset("b"), "b": frozenset("c"), "c": frozenset("b"), "d": frozenset("a")}
+    assert circles(edges) == [["b", "c"]]
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    assert len(graph()) > 500
+    assert circles(graph()) == []
+
+
+@pytest.mark.parametrize("folder", [PACKAGE, *FOLDERS], ids=lambda p: str(p.relative_to(ROOT)))
+def test_within_a_folder_imports_point_one_way(folder: Path) -> None:
+    name = ".".join(folder.relative_to(ROOT).parts)
+    assert circles(siblings(graph(), name)) == []
+
+
+def test_imports_within_functions_are_doors_of_optional_libraries() -> None:
+    deferred = {
+        (name, imported.target)
+        for name, path in modules().items()
+        if not name.startswith("vrts.cli.")
+        for imported in imports(path, modules())
+        if imported.deferred
+    }
+    assert deferred == DOORS
+
+
+def test_imports_within_functions_say_why() -> None:
+    for name, _ in DOORS:
+        lines = modules()[name].read_text("utf-8").splitlines()
+        for imported in imports(modules()[name], modules()):
+            if imported.deferred:
+                assert "#" in lines[imported.line - 1] + lines[imported.line - 2], name
