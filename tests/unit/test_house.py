@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests import rooms
 from tests.imports import circles, graph, imports, modules, siblings
 from tests.places import ROOT
 
@@ -117,3 +118,17 @@ def test_imports_within_functions_say_why() -> None:
         for imported in imports(modules()[name], modules()):
             if imported.deferred:
                 assert "#" in lines[imported.line - 1] + lines[imported.line - 2], name
+
+
+def test_the_list_of_rooms_is_what_the_folders_say() -> None:
+    text = rooms.README.read_text("utf-8")
+    assert text == rooms.written(text), "`python -m tests.rooms` writes it anew"
+
+
+def test_names_in_how_vrts_is_built_exist() -> None:
+    text = rooms.README.read_text("utf-8")
+    stems = {path.stem for path in MODULES} | {path.name for path in FOLDERS}
+    places = {str(path.relative_to(PACKAGE).with_suffix("")) for path in [*MODULES, *FOLDERS]}
+    for name in re.findall(r"`([a-z_]+(?:/[a-z_]+)+)/?`", text):
+        if name.split("/")[0] in stems:
+            assert any(place.endswith(name) for place in places) or (ROOT / name).exists(), name
