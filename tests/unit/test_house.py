@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests import rooms
-from tests.imports import circles, graph, imports, modules, siblings
+from tests.imports import circles, graph, siblings
 from tests.places import ROOT
 
 PACKAGE = ROOT / "vrts"
@@ -17,8 +17,6 @@ MODULES = sorted(p for p in PACKAGE.rglob("*.py") if "stubs" not in p.parts)
 
 MOST_MODULES = 15  # of a folder, beside `__init__`
 MOST_LINES = 5  # of what a folder says of itself
-DOORS = {  # imports within functions below `cli`: libraries that need not be installed
-}
 FOLDERS = sorted({path.parent for path in MODULES} - {PACKAGE})
 
 HEAVY = ("numpy", "pinocchio", "coal", "fcl", "trimesh", "rerun", "hypothesis")
@@ -99,25 +97,6 @@ def test_no_modules_import_each_other_in_a_circle() -> None:
 def test_within_a_folder_imports_point_one_way(folder: Path) -> None:
     name = ".".join(folder.relative_to(ROOT).parts)
     assert circles(siblings(graph(), name)) == []
-
-
-def test_imports_within_functions_are_doors_of_optional_libraries() -> None:
-    deferred = {
-        (name, imported.target)
-        for name, path in modules().items()
-        if not name.startswith("vrts.cli.")
-        for imported in imports(path, modules())
-        if imported.deferred
-    }
-    assert deferred == DOORS
-
-
-def test_imports_within_functions_say_why() -> None:
-    for name, _ in DOORS:
-        lines = modules()[name].read_text("utf-8").splitlines()
-        for imported in imports(modules()[name], modules()):
-            if imported.deferred:
-                assert "#" in lines[imported.line - 1] + lines[imported.line - 2], name
 
 
 def test_the_list_of_rooms_is_what_the_folders_say() -> None:
