@@ -9,7 +9,7 @@ from playwright.sync_api import Browser
 
 from tests.browser.support import Opened, until
 from vrts.live.session.channel import messages as m
-from vrts.live.session.session import Session
+from vrts.live.session.live_session import Session
 from vrts.pipeline.scenes import load_scene
 from vrts.report.page.viewer_data import pose_numbers, scene_data
 from vrts.robots.kinematics.kinematics import forward

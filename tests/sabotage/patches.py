@@ -1007,7 +1007,7 @@ PATCHES: tuple[Patch, ...] = (
         "vrts/engine/code/steps/motion_steps.py",
         "due = c.phase == WAITED or c.at_once",
         "due = c.phase == WAITED",
-        ("tests/unit/live/session/test_session.py",),
+        ("tests/unit/live/session/test_live_session.py",),
     ),
     Patch(
         "a link into one room lets into all of them",
@@ -1032,7 +1032,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "states of the past are never given back",
-        "vrts/live/session/growing/growing.py",
+        "vrts/live/session/growing/growing_run.py",
         "    del machine.system, machine.robot, machine.process\n",
         "",
         ("tests/unit/live/session/growing/test_soak.py",),

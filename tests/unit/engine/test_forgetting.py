@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.unit.live.session.growing.test_growing import SCENE
+from tests.unit.live.session.growing.test_growing_run import SCENE
 from vrts.base.source import SourceFile
 from vrts.engine.forget import forget
 from vrts.engine.memory.numbered import Numbered
@@ -12,7 +12,7 @@ from vrts.engine.run import Run
 from vrts.ir.commands import Command, Do, Load, MonitorSpeed, Panic
 from vrts.ir.module import Module
 from vrts.lang.compiler import compile_source
-from vrts.live.session.growing.growing import GrowingRun
+from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.scene.model import Scenario
 
 TWICE = ".PROGRAM main()\n CALL sub(1)\n.END\n.PROGRAM sub(x)\n TYPE x\n DRIVE 1,5,100\n.END\n"

@@ -25,8 +25,8 @@ from vrts.live.session.channel.inbox import Inbox, Unreadable
 from vrts.live.session.channel.messages import Failed, Json, Pace, Ready, Start, Stop
 from vrts.live.session.channel.outbox import Outbox, ServerGone
 from vrts.live.session.growing.tidying import Tidying
+from vrts.live.session.live_session import Session
 from vrts.live.session.marks.checker import Checker, warm_up
-from vrts.live.session.session import Session
 from vrts.live.session.setting import setting_of
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.files import CannotRead

@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from tests.unit.live.session.growing.test_growing import COMMANDS, SCENE
+from tests.unit.live.session.growing.test_growing_run import COMMANDS, SCENE
 from vrts.base.source import SourceFile, Span
 from vrts.engine.memory import event_order
 from vrts.engine.memory.event_log import EventLog
@@ -19,7 +19,7 @@ from vrts.engine.memory.events import (
     ProgramStarted,
     SignalChanged,
 )
-from vrts.live.session.growing.growing import GrowingRun
+from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.scene.model import Scenario
 
 CAUSE = Cause("main", 1, Span(SourceFile("main", ""), 0, 0))

@@ -7,7 +7,7 @@ from typing import TypeVar
 from vrts.live.actions import Action, Typed
 from vrts.live.session.again.replay import Entry
 from vrts.live.session.channel.messages import BEAT, Act, Done, FromSession, Halt, News, Start
-from vrts.live.session.session import Session
+from vrts.live.session.live_session import Session
 from vrts.live.session.setting import setting_of
 from vrts.live.session.views.frame import PoseFrame, unpacked
 

@@ -14,7 +14,7 @@ import msgspec
 from vrts.live.session.again.replay import Entry, same_answer
 from vrts.live.session.channel.messages import Done, News
 from vrts.live.session.growing.past import FILE
-from vrts.live.session.session import Session
+from vrts.live.session.live_session import Session
 
 LONGEST = 300.0  # [s] of processor time; an hour of a class takes a few
 STRETCH = 10.0  # [s] of session time between looks whether to go on

@@ -10,7 +10,7 @@ import msgspec
 from vrts.engine.run import Run
 from vrts.live.actions import Rewind, Save
 from vrts.live.session.channel.messages import Act, Done, Halt, News, Start
-from vrts.live.session.session import Session
+from vrts.live.session.live_session import Session
 from vrts.live.session.setting import setting_of
 from vrts.pipeline.setting import Setting
 

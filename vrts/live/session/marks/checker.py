@@ -23,11 +23,11 @@ from vrts.engine.memory.events import Cause, Event, Grasped, HandCommanded, Rele
 from vrts.engine.memory.records import Lie, Motion, Placement, Segment
 from vrts.engine.run import Run
 from vrts.live.session.channel.messages import Checked, Json
-from vrts.live.session.growing.growing import GrowingRun
+from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.live.session.growing.tidying import tidy
+from vrts.live.session.live_session import Session
 from vrts.live.session.marks.public_mark import Judged, PublicMark, judged
 from vrts.live.session.operator.motions import instructed
-from vrts.live.session.session import Session
 from vrts.marking.supervise.forked import ForkedProcess
 from vrts.marking.supervise.limits import Limits
 from vrts.monitor.desk import ALONE

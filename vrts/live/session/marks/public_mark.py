@@ -14,7 +14,7 @@ from vrts.check.task.task import Task
 from vrts.check.verdict import CollisionReport, ContactEvent
 from vrts.engine.run import Run
 from vrts.live.session.channel.messages import Json
-from vrts.live.session.session import Session
+from vrts.live.session.live_session import Session
 from vrts.marking.submission.session_run import session_run
 
 PAUSE = 1.0  # [s] of session time between judgements at least

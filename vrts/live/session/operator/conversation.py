@@ -13,7 +13,7 @@ from vrts.engine.memory.records import ProgramState, ProgramStatus
 from vrts.ir.commands import Answer, Command, Do, Kill, Panic, TimedCommand
 from vrts.ir.module import Module
 from vrts.ir.values import Value
-from vrts.live.session.growing.growing import GrowingRun
+from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.live.session.operator.folders import Folders
 from vrts.monitor import words
 from vrts.monitor.desk import ALONE, Desk, Situation, Turn

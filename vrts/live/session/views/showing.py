@@ -14,7 +14,7 @@ from vrts.live.session.channel.messages import (
     Snapshot,
     Status,
 )
-from vrts.live.session.growing.growing import GrowingRun
+from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.live.session.operator.conversation import Conversation
 from vrts.live.session.operator.held_key import HeldKey
 from vrts.live.session.views.frame import packed

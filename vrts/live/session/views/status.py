@@ -6,7 +6,7 @@ from vrts.engine.memory.events import Cause
 from vrts.engine.memory.records import Ending, Placement
 from vrts.engine.programs.cycles import place
 from vrts.live.session.channel.messages import Placed
-from vrts.live.session.growing.growing import GrowingRun
+from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.live.session.views import frame
 from vrts.live.session.views.frame import PoseFrame, output_bits
 from vrts.monitor.desk import ALONE

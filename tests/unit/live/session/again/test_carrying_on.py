@@ -20,7 +20,7 @@ from vrts.live.session.again.carrying_on import (
 )
 from vrts.live.session.again.replay import Entry
 from vrts.live.session.channel.messages import Done
-from vrts.live.session.session import Session
+from vrts.live.session.live_session import Session
 
 
 def told(driven: Driven) -> list[Entry]:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.unit.live.session.support import Driven
-from tests.unit.live.session.test_session import ABOVE_TABLE, DOWN, grasp
+from tests.unit.live.session.test_live_session import ABOVE_TABLE, DOWN, grasp
 from vrts.base.pose import Pose
 from vrts.engine.memory.records import Motion
 from vrts.engine.run import Run

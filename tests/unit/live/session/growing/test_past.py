@@ -5,12 +5,12 @@ from pathlib import Path
 import pytest
 
 from tests.support_saved import answers, plain, state_answers
-from tests.unit.live.session.growing.test_growing import COMMANDS, SCENE
+from tests.unit.live.session.growing.test_growing_run import COMMANDS, SCENE
 from tests.unit.live.session.support import Driven
 from vrts.live import actions as do
 from vrts.live.session.again.replay import replay
 from vrts.live.session.channel.messages import Happened
-from vrts.live.session.growing.growing import GrowingRun
+from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.live.session.growing.past import FILE, OFF, Past
 from vrts.live.session.views.program import as_program
 from vrts.scene.model import Scenario
@@ -32,9 +32,9 @@ LOOP = """\
 def _sooner(monkeypatch: pytest.MonkeyPatch) -> None:  # pyright: ignore[reportUnusedFunction]
     """Have what is older than 20 s leave memory, to states 12 s apart."""
     for name, seconds in (("REACH", 20.0), ("FORGETTING", 5.0), ("CHECKPOINT", 3.0)):
-        monkeypatch.setattr(f"vrts.live.session.growing.growing.{name}", seconds)
-    monkeypatch.setattr("vrts.live.session.growing.growing.RECENT", 20.0)
-    monkeypatch.setattr("vrts.live.session.growing.growing.SPARSE", 12.0)
+        monkeypatch.setattr(f"vrts.live.session.growing.growing_run.{name}", seconds)
+    monkeypatch.setattr("vrts.live.session.growing.growing_run.RECENT", 20.0)
+    monkeypatch.setattr("vrts.live.session.growing.growing_run.SPARSE", 12.0)
 
 
 def grown(growing: GrowingRun, until_s: float) -> GrowingRun:

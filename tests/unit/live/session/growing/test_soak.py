@@ -7,7 +7,7 @@ import pytest
 
 from tests.unit.live.session.support import Driven
 from vrts.live import actions as do
-from vrts.live.session.growing import growing
+from vrts.live.session.growing import growing_run
 from vrts.live.session.growing.tidying import tidy
 
 LOOP = """\
@@ -26,9 +26,9 @@ LOOP = """\
 def test_a_looping_program_leaves_nothing_behind(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(growing, "REACH", 30.0)
-    monkeypatch.setattr(growing, "CHECKPOINT", 10.0)
-    monkeypatch.setattr(growing, "FORGETTING", 10.0)
+    monkeypatch.setattr(growing_run, "REACH", 30.0)
+    monkeypatch.setattr(growing_run, "CHECKPOINT", 10.0)
+    monkeypatch.setattr(growing_run, "FORGETTING", 10.0)
     driven = Driven(tmp_path)
     driven.act(do.Upload("loop.v2", LOOP))
     driven.run(0.1)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.unit.live.session.support import Driven
-from tests.unit.live.session.test_session import DOWN, grasp
+from tests.unit.live.session.test_live_session import DOWN, grasp
 from vrts.check.collision.collision import check_collisions
 from vrts.live import actions as do
 from vrts.live.session.channel.messages import Checked, Json

@@ -15,7 +15,7 @@ from vrts.ir.commands import Execute, Load, MonitorSpeed, Panic, TimedCommand
 from vrts.ir.module import Module
 from vrts.lang.compiler import compile_source
 from vrts.live import actions as do
-from vrts.live.session.growing.growing import GrowingRun
+from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.pipeline.scenes import load_scene
 from vrts.scene.model import Scenario
 
@@ -97,9 +97,9 @@ def test_what_is_forgotten_is_only_what_is_old(
     monkeypatch: pytest.MonkeyPatch, reach_s: float
 ) -> None:
     whole = grown(300.0)
-    monkeypatch.setattr("vrts.live.session.growing.growing.REACH", reach_s)
-    monkeypatch.setattr("vrts.live.session.growing.growing.FORGETTING", 7.0)
-    monkeypatch.setattr("vrts.live.session.growing.growing.CHECKPOINT", 3.0)
+    monkeypatch.setattr("vrts.live.session.growing.growing_run.REACH", reach_s)
+    monkeypatch.setattr("vrts.live.session.growing.growing_run.FORGETTING", 7.0)
+    monkeypatch.setattr("vrts.live.session.growing.growing_run.CHECKPOINT", 3.0)
     short = grown(300.0)
     assert 300.0 - reach_s - 12.0 < short.known_from_s <= 300.0 - reach_s
     for k in range(200):
@@ -120,10 +120,10 @@ def test_of_what_is_long_past_few_states_are_kept_and_any_time_can_be_gone_back_
 ) -> None:
     whole = grown(300.0)
     released: list[Machine] = []
-    monkeypatch.setattr("vrts.live.session.growing.growing._release", released.append)
-    monkeypatch.setattr("vrts.live.session.growing.growing.CHECKPOINT", 3.0)
-    monkeypatch.setattr("vrts.live.session.growing.growing.RECENT", 30.0)
-    monkeypatch.setattr("vrts.live.session.growing.growing.SPARSE", 24.0)
+    monkeypatch.setattr("vrts.live.session.growing.growing_run._release", released.append)
+    monkeypatch.setattr("vrts.live.session.growing.growing_run.CHECKPOINT", 3.0)
+    monkeypatch.setattr("vrts.live.session.growing.growing_run.RECENT", 30.0)
+    monkeypatch.setattr("vrts.live.session.growing.growing_run.SPARSE", 24.0)
     thin = grown(300.0)
     assert len(released) == 79  # every 3 s until 267 s, but for 11 that are 24 s apart
     for time_s in (290.3, 275.0, 100.3, 50.0, 1.7):
@@ -162,8 +162,8 @@ def test_news_come_once_and_in_order() -> None:
 
 
 def test_a_crowd_of_events_shortens_the_history(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("vrts.live.session.growing.growing.MOST_EVENTS", 500)
-    monkeypatch.setattr("vrts.live.session.growing.growing.CHECKPOINT", 3.0)
+    monkeypatch.setattr("vrts.live.session.growing.growing_run.MOST_EVENTS", 500)
+    monkeypatch.setattr("vrts.live.session.growing.growing_run.CHECKPOINT", 3.0)
     growing = grown(200.0)
     assert growing.known_from_s > 0.0
     assert len(growing.machine.system.events) < 1500

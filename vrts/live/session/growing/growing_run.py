@@ -6,7 +6,7 @@ What is older than ten minutes is in a file (`past`), or forgotten where there i
 """
 
 import math
-from bisect import bisect_right, insort
+from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 
 from vrts.base.stack import deep_stack
@@ -14,10 +14,11 @@ from vrts.engine.controller import start
 from vrts.engine.forget import forget, forget_values
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.tick import run_until
-from vrts.engine.memory.events import Event, ProgramEnded, ProgramStarted
+from vrts.engine.memory.events import Event
 from vrts.engine.run import Run
 from vrts.ir.commands import Command, Panic, TimedCommand
 from vrts.ir.module import Module
+from vrts.live.session.growing.coming import Coming
 from vrts.live.session.growing.deeds import Deeds, moving, telling
 from vrts.live.session.growing.past import Past
 from vrts.robots.model import Configuration
@@ -58,9 +59,7 @@ class GrowingRun:
         self._handed_on = 0  # commands of the machine that are in the file
         self._done = (0, 0.0)  # motions, and a time [s], before which what was done is in the file
         self._crowd = False  # more has happened than can be gone through again
-        self._begun = -1  # the number of the event with which the robot program began
-        self._seen = 0  # events of the machine that were looked at
-        self._coming: list[tuple[float, int, Event]] = []  # seen, but their time has not come
+        self._coming = Coming()
         self._kept: list[tuple[float, Machine]] = [(0.0, self.machine.copy())]
         self._run: Run | None = None
         self._forgets = forgets
@@ -105,29 +104,7 @@ class GrowingRun:
 
     def news(self) -> list[Event]:
         """Return the events whose time has come since this was asked last, in time order."""
-        events = self.machine.system.events
-        for number in range(self._seen, len(events)):
-            event = events[number]
-            if isinstance(event, ProgramStarted) and not event.process:
-                self._begun = number
-            insort(self._coming, (event.time_s, number, event), key=_when)
-        self._seen = len(events)
-        ripe = 0
-        while ripe < len(self._coming) and self._coming[ripe][0] <= self.time_s:
-            ripe += 1
-        found = [
-            event for _, number, event in self._coming[:ripe] if not self._stale(number, event)
-        ]
-        del self._coming[:ripe]
-        return found
-
-    def _stale(self, number: int, event: Event) -> bool:
-        """Return whether an event is the end of an instruction that another program followed.
-
-        A single instruction ends when the arm will have arrived; when it is replaced on the way,
-        its end is none of the program that has begun meanwhile.
-        """
-        return isinstance(event, ProgramEnded) and not event.process and number < self._begun
+        return self._coming.ripe(self.machine.system.events, self.time_s)
 
     @property
     def next_tick_s(self) -> float:
@@ -217,7 +194,7 @@ class GrowingRun:
         for _ in _repeated(self.machine, given, kept_s, time_s):
             pass
         self.time_s, self._run = time_s, None
-        self._coming, self._seen, self._begun = [], 0, -1
+        self._coming = Coming()
         self.news()  # of the past: it was told before
 
     @deep_stack()
@@ -280,7 +257,7 @@ class GrowingRun:
         if self._crowded:
             before = max(before, 0.5 * (self.known_from_s + self.time_s))
         before = max(before, 0.0)
-        late = len(self.machine.system.events) - self._seen
+        events = len(self.machine.system.events)
         at = max(bisect_right(self._kept, before, key=lambda entry: entry[0]) - 1, 0)
         if self._crowded and self._kept[-1][0] > self.known_from_s:
             at = max(at, 1)
@@ -300,10 +277,7 @@ class GrowingRun:
         self._handed_on -= len(issued) - len(self.machine.issued)
         self.known_from_s, self._run = known_from_s, None
         self._forgotten = first.finished
-        shorter = self._seen - (len(self.machine.system.events) - late)
-        self._seen -= shorter
-        self._begun -= shorter
-        self._coming = [(at_s, known - shorter, event) for at_s, known, event in self._coming]
+        self._coming.forget(events - len(self.machine.system.events))
         self._uncrowded = max(MOST_EVENTS, 2 * len(self.machine.system.events))
 
     def _hand_on(self, run: Run, time_s: float, machine: Machine) -> None:
@@ -368,7 +342,3 @@ def _release(machine: Machine) -> None:
     for c in (machine.robot, machine.process):
         del c.robot, c.process
     del machine.system, machine.robot, machine.process
-
-
-def _when(entry: tuple[float, int, Event]) -> float:
-    return entry[0]

@@ -11,30 +11,18 @@ from pathlib import Path
 from typing import NamedTuple
 
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.motion.requests import Stance
 from vrts.engine.run import Run
 from vrts.ir.commands import Command, Load, Panic, SetVariable
 from vrts.ir.module import Module
 from vrts.lang.dialect import DIALECTS
 from vrts.live import actions as do
+from vrts.live.session.acting import Acting
 from vrts.live.session.channel import messages as m
-from vrts.live.session.growing.deeds import Deeds
-from vrts.live.session.growing.growing import GrowingRun
+from vrts.live.session.growing.growing_run import GrowingRun
 from vrts.live.session.growing.past import Past
 from vrts.live.session.operator.conversation import Conversation
 from vrts.live.session.operator.folders import Folders
 from vrts.live.session.operator.held_key import HeldKey
-from vrts.live.session.operator.motions import (
-    Instruction,
-    branch_words,
-    displaced,
-    go,
-    instructed,
-    pose_of,
-    turn_joint,
-)
-from vrts.live.session.operator.recording import Unrecordable, recorded, stored_row
-from vrts.live.session.views.program import as_program, is_program_name
 from vrts.live.session.views.showing import Showing
 from vrts.live.session.views.status import runs
 from vrts.monitor.desk import Desk
@@ -47,8 +35,6 @@ LIMITS = Limits(
 )
 MOST_WAITING = 16  # actions
 LATE = 2.0  # [s] behind the clock beyond which that time is given up: the machine slept
-BUSY = "a program is running"
-STOP_FIRST = "stop it first: ABORT, or the panic button"
 
 Send = Callable[[m.News | bytes], None]
 Clock = Callable[[], float]
@@ -99,6 +85,7 @@ class Session:
         self.conversation = Conversation(self.growing, desk, self._folders)
         self._key = HeldKey(self.conversation)
         self.showing = Showing(self.growing, self.conversation, self._key, self.start.session)
+        self._acting = Acting(self.growing, self.conversation, self._key, self.showing)
         self._waiting: deque[_Waiting] = deque()
         if memory:
             self.growing.issue(*memory)
@@ -120,7 +107,7 @@ class Session:
             case m.Act():
                 self._act(order, now_s)
             case m.AskReach():
-                self._send(self._reach(order))
+                self._send(self._acting.reach(order))
             case m.AskSnapshot():
                 self._send(self.showing.snapshot(order.ref))
             case m.AskProgram():
@@ -185,8 +172,7 @@ class Session:
 
     def program(self, name: str) -> str:
         """Return what was done as VAL-II text."""
-        growing = self.growing
-        return as_program(self.run, name, growing.deeds() or Deeds(), growing.known_from_s)
+        return self._acting.program(name)
 
     def _act(self, order: m.Act, now_s: float) -> None:
         waiting = _Waiting(order.ref, order.stamp_s, order.owner, order.action)
@@ -243,8 +229,6 @@ class Session:
         self._key.advance(until_s)
         self.showing.hear()
 
-    # --- actions ------------------------------------------------------------------------------
-
     def _carry_out(self, given: _Waiting) -> None:
         """Carry an action out now, and say what became of it."""
         at_s = self.growing.time_s
@@ -256,102 +240,13 @@ class Session:
         self._send(done)
 
     def _done(self, given: _Waiting) -> m.Done:
-        ref, at_s, talk = given.ref, self.growing.time_s, self.conversation
         match given.action:
-            case do.Typed(line=line):
-                line = " ".join(line.splitlines())
-                shown = talk.enter(line, given.owner)
-                self.showing.say(shown)
-                return m.Done(ref, at_s, True, shown)
-            case do.Interrupt():
-                self.showing.say(talk.interrupt(given.owner))
-                return m.Done(ref, at_s, True)
-            case do.Upload(name=name, text=text):
-                shown, refused = talk.upload(name, text, given.owner)
-                self.showing.say(shown)
-                return m.Done(ref, at_s, not refused, refused or shown, code="file" * bool(refused))
-            case do.Go() | do.Step() | do.Hand() | do.Ready() | do.Jog() if runs(self.growing):
-                return m.Done(ref, at_s, False, BUSY, STOP_FIRST, "busy")
-            case do.Go(position_m=position, oat_rad=oat, straight=straight):
-                return self._move(ref, go(self._stance, pose_of(position, oat), straight=straight))
-            case do.Step() as step:
-                return self._move(ref, self._step(step))
-            case do.Hand(open=opens):
-                return self._order(ref, "OPENI" if opens else "CLOSEI")
-            case do.Ready():
-                return self._order(ref, "READY")
-            case do.Jog() as jog:
-                fault = self._key.press(jog)
-                if fault is not None:
-                    raise fault
-                return m.Done(ref, at_s, True)
-            case do.Keep():
-                held = self._key.keep()
-                return m.Done(ref, at_s, held, "" if held else "no key is held", counts=held)
-            case do.LetGo():
-                held = self._key.release()
-                return m.Done(ref, at_s, held, "" if held else "no key is held", counts=held)
-            case do.Record(name=name):
-                return self._record(ref, name)
-            case do.Save(name=name):
-                return self._save(ref, name, given.owner)
             case do.Reset():
-                return self._reset(ref)
+                return self._reset(given.ref)
             case do.Rewind(time_s=time_s):
-                return self._rewind(ref, time_s)
-
-    @property
-    def _stance(self) -> Stance:
-        """From where the next motion starts: the end of those given."""
-        return self.growing.machine.system.planner.stance
-
-    def _step(self, step: do.Step) -> Instruction:
-        by = step.way * step.size
-        if step.frame == "joint":
-            return turn_joint(self._stance, step.axis, by)
-        X_BT = displaced(self._stance, step.frame, step.axis, by)
-        return go(self._stance, X_BT, straight=True)
-
-    def _move(self, ref: int, instruction: Instruction) -> m.Done:
-        self._key.drop()
-        self.conversation.issue(instruction.command)
-        return m.Done(ref, self.growing.time_s, True)
-
-    def _order(self, ref: int, words: str) -> m.Done:
-        """Carry out an instruction without operands."""
-        self.conversation.issue(instructed(words))
-        return m.Done(ref, self.growing.time_s, True)
-
-    def _record(self, ref: int, name: str) -> m.Done:
-        at_s = self.growing.time_s
-        try:
-            command, text = recorded(name, self.conversation.situation)
-        except Unrecordable as problem:
-            return m.Done(ref, at_s, False, str(problem), code="name")
-        self.conversation.issue(command)
-        self.showing.say(text)
-        return m.Done(ref, at_s, True, text, row=stored_row(command))
-
-    def _save(self, ref: int, name: str, owner: str) -> m.Done:
-        at_s = self.growing.time_s
-        if not is_program_name(name):
-            return m.Done(ref, at_s, False, f"`{name}` is no name of a program", code="name")
-        if self.growing.deeds() is None:
-            text = f"what was done before {self.growing.reaches_s:.0f} s is forgotten"
-            help_ = "reset the scene, and do what the program is to do"
-            return m.Done(ref, at_s, False, text, help_, "time")
-        shown, refused = self.conversation.upload(f"{name}.v2", self.program(name), owner)
-        self.showing.say(shown)
-        return m.Done(ref, at_s, not refused, refused or shown, code="file" * bool(refused))
-
-    def _reach(self, order: m.AskReach) -> m.Reached:
-        stance = self._stance
-        X_BT = pose_of(order.position_m, order.oat_rad)
-        try:
-            found = go(stance, X_BT, straight=order.straight).planned
-        except RuntimeFault as fault:
-            return m.Reached(order.ref, False, fault.headline, fault.rule.code)
-        return m.Reached(order.ref, True, "", "", branch_words(stance, found), found.goal)
+                return self._rewind(given.ref, time_s)
+            case action:
+                return self._acting.act(given.ref, given.owner, action)
 
     # --- other times --------------------------------------------------------------------------
 
