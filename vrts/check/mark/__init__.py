@@ -1,5 +1,5 @@
 """From verdicts to a mark, with the cause of every lost point.
 
-In: a task and the judgement of a run. Out: a `Grade` in exact arithmetic.
-Asks no run anything that a verdict has not answered.
+In: a task, a run and its judgement. Out: a `Grade` in exact arithmetic.
+Judges nothing anew: a run only tells where a loss comes from.
 """

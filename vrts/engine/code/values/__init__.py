@@ -1,5 +1,5 @@
 """Expressions of the language as closures: operators, functions, variables, strings.
 
 In: expressions of the IR. Out: closures that give values in single precision.
-Knows no instruction and no motion.
+Knows no instruction.
 """
