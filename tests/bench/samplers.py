@@ -18,8 +18,8 @@ from vrts.check.collision.pairs.cast import Cast, robot_solids
 from vrts.check.curves.timeline_arrays import Curves
 from vrts.engine.memory.records import Lie
 from vrts.engine.run import Run
+from vrts.geometry.fcl_engine import solid
 from vrts.geometry.mesh import tessellate
-from vrts.geometry.second import solid
 from vrts.geometry.shapes import Piece
 from vrts.robots.kinematics.batch import link_frames
 

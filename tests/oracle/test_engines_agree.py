@@ -5,8 +5,7 @@ import math
 import numpy as np
 
 from vrts.base.pose import IDENTITY, Pose, Vector, rotation_about
-from vrts.geometry import first as narrow
-from vrts.geometry import second
+from vrts.geometry import coal_engine, fcl_engine
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 from vrts.robots.catalog import robot
 
@@ -35,16 +34,16 @@ def test_distances_and_verdicts_agree() -> None:
         first = Piece(ARM[int(random.integers(len(ARM)))], IDENTITY)
         other = Piece(THINGS[int(random.integers(len(THINGS)))], IDENTITY)
         X_WA, X_WB = random_pose(random), random_pose(random)
-        ours = narrow.nearest(first, X_WA, other, X_WB)
-        theirs = second.nearest(first, X_WA, other, X_WB)
+        ours = coal_engine.nearest(first, X_WA, other, X_WB)
+        theirs = fcl_engine.nearest(first, X_WA, other, X_WB)
         if abs(ours.distance) > 2e-4:
             assert (ours.distance < 0.0) is (theirs.distance < 0.0)
         if ours.distance > 2e-4:
             apart += 1
             # both distances lie between points of the shapes: the smaller one is the better
-            assert ours.distance < theirs.distance + narrow.ERROR
+            assert ours.distance < theirs.distance + coal_engine.ERROR
             if ours.distance < 0.3:
-                assert theirs.distance < ours.distance + second.ERROR + narrow.ERROR
+                assert theirs.distance < ours.distance + fcl_engine.ERROR + coal_engine.ERROR
         else:
             touching += 1
     assert apart > 500
@@ -55,16 +54,19 @@ def test_both_measure_a_known_gap_and_a_known_depth() -> None:
     box, can = Piece(Box((0.1, 0.1, 0.1)), IDENTITY), Piece(Cylinder(0.03, 0.05), IDENTITY)
     for gap in (0.02, 0.0005, -0.0005, -0.01):
         X_WB = Pose(IDENTITY.rotation, (0.13 + gap, 0.01, 0.0))
-        assert abs(narrow.distance(box, IDENTITY, can, X_WB) - gap) < narrow.ERROR
-        assert abs(second.distance(box, IDENTITY, can, X_WB) - gap) < second.ERROR
+        assert abs(coal_engine.distance(box, IDENTITY, can, X_WB) - gap) < coal_engine.ERROR
+        assert abs(fcl_engine.distance(box, IDENTITY, can, X_WB) - gap) < fcl_engine.ERROR
 
 
 def test_margins_and_the_normal_of_both() -> None:
     box = Box((0.1, 0.1, 0.1))
-    for engine in (narrow, second):
+    for engine in (coal_engine, fcl_engine):
         X_WB = Pose(IDENTITY.rotation, (0.25, 0.0, 0.0))
         found = engine.nearest(Piece(box, IDENTITY), IDENTITY, Piece(box, IDENTITY), X_WB)
         assert math.dist(found.normal, (1.0, 0.0, 0.0)) < 1e-3
-    here, there = narrow.placed(IDENTITY), narrow.placed(Pose(IDENTITY.rotation, (0.25, 0, 0)))
-    assert narrow.pair(box, box).closer_than(here, there, 0.051)
-    assert not narrow.pair(box, box).closer_than(here, there, 0.049)
+    here, there = (
+        coal_engine.placed(IDENTITY),
+        coal_engine.placed(Pose(IDENTITY.rotation, (0.25, 0, 0))),
+    )
+    assert coal_engine.pair(box, box).closer_than(here, there, 0.051)
+    assert not coal_engine.pair(box, box).closer_than(here, there, 0.049)

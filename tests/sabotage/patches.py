@@ -259,7 +259,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "EXIT goes to the next pass",
-        "vrts/lang/lowering/lower.py",
+        "vrts/lang/lowering/programs.py",
         'jumps = self.leaving if node.word == "EXIT" else self.continuing',
         'jumps = self.continuing if node.word == "EXIT" else self.leaving',
         (LANG, RUNS),

@@ -1,7 +1,7 @@
 """Exact distance between two convex pieces, by the engine there is.
 
-`first` is coal, `second` python-fcl. Coal is a hundred times more exact and is taken where it can
-be imported; where it has no wheel, python-fcl answers.
+Coal is a hundred times more exact and is taken where it can be imported; where it has no wheel,
+python-fcl answers.
 """
 
 from functools import cache
@@ -25,12 +25,12 @@ def engine(name: str | None = None) -> Engine:
     if name is None:
         name = COAL if find_spec("coal") is not None else FCL
     if name == COAL:
-        from vrts.geometry import first  # coal: optional, no wheel for Windows
+        from vrts.geometry import coal_engine  # optional: there is no wheel for Windows
 
-        return Engine(first.NAME, first.ERROR, first.pair, first.transform, first.placed)
-    from vrts.geometry import second  # fcl: only where there is no coal, or it is asked for
+        return coal_engine.ENGINE
+    from vrts.geometry import fcl_engine  # only where there is no coal, or it is asked for
 
-    return Engine(second.NAME, second.ERROR, second.pair, second.transform, second.placed)
+    return fcl_engine.ENGINE
 
 
 def pair(first: Shape, second: Shape) -> Pair:

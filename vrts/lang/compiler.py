@@ -14,7 +14,7 @@ from vrts.lang.findings.flow import check_jumps, check_process_programs, check_r
 from vrts.lang.findings.habits import check_habits
 from vrts.lang.findings.usage import check_usage
 from vrts.lang.joined import Joined
-from vrts.lang.lowering.lower import Lowering
+from vrts.lang.lowering.programs import Lowering
 from vrts.lang.meaning.data_sections import read_data, report_replaced
 from vrts.lang.meaning.resolve import Resolver
 from vrts.lang.meaning.scope import Scope

@@ -7,7 +7,7 @@ from vrts.robots.catalog import robot
 from vrts.robots.model import Robot
 from vrts.scene.colors import NAMED, color
 from vrts.scene.model import Body, Mobility, Scene
-from vrts.scene.things.things import floor
+from vrts.scene.things.forms import floor
 
 
 def robot_alone(name: str = "puma761") -> Scene:

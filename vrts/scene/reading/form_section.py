@@ -7,9 +7,9 @@ from vrts.base.toml.reading import Table
 from vrts.base.units import DEG, MM
 from vrts.robots.model import Robot
 from vrts.scene.colors import Color
+from vrts.scene.things.forms import Form, dish, stand, table, upright_box, upright_cylinder
 from vrts.scene.things.oven import BELOW, Oven, oven
 from vrts.scene.things.pizza import ARM, pizza
-from vrts.scene.things.things import Form, dish, stand, table, upright_box, upright_cylinder
 
 PLATE_TOO_LOW = Rule("V485", "stand-too-low")
 MOUTH_TOO_LOW = Rule("V486", "oven-mouth-too-low")

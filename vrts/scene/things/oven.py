@@ -10,7 +10,7 @@ from vrts.base.pose import X_AXIS, Y_AXIS, Pose, Vector, rotation_about, transla
 from vrts.base.units import DEG
 from vrts.geometry.shapes import Box, Cylinder, Piece
 from vrts.scene.colors import Color, known_color
-from vrts.scene.things.things import Form
+from vrts.scene.things.forms import Form
 
 WALL = 0.015  # [m] of sides, back and roof
 LINTEL = 0.035  # [m] height of the panel above the mouth

@@ -9,7 +9,7 @@ import math
 from vrts.base.pose import Vector, translation
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
 from vrts.scene.colors import Color, known_color
-from vrts.scene.things.things import Form
+from vrts.scene.things.forms import Form
 
 PAN = 0.006  # [m] height of the pan
 DOUGH = 0.016  # [m] height of the crust above the underside

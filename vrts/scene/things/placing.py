@@ -10,7 +10,7 @@ from vrts.base.units import MM
 from vrts.geometry.support import bounds
 from vrts.scene.colors import Color
 from vrts.scene.model import Body, Mobility
-from vrts.scene.things.things import Form
+from vrts.scene.things.forms import Form
 
 UNKNOWN_SUPPORT = Rule("V616", "unknown-support")
 CIRCULAR_SUPPORT = Rule("V617", "circular-support")

@@ -18,7 +18,7 @@ from vrts.pipeline.settings import load_task
 from vrts.scene.checks import scene_findings
 from vrts.scene.holds import holds
 from vrts.scene.reading.scene_file import read_scene
-from vrts.scene.things.things import upright_box, upright_cylinder
+from vrts.scene.things.forms import upright_box, upright_cylinder
 
 CANS = load_scene("cans-on-bases").scene
 

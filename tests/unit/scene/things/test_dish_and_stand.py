@@ -12,8 +12,8 @@ from vrts.geometry.support import bounds
 from vrts.robots.arms.gripper import TWO_FINGERS
 from vrts.scene.model import Scene
 from vrts.scene.reading.scene_file import read_scene
+from vrts.scene.things.forms import dish, stand
 from vrts.scene.things.seat import seat
-from vrts.scene.things.things import dish, stand
 
 TEXT = """
 [objects.table]

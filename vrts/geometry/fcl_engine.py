@@ -1,7 +1,8 @@
 """Exact distance between two convex pieces, by python-fcl: a second opinion.
 
-The same interface as `first`, from another code base. Discrete questions only: fcl's continuous
-collision gives different answers in identical runs. Error at most `ERROR` on curved shapes.
+The same interface as `coal_engine`, from another code base. Discrete questions only: fcl's
+continuous collision gives different answers in identical runs. Error at most `ERROR` on curved
+shapes.
 """
 
 from functools import lru_cache
@@ -13,7 +14,7 @@ import numpy.typing as npt
 
 from vrts.base.pose import Pose, Vector
 from vrts.geometry.hull import faces
-from vrts.geometry.nearest import Nearest
+from vrts.geometry.nearest import Engine, Nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -92,6 +93,9 @@ class Pair:
 def pair(first: Shape, second: Shape) -> Pair:
     """Return the `Pair` of two shapes; equal shapes share one."""
     return Pair(first, second)
+
+
+ENGINE = Engine(NAME, ERROR, pair, transform, placed)
 
 
 def nearest(first: Piece, X_WA: Pose, second: Piece, X_WB: Pose) -> Nearest:
