@@ -1,59 +1,159 @@
-"""Run every check of the project, one stage after another: `python -m tests`.
+"""Run the checks of the project: `python -m tests`.
 
-Stages: format, lint, types, types of the browser's modules (tsc by their JSDoc, as Deno has it),
-import contracts, sabotage, tests (spec, unit, property, oracle, golden, browser). Prints the time
-of each; exit status 0 when all pass. `python -m tests lint types` runs those stages only.
+Format, lint, types, types of the browser's modules (tsc by their JSDoc, as Deno has it), import
+contracts, and beside them every test that is not thorough. Prints the time of each; exit status 0
+when all pass. `python -m tests lint types` runs those stages only.
+
+--all      also what is thorough: long tests, laws with all their examples, live sessions that need
+           a machine with nothing else to do, and every patch of `tests/sabotage`
+--rest     only what `--all` adds
+--changed  only what the changes since the last commit can affect, the nearest tests first
+--times    the CPU time of each stage and the 40 slowest tests; keeps the seconds of each file,
+           from which the next runs know what to start first
 """
 
 import os
 import subprocess
 import sys
+import tempfile
+import threading
 import time
 from pathlib import Path
+from typing import NamedTuple
 
-ROOT = Path(__file__).parent.parent
+from tests import changed, laws, times
+from tests.places import ROOT
+
 BIN = Path(sys.executable).parent
 PYTHON = sys.executable
+WORKERS = str((os.cpu_count() or 1) + 1)  # some tests wait
 
 WEB = ROOT / "vrts" / "web"
 MODULES = sorted(str(p) for p in WEB.rglob("*.js") if WEB / "vendor" not in p.parents)
 
-STAGES: dict[str, list[str]] = {
+FIXED: dict[str, list[str]] = {  # what looks at the text only
     "format": [str(BIN / "ruff"), "format", "--check", "--quiet", "."],
     "lint": [str(BIN / "ruff"), "check", "--quiet", "."],
     "types": [str(BIN / "basedpyright"), "--level", "error", "--pythonpath", PYTHON],
+    "imports": [str(BIN / "lint-imports"), "--no-cache"],
     "browser-types": [
         *(str(BIN / "deno"), "check", "--quiet", "--no-remote", "--no-npm"),
         *("--config", str(ROOT / "vrts" / "stubs" / "browser" / "deno.json"), *MODULES),
     ],
-    "imports": [str(BIN / "lint-imports"), "--no-cache"],
-    "sabotage": [PYTHON, "-m", "tests.sabotage"],
-    "tests": [PYTHON, "-m", "pytest", "-n", "2", "--durations", "5"],
 }
+PYTEST = [PYTHON, "-m", "pytest"]
+TESTS = {"tests": [*PYTEST, "-n", WORKERS]}
+REST: dict[str, list[str]] = {
+    "thorough": [*PYTEST, "-n", WORKERS, "-m", "thorough and not live"],
+    "live": [*PYTEST, "-p", "no:xdist", "-m", "live"],
+    "sabotage": [PYTHON, "-m", "tests.sabotage"],
+}
+STAGES = FIXED | TESTS | REST
 
 
-def main(chosen: list[str]) -> int:
-    """Run the chosen stages, or all, and return the exit status."""
-    unknown = set(chosen) - set(STAGES)
+class Ended(NamedTuple):
+    """What became of a stage."""
+
+    name: str
+    failed: bool
+    wall_s: float
+    cpu_s: float  # of its processes that were waited for
+
+
+def main(words: list[str]) -> int:
+    """Run the chosen stages, or the usual ones, and return the exit status."""
+    options = {word for word in words if word.startswith("--")}
+    names = [word for word in words if not word.startswith("--")]
+    unknown = [
+        *(options - {"--all", "--rest", "--changed", "--times"}),
+        *(set(names) - set(STAGES)),
+    ]
     if unknown:
         print(f"no such stage: {', '.join(sorted(unknown))}; stages: {', '.join(STAGES)}")
         return 2
-    environment = dict(
+    start = time.perf_counter()
+    with tempfile.TemporaryDirectory() as folder:
+        measured = Path(folder) if "--times" in options else None
+        if "--changed" in options:
+            chosen = changed.stages(FIXED, TESTS["tests"])
+        elif names:
+            chosen = {name: STAGES[name] for name in names}
+        elif "--rest" in options:
+            chosen = REST
+        else:
+            chosen = FIXED | TESTS | (REST if "--all" in options else {})
+        ended = run(chosen, measured)
+        if measured is not None:
+            report(ended, measured)
+    took = time.perf_counter() - start
+    failed = [stage.name for stage in ended if stage.failed]
+    print("== " + ", ".join(f"{stage.name} {stage.wall_s:.1f} s" for stage in ended))
+    print(f"== failed: {', '.join(failed)}" if failed else f"== everything passed in {took:.0f} s")
+    return 1 if failed else 0
+
+
+def run(chosen: dict[str, list[str]], measured: Path | None) -> list[Ended]:
+    """Run what looks at the text only beside the tests, and all else one after another."""
+    ended: list[Ended] = []
+    beside = {name: command for name, command in chosen.items() if name in FIXED}
+    alone = {name: command for name, command in chosen.items() if name not in FIXED}
+    looking = threading.Thread(target=run_quietly, args=(beside, ended))
+    looking.start()
+    for i, (name, command) in enumerate(alone.items()):
+        if i > 0:
+            looking.join()  # what comes after the tests wants the machine for itself
+        print(f"== {name}", flush=True)
+        ended.append(run_one(name, command, environment(name, measured)))
+    looking.join()
+    return sorted(ended, key=lambda stage: list(chosen).index(stage.name))
+
+
+def run_quietly(chosen: dict[str, list[str]], ended: list[Ended]) -> None:
+    """Run stages one after another; print what they say when they are over."""
+    for name, command in chosen.items():
+        with tempfile.TemporaryFile() as said:
+            stage = run_one(name, command, environment(name, None), said.fileno())
+            said.seek(0)
+            text = said.read().decode()
+        ended.append(stage)
+        print(f"\n== {name}: {'FAILED' if stage.failed else 'passed'}\n{text}", end="", flush=True)
+
+
+def run_one(
+    name: str, command: list[str], environment: dict[str, str], said: int | None = None
+) -> Ended:
+    """Run a stage."""
+    start = time.perf_counter()
+    process = subprocess.Popen(command, cwd=ROOT, env=environment, stdout=said, stderr=said)
+    _, status, used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    wall = time.perf_counter() - start
+    return Ended(name, process.returncode != 0, wall, used.ru_utime + used.ru_stime)
+
+
+def environment(name: str, measured: Path | None) -> dict[str, str]:
+    """Return the environment of a stage: what is compiled once is kept beside its text."""
+    found = dict(
         os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", DENO_NO_UPDATE_CHECK="1"
     )
-    failed: list[str] = []
-    times: list[str] = []
-    for name in chosen or STAGES:
-        print(f"== {name}", flush=True)
-        start = time.perf_counter()
-        result = subprocess.run(STAGES[name], cwd=ROOT, env=environment, check=False)
-        took = time.perf_counter() - start
-        times.append(f"{name} {took:.1f} s")
-        if result.returncode:
-            failed.append(name)
-    print("== " + ", ".join(times))
-    print("== failed: " + ", ".join(failed) if failed else "== everything passed")
-    return 1 if failed else 0
+    found.pop("PYTHONDONTWRITEBYTECODE", None)
+    if name == "thorough":
+        found[laws.ALL_NAME] = "1"
+    if measured is not None and name in ("tests", "thorough", "live"):
+        found |= {times.FOLDER: str(measured), "PYTEST_PLUGINS": "tests.times"}
+    return found
+
+
+def report(ended: list[Ended], measured: Path) -> None:
+    """Print what everything cost, and keep the seconds of files."""
+    costs = times.read(measured)
+    print("\n== CPU time of each stage [s]")
+    for stage in ended:
+        print(f"{stage.cpu_s:8.1f}  {stage.name}")
+    if costs:
+        print("\n== the slowest tests by CPU time, with the processes below them")
+        print(times.table(costs))
+        times.keep(costs)
 
 
 if __name__ == "__main__":

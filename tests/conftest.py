@@ -1,13 +1,73 @@
-"""Settings of every test: the same examples in every run, no limits by the clock."""
+"""Settings of every test: the same examples in every run, no limits by the clock; slowest first.
 
+Tests that are thorough (marker `thorough`) run in `python -m tests --all`, where laws are also
+tried with all their examples.
+"""
+
+import gc
 import signal
 
+import pytest
 from hypothesis import settings
+from xdist.scheduler import LoadScopeScheduling
 
-settings.register_profile("vrts", deadline=None, derandomize=True, database=None)
+from tests.laws import ALL, examples
+from tests.times import seconds
+
+BROWSERS = "tests/browser"
+
+settings.register_profile(
+    "vrts", deadline=None, derandomize=True, database=None, max_examples=examples(100)
+)
 settings.load_profile("vrts")
 
 # shells start what is in the background deaf to Ctrl-C, and every process that a test starts
 # inherits that: tests that interrupt one would wait for ever
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def group(nodeid: str) -> str:
+    """Return what is not divided among workers: a file, so that what it makes is made once.
+
+    All that needs Chromium goes together, and to one Chromium.
+    """
+    file = nodeid.split("::")[0]
+    return BROWSERS if file.startswith(BROWSERS) else file
+
+
+class InGroups(LoadScopeScheduling):
+    """Gives a worker the next group when it has nearly done its last."""
+
+    def _split_scope(self, nodeid: str) -> str:
+        return group(nodeid)
+
+
+@pytest.hookimpl(optionalhook=True)  # without xdist there is nothing to divide
+def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> InGroups:
+    """Take groups in the order in which they were collected."""
+    config.option.loadscopereorder = False
+    return InGroups(config, log)  # pyright: ignore[reportArgumentType]
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Put the slowest group first, by what was measured; laws with all examples are thorough."""
+    if ALL:
+        for item in items:
+            if getattr(getattr(item, "obj", None), "is_hypothesis_test", False):
+                item.add_marker("thorough")
+    known = seconds()
+    lasts: dict[str, float] = {}
+    for item in items:
+        lasts.setdefault(group(item.nodeid), 0.0)
+    for file, wall in known.items():
+        if group(file) in lasts:
+            lasts[group(file)] += wall
+    items.sort(key=lambda item: -lasts[group(item.nodeid)])
+
+
+def pytest_collection_finish() -> None:
+    """Let the collector of garbage forget what is there for good: 8,000 tests and all modules."""
+    gc.collect()
+    gc.freeze()

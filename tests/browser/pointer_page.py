@@ -7,7 +7,7 @@ from urllib.parse import quote
 import msgspec
 from playwright.sync_api import Browser
 
-from tests.browser.support import Opened, until
+from tests.browser.support import DOTS, FRAMES, UNDRAWN, Opened, until
 from vrts.live.session.channel import messages as m
 from vrts.live.session.live_session import Session
 from vrts.pipeline.scenes import load_scene
@@ -107,7 +107,10 @@ def pointer_page(
         viewport={"width": 400, "height": 1300} if phone else {"width": 1260, "height": 720},
         has_touch=phone,
         color_scheme="dark" if dark else "light",
+        device_scale_factor=DOTS,
     )
+    context.add_init_script(FRAMES)
+    context.add_init_script(UNDRAWN)
     page = context.new_page()
     view = Opened(page)
     page.on("console", lambda message: view.messages.append(f"{message.type}: {message.text}"))

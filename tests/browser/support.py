@@ -1,4 +1,4 @@
-"""Chromium for tests: one for a module, pages that note what they say and ask for."""
+"""Chromium for tests: pages that note what they say and ask for."""
 
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +16,14 @@ FLAGS = [
     "--disable-component-update",
     "--no-first-run",
 ]
+# pixels of a picture cost much where no GPU helps
+DOTS = 0.25  # pixels to a dot of the page, each way
+# and so do frames of an animation: ten in a second are enough
+FRAMES = "window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 100);"
+# who does not look at the picture needs none: everything is made ready, and nothing drawn
+UNDRAWN = """for (const name of ["drawArrays", "drawElements"]) {
+  WebGL2RenderingContext.prototype[name] = () => {};
+}"""
 PIXEL = bytes.fromhex(
     "89504e470d0a1a0a0000000d4948445200000001000000010806000000"
     "1f15c4890000000d49444154789c63606060f80f0001040100"
@@ -38,19 +46,29 @@ class Opened:
 
 
 def opened(
-    browser: Browser, path: Path, width: int = 1280, *, dark: bool = False, still: bool = False
+    browser: Browser,
+    path: Path,
+    width: int = 1280,
+    *,
+    dark: bool = False,
+    still: bool = False,
+    drawn: bool = False,
 ) -> Opened:
-    """Open a file; `still` asks for reduced motion."""
+    """Open a file; `still` asks for reduced motion, `drawn` for a picture that can be looked at."""
     view = Opened(
         browser.new_page(
             viewport={"width": width, "height": 900},
             color_scheme="dark" if dark else "light",
             reduced_motion="reduce" if still else "no-preference",
+            device_scale_factor=DOTS,
         )
     )
     view.page.on("console", lambda m: view.messages.append(f"{m.type}: {m.text}"))
     view.page.on("pageerror", lambda e: view.messages.append(f"exception: {e}"))
     view.page.on("request", lambda r: view.requests.append(r.url[:200]))
+    view.page.add_init_script(FRAMES)
+    if not drawn:
+        view.page.add_init_script(UNDRAWN)
     view.page.goto(path.as_uri())
     return view
 

@@ -6,11 +6,10 @@ from typing import Any
 
 from playwright.sync_api import Browser, BrowserContext, Error, Page
 
+from tests.browser.support import DOTS, FRAMES, UNDRAWN
 from tests.support_live import LiveServer
 
 PATIENCE = 60.0  # [s]; the machine may be busy
-# pixels of a picture cost much where no GPU helps, and no test here looks at them
-DOTS = 0.25  # pixels to a dot of the page, each way
 # before anybody has entered, GET /me says so
 EXPECTED = "the server responded with a status of 401"
 
@@ -80,15 +79,24 @@ class Desk:
 
 
 def desk(
-    browser: Browser, server: LiveServer, path: str = "/", *, width: int = 1000, dark: bool = False
+    browser: Browser,
+    server: LiveServer,
+    path: str = "/",
+    *,
+    width: int = 1000,
+    dark: bool = False,
+    drawn: bool = False,
 ) -> Desk:
-    """Open the page in a context of its own."""
+    """Open the page in a context of its own; `drawn` for a picture that can be looked at."""
     context = browser.new_context(
         viewport={"width": width, "height": 844 if width < 500 else 640},
         color_scheme="dark" if dark else "light",
         reduced_motion="reduce",
         device_scale_factor=DOTS,
     )
+    context.add_init_script(FRAMES)
+    if not drawn:
+        context.add_init_script(UNDRAWN)
     context.set_default_timeout(PATIENCE * 1000)
     opened = Desk(context.new_page(), context)
     opened.page.on("console", lambda m: opened.messages.append(f"{m.type}: {m.text}"))

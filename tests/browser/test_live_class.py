@@ -99,7 +99,7 @@ def test_a_contact_lights_up_and_names_the_bodies(operator: Desk, viewer: Desk) 
 def test_the_supervisor_takes_over_freezes_and_makes_rooms(
     browser: Browser, server: LiveServer, operator: Desk
 ) -> None:
-    lead = supervisor(browser, server)
+    lead = supervisor(browser, server, drawn=True)
     lead.page.on("dialog", lambda dialog: dialog.accept())
     lead.page.click("#tab-lead")
     lead.page.click("#panel-lead button:text('Take control')")

@@ -36,8 +36,8 @@ def faults(view: Desk) -> list[Any]:
     if not view.value("'axe' in window"):
         view.page.evaluate(AXE)
     found = view.page.evaluate(ALL_RULES)
-    assert len(found["passes"]) > 25
-    return [(v["id"], [node["html"][:140] for node in v["nodes"][:4]]) for v in found["violations"]]
+    assert found["passes"] > 25
+    return found["violations"]
 
 
 def test_axe_finds_nothing_in_any_panel(lead: Desk) -> None:

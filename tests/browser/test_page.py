@@ -24,7 +24,7 @@ pytestmark = pytest.mark.browser
 def report(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Opened:
     path = tmp_path_factory.mktemp("report") / "submission-07.html"
     path.write_text(page(assessment(), {"moment": PIXEL}), encoding="utf-8")
-    view = opened(browser, path)
+    view = opened(browser, path, drawn=True)
     until(view, "window.vrts !== undefined")
     view.first_clock = clock(view)
     return view

@@ -9,14 +9,13 @@ shown output stands for any number of lines, also for none.
 import os
 import re
 import shutil
-import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from tests.places import ROOT
+from tests.support_commands import vrts_shown
 
 ELLIPSIS = "…"
 
@@ -126,13 +125,4 @@ def _run(command: str, folder: Path) -> str:
         "PYTHONIOENCODING": "utf-8",
         "COLUMNS": "100",
     }
-    result = subprocess.run(
-        [sys.executable, "-c", "from vrts.cli.main import main; main()", *arguments],
-        cwd=folder,
-        env=environment,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        check=False,
-    )
-    return result.stdout.decode("utf-8")
+    return vrts_shown(*arguments, cwd=folder, env=environment)

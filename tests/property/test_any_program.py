@@ -5,6 +5,7 @@ from itertools import pairwise
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from tests.support_engine import main
 from tests.support_programs import ALONE, compiled
 from vrts.engine.controller import advance, execute, start, truncate
@@ -175,7 +176,7 @@ def can_be_asked(run: Run) -> None:
 
 
 @given(PROGRAMS, SCENARIOS)
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=examples(80), deadline=None)
 def test_any_program_ends_and_moves_smoothly(text: str, happens: Scenario) -> None:
     run = execute(compiled(text, "val2+"), ALONE, happens)
     assert run.ending not in (Ending.RUNNING, Ending.NOT_STARTED)
@@ -184,7 +185,7 @@ def test_any_program_ends_and_moves_smoothly(text: str, happens: Scenario) -> No
 
 
 @given(PROGRAMS, SCENARIOS, TIMED, TICKS)
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=examples(80), deadline=None)
 def test_any_operated_program_can_be_cut_and_continued(
     text: str, happens: Scenario, commands: list[TimedCommand], cut: int
 ) -> None:

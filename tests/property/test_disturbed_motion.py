@@ -5,6 +5,7 @@ from itertools import pairwise
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from tests.support_engine import main
 from tests.support_programs import ALONE, compiled
 from vrts.engine.controller import advance, start
@@ -61,7 +62,7 @@ def disturbed(commands: list[TimedCommand]) -> Run:
 
 
 @given(TIMED)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_positions_and_speeds_have_no_jumps(commands: list[TimedCommand]) -> None:
     run = disturbed(commands)
     for before, after in pairwise(run.timeline.segments):
@@ -75,7 +76,7 @@ def test_positions_and_speeds_have_no_jumps(commands: list[TimedCommand]) -> Non
 
 
 @given(TIMED)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 def test_joints_stay_within_ranges_and_the_arm_rests_between_motions(
     commands: list[TimedCommand],
 ) -> None:
@@ -95,7 +96,7 @@ def test_joints_stay_within_ranges_and_the_arm_rests_between_motions(
 
 
 @given(TIMED, TIMES)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 def test_commands_change_only_what_comes_after_them(
     commands: list[TimedCommand], at: float
 ) -> None:

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from tests.support_programs import ROOT, cans, compiled, program
 from vrts.engine.controller import advance, execute, start, truncate
 from vrts.engine.run import OutOfHorizon, Run
@@ -162,14 +163,14 @@ def same_run(one: Run, other: Run) -> None:
         assert one.at_statement(finished).call_stack == other.at_statement(finished).call_stack
 
 
-@settings(max_examples=15)
+@settings(max_examples=examples(15))
 @given(st.floats(0.0, END))
 def test_what_is_cut_and_continued_was_never_cut(time_s: float) -> None:
     again = advance(truncate(WHOLE, time_s), WHOLE.until_s, closed=True)
     same_run(again, WHOLE)
 
 
-@settings(max_examples=15)
+@settings(max_examples=examples(15))
 @given(st.floats(0.0, END), st.floats(0.0, 1.0))
 def test_a_shorter_run_is_the_beginning_of_a_longer_one(time_s: float, part: float) -> None:
     run = advance(start(CARRY, CANS), time_s, [TimedCommand(0.0, Execute("main"))])
@@ -178,7 +179,7 @@ def test_a_shorter_run_is_the_beginning_of_a_longer_one(time_s: float, part: flo
     same_state(run, WHOLE, part * run.horizon_s)
 
 
-@settings(max_examples=15)
+@settings(max_examples=examples(15))
 @given(st.lists(st.floats(0.0, END), min_size=1, max_size=4))
 def test_growing_in_steps_is_growing_at_once(times: list[float]) -> None:
     run = advance(start(CARRY, CANS), 0.0, [TimedCommand(0.0, Execute("main"))])
@@ -193,7 +194,7 @@ def run_of(commands: list[TimedCommand], until_s: float = LONGEST) -> Run:
     return advance(start(BUSY, robot_alone(), TRAFFIC), until_s, commands)
 
 
-@settings(max_examples=20)
+@settings(max_examples=examples(20))
 @given(TIMED, st.lists(MOMENTS, min_size=1, max_size=5))
 def test_an_operated_run_grows_in_steps(commands: list[TimedCommand], times: list[float]) -> None:
     whole = run_of(commands)
@@ -206,7 +207,7 @@ def test_an_operated_run_grows_in_steps(commands: list[TimedCommand], times: lis
     same_run(run, whole)
 
 
-@settings(max_examples=20)
+@settings(max_examples=examples(20))
 @given(TIMED, MOMENTS)
 def test_a_fork_with_the_same_commands_is_the_same_run(
     commands: list[TimedCommand], time_s: float
@@ -216,7 +217,7 @@ def test_a_fork_with_the_same_commands_is_the_same_run(
     same_run(advance(truncate(whole, time_s), LONGEST, later), whole)
 
 
-@settings(max_examples=15)
+@settings(max_examples=examples(15))
 @given(TIMED, TIMED, MOMENTS)
 @example(
     [
@@ -241,7 +242,7 @@ def test_forks_leave_each_other_alone(
         same_state(other, whole, k * time_s / 5)
 
 
-@settings(max_examples=10)
+@settings(max_examples=examples(10))
 @given(TIMED)
 def test_statements_and_times_agree(commands: list[TimedCommand]) -> None:
     run = run_of(commands)
@@ -254,7 +255,7 @@ def test_statements_and_times_agree(commands: list[TimedCommand]) -> None:
             assert run.at(state.time_s - 0.5 * tick).finished <= finished
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(PROGRAMS)
 def test_timelines_have_no_gaps_and_programs_end(body: str) -> None:
     run = execute(compiled(program(body)), robot_alone())
@@ -273,7 +274,7 @@ def test_timelines_have_no_gaps_and_programs_end(body: str) -> None:
     assert times == sorted(times)
 
 
-@settings(max_examples=20)
+@settings(max_examples=examples(20))
 @given(PROGRAMS, st.floats(0.0, 1.0))
 def test_any_program_can_be_cut_anywhere(body: str, part: float) -> None:
     whole = execute(compiled(program(body)), robot_alone())

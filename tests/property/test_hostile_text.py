@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from tests.support_hostile import diagnostics, names, service_commands, steering, texts
 from tests.support_reports import SYNTAX, broken
 from tests.support_sarif import schema_errors
@@ -25,7 +26,7 @@ from vrts.report.page.page import page
 from vrts.report.plain import shown, visible
 from vrts.report.screen.assessment_text import assessment_text
 
-few = settings(max_examples=40)
+few = settings(max_examples=examples(40))
 FOR_PEOPLE: tuple[Form, ...] = ("full", "concise")
 COLOR = re.compile(r"\x1b\[[0-9;]*m")
 COMMAND = re.compile(

@@ -8,6 +8,7 @@ from pathlib import Path
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from tests.unit.marking.intake.support import DOCX, PDF, PICK, PROSE, STEPS, zipped
 from vrts.base.safe_names import safe
 from vrts.marking.intake.candidate import data_of
@@ -83,7 +84,7 @@ def lawful(found: Intake, place: Path) -> None:
 
 
 @given(DOWNLOADS)
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_any_download_becomes_rows(files: dict[str, bytes]) -> None:
     with tempfile.TemporaryDirectory() as folder:
         try:
@@ -96,7 +97,7 @@ def test_any_download_becomes_rows(files: dict[str, bytes]) -> None:
 
 
 @given(DOWNLOADS, st.integers(0), st.binary(min_size=1, max_size=4))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_any_damage_is_told_or_harmless(files: dict[str, bytes], at: int, change: bytes) -> None:
     data = bytearray(zipped({"anna/work.zip": archive({**files, "pick.v2": PICK})}))
     inner = bytearray(archive({**files, "pick.v2": PICK}))
@@ -114,7 +115,7 @@ def test_any_damage_is_told_or_harmless(files: dict[str, bytes], at: int, change
 
 
 @given(st.one_of(st.binary(max_size=200), st.text(max_size=200).map(str.encode)))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_any_table_is_read_or_refused(data: bytes) -> None:
     with tempfile.TemporaryDirectory() as folder:
         place = written(folder, zipped({"anna/pick.v2": PICK}))
@@ -126,7 +127,7 @@ def test_any_table_is_read_or_refused(data: bytes) -> None:
 
 
 @given(st.one_of(st.binary(max_size=100), st.text(max_size=100).map(str.encode)))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_any_metadata_are_read_or_refused(data: bytes) -> None:
     with tempfile.TemporaryDirectory() as folder:
         files = {"submission_metadata.yml": data, "submission_7/pick.v2": PICK}

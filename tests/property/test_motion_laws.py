@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from tests.support_programs import ALONE, PLACES, compiled, program, run_body
 from vrts.base.pose import subtract
 from vrts.base.units import MM
@@ -72,13 +73,13 @@ def times_of(motion: Motion) -> np.ndarray:
     return np.linspace(motion.start_s, motion.end_s, 40)
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(BODIES)
 def test_position_and_velocity_are_continuous(body: str) -> None:
     smooth(run_body(body))
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(
     BODIES,
     st.lists(
@@ -99,7 +100,7 @@ def test_so_are_they_when_the_operator_interferes(
     smooth(run)
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(BODIES)
 def test_joint_motions_and_their_corners_accelerate_within_bounds(body: str) -> None:
     """At most 1.5 times the joint's full speed within the acceleration time."""
@@ -112,7 +113,7 @@ def test_joint_motions_and_their_corners_accelerate_within_bounds(body: str) -> 
             assert most <= 1.5 * ARM.speed[joint] / ARM.acceleration_time * (1 + 1e-9)
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(BODIES)
 def test_stops_are_exact(body: str) -> None:
     run = run_body(body)
@@ -123,7 +124,7 @@ def test_stops_are_exact(body: str) -> None:
         assert after.start_s >= before.end_s - 1e-9
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(BODIES)
 def test_lines_are_straight_where_the_joints_can_follow(body: str) -> None:
     run = run_body(body)
@@ -151,7 +152,7 @@ def test_lines_are_straight_where_the_joints_can_follow(body: str) -> None:
             assert float(np.linalg.norm(away)) <= allowed
 
 
-@settings(max_examples=40)
+@settings(max_examples=examples(40))
 @given(
     st.lists(
         st.sampled_from(["MOVE a", "MOVE b", "MOVES a", "MOVES b", "MOVE c", "MOVES c"]),

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from tests.support_programs import program
 from tests.support_saved import (
     answers,
@@ -80,7 +81,7 @@ def taken(data: bytes) -> Run | tuple[Diagnostic, ...]:
         return refused.diagnostics
 
 
-@settings(max_examples=25)
+@settings(max_examples=examples(25))
 @given(BODIES, st.sampled_from([100.0, 50.0, 12.5]))
 def test_what_is_loaded_answers_as_what_was_saved(lines: list[str], speed: float) -> None:
     body = "\n".join(["n = 0", *lines]).replace("SPEED 40 MONITOR", f"SPEED {speed}")
@@ -147,7 +148,7 @@ def keys_of(node: Any) -> list[Any]:
     return list(range(len(cast(list[Any], node)))) if isinstance(node, list) else []
 
 
-@settings(max_examples=300)
+@settings(max_examples=examples(300))
 @given(
     st.sampled_from(FILES),
     st.lists(st.integers(0, 10**6), min_size=1, max_size=6),

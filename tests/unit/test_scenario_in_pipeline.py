@@ -2,13 +2,13 @@
 
 import os
 import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from tests.places import ROOT
+from tests.support_commands import vrts_text
 from vrts.pipeline.assess import assess
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.reading import ProgramFile
@@ -39,11 +39,7 @@ def file(folder: Path, text: str, name: str = "other.toml") -> Path:
 
 def vrts(*words: str | Path, cwd: Path = ROOT) -> "subprocess.CompletedProcess[str]":
     plain = {k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "FORCE_COLOR")}
-    command = [sys.executable, "-m", "vrts.cli.main", *map(str, words)]
-    environment = {**plain, "PYTHONPATH": str(ROOT)}
-    return subprocess.run(
-        command, capture_output=True, text=True, cwd=cwd, env=environment, check=False
-    )
+    return vrts_text(*words, cwd=cwd, env={**plain, "PYTHONPATH": str(ROOT)})
 
 
 def test_the_engine_runs_under_the_scenario(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests import support_commands
 from tests.places import ROOT
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
@@ -22,14 +23,8 @@ def vrts(
     *words: str | Path, stdin: bytes = b"", cwd: Path = ROOT, **environment: str
 ) -> "subprocess.CompletedProcess[bytes]":
     plain = {k: v for k, v in os.environ.items() if k not in ("NO_COLOR", "FORCE_COLOR")}
-    return subprocess.run(
-        [sys.executable, "-m", "vrts.cli.main", *map(str, words)],
-        input=stdin,
-        capture_output=True,
-        cwd=cwd,
-        env={**plain, "PYTHONPATH": str(ROOT), **environment},
-        check=False,
-    )
+    environment = {**plain, "PYTHONPATH": str(ROOT), **environment}
+    return support_commands.vrts(*words, cwd=cwd, stdin=stdin, env=environment)
 
 
 def test_alone_it_says_in_five_lines_what_to_type() -> None:

@@ -3,16 +3,15 @@
 import os
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
 from tests.places import ROOT
+from tests.support_commands import vrts_text
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
-VRTS = Path(sys.executable).with_name("vrts")
 HIDDEN = """
 [[via]]
 name = "a secret gate 471108150815"
@@ -39,9 +38,9 @@ def out(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
     for name, program in zip(NAMES[:2], ("hits-base.v2", "undefined-location.v2"), strict=True):
         shutil.copy(EXAMPLE / "submissions" / program, handed_in / f"{name}.v2")
     (handed_in / "not-text.v2").write_bytes(b"\0\1\2")
-    words = (VRTS, "grade", home / "task" / "task.toml", handed_in, "--recordings", "-o", "out")
-    done = subprocess.run(words, cwd=home, capture_output=True, check=False)
-    assert done.returncode == 0, done.stderr.decode()
+    words = ("grade", home / "task" / "task.toml", handed_in, "--recordings", "-o", "out")
+    done = vrts_text(*words, cwd=home)
+    assert done.returncode == 0, done.stderr
     return home / "out"
 
 

@@ -6,6 +6,7 @@ from tempfile import TemporaryDirectory
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from tests.unit.monitor.dialogues import LONGEST, dialogue, said
 from vrts.lang.dialect import VAL2_PLUS
 from vrts.lang.vocabulary.commands import COMMANDS
@@ -25,7 +26,7 @@ LINES = st.lists(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(LINES)
 def test_no_line_makes_the_monitor_fail(lines: list[str]) -> None:
     with TemporaryDirectory() as folder:

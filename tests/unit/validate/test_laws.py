@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from tests.unit.validate.support import (
     Array,
     exact_log,
@@ -97,7 +98,7 @@ def test_joints_alone_tell_neither_base_nor_tool() -> None:
 
 
 @given(st.tuples(*[st.floats(-0.02, 0.02)] * 3))
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=examples(8), deadline=None)
 def test_errors_move_with_the_log(shift: tuple[float, float, float]) -> None:
     """Without a fit, a displacement of the log is the error."""
     none = Wanted(time=False)
@@ -108,7 +109,7 @@ def test_errors_move_with_the_log(shift: tuple[float, float, float]) -> None:
 
 
 @given(st.tuples(*[st.floats(-1.0, 1.0)] * 3))
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 def test_a_rotation_vector_comes_back(vector: tuple[float, float, float]) -> None:
     assert rotation_vector(turned(np.array(vector))) == pytest.approx(vector, abs=1e-9)
 

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from tests.places import ROOT
+from tests.support_commands import vrts_text
 from vrts.cli.shared.watching import LOOK_EVERY_S, watch
 
 UNCOMMENTED = re.compile(r"^# (\[\[?[a-z.0-9]+\]\]?$|[a-z_]+ = (?!\"lab).*$)", re.MULTILINE)
@@ -20,15 +21,8 @@ SECRET = '\n[[via]]\nname = "high above"\nat_mm = [900, 0, 317]\nradius_mm = 291
 
 
 def vrts(*words: str | Path, cwd: Path) -> "subprocess.CompletedProcess[str]":
-    return subprocess.run(
-        [sys.executable, "-m", "vrts.cli.main", *map(str, words)],
-        capture_output=True,
-        text=True,
-        stdin=subprocess.DEVNULL,
-        cwd=cwd,
-        env={**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": "1"},
-        check=False,
-    )
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": "1"}
+    return vrts_text(*words, cwd=cwd, env=environment)
 
 
 @pytest.fixture(scope="module")

@@ -2,26 +2,18 @@
 
 import json
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from tests.places import ROOT
+from tests.support_commands import vrts_text as vrts
 
-VRTS = str(Path(sys.prefix) / "bin" / "vrts")
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 GOOD = (EXAMPLE / "solution.v2").read_text()
 POOR = (EXAMPLE / "submissions" / "hits-base.v2").read_text()
 LATE = "[late]\ndue = 2026-11-01T12:00:00+01:00\nper_day = 1\n"
-
-
-def vrts(*words: object, cwd: Path) -> "subprocess.CompletedProcess[str]":
-    """Run vrts."""
-    command = [VRTS, *map(str, words)]
-    return subprocess.run(command, cwd=cwd, capture_output=True, text=True, check=False)
 
 
 @pytest.fixture

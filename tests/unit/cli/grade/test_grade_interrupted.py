@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
+from tests.support_commands import vrts_text
 from vrts.cli.main import vrts
 from vrts.pipeline.files import CHECKOUT
 
@@ -80,8 +81,8 @@ def test_ctrl_c_says_how_far_it_was_and_the_same_call_goes_on(home: Path) -> Non
 
     only_anna(home)
     made = (home / "out" / "students" / "anna" / "result.json").stat().st_mtime_ns
-    command = [VRTS, "grade", "task", "download", "--no-pages", "-o", "out"]
-    subprocess.run(command, cwd=home, check=True, capture_output=True)
+    again = vrts_text("grade", "task", "download", "--no-pages", "-o", "out", cwd=home)
+    assert again.returncode == 0, again.stderr
     assert (home / "out" / "students" / "anna" / "result.json").stat().st_mtime_ns == made
     about = json.loads((home / "out" / "staff" / "marking.json").read_text())
     assert about["begun"] < about["finished"]
@@ -114,7 +115,8 @@ def test_what_was_merged_can_be_purged(home: Path) -> None:
         ("run", "plan/shards/shard-01.json"),
         ("merge", "plan", "shard-01.zip", "-o", "out"),
     ):
-        subprocess.run([VRTS, "grade", *words], cwd=home, check=True, capture_output=True)
+        done = vrts_text("grade", *words, cwd=home)
+        assert done.returncode == 0, done.stderr
     assert (home / "out" / "students" / "anna" / "result.json").is_file()
     assert "Cans on bases, begun, and not ended, today" in purge(home, "--older-than", "1d").stdout
     assert purge(home, "--older-than", "0d", "-y").exit_code == 0

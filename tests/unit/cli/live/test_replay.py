@@ -1,10 +1,10 @@
 """`vrts replay` of a saved run: what happened, and the page that plays it both ways."""
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+
+from tests.support_commands import Said, vrts_text
 
 PROGRAM = ".PROGRAM main()\nDRIVE 1,20,100\nOPENI\n.END\n"
 
@@ -18,9 +18,8 @@ def saved(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "turn.vrun"
 
 
-def vrts(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "vrts.cli.main", *words]
-    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
+def vrts(folder: Path, *words: str) -> Said:
+    return vrts_text(*words, cwd=folder)
 
 
 def test_a_saved_run_is_told_and_shown(saved: Path) -> None:

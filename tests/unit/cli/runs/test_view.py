@@ -1,13 +1,12 @@
 """`vrts view` shows programs, saved runs and recordings, and says what it cannot show."""
 
 import os
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from tests.places import ROOT
+from tests.support_commands import vrts_text
 
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 
@@ -26,15 +25,7 @@ def vrts(folder: Path, *words: str) -> tuple[int, str]:
     """Run vrts in a folder, without a screen; return its status and what it writes."""
     env = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
     env |= {"HOME": str(folder), "XDG_CONFIG_HOME": str(folder), "PYTHONPATH": str(ROOT)}
-    done = subprocess.run(
-        [sys.executable, "-m", "vrts.cli.main", *words],
-        cwd=folder,
-        env=env,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=120,
-    )
+    done = vrts_text(*words, cwd=folder, env=env)
     return done.returncode, done.stdout + done.stderr
 
 

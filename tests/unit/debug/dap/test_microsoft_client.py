@@ -38,7 +38,13 @@ def play(scene: str, program: Path) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.parent.name)
+@pytest.mark.parametrize(
+    "example",
+    [
+        pytest.param(path, id=path.parent.name, marks=(pytest.mark.thorough,) if i > 0 else ())
+        for i, path in enumerate(EXAMPLES)
+    ],
+)
 def test_every_example_goes_forward_and_back(example: Path) -> None:
     play("forward and back", example)
 

@@ -1,11 +1,10 @@
 """`vrts dispatch export`: verified, written, read again, and compared."""
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
+from tests.support_commands import vrts_text
 from tests.support_programs import ROOT, ran
 from vrts.dispatch.posts.export import Exported, exported
 from vrts.dispatch.posts.same_motion import TOLERANCE_MM, difference
@@ -78,16 +77,11 @@ def test_runs_apart_by_more_than_allowed_are_told_with_the_time() -> None:
 def test_the_command_writes_beside_the_program_and_says_so(tmp_path: Path) -> None:
     for name in ("solution.v2", "task.toml"):
         (tmp_path / name).write_bytes((EXAMPLES[0].parent / name).read_bytes())
-    words = [sys.executable, "-m", "vrts.cli.main", "dispatch", "export"]
-    done = subprocess.run(
-        [*words, str(tmp_path / "solution.v2"), "--to", "as"], capture_output=True, text=True
-    )
+    done = vrts_text("dispatch", "export", tmp_path / "solution.v2", "--to", "as")
     assert done.returncode == 0, done.stderr
     assert "JMOVE" in (tmp_path / "solution-as.as").read_text()
     assert "the same motion" in done.stderr
     itself = str(tmp_path / "solution.v2")
-    done = subprocess.run(
-        [*words, itself, "--to", "val2", "-o", itself], capture_output=True, text=True
-    )
+    done = vrts_text("dispatch", "export", itself, "--to", "val2", "-o", itself)
     assert done.returncode == 2
     assert "is the program itself" in done.stderr

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.support_commands import vrts_text
 from tests.support_emulator import CARGO, PICK, bundle_of
 from vrts.cli.dispatch.serial_line import dated
 from vrts.dispatch.bundle import bundle_bytes
@@ -22,10 +23,7 @@ KNOWN = find_profile("mark2-val2")
 
 
 def vrts(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "vrts.cli.main", "dispatch", *arguments]
-    return subprocess.run(
-        command, cwd=folder, capture_output=True, text=True, timeout=PATIENCE, check=False
-    )
+    return vrts_text("dispatch", *arguments, cwd=folder)
 
 
 def write(folder: Path, cargo: Cargo = CARGO) -> str:

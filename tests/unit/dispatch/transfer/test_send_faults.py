@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from tests.support_emulator import (
     CARGO,
     PLACES,
@@ -126,7 +127,7 @@ def check_lines(machine: Watched) -> None:
 _LINES = [line.text for line in rehearsed(CARGO, KNOWN)]
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(fault(), st.booleans())
 def test_one_fault_is_harmless_or_told_and_can_be_resumed(one: Fault, resumes: bool) -> None:
     with TemporaryDirectory() as folder:
@@ -164,7 +165,7 @@ def _begins(line: str, sent: set[str]) -> bool:
     return any(row.startswith(line) for row in sent)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(st.lists(fault(), min_size=2, max_size=6))
 def test_many_faults_are_never_taken_for_success(many: list[Fault]) -> None:
     with TemporaryDirectory() as folder:

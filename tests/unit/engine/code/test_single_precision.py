@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from tests.support_engine import runs, words
 from vrts.base.numbers import single
 from vrts.engine.run import Run
@@ -99,7 +100,7 @@ def reals(run: Run) -> list[float]:
 
 
 @given(STEPS)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_every_real_in_memory_is_single(steps: list[str]) -> None:
     caught = ".PROGRAM next\nRETURNE\n.END\n"
     body = "\n".join(["REACTE next", "n = 1.1", "k = -7", *steps])
@@ -110,7 +111,7 @@ def test_every_real_in_memory_is_single(steps: list[str]) -> None:
 
 
 @given(st.lists(EXPRESSIONS, min_size=1, max_size=4))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_numbers_passed_to_programs_are_single_too(values: list[str]) -> None:
     caught = ".PROGRAM next\nRETURNE\n.END\n.PROGRAM take(x)\ngot = x\n.END\n"
     body = "\n".join(["REACTE next", "n = 1.1", "k = 0.3", *(f"CALL take({v})" for v in values)])

@@ -1,12 +1,11 @@
 """A session repeated from the log that a real server wrote."""
 
-import subprocess
-import sys
 from pathlib import Path
 
 import msgspec
 import pytest
 
+from tests.support_commands import vrts_text
 from tests.support_live import LiveServer
 from vrts.live.logs.log_file import LogFault, read_log
 from vrts.live.places import places_of
@@ -75,8 +74,7 @@ def test_the_command_prints_what_happened(
 ) -> None:
     log = tmp_path / "log.jsonl"
     log.write_bytes(recorded[0])
-    words = [sys.executable, "-m", "vrts.cli.main", "replay", str(log)]
-    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    done = vrts_text("replay", log)
     assert done.returncode == 0, done.stderr
     assert "DRIVE 1,20,100" in done.stdout
     assert "the chain is unbroken; session 1 of 1 in cans-on-bases" in done.stderr
@@ -87,8 +85,7 @@ def test_the_page_shows_the_session_with_what_was_done_as_a_program(
 ) -> None:
     log, page = tmp_path / "log.jsonl", tmp_path / "session.html"
     log.write_bytes(recorded[0])
-    words = [sys.executable, "-m", "vrts.cli.main", "replay", str(log), "--page", "--no-open"]
-    done = subprocess.run([*words, "-o", str(page)], capture_output=True, text=True, check=False)
+    done = vrts_text("replay", log, "--page", "--no-open", "-o", page)
     assert done.returncode == 0, done.stderr
     assert f"wrote {page}" in done.stderr
     text = page.read_text(encoding="utf-8")

@@ -3,13 +3,13 @@
 import hashlib
 import json
 import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import msgspec
 import pytest
 
+from tests.support_commands import vrts_text
 from tests.unit.live.session.support import Driven
 from vrts.live import actions as do
 from vrts.live.logs.session_marker import SessionMarker, entries_to_bytes
@@ -73,8 +73,7 @@ def database(path: Path, rooms: dict[str, list[Entry]]) -> None:
 
 
 def graded(*words: str, status: int = 0) -> tuple[str, str]:
-    command = [sys.executable, "-m", "vrts.cli.main", "grade", *words]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    done = vrts_text("grade", *words)
     assert done.returncode == status, done.stderr
     return done.stdout, done.stderr
 

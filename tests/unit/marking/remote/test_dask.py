@@ -85,6 +85,7 @@ def marker(tmp_path_factory: pytest.TempPathFactory) -> Marker:
     return Marker(Place(task(home / "lab")), Wanted(pages=False))
 
 
+@pytest.mark.thorough
 def test_a_worker_that_dies_costs_nothing(workers: Workers, marker: Marker, tmp_path: Path) -> None:
     said: list[Diagnostic] = []
     entries = (*CLASS, *MANY)
@@ -102,6 +103,7 @@ def test_a_worker_that_dies_costs_nothing(workers: Workers, marker: Marker, tmp_
     assert [d.entry.identifier for d in again if not d.reused] == ["dora", "gina"]
 
 
+@pytest.mark.thorough
 def test_a_shard_that_kills_workers_is_marked_here(marker: Marker, tmp_path: Path) -> None:
     with dask.config.set({"distributed.scheduler.allowed-failures": 0}):
         cluster = start(tmp_path / "dask")
@@ -118,6 +120,7 @@ def test_a_shard_that_kills_workers_is_marked_here(marker: Marker, tmp_path: Pat
     assert {d.result.kind for d in done} == {Kind.GRADED}
 
 
+@pytest.mark.thorough
 def test_a_scheduler_that_goes_away_costs_nothing(
     workers: Workers, marker: Marker, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -20,7 +20,9 @@ from vrts.marking.supervise.outcome import Answer, Loss, Lost
 from vrts.marking.supervise.supervisor import CAN_FORK, Finished, Supervisor
 
 LIMITS = Limits(cpu_s=1, wall_s=5.0, memory=400_000_000, file=1_000_000, files=64, answer=100_000)
-WAYS = [pytest.param(False, id="spawned")]
+# where processes can be forked, what starts anew is shown in `--all`
+SPAWNED = (pytest.mark.thorough,) if CAN_FORK else ()
+WAYS = [pytest.param(False, id="spawned", marks=SPAWNED)]
 if CAN_FORK:
     WAYS.append(pytest.param(True, id="forked"))
 

@@ -4,6 +4,7 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tests.laws import examples
 from vrts.report.picture.raster import NOTHING, nearness, numbers, plane, rasterise, signed_area
 
 WIDTH, HEIGHT = 23, 17
@@ -16,7 +17,7 @@ def triangles(seed: int, count: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 @given(st.integers(0, 10_000), st.integers(1, 12))
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 def test_every_pixel_shows_the_nearest_triangle_at_its_middle(seed: int, count: int) -> None:
     points, near = triangles(seed, count)
     buffer = rasterise(points, near, WIDTH, HEIGHT)
@@ -39,7 +40,7 @@ def test_every_pixel_shows_the_nearest_triangle_at_its_middle(seed: int, count: 
 
 
 @given(st.integers(0, 10_000))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 def test_order_and_number_of_calls_do_not_matter(seed: int) -> None:
     points, near = triangles(seed, 10)
     whole = rasterise(points, near, WIDTH, HEIGHT)
@@ -50,7 +51,7 @@ def test_order_and_number_of_calls_do_not_matter(seed: int) -> None:
 
 
 @given(st.integers(0, 10_000))
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 def test_triangles_round_a_point_leave_no_gap_and_share_no_pixel(seed: int) -> None:
     random = np.random.default_rng(seed)
     centre = random.uniform(8, 15, 2)

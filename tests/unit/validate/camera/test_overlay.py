@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
+from tests.support_commands import Said, vrts_text
 from tests.support_programs import ROOT
 from tests.unit.validate.camera.test_calibrate import points
 from vrts.base.diagnostic import Diagnostic
@@ -128,10 +129,9 @@ def write_case(run: Run, folder: Path) -> None:
     (folder / "camera.toml").write_text("\n".join(text))
 
 
-def called(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "vrts.cli.main", "validate", str(EXAMPLE)]
-    whole = [*command, "--scene", "cans-on-bases", "--camera", str(folder / "camera.toml"), *words]
-    return subprocess.run(whole, capture_output=True, text=True, cwd=folder)
+def called(folder: Path, *words: str) -> Said:
+    whole = ("validate", EXAMPLE, "--scene", "cans-on-bases", "--camera", folder / "camera.toml")
+    return vrts_text(*whole, *words, cwd=folder)
 
 
 def test_the_command_draws_the_robot_over_frames_of_a_camera_that_moves(

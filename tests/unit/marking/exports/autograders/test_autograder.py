@@ -146,7 +146,7 @@ def test_a_time_out_ends_with_a_result(root: Path) -> None:
     assert "could not be marked" in found["output"]
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_wheels_go_in_and_setup_installs_the_pinned_version(tmp_path: Path) -> None:
     """A stand-in of vrts and of pip's index: a wheel, installed without network by real pip."""
     wheels = tmp_path / "wheels"
