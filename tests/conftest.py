@@ -15,6 +15,9 @@ from tests.laws import ALL, examples
 from tests.times import seconds
 
 BROWSERS = "tests/browser"
+TOGETHER = {  # what uses the same: it is made once
+    "tests/unit/check/mark/test_earned.py": "tests/golden/test_examples.py",
+}
 
 settings.register_profile(
     "vrts", deadline=None, derandomize=True, database=None, max_examples=examples(100)
@@ -33,7 +36,7 @@ def group(nodeid: str) -> str:
     All that needs Chromium goes together, and to one Chromium.
     """
     file = nodeid.split("::")[0]
-    return BROWSERS if file.startswith(BROWSERS) else file
+    return BROWSERS if file.startswith(BROWSERS) else TOGETHER.get(file, file)
 
 
 class InGroups(LoadScopeScheduling):
@@ -68,6 +71,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Let the collector of garbage forget what is there for good: 8,000 tests and all modules."""
+    """Let the collector of garbage look less often, and not at what stays: tests and modules."""
     gc.collect()
     gc.freeze()
+    gc.set_threshold(50_000, 20, 50)

@@ -12,6 +12,8 @@ import gc
 import importlib
 import json
 import os
+import select
+import signal
 import socket
 import subprocess
 import sys
@@ -20,7 +22,7 @@ import time
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import BinaryIO
+from typing import BinaryIO, TextIO
 
 from tests.places import ROOT
 
@@ -38,6 +40,9 @@ LOADED = (
     "vrts.cli.grade.mark_command",
     "vrts.assignments.task_folder",
     "vrts.geometry.second",
+    "vrts.debug.dap.serving",
+    "vrts.live.serving",
+    "vrts.live.teaching",
 )
 Said = subprocess.CompletedProcess[str]
 Written = subprocess.CompletedProcess[bytes]
@@ -73,6 +78,62 @@ def vrts_shown(*words: object, cwd: Path, env: Mapping[str, str] | None = None) 
         return _content(out).decode()
 
 
+class Begun:
+    """A command that has begun, as subprocess.Popen shows one."""
+
+    def __init__(self, *words: object, talks: bool = False) -> None:
+        """Begin a command in the folder of the tests.
+
+        What `talks` has pipes for stdin and stdout, of bytes, and the tests' stderr; all else
+        has a pipe for stderr, of text.
+        """
+        self.stdin: BinaryIO | None = None
+        self.stdout: BinaryIO | None = None
+        self.stderr: TextIO | None = None
+        self.returncode: int | None = None
+        nothing = os.open(os.devnull, os.O_RDWR)
+        if talks:
+            given, theirs_in = os.pipe()
+            theirs_out, said = os.pipe()
+            self.stdin, self.stdout = os.fdopen(theirs_in, "wb"), os.fdopen(theirs_out, "rb")
+            streams = (given, said, 2)
+        else:
+            told, said = os.pipe()
+            self.stderr = os.fdopen(told, encoding="utf-8")
+            streams = (nothing, nothing, said)
+        self.pid = _waiting().begin(words, Path.cwd(), os.environ, *streams)
+        self._ended = os.pidfd_open(self.pid)
+        for stream in {nothing, *streams} - {2}:
+            os.close(stream)
+
+    def poll(self) -> int | None:
+        """Return the exit status, if there is one."""
+        if self.returncode is None and select.select([self._ended], [], [], 0.0)[0]:
+            self._reap()
+        return self.returncode
+
+    def wait(self, timeout: float | None = None) -> int:
+        """Wait for the end; return the exit status."""
+        if self.returncode is None and not select.select([self._ended], [], [], timeout)[0]:
+            raise subprocess.TimeoutExpired("vrts", timeout or 0.0)
+        return self._reap()
+
+    def send_signal(self, number: int) -> None:
+        """Send a signal, unless it has ended."""
+        if self.poll() is None:
+            os.kill(self.pid, number)
+
+    def kill(self) -> None:
+        """Kill -9."""
+        self.send_signal(signal.SIGKILL)
+
+    def _reap(self) -> int:
+        if self.returncode is None:
+            self.returncode = _waiting().reap(self.pid)
+            os.close(self._ended)
+        return self.returncode
+
+
 def _content(file: BinaryIO) -> bytes:
     file.seek(0)
     return file.read()
@@ -104,9 +165,22 @@ class _Waiting:
         *streams: BinaryIO,
     ) -> int:
         """Run a command; return its exit status."""
-        request = json.dumps([[str(word) for word in words], str(cwd), dict(env)]).encode()
-        descriptors = [stream.fileno() for stream in streams]
-        socket.send_fds(self._link, [len(request).to_bytes(4, "big")], descriptors)
+        return self._ask("reap", self.begin(words, cwd, env, *(s.fileno() for s in streams)))
+
+    def begin(
+        self, words: tuple[object, ...], cwd: Path, env: Mapping[str, str], *streams: int
+    ) -> int:
+        """Begin a command; return its process."""
+        told = [[str(word) for word in words], str(cwd), dict(env)]
+        return self._ask("begin", *told, streams=streams)
+
+    def reap(self, process: int) -> int:
+        """Wait for the end of a process; return its exit status."""
+        return self._ask("reap", process)
+
+    def _ask(self, *words: object, streams: tuple[int, ...] = ()) -> int:
+        request = json.dumps(words).encode()
+        socket.send_fds(self._link, [len(request).to_bytes(4, "big")], streams)
         self._link.sendall(request)
         answer = self._link.recv(4)
         assert len(answer) == 4, "the waiting interpreter is gone"
@@ -127,7 +201,7 @@ def _waiting() -> _Waiting:
 
 
 def _serve(link: socket.socket) -> tuple[list[str], str, dict[str, str]] | None:
-    """Fork for each request; return it in the child, and None when there are no more."""
+    """Fork for each command; return it in the child, and None when there are no more."""
     while True:
         size, descriptors, _, _ = socket.recv_fds(link, 4, 3)
         if not size:
@@ -135,17 +209,19 @@ def _serve(link: socket.socket) -> tuple[list[str], str, dict[str, str]] | None:
         request = b""
         while len(request) < int.from_bytes(size, "big"):
             request += link.recv(1 << 16)
-        child = os.fork()
-        if child == 0:
+        what, *told = json.loads(request)
+        if what == "reap":
+            answer = os.waitstatus_to_exitcode(os.waitpid(told[0], 0)[1])
+        elif (answer := os.fork()) == 0:
             link.close()
             for number, descriptor in enumerate(descriptors):
                 os.dup2(descriptor, number)
                 os.close(descriptor)
-            return json.loads(request)
+            words, folder, environment = told
+            return words, folder, environment
         for descriptor in descriptors:
             os.close(descriptor)
-        status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-        link.sendall(status.to_bytes(4, "big", signed=True))
+        link.sendall(answer.to_bytes(4, "big", signed=True))
 
 
 def _main() -> None:

@@ -1,13 +1,12 @@
 """A client of the debug adapter protocol: a real process, real pipes."""
 
-import subprocess
-import sys
 import threading
 from collections.abc import Sequence
 from pathlib import Path
 from queue import Empty, Queue
 from typing import Any
 
+from tests.support_commands import Begun
 from tests.support_framing import framed, read_framed
 
 PATIENCE = 60.0  # [s] on a busy machine
@@ -17,8 +16,7 @@ class Client:
     """Talks to `vrts dap`."""
 
     def __init__(self) -> None:
-        words = [sys.executable, "-m", "vrts.cli.main", "dap"]
-        self.process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.process = Begun("dap", talks=True)
         self.events: list[dict[str, Any]] = []
         self._came: Queue[dict[str, Any] | None] = Queue()
         self._number = 0

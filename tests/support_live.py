@@ -4,8 +4,6 @@ import http.client
 import json
 import re
 import signal
-import subprocess
-import sys
 import time
 from collections.abc import Callable
 from contextlib import ExitStack
@@ -16,6 +14,8 @@ from typing import Any
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
+
+from tests.support_commands import Begun
 
 PATIENCE = 25.0  # [s]; the machine may be busy
 Json = dict[str, Any]
@@ -139,8 +139,7 @@ class LiveServer:
         self.start(port)
 
     def start(self, port: str) -> None:
-        words = [sys.executable, "-m", "vrts.cli.main", "serve", *self._arguments, "--port", port]
-        self.process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+        self.process = Begun("serve", *self._arguments, "--port", port)
         assert self.process.stderr is not None
         self.said: list[str] = []
         for line in self.process.stderr:

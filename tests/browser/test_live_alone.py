@@ -52,6 +52,7 @@ def test_an_account_lets_in_and_logging_out_lets_nobody_in(
         view.context.close()
 
 
+@pytest.mark.thorough
 def test_colours_and_frame_rate_are_ones_own_and_stay(teacher: Desk) -> None:
     assert not teacher.value(DARK)
     teacher.page.click("#settings-button")

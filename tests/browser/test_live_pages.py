@@ -58,6 +58,7 @@ def test_axe_finds_nothing_in_any_panel(lead: Desk) -> None:
     assert {name: rows for name, rows in found.items() if rows} == {}
 
 
+@pytest.mark.thorough
 def test_axe_finds_nothing_on_wall_and_projector(lead: Desk, server: LiveServer) -> None:
     for path, there in (
         ("/?wall", "document.querySelector('.room-card') !== null"),

@@ -408,6 +408,7 @@ def test_a_finger_drags_too(browser: Browser, tmp_path: Path, asked: Asked) -> N
     view.page.context.close()
 
 
+@pytest.mark.thorough
 def test_a_pointer_that_is_disposed_of_leaves_nothing(
     browser: Browser, tmp_path: Path, asked: Asked
 ) -> None:

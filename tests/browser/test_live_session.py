@@ -54,6 +54,20 @@ def take_control(desk: Desk) -> None:
         desk.until("vrts.store.operator")
 
 
+def begin(operator: Desk) -> None:
+    """Let the program run, from its beginning or from where it was stopped."""
+    operator.page.click("#tab-programs")
+    if operator.value("vrts.store.now.status.mode !== 'stopped'"):
+        file = {"name": "wave.v2", "mimeType": "text/plain", "buffer": PROGRAM.encode()}
+        operator.page.set_input_files("#upload", file)  # type: ignore[arg-type]
+        operator.until("document.querySelector('.source li') !== null")
+        operator.until(IDLE)
+        operator.page.click("button:text('Execute')")
+    else:
+        operator.page.click("button:text('Proceed')")
+    operator.until("document.body.classList.contains('runs')")
+
+
 def point_at(operator: Desk, *numbers: float) -> None:
     """Put the virtual pointer at X Y Z [mm] O A T [degrees]."""
     operator.page.click("#tab-pointer")
@@ -82,6 +96,7 @@ def down(operator: Desk, step: str) -> None:
     operator.page.click("[aria-label='Z minus']")
 
 
+@pytest.mark.thorough
 def test_a_can_is_carried_by_pointer_pendant_and_monitor(operator: Desk, viewer: Desk) -> None:
     assert viewer.page.locator("#hand-open").is_disabled()
     assert viewer.page.locator("#panic").is_hidden()
@@ -119,6 +134,7 @@ def test_a_can_is_carried_by_pointer_pendant_and_monitor(operator: Desk, viewer:
     assert viewer.value(drawn("can1"))[:2] == [x, y]
 
 
+@pytest.mark.thorough
 def test_snapping_is_right_while_base_is_shifted(operator: Desk, viewer: Desk) -> None:
     operator.ask("BASE 100,50,20")
     operator.until("Math.abs(vrts.store.now.status.location[0] - 1100) > 90")
@@ -153,13 +169,8 @@ def test_chat_and_names_are_text_whatever_they_hold(operator: Desk, viewer: Desk
 
 
 def test_a_program_runs_with_its_line_lit_and_panic_stops_it(operator: Desk, viewer: Desk) -> None:
-    operator.page.click("#tab-programs")
-    file = {"name": "wave.v2", "mimeType": "text/plain", "buffer": PROGRAM.encode()}
-    operator.page.set_input_files("#upload", file)  # type: ignore[arg-type]
     viewer.page.click("#tab-programs")
-    viewer.until("document.querySelector('.source li') !== null")
-    operator.until(IDLE)
-    operator.page.click("button:text('Execute')")
+    begin(operator)
     for one in (operator, viewer):
         one.until("document.querySelector('.source .lit')?.textContent.includes('#PPOINT(60')")
     operator.page.click("#panic")
@@ -173,9 +184,9 @@ def test_a_program_runs_with_its_line_lit_and_panic_stops_it(operator: Desk, vie
     assert viewer.rests()
 
 
+@pytest.mark.thorough
 def test_who_comes_back_has_missed_nothing(operator: Desk, viewer: Desk) -> None:
-    operator.page.click("button:text('Proceed')")
-    operator.until("document.body.classList.contains('runs')")
+    begin(operator)
     operator.context.set_offline(True)
     operator.value("vrts.connection.socket.close()")
     operator.until("vrts.store.now.connection === 'waiting'")
@@ -214,6 +225,7 @@ def test_the_right_passes_through_the_queue(operator: Desk, viewer: Desk) -> Non
     operator.until("vrts.store.operator")
 
 
+@pytest.mark.thorough
 def test_a_supervisor_mutes_broadcasts_reads_logs_and_sends_away(
     browser: Browser, server: LiveServer, operator: Desk, viewer: Desk
 ) -> None:

@@ -13,7 +13,7 @@ from vrts.pipeline.reading import ProgramFile
 from vrts.pipeline.request import Request
 from vrts.pipeline.settings import load_task
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.thorough]
 
 PAGE_MM = 279.0  # of A4, between the margins
 MM_PER_PIXEL = 25.4 / 96.0

@@ -1,13 +1,12 @@
 """The page of a comparison with a real robot in a real browser: wide, narrow, dark, on paper."""
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 from playwright.sync_api import Browser
 
 from tests.browser.support import opened
-from tests.browser.test_accessibility import ALL_RULES, AXE, PHONE
+from tests.browser.test_accessibility import ALL_LOOKS, AXE, faults
 from tests.unit.validate.support import EXAMPLE, path_run
 from vrts.validate.comparison import read_and_compare
 from vrts.validate.offsets import Wanted
@@ -26,16 +25,11 @@ def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return page
 
 
-@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
-@pytest.mark.parametrize("width", [1280, PHONE])
-def test_axe_finds_nothing(browser: Browser, path: Path, width: int, *, dark: bool) -> None:
-    view = opened(browser, path, width, dark=dark)
+def test_axe_finds_nothing(browser: Browser, path: Path) -> None:
+    view = opened(browser, path)
     view.page.evaluate(AXE)
-    found: dict[str, Any] = view.page.evaluate(ALL_RULES)
-    assert [
-        (v["id"], [node["html"][:120] for node in v["nodes"][:5]]) for v in found["violations"]
-    ] == []
-    assert view.page.evaluate("document.documentElement.scrollWidth") <= width
+    for width, dark in ALL_LOOKS:
+        assert faults(view, width, dark=dark) == [], (width, dark)
     assert (len(view.requests), view.complaints()) == (1, [])
     view.page.close()
 

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from typing import TypeAlias
 
@@ -46,9 +47,15 @@ def row(a: Assessment) -> Row:
     }
 
 
+@cache
+def assessed(path: Path) -> Assessment:
+    """Return what is found of one program of an example, in its task."""
+    return assess(request_for(path, Where(task=example_of(path) / "task.toml")))
+
+
 def mark(path: Path) -> Row:
     """Return the row of one program of an example."""
-    return row(assess(request_for(path, Where(task=example_of(path) / "task.toml"))))
+    return row(assessed(path))
 
 
 def name(path: Path) -> str:

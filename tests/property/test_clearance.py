@@ -113,8 +113,16 @@ def test_the_spread_of_curves_is_exact(seed: int) -> None:
         assert (slope[steady].max(axis=0) <= spread.acceleration[0] + 1e-3).all()
 
 
-CUBICS = [(first, False) for first in range(0, 200, 20)]
-DEGREE_8 = [(first, True) for first in range(0, 60, 20)]
+def cases(last: int, *, high: bool) -> list[object]:
+    """Return the first twenty cases, and all others of `--all`."""
+    thorough = (pytest.mark.thorough,)
+    return [
+        pytest.param(first, high, marks=thorough if first else ()) for first in range(0, last, 20)
+    ]
+
+
+CUBICS = cases(200, high=False)
+DEGREE_8 = cases(60, high=True)
 
 
 @pytest.mark.parametrize(("first", "high"), CUBICS + DEGREE_8)

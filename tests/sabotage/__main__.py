@@ -1,7 +1,8 @@
 """Apply each patch to a copy of the tree and demand that the named tests fail.
 
 A patch that no test notices, or that no longer applies, fails this stage. Before anything is
-patched the named tests must pass, so that a failure is the patch's doing.
+patched the named tests must pass, so that a failure is the patch's doing. Tests are those of the
+usual run, with its few examples, but for patches that say that only a `thorough` test notices.
 """
 
 import os
@@ -24,10 +25,12 @@ def main(words: list[str]) -> int:
     chosen = [patch for patch in PATCHES if not words or any(w in patch.name for w in words)]
     with tempfile.TemporaryDirectory() as folder:
         untouched = copy_tree(ROOT, Path(folder) / "untouched")
-        targets = sorted({test for patch in chosen for test in patch.tests})
-        if run_tests(untouched, targets, "-n", "2"):
-            print("the named tests fail without any patch")
-            return 1
+        for thorough in {patch.thorough for patch in chosen}:
+            these = [patch for patch in chosen if patch.thorough is thorough]
+            targets = sorted({test for patch in these for test in patch.tests})
+            if run_tests(untouched, targets, *selection(thorough), "-n", "2"):
+                print("the named tests fail without any patch")
+                return 1
         with ThreadPoolExecutor(max_workers=2) as pool:
             jobs = [pool.submit(verdict, patch, untouched) for patch in chosen]
             verdicts = [job.result() for job in jobs]
@@ -53,11 +56,16 @@ def verdict(patch: Patch, untouched: Path) -> str | None:
     target.unlink()  # a link: the untouched tree stays as it is
     target.write_text(text.replace(patch.before, patch.after), encoding="utf-8")
     try:
-        noticed = run_tests(tree, patch.tests)
+        noticed = run_tests(tree, patch.tests, *selection(patch.thorough))
     except subprocess.TimeoutExpired:
         return f": its tests did not end within {SECONDS} s"
     shutil.rmtree(tree)
     return None if noticed else ": no test failed"
+
+
+def selection(thorough: bool) -> tuple[str, ...]:
+    """Return pytest's options for the tests that are to notice."""
+    return ("-m", "thorough and not live") if thorough else ()
 
 
 def copy_tree(root: Path, to: Path) -> Path:

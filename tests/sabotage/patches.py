@@ -26,13 +26,17 @@ DISPATCH_PLAN = "tests/unit/dispatch/planning/test_plan.py"
 
 
 class Patch(NamedTuple):
-    """Replace `before`, which stands once in `file`, by `after`; one of `tests` must fail."""
+    """Replace `before`, which stands once in `file`, by `after`; one of `tests` must fail.
+
+    They are of the usual run, unless `thorough` says that only a test of `--all` notices.
+    """
 
     name: str
     file: str
     before: str
     after: str
     tests: tuple[str, ...]
+    thorough: bool = False
 
 
 PATCHES: tuple[Patch, ...] = (

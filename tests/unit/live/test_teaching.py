@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.support_commands import Begun
 from tests.support_live import PATIENCE, Browser, LiveServer
 from vrts.base.source import SourceFile
 from vrts.lang.compiler import compile_source
@@ -24,9 +25,8 @@ class Teaching(LiveServer):
         super().__init__(folder)
 
     def start(self, port: str) -> None:
-        words = [sys.executable, "-m", "vrts.cli.main", "teach", "cans-on-bases", "--no-open"]
-        words += ["--port", port, "-o", str(self.output)]
-        self.process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+        words = ("--no-open", "--port", port, "-o", self.output)
+        self.process = Begun("teach", "cans-on-bases", *words)
         assert self.process.stderr is not None
         first = self.process.stderr.readline()
         found = re.search(r"http://127\.0\.0\.1:(\d+)/#enter=(\S+)$", first)

@@ -4,12 +4,11 @@ from fractions import Fraction
 
 import pytest
 
+from tests.golden.examples import assessed
 from vrts.check.mark.earned import not_reached
 from vrts.check.mark.grade import Earned, Grade
 from vrts.check.verdict import Answer
-from vrts.pipeline.assess import assess
 from vrts.pipeline.files import CHECKOUT
-from vrts.pipeline.requesting import request_for
 from vrts.pipeline.settings import load_task
 
 EXAMPLES = CHECKOUT / "examples"
@@ -18,8 +17,7 @@ PROGRAMS = sorted(EXAMPLES.glob("0[14]*/submissions/*.v2"))
 
 def graded(example: str, program: str) -> Grade:
     """Return the grade of a submission."""
-    folder = EXAMPLES / example
-    a = assess(request_for(folder / program, setting=load_task(folder / "task.toml")))
+    a = assessed(EXAMPLES / example / program)
     assert a.grade is not None
     return a.grade
 

@@ -11,6 +11,10 @@ from tests.unit.debug.test_debugger import TEXT
 
 HITS = ROOT / "examples/01-cans-on-bases/submissions/hits-base.v2"
 EXAMPLES = sorted((ROOT / "examples").glob("*/solution.v2"))
+FIRST_AND_OTHERS = [
+    pytest.param(path, id=path.parent.name, marks=(pytest.mark.thorough,) if i > 0 else ())
+    for i, path in enumerate(EXAMPLES)
+]
 
 
 @pytest.fixture
@@ -172,7 +176,7 @@ def test_a_program_that_waits_for_a_line_is_answered(client: Client, tmp_path: P
     assert "42" in client.output()
 
 
-@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.parent.name)
+@pytest.mark.parametrize("example", FIRST_AND_OTHERS)
 def test_every_example_goes_forward_and_back(client: Client, example: Path) -> None:
     client.launch(example)
     client.do("setExceptionBreakpoints", filters=["contact", "run-time-error"])

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.unit.debug.dap.test_dap import EXAMPLES, HITS
+from tests.unit.debug.dap.test_dap import FIRST_AND_OTHERS, HITS
 from tests.unit.debug.test_debugger import TEXT
 
 FOLDER = Path(sys.prefix) / "node"
@@ -38,13 +38,7 @@ def play(scene: str, program: Path) -> None:
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-@pytest.mark.parametrize(
-    "example",
-    [
-        pytest.param(path, id=path.parent.name, marks=(pytest.mark.thorough,) if i > 0 else ())
-        for i, path in enumerate(EXAMPLES)
-    ],
-)
+@pytest.mark.parametrize("example", FIRST_AND_OTHERS)
 def test_every_example_goes_forward_and_back(example: Path) -> None:
     play("forward and back", example)
 

@@ -79,6 +79,7 @@ def test_a_line_that_is_too_long_is_one_diagnostic() -> None:
     assert codes(compile_text(text)) == ["V105"]
 
 
+@pytest.mark.thorough
 def test_sixty_five_thousand_steps() -> None:
     text = ".PROGRAM main\n" + "        n = n+1\n" * 65_000 + ".END\n.REALS\nn 0\n.END\n"
     compilation = compile_text(text)
