@@ -22,6 +22,7 @@ from vrts.base.pose import (
     subtract,
     translation,
 )
+from vrts.geometry.narrow import nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 from vrts.geometry.support import Bounds, bounds, span
 
@@ -84,8 +85,6 @@ def _descend(
     pieces: Sequence[Piece], X_WO: Pose, others: Sequence[Standing]
 ) -> tuple[float, Standing, Piece, Piece] | None:
     """Return height, support and the two pieces of first contact straight down."""
-    from vrts.geometry.narrow import nearest  # coal is loaded when something is let go
-
     mine = bounds(pieces, X_WO)
     below = [
         (standing, piece)
