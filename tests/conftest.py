@@ -54,12 +54,17 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: object) -> InGroups:
 
 
 @pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Put the slowest group first, by what was measured; laws with all examples are thorough."""
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Put the slowest group first, by what was measured; laws with all examples are thorough.
+
+    Files that are named keep their order.
+    """
     if ALL:
         for item in items:
             if getattr(getattr(item, "obj", None), "is_hypothesis_test", False):
                 item.add_marker("thorough")
+    if config.args_source is pytest.Config.ArgsSource.ARGS:
+        return
     known = seconds()
     lasts: dict[str, float] = {}
     for item in items:

@@ -53,8 +53,12 @@ def opened(
     dark: bool = False,
     still: bool = False,
     drawn: bool = False,
+    before: str = "",
 ) -> Opened:
-    """Open a file; `still` asks for reduced motion, `drawn` for a picture that can be looked at."""
+    """Open a file; `still` asks for reduced motion, `drawn` for a picture that can be looked at.
+
+    What stands in `before` is executed before the page's own scripts.
+    """
     view = Opened(
         browser.new_page(
             viewport={"width": width, "height": 900},
@@ -69,6 +73,7 @@ def opened(
     view.page.add_init_script(FRAMES)
     if not drawn:
         view.page.add_init_script(UNDRAWN)
+    view.page.add_init_script(before)
     view.page.goto(path.as_uri())
     return view
 

@@ -24,9 +24,7 @@ def test_events_lanes_and_overlays_write_names_as_text(browser: Browser, tmp_pat
     path = tmp_path / "hostile.html"
     a = replace(a, title=name, judgement=judged(a, name))
     path.write_text(page(a, {"moment": PIXEL}, audience=Audience.GRADER), encoding="utf-8")
-    view = opened(browser, path)
-    view.page.add_init_script("window.alert = () => { window.attacked = true; }")
-    view.page.reload()
+    view = opened(browser, path, before="window.alert = () => { window.attacked = true; }")
     until(view, "window.vrts !== undefined")
     view.page.evaluate("vrts.player.seek(1.4)")
     counts: dict[str, int] = view.page.evaluate(

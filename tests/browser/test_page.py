@@ -19,6 +19,8 @@ from vrts.robots.model import Configuration
 
 pytestmark = pytest.mark.browser
 
+PHONE = 360  # [px]
+
 
 @pytest.fixture(scope="module")
 def report(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Opened:
@@ -52,6 +54,7 @@ def test_the_first_screen_stands_in_order(report: Opened) -> None:
 
 
 def test_it_opens_at_the_moment_of_the_cause(report: Opened) -> None:
+    assert report.page.is_hidden("#no-replay")
     assert report.first_clock == pytest.approx(CONTACT_S[0], abs=1e-3)
 
 
@@ -222,22 +225,14 @@ def test_nothing_was_complained_about_or_asked_for(report: Opened) -> None:
 def test_a_browser_that_cannot_unpack_the_replay_says_so(browser: Browser, tmp_path: Path) -> None:
     path = tmp_path / "old.html"
     path.write_text(page(assessment(), {"moment": PIXEL}), encoding="utf-8")
-    view = opened(browser, path)
-    until(view, "window.vrts !== undefined")
-    assert view.page.is_hidden("#no-replay")
-    view.page.add_init_script("delete window.DecompressionStream;")
-    view.page.reload()
+    view = opened(browser, path, before="delete window.DecompressionStream;")
     until(view, "!document.getElementById('no-replay').hidden")
     assert "cannot show the replay" in view.page.inner_text("#no-replay")
     assert "the held can1 hits base1" in view.page.inner_text("header")
     assert not view.page.evaluate("window.vrts")
 
 
-def test_it_fits_a_phone(browser: Browser, tmp_path: Path) -> None:
-    width = 360
-    path = tmp_path / "phone.html"
-    path.write_text(page(assessment(), {"moment": PIXEL}), encoding="utf-8")
-    view = opened(browser, path, width)
-    until(view, "window.vrts !== undefined")
-    assert view.page.evaluate("document.documentElement.scrollWidth") <= width
-    view.page.close()
+def test_it_fits_a_phone(report: Opened) -> None:
+    report.page.set_viewport_size({"width": PHONE, "height": 900})
+    assert report.page.evaluate("document.documentElement.scrollWidth") <= PHONE
+    report.page.set_viewport_size({"width": 1280, "height": 900})

@@ -16,7 +16,7 @@ DENO, *CHECK = STAGES["browser-types"][:7]
     [
         ("figure(1.5, 2);", ""),
         ('figure("one", 2);', "TS2345"),
-        ("new Vector3().fromArrays([1, 2, 3]);", "TS2551"),
+        pytest.param("new Vector3().fromArrays([1, 2, 3]);", "TS2551", marks=pytest.mark.thorough),
     ],
 )
 def test_a_wrong_argument_is_found(tmp_path: Path, line: str, code: str) -> None:

@@ -6,6 +6,7 @@ import sys
 
 import pytest
 
+from tests.laws import first
 from tests.near_misses import near_miss, sampled
 from tests.places import ROOT
 from vrts.check.collision.collision import check_collisions
@@ -57,7 +58,7 @@ def test_the_evidence_names_the_engine_and_its_error() -> None:
     assert by_fcl["method"] == "certified, by fcl with an error of 0.3 mm"
 
 
-@pytest.mark.parametrize("seed", range(24))
+@pytest.mark.parametrize("seed", first(6, range(24)))
 def test_fcl_misses_no_contact_and_makes_none_up(seed: int) -> None:
     case = near_miss(seed)
     exact = check_collisions(case.scene, case.record)

