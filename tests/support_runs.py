@@ -54,6 +54,11 @@ class Timeline:
 
     segments: Sequence[Segment]
 
+    @property
+    def segments_or_start(self) -> Sequence[Segment]:
+        """The same; there is one."""
+        return self.segments
+
 
 @dataclass(frozen=True)
 class Record:

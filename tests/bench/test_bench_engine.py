@@ -10,6 +10,7 @@ import numpy as np
 
 from tests.bench.tree_walk import walk
 from tests.support_programs import ROOT, cans, compiled
+from vrts.engine.batch import batch_of
 from vrts.engine.controller import execute
 from vrts.engine.run import Run
 from vrts.ir.module import Module
@@ -179,9 +180,9 @@ def test_a_minute_of_carrying_cans() -> None:
             getattr(run.at(time_s), name)
         print(f"Run.at(t).{name}: {1e6 * (perf_counter() - begin) / len(times):.1f} us")
     many = np.linspace(0.0, run.horizon_s, 10_000)
-    run.timeline.batch.values(many)
+    batch_of(run.timeline).values(many)
     begin = perf_counter()
-    run.timeline.batch.values(many)
+    batch_of(run.timeline).values(many)
     print(f"10,000 times at once: {1e6 * (perf_counter() - begin) / len(many):.2f} us each")
 
 

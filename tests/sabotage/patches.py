@@ -1400,10 +1400,10 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "motions are kept for good",
-        "vrts/engine/forget.py",
+        "vrts/engine/machine/forget.py",
         "planner.motions.forget(pieces[0].motion)",
         "planner.motions.forget(0)",
-        ("tests/unit/engine/test_forgetting.py",),
+        ("tests/unit/engine/machine/test_forgetting.py",),
     ),
     Patch(
         "a full log takes more commands",

@@ -1,20 +1,32 @@
 """A timeline at many times at once."""
 
 from collections.abc import Sequence
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import numpy.typing as npt
 
 from vrts.engine.memory.records import COORDINATES, Segment
+from vrts.engine.timeline import Timeline
 
 Array = npt.NDArray[np.float64]
+
+_batches: "WeakKeyDictionary[Timeline, Batch]" = WeakKeyDictionary()
+
+
+def batch_of(timeline: Timeline) -> "Batch":
+    """Return a timeline as arrays; timelines do not change, so once is enough."""
+    found = _batches.get(timeline)
+    if found is None:
+        found = _batches[timeline] = Batch(timeline.segments_or_start)
+    return found
 
 
 class Batch:
     """The segments of a timeline as arrays."""
 
     def __init__(self, segments: Sequence[Segment]) -> None:
-        """Take the segments in time order, at least one."""
+        """Take the segments in time order, at least one, which may take no time."""
         self._starts = np.array([segment.start_s for segment in segments])
         self._ends = np.array([segment.end_s for segment in segments])
         powers = max(len(row) for segment in segments for row in segment.coefficients)

@@ -14,12 +14,11 @@ from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.cells import Bound, Cell
 from vrts.engine.memory.event_log import EventLog
 from vrts.engine.memory.events import Cause
-from vrts.engine.memory.records import INSTANT, ArmPiece, Ending, Motion, Placement
+from vrts.engine.memory.records import INSTANT, ArmPiece, Ending, Motion, Placement, Stroke
 from vrts.engine.memory.trace import Trace
 from vrts.engine.motion.time_scale import TimeScale
 from vrts.engine.programs.context import Context
 from vrts.engine.programs.cycles import next_instruction
-from vrts.engine.timeline import Stroke
 from vrts.ir.commands import TimedCommand
 from vrts.ir.module import Module, Program
 from vrts.robots.model import Configuration

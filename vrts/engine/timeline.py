@@ -9,28 +9,13 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from functools import cached_property
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
 
-from vrts.engine.memory.records import INSTANT, ArmPiece, Segment
+from vrts.engine.memory.records import INSTANT, ArmPiece, Segment, Stroke, stroke_at
 from vrts.engine.motion.polynomials import composed, rate, shifted, value
 from vrts.engine.motion.time_scale import TimeScale
 from vrts.robots.model import Configuration
 
-if TYPE_CHECKING:
-    from vrts.engine.batch import Batch
-
-__all__ = ["Stroke", "Timeline", "in_run_time", "rate", "shifted", "stroke_at", "value"]
-
 STILL: Configuration = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-
-
-class Stroke(NamedTuple):
-    """The hand opening changes linearly, or stops at once where start and end coincide."""
-
-    start_s: float
-    end_s: float
-    start_m: float
-    end_m: float
 
 
 class Timeline:
@@ -54,7 +39,6 @@ class Timeline:
         self.horizon_s = horizon_s
         self._segments: tuple[Segment, ...] | None = None
         self._stroke_starts = [stroke.start_s for stroke in strokes]
-        self._batch: Batch | None = None
 
     @cached_property
     def _pieces(self) -> Sequence[ArmPiece]:
@@ -94,15 +78,6 @@ class Timeline:
         return stroke_at(self._strokes[found - 1], time_s)
 
     @property
-    def batch(self) -> "Batch":
-        """The same as arrays, for many times at once."""
-        if self._batch is None:
-            from vrts.engine.batch import Batch
-
-            self._batch = Batch(self.segments)
-        return self._batch
-
-    @property
     def segments(self) -> tuple[Segment, ...]:
         """Polynomials in seven coordinates from 0 to the horizon, without gaps."""
         if self._segments is None:
@@ -116,6 +91,14 @@ class Timeline:
                     times.append(cut)
             self._segments = tuple(self._segment(start, end) for start, end in pairwise(times))
         return self._segments
+
+    @property
+    def segments_or_start(self) -> tuple[Segment, ...]:
+        """The same; of a run without any time the instant at which everything stands still."""
+        if self.segments:
+            return self.segments
+        rows = tuple((position,) for position in self.configuration(0.0))
+        return (Segment(0.0, 0.0, (*rows, (self.opening(0.0),)), None),)
 
     @property
     def starts(self) -> tuple[float, ...]:
@@ -158,11 +141,3 @@ def in_run_time(pieces: Sequence[ArmPiece], scale: TimeScale, until_s: float) ->
             rows = tuple([composed(row, inner) for row in piece.rows])
             found.append(ArmPiece(begin, stop, rows, piece.motion))
     return found
-
-
-def stroke_at(stroke: Stroke, time_s: float) -> float:
-    """Return the opening on a stroke, or where it ended [m]."""
-    if time_s >= stroke.end_s:
-        return stroke.end_m
-    share = (time_s - stroke.start_s) / (stroke.end_s - stroke.start_s)
-    return stroke.start_m + share * (stroke.end_m - stroke.start_m)

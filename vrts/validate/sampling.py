@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from vrts.engine.batch import batch_of
 from vrts.engine.run import Run
 from vrts.robots.kinematics.batch import flange_frames
 from vrts.validate.log.log_units import Extent
@@ -68,7 +69,7 @@ def tool_poses(run: Run, times: Array, q: Array) -> tuple[Array, Array]:
 
 def sampled(run: Run, times: Array) -> Samples:
     """Return a run at times, shape (n,) [s], of which any may lie outside the run."""
-    batch = run.timeline.batch
+    batch = batch_of(run.timeline)
     joints = batch.values(times)[:, :JOINTS]
     rotations, positions = tool_poses(run, times, joints)
     _, before = tool_poses(run, times, batch.values(times - APART_S)[:, :JOINTS])

@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.base.units import DEG, MM
+from vrts.engine.batch import batch_of
 from vrts.engine.run import Run
 from vrts.validate.offsets import turned
 from vrts.validate.sampling import tool_poses
@@ -72,7 +73,7 @@ def logged(run: Run, robot: Imperfect) -> tuple[Array, Array, Array]:
 
 def _servo(run: Run, times: Array, tick: float, lag_s: float) -> Array:
     """Return joints that follow set points, on straight lines between them, behind by a lag."""
-    set_points = run.timeline.batch.values(times)[:, :6]
+    set_points = batch_of(run.timeline).values(times)[:, :6]
     if lag_s <= 0.0:
         return set_points
     kept = np.exp(-tick / STEPS / lag_s)  # of the distance, in every step of the servo

@@ -27,7 +27,7 @@ def motion_of(run: RunRecord) -> Curves:
         return curves(run.timeline.segments)
     found = _motions.get(run)
     if found is None:
-        found = _motions[run] = curves(run.timeline.segments)
+        found = _motions[run] = curves(run.timeline.segments_or_start)
     return found
 
 

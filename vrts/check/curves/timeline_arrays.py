@@ -214,12 +214,12 @@ class Curves:
 
 
 def curves(segments: Sequence[Segment]) -> Curves:
-    """Return the arrays of a timeline.
+    """Return the arrays of a timeline: of the segments that last, or of its only instant.
 
     Raises:
-        ValueError: There is no segment that lasts.
+        ValueError: There is no segment.
     """
-    lasting = lasting_of(segments)
+    lasting = lasting_of(segments) or segments[:1]
     if not lasting:
         raise ValueError("a timeline without a segment")
     starts = np.array([segment.start_s for segment in lasting])

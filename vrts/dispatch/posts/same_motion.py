@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.base.units import MM
+from vrts.engine.batch import batch_of
 from vrts.engine.run import Run
 from vrts.robots.kinematics.batch import flange_frames
 
@@ -44,11 +45,7 @@ def difference(one: Run, other: Run) -> Difference:
 
 def _points(run: Run, times: Array) -> Array:
     """Return points on the tool, and the opening of the hand, at times [m], shape (m, 10)."""
-    timeline = run.timeline
-    if timeline.segments:
-        values = timeline.batch.values(times)
-    else:  # nothing took any time
-        values = np.tile((*timeline.configuration(0.0), timeline.opening(0.0)), (len(times), 1))
+    values = batch_of(run.timeline).values(times)
     rotations, origins = flange_frames(run.scene.robot.arm, values[:, :6])
     out = [origins + LEVER_M * rotations[:, :, k] for k in (0, 2)]
     return np.concatenate((origins, *out, values[:, 6:7]), axis=1)

@@ -12,7 +12,7 @@ from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.pose import Pose
 from vrts.base.units import mm
 from vrts.engine.hand.grip import Between, between
-from vrts.engine.hand.settle import Standing, settle
+from vrts.engine.hand.resting import Standing
 from vrts.engine.memory.events import (
     Cause,
     Event,
@@ -25,9 +25,8 @@ from vrts.engine.memory.events import (
     Toppled,
 )
 from vrts.engine.memory.log import Log
-from vrts.engine.memory.records import GRAVITY, Lie, Placement
+from vrts.engine.memory.records import GRAVITY, Lie, Placement, Stroke, stroke_at
 from vrts.engine.motion.planner import Planner
-from vrts.engine.timeline import Stroke, stroke_at
 from vrts.ir.instructions import HandAction
 from vrts.robots.kinematics.kinematics import forward
 from vrts.robots.model import Gripper
@@ -281,6 +280,9 @@ class Hand:
     # --- opening ------------------------------------------------------------------------------
 
     def _release(self, time_s: float, cause: Cause | None, events: EventLog) -> None:
+        # the door to coal: it and numpy are loaded when something is let go, if ever
+        from vrts.engine.hand.settle import settle
+
         assert self.held is not None
         name, self.held = self.held, None
         X_WF = self._flange_at(time_s)

@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
+import numpy as np
+
 from vrts.base.pose import (
     Z_AXIS,
     Pose,
@@ -22,6 +24,8 @@ from vrts.base.pose import (
     subtract,
     translation,
 )
+from vrts.engine.hand.resting import Rest, Standing
+from vrts.geometry.hull import faces
 from vrts.geometry.narrow import nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 from vrts.geometry.support import Bounds, bounds, span
@@ -35,28 +39,11 @@ CORNERS = 48  # of a round face
 STEPS = 20_000  # of the descent; each is at least SIDE_STEP
 
 
-class Standing(NamedTuple):
-    """A body that something can stand on, and where it is."""
-
-    name: str
-    pieces: tuple[Piece, ...]
-    X_WO: Pose
-
-
 class Face(NamedTuple):
     """A flat face of a convex piece."""
 
     normal: Vector  # outward unit vector
     corners: tuple[Vector, ...]  # in order round the face
-
-
-class Rest(NamedTuple):
-    """Where a body ends."""
-
-    height_m: float  # it fell this far
-    support: str
-    X_WO: Pose
-    stands: bool
 
 
 def settle(
@@ -197,10 +184,6 @@ def _faces(shape: Shape) -> tuple[Face, ...]:
 
 
 def _hull_faces(points: Sequence[Vector]) -> tuple[Face, ...]:
-    import numpy as np
-
-    from vrts.geometry.hull import faces
-
     hull = faces(np.array(points))
     corners: list[Vector] = [(x, y, z) for x, y, z in hull.vertices.tolist()]
     found: list[Face] = []

@@ -47,6 +47,23 @@ class ArmPiece(NamedTuple):
     motion: int
 
 
+class Stroke(NamedTuple):
+    """The hand opening changes linearly, or stops at once where start and end coincide."""
+
+    start_s: float
+    end_s: float
+    start_m: float
+    end_m: float
+
+
+def stroke_at(stroke: Stroke, time_s: float) -> float:
+    """Return the opening on a stroke, or where it ended [m]."""
+    if time_s >= stroke.end_s:
+        return stroke.end_m
+    share = (time_s - stroke.start_s) / (stroke.end_s - stroke.start_s)
+    return stroke.start_m + share * (stroke.end_m - stroke.start_m)
+
+
 class Lie(Enum):
     """How an object is where it is."""
 

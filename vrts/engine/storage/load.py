@@ -32,7 +32,7 @@ from vrts.engine.memory.events import (
     MotionStarted,
     ProgramEnded,
 )
-from vrts.engine.memory.records import Ending, Lie, Placement
+from vrts.engine.memory.records import Ending, Lie, Placement, Stroke
 from vrts.engine.memory.trace import Trace
 from vrts.engine.motion.time_scale import Knot
 from vrts.engine.run import Run
@@ -44,7 +44,6 @@ from vrts.engine.storage.origin import Origin, module_digest, read_origin
 from vrts.engine.storage.plain import Json, Plain, listed, named, number, text, truth, whole
 from vrts.engine.storage.save import FORMAT, MAIN_LAYOUT
 from vrts.engine.storage.sound_scenario import check_scenario
-from vrts.engine.timeline import Stroke
 from vrts.ir.commands import Execute, TimedCommand
 from vrts.ir.instructions import HandAction
 from vrts.ir.module import Module

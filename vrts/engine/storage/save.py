@@ -8,7 +8,7 @@ from vrts import __version__
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.engine.history import HandHistory, History, ProgramHistory
 from vrts.engine.memory.events import Event
-from vrts.engine.memory.records import Lie
+from vrts.engine.memory.records import Lie, Stroke
 from vrts.engine.motion.time_scale import Knot
 from vrts.engine.run import Run
 from vrts.engine.storage.arm import write_arm
@@ -19,7 +19,6 @@ from vrts.engine.storage.damage import NOT_SAVED, TooLarge
 from vrts.engine.storage.origin import Origin, write_origin
 from vrts.engine.storage.plain import Json, Plain, Unwritable
 from vrts.engine.storage.traces import write_traces
-from vrts.engine.timeline import Stroke
 from vrts.ir.commands import DeletePrograms, Do, Load, TimedCommand
 from vrts.robots.model import Configuration
 from vrts.scene.model import Scenario

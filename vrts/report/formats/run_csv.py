@@ -13,6 +13,7 @@ import numpy.typing as npt
 from vrts.base.oat import VERTICAL_TOLERANCE
 from vrts.base.pose import Pose
 from vrts.base.units import DEG, MM
+from vrts.engine.batch import batch_of
 from vrts.engine.memory.events import SignalChanged
 from vrts.engine.memory.records import Lie
 from vrts.engine.run import Run
@@ -52,7 +53,7 @@ def _header(changes: dict[int, tuple[list[float], list[bool]]]) -> str:
 
 
 def _rows(run: Run, times: Array, changes: dict[int, tuple[list[float], list[bool]]]) -> str:
-    batch = run.timeline.batch
+    batch = batch_of(run.timeline)
     values, rates = batch.values(times), batch.rates(times)
     rotations, origins = _tool_poses(run, times, values[:, :JOINTS])
     numbers = np.column_stack(

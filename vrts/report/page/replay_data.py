@@ -45,7 +45,7 @@ def run_data(run: Run, source: SourceFile | None) -> Json:
         "horizon": _end(run),
         "ended": run.ended_s,
         "gravity": GRAVITY,
-        "segments": _segments(run.timeline.segments or (_still(run),)),
+        "segments": _segments(run.timeline.segments_or_start),
         "motions": [{"start": seconds(m.start_s), "end": seconds(m.end_s)} for m in run.motions],
         "tools": _tools(run),
         "placements": {
@@ -146,13 +146,6 @@ def _of_share(rows: Sequence[Sequence[float]], lengths: Array) -> tuple[Indices,
         higher = powers >= power
         scales[higher] *= lengths[higher]
     return last + 1, flat * scales
-
-
-def _still(run: Run) -> Segment:
-    """Return the segment of a run that ended before any time passed."""
-    state = run.at(0.0)
-    rows = tuple((position,) for position in (*state.configuration, state.hand_opening))
-    return Segment(0.0, 0.0, rows, None)
 
 
 def _packed(numbers: Indices | Array, kind: str) -> str:

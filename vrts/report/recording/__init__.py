@@ -12,7 +12,6 @@ import rerun.blueprint as rrb
 
 from vrts.base.units import mm
 from vrts.check.collision.of_run import motion_of
-from vrts.check.curves.timeline_arrays import lasting_of
 from vrts.engine.run import Run
 from vrts.report.assessment import Assessment
 from vrts.report.plain import one_line
@@ -81,10 +80,6 @@ def times_of(a: Assessment) -> Array:
 
 def coordinates(run: Run, times: Array) -> tuple[Array, Array]:
     """Return joints [rad] and hand opening [m], shape (n, 7), and their rates."""
-    if not lasting_of(run.timeline.segments):  # it ended before any time passed
-        state = run.at(0.0)
-        still = np.array([(*state.configuration, state.hand_opening)])
-        return np.repeat(still, len(times), axis=0), np.zeros((len(times), still.shape[1]))
     motion = motion_of(run)
     rates = motion.velocities(times)
     rates[times >= motion.end_s] = 0.0

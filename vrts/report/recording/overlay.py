@@ -7,6 +7,7 @@ import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 
+from vrts.engine.batch import batch_of
 from vrts.engine.run import Run
 from vrts.report.assessment import Assessment
 from vrts.report.picture.lighting import to_srgb
@@ -61,11 +62,11 @@ def write_overlay(a: Assessment, real: Real, words: str, path: Path) -> None:
     with stream:
         stream.save(path, default_blueprint=_blueprint(real))
         times = times_of(a)
-        states = a.run.timeline.batch.values(times)
+        states = batch_of(a.run.timeline).values(times)
         _send_robot("virtual", a.scene.robot, times, states, None)
         _send_bodies(a.run, times, states)
         if real.joints is not None:
-            opening = a.run.timeline.batch.values(real.times)[:, 6:]
+            opening = batch_of(a.run.timeline).values(real.times)[:, 6:]
             q = np.column_stack((real.joints, opening))
             _send_robot("real", a.scene.robot, real.times, q, REAL_COLOR)
         rr.log(

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from vrts.base.units import DEG, MM
+from vrts.engine.batch import batch_of
 from vrts.report.assessment import Assessment
 from vrts.report.recording.overlay import Real, write_overlay
 from vrts.validate.comparison import Comparison
@@ -34,6 +35,6 @@ def write_both(c: Comparison, name: str, path: Path) -> None:
     if e.joints is not None:
         known = np.isfinite(e.joints).all(axis=1)
         times, tool, path_errors = times[known], tool[known], path_errors[known]
-        joints = e.joints[known] + c.run.timeline.batch.values(times)[:, :6]
+        joints = e.joints[known] + batch_of(c.run.timeline).values(times)[:, :6]
         errors = e.joints[known] / DEG
     write_overlay(a, Real(times, tool, path_errors, joints, errors), comparison_text(c), path)

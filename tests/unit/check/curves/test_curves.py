@@ -99,6 +99,13 @@ def test_velocities_jump_where_they_do_and_nowhere_else() -> None:
     assert curves([segment(CUBIC), steeper]).jumps().tolist() == [1.0]
 
 
-def test_a_run_in_which_no_time_passes_has_no_curves() -> None:
+def test_a_run_in_which_no_time_passes_stands_still() -> None:
+    known = curves([segment((0.5,), length=0.0)])
+    times = np.array([-1.0, 0.0, 1.0])
+    assert known.values(times)[:, 0].tolist() == [0.5, 0.5, 0.5]
+    assert not known.velocities(times).any()
+
+
+def test_a_timeline_without_a_segment_has_no_curves() -> None:
     with pytest.raises(ValueError, match="without a segment"):
-        curves([segment(CUBIC, length=0.0)])
+        curves([])

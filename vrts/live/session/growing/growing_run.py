@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 
 from vrts.base.stack import deep_stack
 from vrts.engine.controller import start
-from vrts.engine.forget import forget, forget_values
+from vrts.engine.machine.forget import forget, forget_values
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.tick import run_until
 from vrts.engine.memory.events import Event

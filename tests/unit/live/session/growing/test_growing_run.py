@@ -7,7 +7,7 @@ import pytest
 from tests.unit.live.session.support import Driven
 from vrts.base.source import SourceFile
 from vrts.engine.controller import advance, start
-from vrts.engine.forget import forget
+from vrts.engine.machine.forget import forget
 from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.events import Event
 from vrts.engine.run import Run

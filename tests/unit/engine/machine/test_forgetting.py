@@ -6,7 +6,7 @@ import pytest
 
 from tests.unit.live.session.growing.test_growing_run import SCENE
 from vrts.base.source import SourceFile
-from vrts.engine.forget import forget
+from vrts.engine.machine.forget import forget
 from vrts.engine.memory.numbered import Numbered
 from vrts.engine.run import Run
 from vrts.ir.commands import Command, Do, Load, MonitorSpeed, Panic
