@@ -59,14 +59,15 @@ class StepCompiler:
 
     def step(self, instruction: ir.Instruction, index: int, cause: Cause, count: int) -> Step:
         """Return the closure of an instruction that stands at an index, of so many."""
-        if isinstance(instruction, ir.Call | ir.CallNamed):
-            return self.calls.call(instruction, index + 1, cause)
-        if isinstance(instruction, ir.Return):
-            return self.calls.leave(instruction, implicit=index == count - 1)
-        step = self._step(instruction, index, cause)
-        if not robot_only(instruction) or not simulates(instruction):
-            return step
-        return for_robot(step, cause)
+        match instruction:
+            case ir.Call() | ir.CallNamed():
+                return self.calls.call(instruction, index + 1, cause)
+            case ir.Return():
+                return self.calls.leave(instruction, implicit=index == count - 1)
+            case _:
+                step = self._step(instruction, index, cause)
+                guarded = robot_only(instruction) and simulates(instruction)
+                return for_robot(step, cause) if guarded else step
 
     def _step(self, instruction: ir.Instruction, index: int, cause: Cause) -> Step:
         following = index + 1
