@@ -20,6 +20,7 @@ atheris: Any = importlib.import_module("atheris")  # an extra that has no types
 with atheris.instrument_imports(include=["vrts.lang", "vrts.ir"]):
     from vrts.base.diagnostic import Diagnostic
     from vrts.base.source import SourceFile
+    from vrts.cli.language.problems import FORMS, render
     from vrts.ir.dump import dump
     from vrts.ir.verify import verify
     from vrts.lang.compiler import Options, compile_source
@@ -29,7 +30,7 @@ with atheris.instrument_imports(include=["vrts.lang", "vrts.ir"]):
     from vrts.lang.vocabulary.instructions import INSTRUCTIONS
     from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
     from vrts.lang.writing.layout import layout
-    from vrts.report.formats.diagnostics_output import FORMS, Checked, render
+    from vrts.report.formats.checked import Checked
 
 ROOT = Path(__file__).parents[2]
 FENCED = re.compile(r"^```[^\n]*\n(.*?)^```", re.MULTILINE | re.DOTALL)

@@ -18,7 +18,8 @@ from tests.support_reports import SYNTAX, broken
 from tests.support_sarif import schema_errors
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.base.source import SourceFile
-from vrts.report.formats.diagnostics_output import FORMS, Checked, Form, render
+from vrts.cli.language.problems import FORMS, Form, render
+from vrts.report.formats.checked import Checked
 from vrts.report.formats.sarif import uri
 from vrts.report.page.html import joined, painted
 from vrts.report.page.listing import listing

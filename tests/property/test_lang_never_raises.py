@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from tests.places import ROOT
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
+from vrts.cli.language.problems import FORMS, render
 from vrts.ir.dump import dump
 from vrts.ir.verify import verify
 from vrts.lang.compiler import Compilation, Options, compile_source
@@ -19,7 +20,7 @@ from vrts.lang.typed.execute_line import parse_command
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 from vrts.lang.writing.layout import layout
-from vrts.report.formats.diagnostics_output import FORMS, Checked, render
+from vrts.report.formats.checked import Checked
 
 REAL = [
     path.read_text("utf-8")

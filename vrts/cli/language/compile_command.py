@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vrts.cli.language.problems import FORMS, Form, render
 from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
@@ -17,7 +18,7 @@ from vrts.cli.shared.console import (
 )
 from vrts.cli.shared.options import Language, color_option, language_options
 from vrts.cli.shared.programs import given_program, reading_of
-from vrts.report.formats.diagnostics_output import FORMS, Checked, Form, render
+from vrts.report.formats.checked import Checked
 
 if TYPE_CHECKING:
     from vrts.pipeline.programs import Compiled

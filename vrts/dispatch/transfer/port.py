@@ -47,7 +47,7 @@ class Port:
             Refused: There is no such port, or it cannot be used.
         """
         try:
-            import serial
+            import serial  # pyserial is optional
         except ModuleNotFoundError as missing:
             hints = ("python -m pip install 'vrts[dispatch]'",)
             raise CannotRead("serial ports need the package pyserial", hints) from missing

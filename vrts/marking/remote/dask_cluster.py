@@ -149,7 +149,7 @@ def queue_cluster(scheduler: Scheduler) -> "JobQueueCluster":
 def _queue_clusters() -> "dict[Scheduler, type[JobQueueCluster]]":
     """Import dask-jobqueue, which takes Ctrl-C for itself, and give that back."""
     before = signal.getsignal(signal.SIGINT)
-    from dask_jobqueue import HTCondorCluster, SLURMCluster
+    from dask_jobqueue import HTCondorCluster, SLURMCluster  # when its effect can be undone
 
     if before is not None:
         signal.signal(signal.SIGINT, before)

@@ -90,7 +90,7 @@ class _Shards:
         self._said = said
 
     def mark(self, cuts: Sequence[Cut], backend: Backend, jobs: int) -> Iterator[Done]:
-        from vrts.marking.remote.dask_cluster import DaskCluster
+        from vrts.marking.remote.dask_cluster import DaskCluster  # Dask is optional
 
         left: dict[str, list[Cut]] = {}  # by why the cluster has not marked them
         with DaskCluster(backend, jobs) as cluster:

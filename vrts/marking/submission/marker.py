@@ -13,15 +13,17 @@ from tempfile import TemporaryDirectory
 
 import msgspec
 
+from vrts import __version__
 from vrts.assignments.packed import is_packed
 from vrts.assignments.task_folder import reference_of
 from vrts.check.mark.earned import not_reached
-from vrts.marking.result import Damaged, Kind, Record, Result, key_of
+from vrts.marking.result import SCORING, Damaged, Kind, Record, Result, key_of
 from vrts.marking.submission.one import Marked, Order, Wanted, mark, refused
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT, Reader, write_files
 from vrts.marking.submission.setting import Place, load
 from vrts.marking.submission.summary import result_of, unmarked
 from vrts.pipeline.setting import Setting
+from vrts.report.audience import for_student
 
 STUDENT, STAFF = "student", "staff"  # folders of what a process writes
 WRITTEN = tuple(f"{who}/{name}" for who in (STUDENT, STAFF) for name in (REPORT, RECORDING, FAULT))
@@ -91,7 +93,7 @@ class Marker:
         order = Order("warm-up", "warm-up.v2", program)
         quiet = msgspec.structs.replace(self.wanted, recordings=False)
         if self.wanted.recordings:
-            from vrts.report.recording import prepare  # rerun is heavy
+            from vrts.report.recording import prepare  # rerun is optional, and heavy
 
             prepare(self.whole.scene)
         with TemporaryDirectory(prefix="vrts-") as folder:
@@ -156,8 +158,6 @@ class Marker:
     def _result(
         self, row: Marked, setting: Setting, data: bytes | None, *, student: bool = False
     ) -> Result:
-        from vrts.report.audience import for_student
-
         a = for_student(row.assessment) if student else row.assessment
         hidden = () if student else self.hidden
         key = (self.public_key if student else self.key)(data or b"")
@@ -192,7 +192,4 @@ def read_marks(data: bytes) -> Marks:
 
 def versions_of_scoring() -> tuple[str, str]:
     """Return the versions that results depend on: of vrts and of the scoring."""
-    from vrts import __version__
-    from vrts.marking.result import SCORING
-
     return __version__, str(SCORING)

@@ -7,7 +7,10 @@ from vrts.marking.submission.one import Marked, Wanted
 from vrts.pipeline.curve import with_curve
 from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment
+from vrts.report.audience import Audience, for_student
 from vrts.report.page.html import Markup
+from vrts.report.page.page import page_parts, replay_scripts
+from vrts.report.page.stills import page_stills
 
 REPORT, RECORDING, FAULT = "report.html", "run.rrd", "fault.txt"
 
@@ -43,7 +46,7 @@ def write_files(
         _write_pages(rows, hidden)
     a = student[0].assessment
     if wanted.recordings and a.run is not None:
-        from vrts.report.recording import write_recording  # rerun is heavy
+        from vrts.report.recording import write_recording  # rerun is optional, and heavy
 
         write_recording(a, student[1].folder / RECORDING)
     if staff[0].fault is not None:
@@ -51,10 +54,6 @@ def write_files(
 
 
 def _write_pages(rows: tuple[tuple[Marked, Reader], ...], hidden: Collection[str]) -> None:
-    from vrts.report.audience import Audience, for_student
-    from vrts.report.page.page import page_parts, replay_scripts
-    from vrts.report.page.stills import page_stills
-
     made: dict[int, tuple[Assessment, dict[str, bytes], list[Markup]]] = {}
     for row, reader in rows:
         a = row.assessment

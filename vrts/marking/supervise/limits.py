@@ -25,7 +25,7 @@ def impose(limits: Limits) -> None:
     """
     if sys.platform == "win32":
         return  # no such limits there: the watching parent is all there is
-    import resource
+    import resource  # Windows has none
 
     memory = _reserved() + limits.memory
     bounds = (

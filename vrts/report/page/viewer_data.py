@@ -13,6 +13,7 @@ from typing import TypeAlias
 
 from vrts.base.pose import Pose
 from vrts.check.task.task import Task
+from vrts.geometry.mesh import surface
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
 from vrts.geometry.support import bounds
 from vrts.robots.kinematics.chain import fixed_frames
@@ -114,8 +115,6 @@ def _shape(piece: Piece) -> Json:
 
 @cache
 def _hull(hull: Hull) -> Json:
-    from vrts.geometry.mesh import surface  # numpy: only where something is drawn
-
     mesh = surface(hull)
     return {
         "shape": "hull",

@@ -5,6 +5,7 @@ from collections.abc import Collection
 from vrts.base.pose import Vector
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import first_screen
+from vrts.report.picture.still import still
 
 SIZE = (480, 360)
 
@@ -48,8 +49,6 @@ def picture_at(
     """
     if a.run is None or a.scene is None:
         raise ValueError("nothing ran")
-    from vrts.report.picture.still import still
-
     state = a.run.at(time_s)
     return still(
         a.scene,

@@ -9,12 +9,12 @@ import numpy as np
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.engine.run import Run
-from vrts.report.assessment import Assessment
 from vrts.validate.camera.calibrate import Calibrated
 from vrts.validate.camera.frames import Frame, Frames, Pixels, WrongFrames, wrong_size
 from vrts.validate.camera.model import PtzCamera
 from vrts.validate.camera.overlay import overlay
 from vrts.validate.camera.views import Views
+from vrts.validate.seen_run import assessment_of
 
 NOTHING_SHOWN = Rule("V906", "no-frame-in-run")
 
@@ -74,7 +74,10 @@ def stills(s: Shown, most: int, done: Callable[[int], None] = lambda _: None) ->
 
 def record(s: Shown, name: str, summary: str, path: Path) -> None:
     """Write a recording with frames and robot; see `report.recording.through_camera`."""
-    from vrts.report.recording.through_camera import SeenFrame, write_through_camera
+    from vrts.report.recording.through_camera import (  # rerun is optional
+        SeenFrame,
+        write_through_camera,
+    )
 
     camera = s.camera
     inside = [n for n in range(s.frames.count) if _within(s, n / s.frames.fps)]
@@ -90,15 +93,7 @@ def record(s: Shown, name: str, summary: str, path: Path) -> None:
             axes, focal = camera.axes(view), float(matrix[0, 0])
             yield SeenFrame(time_s, _jpeg(plain), _jpeg(drawn), axes, focal, camera.centre_px)
 
-    a = Assessment(
-        f"camera-{Path(name).stem}",
-        name,
-        None,
-        (),
-        module=s.run.module,
-        scene=s.run.scene,
-        run=s.run,
-    )
+    a = assessment_of(s.run, name, "camera")
     write_through_camera(a, seen(), camera.eye, camera.size_px, summary, path)
 
 

@@ -6,10 +6,10 @@ import numpy as np
 
 from vrts.base.units import DEG, MM
 from vrts.engine.batch import batch_of
-from vrts.report.assessment import Assessment
 from vrts.report.recording.overlay import Real, write_overlay
 from vrts.validate.comparison import Comparison
 from vrts.validate.reports.comparison_text import comparison_text
+from vrts.validate.seen_run import assessment_of
 
 
 def write_both(c: Comparison, name: str, path: Path) -> None:
@@ -20,15 +20,7 @@ def write_both(c: Comparison, name: str, path: Path) -> None:
         name: Of the program, as shown.
         path: The file.
     """
-    a = Assessment(
-        f"validate-{Path(name).stem}",
-        name,
-        None,
-        (),
-        module=c.run.module,
-        scene=c.run.scene,
-        run=c.run,
-    )
+    a = assessment_of(c.run, name, "validate")
     e = c.after
     joints = errors = None
     times, tool, path_errors = e.times, e.real, e.path / MM

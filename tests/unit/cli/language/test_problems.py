@@ -9,7 +9,8 @@ import pytest
 from tests.support_sarif import schema_errors
 from vrts.base.diagnostic import Diagnostic, Fix, Label, Moment, Rule, error, warning
 from vrts.base.source import SourceFile, Span
-from vrts.report.formats.diagnostics_output import Checked, Form, render
+from vrts.cli.language.problems import Form, render
+from vrts.report.formats.checked import Checked
 from vrts.report.formats.sarif import uri
 from vrts.report.rule_page import rule_page
 

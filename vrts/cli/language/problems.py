@@ -5,20 +5,12 @@ workflow. Code for a format is imported when it is used.
 """
 
 from collections.abc import Sequence
-from typing import Literal, NamedTuple, TypeAlias, assert_never, get_args
+from typing import Literal, TypeAlias, assert_never, get_args
 
-from vrts.base.diagnostic import Diagnostic
+from vrts.report.formats.checked import Checked
 
 Form: TypeAlias = Literal["full", "concise", "json", "sarif", "github"]
 FORMS: tuple[Form, ...] = get_args(Form)
-
-
-class Checked(NamedTuple):
-    """One file and what was found in it."""
-
-    name: str  # as shown
-    diagnostics: tuple[Diagnostic, ...]
-    compiles: bool
 
 
 def render(checked: Sequence[Checked], form: Form, *, color: bool = False) -> str:
@@ -43,9 +35,10 @@ def render(checked: Sequence[Checked], form: Form, *, color: bool = False) -> st
             ]
             return "\n".join(rows)
         case "json":
+            from vrts.report.formats.checked_json import checked_json
             from vrts.report.formats.json_text import json_text
 
-            return json_text(_document(checked))
+            return json_text(checked_json(checked))
         case "sarif":
             from vrts.report.formats.json_text import json_text
             from vrts.report.formats.sarif import sarif
@@ -57,16 +50,3 @@ def render(checked: Sequence[Checked], form: Form, *, color: bool = False) -> st
             return "\n".join(workflow_command(d, f.name) for f in checked for d in f.diagnostics)
         case _:
             assert_never(form)
-
-
-def _document(checked: Sequence[Checked]) -> dict[str, object]:
-    from vrts.report.formats.diagnostic_json import diagnostic_json
-
-    return {
-        "schema": "vrts.diagnostics/1",
-        "compiles": all(file.compiles for file in checked),
-        "files": [{"file": file.name, "compiles": file.compiles} for file in checked],
-        "diagnostics": [
-            {"file": file.name, **diagnostic_json(d)} for file in checked for d in file.diagnostics
-        ],
-    }
