@@ -14,15 +14,16 @@ from tests.support_programs import ROOT
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile, Span
 from vrts.engine.run import Run, State
+from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.reading import ProgramFile, Reading
 from vrts.pipeline.request import Request
-from vrts.pipeline.scenes import load_scene, robot_alone
+from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.setting import Setting
 from vrts.run_files.loading import load_run
 from vrts.run_files.saving import saved_bytes
 from vrts.run_files.simulated import Simulated, simulate
 from vrts.scene.model import FaultKind, Limits, PlannedFault, Region, Scenario, Sensor
-from vrts.scene.reading.scenario_file import ScenarioFile
+from vrts.scene.planned import ScenarioFile
 
 SOLUTION = (ROOT / "examples" / "01-cans-on-bases" / "solution.v2").read_bytes()
 BUSY = b"""\

@@ -4,9 +4,10 @@ from statistics import median
 from time import perf_counter
 
 from tests.support_saved import SOLUTION, ask_everything
+from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.reading import ProgramFile, Reading
 from vrts.pipeline.request import Request
-from vrts.pipeline.scenes import load_scene, robot_alone
+from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.setting import Setting
 from vrts.report.formats.run_csv import run_csv
 from vrts.run_files.loading import check_again, load_run

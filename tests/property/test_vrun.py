@@ -25,10 +25,10 @@ from tests.support_saved import (
 from vrts.base.diagnostic import Diagnostic
 from vrts.engine.run import Run
 from vrts.engine.storage.load import LAYOUT
+from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.reading import ProgramFile
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.request import Request
-from vrts.pipeline.scenes import robot_alone
 from vrts.run_files.loading import check_again, load_run
 from vrts.run_files.saving import saved_bytes
 from vrts.run_files.simulated import simulate

@@ -17,7 +17,8 @@ import hashlib, json
 from tests.support_saved import BUSY, TRAFFIC, SOLUTION, plain, with_scenario
 from vrts.pipeline.reading import ProgramFile, Reading
 from vrts.pipeline.request import Request
-from vrts.pipeline.scenes import load_scene, robot_alone
+from vrts.pipeline.scenes import load_scene
+from vrts.pipeline.alone import robot_alone
 from vrts.run_files.saving import saved_bytes
 from vrts.run_files.simulated import simulate
 

@@ -1,21 +1,16 @@
-"""Settings without a task: a scene with its lab and scenario, or a robot alone."""
+"""Settings without a task: a scene with its lab and scenario."""
 
 import hashlib
 from dataclasses import replace
 from pathlib import Path
 
 from vrts.ir.system import PARAMETERS
+from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.files import find_scene, read_toml_source
 from vrts.pipeline.setting import Setting, accepted
 from vrts.pipeline.where import Where
-from vrts.scene.default import robot_alone as scene_of_robot
 from vrts.scene.reading.scenario_file import read_scenario
 from vrts.scene.reading.scene_file import read_scene, read_scene_in_lab
-
-
-def robot_alone() -> Setting:
-    """Return the scene of a robot by itself."""
-    return Setting(scene_of_robot(), None, ())
 
 
 def load_scene(

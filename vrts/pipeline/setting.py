@@ -8,7 +8,7 @@ from vrts.base.source import SourceFile
 from vrts.check.task.task import Task
 from vrts.pipeline.refused import Refused
 from vrts.scene.model import Scenario, Scene
-from vrts.scene.reading.scenario_file import ScenarioFile
+from vrts.scene.planned import ScenarioFile
 
 Value = TypeVar("Value")
 

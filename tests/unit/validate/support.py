@@ -9,9 +9,10 @@ import numpy.typing as npt
 
 from tests.places import ROOT
 from vrts.engine.run import Run
+from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.reading import ProgramFile, Reading
 from vrts.pipeline.request import Request
-from vrts.pipeline.scenes import load_scene, robot_alone
+from vrts.pipeline.scenes import load_scene
 from vrts.report.formats.run_csv import run_csv
 from vrts.run_files.simulated import simulate
 from vrts.validate.log.log import RobotLog

@@ -11,7 +11,7 @@ from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.base.units import DEG, MM, mm
 from vrts.check.task.demand_file import read_demands
-from vrts.check.task.late_rules import read_keep, read_late
+from vrts.check.task.late_file import read_keep, read_late
 from vrts.check.task.task import Goal, MarkScheme, Task
 from vrts.check.task.via_file import read_via
 from vrts.geometry.support import bounds

@@ -83,10 +83,10 @@ def command(
 
 
 def _of_program(file: Path, where: Where, curve: bool) -> "Assessment":
+    from vrts.pipeline.alone import robot_alone
     from vrts.pipeline.assess import assess
     from vrts.pipeline.request import Checks
     from vrts.pipeline.requesting import request_for
-    from vrts.pipeline.scenes import robot_alone
     from vrts.pipeline.settings import setting_for
 
     setting = setting_for(file, where) or robot_alone()

@@ -5,10 +5,10 @@ Commands import this when they are called: robots and scenes are loaded with it.
 
 from vrts.cli.shared.options import Language
 from vrts.cli.shared.programs import Given, reading_of, require_scene_of_lab
+from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.request import ALL_CHECKS, Checks, Request
-from vrts.pipeline.scenes import free_setting
 from vrts.pipeline.setting import Setting
-from vrts.pipeline.where import Where
+from vrts.pipeline.where import ANYWHERE, Where
 
 
 def run_request(
@@ -28,6 +28,10 @@ def run_request(
     """
     require_scene_of_lab(where)
     reading = reading_of(language)
+    if where == ANYWHERE:
+        return Request(given.program, robot_alone(), reading, entry)
+    from vrts.pipeline.scenes import free_setting
+
     return Request(given.program, free_setting(where, given.folder), reading, entry)
 
 

@@ -3,7 +3,8 @@
 from pathlib import Path
 
 from vrts.live.session.channel.messages import Start
-from vrts.pipeline.scenes import load_scene, robot_alone
+from vrts.pipeline.alone import robot_alone
+from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.settings import load_task
 

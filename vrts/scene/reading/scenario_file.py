@@ -50,12 +50,12 @@ import hashlib
 import re
 from collections.abc import Iterable
 from types import MappingProxyType
-from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule
 from vrts.base.source import SourceFile, Span
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.scene.model import Limits, PlannedFault, Scenario, Scene
+from vrts.scene.planned import ScenarioFile
 from vrts.scene.reading.scenario_signals import (
     LATEST_S,
     Inputs,
@@ -79,15 +79,6 @@ LONGEST_ANSWER = 128  # characters: a string of VAL-II [manual language/terminal
 LARGEST_SEED = 2**31 - 1
 SLOWEST, FASTEST = 0.01, 100.0  # monitor speed [%]
 LARGEST_PARAMETER = 1e6
-
-
-class ScenarioFile(NamedTuple):
-    """What a scenario file says."""
-
-    title: str
-    scenario: Scenario
-    digest: str  # sha256 of the file
-    warnings: tuple[Diagnostic, ...] = ()
 
 
 def read_scenario(

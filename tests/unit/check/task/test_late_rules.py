@@ -7,7 +7,8 @@ import pytest
 
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import read_toml
-from vrts.check.task.late_rules import Keep, LateRules, LateStep, read_keep, read_late
+from vrts.check.task.late_file import read_keep, read_late
+from vrts.check.task.late_rules import Keep, LateRules, LateStep
 from vrts.check.task.staff import read_whole_task
 from vrts.check.task.task import Task
 from vrts.check.task.task_file import read_task

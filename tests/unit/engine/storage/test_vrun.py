@@ -34,11 +34,12 @@ from vrts.engine.memory.records import Ending
 from vrts.engine.storage.recognise import is_saved_run
 from vrts.engine.storage.save import run_bytes
 from vrts.ir.commands import Abort, Execute, Load, TimedCommand
+from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.files import scene_names
 from vrts.pipeline.reading import ProgramFile
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.request import Request
-from vrts.pipeline.scenes import load_scene, robot_alone
+from vrts.pipeline.scenes import load_scene
 from vrts.run_files.loading import check_again, executed_again, load_run
 from vrts.run_files.saving import saved_bytes
 from vrts.run_files.simulated import Simulated, simulate

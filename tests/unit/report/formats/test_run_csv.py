@@ -11,9 +11,9 @@ from tests.support_saved import busy, carrying
 from vrts.base.oat import components
 from vrts.base.units import deg, mm
 from vrts.engine.run import Run
+from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.reading import ProgramFile
 from vrts.pipeline.request import Request
-from vrts.pipeline.scenes import robot_alone
 from vrts.report.formats.run_csv import run_csv
 from vrts.run_files.simulated import Simulated, simulate
 

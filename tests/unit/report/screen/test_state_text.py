@@ -4,9 +4,9 @@ from tests.support_saved import busy, carrying
 from vrts.base.units import deg
 from vrts.engine.memory.events import Grasped, Released
 from vrts.engine.run import Run
+from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.reading import ProgramFile
 from vrts.pipeline.request import Request
-from vrts.pipeline.scenes import robot_alone
 from vrts.report.screen.state_text import MOST_OUTPUT, state_text
 from vrts.run_files.simulated import simulate
 

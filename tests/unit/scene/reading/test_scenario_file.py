@@ -18,8 +18,9 @@ from vrts.robots.kinematics.kinematics import forward
 from vrts.robots.model import SphericalWristArm
 from vrts.scene.default import robot_alone
 from vrts.scene.model import FaultKind, Limits, PlannedFault, Region, Scenario, Scene, Sensor
+from vrts.scene.planned import ScenarioFile
 from vrts.scene.reading import scenario_file
-from vrts.scene.reading.scenario_file import ScenarioFile, read_scenario
+from vrts.scene.reading.scenario_file import read_scenario
 from vrts.scene.reading.scenario_signals import FIRST_INPUT, LAST_INPUT, MOST_CHANGES
 from vrts.scene.reading.scene_file import read_scene
 
