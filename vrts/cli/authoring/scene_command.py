@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.shared.console import HOLDS, WRONG, guarded, out, say, show_diagnostics, write_file
-from vrts.cli.shared.options import color_option, lab_option
+from vrts.cli.shared.options import color_option, file_option, lab_option
 
 if TYPE_CHECKING:
     from vrts.pipeline.setting import Setting
@@ -43,7 +43,7 @@ def list_scenes() -> None:
 
 @command.command(name="show", epilog=EPILOG)
 @click.argument("name")
-@click.option("--svg", type=click.Path(path_type=Path), help="Write a drawing, top and side view.")
+@file_option("--svg", help="Write a drawing, top and side view.")
 @lab_option
 @color_option
 @guarded
@@ -105,7 +105,7 @@ def _setting(name: str, lab: Path | None) -> "Setting":
 
 @command.command(name="watch", epilog=EPILOG)
 @click.argument("name")
-@click.option("--svg", type=click.Path(path_type=Path), help="Write a drawing on every change.")
+@file_option("--svg", help="Write a drawing on every change.")
 @click.option("--for", "seconds", type=float, help="End after so many seconds; otherwise never.")
 @lab_option
 @color_option

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, show_diagnostics, write_file
-from vrts.cli.shared.options import color_option, lab_option
+from vrts.cli.shared.options import color_option, file_option, lab_option
 
 if TYPE_CHECKING:
     from vrts.assignments.task_check import TaskCheck
@@ -30,9 +30,8 @@ def command() -> None:
 
 @command.command(name="check", epilog=EPILOG)
 @folder_argument
-@click.option(
+@file_option(
     "--reference",
-    type=click.Path(path_type=Path),
     help="The reference solution; otherwise staff/solution.v2 or solution.v2 in FOLDER.",
 )
 @lab_option
@@ -57,7 +56,7 @@ def check(folder: Path, reference: Path | None, lab: Path | None, color: str) ->
 
 @command.command(name="pack", epilog=EPILOG)
 @folder_argument
-@click.option("-o", "--out", "target", type=click.Path(path_type=Path), default=Path("."))
+@file_option("-o", "--out", "target", default=Path("."))
 @click.option(
     "--allow",
     "versions",

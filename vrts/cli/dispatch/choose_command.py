@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from vrts.cli.shared.console import HOLDS, WRONG, guarded, out
-from vrts.cli.shared.options import color_option
+from vrts.cli.shared.options import color_option, form_option
 
 EPILOG = """\b
 Examples:
@@ -17,7 +17,7 @@ Examples:
 
 @click.command(name="choose", epilog=EPILOG)
 @click.argument("results", type=click.Path(path_type=Path))
-@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@form_option("text", "json")
 @color_option
 @guarded
 def command(results: Path, form: str, color: str) -> None:

@@ -13,7 +13,7 @@ from vrts.cli.dispatch.serial_line import (
     write_new,
 )
 from vrts.cli.shared.console import guarded, out, say
-from vrts.cli.shared.options import color_option
+from vrts.cli.shared.options import color_option, file_option
 
 EPILOG = """\b
 Examples:
@@ -26,7 +26,7 @@ Examples:
 @click.argument("names", metavar="[PROGRAM]...", nargs=-1)
 @port_option
 @click.option("--profile", required=True, help="Name of a profile, or a file NAME.toml.")
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="File to write; else stdout.")
+@file_option("-o", "--output", help="File to write; else stdout.")
 @transcript_option
 @color_option
 @guarded

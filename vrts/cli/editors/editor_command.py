@@ -6,6 +6,7 @@ from pathlib import Path
 import click
 
 from vrts.cli.shared.console import fail, guarded, out, say, write_file
+from vrts.cli.shared.options import file_option, overwrite_option
 
 EPILOG = """\b
 Examples:
@@ -17,15 +18,14 @@ SETUP = {"neovim": "neovim.lua", "emacs": "emacs.el"}  # in vrts.editors
 
 @click.command(name="editor", epilog=EPILOG)
 @click.argument("editor", type=click.Choice(["vscode", "neovim", "emacs"]))
-@click.option(
+@file_option(
     "-o",
     "--output",
-    type=click.Path(path_type=Path),
     default=Path("vrts.vsix"),
     show_default=True,
     help="File of the extension for VS Code.",
 )
-@click.option("--overwrite", is_flag=True, help="Replace the file if it is there.")
+@overwrite_option("Replace the file if it is there.")
 @guarded
 def command(editor: str, output: Path, overwrite: bool) -> None:
     """Set an editor up for VAL-II: write VS Code's extension, or print the lines of a set-up."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vrts.cli.grade.options import marking_option
 from vrts.cli.shared.console import fail, guarded, out, say, show_diagnostics
 from vrts.cli.shared.options import color_option
 
@@ -42,14 +43,7 @@ class Points(click.ParamType[Fraction]):
 
 @click.command(name="change", epilog=EPILOG)
 @click.argument("student")
-@click.option(
-    "--from",
-    "folder",
-    type=click.Path(path_type=Path),
-    required=True,
-    metavar="OUT",
-    help="The folder that the marking wrote.",
-)
+@marking_option
 @click.option("--delta", type=Points(), help="Points to add, or with a minus to take.")
 @click.option("--mark", type=Points(), help="What the mark is to be, after lateness.")
 @click.option("--reason", required=True, help="Why; the student may ask.")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
-from vrts.cli.shared.options import color_option
+from vrts.cli.shared.options import color_option, form_option
 
 if TYPE_CHECKING:
     from vrts.marking.appeals.moves import Diff
@@ -35,7 +35,7 @@ RESULTS = "results.json"
     help="Write a change by hand into NEW/staff/overrides.toml for everybody who falls.",
 )
 @click.option("--who", help="Who decides that; otherwise the name of the user.")
-@click.option("--format", "form", type=click.Choice(["text", "json"]), default="text")
+@form_option("text", "json")
 @color_option
 @guarded
 def command(

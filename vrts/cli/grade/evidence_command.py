@@ -5,8 +5,9 @@ from pathlib import Path
 
 import click
 
+from vrts.cli.grade.options import marking_option
 from vrts.cli.shared.console import guarded, out, say, write_file
-from vrts.cli.shared.options import color_option
+from vrts.cli.shared.options import color_option, file_option
 
 EPILOG = """\b
 Examples:
@@ -18,23 +19,13 @@ Examples:
 
 @click.command(name="evidence", epilog=EPILOG)
 @click.argument("student")
-@click.option(
-    "--from",
-    "folder",
-    type=click.Path(path_type=Path),
-    required=True,
-    metavar="OUT",
-    help="The folder that the marking wrote.",
-)
-@click.option(
-    "-o", "--out", "target", type=click.Path(path_type=Path), help="The zip; or evidence-ID.zip."
-)
-@click.option(
+@marking_option
+@file_option("-o", "--out", "target", help="The zip; or evidence-ID.zip.")
+@file_option(
     "--submissions",
-    type=click.Path(path_type=Path),
     help="Where the download is now, if it was moved.",
 )
-@click.option("--task", type=click.Path(path_type=Path), help="Where the task is now.")
+@file_option("--task", help="Where the task is now.")
 @color_option
 @guarded
 def command(

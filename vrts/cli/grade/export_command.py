@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.shared.console import fail, guarded, say, show_diagnostics
-from vrts.cli.shared.options import color_option
+from vrts.cli.shared.options import color_option, file_option
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -67,9 +67,8 @@ NAMES = (
     metavar="FORMAT",
     help="What to write; may be given more than once.",
 )
-@click.option(
+@file_option(
     "--fill",
-    type=click.Path(path_type=Path),
     metavar="FILE",
     help="The worksheet or grade book that you exported; it is read, and stays as it is.",
 )
@@ -84,11 +83,10 @@ NAMES = (
     show_default=True,
     help="In `csv`; with `;` numbers have a decimal comma.",
 )
-@click.option(
+@file_option(
     "-o",
     "--out",
     "target",
-    type=click.Path(path_type=Path),
     help="The file to write, or the folder where there are several; otherwise OUT/staff/exports.",
 )
 @color_option

@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from vrts.cli.shared.console import guarded, say, write_file
-from vrts.cli.shared.options import color_option
+from vrts.cli.shared.options import color_option, file_option
 
 EPILOG = """\b
 Examples:
@@ -26,19 +26,17 @@ def command() -> None:
 
 @command.command(name="gradescope", epilog=EPILOG)
 @click.argument("task", type=click.Path(path_type=Path))
-@click.option(
+@file_option(
     "-o",
     "--out",
     "target",
-    type=click.Path(path_type=Path),
     default=Path("autograder.zip"),
     show_default=True,
     help="The zip to write.",
 )
-@click.option(
+@file_option(
     "--wheels",
     "places",
-    type=click.Path(path_type=Path),
     multiple=True,
     metavar="FILE|FOLDER",
     help="Wheels to put in: vrts, and what it needs; otherwise from the package index.",

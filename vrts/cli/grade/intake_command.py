@@ -6,8 +6,10 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vrts.cli.grade.options import roster_option, zone_option
 from vrts.cli.grade.zones import zone_named
 from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, write_file
+from vrts.cli.shared.options import file_option
 
 if TYPE_CHECKING:
     from vrts.check.task.task import Task
@@ -22,21 +24,11 @@ Examples:
 
 @click.command(name="intake", epilog=EPILOG)
 @click.argument("place", type=click.Path(path_type=Path))
-@click.option("--task", type=click.Path(path_type=Path), help="The task: which program it runs.")
+@file_option("--task", help="The task: which program it runs.")
 @click.option("--program", metavar="NAME", help="The program to look for, where there is no task.")
-@click.option(
-    "--roster",
-    "class_list",
-    type=click.Path(path_type=Path),
-    help="Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing, and"
-    " with Moodle when the work came.",
-)
-@click.option(
-    "--zone",
-    metavar="ZONE",
-    help="Of times without one: Europe/Vienna, or +01:00; otherwise that of the task's deadline.",
-)
-@click.option("-o", "--out", "target", type=click.Path(path_type=Path), help="The table to write.")
+@roster_option(", and with Moodle when the work came")
+@zone_option
+@file_option("-o", "--out", "target", help="The table to write.")
 @click.option("--force", is_flag=True, help="Write the table also where there is one already.")
 @click.option(
     "--delimiter",

@@ -10,10 +10,27 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.grade.export_command import NAMES, export, given_page
+from vrts.cli.grade.options import (
+    again_option,
+    jobs_option,
+    no_pages_option,
+    recordings_option,
+    results_option,
+    roster_option,
+    table_option,
+    zone_option,
+)
 from vrts.cli.grade.what_to_mark import require_folder, what_to_mark
 from vrts.cli.grade.zones import zone_named
 from vrts.cli.shared.console import FAULT, HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
-from vrts.cli.shared.options import color_option, lab_option
+from vrts.cli.shared.options import (
+    color_option,
+    engine_option,
+    file_option,
+    form_option,
+    lab_option,
+    no_collisions_option,
+)
 from vrts.cli.shared.progress import Progress
 
 if TYPE_CHECKING:
@@ -55,25 +72,11 @@ change, each with --help. Sessions of the live server: vrts grade [TASK] --sessi
 @click.command(name="mark", epilog=EPILOG)
 @click.argument("task")
 @click.argument("submissions", nargs=-1, type=click.Path(path_type=Path))
-@click.option("-o", "--out", "folder", type=click.Path(path_type=Path), help="Folder for results.")
-@click.option("--jobs", type=click.IntRange(1, 256), help="Programs at a time; one a core.")
-@click.option(
-    "--intake",
-    "table",
-    type=click.Path(path_type=Path),
-    help="The table of `vrts grade intake`, as edited.",
-)
-@click.option(
-    "--roster",
-    "class_list",
-    type=click.Path(path_type=Path),
-    help="Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing.",
-)
-@click.option(
-    "--zone",
-    metavar="ZONE",
-    help="Of times without one: Europe/Vienna, or +01:00; otherwise that of the task's deadline.",
-)
+@results_option
+@jobs_option("Programs at a time; one a core.")
+@table_option
+@roster_option()
+@zone_option
 @click.option(
     "--backend",
     metavar="CLUSTER",
@@ -87,9 +90,8 @@ change, each with --help. Sessions of the live server: vrts grade [TASK] --sessi
     metavar="FORMAT",
     help="Write the marks in another format too: see `vrts grade export --help`.",
 )
-@click.option(
+@file_option(
     "--fill",
-    type=click.Path(path_type=Path),
     metavar="FILE",
     help="The worksheet or grade book to fill in, for `--export moodle` or `canvas`.",
 )
@@ -106,12 +108,12 @@ change, each with --help. Sessions of the live server: vrts grade [TASK] --sessi
     is_flag=True,
     help="Give ids and files other names; who is who stands in staff/names.csv alone.",
 )
-@click.option("--again", is_flag=True, help="Mark also what is marked already.")
-@click.option("--no-pages", is_flag=True, help="Write results only, no pages.")
-@click.option("--recordings", is_flag=True, help="Write a Rerun recording of every run.")
-@click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
-@click.option("--engine", type=click.Choice(["coal", "fcl"]), help="What measures distances.")
-@click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
+@again_option
+@no_pages_option()
+@recordings_option()
+@no_collisions_option
+@engine_option()
+@form_option("full", "json")
 @lab_option
 @color_option
 @guarded

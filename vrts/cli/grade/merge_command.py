@@ -10,7 +10,7 @@ import click
 
 from vrts.cli.grade.what_to_mark import require_folder
 from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, show_diagnostics
-from vrts.cli.shared.options import color_option
+from vrts.cli.shared.options import color_option, file_option
 
 if TYPE_CHECKING:
     from vrts.marking.about import About
@@ -31,11 +31,10 @@ merged is not marked again, and what is missing is marked here.
 @click.command(name="merge", epilog=EPILOG)
 @click.argument("plan", type=click.Path(path_type=Path))
 @click.argument("results", nargs=-1, type=click.Path(path_type=Path))
-@click.option(
+@file_option(
     "-o",
     "--out",
     "folder",
-    type=click.Path(path_type=Path),
     required=True,
     help="Folder of the marking.",
 )

@@ -5,10 +5,23 @@ from pathlib import Path
 
 import click
 
+from vrts.cli.grade.options import (
+    no_pages_option,
+    recordings_option,
+    roster_option,
+    table_option,
+    zone_option,
+)
 from vrts.cli.grade.what_to_mark import require_folder, what_to_mark
 from vrts.cli.grade.zones import zone_named
 from vrts.cli.shared.console import fail, guarded, out, say, show_diagnostics
-from vrts.cli.shared.options import color_option, lab_option
+from vrts.cli.shared.options import (
+    color_option,
+    engine_option,
+    file_option,
+    lab_option,
+    no_collisions_option,
+)
 
 EPILOG = """\b
 Examples:
@@ -33,37 +46,22 @@ and at home again:
 @click.argument("task")
 @click.argument("submissions", nargs=-1, type=click.Path(path_type=Path))
 @click.option("--shards", type=click.IntRange(1, 10_000), default=10, show_default=True)
-@click.option(
+@file_option(
     "-o",
     "--out",
     "folder",
-    type=click.Path(path_type=Path),
     default=Path("plan"),
     show_default=True,
     help="Folder of the plan.",
 )
 @click.option("--force", is_flag=True, help="Plan anew: results of the old plan become foreign.")
-@click.option(
-    "--intake",
-    "table",
-    type=click.Path(path_type=Path),
-    help="The table of `vrts grade intake`, as edited.",
-)
-@click.option(
-    "--roster",
-    "class_list",
-    type=click.Path(path_type=Path),
-    help="Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing.",
-)
-@click.option(
-    "--zone",
-    metavar="ZONE",
-    help="Of times without one: Europe/Vienna, or +01:00; otherwise that of the task's deadline.",
-)
-@click.option("--no-pages", is_flag=True, help="Results only, no pages.")
-@click.option("--recordings", is_flag=True, help="A Rerun recording of every run.")
-@click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
-@click.option("--engine", type=click.Choice(["coal", "fcl"]), help="What measures distances.")
+@table_option
+@roster_option()
+@zone_option
+@no_pages_option("Results only, no pages.")
+@recordings_option("A Rerun recording of every run.")
+@no_collisions_option
+@engine_option()
 @lab_option
 @color_option
 @guarded

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vrts.cli.grade.options import jobs_option
 from vrts.cli.shared.console import guarded, out, write_file
-from vrts.cli.shared.options import color_option
+from vrts.cli.shared.options import color_option, file_option
 
 if TYPE_CHECKING:
     from vrts.marking.marking import Done
@@ -22,17 +23,14 @@ Examples:
 
 @click.command(name="run", epilog=EPILOG)
 @click.argument("shard", type=click.Path(path_type=Path))
-@click.option(
+@file_option(
     "-o",
     "--out",
     "target",
-    type=click.Path(path_type=Path),
     default=Path("."),
     help="The zip to write, or a folder for it; otherwise this folder.",
 )
-@click.option(
-    "--jobs", type=click.IntRange(1, 256), default=1, show_default=True, help="Programs at a time."
-)
+@jobs_option("Programs at a time.", default=1)
 @color_option
 @guarded
 def command(shard: Path, target: Path, jobs: int, color: str) -> None:

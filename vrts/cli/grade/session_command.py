@@ -8,9 +8,17 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vrts.cli.grade.options import again_option, jobs_option, no_pages_option, results_option
 from vrts.cli.grade.what_to_mark import require_folder
 from vrts.cli.shared.console import FAULT, HOLDS, fail, guarded, out, say, show_diagnostics
-from vrts.cli.shared.options import color_option, lab_option
+from vrts.cli.shared.options import (
+    color_option,
+    engine_option,
+    file_option,
+    form_option,
+    lab_option,
+    no_collisions_option,
+)
 from vrts.cli.shared.progress import Progress
 
 if TYPE_CHECKING:
@@ -41,21 +49,20 @@ Examples:
     metavar="FILE|ID",
     help="A log, a server's folder or database (a row for every room), or a room's name or id.",
 )
-@click.option(
+@file_option(
     "--folder",
     "server",
-    type=click.Path(path_type=Path),
     default=Path("vrts-live"),
     show_default=True,
     help="Server whose rooms are named.",
 )
-@click.option("-o", "--out", "folder", type=click.Path(path_type=Path), help="Folder for results.")
-@click.option("--jobs", type=click.IntRange(1, 256), help="Sessions at a time; one a core.")
-@click.option("--again", is_flag=True, help="Mark also what is marked already.")
-@click.option("--no-pages", is_flag=True, help="Write results only, no pages.")
-@click.option("--no-collisions", is_flag=True, help="Do not check collisions.")
-@click.option("--engine", type=click.Choice(["coal", "fcl"]), help="What measures distances.")
-@click.option("--format", "form", type=click.Choice(["full", "json"]), default="full")
+@results_option
+@jobs_option("Sessions at a time; one a core.")
+@again_option
+@no_pages_option()
+@no_collisions_option
+@engine_option()
+@form_option("full", "json")
 @lab_option
 @color_option
 @guarded

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.shared.console import WRONG, fail, guarded, out, say, write_file
+from vrts.cli.shared.options import file_option, no_open_option
 from vrts.cli.shared.run_page import assessed, open_page, write_page
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ Examples:
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option("--session", type=click.IntRange(1), help="Which session; else the last.")
 @click.option("--scene", help="Scene or task, where the library has none of the log's name.")
-@click.option("--csv", "table", type=click.Path(path_type=Path), help="Write a table.")
+@file_option("--csv", "table", help="Write a table.")
 @click.option("--rate", type=click.IntRange(1, 1000), default=50, help="Rows a second.")
 @click.option(
     "--more",
@@ -37,8 +38,8 @@ Examples:
     help="How long to go on after the last command [s].",
 )
 @click.option("--page", is_flag=True, help="See it move in the browser, both ways, at any speed.")
-@click.option("-o", "--out", "target", type=click.Path(path_type=Path), help="File for the page.")
-@click.option("--no-open", is_flag=True, help="Write the page (see -o), but open nothing.")
+@file_option("-o", "--out", "target", help="File for the page.")
+@no_open_option("Write the page (see -o), but open nothing.")
 @guarded
 def command(
     file: Path,

@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from vrts.cli.shared.console import WRONG, fail, guarded, say
-from vrts.cli.shared.options import lab_option
+from vrts.cli.shared.options import file_option, lab_option
 
 EPILOG = """\b
 Examples:
@@ -26,20 +26,17 @@ Examples:
     show_default=True,
     help="Port; 0 takes any.",
 )
-@click.option(
+@file_option(
     "--folder",
-    type=click.Path(path_type=Path),
     default=Path("vrts-live"),
     show_default=True,
     help="What is kept: accounts, rooms, logs, users' files.",
 )
 @lab_option
-@click.option(
-    "--rooms", type=click.Path(path_type=Path), help="File with the name of a room a line."
-)
+@file_option("--rooms", help="File with the name of a room a line.")
 @click.option("--name", "names", multiple=True, help="Name under which browsers find the server.")
-@click.option("--tls-cert", type=click.Path(path_type=Path), help="Certificate, for https.")
-@click.option("--tls-key", type=click.Path(path_type=Path), help="Its key.")
+@file_option("--tls-cert", help="Certificate, for https.")
+@file_option("--tls-key", help="Its key.")
 @click.option("--behind-proxy", is_flag=True, help="A proxy on this machine does https.")
 @click.option("--no-code", is_flag=True, help="No class code: links and accounts only.")
 @click.option(
@@ -67,7 +64,7 @@ Examples:
 @click.option("--supervisor", is_flag=True, help="The added account may supervise.")
 @click.option("--purge-user", metavar="NAME", help="Forget a user, and end; logs stay verifiable.")
 @click.option("--verify-logs", is_flag=True, help="Check the chains of all logs, and end.")
-@click.option("--backup", type=click.Path(path_type=Path), help="Copy the database, and end.")
+@file_option("--backup", help="Copy the database, and end.")
 @guarded
 def command(
     scenes: tuple[str, ...],

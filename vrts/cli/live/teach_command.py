@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from vrts.cli.shared.console import WRONG, fail, guarded, say, write_file
-from vrts.cli.shared.options import lab_option
+from vrts.cli.shared.options import file_option, lab_option, no_open_option, overwrite_option
 from vrts.pipeline.where import Where
 
 EPILOG = """\b
@@ -19,13 +19,11 @@ Examples:
 
 @click.command(name="teach", epilog=EPILOG)
 @click.argument("scene")
-@click.option(
-    "-o", "--output", type=click.Path(path_type=Path), required=True, help="File for the locations."
-)
+@file_option("-o", "--output", required=True, help="File for the locations.")
 @lab_option
 @click.option("--terminal", is_flag=True, help="Use the keys of the terminal as the pendant.")
-@click.option("--overwrite", is_flag=True, help="Replace the file if it is there.")
-@click.option("--no-open", is_flag=True, help="Say the link, but open no browser.")
+@overwrite_option("Replace the file if it is there.")
+@no_open_option("Say the link, but open no browser.")
 @click.option(
     "--port", type=click.IntRange(0, 65_535), default=0, help="Port of the page; 0 takes any."
 )

@@ -24,6 +24,7 @@ from vrts.cli.shared.options import (
     file_option,
     lab_option,
     language_options,
+    overwrite_option,
     placed,
     scenario_option,
     scene_option,
@@ -75,7 +76,7 @@ class _Span(NamedTuple):
 @click.option("--rate", type=float, default=50.0, show_default=True, help="Rows a second, in Hz.")
 @file_option("--save", help="Write the run to a file (.vrun).")
 @click.option("--check", is_flag=True, help="Execute a saved run again and compare.")
-@click.option("--overwrite", is_flag=True, help="Replace files that are there.")
+@overwrite_option()
 @lab_option
 @language_options
 @color_option

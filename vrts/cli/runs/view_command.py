@@ -14,6 +14,7 @@ from vrts.cli.shared.options import (
     TASK_OR_ALONE,
     color_option,
     file_option,
+    no_open_option,
     placed,
     scene_option,
     task_option,
@@ -44,7 +45,7 @@ Examples:
 @click.option("--with", "viewer", type=click.Choice(["browser", "rerun"]), default="browser")
 @click.option("--still", type=float, help="Draw one moment, in s, as a PNG picture instead.")
 @file_option("-o", "--out", "target", help="File to write.")
-@click.option("--no-open", is_flag=True, help="Write the file (see -o), but open nothing.")
+@no_open_option("Write the file (see -o), but open nothing.")
 @color_option
 @guarded
 @placed

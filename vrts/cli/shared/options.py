@@ -39,6 +39,11 @@ class Language(NamedTuple):
         return self != Language()
 
 
+def file_option(*names: str, **attributes: Any) -> Option[Any]:
+    """Return an option that takes the path of a file or folder."""
+    return click.option(*names, type=click.Path(path_type=Path), **attributes)
+
+
 color_option = click.option(
     "--color",
     type=click.Choice(["auto", "always", "never"]),
@@ -47,9 +52,8 @@ color_option = click.option(
     help="When to use colour; NO_COLOR and FORCE_COLOR are obeyed.",
 )
 
-lab_option = click.option(
+lab_option = file_option(
     "--lab",
-    type=click.Path(path_type=Path),
     help="Lay a lab over the scene: your own arm, table and hand; see `vrts new lab`.",
 )
 
@@ -66,12 +70,12 @@ def scene_option(says: str = ALONE) -> Option[Any]:
 def task_option(*, packed: bool = False) -> Option[Any]:
     """Return `--task`; a packed task may be a zip."""
     says = "Task file, its folder, or a zip." if packed else "Task file, or its folder."
-    return click.option("--task", type=click.Path(path_type=Path), help=says)
+    return file_option("--task", help=says)
 
 
 def scenario_option(says: str = IN_RUN) -> Option[Any]:
     """Return `--scenario`."""
-    return click.option("--scenario", type=click.Path(path_type=Path), help=says)
+    return file_option("--scenario", help=says)
 
 
 def entry_option(says: str) -> Option[Any]:
@@ -102,9 +106,14 @@ def form_option(*forms: str) -> Option[Any]:
     return click.option("--format", "form", type=click.Choice(forms), default=forms[0])
 
 
-def file_option(*names: str, **attributes: Any) -> Option[Any]:
-    """Return an option that takes the path of a file or folder."""
-    return click.option(*names, type=click.Path(path_type=Path), **attributes)
+def overwrite_option(says: str = "Replace files that are there.") -> Option[Any]:
+    """Return `--overwrite`."""
+    return click.option("--overwrite", is_flag=True, help=says)
+
+
+def no_open_option(says: str) -> Option[Any]:
+    """Return `--no-open`."""
+    return click.option("--no-open", is_flag=True, help=says)
 
 
 def placed(function: Command) -> Command:

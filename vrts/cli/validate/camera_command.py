@@ -16,7 +16,7 @@ from vrts.cli.shared.console import (
     show_diagnostics,
     write_file,
 )
-from vrts.cli.shared.options import Language, color_option, language_options
+from vrts.cli.shared.options import Language, color_option, file_option, language_options
 from vrts.cli.validate.shared import NOT_INSTALLED, run_of, setting_options
 from vrts.pipeline.where import Where
 
@@ -50,18 +50,16 @@ Examples:
 
 @click.command(name="camera", epilog=EPILOG)
 @click.argument("program")
-@click.option(
+@file_option(
     "--camera",
-    type=click.Path(path_type=Path),
     required=True,
     help="What was marked in calibration pictures: a TOML file.",
 )
-@click.option(
+@file_option(
     "--frames",
-    type=click.Path(path_type=Path),
     help="Folder of pictures, or a video; without it the camera is only calibrated.",
 )
-@click.option("--views", type=click.Path(path_type=Path), help="Log of pan, tilt and zoom.")
+@file_option("--views", help="Log of pan, tilt and zoom.")
 @click.option("--fps", type=click.FloatRange(0.01, 1000.0), help="Frames a second.")
 @click.option(
     "--starts", type=float, default=0.0, show_default=True, help="Run time of the first frame, s."
@@ -69,7 +67,7 @@ Examples:
 @click.option(
     "--stills", type=click.IntRange(1, 10_000), default=12, show_default=True, help="At most."
 )
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="Folder to write into.")
+@file_option("-o", "--output", help="Folder to write into.")
 @click.option("--json", "as_json", is_flag=True, help="Print the camera as JSON.")
 @setting_options
 @language_options

@@ -18,7 +18,13 @@ from vrts.cli.shared.console import (
     show_diagnostics,
     write_file,
 )
-from vrts.cli.shared.options import Language, color_option, language_options
+from vrts.cli.shared.options import (
+    Language,
+    color_option,
+    file_option,
+    language_options,
+    overwrite_option,
+)
 from vrts.cli.validate.shared import NOT_INSTALLED, run_of, setting_options
 from vrts.pipeline.where import Where
 
@@ -49,10 +55,9 @@ OFFSETS = ("time", "base", "tool")
 
 @click.command(name="log", epilog=EPILOG)
 @click.argument("program")
-@click.option(
+@file_option(
     "--log",
     "logs",
-    type=click.Path(path_type=Path),
     multiple=True,
     required=True,
     help="Log of the real robot; several with --fit.",
@@ -66,12 +71,12 @@ OFFSETS = ("time", "base", "tool")
 @click.option(
     "--within", type=click.FloatRange(0.0), help="Exit with 1 if the tool is farther off, in mm."
 )
-@click.option("--html", type=click.Path(path_type=Path), help="Write a report with figures.")
-@click.option("--record", type=click.Path(path_type=Path), help="Write a recording (.rrd).")
+@file_option("--html", help="Write a report with figures.")
+@file_option("--record", help="Write a recording (.rrd).")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 @click.option("--fit", is_flag=True, help="Find out numbers of the robot; needs vrts[validate].")
-@click.option("-o", "--output", type=click.Path(path_type=Path), help="With --fit: a lab to write.")
-@click.option("--overwrite", is_flag=True, help="Replace files that are there.")
+@file_option("-o", "--output", help="With --fit: a lab to write.")
+@overwrite_option()
 @setting_options
 @language_options
 @color_option

@@ -5,7 +5,7 @@ from pathlib import Path
 import click
 
 from vrts.cli.shared.console import fail, guarded, out, say, write_file
-from vrts.cli.shared.options import Language, color_option, language_options
+from vrts.cli.shared.options import Language, color_option, language_options, overwrite_option
 from vrts.cli.validate.shared import run_of, setting_options
 from vrts.pipeline.where import Where
 
@@ -59,7 +59,7 @@ LARGEST = 1000.0
 )
 @click.option("--clock-s", type=float, default=0.0, help="What its clock shows at the start.")
 @click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of the noise.")
-@click.option("--overwrite", is_flag=True, help="Replace a file that is there.")
+@overwrite_option("Replace a file that is there.")
 @setting_options
 @language_options
 @color_option

@@ -1,0 +1,43 @@
+"""Options that mean the same in several commands of `vrts grade`."""
+
+from typing import Any
+
+import click
+
+from vrts.cli.shared.options import Option, file_option
+
+results_option = file_option("-o", "--out", "folder", help="Folder for results.")
+marking_option = file_option(
+    "--from", "folder", required=True, metavar="OUT", help="The folder that the marking wrote."
+)
+table_option = file_option("--intake", "table", help="The table of `vrts grade intake`, as edited.")
+again_option = click.option("--again", is_flag=True, help="Mark also what is marked already.")
+zone_option = click.option(
+    "--zone",
+    metavar="ZONE",
+    help="Of times without one: Europe/Vienna, or +01:00; otherwise that of the task's deadline.",
+)
+
+
+def jobs_option(says: str, default: int | None = None) -> Option[Any]:
+    """Return `--jobs`."""
+    jobs = click.IntRange(1, 256)
+    if default is None:
+        return click.option("--jobs", type=jobs, help=says)
+    return click.option("--jobs", type=jobs, default=default, show_default=True, help=says)
+
+
+def no_pages_option(says: str = "Write results only, no pages.") -> Option[Any]:
+    """Return `--no-pages`."""
+    return click.option("--no-pages", is_flag=True, help=says)
+
+
+def recordings_option(says: str = "Write a Rerun recording of every run.") -> Option[Any]:
+    """Return `--recordings`."""
+    return click.option("--recordings", is_flag=True, help=says)
+
+
+def roster_option(also: str = "") -> Option[Any]:
+    """Return `--roster`; `also` is what else a command takes from it."""
+    says = "Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing"
+    return file_option("--roster", "class_list", help=f"{says}{also}.")
