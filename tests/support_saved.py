@@ -15,7 +15,7 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile, Span
 from vrts.engine.run import Run, State
 from vrts.pipeline.alone import robot_alone
-from vrts.pipeline.reading import ProgramFile, Reading
+from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.request import Request
 from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.setting import Setting

@@ -22,8 +22,8 @@ from vrts.dispatch.transfer.emulator import BITS
 from vrts.dispatch.transfer.port import Port
 from vrts.dispatch.transfer.talk import Talk
 from vrts.dispatch.transfer.transcript import Transcript
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.files import CHECKOUT
-from vrts.pipeline.reading import ProgramFile
 from vrts.pipeline.request import Request
 from vrts.pipeline.settings import load_task
 

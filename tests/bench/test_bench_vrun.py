@@ -5,7 +5,7 @@ from time import perf_counter
 
 from tests.support_saved import SOLUTION, ask_everything
 from vrts.pipeline.alone import robot_alone
-from vrts.pipeline.reading import ProgramFile, Reading
+from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.request import Request
 from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.setting import Setting

@@ -8,8 +8,8 @@ from vrts.dispatch.planning.plan import plan
 from vrts.dispatch.planning.reasons.refusals import Promise
 from vrts.dispatch.planning.wish import Wish
 from vrts.dispatch.profile import find_profile
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.files import CHECKOUT
-from vrts.pipeline.reading import ProgramFile
 from vrts.pipeline.request import Request
 from vrts.pipeline.settings import load_task
 

@@ -26,7 +26,7 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.engine.run import Run
 from vrts.engine.storage.load import LAYOUT
 from vrts.pipeline.alone import robot_alone
-from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.request import Request
 from vrts.run_files.loading import check_again, load_run

@@ -15,7 +15,7 @@ PROGRAM = ROOT / "examples" / "01-cans-on-bases" / "submissions" / "hits-base.v2
 TOLD = """
 import hashlib, json
 from tests.support_saved import BUSY, TRAFFIC, SOLUTION, plain, with_scenario
-from vrts.pipeline.reading import ProgramFile, Reading
+from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.request import Request
 from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.alone import robot_alone

@@ -11,8 +11,8 @@ from tests.places import ROOT
 from tests.support_commands import vrts_text
 from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.assess import assess
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.reading import ProgramFile
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.request import NO_CHECKS, Request
 from vrts.pipeline.scenes import load_scene, with_scenario

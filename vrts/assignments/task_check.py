@@ -18,8 +18,8 @@ from vrts.check.task.task import Task
 from vrts.check.task.task_file import MAX_SHARE, PAR_SHARE
 from vrts.check.verdicts.duration import duration
 from vrts.pipeline.assess import assess
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.files import read_bytes
-from vrts.pipeline.reading import ProgramFile
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment

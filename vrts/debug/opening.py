@@ -10,9 +10,9 @@ from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger
 from vrts.debug.files import Files
 from vrts.pipeline.alone import robot_alone
+from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.execution import executed
 from vrts.pipeline.files import SCENARIO_FILE, TASK_FILE, read_bytes, task_beside
-from vrts.pipeline.reading import ProgramFile, Reading
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.settings import setting_for

@@ -5,9 +5,9 @@ from dataclasses import replace
 from vrts.check.judge import judge
 from vrts.check.mark.grade import Status
 from vrts.check.mark.mark import grade, ungraded
+from vrts.pipeline.compiling.programs import Compiled
 from vrts.pipeline.curve import with_curve
 from vrts.pipeline.execution import executed
-from vrts.pipeline.programs import Compiled
 from vrts.pipeline.request import Request
 from vrts.report.assessment import Assessment
 

@@ -7,7 +7,7 @@ from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.engine.controller import execute
 from vrts.engine.run import Run
 from vrts.ir.module import Module
-from vrts.pipeline.programs import Compiled, compile_bytes
+from vrts.pipeline.compiling.programs import Compiled, compile_bytes
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import scenario_of
 

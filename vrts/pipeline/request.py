@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
-from vrts.pipeline.reading import STRICT, ProgramFile, Reading
+from vrts.pipeline.compiling.reading import STRICT, ProgramFile, Reading
 from vrts.pipeline.setting import Setting
 from vrts.scene.model import Limits
 

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
+from vrts.pipeline.compiling.reading import STRICT, ProgramFile, Reading
 from vrts.pipeline.files import CannotRead, read_bytes, scene_names, shown
-from vrts.pipeline.reading import STRICT, ProgramFile, Reading
 from vrts.pipeline.request import ALL_CHECKS, Checks, Request
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.settings import setting_for

@@ -272,9 +272,9 @@ def test_a_missing_library_is_told_in_one_sentence(
 
 def test_a_fault_of_vrts_has_its_own_status() -> None:
     program = (
-        "import vrts.pipeline.programs\n"
+        "import vrts.pipeline.compiling.programs\n"
         "def broken(*_): raise ValueError('sabotaged')\n"
-        "vrts.pipeline.programs.compile_bytes = broken\n"
+        "vrts.pipeline.compiling.programs.compile_bytes = broken\n"
         f"import sys; sys.argv = ['vrts', 'compile', {str(SOLUTION)!r}]\n"
         "from vrts.cli.main import main\nmain()"
     )

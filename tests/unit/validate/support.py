@@ -10,7 +10,7 @@ import numpy.typing as npt
 from tests.places import ROOT
 from vrts.engine.run import Run
 from vrts.pipeline.alone import robot_alone
-from vrts.pipeline.reading import ProgramFile, Reading
+from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.request import Request
 from vrts.pipeline.scenes import load_scene
 from vrts.report.formats.run_csv import run_csv

@@ -133,7 +133,7 @@ def _carrying(name: Path, setting: "Setting", title: str) -> tuple[bytes, bytes]
     from vrts.assignments.new_files import carryings, new_solution, new_task
     from vrts.assignments.task_check import times_of
     from vrts.pipeline.assess import assess
-    from vrts.pipeline.reading import ProgramFile
+    from vrts.pipeline.compiling.reading import ProgramFile
     from vrts.pipeline.request import Request
 
     work = carryings(setting.scene)

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.grade.options import roster_option, zone_option
-from vrts.cli.grade.zones import zone_named
 from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, write_file
 from vrts.cli.shared.options import file_option
+from vrts.cli.shared.zones import zone_named
 
 if TYPE_CHECKING:
     from vrts.check.task.task import Task

@@ -21,7 +21,6 @@ from vrts.cli.grade.options import (
     zone_option,
 )
 from vrts.cli.grade.what_to_mark import require_folder, what_to_mark
-from vrts.cli.grade.zones import zone_named
 from vrts.cli.shared.console import FAULT, HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
 from vrts.cli.shared.options import (
     color_option,
@@ -32,6 +31,7 @@ from vrts.cli.shared.options import (
     no_collisions_option,
 )
 from vrts.cli.shared.progress import Progress
+from vrts.cli.shared.zones import zone_named
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

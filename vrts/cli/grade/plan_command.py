@@ -13,7 +13,6 @@ from vrts.cli.grade.options import (
     zone_option,
 )
 from vrts.cli.grade.what_to_mark import require_folder, what_to_mark
-from vrts.cli.grade.zones import zone_named
 from vrts.cli.shared.console import fail, guarded, out, say, show_diagnostics
 from vrts.cli.shared.options import (
     color_option,
@@ -22,6 +21,7 @@ from vrts.cli.shared.options import (
     lab_option,
     no_collisions_option,
 )
+from vrts.cli.shared.zones import zone_named
 
 EPILOG = """\b
 Examples:

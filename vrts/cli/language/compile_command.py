@@ -21,7 +21,7 @@ from vrts.cli.shared.programs import given_program, reading_of
 from vrts.report.formats.checked import Checked
 
 if TYPE_CHECKING:
-    from vrts.pipeline.programs import Compiled
+    from vrts.pipeline.compiling.programs import Compiled
 
 EPILOG = """\b
 Examples:
@@ -62,7 +62,7 @@ def command(
     color: str,
 ) -> None:
     """Check each PROGRAM (a file, or - for stdin) for mistakes, without running it."""
-    from vrts.pipeline.programs import compile_bytes
+    from vrts.pipeline.compiling.programs import compile_bytes
 
     if emit != "nothing" and form != "full":
         fail(
@@ -93,7 +93,7 @@ def _show(name: str, found: "Compiled", emit: str, color: str, *, exact: bool) -
 
         out(dump(module), end=False)
     elif emit == "store":
-        from vrts.pipeline.storing import store
+        from vrts.pipeline.compiling.storing import store
 
         assert found.compilation is not None
         out(store(found.compilation, exact=exact), end=False)

@@ -31,7 +31,7 @@ def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, co
     Keywords upper case, names lower case, structures indented; comments, blank lines and the
     numbers of the steps stay, and so does what the program means.
     """
-    from vrts.pipeline.formatting import format_bytes
+    from vrts.pipeline.compiling.formatting import format_bytes
 
     status = HOLDS
     for program in programs:

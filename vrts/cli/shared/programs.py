@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from vrts.cli.shared.console import fail
 from vrts.cli.shared.options import Language
+from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.files import read_bytes, shown
-from vrts.pipeline.reading import ProgramFile, Reading
 from vrts.pipeline.where import Where
 
 STDIN = "-"

@@ -12,9 +12,9 @@ from vrts.dispatch.posts.written import POSTS, written
 from vrts.engine.controller import execute
 from vrts.lang.compiler import Compilation
 from vrts.pipeline.assess import assess
+from vrts.pipeline.compiling.programs import compile_bytes
+from vrts.pipeline.compiling.reading import Reading
 from vrts.pipeline.execution import compiled_for, entry_of, no_program
-from vrts.pipeline.programs import compile_bytes
-from vrts.pipeline.reading import Reading
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import scenario_of
 

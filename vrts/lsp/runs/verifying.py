@@ -23,9 +23,9 @@ from vrts.lsp.runs.motion_times import timings
 from vrts.lsp.runs.speeds import with_speeds
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.alone import robot_alone
+from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.execution import compiled_for, entry_of, executed, no_program
 from vrts.pipeline.files import CannotRead
-from vrts.pipeline.reading import ProgramFile, Reading
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import scenario_of

@@ -11,7 +11,7 @@ from vrts.check.mark.grade import Status
 from vrts.check.mark.mark import ungraded
 from vrts.marking.result import Record
 from vrts.pipeline.assess import assess
-from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.request import Checks, Request
 from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment

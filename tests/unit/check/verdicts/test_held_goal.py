@@ -3,7 +3,7 @@
 from tests.places import ROOT
 from vrts.check.verdicts.targets import reached
 from vrts.pipeline.assess import assess
-from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.request import Request
 from vrts.pipeline.settings import load_task
 

@@ -16,8 +16,8 @@ from vrts.dispatch.planning.reasons.refusals import Promise
 from vrts.dispatch.planning.wish import Wish
 from vrts.dispatch.profile import Profile, find_profile
 from vrts.pipeline.assess import assess
+from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.files import CHECKOUT
-from vrts.pipeline.reading import ProgramFile, Reading
 from vrts.pipeline.request import Request
 from vrts.pipeline.requesting import request_for
 from vrts.pipeline.scenes import load_scene, with_scenario

@@ -8,7 +8,7 @@ from tests.support_commands import vrts_text
 from tests.support_programs import ROOT, ran
 from vrts.dispatch.posts.export import Exported, exported
 from vrts.dispatch.posts.same_motion import TOLERANCE_MM, difference
-from vrts.pipeline.reading import STRICT, ProgramFile, Reading
+from vrts.pipeline.compiling.reading import STRICT, ProgramFile, Reading
 from vrts.pipeline.request import Request
 from vrts.pipeline.settings import setting_for
 from vrts.pipeline.where import Where

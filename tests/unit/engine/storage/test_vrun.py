@@ -35,8 +35,8 @@ from vrts.engine.storage.recognise import is_saved_run
 from vrts.engine.storage.save import run_bytes
 from vrts.ir.commands import Abort, Execute, Load, TimedCommand
 from vrts.pipeline.alone import robot_alone
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.files import scene_names
-from vrts.pipeline.reading import ProgramFile
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.request import Request
 from vrts.pipeline.scenes import load_scene

@@ -12,7 +12,7 @@ from vrts.base.oat import components
 from vrts.base.units import deg, mm
 from vrts.engine.run import Run
 from vrts.pipeline.alone import robot_alone
-from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.request import Request
 from vrts.report.formats.run_csv import run_csv
 from vrts.run_files.simulated import Simulated, simulate

@@ -9,7 +9,7 @@ from tests.support_saved import busy
 from vrts.engine.run import Run
 from vrts.engine.statements import statements
 from vrts.pipeline.alone import robot_alone
-from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.request import Request
 from vrts.report.screen.replay_text import MOST_STEPS, replay
 from vrts.run_files.simulated import simulate

@@ -5,7 +5,7 @@ from vrts.base.units import deg
 from vrts.engine.memory.events import Grasped, Released
 from vrts.engine.run import Run
 from vrts.pipeline.alone import robot_alone
-from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.request import Request
 from vrts.report.screen.state_text import MOST_OUTPUT, state_text
 from vrts.run_files.simulated import simulate

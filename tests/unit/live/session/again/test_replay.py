@@ -16,7 +16,7 @@ from vrts.live import actions as do
 from vrts.live.session.again.replay import replay
 from vrts.live.session.views.program import as_program
 from vrts.pipeline.assess import assess
-from vrts.pipeline.reading import ProgramFile
+from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.request import Checks, Request
 
 PROGRAM = """\

@@ -8,7 +8,7 @@ from vrts.base.source import SourceFile
 from vrts.lang.compiler import Compilation, Options, compile_sources
 from vrts.lang.dialect import DIALECTS, Precedence
 from vrts.lang.reading.decoding import decode
-from vrts.pipeline.reading import STRICT, ProgramFile, Reading
+from vrts.pipeline.compiling.reading import STRICT, ProgramFile, Reading
 
 
 class Compiled(NamedTuple):
