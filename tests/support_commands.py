@@ -39,7 +39,7 @@ LOADED = (
     "vrts.cli.grade.grade_command",
     "vrts.cli.grade.mark_command",
     "vrts.assignments.task_folder",
-    "vrts.geometry.second",
+    "vrts.geometry.fcl_engine",
     "vrts.debug.dap.serving",
     "vrts.live.serving",
     "vrts.live.teaching",
