@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests import rooms
-from tests.imports import circles, graph, siblings
+from tests.imports import circles, graph, imports, modules, siblings
 from tests.places import ROOT
 
 PACKAGE = ROOT / "vrts"
@@ -17,6 +17,21 @@ MODULES = sorted(p for p in PACKAGE.rglob("*.py") if "stubs" not in p.parts)
 
 MOST_MODULES = 15  # of a folder, beside `__init__`
 MOST_LINES = 5  # of what a folder says of itself
+DOORS = {  # imports within functions below `cli`, each with its reason beside it
+    # libraries that need not be installed
+    ("vrts.dispatch.transfer.port", "serial"),
+    ("vrts.geometry.narrow", "vrts.geometry.coal_engine"),
+    ("vrts.geometry.narrow", "vrts.geometry.fcl_engine"),
+    ("vrts.marking.remote.dask_cluster", "dask_jobqueue"),
+    ("vrts.marking.remote.mark_on_dask", "vrts.marking.remote.dask_cluster"),
+    ("vrts.marking.submission.marker", "vrts.report.recording"),
+    ("vrts.marking.submission.report_files", "vrts.report.recording"),
+    ("vrts.marking.supervise.limits", "resource"),
+    ("vrts.validate.camera.compare", "vrts.report.recording.through_camera"),
+    # numpy and coal, which most runs of programs do without: a third of the time that they take
+    ("vrts.engine.hand.hand", "vrts.engine.hand.settle"),
+    ("vrts.robots.urdf.serial_robot", "vrts.robots.urdf.hulls"),
+}
 FOLDERS = sorted({path.parent for path in MODULES} - {PACKAGE})
 
 HEAVY = ("numpy", "pinocchio", "coal", "fcl", "trimesh", "rerun", "hypothesis")
@@ -97,6 +112,25 @@ def test_no_modules_import_each_other_in_a_circle() -> None:
 def test_within_a_folder_imports_point_one_way(folder: Path) -> None:
     name = ".".join(folder.relative_to(ROOT).parts)
     assert circles(siblings(graph(), name)) == []
+
+
+def test_imports_below_the_commands_stand_at_the_top_but_for_doors() -> None:
+    deferred = {
+        (name, imported.target)
+        for name, path in modules().items()
+        if not name.startswith("vrts.cli.")
+        for imported in imports(path, modules())
+        if imported.deferred
+    }
+    assert deferred == DOORS
+
+
+def test_imports_within_functions_say_why() -> None:
+    for name, _ in DOORS:
+        lines = modules()[name].read_text("utf-8").splitlines()
+        for imported in imports(modules()[name], modules()):
+            if imported.deferred:
+                assert "#" in lines[imported.line - 1] + lines[imported.line - 2], name
 
 
 def test_the_list_of_rooms_is_what_the_folders_say() -> None:

@@ -3,6 +3,7 @@
 Joints, limits, speeds and shapes are the wheel's; the rest is here.
 """
 
+import sys
 from functools import cache
 from pathlib import Path
 
@@ -49,14 +50,10 @@ def robot(name: str) -> Robot:
         KeyError: None of these has that name.
         WheelMissing: Its description is not installed, or not of the version this was made for.
     """
-    # slow to load, and asked only for a robot of the wheel, which Windows does not have
-    from importlib.metadata import PackageNotFoundError, distribution
-
     manner = _MANNERS[name]
-    try:
-        share = Path(str(distribution(WHEEL).locate_file(SHARE)))
-    except PackageNotFoundError as missing:
-        raise WheelMissing(f"the package {WHEEL} is not installed") from missing
+    share = _share()
+    if share is None:
+        raise WheelMissing(f"the package {WHEEL} is not installed")
     folder = share / WHEEL / "robots" / "ur_description"
     try:
         description = read_urdf((folder / "urdf" / f"{name}_robot.urdf").read_bytes())
@@ -65,3 +62,9 @@ def robot(name: str) -> Robot:
         )
     except (OSError, UrdfFault) as fault:
         raise WheelMissing(f"the package {WHEEL} does not hold a usable {name}: {fault}") from fault
+
+
+def _share() -> Path | None:
+    """Return the folder in which the wheel keeps its data, wherever Python finds packages."""
+    places = (Path(place) / SHARE for place in sys.path)
+    return next((share for share in places if (share / WHEEL).is_dir()), None)
