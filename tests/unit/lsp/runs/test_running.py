@@ -1,15 +1,14 @@
 """Code lenses, and times of motions from runs in the background."""
 
 import shutil
-import time
 from pathlib import Path
 from typing import Any
 
-import psutil
 import pytest
 
 from tests.places import ROOT
 from tests.support_lsp import PATIENCE, Client
+from tests.unit.lsp.begun import Begun
 from vrts.lsp.answers.lenses import lenses
 from vrts.lsp.channel.timing import Timing, hint
 from vrts.lsp.channel.verification import Asked
@@ -136,14 +135,10 @@ def test_over_the_protocol(tmp_path: Path) -> None:
 
 
 def test_no_run_outlives_its_client(tmp_path: Path) -> None:
-    client = Client(tmp_path)
-    client.open("a.v2", ENDLESS)
-    hints(client, "a.v2")
-    server = psutil.Process(client.process.pid)
-    latest = time.monotonic() + PATIENCE
-    while not (runs := server.children()) and time.monotonic() < latest:
-        time.sleep(0.02)
-    assert runs
-    client.gone()
-    for run in runs:
+    with Begun(tmp_path / "begun") as begun:
+        client = Client(tmp_path, server=begun.server)
+        client.open("a.v2", ENDLESS)
+        hints(client, "a.v2")
+        run = begun.next()
+        client.gone()
         run.wait(PATIENCE)

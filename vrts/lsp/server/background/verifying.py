@@ -2,8 +2,10 @@
 
 import asyncio
 import signal
+import subprocess
 import sys
 from collections.abc import Callable, Coroutine
+from contextlib import suppress
 from typing import Any, NamedTuple
 
 from vrts.lsp.channel.findings import Finding, carried
@@ -21,7 +23,6 @@ from vrts.lsp.documents.setting_files import Stamp
 DELAY_S = 0.5  # after a check has found no error, before the program is run
 PATIENCE_S = 60.0  # for a verification, whatever it does
 AT_ONCE = 2  # verifications
-MOST_ANSWER = 64_000_000  # bytes
 
 
 class Subject(NamedTuple):
@@ -111,29 +112,26 @@ class Verifications:
             del self._going[document.path]
 
     async def _verify(self, subject: Subject, asked: Asked) -> None:
-        process = await asyncio.create_subprocess_exec(
-            *(sys.executable, "-m", "vrts.lsp.runs.verifying"),
-            stdin=asyncio.subprocess.PIPE,  # stays open: where it ends, so does the process
-            stdout=asyncio.subprocess.PIPE,
-            limit=MOST_ANSWER,
+        process = subprocess.Popen(  # whoever cancels what asyncio begins may wait for ever
+            (sys.executable, "-m", "vrts.lsp.runs.verifying"),
+            stdin=subprocess.PIPE,  # stays open: where it ends, so does the process
+            stdout=subprocess.PIPE,
         )
-        assert process.stdin is not None
         assert process.stdout is not None
         answer = Answer()
         try:
             async with asyncio.timeout(PATIENCE_S):
-                process.stdin.write(line_of(asked))
-                async for line in process.stdout:
+                await asyncio.to_thread(_ask, process, asked)
+                while line := await asyncio.to_thread(process.stdout.readline):
                     answer = answer_of(line)
                     if not answer.is_whole:
                         self._learn(subject, answer)
-                await process.wait()
+                await asyncio.to_thread(process.wait)
         except TimeoutError:
             pass  # what it has said so far counts
         finally:
-            if process.returncode is None:
-                process.kill()
-                await process.wait()
+            process.kill()  # unless it has ended
+            process.communicate()  # closes its pipes, and waits
         if not answer.is_whole:
             answer = stopped(asked, answer, _why(process.returncode))
         self._learn(subject, answer)
@@ -141,6 +139,13 @@ class Verifications:
     def _learn(self, subject: Subject, answer: Answer) -> None:
         self._known[subject.document.path] = _Known(subject, answer)
         self._tell(subject.document)
+
+
+def _ask(process: subprocess.Popen[bytes], asked: Asked) -> None:
+    assert process.stdin is not None
+    with suppress(BrokenPipeError):  # its answers have ended then too
+        process.stdin.write(line_of(asked))
+        process.stdin.flush()
 
 
 def _why(status: int | None) -> str:

@@ -1,15 +1,13 @@
 """Findings of runs as an editor gets them, while texts, tasks, scenes and other files change."""
 
 import shutil
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import psutil
-
 from tests.places import ROOT
 from tests.support_lsp import PATIENCE, Client, where
+from tests.unit.lsp.begun import Begun
 
 CANS = ROOT / "examples" / "01-cans-on-bases"
 TOO_FAST = """.PROGRAM main
@@ -48,13 +46,10 @@ def the(code: str, found: Found) -> dict[str, Any]:
 
 def offered(client: Client, place: dict[str, Any]) -> dict[str, Any]:
     """Return the action for a finding: a speed is worked out after the finding is told."""
-    latest = time.monotonic() + PATIENCE
-    while time.monotonic() < latest:
-        found = client.about("codeAction", "a.v2", range=place, context={"diagnostics": []})
-        if found:
-            return found[0]
-        time.sleep(0.05)
-    raise AssertionError("no speed is offered")
+    asked: dict[str, Any] = {"range": place, "context": {"diagnostics": []}}
+    while not (found := client.about("codeAction", "a.v2", **asked)):
+        client.said_next("textDocument/publishDiagnostics")  # more is known: ask again
+    return found[0]
 
 
 def test_the_action_sets_a_speed_and_the_finding_is_gone(tmp_path: Path) -> None:
@@ -127,40 +122,27 @@ def test_files_that_change_on_disk_are_looked_at_again(tmp_path: Path) -> None:
         client.diagnostics("b.v2", lambda d: "c.v2` has it" not in str(d))
 
 
-def runs_of(client: Client) -> list[psutil.Process]:
-    """Return the verifications under way, as soon as there is one."""
-    server = psutil.Process(client.process.pid)
-    latest = time.monotonic() + PATIENCE
-    while not (runs := server.children()) and time.monotonic() < latest:
-        time.sleep(0.02)
-    assert runs
-    return runs
-
-
 def test_no_run_outlives_its_text_its_buffer_or_its_server(tmp_path: Path) -> None:
-    client = Client(tmp_path)
-    client.open("a.v2", ENDLESS)
-    first = runs_of(client)
-    client.change("a.v2", ENDLESS + "; more")
-    for run in first:
-        run.wait(PATIENCE)
-    second = runs_of(client)
-    client.close("a.v2")
-    for run in second:
-        run.wait(PATIENCE)
-    client.open("a.v2", ENDLESS)
-    third = runs_of(client)
-    client.process.kill()  # not even a chance to say goodbye
-    for run in third:
-        run.wait(PATIENCE)
-    client.gone()
+    with Begun(tmp_path / "begun") as begun:
+        client = Client(tmp_path, server=begun.server)
+        client.open("a.v2", ENDLESS)
+        first = begun.next()
+        client.change("a.v2", ENDLESS + "; more")
+        first.wait(PATIENCE)
+        second = begun.next()
+        client.close("a.v2")
+        second.wait(PATIENCE)
+        client.open("a.v2", ENDLESS)
+        third = begun.next()
+        client.process.kill()  # not even a chance to say goodbye
+        third.wait(PATIENCE)
+        client.gone()
 
 
 def test_a_verification_that_is_killed_is_told_and_the_server_lives(tmp_path: Path) -> None:
-    with Client(tmp_path) as client:
+    with Begun(tmp_path / "begun") as begun, Client(tmp_path, server=begun.server) as client:
         client.open("a.v2", ENDLESS)
-        for run in runs_of(client):
-            run.kill()
+        begun.next().kill()
         told = the("V797", client.diagnostics("a.v2", has("V797")))
         assert "was stopped after 20 s of processor time" in told["message"]
         assert told["range"]["start"] == {"line": 0, "character": 9}
