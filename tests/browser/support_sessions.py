@@ -58,6 +58,15 @@ class Desk:
         self.type(line)
         self.until(f"vrts.store.now.output.length > {shown} && {READY}")
 
+    def press_twice(self, key: str) -> None:
+        """Press a key twice, a tenth of a second apart however long the machine takes."""
+        keyboard, now = self.context.new_cdp_session(self.page), time.time()
+        for pressed in (now, now + 0.1):
+            what = {"key": key, "code": key, "timestamp": pressed}
+            for kind in ("rawKeyDown", "keyUp"):
+                keyboard.send("Input.dispatchKeyEvent", {"type": kind, **what})  # pyright: ignore[reportUnknownMemberType]
+        keyboard.detach()
+
     def joint(self, number: int) -> float:
         """Return a joint as it is shown [degrees]."""
         text: str = self.page.inner_text(f".f-j{number} dd")

@@ -20,6 +20,9 @@ MOVE #PPOINT(-60,-90,90,0,0,0)
 GOTO 10
 .END
 """
+RUNNING = "vrts.store.now.status.mode === 'running'"
+STOPPED = "vrts.store.now.status.mode === 'stopped'"
+HALF_WAYS = "vrts.store.now.output.split('half <b>way</b>').length - 1"
 
 
 @pytest.fixture(scope="module")
@@ -174,19 +177,22 @@ def test_a_program_runs_with_its_line_lit_and_panic_stops_it(operator: Desk, vie
     for one in (operator, viewer):
         one.until("document.querySelector('.source .lit')?.textContent.includes('#PPOINT(60')")
     operator.page.click("#panic")
-    viewer.until("vrts.store.now.status.mode === 'stopped'")
+    viewer.until(STOPPED)
     assert viewer.rests()
+    written = viewer.value(HALF_WAYS)  # it may have come so far before it was stopped
     operator.page.click("button:text('Proceed')")
-    viewer.until("vrts.store.now.output.includes('half <b>way</b>')")
-    operator.page.keyboard.press("Escape")
-    operator.page.keyboard.press("Escape")
-    viewer.until("vrts.store.now.status.mode === 'stopped'")
+    viewer.until(RUNNING)  # so that it has not stopped yet is known where its end is waited for
+    viewer.until(f"{HALF_WAYS} > {written}")
+    operator.press_twice("Escape")
+    viewer.until(STOPPED)
     assert viewer.rests()
 
 
 @pytest.mark.thorough
 def test_who_comes_back_has_missed_nothing(operator: Desk, viewer: Desk) -> None:
     begin(operator)
+    for one in (operator, viewer):
+        one.until(RUNNING)
     operator.context.set_offline(True)
     operator.value("vrts.connection.socket.close()")
     operator.until("vrts.store.now.connection === 'waiting'")
@@ -203,7 +209,7 @@ def test_who_comes_back_has_missed_nothing(operator: Desk, viewer: Desk) -> None
     take_control(operator)  # on a slow machine it was away for too long to keep it
     operator.page.click("#panic")
     for one in (operator, viewer):
-        one.until("vrts.store.now.status.mode === 'stopped'")
+        one.until(STOPPED)
     told = "vrts.store.now.events.map(row => [row.time_s, row.text])"
     everything = viewer.value(told)
     operator.until(f"vrts.store.now.events.length === {len(everything)}")

@@ -4,7 +4,6 @@ import re
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -94,7 +93,7 @@ def test_one_user_records_resets_rewinds_and_leaves_only_the_file(teaching: Teac
 def test_ctrl_c_ends_it_and_says_what_was_written(tmp_path: Path) -> None:
     server = Teaching(tmp_path)
     with server:
-        time.sleep(0.5)
+        server.join(server.supervisor()).wait("snapshot")  # everything has begun
         server.process.send_signal(signal.SIGINT)
         assert server.process.wait(PATIENCE) == 0
         assert server.process.stderr is not None

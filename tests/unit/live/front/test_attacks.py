@@ -3,7 +3,6 @@
 import contextlib
 import json
 import sqlite3
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -155,7 +154,6 @@ def test_names_lines_and_files_are_only_text(server: LiveServer, text: str) -> N
     assert server.request("GET", "/me", cookie=answer.cookie).status == 200, (
         "tables are still there"
     )
-    time.sleep(0.5)  # uploads count again
 
 
 FORGED = [

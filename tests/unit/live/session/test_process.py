@@ -1,20 +1,22 @@
 """The real process of a session: its pipes, its beat, its end."""
 
 import contextlib
-import itertools
+import math
 import os
 import select
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import msgspec
+import psutil
 import pytest
 
 from vrts.live import actions as do
 from vrts.live.session.channel.messages import (
+    BEAT,
     LENGTH,
     Act,
     Checked,
@@ -73,14 +75,17 @@ class Piped:
     def listen(self, seconds: float) -> None:
         """Take messages for some time, or until the process ends."""
         end_s = time.monotonic() + seconds
-        while (left := end_s - time.monotonic()) > 0.0:
-            if not select.select([self._from], [], [], left)[0]:
-                return
-            data = os.read(self._from, 1 << 16)
-            if not data:
-                return
-            self._data += data
-            self._take()
+        while (left := end_s - time.monotonic()) > 0.0 and self.listen_once(left):
+            pass
+
+    def listen_once(self, seconds: float) -> bool:
+        """Take what comes next; return whether anything came in that time."""
+        if not select.select([self._from], [], [], seconds)[0]:
+            return False
+        data = os.read(self._from, 1 << 16)
+        self._data += data
+        self._take()
+        return bool(data)
 
     def until(self, kind: type[News], seconds: float = 30.0) -> News:
         """Listen until there is news of a kind."""
@@ -89,8 +94,18 @@ class Piped:
             for news in self.news:
                 if isinstance(news, kind):
                     return news
-            self.listen(0.05)
+            if not self.listen_once(end_s - time.monotonic()):
+                break
         raise AssertionError(f"no {kind.__name__} in {seconds} s: {self.news[-5:]}")
+
+    def until_frame(self, fits: Callable[[PoseFrame], bool], seconds: float = 30.0) -> None:
+        """Listen until another pose frame fits."""
+        end_s, looked = time.monotonic() + seconds, len(self.frames)
+        while not any(fits(frame) for _, frame in self.frames[looked:]):
+            looked = len(self.frames)
+            left = end_s - time.monotonic()
+            assert left > 0.0, f"no such frame in {seconds} s"
+            assert self.listen_once(left), f"no such frame in {seconds} s, or ever"
 
     def _take(self) -> None:
         while len(self._data) >= LENGTH.size:
@@ -104,6 +119,12 @@ class Piped:
                 self.frames.append((time.monotonic(), unpacked(message)))
             else:
                 self.news.append(self._decoder.decode(message))
+
+
+def spent_s(piped: Piped) -> float:
+    """Return the processor time that the process has used [s]."""
+    times = psutil.Process(piped.process.pid).cpu_times()
+    return times.user + times.system
 
 
 @pytest.fixture
@@ -125,34 +146,31 @@ def test_an_endless_program_delays_no_beat_and_panic_ends_it(piped: Piped) -> No
     assert ready.scene["name"] == "cans-on-bases"
     piped.send(Act(1, now_of(ready), "ada", do.Upload("loop.v2", ENDLESS)))
     piped.send(Act(2, now_of(ready), "ada", do.Typed("DO x = 0")))
-    piped.listen(0.3)
-    piped.frames.clear()
-    piped.listen(1.5)
-    idle = len(piped.frames)  # 75 are due; a busy machine has fewer, and will have fewer below
     piped.send(Act(3, now_of(ready), "ada", do.Typed("EXECUTE loop")))
-    piped.listen(0.5)
-    piped.frames.clear()
-    piped.listen(3.0)
-    running = [frame for _, frame in piped.frames if frame.flags & RUNNING]
-    assert len(running) >= 0.8 * 2 * idle
-    times = [frame.time_s for frame in running]
-    gaps = sorted(b - a for a, b in itertools.pairwise(times))
-    assert gaps[len(gaps) // 2] == pytest.approx(0.020, abs=0.004)
+    piped.until_frame(lambda frame: bool(frame.flags & RUNNING))
+    began, first = spent_s(piped), len(piped.frames)
+    while len(piped.frames) < first + 100:
+        piped.until_frame(lambda frame: bool(frame.flags & RUNNING))
+    took_s = (spent_s(piped) - began) / (len(piped.frames) - first)
+    assert took_s < 0.5 * BEAT, "of processor time, so that a beat is never late because of it"
     piped.send(Halt(4, now_of(ready)))
-    until = time.monotonic() + 10.0
-    while piped.frames[-1][1].flags & RUNNING and time.monotonic() < until:
-        piped.listen(0.2)
-    assert not piped.frames[-1][1].flags & RUNNING
-    outputs = "".join(n.text for n in piped.news if isinstance(n, Output))
-    assert "Program stopped at loop" in outputs
+    piped.until_frame(lambda frame: not frame.flags & RUNNING)
+    while "Program stopped at loop" not in "".join(
+        n.text for n in piped.news if isinstance(n, Output)
+    ):
+        assert piped.listen_once(30.0)
 
 
 def test_session_time_is_that_of_the_shared_clock(piped: Piped) -> None:
     ready = piped.until(Ready)
-    piped.listen(0.3)
-    came, frame = piped.frames[-1]
     assert isinstance(ready, Ready)
-    assert 0.0 <= came - ready.epoch_s - frame.time_s < 0.2
+    shown = 0
+    late_s = [math.inf]  # a busy machine brings some late, but none too early
+    while min(late_s) > 0.2:
+        piped.until_frame(lambda _: True)
+        late_s += [came - ready.epoch_s - frame.time_s for came, frame in piped.frames[shown:]]
+        shown = len(piped.frames)
+    assert min(late_s) >= 0.0
 
 
 def test_contacts_are_certified_beside_the_session(piped: Piped) -> None:

@@ -78,7 +78,7 @@ class Checker:
         """Check from the beginning of a session."""
         self._session = session
         self._folder = tempfile.TemporaryDirectory()
-        self._child: ForkedProcess | None = None
+        self.child: ForkedProcess | None = None  # checks now
         self._asked = (0.0, 0)  # until when, and of which growing run
         self._looked_s = 0.0
         self._pause = PAUSE
@@ -96,21 +96,21 @@ class Checker:
         trace: TracebackType | None,
     ) -> None:
         """End with the session."""
-        if self._child is not None:
-            self._child.kill()
-            while not self._child.ended():
+        if self.child is not None:
+            self.child.kill()
+            while not self.child.ended():
                 pass
         self._folder.cleanup()
 
     def beat(self) -> None:
         """Take the answer that has come, and ask for what is new, if it is time."""
-        if self._child is not None:
-            if not self._child.ended():
+        if self.child is not None:
+            if not self.child.ended():
                 return
-            judging_s = self._answered(self._child.answer)
-            took_s = time.monotonic() - self._child.started - judging_s
+            judging_s = self._answered(self.child.answer)
+            took_s = time.monotonic() - self.child.started - judging_s
             self._pause = min(max(PAUSE, REST * took_s), LONGEST_PAUSE)
-            self._child = None
+            self.child = None
         showing, growing = self._session.showing, self._session.growing
         since = growing.time_s - self._looked_s
         if 0.0 <= since < self._pause:
@@ -128,7 +128,7 @@ class Checker:
         if FORKS:
             growing.drop_run()
             tidy()  # forking freezes what there is, garbage too
-            self._child = ForkedProcess(self._check_aside, Path(self._folder.name), LIMITS)
+            self.child = ForkedProcess(self._check_aside, Path(self._folder.name), LIMITS)
         else:
             self._answered(self._check())
 

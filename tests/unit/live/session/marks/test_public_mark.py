@@ -1,11 +1,11 @@
 """The public mark of a session while it goes on."""
 
 import shutil
-import time
 from pathlib import Path
 
 import pytest
 
+from tests.unit.live.session.marks.answering import answered
 from tests.unit.live.session.support import Driven
 from vrts.live import actions as do
 from vrts.live.session.channel.messages import Checked, Status
@@ -27,7 +27,7 @@ def until(driven: Driven, checker: Checker, mark: float | None) -> None:
         if driven.session.showing.mark == mark and driven.session.at_rest:
             driven.run(0.1)
             return
-        time.sleep(0.01)
+        answered(checker)
     raise AssertionError(f"the mark is {driven.session.showing.mark}, not {mark}")
 
 
