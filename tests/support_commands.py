@@ -10,6 +10,7 @@ import atexit
 import contextlib
 import gc
 import importlib
+import io
 import json
 import os
 import select
@@ -151,7 +152,6 @@ class _Waiting:
             env={**os.environ, "PYTHONPATH": str(ROOT)},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
             pass_fds=[theirs.fileno()],
         )
         theirs.close()
@@ -234,7 +234,7 @@ def _main() -> None:
         os.chdir(folder)
         for words in FIRST:
             sys.argv = ["vrts", *words]
-            with contextlib.suppress(SystemExit):
+            with contextlib.suppress(SystemExit), contextlib.redirect_stderr(io.StringIO()):
                 main()
         os.chdir(ROOT)
     gc.collect()

@@ -111,7 +111,10 @@ def table(costs: dict[str, Cost]) -> str:
 
 
 def keep(costs: dict[str, Cost]) -> None:
-    """Write the seconds of the files that take longest; what was not measured keeps its own."""
+    """Write the seconds of the files that take longest; what was not measured keeps its own.
+
+    They are right where the machine had nothing else to do: look at them before they are committed.
+    """
     known = seconds() | {name: cost.wall for name, cost in by_file(costs).items()}
     ranked = sorted(known.items(), key=lambda item: (-round(item[1], 1), item[0]))
     lines = [f"{wall:.1f} {name}\n" for name, wall in ranked if wall >= LEAST_S]

@@ -1,7 +1,8 @@
 """Does `python -m tests --changed` choose a test that fails? `python -m tests.sabotage --chosen`.
 
 For each patch its file counts as changed. Where a test that the patch names is chosen, that is the
-answer: `python -m tests.sabotage` runs it. Where none is, and for a sample of the others, what was
+answer: `python -m tests.sabotage` has it fail; so it is told too how many are chosen without what
+the patches tell. Where none is, and for a sample of the others, what was
 chosen is run in a patched tree, the nearest first, until a test fails.
 """
 
@@ -37,6 +38,8 @@ def main(patches: list[Patch]) -> int:
     """Print for how many patches a test is chosen that fails."""
     taken = {patch: changed.choose([patch.file]).taken for patch in patches}
     named = [patch for patch in patches if is_named(patch, taken[patch])]
+    near = {patch: changed.choose([patch.file], by_nearness_alone=True).taken for patch in patches}
+    by_nearness = sum(is_named(patch, near[patch]) for patch in patches)
     others = [patch for patch in patches if patch not in named]
     with tempfile.TemporaryDirectory() as folder:
         untouched = copy_tree(ROOT, Path(folder) / "untouched")
@@ -47,7 +50,7 @@ def main(patches: list[Patch]) -> int:
     missed = [one for one in tried if not one.noticed]
     print(
         f"chosen: a test that fails for {len(patches) - len(missed)} of {len(patches)} patches, "
-        f"{len(named)} of them by name; {len(tried)} were run, "
+        f"{len(named)} of them by name ({by_nearness} by nearness alone); {len(tried)} were run, "
         f"until a test failed in {statistics.median(one.took_s for one in tried):.1f} s (median)"
     )
     return 1 if missed else 0

@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -283,3 +284,8 @@ def test_a_fault_of_vrts_has_its_own_status() -> None:
     )
     assert result.returncode == 70
     assert b"please report" in result.stderr
+
+
+@pytest.mark.parametrize("name", support_commands.LOADED)
+def test_what_is_loaded_for_tests_is_there(name: str) -> None:
+    assert find_spec(name) is not None
