@@ -3,7 +3,7 @@
 import shutil
 from pathlib import Path
 
-from vrts.live.session.growing.past import FILE, OFF
+from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.settings import DATABASE, SESSIONS
 from vrts.live.store import log
 from vrts.live.store.database import backup, opened

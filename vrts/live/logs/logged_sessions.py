@@ -10,7 +10,7 @@ from typing import NamedTuple
 import msgspec
 
 from vrts.live.actions import Action
-from vrts.live.session.again.replay import Entry
+from vrts.live.session.channel.entries import Entry
 from vrts.live.session.channel.messages import Act, Done, Halt
 
 NO_COMMANDS = frozenset(  # records of what else happened in a room

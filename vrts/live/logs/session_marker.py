@@ -11,7 +11,8 @@ from vrts.base.source import SourceFile
 from vrts.check.collision.collision import check_collisions
 from vrts.check.judge import judge
 from vrts.check.mark.mark import grade
-from vrts.live.session.again.replay import Differs, Entry, replay_whole
+from vrts.live.session.again.replay import Differs, replay_whole
+from vrts.live.session.channel.entries import Entry
 from vrts.live.session.views.program import as_program
 from vrts.marking.result import Kind
 from vrts.marking.submission.marker import Marker, Marks

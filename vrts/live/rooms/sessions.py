@@ -21,8 +21,9 @@ from vrts.live.rooms.member import FULL_RATE
 from vrts.live.rooms.process import Head, SessionProcess
 from vrts.live.rooms.room import Asked, Room
 from vrts.live.rooms.wall import learn_bodies
-from vrts.live.session.again.carrying_on import empty, write_entries
+from vrts.live.session.channel.entries import write_entries
 from vrts.live.session.channel.messages import Start
+from vrts.live.session.growing.folder import empty
 from vrts.live.settings import SESSIONS
 from vrts.live.store import log as store_log
 from vrts.live.store.database import Failed

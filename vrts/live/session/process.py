@@ -17,13 +17,13 @@ from vrts.live.session.again.carrying_on import (
     Interrupted,
     Voice,
     carry_on,
-    empty,
     read_entries,
 )
 from vrts.live.session.channel.beats import AFTER_TICK, Beats, shows
 from vrts.live.session.channel.inbox import Inbox, Unreadable
 from vrts.live.session.channel.messages import Failed, Json, Pace, Ready, Start, Stop
 from vrts.live.session.channel.outbox import Outbox, ServerGone
+from vrts.live.session.growing.folder import empty
 from vrts.live.session.growing.tidying import Tidying
 from vrts.live.session.live_session import Session
 from vrts.live.session.marks.checker import Checker, warm_up

@@ -14,7 +14,7 @@ from vrts.live.places import places_of
 from vrts.live.session.again.carrying_on import STOPPED
 from vrts.live.session.again.replay import replay
 from vrts.live.session.channel.messages import Start
-from vrts.live.session.growing.past import FILE, OFF
+from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.session.views.frame import MOVING, RUNNING, unpacked
 from vrts.live.settings import DATABASE, SESSIONS
 

@@ -13,7 +13,7 @@ from tests.support_commands import vrts_text
 from tests.unit.live.session.support import Driven
 from vrts.live import actions as do
 from vrts.live.logs.session_marker import SessionMarker, entries_to_bytes
-from vrts.live.session.again.replay import Entry
+from vrts.live.session.channel.entries import Entry
 from vrts.live.session.channel.messages import Act, Done
 from vrts.live.store import log
 from vrts.live.store.database import opened

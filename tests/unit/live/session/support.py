@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from vrts.live.actions import Action, Typed
-from vrts.live.session.again.replay import Entry
+from vrts.live.session.channel.entries import Entry
 from vrts.live.session.channel.messages import BEAT, Act, Done, FromSession, Halt, News, Start
 from vrts.live.session.live_session import Session
 from vrts.live.session.setting import setting_of

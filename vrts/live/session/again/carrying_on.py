@@ -4,16 +4,15 @@ What the machine answers is compared with what it answered before, so a session 
 it stood, or is not carried on.
 """
 
-import shutil
 import time
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import msgspec
 
-from vrts.live.session.again.replay import Entry, same_answer
+from vrts.live.session.again.replay import same_answer
+from vrts.live.session.channel.entries import Entry
 from vrts.live.session.channel.messages import Done, News
-from vrts.live.session.growing.past import FILE
 from vrts.live.session.live_session import Session
 
 LONGEST = 300.0  # [s] of processor time; an hour of a class takes a few
@@ -45,11 +44,6 @@ class Voice:
             self.to(news)
         elif isinstance(news, Done):
             self.done = news
-
-
-def write_entries(path: Path, entries: Iterable[Entry]) -> None:
-    """Write what was done before."""
-    path.write_bytes(b"".join(msgspec.json.encode(entry) + b"\n" for entry in entries))
 
 
 def read_entries(path: Path) -> list[Entry]:
@@ -116,12 +110,3 @@ def carry_on(
     except ValueError as problem:  # an order before the one that came earlier
         raise CannotCarryOn(f"its log does not fit: {problem}") from problem
     session.stand_still(STOPPED)
-
-
-def empty(folder: Path) -> None:
-    """Remove what is left of a session that did not go on or goes on elsewhere, but its errors."""
-    (folder / FILE).unlink(missing_ok=True)
-    (folder / FILE).with_suffix(".part").unlink(missing_ok=True)
-    for place in folder.iterdir():
-        if place.is_dir() and not place.is_symlink():
-            shutil.rmtree(place, ignore_errors=True)  # its process may be about to end only

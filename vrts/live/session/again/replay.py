@@ -3,30 +3,15 @@
 import math
 import tempfile
 from collections.abc import Iterable
-from typing import NamedTuple
 
 import msgspec
 
 from vrts.engine.run import Run
-from vrts.live.actions import Rewind, Save
-from vrts.live.session.channel.messages import Act, Done, Halt, News, Start
+from vrts.live.session.channel.entries import Entry
+from vrts.live.session.channel.messages import Done, News, Start
 from vrts.live.session.live_session import Session
 from vrts.live.session.setting import setting_of
 from vrts.pipeline.setting import Setting
-
-
-class Entry(NamedTuple):
-    """A line of the log; entries whose `Done.counts` is false may be left out."""
-
-    at_s: float  # `Done.at_s`
-    order: Act | Halt
-    done: Done | None = None  # what became of it, if that is known
-
-    @property
-    def was_refused(self) -> bool:
-        """Whether it was refused for want of history, of which a replay may know more."""
-        asked = self.order.action if isinstance(self.order, Act) else None
-        return isinstance(asked, Rewind | Save) and self.done is not None and not self.done.accepted
 
 
 class Differs(ValueError):  # noqa: N818 -- names the situation

@@ -30,10 +30,9 @@ from vrts.engine.storage.damage import Damaged
 from vrts.engine.storage.graph import GraphReader, GraphWriter
 from vrts.ir.commands import TimedCommand
 from vrts.live.session.growing.deeds import MOST_STEPS, Deeds
+from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.settings import HISTORY_QUOTA
 
-FILE: Final = "history.bin"  # in a session's folder
-OFF: Final = "history.off"  # beside it: nothing may be kept, because somebody was purged
 KEPT: Final = 0.75  # of the quota stays when it is reached
 LOST = "what was done before {:.0f} s cannot be gone back to any more: {}"
 FULL = "the history of this session is full"

@@ -16,9 +16,8 @@ from vrts.live.session.again.carrying_on import (
     Voice,
     carry_on,
     read_entries,
-    write_entries,
 )
-from vrts.live.session.again.replay import Entry
+from vrts.live.session.channel.entries import Entry, write_entries
 from vrts.live.session.channel.messages import Done
 from vrts.live.session.live_session import Session
 

@@ -10,8 +10,9 @@ from tests.unit.live.session.support import Driven
 from vrts.live import actions as do
 from vrts.live.session.again.replay import replay
 from vrts.live.session.channel.messages import Happened
+from vrts.live.session.growing.folder import FILE, OFF
 from vrts.live.session.growing.growing_run import GrowingRun
-from vrts.live.session.growing.past import FILE, OFF, Past
+from vrts.live.session.growing.past import Past
 from vrts.live.session.views.program import as_program
 from vrts.scene.model import Scenario
 
