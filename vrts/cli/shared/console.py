@@ -105,7 +105,11 @@ def guarded(function: Command) -> Command:
 
 
 def write_file(path: Path, data: bytes) -> None:
-    """Write a file whole or not at all."""
-    draft = path.with_name(path.name + ".part")
+    """Write a file whole or not at all; a link stays a link, and a pipe or a device what it is."""
+    if path.exists() and not path.is_file():
+        path.write_bytes(data)
+        return
+    file = path.resolve()
+    draft = file.with_name(file.name + ".part")
     draft.write_bytes(data)
-    draft.replace(path)
+    draft.replace(file)
