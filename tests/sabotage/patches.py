@@ -1179,7 +1179,7 @@ PATCHES: tuple[Patch, ...] = (
         "vrts/lsp/channel/findings.py",
         "if head <= line < len(old) - tail:",
         "if False:",
-        (VERIFYING,),
+        ("tests/unit/lsp/channel/test_findings.py",),
     ),
     Patch(
         "lsp: times of an earlier text count as those of this one",
