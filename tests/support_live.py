@@ -4,6 +4,8 @@ import http.client
 import json
 import re
 import signal
+import subprocess
+import sys
 import time
 from collections.abc import Callable
 from contextlib import ExitStack
@@ -123,6 +125,12 @@ class Browser:
         return message
 
 
+def alone(*words: str) -> subprocess.Popen[str]:
+    """Begin a command in an interpreter that has loaded nothing before."""
+    command = [sys.executable, "-m", "vrts.cli.main", *words]
+    return subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+
+
 class LiveServer:
     """`vrts serve` on a free port."""
 
@@ -132,14 +140,18 @@ class LiveServer:
         *options: str,
         scenes: tuple[str, ...] = ("cans-on-bases",),
         port: str = "0",
+        measured: bool = False,
     ):
+        """Start a server; one that is `measured` has an interpreter of its own from the start."""
         self.folder = folder
+        self.measured = measured
         self._sockets = ExitStack()
         self._arguments = (*scenes, "--folder", str(folder), *options)
         self.start(port)
 
     def start(self, port: str) -> None:
-        self.process = Begun("serve", *self._arguments, "--port", port)
+        words = ("serve", *self._arguments, "--port", port)
+        self.process = alone(*words) if self.measured else Begun(*words)
         assert self.process.stderr is not None
         self.said: list[str] = []
         for line in self.process.stderr:

@@ -28,7 +28,7 @@ class Stage:
     def __init__(self, folder: Path, rooms: int = 1, *, moving: bool = True) -> None:
         names = folder / "rooms.txt"
         names.write_text("".join(f"Room {n + 1}\n" for n in range(rooms)))
-        self.server = LiveServer(folder / "live", "--rooms", str(names))
+        self.server = LiveServer(folder / "live", "--rooms", str(names), measured=True)
         self.process = psutil.Process(self.server.process.pid)
         self._offset = clock_offset()
         self.operators: list[Operator] = []

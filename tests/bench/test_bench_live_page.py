@@ -35,7 +35,7 @@ WEIGHT = """["navigation", "resource"]
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LiveServer]:
-    with LiveServer(tmp_path_factory.mktemp("page") / "live") as started:
+    with LiveServer(tmp_path_factory.mktemp("page") / "live", measured=True) as started:
         yield started
 
 

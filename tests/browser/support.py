@@ -1,5 +1,6 @@
 """Chromium for tests: pages that note what they say and ask for."""
 
+import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 CHROMIUM = "/usr/bin/chromium"
+PATIENCE = 60.0  # [s]; the machine may be busy
 FLAGS = [
     "--headless=new",
     "--no-sandbox",
@@ -80,7 +82,8 @@ def opened(
 
 def until(view: Opened, condition: str) -> None:
     """Wait for a condition; Playwright's own waiting needs `eval`, which the page forbids."""
-    for _ in range(200):
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
         if view.page.evaluate(condition):
             return
         view.page.wait_for_timeout(50)

@@ -6,10 +6,9 @@ from typing import Any
 
 from playwright.sync_api import Browser, BrowserContext, Error, Page
 
-from tests.browser.support import DOTS, FRAMES, UNDRAWN
+from tests.browser.support import DOTS, FRAMES, PATIENCE, UNDRAWN
 from tests.support_live import LiveServer
 
-PATIENCE = 60.0  # [s]; the machine may be busy
 # before anybody has entered, GET /me says so
 EXPECTED = "the server responded with a status of 401"
 
