@@ -114,7 +114,7 @@ def test_a_task_that_changed_changes_the_key(tmp_path: Path) -> None:
 
 
 def test_a_lost_process_is_no_zero(tmp_path: Path) -> None:
-    limits = Limits(wall_s=0.05)
+    limits = Limits(wall_s=0.001)  # nothing is marked so fast
     found = mark(tmp_path, ENTRIES[0], ENTRIES[1], limits=limits)
     done = found.by_id["anna"]
     assert (done.result.kind, done.result.mark) == (Kind.RESOURCE, None)

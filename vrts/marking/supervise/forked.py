@@ -43,9 +43,12 @@ class ForkedProcess:
         sys.stderr.flush()
         gc.freeze()  # what is loaded is not copied by the children's garbage collection
         parent = os.getpid()
+        # opened here: when the parent is interrupted it takes the folder away at once
+        log = os.open(self.log, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
         self.pid = os.fork()
         if self.pid == 0:
-            _be_child(work, self.log, theirs, limits, parent)
+            _be_child(work, log, theirs, limits, parent)
+        os.close(log)
         os.close(theirs)
         os.set_blocking(self._ours, False)
 
@@ -112,16 +115,16 @@ def wait(processes: Sequence[ForkedProcess], seconds: float) -> None:
 
 
 def _be_child(
-    work: Callable[[], bytes], log: Path, out: int, limits: Limits, parent: int
+    work: Callable[[], bytes], log: int, out: int, limits: Limits, parent: int
 ) -> NoReturn:
     """Work, answer and leave without ever returning to the parent's code."""
     status = FAILED
     try:
+        _redirect(log, out)  # first: whatever goes wrong is no business of the terminal's
         os.setsid()
         _end_with(parent)
         signal.signal(signal.SIGINT, signal.SIG_DFL)
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        _redirect(log, out)
         impose(limits)
         faulthandler.enable(2)
         gc.set_threshold(_SELDOM)
@@ -149,13 +152,12 @@ def _end_with(parent: int) -> None:
             os._exit(FAILED)  # it has ended already
 
 
-def _redirect(log: Path, out: int) -> None:
+def _redirect(log: int, out: int) -> None:
     """Leave nothing open but an empty input, the log, and the way to the parent."""
     null = os.open(os.devnull, os.O_RDONLY)
-    written = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
     os.dup2(null, 0)
-    os.dup2(written, 1)
-    os.dup2(written, 2)
+    os.dup2(log, 1)
+    os.dup2(log, 2)
     sys.stdout = sys.stderr = open(2, "w", errors="backslashreplace", closefd=False)  # noqa: SIM115
     os.closerange(3, out)
     os.closerange(out + 1, 4096)
