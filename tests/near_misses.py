@@ -15,7 +15,7 @@ from tests.collision_runs import Line, Record, fixed, hermite, movable, scene_of
 from tests.support_segments import blend, slowed
 from vrts.base.pose import IDENTITY, Pose, rotation_about, translation
 from vrts.engine.memory.records import Lie, Placement, Segment
-from vrts.geometry.narrow import pair, transform
+from vrts.geometry.coal_engine import pair, transform
 from vrts.geometry.shapes import Box, Cylinder, Piece
 from vrts.geometry.support import support
 from vrts.robots.catalog import robot

@@ -40,7 +40,7 @@ LOADED = (
     "vrts.cli.grade.grade_command",
     "vrts.cli.grade.mark_command",
     "vrts.assignments.task_folder",
-    "vrts.geometry.fcl_engine",
+    "vrts.geometry.proposing.by_coal",
     "vrts.debug.dap.serving",
     "vrts.live.serving",
     "vrts.live.teaching",

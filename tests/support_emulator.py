@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from tests.unit.monitor.dialogues import dialogue
 from vrts.dispatch.bundle import Bundle
-from vrts.dispatch.manifest import Manifest, Reads, Thing
+from vrts.dispatch.manifest import WITHOUT_PROOFS, Manifest, Reads, Thing
 from vrts.dispatch.profile import Profile, find_profile
 from vrts.dispatch.profile_parts import Patience
 from vrts.dispatch.steps import Steps
@@ -177,7 +177,7 @@ def bundle_of(cargo: Cargo, known: Profile) -> Bundle:
     places = "".join(f"{place.name} {' '.join(place.values)}\n" for place in cargo.places)
     digest = "0" * 64
     manifest = Manifest(
-        schema="vrts.bundle/1",
+        schema=WITHOUT_PROOFS,
         vrts="0",
         title="test",
         entry=cargo.programs[0].name,

@@ -7,7 +7,9 @@ from vrts.base.pose import translation
 from vrts.base.source import SourceFile, Span
 from vrts.base.units import DEG
 from vrts.check.mark.grade import Grade, Loss, Status
-from vrts.check.task.task import Goal, MarkScheme, Task
+from vrts.check.rules.scheme import MarkScheme
+from vrts.check.task.goals import Goal
+from vrts.check.task.task import Task
 from vrts.ir.module import Module
 from vrts.report.assessment import Assessment
 

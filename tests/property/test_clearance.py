@@ -16,7 +16,9 @@ from vrts.check.collision.pairs.arm_state import Prober
 from vrts.check.collision.pairs.pairs import plan
 from vrts.check.curves.timeline_arrays import curves
 from vrts.engine.memory.records import Segment
-from vrts.geometry.narrow import distance, engine, nearest
+from vrts.geometry.coal_engine import distance, nearest
+from vrts.geometry.proposing.choose import here
+from vrts.geometry.proving.prover import Prover
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 from vrts.geometry.support import extent
 
@@ -204,7 +206,7 @@ def test_no_sample_is_nearer_than_the_certified_clearance(seed: int) -> None:
     report = check_collisions(told.scene, record)
     motion = curves(record.timeline.segments)
     todo = plan(told.scene, record, motion)
-    prober = Prober(told.scene.robot.arm, motion, todo.solids, engine())
+    prober = Prober(told.scene.robot.arm, motion, todo.solids, Prover(todo.solids, here()))
     random = np.random.default_rng(seed)
     pairs = todo.pairs
     rows = np.arange(len(pairs.first)).repeat(40)

@@ -1,10 +1,14 @@
 """The patches: each breaks one promise of the product in one line."""
 
-from typing import NamedTuple
+from tests.sabotage.patch import Patch
+from tests.sabotage.proofs import PROOFS
 
 EXAMPLE = "tests/golden/test_example_01.py"
 ENGINE = "tests/unit/engine"
+FOREVER = "tests/unit/engine/machine/forever"
 MARK = "tests/unit/check/mark/test_mark.py"
+REASONS = "tests/unit/check/mark/test_reasons.py"
+SETTINGS = "tests/unit/check/rules/test_settings.py"
 RUNS = "tests/spec/test_spec_run.py"
 LANG = "tests/spec/test_spec_lang.py"
 VOCABULARY = "tests/unit/lang/vocabulary/test_vocabulary.py"
@@ -25,19 +29,7 @@ VALIDATE = "tests/unit/validate/test_"
 DISPATCH_PLAN = "tests/unit/dispatch/planning/test_plan.py"
 
 
-class Patch(NamedTuple):
-    """Replace `before`, which stands once in `file`, by `after`; one of `tests` must fail.
-
-    They are of the usual run, unless `thorough` says that only a test of `--all` notices.
-    """
-
-    name: str
-    file: str
-    before: str
-    after: str
-    tests: tuple[str, ...]
-    thorough: bool = False
-
+__all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
@@ -171,15 +163,78 @@ PATCHES: tuple[Patch, ...] = (
         (GEOMETRY,),
     ),
     Patch(
+        "programs may move the largest speed of the robot",
+        "vrts/check/rules/settings.py",
+        'INSTALLED = ("HAND.MAX", "SPEED.MAX", ',
+        'INSTALLED = ("HAND.MAX", ',
+        (SETTINGS,),
+    ),
+    Patch(
+        "a broken limit costs nothing",
+        "vrts/check/task/score.py",
+        "NOTHING if achieved.within_limits else scheme.broken_limit",
+        "NOTHING",
+        (SETTINGS,),
+    ),
+    Patch(
+        "motions that are too fast gain time",
+        "vrts/check/verdicts/duration.py",
+        "run.ended_s - run.started_s + longer",
+        "run.ended_s - run.started_s",
+        (SETTINGS,),
+    ),
+    Patch(
+        "by time contacts cost by their number",
+        "vrts/check/task/score.py",
+        "more = _drops(touched, scheme) + touched.seconds * scheme.per_second",
+        "more = (touched.number - 1) * scheme.further_contact",
+        ("tests/property/test_mark.py",),
+    ),
+    Patch(
+        "points are rounded each alone",
+        "vrts/check/mark/apportion.py",
+        "    while left:",
+        "    while left > 9:",
+        ("tests/property/test_shown_points.py",),
+    ),
+    Patch(
+        "a helper above main is executed",
+        "vrts/ir/entry.py",
+        "if any(program.name == MAIN for program in able):",
+        "if able[0].name == MAIN:",
+        ("tests/unit/test_entry.py",),
+    ),
+    Patch(
+        "every closing of the hand is an attempt of its own",
+        "vrts/check/mark/reasons.py",
+        "if all(distance(place, other) > SAME for _, other in attempts):",
+        "if place:",
+        (REASONS,),
+    ),
+    Patch(
+        "what a held object hits is told as the robot's",
+        "vrts/check/verdict.py",
+        "return (event.parts[0] if holds else event.first, event.second)",
+        "return (event.first, event.second)",
+        (REASONS,),
+    ),
+    Patch(
+        "marks end at ten",
+        "vrts/check/task/score.py",
+        "return min(total, max(NOTHING, tenths * TENTH))",
+        "return min(Fraction(10), max(NOTHING, tenths * TENTH))",
+        ("tests/unit/marking/test_any_total.py",),
+    ),
+    Patch(
         "a contact costs half",
-        "vrts/check/task/task.py",
+        "vrts/check/rules/scheme.py",
         "first_contact: Fraction = Fraction(3, 2)",
         "first_contact: Fraction = Fraction(3, 4)",
         (MARK,),
     ),
     Patch(
         "held objects reach their goal",
-        "vrts/check/verdicts/targets.py",
+        "vrts/check/goals/reached.py",
         'return "is still in the hand"',
         "return None",
         ("tests/unit/check/verdicts/test_held_goal.py",),
@@ -193,7 +248,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "joint speeds may be ten times the limit",
-        "vrts/check/verdicts/limits.py",
+        "vrts/check/goals/too_fast.py",
         "(shares > 1.0 + SPEED_TOLERANCE)",
         "(shares > 10.0)",
         (MARK, "tests/unit/test_pages_run.py"),
@@ -220,17 +275,52 @@ PATCHES: tuple[Patch, ...] = (
         (MARK,),
     ),
     Patch(
+        "a stop that nobody asked for does not settle",
+        "vrts/engine/motion/planner.py",
+        "return self.settled_at if waits else self.motion_end",
+        "return self.motion_end",
+        ("tests/unit/controllers",),
+    ),
+    Patch(
+        "the limit of turning is for the larger of two turns",
+        "vrts/engine/motion/paths.py",
+        "return math.hypot(theta, phi)",
+        "return max(theta, phi)",
+        ("tests/unit/controllers",),
+    ),
+    Patch(
+        "a hand waits for the motion after a DELAY",
+        "vrts/engine/code/steps/motion_steps.py",
+        "if counts.delay_moves_hand:",
+        "if not counts.delay_moves_hand:",
+        ("tests/unit/controllers",),
+    ),
+    Patch(
+        "a saved run goes by the controller model of today",
+        "vrts/run_files/loading.py",
+        "return controlled(scene, model)",
+        "return scene",
+        ("tests/unit/controllers",),
+    ),
+    Patch(
+        "numbers of a controller need no log",
+        "vrts/scene/reading/controller_section.py",
+        "if not numbers or not logs or any(not _is_hash(log) for log in logs):",
+        "if not numbers:",
+        ("tests/unit/controllers",),
+    ),
+    Patch(
         "DRIVE uses up the pending speed",
         "vrts/engine/code/steps/motion_steps.py",
-        "take_settings(but_speed=True)",
-        "take_settings()",
+        "keeps = not c.planner.model.next_motion.drive_uses_speed",
+        "keeps = c.planner.model.next_motion.drive_uses_speed",
         (ENGINE,),
     ),
     Patch(
         "the wrist solution farther away is taken",
         "vrts/robots/kinematics/choice.py",
-        "branch, q = min(within, key=",
-        "branch, q = max(within, key=",
+        "if _wrist_change(other[1], near) < _wrist_change(q, near) - TIE:",
+        "if _wrist_change(other[1], near) > _wrist_change(q, near) + TIE:",
         ("tests/unit/robots", ENGINE, EXAMPLE),
     ),
     Patch(
@@ -334,8 +424,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "arms without branches take the farthest solution",
         "vrts/robots/kinematics/serial_solutions.py",
-        "(bool(limit_violations(arm, q)), _change(q, near))",
-        "(bool(limit_violations(arm, q)), -_change(q, near))",
+        "[round(change / TIE) for change in changes]",
+        "[-round(change / TIE) for change in changes]",
         (ROBOTS,),
     ),
     Patch(
@@ -571,10 +661,66 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "endless loops are not seen",
-        "vrts/engine/machine/endless.py",
-        "if _state(machine, now)[:6] == kept[:6]:",
-        "if _state(machine, now) == kept:",
-        (ENGINE,),
+        "vrts/engine/machine/forever/repeats.py",
+        "    return one[:7] == other[:7]",
+        "    return one == other",
+        (FOREVER,),
+    ),
+    Patch(
+        "a wait beside a watchdog that cannot end it goes on to the limit",
+        "vrts/engine/machine/forever/judge.py",
+        "if is_moment(machine) and is_hopeless(machine, now):",
+        "if is_moment(machine) and not is_moment(machine):",
+        (FOREVER,),
+    ),
+    Patch(
+        "reactions that may come are forgotten",
+        "vrts/engine/machine/forever/waits.py",
+        "if watch.priority > robot.priority and (watch.pending or comes):",
+        "if watch.priority > robot.priority and watch.pending:",
+        (FOREVER, "tests/property/test_never_ends.py"),
+    ),
+    Patch(
+        "cycles that are left are no part of the state",
+        "vrts/engine/machine/forever/states.py",
+        "(c.program, c.cycles_left, c.kept_cycles)",
+        "(c.program, c.kept_cycles)",
+        (FOREVER,),
+    ),
+    Patch(
+        "arguments stand for nothing",
+        "vrts/engine/machine/forever/touches.py",
+        "return aliases if isinstance(node.variable, Slot)",
+        "return frozenset() if isinstance(node.variable, Slot)",
+        (FOREVER,),
+    ),
+    Patch(
+        "a fault of the judgement ends everything",
+        "vrts/engine/machine/forever/judge.py",
+        "    except FAULTS as fault:\n        watcher.broken",
+        "    except ZeroDivisionError as fault:\n        watcher.broken",
+        (FOREVER,),
+    ),
+    Patch(
+        "a wait that changes what it looks at is looked at once",
+        "vrts/engine/code/values/volatile.py",
+        "                or function in SWAPS\n",
+        "",
+        (FOREVER,),
+    ),
+    Patch(
+        "sessions keep what loops are looked for with",
+        "vrts/live/session/growing/past.py",
+        "        machine.watcher = Watcher()  #",
+        "        Watcher()  #",
+        ("tests/unit/live/session/growing/test_past.py",),
+    ),
+    Patch(
+        "a monitor does not wait for the other program",
+        "vrts/engine/machine/tick.py",
+        "is_idle(machine) and waits_in_vain(machine)",
+        "is_idle(machine)",
+        ("tests/unit/engine/machine/test_idle.py",),
     ),
     Patch(
         "loops that read the clock are called endless",
@@ -614,16 +760,51 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "a contact hides all near misses",
         "vrts/check/collision/near_misses.py",
-        "if found.closest.distance - slack_of(engine) >= threshold:",
+        "if found.closest.distance - SLACK >= threshold:",
         "if not 0.0 <= found.closest.distance < threshold:",
         (NEAR_MISSES,),
     ),
     Patch(
         "near misses are looked for at contact depth",
         "vrts/check/collision/near_misses.py",
-        "band=-slack_of(engine) - margin_of(engine),",
+        "band=-SLACK - BAND,",
         "band=-threshold,",
         (NEAR_MISSES, FACTS),
+    ),
+    Patch(
+        "what a proposer claims is taken for proven",
+        "vrts/check/collision/search/measures.py",
+        "lower = gaps(self.prover.solids, a, b, way)",
+        "lower = self.prover.proposed(a, b).claim",
+        ("tests/unit/check/collision/test_soundness.py",),
+    ),
+    Patch(
+        "bad directions are never searched for anew",
+        "vrts/geometry/proving/prover.py",
+        "if len(loose):",
+        "if len(loose) > len(a.solid):",
+        ("tests/unit/geometry/proving/test_rows.py",),
+    ),
+    Patch(
+        "a gap is measured to the middle of the other shape",
+        "vrts/geometry/proving/rows.py",
+        "    between -= solids.reach(b.solid, b.rotation, -normal)\n",
+        "",
+        ("tests/unit/check/collision/test_collision_thresholds.py",),
+    ),
+    Patch(
+        "points are pulled only halfway into shapes",
+        "vrts/geometry/proving/rows.py",
+        "found = of.origin + (of.rotation @ pulled[:, :, None])[:, :, 0]",
+        "found = 0.5 * (points + of.origin + (of.rotation @ pulled[:, :, None])[:, :, 0])",
+        ("tests/unit/geometry/proving/test_rows.py",),
+    ),
+    Patch(
+        "a polytope is done before it reaches the side of the difference",
+        "vrts/geometry/proving/polytope.py",
+        "done = reach - face.offset <= tight or -face.offset < enough",
+        "done = True",
+        ("tests/unit/geometry/proving/test_scalar.py",),
     ),
     Patch(
         "the near-miss distance of a task is not read",
@@ -649,8 +830,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "contacts in doubt do not lower the lowest mark",
         "vrts/check/mark/mark.py",
-        "contacts=achieved.contacts + contacts,",
-        "contacts=achieved.contacts,",
+        "touched=touched_in(contacts, achieved.touched.drops),",
+        "touched=achieved.touched,",
         (FACTS,),
     ),
     Patch(
@@ -698,13 +879,13 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "goals are reached from straight above or not at all",
         "vrts/check/task/feasible.py",
-        "goal.X_WG @ X_OP @ X_PF",
-        "Pose(scene.X_FT.rotation, goal.X_WG.translation) @ X_OP @ X_PF",
+        "choice.X_WG @ X_OP @ X_PF",
+        "Pose(scene.X_FT.rotation, choice.X_WG.translation) @ X_OP @ X_PF",
         ("tests/unit/check/task/test_feasible.py",),
     ),
     Patch(
         "dishes are held by their middle",
-        "vrts/scene/holds.py",
+        "vrts/scene/handling/holds.py",
         'wall = body.kind == "dish"',
         'wall = body.kind == "can"',
         ("tests/unit/check/task/test_feasible.py",),
@@ -1063,6 +1244,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/dispatch/posts/test_posts.py",),
     ),
     Patch(
+        "dispatch: a certificate may be about another program than the bundle",
+        "vrts/dispatch/proofs.py",
+        "    if texts != [(file.name, file.text) for file in files]:",
+        "    if not texts:",
+        ("tests/unit/dispatch/test_proofs.py",),
+    ),
+    Patch(
+        "dispatch: certificates are not checked before sending",
+        "vrts/cli/dispatch/send_command.py",
+        "    for note in check_proofs(read):",
+        "    for note in ():",
+        ("tests/unit/dispatch/test_proofs.py",),
+    ),
+    Patch(
         "dispatch: a command that executes is on the list",
         "vrts/dispatch/allowed.py",
         '*("STATUS", "DIRECTORY", "EDIT", "POINT"),',
@@ -1392,6 +1587,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/live/session/growing/test_past.py",),
     ),
     Patch(
+        "a motion that takes no time ends before it begins",
+        "vrts/engine/memory/event_order.py",
+        "        return 2 * event.motion\n",
+        "        return 2 * event.motion + 2\n",
+        ("tests/unit/engine/memory/test_event_order.py",),
+    ),
+    Patch(
+        "a motion ends a last digit before it begins",
+        "vrts/engine/motion/planner.py",
+        "end = max(round(end / tick) * tick, start)",
+        "end = round(end / tick) * tick",
+        (SAVED,),
+    ),
+    Patch(
         "events that another program came before are told while a log grows",
         "vrts/engine/memory/event_order.py",
         "            if begins(one.event):\n                self._give_up(one)\n",
@@ -1433,4 +1642,180 @@ PATCHES: tuple[Patch, ...] = (
         "at[:, 1] = 1.0 * finger.side",
         ("tests/unit/report/recording/test_recording.py",),
     ),
+    Patch(
+        "a brick that is turned by half a turn is turned",
+        "vrts/check/goals/placed.py",
+        "for turn in symmetries.turns:",
+        "for turn in symmetries.turns[:1]:",
+        ("tests/unit/check/goals/test_goals.py",),
+    ),
+    Patch(
+        "any brick counts as square",
+        "vrts/scene/things/symmetry.py",
+        "SAME = 1e-4",
+        "SAME = 5e-2",
+        ("tests/unit/scene/things/test_symmetry.py",),
+    ),
+    Patch(
+        "colours do not tell turns apart",
+        "vrts/scene/things/symmetry.py",
+        '_Part("corners", points, 0.0, color)',
+        '_Part("corners", points, 0.0, (0.0, 0.0, 0.0))',
+        ("tests/unit/scene/things/test_symmetry.py",),
+    ),
+    Patch(
+        "two cans may take one base",
+        "vrts/check/goals/reached.py",
+        "strict=True):\n            found[n] = rated[n][column].reached",
+        "strict=True):\n            found[n] = max(rated[n], key=lambda each: each.value).reached",
+        ("tests/unit/check/goals/test_goals.py",),
+    ),
+    Patch(
+        "of equal assignments the last one counts",
+        "vrts/check/goals/assignment.py",
+        "[-value * size + n * base",
+        "[-value * size - n * base",
+        ("tests/unit/check/goals/test_assignment.py",),
+    ),
+    Patch(
+        "left is right",
+        "vrts/check/goals/related.py",
+        "return _by(relation.distance - (y - v))",
+        "return _by(relation.distance - (v - y))",
+        ("tests/unit/check/goals/test_goals.py",),
+    ),
+    Patch(
+        "phases are added to a place that is reached",
+        "vrts/check/goals/reached.py",
+        "return placed + (1 - placed) * before",
+        "return placed + before",
+        ("tests/property/test_mark.py",),
+    ),
+    Patch(
+        "lifted is what was gripped",
+        "vrts/check/goals/phases.py",
+        "+ height - ROUNDING",
+        "- ROUNDING",
+        ("tests/unit/check/goals/test_goals.py",),
+    ),
+    Patch(
+        "a task of via points gives its points for objects away",
+        "vrts/check/task/score.py",
+        "return (Fraction(0), every) if vias else (every, Fraction(0))",
+        "return (scheme.targets, scheme.vias) if vias else (every, Fraction(0))",
+        ("tests/unit/check/goals/test_goals.py",),
+    ),
+    Patch(
+        "what was tried without success is suggested",
+        "vrts/assignments/suggested.py",
+        "if failure(search.setting, goal, choice, grip, put) is None:",
+        "if failure(search.setting, goal, choice, grip, put) != '':",
+        ("tests/unit/assignments/test_suggested.py",),
+    ),
+    Patch(
+        "places of a scene need not fit the grasp",
+        "vrts/scene/handling/places.py",
+        "and _looks_the_same(body, turn - gripped)",
+        "",
+        ("tests/unit/assignments/test_suggested.py",),
+    ),
+    Patch(
+        "a line that is merely too fast is stopped near a singularity that is not the cause",
+        "vrts/engine/motion/passage.py",
+        "caused = far or _by_singularity(arm, at, Stand(goal, q, branch), joint)",
+        "caused = True",
+        ("tests/unit/engine/motion/test_feasible_lines.py",),
+    ),
+    Patch(
+        "a singularity between two set points is not looked for",
+        "vrts/engine/motion/passage.py",
+        "far = found is None or turned(at.q, found[0]) > LITTLE",
+        "far = found is None",
+        ("tests/unit/engine/motion/test_feasible_lines.py",),
+    ),
+    Patch(
+        "a line whose end is out of reach begins",
+        "vrts/engine/motion/requests.py",
+        "    if error is not None:\n        raise reach_fault",
+        "    if error is not None and error[1] < 0.0:\n        raise reach_fault",
+        ("tests/unit/engine/motion/test_feasible_lines.py",),
+    ),
+    Patch(
+        "a joint comes round from the other side within a line",
+        "vrts/engine/motion/set_points.py",
+        "free = unlimited(arm)",
+        "free = arm",
+        ("tests/unit/engine/motion/test_feasible_lines.py",),
+    ),
+    Patch(
+        "the speed that would do is guessed",
+        "vrts/engine/motion/overspeed.py",
+        "return fastest(pieces, arm.speed).share * rate_of_time <= 1.0 + SPEED_TOLERANCE",
+        "return True",
+        ("tests/unit/engine/motion/test_feasible_lines.py",),
+    ),
+    Patch(
+        "rounding chooses the way of half a turn",
+        "vrts/robots/kinematics/limits.py",
+        "HALF_TURN_BIAS = TIE / TAU",
+        "HALF_TURN_BIAS = 0.0 / TAU",
+        ("tests/unit/engine/motion/test_ties.py",),
+    ),
+    Patch(
+        "a line that a fault stops arrives",
+        "vrts/engine/memory/records.py",
+        "return not self.cut and not self.short",
+        "return not self.cut",
+        ("tests/unit/report/screen/test_replay_text.py",),
+    ),
+    Patch(
+        "every new variable is found by going through all of them",
+        "vrts/engine/code/layout.py",
+        "        if number >= len(memory.bound):\n            memory",
+        "        if self.fresh() is not None:\n            memory",
+        ("tests/unit/engine/test_growth.py",),
+    ),
+    Patch(
+        "after a death one question too many has no answer",
+        "vrts/marking/proposer/by_fcl.py",
+        "                done += 1\n",
+        "                done += 2\n",
+        ("tests/unit/marking/proposer/test_by_fcl.py",),
+    ),
+    Patch(
+        "a child may die for ever",
+        "vrts/marking/proposer/by_fcl.py",
+        "self.deaths >= self._most_deaths or",
+        "",
+        ("tests/unit/marking/proposer/test_by_fcl.py",),
+    ),
+    Patch(
+        "who measures too far contradicts",
+        "vrts/check/collision/second_opinion.py",
+        "a > TOLERANCE and b < a - NEARER",
+        "a > TOLERANCE and abs(b - a) > NEARER",
+        ("tests/unit/check/collision/test_second_opinion.py",),
+    ),
+    Patch(
+        "objects are held up by what they touch at the side as deep as from above",
+        "vrts/engine/hand/settle.py",
+        "            if found.lower < -TOUCHING:",
+        "            if found.lower < -1.0:",
+        ("tests/unit/engine/hand/test_settle.py",),
+    ),
+    Patch(
+        "falling objects step past what is below them",
+        "vrts/engine/hand/settle.py",
+        "step = min(step, found.lower / upright)",
+        "step = min(step, 2.0 * found.lower / upright)",
+        ("tests/unit/engine/hand/test_settle.py",),
+    ),
+    Patch(
+        "what just fits between neighbours does not",
+        "vrts/scene/handling/workable.py",
+        "clearance(part, other, gap) < gap - ROUNDING",
+        "clearance(part, other, gap) < gap",
+        (LAB,),
+    ),
+    *PROOFS,
 )

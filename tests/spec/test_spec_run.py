@@ -119,8 +119,10 @@ def ran_module(case: Case, module: Module) -> Run:
 
 
 def stopped_by(run: Run) -> str:
+    """Return VAL's words for errors, which are the last note; of waits, who waits for whom."""
     errors = [d for d in run.findings if d.is_error]
-    return "".join(f"{d.rule.code} {d.notes[-1].removeprefix('VAL-II says ')}\n" for d in errors)
+    told = [(d.rule.code, d.notes[0 if d.rule.code == "V502" else -1]) for d in errors]
+    return "".join(f"{code} {note.removeprefix('VAL-II says ')}\n" for code, note in told)
 
 
 def typed(run: Run) -> str:

@@ -20,15 +20,14 @@ MOST_LINES = 5  # of what a folder says of itself
 DOORS = {  # imports within functions below `cli`, each with its reason beside it
     # libraries that need not be installed
     ("vrts.dispatch.transfer.port", "serial"),
-    ("vrts.geometry.narrow", "vrts.geometry.coal_engine"),
-    ("vrts.geometry.narrow", "vrts.geometry.fcl_engine"),
+    ("vrts.geometry.proposing.choose", "vrts.geometry.proposing.by_coal"),
     ("vrts.marking.remote.dask_cluster", "dask_jobqueue"),
     ("vrts.marking.remote.mark_on_dask", "vrts.marking.remote.dask_cluster"),
     ("vrts.marking.submission.marker", "vrts.report.recording"),
     ("vrts.marking.submission.report_files", "vrts.report.recording"),
     ("vrts.marking.supervise.limits", "resource"),
     ("vrts.validate.camera.compare", "vrts.report.recording.through_camera"),
-    # numpy and coal, which most runs of programs do without: a third of the time that they take
+    # numpy, which most runs of programs do without: a third of the time that they take
     ("vrts.engine.hand.hand", "vrts.engine.hand.settle"),
     ("vrts.robots.urdf.serial_robot", "vrts.robots.urdf.hulls"),
 }

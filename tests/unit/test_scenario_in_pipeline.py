@@ -58,8 +58,8 @@ def test_without_a_scenario_nothing_changes() -> None:
     task = load_task(EXAMPLE)
     assert task.scenario is None
     assert task.task is not None
-    plain = Scenario()
-    assert scenario_of(task) == replace(plain, limits=replace(plain.limits, time_s=task.task.t_max))
+    limits = replace(Scenario().limits, time_s=task.task.t_max)
+    assert scenario_of(task) == replace(Scenario(), limits=limits, locks=task.task.locks)
 
 
 @pytest.mark.parametrize(("limit", "stopped"), [(10.0, 10.0), (300.0, None)])

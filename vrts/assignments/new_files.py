@@ -10,7 +10,7 @@ from vrts.base.units import mm
 from vrts.check.task.task import Task
 from vrts.report.plain import one_line
 from vrts.scene.block import location_block
-from vrts.scene.model import Mobility, Scene
+from vrts.scene.model import Scene
 
 PROGRAM = """\
 ; {title}
@@ -64,13 +64,16 @@ scene = "scene.toml"
 
 # An object counts in full when it stands upright within position_mm and orientation_deg of its
 # goal, and not at all from three times that. It must be at rest, and the hand must have let go.
+# Turns that nobody can see, as half a turn of a brick, count as none: `symmetry = "none"` changes
+# that. Where `object` and `on` are lists, as ["can1", "can2"], every object wants a place of its
+# own. What is lifted, but not in place, keeps a share of its points with `lifted = 0.2`.
 """
 
 GOAL = """
 [[goal]]
 object = "{body}"
 on = "{base}"
-position_mm = 10
+{turn}position_mm = 10
 orientation_deg = 5
 """
 
@@ -81,7 +84,18 @@ TASK_TAIL = """
 [time]
 reference_s = {reference}
 
-# The mark: round(max(0, targets + vias - contacts) + time bonus). These are the usual numbers.
+# What programs may set: parameters, switches, and how fast they may accelerate. Without this, every
+# switch, and every parameter but those of the robot as it is installed (SPEED.MAX and the like):
+#
+# [settings]
+# parameters = ["HAND.TIME"]
+# switches = ["CP", "MESSAGES"]
+# acceleration_percent = 100
+
+# The mark: round(max(0, targets + vias - contacts - broken limits - demands) + time bonus). These
+# are the usual numbers. With `total = 20` it is out of 20, and what is not given here is in
+# proportion. With `contacts_by = "time"` contacts cost by their length instead of their number,
+# `per_second` points each second; with `contacts_by = "depth"`, `per_mm` points each millimetre.
 
 [mark]
 targets = 6.0                # goals; without via points those of the vias are added
@@ -90,12 +104,14 @@ first_contact = 1.5          # lost by the first contact
 further_contact = 1.0        # lost by each further contact, and by each object that is dropped
 contact_cap = 5.0            # no more is lost by contacts and drops
 time_bonus = 1.5             # only for a program without any fault
+broken_limit = 1.5           # lost once, by breaking a limit of the robot or moving one
 """
 
 STAFF_TASK = """\
 # What is checked at marking only. Students are told how many such checks there are, no more.
 # The reference must pass them too. Whatever `task.toml` may ask for can be hidden here, but for the
-# sections [task], [time], [mark], [late] and [submissions]. Take the `#` away to hide a via point:
+# sections [task], [time], [mark], [late], [submissions] and [settings]. Take the `#` away to hide a
+# via point:
 #
 # [[via]]
 # name = "high above the middle"
@@ -128,6 +144,7 @@ class Carrying(NamedTuple):
     base: str
     start: str  # name of a location
     goal: str
+    turn: float = 0.0  # of the goal [degrees]
 
 
 def new_program(command: str, scene: Scene) -> str:
@@ -142,23 +159,6 @@ def new_program(command: str, scene: Scene) -> str:
     return text + _locations(scene.locations)
 
 
-def carryings(scene: Scene) -> tuple[Carrying, ...]:
-    """Return an object for every base, as far as both can be reached."""
-    movable = [body for body in scene.bodies if body.mobility is Mobility.MOVABLE]
-    bases = [body for body in scene.bodies if body.kind == "base"]
-    found: list[Carrying] = []
-    for base in bases:
-        for number, body in enumerate(movable, 1):
-            start = f"{body.name}_grip".lower()
-            goals = (f"{base.name}_put".lower(), f"{base.name}_put{number}".lower())
-            goal = next((name for name in goals if name in scene.locations), None)
-            taken = any(body.name == other.body for other in found)
-            if start in scene.locations and goal is not None and not taken:
-                found.append(Carrying(body.name, base.name, start, goal))
-                break
-    return tuple(found)
-
-
 def new_solution(title: str, scene: Scene, work: Sequence[Carrying]) -> str:
     """Return a program that carries everything to its base."""
     calls = "".join(f"        CALL carry({one.start}, {one.goal})\n" for one in work)
@@ -169,11 +169,16 @@ def new_task(
     title: str, folder: str, scene: Scene, work: Sequence[Carrying], reference_s: Fraction
 ) -> str:
     """Return a task that asks for what `new_solution` does, with comments on what else it may."""
-    goals = "".join(GOAL.format(body=one.body, base=one.base) for one in work)
+    goals = "".join(map(_goal, work))
     head = TASK_HEAD.format(title=one_line(title), quoted=quoted(title), folder=folder)
     middle = above_middle(scene)
     tail = TASK_TAIL.format(reference=f"{float(reference_s):g}")
-    return head + goals + new_sections(work[0].body, middle) + tail
+    return head + goals + new_sections(work[0].body, work[0].base, middle) + tail
+
+
+def _goal(one: Carrying) -> str:
+    turn = f"turn_deg = {one.turn:g}\n" if one.turn else ""
+    return GOAL.format(body=one.body, base=one.base, turn=turn)
 
 
 def new_staff_task(scene: Scene) -> str:
@@ -194,12 +199,14 @@ def new_readme(name: str, task: Task) -> str:
         f"{goal.title}, within {mm(goal.position_tolerance):g} mm and at rest"
         for goal in task.goals
     ]
+    wishes += [relation.title for relation in task.relations]
     for via in task.vias:
         x, y, z = (round(mm(value)) for value in via.point)
         place = f"within {mm(via.radius):g} mm of X {x}, Y {y}, Z {z}"
         wishes.append(f"pass {via.name}: {place}")
+    total = float(task.mark.total)
     wishes += [
-        f"keep to this: {demand.name} ({float(demand.points):g} of 10 points)"
+        f"keep to this: {demand.name} ({float(demand.points):g} of {total:g} points)"
         for demand in task.demands
     ]
     lines = "\n".join(f"- {one_line(wish)}" for wish in wishes)

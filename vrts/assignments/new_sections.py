@@ -20,6 +20,15 @@ SECTIONS = """
 # cone_deg = 10
 # speed_mm_s = [0, 1500]
 #
+# How an object is to end beside another one, on it, or in a box: one of left_of, right_of,
+# farther_than and nearer_than (with by_mm), stacked_on, aligned_with (along "x" or "y"), or from_mm
+# and to_mm. Relations share the points of goals, by their weights:
+#
+# [[relation]]
+# object = "{body}"
+# stacked_on = '{base}'
+# weight = 0.5
+#
 # A box that the tool stays out of; with keeps_out = "robot" arm, hand and what it holds, too.
 # Here and below, `points` are lost when a program does not keep to it:
 #
@@ -73,12 +82,13 @@ SECTIONS = """
 """
 
 
-def new_sections(body: str, middle: Vector) -> str:
+def new_sections(body: str, base: str, middle: Vector) -> str:
     """Return the comments.
 
     Args:
         body: Name of an object that is carried.
+        base: What it ends on.
         middle: A point that the reference passes, in W [m].
     """
     x, y, z = (round(mm(value)) for value in middle)
-    return SECTIONS.format(body=body, x=x, y=y, z=z, end=x + 500)
+    return SECTIONS.format(body=body, base=base, x=x, y=y, z=z, end=x + 500)

@@ -8,6 +8,7 @@ from tempfile import TemporaryDirectory
 from vrts.assignments.pack import BAD_ARCHIVE, Bundle, read_zip
 from vrts.base.diagnostic import error
 from vrts.check.task.task_places import lab_name, scene_name
+from vrts.pipeline.controllers import with_controller
 from vrts.pipeline.files import SCENE_FILE, TASK_FILE, read_bytes, read_toml_source
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.setting import Setting
@@ -60,10 +61,11 @@ def found_setting(program: Path | None, where: Where) -> Setting | None:
 
     The task may also be a packed one; its hidden part is left out.
     """
-    scene, task, scenario, lab = where
+    scene, task, scenario, lab, controller = where
     if task is None or not is_packed(task):
         return setting_for(program, where)
-    return load_zip(task, scene=scene, scenario=scenario, staff=False, lab=lab)
+    setting = load_zip(task, scene=scene, scenario=scenario, staff=False, lab=lab)
+    return with_controller(setting, controller)
 
 
 def setting_of(

@@ -11,9 +11,11 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.units import mm
+from vrts.check.rules.scheme import Contacts, MarkScheme
 from vrts.check.task.feasible import task_findings
+from vrts.check.task.goals import Goal, Relation
 from vrts.check.task.manifest import NOT_COUNTING
-from vrts.check.task.score import FULL
+from vrts.check.task.score import divided
 from vrts.check.task.task import Task
 from vrts.check.task.task_file import MAX_SHARE, PAR_SHARE
 from vrts.check.verdicts.duration import duration
@@ -23,6 +25,7 @@ from vrts.pipeline.files import read_bytes
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import Setting
 from vrts.report.assessment import Assessment
+from vrts.report.quantities import full
 from vrts.scene.checks import scene_findings
 
 BELOW_FULL = Rule("V674", "reference-below-full")
@@ -68,7 +71,7 @@ def check_task(setting: Setting, reference: Path | None) -> TaskCheck:
 
     Args:
         setting: The task with its hidden part.
-        reference: The program that is to score 10; None: there is none.
+        reference: The program that is to get full marks; None: there is none.
     """
     task = setting.task
     assert task is not None
@@ -117,51 +120,81 @@ def _rounded_up(time_s: Fraction) -> Fraction:
 def worths(task: Task) -> tuple[Worth, ...]:
     """Return what every goal, via point, demand and contact costs, each alone."""
     scheme = task.mark
-    targets = scheme.targets + (Fraction(0) if task.vias else scheme.vias)
-    total = sum((goal.weight for goal in task.goals), Fraction(0)) or Fraction(1)
+    targets, vias = divided(scheme, targets=bool(task.targets), vias=bool(task.vias))
+    total = sum((goal.weight for goal in task.targets), Fraction(0)) or Fraction(1)
     found = [
-        Worth(
-            targets * goal.weight / total,
-            f"`{goal.body}` not at its goal: {goal.title}; nothing is earned from"
-            f" {mm(goal.position_tolerance) * float(scheme.zero_at):.0f} mm off",
-        )
-        for goal in task.goals
+        Worth(targets * goal.weight / total, _missed(goal, scheme.zero_at)) for goal in task.targets
     ]
+    if not task.targets and not task.vias:
+        found.append(Worth(targets, "a program that does not come to its end"))
     found += [
-        Worth(
-            scheme.vias / len(task.vias), f"`{via.name}` not passed within {mm(via.radius):.0f} mm"
-        )
+        Worth(vias / len(task.vias), f"`{via.name}` not passed within {mm(via.radius):.0f} mm")
         for via in task.vias
     ]
     found += [Worth(demand.points, f"`{demand.name}` not kept") for demand in task.demands]
     return (
         *found,
-        Worth(scheme.first_contact, "the first contact, or object dropped"),
-        Worth(scheme.further_contact, "each further one"),
+        Worth(scheme.broken_limit, "a limit of the robot that is broken or moved"),
+        *_contacts(scheme),
         Worth(scheme.contact_cap, "contacts and drops, at most"),
         Worth(scheme.time_bonus, "any of these, as no points are given for speed then"),
     )
+
+
+def _contacts(scheme: MarkScheme) -> tuple[Worth, ...]:
+    first = Worth(scheme.first_contact, "the first contact, or object dropped")
+    match scheme.contacts_by:
+        case Contacts.EVENTS:
+            return (first, Worth(scheme.further_contact, "each further one"))
+        case Contacts.TIME:
+            more = Worth(scheme.per_second, "each second of contact, besides")
+        case Contacts.DEPTH:
+            more = Worth(scheme.per_mm, "each millimetre of depth, besides")
+    return (first, more, Worth(scheme.further_contact, "each further object dropped"))
+
+
+def _missed(goal: Goal | Relation, zero_at: Fraction) -> str:
+    """Return what it is not to meet a goal, in words."""
+    if isinstance(goal, Relation):
+        return f"`{goal.body}` not as it should be: {goal.title}"
+    bodies = " or ".join(f"`{name}`" for name in goal.bodies)
+    off = mm(goal.position_tolerance) * float(zero_at)
+    words = f"{bodies} not at its goal: {goal.title}; nothing is earned from {off:.0f} mm off"
+    phases = goal.phases
+    shares = (("gripped", phases.gripped), ("lifted", phases.lifted))
+    given = [f"{float(100 * share):g} % is for being {word}" for word, share in shares if share]
+    return "; ".join((words, *given))
 
 
 def _about_empty(empty: Assessment, task: Task) -> tuple[Diagnostic, ...]:
     assert empty.grade is not None
     if not empty.grade.mark:
         return ()
-    headline = f"a program that does nothing gets {float(empty.grade.mark):g} of 10"
-    missed = {loss.sentence.split("`")[1] for loss in empty.grade.losses if loss.kind == "target"}
-    there = [f"`{goal.body}` is at its goal from the start" for goal in task.goals]
-    notes = tuple(text for text in there if text.split("`")[1] not in missed)
+    mark, total = float(empty.grade.mark), full(empty.grade.total)
+    headline = f"a program that does nothing gets {mark:g} of {total}"
+    earned = {row.check for row in empty.grade.earned if row.kind == "target" and row.points}
+    notes = tuple(_from_the_start(goal) for goal in task.targets if goal.check in earned)
     remedy = "move what starts at its goal, or make tolerances smaller"
+    if not task.targets and not task.vias:
+        notes = ("it comes to its end, and what it breaks costs less than that gives",)
+        remedy = "give more `points` to what a program that does nothing does not keep to"
     return (error(EMPTY_SCORES, headline, notes=notes, help=(remedy,)),)
+
+
+def _from_the_start(goal: Goal | Relation) -> str:
+    if isinstance(goal, Goal) and len(goal.bodies) == 1:
+        return f"`{goal.body}` is at its goal from the start"
+    return f"{goal.title}: so it is from the start"
 
 
 def _about_reference(found: Assessment) -> tuple[Diagnostic, ...]:
     assert found.grade is not None
-    if found.grade.mark == FULL and found.grade.ready:
+    if found.grade.mark == found.grade.total and found.grade.ready:
         return ()
     losses = [loss for loss in found.grade.losses if loss.points]
     notes = tuple(f"{float(loss.points):.1f} lost by: {loss.sentence}" for loss in losses[:5])
-    headline = f"the reference `{found.title}` gets {float(found.grade.mark):g} of 10"
+    mark, total = float(found.grade.mark), full(found.grade.total)
+    headline = f"the reference `{found.title}` gets {mark:g} of {total}"
     errors = tuple(d for d in found.diagnostics if d.is_error and NOT_COUNTING not in d.headline)
     remedy = "mend the solution, or the times and tolerances of the task"
     return (*errors, error(BELOW_FULL, headline, notes=notes, help=(remedy,)))

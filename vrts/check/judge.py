@@ -3,6 +3,7 @@
 from vrts.check.collision.collision import check_collisions
 from vrts.check.collision.corner_hint import corner_hints
 from vrts.check.collision.in_words import verdict as collision_verdict
+from vrts.check.goals.reached import reached
 from vrts.check.judgement import Judgement
 from vrts.check.task.task import Task
 from vrts.check.verdict import Answer, CollisionReport, Verdict
@@ -10,6 +11,7 @@ from vrts.check.verdicts import duration, limits, targets, via_verdict, vias
 from vrts.check.verdicts.demand_check import check_demands
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
+from vrts.geometry.proposing.proposer import Proposer
 from vrts.scene.model import Scene
 
 
@@ -19,7 +21,8 @@ def judge(
     task: Task | None,
     *,
     collisions: bool = True,
-    engine: str | None = None,
+    proposer: Proposer | None = None,
+    second: Proposer | None = None,
     report: CollisionReport | None = None,
 ) -> Judgement:
     """Return all verdicts: the program's ending, collisions, limits, and what the task asks for.
@@ -29,7 +32,8 @@ def judge(
         run: What happened in it.
         task: What was asked for; None: nothing.
         collisions: Whether to check them.
-        engine: Measures distances of collisions: "coal", "fcl", or None for the better there is.
+        proposer: Helps to prove distances; no answer depends on it. None: the best there is here.
+        second: Who is asked for a second opinion about collisions; None: nobody.
         report: What is known about the collisions of the run; None: they are to be checked.
     """
     found: list[Verdict] = [_program(run)]
@@ -37,14 +41,14 @@ def judge(
         found.append(collision_verdict(report, run))
     elif collisions:
         near_miss = None if task is None else task.near_miss
-        report = check_collisions(scene, run, engine=engine, near_miss=near_miss)
-        found.append(collision_verdict(report, run, corner_hints(run, report, engine)))
+        report = check_collisions(scene, run, proposer=proposer, second=second, near_miss=near_miss)
+        found.append(collision_verdict(report, run, corner_hints(run, report, proposer)))
     found.append(limits.check_limits(run))
     if task is not None:
-        found += targets.verdicts(targets.reached(run, task))
+        found += targets.verdicts(reached(run, task))
         found += via_verdict.verdicts(run, vias.passed(run, task))
         found.append(duration.verdict(run, task))
-        found += check_demands(run, task.demands, engine)
+        found += check_demands(run, task.demands, proposer)
     return Judgement(tuple(found), report)
 
 

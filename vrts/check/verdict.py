@@ -60,6 +60,12 @@ class NearMiss(NamedTuple):
     cause: Cause | None  # instruction under way at the first moment
 
 
+def sides(event: ContactEvent | NearMiss) -> tuple[str, str]:
+    """Return the names of the two bodies: of what the hand holds where that touches, not robot."""
+    holds = event.held is not None and event.parts[0] == event.held
+    return (event.parts[0] if holds else event.first, event.second)
+
+
 class Clearance(NamedTuple):
     """The smallest distance over all time and tested pairs."""
 

@@ -21,6 +21,10 @@ COMMANDS = {  # name: where it is, what it does
         "runs.verify_command",
         "run a program and check everything; mark it if there is a task",
     ),
+    "check-proof": (
+        "runs.check_proof_command",
+        "check a certificate that `verify` wrote, trusting neither",
+    ),
     "grade": ("grade.grade_command", "mark many submissions"),
     "view": ("runs.view_command", "see a program move"),
     "monitor": ("runs.monitor_command", "talk to the controller as its operator"),

@@ -7,7 +7,7 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.units import mm
 from vrts.check.collision.collision import check_collisions
 from vrts.check.verdict import CollisionReport, ContactEvent, NearMiss
-from vrts.check.verdicts.limits import check_limits
+from vrts.check.verdicts.limits import JOINT_SPEED, check_limits
 from vrts.debug.passages import Instant, at_time
 from vrts.engine.hand.hand import DROP_HEIGHT
 from vrts.engine.memory.events import Found, Released, Toppled
@@ -107,6 +107,8 @@ class Alarms:
         for event, number in zip(self.run.events, self.run.event_numbers, strict=True):
             instant = Instant(event.time_s, number)
             match event:
+                case Found(diagnostic=diagnostic) if diagnostic.rule == JOINT_SPEED:
+                    pass  # foretold; what came of it is found below
                 case Found(diagnostic=diagnostic):
                     kind = _BY_CODE.get(diagnostic.rule.code)
                     if kind is None and diagnostic.is_error:

@@ -27,7 +27,7 @@ from vrts.debug.passages import (
     last_instant,
 )
 from vrts.engine.controller import AFTERWARDS, forked
-from vrts.engine.machine.limits import NO_ANSWER
+from vrts.engine.faults import NO_ANSWER
 from vrts.engine.memory.events import CommandRefused
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run, State

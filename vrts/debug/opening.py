@@ -11,6 +11,7 @@ from vrts.debug.debugger import Debugger
 from vrts.debug.files import Files
 from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.compiling.reading import ProgramFile, Reading
+from vrts.pipeline.controllers import with_controller
 from vrts.pipeline.execution import executed
 from vrts.pipeline.files import SCENARIO_FILE, TASK_FILE, read_bytes, task_beside
 from vrts.pipeline.request import Request
@@ -24,7 +25,7 @@ class Asked(NamedTuple):
 
     program: Path
     where: Where = ANYWHERE  # without scene and task: the task beside it, else the robot alone
-    entry: str | None = None  # program to execute; None: the task's, else the first
+    entry: str | None = None  # program to execute; None: the task's, else the main one
     others: tuple[Path, ...] = ()  # compiled together with the program
     dialect: str | None = None  # None: as file name and content tell
 
@@ -51,7 +52,8 @@ def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
         Refused: Scene, task, scenario or lab have errors.
     """
     path = asked.program.resolve()
-    setting = setting_for(path, asked.where) or robot_alone()
+    where = asked.where
+    setting = setting_for(path, where) or with_controller(robot_alone(), where.controller)
     files = Files(_read(asked, path, setting))
     others = tuple(ProgramFile(read_bytes(p), str(p.resolve())) for p in asked.others)
     program = ProgramFile(read_bytes(path), str(path))

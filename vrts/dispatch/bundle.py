@@ -1,22 +1,24 @@
 """A bundle: one file with everything that goes to a controller, and what was verified about it.
 
-It is a zip of `manifest.json`, `sheet.html`, `programs/NAME.v2` for every program, and of
-`locations.lc`, `reals.rv` and `strings.st` as far as there are such data. The same content gives
-the same bytes. A bundle is opened without trusting it: names, sizes, hashes and characters are
-checked before anything is believed. That it is sound does not show who has made it.
+It is a zip of `manifest.json`, `sheet.html`, `programs/NAME.v2` for every program, of
+`locations.lc`, `reals.rv` and `strings.st` as far as there are such data, and of a certificate
+`proofs/NUMBER.cert` for every scenario. The same content gives the same bytes. A bundle is opened
+without trusting it: names, sizes, hashes and characters are checked before anything is believed.
+That it is sound does not show who has made it.
 """
 
 import hashlib
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 import msgspec
 
 from vrts.base.diagnostic import Rule, error
+from vrts.base.source import SourceFile
 from vrts.base.zips import BadZip, Unpacker, packed
-from vrts.dispatch.manifest import Manifest, Member
+from vrts.dispatch.manifest import WITHOUT_PROOFS, Manifest, Member
 from vrts.pipeline.refused import Refused
 
 BAD_BUNDLE = Rule("V800", "bad-bundle")
@@ -28,10 +30,12 @@ MOST_BYTES = 20_000_000  # of all files, unpacked
 MOST_CONTENTS = 1_000_000  # bytes of the table of contents
 MODE = 0o644  # of the files
 _PROGRAM = re.compile(r"programs/([a-z][a-z0-9._]{0,30})\.v2")
+_PROOF = re.compile(r"proofs/[1-9][0-9]{0,3}\.cert")
 _TITLES = {LOCATIONS: ".LOCATIONS", REALS: ".REALS", STRINGS: ".STRINGS"}
 _TEXT = re.compile(r"[ -~\n]*\n")  # printable 7-bit ASCII in whole lines
 _ROW = re.compile(r"(\S+) +(\S.*)")
 NO_MEMBERS: tuple[Member, ...] = ()
+NO_PROOFS: Mapping[str, bytes] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +48,8 @@ class Bundle:
     reals: str  # .REALS section
     strings: str  # .STRINGS section
     sheet: str  # the operator's page, HTML
+    # certificates by name of the file
+    proofs: Mapping[str, bytes] = field(default_factory=lambda: NO_PROOFS)
 
     @property
     def profile(self) -> str:
@@ -59,7 +65,8 @@ def rows(section: str) -> tuple[tuple[str, str], ...]:
 
 def bundle_bytes(bundle: Bundle) -> bytes:
     """Return the file of a bundle; its manifest gains the list of files."""
-    members = {name: text.encode() for name, text in sorted(_texts(bundle).items())}
+    texts = {name: text.encode() for name, text in _texts(bundle).items()}
+    members = dict(sorted({**texts, **bundle.proofs}.items()))
     files = tuple(Member(name, digest_of(data), len(data)) for name, data in members.items())
     manifest = msgspec.structs.replace(bundle.manifest, files=files)
     said = msgspec.json.format(msgspec.json.encode(manifest), indent=1) + b"\n"
@@ -76,14 +83,17 @@ def read_bundle(data: bytes) -> Bundle:
         zipped = Unpacker(data, contents=MOST_CONTENTS)
         _check_contents(zipped)
         manifest = msgspec.json.decode(zipped.read(MANIFEST), type=Manifest)
-        texts = {member.name: _member(zipped, member) for member in manifest.files}
+        held = {member.name: _member(zipped, member) for member in manifest.files}
     except BadZip as problem:
         named = f" (`{problem.member[:60]}`)" if problem.member else ""
         raise bad_bundle(f"its zip file is {problem.flaw.value}{named}") from problem
     except msgspec.MsgspecError as problem:
         raise bad_bundle(f"`{MANIFEST}`: {problem}") from problem
-    if [MANIFEST, *texts] != list(zipped.sizes):
+    if [MANIFEST, *held] != list(zipped.sizes):
         raise bad_bundle("its files are not those that its manifest lists")
+    proofs = {name: data for name, data in held.items() if _PROOF.fullmatch(name)}
+    _check_proofs(manifest, proofs)
+    texts = {name: _text(name, data) for name, data in held.items() if name not in proofs}
     if SHEET not in texts:
         raise bad_bundle(f"`{SHEET}` is missing")
     programs = {
@@ -101,7 +111,26 @@ def read_bundle(data: bytes) -> Bundle:
         data_texts[REALS],
         data_texts[STRINGS],
         texts[SHEET],
+        MappingProxyType(proofs),
     )
+
+
+def files_of(programs: Mapping[str, str], entry: str, *sections: str) -> tuple[SourceFile, ...]:
+    """Return what a controller is given as files, in the order in which they are read.
+
+    Args:
+        programs: Texts by name.
+        entry: The program to execute: it is the first.
+        sections: Locations, reals and strings; "" where there are none.
+    """
+    names = [entry, *(name for name in programs if name != entry)]
+    data = [SourceFile(name, text) for name, text in zip(_TITLES, sections, strict=True) if text]
+    return (*(SourceFile(f"programs/{name}.v2", programs[name]) for name in names), *data)
+
+
+def proof_name(number: int) -> str:
+    """Return the name of the certificate of a scenario; the first is number 1."""
+    return f"proofs/{number}.cert"
 
 
 def with_sheet(bundle: Bundle, sheet: str) -> Bundle:
@@ -136,7 +165,9 @@ def _texts(bundle: Bundle) -> dict[str, str]:
 
 def _check_contents(zipped: Unpacker) -> None:
     for name, member in zipped.members.items():
-        known = name in (MANIFEST, SHEET, *_TITLES) or _PROGRAM.fullmatch(name) is not None
+        known = name in (MANIFEST, SHEET, *_TITLES) or any(
+            form.fullmatch(name) is not None for form in (_PROGRAM, _PROOF)
+        )
         if not known or not member.plain:
             raise bad_bundle(f"its file `{name[:60]!a}` does not belong there")
     if MANIFEST not in zipped.sizes:
@@ -146,16 +177,35 @@ def _check_contents(zipped: Unpacker) -> None:
         raise bad_bundle(f"it unpacks to {total:,} bytes, the limit is {MOST_BYTES:,}")
 
 
-def _member(zipped: Unpacker, member: Member) -> str:
+def _check_proofs(manifest: Manifest, proofs: Mapping[str, bytes]) -> None:
+    """Refuse certificates that are missing, or that no scenario names."""
+    wanted: list[str] = []
+    for number, one in enumerate(manifest.scenarios, 1):
+        if manifest.schema != WITHOUT_PROOFS and one.proof is None:
+            raise bad_bundle(f"it says nothing of the certificate of scenario {number}")
+        if one.proof is not None and one.proof.file is not None:
+            if one.proof.file != proof_name(number) or one.proof.file not in proofs:
+                raise bad_bundle(f"the certificate of scenario {number} is missing")
+            wanted.append(one.proof.file)
+    strange = sorted(proofs.keys() - set(wanted))
+    if strange:
+        raise bad_bundle(f"no scenario names its certificate `{strange[0]}`")
+
+
+def _member(zipped: Unpacker, member: Member) -> bytes:
     if member.name == MANIFEST or zipped.sizes.get(member.name) != member.bytes:
         raise bad_bundle(f"`{member.name!a}` is not there, or has another length")
     data = zipped.read(member.name)
     if digest_of(data) != member.sha256:
         raise bad_bundle(f"`{member.name}` was changed: its hash is another")
+    return data
+
+
+def _text(name: str, data: bytes) -> str:
     try:
         return data.decode()
     except UnicodeDecodeError as problem:
-        raise bad_bundle(f"`{member.name}` is no text") from problem
+        raise bad_bundle(f"`{name}` is no text") from problem
 
 
 def _program(name: str, text: str) -> str:

@@ -9,7 +9,8 @@ from msgspec import Meta
 
 from vrts.marking.result import Digest, Record
 
-SCHEMA = "vrts.bundle/1"
+SCHEMA = "vrts.bundle/2"
+WITHOUT_PROOFS = "vrts.bundle/1"  # the format before bundles held certificates
 
 Words = Annotated[str, Meta(max_length=2_000)]
 
@@ -37,6 +38,14 @@ class Answered(Record, frozen=True):
     summary: Words
 
 
+class Shown(Record, frozen=True):
+    """What shows that the contacts of a run are those that were found."""
+
+    file: Annotated[str, Meta(max_length=100)] | None  # its certificate; None: there is none
+    scenario_sha256: Digest  # of everything that happens to the run from outside
+    summary: Words  # "holds, 480 intervals", or why there is none
+
+
 class Verified(Record, frozen=True):
     """One scenario, and what came of it."""
 
@@ -49,6 +58,7 @@ class Verified(Record, frozen=True):
     mark: float | None
     clearance_mm: float | None  # None: something touches, or nothing could
     verdicts: tuple[Answered, ...]
+    proof: Shown | None = None  # None: only in the first format
 
 
 class Executed(Record, frozen=True):
@@ -92,7 +102,7 @@ class Waiver(Record, frozen=True):
 class Manifest(Record, frozen=True):
     """The whole."""
 
-    schema: Literal["vrts.bundle/1"]
+    schema: Literal["vrts.bundle/1", "vrts.bundle/2"]
     vrts: Words  # version that verified
     title: Words  # name of the program's file
     entry: Words  # the program to execute
@@ -111,3 +121,4 @@ class Manifest(Record, frozen=True):
     first_to_fail: Words
     waivers: tuple[Waiver, ...]
     files: tuple[Member, ...]  # every other file of the bundle, by name
+    controller: Thing | None = None  # model that the runs went by; None: `vrts-1`, the first

@@ -101,7 +101,7 @@ def forked(run: Run, commands: Sequence[TimedCommand], until_s: float) -> Run:
 def execute(
     module: Module, scene: Scene, scenario: Scenario | None = None, program: str | None = None
 ) -> Run:
-    """Run a program from time 0 to its end; None runs the first of the module.
+    """Run a program from time 0 to its end; None runs the main one of the module.
 
     Raises:
         ValueError: There is no such program.

@@ -42,6 +42,7 @@ SIMULATED_TIME = Rule("V511", "too-long")
 MOTIONS = Rule("V512", "too-many-motions")
 OUTPUT = Rule("V513", "too-much-output")
 WAIT_NEVER_ENDS = Rule("V502", "wait-never-ends")
+NO_ANSWER = Rule("V504", "no-answer")
 
 RULES: Mapping[RuntimeErrorKind, Rule] = MappingProxyType(
     {

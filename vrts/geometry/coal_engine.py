@@ -1,7 +1,7 @@
 """Exact distance between two convex pieces, by coal.
 
-The first of two engines with one interface; `fcl_engine` is the other. Signed distances come from
-GJK and EPA: positive is the gap, negative the depth of penetration. Error at most `ERROR`.
+Nothing that is told rests on it: it only proposes. Signed distances come from GJK and EPA: positive
+is the gap, negative the depth of penetration. Error at most `ERROR` in all that was seen.
 """
 
 from functools import lru_cache
@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.base.pose import Pose, Vector
-from vrts.geometry.nearest import Engine, Nearest
+from vrts.geometry.nearest import Nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -122,9 +122,6 @@ class Pair:
 def pair(first: Shape, second: Shape) -> Pair:
     """Return the `Pair` of two shapes; equal shapes share one."""
     return Pair(first, second)
-
-
-ENGINE = Engine(NAME, ERROR, pair, transform, placed)
 
 
 def nearest(first: Piece, X_WA: Pose, second: Piece, X_WB: Pose) -> Nearest:

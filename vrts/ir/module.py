@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from vrts.base.source import Span
+from vrts.ir.entry import Entry, Outline, entry_among, program_called
 from vrts.ir.expressions import Slot
 from vrts.ir.instructions import Instruction
 from vrts.ir.values import Value
@@ -32,6 +33,12 @@ class Program:
     span: Span  # the .PROGRAM line
     autos: tuple[Slot, ...] = ()  # variables of each activation, numbered after the formals
 
+    @property
+    def outline(self) -> Outline:
+        """What decides whether it is the one that is executed."""
+        called = (program_called(instruction) for instruction in self.instructions)
+        return Outline(self.name, bool(self.formals), frozenset(n for n in called if n is not None))
+
 
 class Datum(NamedTuple):
     """An initial value from a data section."""
@@ -51,5 +58,11 @@ class Module:
 
     @property
     def main(self) -> str | None:
-        """The program EXECUTE runs when none is named: the first in the source."""
-        return next(iter(self.programs), None)
+        """The program that is executed when none is named; None where there is none."""
+        entry = self.entry
+        return None if entry is None else entry.name
+
+    @property
+    def entry(self) -> Entry | None:
+        """The same, with those that might be meant as well."""
+        return entry_among([program.outline for program in self.programs.values()])

@@ -24,6 +24,14 @@ class Parameter(NamedTuple):
     value: float | None  # at the start; None: the robot's data decide
     unit: str
     about: str
+    numbers: int = 1  # how many; above 1 they have an index
+
+    @property
+    def cells(self) -> tuple[str, ...]:
+        """The names of its numbers."""
+        if self.numbers == 1:
+            return (self.name,)
+        return tuple(f"{self.name}[{number}]" for number in range(1, self.numbers + 1))
 
 
 def _by_name(*items: SystemSwitch) -> Mapping[str, SystemSwitch]:
@@ -52,10 +60,10 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
         for item in (
             Parameter("HAND.TIME", None, "s", "wait after OPENI, CLOSEI, RELAXI and GRASP"),
             Parameter("HAND.MAX", None, "mm", "opening of the hand when fully open"),
-            Parameter("SPEED.MAX", 100.0, "%", "upper limit of the speed [assumed]"),
+            Parameter("SPEED.MAX", None, "%", "upper limit of the speed"),
             Parameter("VEL.LIN", None, "mm/s", "full speed of straight lines"),
             Parameter("TACC", None, "s", "time of an acceleration"),
-            Parameter("NEST.POS", None, "deg", "joints of NEST and REST, indices 1 to 6"),
+            Parameter("NEST.POS", None, "deg", "joints of NEST and REST, indices 1 to 6", 6),
             Parameter("TERMINAL", 0.0, "", "accepted without effect"),
             Parameter("KERMIT.RETRY", 15.0, "", "accepted without effect"),
             Parameter("KERMIT.TIMEOUT", 8.0, "s", "accepted without effect"),

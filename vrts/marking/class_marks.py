@@ -63,6 +63,7 @@ def with_best_attempts(
             marks(
                 results[name].exact_mark or Fraction(0),
                 lateness(rules, tried[name][1].received, due=row.due),
+                results[name].exact_total,
             )
             for name in names
         ]
@@ -108,6 +109,6 @@ def _late(found: Found, result: Result, rules: LateRules | None) -> Lateness | N
     late = lateness(rules, found.received, due=found.due, flagged_late=found.flagged_late)
     if not late.sentence:
         return None
-    deduction = marks(result.exact_mark or Fraction(0), late).deduction
+    deduction = marks(result.exact_mark or Fraction(0), late, result.exact_total).deduction
     seconds = 0 if late.late_by is None else int(late.late_by.total_seconds())
     return Lateness(seconds, str(deduction), late.sentence, late.review)

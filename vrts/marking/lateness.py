@@ -5,6 +5,7 @@ from datetime import datetime, timedelta
 from fractions import Fraction
 from typing import NamedTuple
 
+from vrts.check.rules.scheme import TOTAL
 from vrts.check.task.late_rules import LateRules
 from vrts.check.task.score import to_tenth
 
@@ -68,10 +69,10 @@ def lateness(
     return Lateness(late_by, points, closed=False, sentence=sentence)
 
 
-def marks(raw: Fraction, late: Lateness) -> Marks:
-    """Return raw mark, deduction, and final mark."""
+def marks(raw: Fraction, late: Lateness, total: Fraction = TOTAL) -> Marks:
+    """Return raw mark, deduction, and final mark, of so many points."""
     deduction = raw if late.closed else min(raw, late.points)
-    return Marks(raw, deduction, to_tenth(raw - deduction))
+    return Marks(raw, deduction, to_tenth(raw - deduction, total))
 
 
 def best(attempts: Sequence[Marks]) -> int:

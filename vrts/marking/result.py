@@ -15,10 +15,11 @@ import msgspec
 from msgspec import Meta, Struct
 
 from vrts.base.diagnostic import Severity
+from vrts.check.rules.scheme import LARGEST_TOTAL
 
 SCHEMA = "vrts.result/1"
 SCORING = (
-    1  # version of how marks are made of verdicts: raised when the same run may mark otherwise
+    2  # version of how marks are made of verdicts: raised when the same run may mark otherwise
 )
 LARGEST = 8_000_000  # bytes of a result
 
@@ -41,7 +42,7 @@ class Kind(Enum):
 UNMARKED = frozenset({Kind.RESOURCE, Kind.AMBIGUOUS, Kind.MISSING, Kind.EXCUSED, Kind.FAULT})
 
 Points = Annotated[float, Meta(description="points, rounded to six decimals")]
-Mark = Annotated[float, Meta(ge=0, le=10, description="a multiple of 0.1")]
+Mark = Annotated[float, Meta(ge=0, le=LARGEST_TOTAL, description="a multiple of 0.1")]
 Exact = Annotated[str, Meta(pattern=r"^-?\d+(/\d+)?$", description="the same as a fraction")]
 Digest = Annotated[str, Meta(pattern=r"^[0-9a-f]{64}$", description="sha256")]
 
@@ -75,14 +76,15 @@ class Check(Record, frozen=True):
     message: str
 
 
-class Parts(Record, frozen=True):
-    """The parts of the mark."""
+class Parts(Record, frozen=True, omit_defaults=True):
+    """The parts of the mark, which add up to it; what is taken off counts negative."""
 
     targets: Points
     vias: Points
     contacts: Points
     demands: Points
     time: Points
+    limits: Annotated[float, Meta(description="for breaking limits of the robot")] = 0.0
 
 
 class Finding(Record, frozen=True):
@@ -133,7 +135,7 @@ class Versions(Record, frozen=True):
     engine: Annotated[str | None, Meta(description="what measured distances")]
 
 
-class Result(Record, frozen=True):
+class Result(Record, frozen=True, omit_defaults=True):
     """What vrts found out about one submission."""
 
     schema: Literal["vrts.result/1"]
@@ -160,6 +162,15 @@ class Result(Record, frozen=True):
     program: Program | None
     versions: Versions
     key: Digest
+    controller: Annotated[
+        Named | None, Meta(description="model that the run went by; null: vrts-1, the first")
+    ] = None
+    total: Annotated[Mark, Meta(description="the mark is out of so many points")] = 10.0
+
+    @property
+    def exact_total(self) -> Fraction:
+        """How many points the mark is out of."""
+        return Fraction(round(self.total * 10), 10)
 
     @property
     def exact_mark(self) -> Fraction | None:
@@ -190,9 +201,21 @@ def from_bytes(data: bytes) -> Result:
     if len(data) > LARGEST:
         raise Damaged(f"a result of {len(data):,} bytes")
     try:
-        return msgspec.json.decode(data, type=Result)
+        found = msgspec.json.decode(data, type=Result)
     except msgspec.MsgspecError as problem:
         raise Damaged(str(problem)) from problem
+    check_mark(found, found.mark)
+    return found
+
+
+def check_mark(result: Result, mark: float | None) -> None:
+    """Check that a mark is not more than there are points.
+
+    Raises:
+        Damaged: It is more.
+    """
+    if mark is not None and mark > result.total:
+        raise Damaged(f"a mark of {mark:g} of {result.total:g}")
 
 
 def key_of(program: bytes, *depends_on: str) -> str:

@@ -6,8 +6,9 @@ from typing import Annotated, Literal
 import msgspec
 from msgspec import Meta, field
 
+from vrts.check.rules.scheme import TOTAL
 from vrts.check.task.score import to_tenth
-from vrts.marking.result import Damaged, Exact, Mark, Record, Result
+from vrts.marking.result import Damaged, Exact, Mark, Record, Result, check_mark
 
 CLASS_SCHEMA = "vrts.class/1"
 LARGEST = 512_000_000  # bytes of the rows of a class
@@ -73,6 +74,11 @@ class Class(Record, frozen=True):
     title: str
     rows: tuple[Row, ...]
 
+    @property
+    def total(self) -> Fraction:
+        """How many points its marks are out of."""
+        return max((row.result.exact_total for row in self.rows), default=TOTAL)
+
 
 def row_of(
     result: Result,
@@ -82,7 +88,7 @@ def row_of(
     change: Change | None = None,
 ) -> Row:
     """Return the row of a result; its final mark is computed here and nowhere else."""
-    final = final_mark(result.exact_mark, late, change)
+    final = final_mark(result.exact_mark, late, change, result.exact_total)
     return Row(
         result.id,
         student,
@@ -95,9 +101,12 @@ def row_of(
 
 
 def final_mark(
-    mark: Fraction | None, late: Lateness | None, change: Change | None
+    mark: Fraction | None,
+    late: Lateness | None,
+    change: Change | None,
+    total: Fraction = TOTAL,
 ) -> Fraction | None:
-    """Return a mark after deduction and change, from 0 to 10, rounded half up to a tenth.
+    """Return a mark after deduction and change, from 0 to the total, rounded half up to a tenth.
 
     A change by hand gives a mark also where none was computed.
     """
@@ -108,7 +117,7 @@ def final_mark(
         value = max(Fraction(0), value - Fraction(late.deduction))
     if change is not None:
         value += Fraction(change.delta)
-    return to_tenth(value)
+    return to_tenth(value, total)
 
 
 def class_to_bytes(rows: Class) -> bytes:
@@ -125,6 +134,10 @@ def class_from_bytes(data: bytes) -> Class:
     if len(data) > LARGEST:
         raise Damaged(f"rows of {len(data):,} bytes")
     try:
-        return msgspec.json.decode(data, type=Class)
+        found = msgspec.json.decode(data, type=Class)
     except msgspec.MsgspecError as problem:
         raise Damaged(str(problem)) from problem
+    for row in found.rows:
+        check_mark(row.result, row.result.mark)
+        check_mark(row.result, row.final)
+    return found

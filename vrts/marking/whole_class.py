@@ -123,7 +123,9 @@ def mark_whole_class(
             what = f"`{_name(submissions)}` holds" if _name(submissions) else "the files hold"
             raise CannotRead(f"nothing was handed in: {what} no program", remarks)
         names = [row.identifier for row in found]
-        changes = NONE if layout is None else load_overrides(layout.overrides, names)
+        changes = (
+            NONE if layout is None else load_overrides(layout.overrides, names, task.mark.total)
+        )
         begun(names)
         done: dict[str, Done] = {}
         rows: dict[str, Row] = {}

@@ -142,14 +142,12 @@ def switches_text(states: Iterable[tuple[str, bool]]) -> str:
     return _lines("".join(cells[at : at + 2]).rstrip() for at in range(0, len(cells), 2))
 
 
-def parameters_text(values: Mapping[str, float], names: Iterable[str]) -> str:
+def parameters_text(values: Iterable[tuple[str, float]]) -> str:
     """Return what PARAMETER shows: name, value and unit."""
-    rows: list[str] = []
-    for name in names:
-        shown = [key for key in values if key == name or key.startswith(f"{name}[")]
-        unit = PARAMETERS[name].unit
-        rows += [f"{key:<16}{free(values[key])}{f' {unit}' if unit else ''}" for key in shown]
-    return _lines(rows)
+    return _lines(
+        f"{cell:<16}{free(value)} {PARAMETERS[cell.partition('[')[0]].unit}".rstrip()
+        for cell, value in values
+    )
 
 
 def name_order(name: str) -> tuple[str, tuple[int, ...]]:

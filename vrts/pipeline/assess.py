@@ -37,7 +37,14 @@ def assess(request: Request, compiled: Compiled | None = None) -> Assessment:
         return _ungraded(a)
     if not checks.judged:
         return a
-    judgement = judge(scene, run, task, collisions=checks.collisions, engine=checks.engine)
+    judgement = judge(
+        scene,
+        run,
+        task,
+        collisions=checks.collisions,
+        proposer=checks.proposer,
+        second=checks.second,
+    )
     request.step_done("check")
     marked = None if task is None else grade(task, run, judgement)
     a = replace(a, judgement=judgement, grade=marked)
@@ -48,4 +55,4 @@ def _ungraded(a: Assessment) -> Assessment:
     if a.task is None:
         return a
     status = Status.UNREADABLE if a.source is None else Status.DOES_NOT_COMPILE
-    return replace(a, grade=ungraded(status, a.diagnostics))
+    return replace(a, grade=ungraded(a.task, status, a.diagnostics))

@@ -3,15 +3,19 @@
 from dataclasses import replace
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Diagnostic, Rule, error
+from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity, error
 from vrts.engine.controller import execute
 from vrts.engine.run import Run
+from vrts.ir.entry import Entry
 from vrts.ir.module import Module
 from vrts.pipeline.compiling.programs import Compiled, compile_bytes
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import scenario_of
 
 NO_SUCH_PROGRAM = Rule("V190", "no-such-program")
+WHICH_PROGRAM = Rule("V193", "which-program")
+
+MOST_NAMED = 5  # programs, of those that may be meant
 
 
 class Executed(NamedTuple):
@@ -42,23 +46,33 @@ def executed(request: Request, compiled: Compiled | None = None) -> Executed:
     module = None if compiled.compilation is None else compiled.compilation.module
     if module is None or module.main is None:
         return Executed(compiled, None, None, compiled.diagnostics)
-    entry = entry_of(request)
-    if entry is not None and entry.lower() not in module.programs:
-        missing = no_program(module, entry)
-        return Executed(compiled, module, None, (*compiled.diagnostics, missing))
+    entry, said = entry_in(module, request)
+    if entry is None:
+        return Executed(compiled, module, None, (*compiled.diagnostics, *said))
     scenario = scenario_of(request.setting)
     if request.limits is not None:
         scenario = replace(scenario, limits=request.limits)
-    run = execute(module, request.setting.scene, scenario, entry and entry.lower())
+    run = execute(module, request.setting.scene, scenario, entry)
     request.step_done("simulate")
-    kept = without_repeats(compiled.diagnostics, run.findings)
+    kept = (*without_repeats(compiled.diagnostics, run.findings), *said)
     return Executed(compiled, module, run, kept)
 
 
-def entry_of(request: Request) -> str | None:
-    """Return the name of the program that a request executes, as it was given; None: the first."""
+def entry_in(module: Module, request: Request) -> tuple[str | None, tuple[Diagnostic, ...]]:
+    """Return the program that a request executes, and what there is to say about the choice.
+
+    It is the one asked for, else the task's, else the main one of the file. None: there is no
+    such program, and the diagnostic says so.
+    """
     task = request.setting.task
-    return request.entry or (None if task is None else task.program)
+    asked = request.entry or (None if task is None else task.program)
+    if asked is not None:
+        name = asked.lower()
+        return (name, ()) if name in module.programs else (None, (no_program(module, asked),))
+    found = module.entry
+    if found is None:
+        return None, ()
+    return found.name, (_guessed(module, found),) if found.rivals else ()
 
 
 def no_program(module: Module, name: str) -> Diagnostic:
@@ -67,6 +81,23 @@ def no_program(module: Module, name: str) -> Diagnostic:
         NO_SUCH_PROGRAM,
         f"there is no program `{name}` to execute",
         help=(f"programs in the file: {', '.join(module.programs)}",),
+    )
+
+
+def _guessed(module: Module, found: Entry) -> Diagnostic:
+    """Return that nothing tells which program is meant, and which was taken."""
+    names = (found.name, *found.rivals)
+    listed = ", ".join(f"`{name}`" for name in names[:MOST_NAMED])
+    more = len(names) - MOST_NAMED
+    others = f"{listed} and {more} more" if more > 0 else listed
+    return Diagnostic(
+        WHICH_PROGRAM,
+        Severity.WARNING,
+        f"nothing says which program to execute, so `{found.name}` is: the first that may be meant",
+        Label(module.programs[found.name].span, "executed"),
+        tuple(Label(module.programs[name].span, "not this one") for name in found.rivals[:1]),
+        notes=(f"none is called `main`, and these may be meant: {others}",),
+        help=("name the one to execute `main`, or call the others from it",),
     )
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
+from vrts.geometry.proposing.proposer import Proposer
 from vrts.pipeline.compiling.reading import STRICT, ProgramFile, Reading
 from vrts.pipeline.setting import Setting
 from vrts.scene.model import Limits
@@ -13,7 +14,8 @@ class Checks(NamedTuple):
 
     judged: bool = True  # whether to check and mark at all
     collisions: bool = True
-    engine: str | None = None  # that measures distances; None: the most exact there is
+    proposer: Proposer | None = None  # of directions and points; None: the best there is here
+    second: Proposer | None = None  # gives a second opinion, which decides nothing; None: nobody
     curve: bool = False  # whether to sample the clearance over time, for charts
 
 
@@ -27,7 +29,7 @@ class Request(NamedTuple):
     program: ProgramFile
     setting: Setting
     reading: Reading = STRICT
-    entry: str | None = None  # program to execute; None: the task's, else the first
+    entry: str | None = None  # program to execute; None: the task's, else the main one
     checks: Checks = ALL_CHECKS
     identifier: str = "program"  # safe for file names
     title: str | None = None  # as reports show it; None: the name of the program

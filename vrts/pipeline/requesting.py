@@ -26,7 +26,7 @@ def request_for(
         where: Names of scene, task, scenario and lab; without them the task beside the program.
         setting: These already read.
         reading: Dialect, and files compiled together with the program.
-        entry: Program to execute; None: the task's, else the first.
+        entry: Program to execute; None: the task's, else the main one.
         checks: What is to be found out.
 
     Raises:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from vrts.ir.system import PARAMETERS
 from vrts.pipeline.alone import robot_alone
+from vrts.pipeline.controllers import with_controller
 from vrts.pipeline.files import find_scene, read_toml_source
 from vrts.pipeline.setting import Setting, accepted
 from vrts.pipeline.where import Where
@@ -59,7 +60,7 @@ def free_setting(where: Where, beside: Path | None = None) -> Setting:
     """Return the scene that is asked for, or a robot alone, with its scenario; never a task.
 
     Args:
-        where: Names of scene, lab and scenario.
+        where: Names of scene, lab, controller and scenario.
         beside: Folder to look for the scene in first.
 
     Raises:
@@ -67,4 +68,5 @@ def free_setting(where: Where, beside: Path | None = None) -> Setting:
         Refused: One of them has errors.
     """
     setting = load_scene(where.scene, beside, lab=where.lab) if where.scene else robot_alone()
+    setting = with_controller(setting, where.controller)
     return setting if where.scenario is None else with_scenario(setting, where.scenario)

@@ -33,12 +33,15 @@ class Setting:
 
 
 def scenario_of(setting: Setting) -> Scenario:
-    """Return the scenario of a run: where there is a task, it is stopped at its longest time."""
+    """Return the scenario of a run.
+
+    Where there is a task, it is stopped at its longest time and may set only what the task allows.
+    """
     scenario = Scenario() if setting.scenario is None else setting.scenario.scenario
     if setting.task is None:
         return scenario
     limits = replace(scenario.limits, time_s=min(scenario.limits.time_s, setting.task.t_max))
-    return replace(scenario, limits=limits)
+    return replace(scenario, limits=limits, locks=setting.task.locks)
 
 
 def accepted(value: Value | None, found: tuple[Diagnostic, ...]) -> Value:

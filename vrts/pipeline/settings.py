@@ -7,7 +7,8 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.check.task.manifest import altered, announced, hidden_scene, listed, other_scene
 from vrts.check.task.staff import read_whole_task
 from vrts.check.task.task_file import read_task
-from vrts.check.task.task_places import lab_name, scene_name
+from vrts.check.task.task_places import controller_name, lab_name, scene_name
+from vrts.pipeline.controllers import with_controller
 from vrts.pipeline.files import (
     MANIFEST_FILE,
     MAX_TOML,
@@ -55,6 +56,7 @@ def load_task(
     own_lab = lab_name(source)
     its_lab = None if own_lab is None else folder / own_lab
     setting = load_scene(scene or accepted(named, found), folder, home, lab or its_lab)
+    setting = with_controller(setting, controller_name(source))
     stamps: tuple[Diagnostic, ...] = ()
     more = 0
     if (folder / MANIFEST_FILE).is_file():
@@ -122,14 +124,16 @@ def setting_for(program: Path | None, where: Where = ANYWHERE) -> Setting | None
     """Return the setting that a program is verified in; None when nothing tells which.
 
     The task is the one given, else `task.toml` beside the program, unless a scene is asked for.
-    Scenario and lab are those given, else the task's.
+    Scenario, lab and controller are those given, else the task's.
     """
-    scene, task, scenario, lab = where
+    scene, task, scenario, lab, controller = where
     if task is not None:
-        return load_task(task, scene, scenario, lab=lab)
+        return with_controller(load_task(task, scene, scenario, lab=lab), controller)
     beside = program.parent if program is not None else None
     if scene is not None:
-        setting = load_scene(scene, beside, lab=lab)
+        setting = with_controller(load_scene(scene, beside, lab=lab), controller)
         return setting if scenario is None else with_scenario(setting, scenario)
     found = None if program is None else task_beside(program)
-    return None if found is None else load_task(found, scenario=scenario, lab=lab)
+    if found is None:
+        return None
+    return with_controller(load_task(found, scenario=scenario, lab=lab), controller)

@@ -7,6 +7,7 @@ from vrts.base.source import SourceFile
 from vrts.check.judgement import Judgement
 from vrts.check.mark.grade import Grade
 from vrts.check.task.task import Task
+from vrts.engine.motion.remarks import without_forecasts
 from vrts.engine.run import Run
 from vrts.ir.module import Module
 from vrts.scene.model import Scene
@@ -33,7 +34,7 @@ class Assessment:
         """Every diagnostic: of compiling, of the run in time order, of the checks."""
         found = list(self.diagnostics)
         if self.run is not None:
-            found += self.run.findings
+            found += without_forecasts(self.run.findings) if self.judgement else self.run.findings
         if self.judgement is not None:
             found += [d for verdict in self.judgement.verdicts for d in verdict.findings]
         return tuple(found)

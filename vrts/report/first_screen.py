@@ -10,6 +10,7 @@ from fractions import Fraction
 from vrts.base.diagnostic import Diagnostic, Moment
 from vrts.base.source import SourceFile, Span
 from vrts.check.mark.grade import Loss, Status
+from vrts.check.rules.scheme import TOTAL
 from vrts.check.verdict import Answer, Verdict
 from vrts.engine.memory.records import Ending
 from vrts.report.assessment import Assessment
@@ -17,8 +18,8 @@ from vrts.report.plain import capital, one_line
 from vrts.report.quantities import at_time, lost
 
 NOTHING_LOST = "Nothing was lost: every goal is reached and nothing was touched"
+ALL_DONE = "Nothing was lost: all that is asked for is done and nothing was touched"  # no goals
 NOT_LOOKED_FOR = "Nothing was lost, but contacts were not looked for: collisions are switched off"
-SEEN = Fraction(1, 20)  # points; less is shown as 0.0
 NOTHING_WRONG = "Nothing was found to be wrong"
 
 
@@ -36,6 +37,7 @@ class FirstScreen:
     verdicts: tuple[Verdict, ...]  # shown in place of the losses without a task
     moment: Moment | None  # of the cause: what the picture shows
     span: Span | None  # of the cause
+    total: Fraction = TOTAL  # the mark is out of so many points
 
 
 def first_screen(a: Assessment) -> FirstScreen:
@@ -53,16 +55,12 @@ def first_screen(a: Assessment) -> FirstScreen:
         obstacles=tuple(one_line(o) for o in obstacles),
         cause=one_line(cause),
         hint=one_line(hint) if hint else None,
-        losses=_shown(grade.losses) if grade else (),
+        losses=grade.losses if grade else (),
         verdicts=() if grade else verdicts,
         moment=moment,
         span=span,
+        total=grade.total if grade else TOTAL,
     )
-
-
-def _shown(losses: tuple[Loss, ...]) -> tuple[Loss, ...]:
-    """Return the losses without a rounding that would be shown as nothing."""
-    return tuple(loss for loss in losses if loss.kind != "rounding" or abs(loss.points) >= SEEN)
 
 
 def status(a: Assessment) -> str:
@@ -86,10 +84,12 @@ def _cause(
 ) -> tuple[str, str | None, Moment | None, Span | None]:
     compiled = a.module is not None
     if a.grade and compiled:
-        losses = [loss for loss in a.grade.losses if loss.kind != "rounding" and loss.points > 0]
+        losses = [loss for loss in a.grade.losses if loss.points > 0]
         if not losses:
             off = a.judgement is not None and a.judgement.collisions is None
-            return (NOT_LOOKED_FOR if off else NOTHING_LOST, None, None, None)
+            path_only = a.task is not None and not a.task.targets
+            fine = ALL_DONE if path_only else NOTHING_LOST
+            return (NOT_LOOKED_FOR if off else fine, None, None, None)
         worst = losses[0]
         sentence = f"{capital(worst.sentence)} ({lost(worst.points)})"
         return (sentence, _loop_hint(a, worst) or worst.hint or None, worst.moment, worst.span)

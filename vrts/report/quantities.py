@@ -58,6 +58,11 @@ def mark(value: Fraction) -> str:
     return f"{float(value):.1f}"
 
 
+def full(total: Fraction) -> str:
+    """Return how many points a mark is out of: `10`, `12.5`."""
+    return f"{float(total):g}"
+
+
 def rounded_data(data: Mapping[str, Datum]) -> dict[str, object]:
     """Return a diagnostic's or verdict's exact values, rounded by the unit in their names."""
     return {name: _rounded(value, _decimals(name)) for name, value in data.items()}

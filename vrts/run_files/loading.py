@@ -5,6 +5,8 @@ from typing import TypeVar
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
+from vrts.controllers.models import MODELS
+from vrts.controllers.values import digest
 from vrts.engine.controller import advance, start
 from vrts.engine.run import Run
 from vrts.engine.storage.compare import difference
@@ -15,9 +17,10 @@ from vrts.lang.compiler import Options, compile_sources
 from vrts.lang.dialect import DIALECTS, Precedence
 from vrts.pipeline.files import CannotRead, find_scene
 from vrts.pipeline.refused import Refused
-from vrts.run_files.simulated import Simulated
+from vrts.report.plain import one_line
+from vrts.run_files.simulated import Simulated, told_of
 from vrts.scene.default import robot_alone
-from vrts.scene.model import Scene
+from vrts.scene.model import Scene, controlled
 from vrts.scene.reading.scene_file import read_scene, scene_name
 
 Value = TypeVar("Value")
@@ -37,10 +40,22 @@ def load_run(data: bytes, name: str, folder: Path | None = None) -> Simulated:
         Refused: The file is not sound, or its programs and scene cannot be made again.
     """
     saved = _accepted(opened(data, name))
-    module = _module(saved)
-    scene = _scene(saved, folder)
+    module, scene = made_again(saved, folder)
     run = _accepted(restored(saved, module, scene))
-    return Simulated(run, saved.origin, run.findings)
+    return Simulated(run, saved.origin, told_of(run))
+
+
+def made_again(saved: SavedRun, folder: Path | None) -> tuple[Module, Scene]:
+    """Return the programs of a saved run, compiled again, and its scene, read again.
+
+    Args:
+        saved: What is known of the run.
+        folder: Where files that its scene names may be.
+
+    Raises:
+        Refused: They cannot be made again.
+    """
+    return _module(saved), _controlled(saved, _scene(saved, folder))
 
 
 def executed_again(loaded: Simulated) -> Run:
@@ -98,6 +113,24 @@ def _scene(saved: SavedRun, folder: Path | None) -> Scene:
         errors = [problem.headline for problem in found if problem.is_error]
         raise Refused((not_remade(saved.name, "its scene cannot be read", *errors[:MOST_NOTES]),))
     return scene
+
+
+def _controlled(saved: SavedRun, scene: Scene) -> Scene:
+    """Return the scene under the controller model that the run went by.
+
+    Raises:
+        Refused: There is no such model, or it says something else now.
+    """
+    said = saved.origin.scene
+    own = scene.controller
+    model = own if own.name == said.controller else MODELS.get(said.controller)
+    if model is None:
+        what = f"there is no controller model `{one_line(said.controller)}`"
+        raise Refused((not_remade(saved.name, what, f"known are {', '.join(MODELS)}"),))
+    if digest(model) != said.controller_digest:
+        what = f"the controller model `{model.name}` says something else now"
+        raise Refused((not_remade(saved.name, what),))
+    return controlled(scene, model)
 
 
 def _library_folder(name: str) -> Path | None:

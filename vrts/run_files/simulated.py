@@ -4,6 +4,9 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
+from vrts.check.verdicts.limits import check_limits
+from vrts.controllers.values import digest
+from vrts.engine.motion.remarks import without_forecasts
 from vrts.engine.run import Run
 from vrts.engine.storage.origin import Origin, Programs, SceneText
 from vrts.lang.compiler import Compilation
@@ -30,15 +33,21 @@ def simulate(request: Request) -> Simulated:
     programs = Programs(
         _files(compilation), compilation.dialect.name, reading.precedence, reading.replace
     )
-    origin = Origin(programs, _scene_text(request.setting))
-    return Simulated(found.run, origin, (*found.diagnostics, *found.run.findings))
+    origin = Origin(programs, scene_text(request.setting))
+    return Simulated(found.run, origin, (*found.diagnostics, *told_of(found.run)))
 
 
-def _scene_text(setting: Setting) -> SceneText:
-    source = setting.scene_source
-    if source is None:
-        return SceneText(setting.scene.name.removesuffix(" alone"), None, setting.scene.digest)
-    return SceneText(source.name, source.text, setting.scene.digest)
+def told_of(run: Run) -> tuple[Diagnostic, ...]:
+    """Return what a run found, and the joints that were too fast or went too far in it."""
+    return (*without_forecasts(run.findings), *check_limits(run).findings)
+
+
+def scene_text(setting: Setting) -> SceneText:
+    """Return what a file of a run tells of the scene of a setting."""
+    source, scene = setting.scene_source, setting.scene
+    name = scene.name.removesuffix(" alone") if source is None else source.name
+    text = None if source is None else source.text
+    return SceneText(name, text, scene.digest, scene.controller.name, digest(scene.controller))
 
 
 def _files(compilation: Compilation) -> tuple[SourceFile, ...]:

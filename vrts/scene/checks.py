@@ -9,9 +9,9 @@ from collections.abc import Iterable
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.units import mm
-from vrts.scene.holds import holds
+from vrts.scene.handling.holds import holds
+from vrts.scene.handling.places import NO_PLACE
 from vrts.scene.model import Body, Mobility, Scene
-from vrts.scene.places import NO_PLACE
 from vrts.scene.reach import obstacle, reach
 from vrts.scene.standing import DEEPEST, find_support, must_stand
 

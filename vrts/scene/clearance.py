@@ -1,7 +1,6 @@
 """How near bodies are to each other and to the hand, at one instant.
 
-Boxes along the axes decide most questions in plain Python; the distance library is loaded only for
-what they leave open.
+Boxes along the axes decide most questions; what they leave open is proven by the shapes alone.
 """
 
 import math
@@ -9,7 +8,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from vrts.base.pose import Pose, translation
-from vrts.geometry.narrow import distance
+from vrts.geometry.proving.scalar import nearest
 from vrts.geometry.shapes import Piece
 from vrts.geometry.support import Bounds, bounds
 from vrts.robots.kinematics.kinematics import link_poses
@@ -79,7 +78,7 @@ def clearance(first: Placed, second: Placed, beyond: float = math.inf) -> float:
             if apart > min(beyond, least):
                 least = min(least, apart)
             else:
-                least = min(least, distance(a, first.X_WO, b, second.X_WO))
+                least = min(least, nearest(a, first.X_WO, b, second.X_WO).lower)
     return least
 
 
@@ -90,7 +89,7 @@ def overlap_is_within(first: Placed, second: Placed, tolerance: float) -> bool:
         for b in second.pieces:
             if _apart(box_a, bounds((b,), second.X_WO)) >= -tolerance:
                 continue  # the boxes alone show it: the depth is the least overlap in a direction
-            if distance(a, first.X_WO, b, second.X_WO) < -tolerance:
+            if nearest(a, first.X_WO, b, second.X_WO).lower < -tolerance:
                 return False
     return True
 

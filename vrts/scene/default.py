@@ -3,8 +3,10 @@
 from types import MappingProxyType
 
 from vrts.base.pose import IDENTITY, translation
+from vrts.controllers.models import USUAL
 from vrts.robots.catalog import robot
 from vrts.robots.model import Robot
+from vrts.robots.timed import timed
 from vrts.scene.colors import NAMED, color
 from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.things.forms import floor
@@ -16,7 +18,7 @@ def robot_alone(name: str = "puma761") -> Scene:
     Raises:
         KeyError: No robot has this name.
     """
-    chosen = robot(name)
+    chosen = timed(robot(name), USUAL)
     return Scene(
         name=f"{name} alone",
         title=f"{chosen.arm.title} alone",

@@ -4,15 +4,18 @@ Frame W is the robot's base frame: z up, origin in the shoulder.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from types import MappingProxyType
 from typing import NamedTuple
 
 from vrts.base.pose import Pose, Vector
 from vrts.base.source import Span
+from vrts.controllers.model import ControllerModel
+from vrts.controllers.models import USUAL
 from vrts.geometry.shapes import Piece
 from vrts.robots.model import Configuration, Robot
+from vrts.robots.timed import timed
 from vrts.scene.colors import Color
 
 
@@ -60,6 +63,7 @@ class Scene:
         str, Pose
     ]  # named tool poses X_WT for students: "can1_grip", "base2_put", "safe"
     digest: str  # sha256 of the file: marks are valid for this scene only
+    controller: ControllerModel = USUAL  # by which runs go
 
     def body(self, name: str) -> Body:
         """Return the body of a name. Raises KeyError when there is none."""
@@ -113,6 +117,17 @@ class PlannedFault(NamedTuple):
     on: bool = False
 
 
+FASTEST_ACCELERATION = 1000.0  # [%] that ACCEL may ask for
+
+
+@dataclass(frozen=True, slots=True)
+class Locks:
+    """What a program may not set in a run; a step that sets it has no effect but a finding."""
+
+    names: tuple[str, ...] = ()  # parameters and switches, upper case
+    acceleration: float = FASTEST_ACCELERATION  # the most that ACCEL may ask for [%]
+
+
 @dataclass(frozen=True, slots=True)
 class Scenario:
     """Initial state, inputs, answers, faults, seed and limits of one run."""
@@ -127,3 +142,11 @@ class Scenario:
     answers: tuple[str, ...] = ()  # lines that PROMPT reads, in order
     faults: tuple[PlannedFault, ...] = ()  # by time
     monitor_speed: float = 100.0  # operator's speed [%]
+    locks: Locks = Locks()
+
+
+def controlled(scene: Scene, model: ControllerModel) -> Scene:
+    """Return a scene under a controller model."""
+    if scene.controller == model:
+        return scene
+    return replace(scene, controller=model, robot=timed(scene.robot, model))

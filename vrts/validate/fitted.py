@@ -38,3 +38,4 @@ class FittedRobot:
     motions: int  # that were fitted
     logs: tuple[LogRead, ...]
     findings: tuple[Diagnostic, ...]
+    controller: str  # name of the model by which the program was run

@@ -4,6 +4,7 @@ import json
 from collections.abc import Mapping
 
 from vrts.base.units import DEG, MM
+from vrts.controllers.model import FITTED
 from vrts.report.plain import one_line
 from vrts.validate.fitted import Estimate, FittedRobot
 
@@ -31,6 +32,7 @@ def fitted_json(f: FittedRobot) -> Mapping[str, object]:
     return {
         "format": FORMAT,
         "robot": f.arm.name,
+        "controller": f.controller,
         "logs": [log._asdict() for log in f.logs],
         "speed_deg_s": [_estimate(speed, DEG) for speed in f.speeds],
         "linear_mm_s": _estimate(f.linear_speed, MM),
@@ -44,7 +46,8 @@ def fitted_json(f: FittedRobot) -> Mapping[str, object]:
 def lab_file(f: FittedRobot) -> str:
     """Return a lab with the numbers in place of the assumed ones; `--lab` lays it over a scene.
 
-    Acceleration and corners are those that the controller counts: even numbers of ticks.
+    Acceleration and corners are those that the controller counts, even numbers of ticks, and make
+    a controller model of this laboratory [manual robots/controllers#fitted].
     """
     rows = ["# Robot data fitted by `vrts validate --fit`, to be laid over a scene: `--lab FILE`."]
     rows += [f"# fitted from {_words(log.name)}, sha256 {log.sha256}" for log in f.logs]
@@ -60,6 +63,8 @@ def lab_file(f: FittedRobot) -> str:
     if f.linear_speed is not None:
         value = f.linear_speed.value / MM
         rows.append(f"linear_mm_s = {value:.2f}  # {_source(f.linear_speed, MM)}")
+    rows += ["", "[lab.controller]", f"model = {json.dumps(f.controller.removesuffix(FITTED))}"]
+    rows.append(f"fitted_from = {json.dumps([log.sha256 for log in f.logs])}")
     tick = f.arm.tick
     acceleration = 2.0 * tick * max(round(0.5 * f.acceleration_time.value / tick), 1)
     rows.append(f"acceleration_s = {acceleration:.3f}  # {_source(f.acceleration_time, 1.0)}")

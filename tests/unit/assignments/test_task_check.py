@@ -77,4 +77,4 @@ def test_what_everything_is_worth_is_listed(folder: Path) -> None:
     points = [(float(worth.points), worth.what.split("`")[1]) for worth in listed[:4]]
     assert points[:3] == [(3.0, "can1"), (3.0, "can2"), (2.5, "high")]
     assert points[3][0] == 0.7
-    assert [float(worth.points) for worth in listed[4:]] == [1.5, 1.0, 5.0, 1.5]
+    assert [float(worth.points) for worth in listed[4:]] == [1.5, 1.5, 1.0, 5.0, 1.5]

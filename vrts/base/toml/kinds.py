@@ -132,6 +132,28 @@ def texts(key: str, value: object) -> tuple[str, ...] | Wrong:
     return tuple(found)
 
 
+def names(choices: Iterable[str]) -> Kind[tuple[str, ...]]:
+    """Return the kind of one of `choices`, or of a list of some of them, each once."""
+    known = tuple(choices)
+
+    def read(key: str, value: object) -> tuple[str, ...] | Wrong:
+        if isinstance(value, str):
+            return (value,) if value in known else _unknown_choice(key, value, known)
+        if not isinstance(value, list):
+            return _wrong_type(key, "text in quotation marks, or a list of texts", value)
+        found = texts(key, cast("object", value))
+        if isinstance(found, Wrong):
+            return found
+        for index, name in enumerate(found):
+            if name not in known:
+                return _unknown_choice(key, name, known)._replace(element=index)
+            if name in found[:index]:
+                return Wrong(OUT_OF_RANGE, f"`{key}` names `{name}` twice", element=index)
+        return found or Wrong(OUT_OF_RANGE, f"`{key}` names nothing")
+
+    return read
+
+
 def fields(path: str) -> Kind[Fields]:
     """Return the kind of a table with the header `[path]`."""
 

@@ -218,6 +218,10 @@ class Table:
         """Return a list of texts."""
         return self._get(key, kinds.texts, default, required=required)
 
+    def names(self, key: str, *, choices: Iterable[str], required: bool = False) -> tuple[str, ...]:
+        """Return one of `choices`, or a list of some of them; () where it is missing or wrong."""
+        return self._get(key, kinds.names(choices), (), required=required)
+
     # tables
 
     def table(self, key: str, *, required: bool = False) -> "Table | None":

@@ -14,8 +14,10 @@ from vrts.check.collision.pairs.arm_state import Instants, RunRecord, instants
 from vrts.check.collision.pairs.grips import NEAR_MISS
 from vrts.check.collision.pairs.pairs import Plan
 from vrts.engine.memory.records import GRAVITY
-from vrts.geometry.narrow import engine as engine_by_name
-from vrts.geometry.narrow import pair, transform
+from vrts.geometry.proposing.choose import here
+from vrts.geometry.proposing.proposer import Proposer
+from vrts.geometry.proving.prover import Prover
+from vrts.geometry.proving.rows import Placed
 from vrts.scene.model import Scene
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -38,15 +40,22 @@ class _Boxes(NamedTuple):
 
 
 def clearance_curve(
-    scene: Scene, run: RunRecord, time_s: Array, near_miss: float | None = None
+    scene: Scene,
+    run: RunRecord,
+    time_s: Array,
+    near_miss: float | None = None,
+    proposer: Proposer | None = None,
 ) -> Array:
     """Return the smallest distance of any tested pair at times of shape (n,) [m].
 
-    It is at most `FAR`. Nearer than `near_miss` [m] is a near miss; None: as usual.
+    It is at most `FAR`. Nearer than `near_miss` [m] is a near miss; None: as usual. The proposer
+    helps to find distances and changes none; None: the best there is here.
     """
     motion = motion_of(run)
     threshold = NEAR_MISS if near_miss is None else near_miss
-    todo = plan_of(scene, run, engine_by_name(None), threshold, clearance=True)
+    by = here() if proposer is None else proposer
+    todo = plan_of(scene, run, by, threshold, clearance=True)
+    prover = Prover(todo.solids, by)
     rows = np.flatnonzero(todo.pairs.counts)
     found = np.full(len(time_s), FAR)
     if not len(rows):
@@ -56,11 +65,12 @@ def clearance_curve(
         part = slice(start, start + AT_ONCE)
         now = time_s[part]
         at_work = rows[(starts <= now.max()) & (now.min() <= ends)]
-        _measure(todo, at_work, instants(scene.robot.arm, motion, now), found[part])
+        state = instants(scene.robot.arm, motion, now)
+        _measure(todo, prover, at_work, state, found[part])
     return found
 
 
-def _measure(todo: Plan, rows: Indices, state: Instants, found: Array) -> None:
+def _measure(todo: Plan, prover: Prover, rows: Indices, state: Instants, found: Array) -> None:
     """Lower what was found, shape (times,) [m], to the smallest distance of rows of pairs.
 
     Most pairs are ruled out for many times at once, by the boxes in which their solids stay.
@@ -69,20 +79,25 @@ def _measure(todo: Plan, rows: Indices, state: Instants, found: Array) -> None:
     least = _apart(todo, rows, boxes, count)[:, 0]
     order = np.argsort(least, kind="stable")
     begin = rows[order[:NEAREST]]
-    _lower(
-        todo, np.repeat(begin, count), np.tile(np.arange(count), len(begin)), state, boxes, found
-    )
+    every = np.tile(np.arange(count), len(begin))
+    _lower(todo, prover, np.repeat(begin, count), every, state, boxes, found)
     rest = order[NEAREST:]
     rest = rows[rest[least[rest] < found.max()]]
     far = np.maximum.reduceat(found, np.arange(0, count, FEW))
     row, group = np.nonzero(_apart(todo, rest, boxes, FEW) < far)
     instant = group[:, None] * FEW + np.arange(FEW)
     there = instant < count
-    _lower(todo, rest[row[np.nonzero(there)[0]]], instant[there], state, boxes, found)
+    _lower(todo, prover, rest[row[np.nonzero(there)[0]]], instant[there], state, boxes, found)
 
 
 def _lower(
-    todo: Plan, rows: Indices, instant: Indices, state: Instants, boxes: _Boxes, found: Array
+    todo: Plan,
+    prover: Prover,
+    rows: Indices,
+    instant: Indices,
+    state: Instants,
+    boxes: _Boxes,
+    found: Array,
 ) -> None:
     """Do the same with rows at instants; both index arrays have shape (n,)."""
     pairs = todo.pairs
@@ -94,16 +109,17 @@ def _lower(
     near &= (pairs.start_s[rows] <= now) & (now <= pairs.end_s[rows])
     order = np.flatnonzero(near)
     order = order[np.lexsort((least[order], instant[order]))]
-    indices: list[tuple[int, ...]] = list(
-        zip(*(c[order].tolist() for c in (instant, first, second, a, b)), strict=True)
-    )
-    for (k, i, j, at, other), gap in zip(indices, least[order].tolist(), strict=True):
-        if gap < found[k]:
-            distance = pair(todo.solids.shapes[i], todo.solids.shapes[j]).distance(
-                transform(boxes.rotations[at], boxes.origins[at]),
-                transform(boxes.rotations[other], boxes.origins[other]),
-            )
-            found[k] = min(found[k], distance)
+    # of each instant the nearest by its boxes, then the next two, four, ... as long as any may be
+    rank = np.arange(len(order)) - np.searchsorted(instant[order], instant[order])
+    wave = 1
+    while len(order):
+        now = order[rank < wave]
+        rows_a = Placed(first[now], boxes.rotations[a[now]], boxes.origins[a[now]])
+        rows_b = Placed(second[now], boxes.rotations[b[now]], boxes.origins[b[now]])
+        np.minimum.at(found, instant[now], prover.exact(rows_a, rows_b).distance)
+        left = (rank >= wave) & (least[order] < found[instant[order]])
+        order, rank = order[left], rank[left]
+        wave = 2 * wave + 1
 
 
 def _boxes(todo: Plan, state: Instants) -> _Boxes:

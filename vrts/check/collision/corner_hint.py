@@ -14,6 +14,7 @@ from vrts.engine.controller import AFTERWARDS, advance, start
 from vrts.engine.memory.events import Grasped
 from vrts.engine.memory.records import Ending, Motion
 from vrts.engine.run import Run
+from vrts.geometry.proposing.proposer import Proposer
 from vrts.ir.commands import Do, TimedCommand
 from vrts.lang.compiler import compile_source
 
@@ -21,7 +22,7 @@ PROGRAM_ENDS = (Ending.COMPLETED, Ending.HALTED)
 STOP_ALWAYS = ".PROGRAM stop\n DISABLE CP\n.END\n"
 
 
-def corner_hints(run: Run, report: CollisionReport, engine: str | None) -> Mapping[int, str]:
+def corner_hints(run: Run, report: CollisionReport, proposer: Proposer | None) -> Mapping[int, str]:
     """Return hints for contacts, by their place in a report, that stopping would have avoided."""
     corners = {
         number: motion
@@ -33,7 +34,7 @@ def corner_hints(run: Run, report: CollisionReport, engine: str | None) -> Mappi
     stopping = _stopping(run)
     if stopping.ending not in PROGRAM_ENDS:
         return {}  # it did not get there
-    left = check_collisions(run.scene, stopping, clearance=False, engine=engine).contacts
+    left = check_collisions(run.scene, stopping, clearance=False, proposer=proposer).contacts
     touching = {(event.first, event.second) for event in left}  # on whatever step
     return {
         number: _hint(run, motion, report.contacts[number])

@@ -5,15 +5,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 
+from vrts.base.beside import beside
 from vrts.base.diagnostic import Datum, Diagnostic, Label, Moment, Rule, Severity
 from vrts.base.units import mm
 from vrts.check.collision.pairs.arm_state import RunRecord
-from vrts.check.collision.pairs.findings import BAND
 from vrts.check.collision.pairs.pairs import ROBOT, TOLERANCE
 from vrts.check.rounding import exact_mm, exact_s
-from vrts.check.verdict import Answer, CollisionReport, ContactEvent, NearMiss, Verdict
+from vrts.check.verdict import Answer, CollisionReport, ContactEvent, NearMiss, Verdict, sides
 from vrts.engine.memory.records import Segment
-from vrts.geometry.narrow import engine
 
 CONTACT = Rule("V400", "contact")
 SELF_CONTACT = Rule("V401", "self-contact")
@@ -42,7 +41,7 @@ def verdict(
         *(_near_miss(miss, report, run) for miss in report.near_misses),
     )
     evidence: dict[str, str | int | float] = {
-        "method": _method(report),
+        "method": "certified",
         "tolerance_mm": mm(TOLERANCE),
         "contacts": len(report.contacts),
         "grazes": len(report.grazes),
@@ -59,13 +58,6 @@ def verdict(
         evidence["clearance_mm"] = _mm(report.clearance.distance_m)
         evidence["clearance_at_s"] = _s(report.clearance.time_s)
     return Verdict("collision", _answer(report), _summary(report), findings, _frozen(evidence))
-
-
-def _method(report: CollisionReport) -> str:
-    by = engine(report.engine)
-    if by.error < BAND:
-        return "certified"
-    return f"certified, by {by.name} with an error of {mm(by.error):.1f} mm"
 
 
 def _mm(length_m: float) -> float:
@@ -146,8 +138,9 @@ def _graze(event: ContactEvent, run: RunRecord | None) -> Diagnostic:
 
 def _near_miss(miss: NearMiss, report: CollisionReport, run: RunRecord | None) -> Diagnostic:
     assert report.near_miss_m is not None
-    limit = f"{mm(report.near_miss_m):g} mm{' (assumed)' if report.near_miss_assumed else ''}"
-    headline = f"{subject(miss)} comes within {mm(miss.distance_m):.1f} mm of {target(miss)}"
+    near, most = beside(exact_mm(miss.distance_m), exact_mm(report.near_miss_m), plain=True)
+    limit = f"{most} mm{' (assumed)' if report.near_miss_assumed else ''}"
+    headline = f"{subject(miss)} comes within {near} mm of {target(miss)}"
     where = f"at {miss.nearest_s:.2f} s; nearer than {limit} is a near miss and costs nothing"
     data = {
         **_who_and_when(miss),
@@ -217,7 +210,7 @@ def _told(
         None if cause is None else Label(cause.span, where),
         notes=(where,) if cause is None else (),
         help=hints,
-        moment=Moment(time_s, configuration, (event.first, event.second)),
+        moment=Moment(time_s, configuration, sides(event)),
         data=MappingProxyType(data),
     )
 

@@ -2,8 +2,7 @@
 
 A pair that is nearer than 5 mm is a pair of shapes grown by 5 mm that touch: the certified search
 answers with another tolerance. It need not look where the smallest clearance of all is larger.
-Whatever comes nearer than the threshold less 0.1 mm (and the error of the engine) is found, for
-every instant of the run.
+Whatever comes nearer than the threshold less 0.1 mm is found, for every instant of the run.
 """
 
 from collections.abc import Sequence
@@ -13,11 +12,11 @@ import numpy as np
 
 from vrts.check.collision.events import Episode, Teller, Told, apart_from, episodes
 from vrts.check.collision.pairs.arm_state import Prober, RunRecord
-from vrts.check.collision.pairs.findings import Closest, Findings, Touch, margin_of, slack_of
+from vrts.check.collision.pairs.findings import BAND, SLACK, Closest, Findings, Touch
 from vrts.check.collision.pairs.pair_rows import grown, joined
 from vrts.check.collision.pairs.pairs import Plan
 from vrts.check.collision.search.search import search
-from vrts.check.verdict import NearMiss
+from vrts.check.verdict import ContactEvent, NearMiss
 
 
 class Within(NamedTuple):
@@ -31,8 +30,8 @@ class Within(NamedTuple):
 
 def near_misses(
     look: Within, found: Findings, touching: Sequence[Episode], threshold: float
-) -> list[Told[NearMiss]]:
-    """Return the near misses of a run, in order of time.
+) -> tuple[list[Told[NearMiss]], list[ContactEvent]]:
+    """Return the near misses of a run, in order of time, and grazes found on the way.
 
     Args:
         look: The run and its pairs.
@@ -41,9 +40,8 @@ def near_misses(
         threshold: Nearer than this is a near miss [m].
     """
     todo, prober = look.todo, look.prober
-    engine = prober.engine
-    if found.closest.distance - slack_of(engine) >= threshold:
-        return []
+    if found.closest.distance - SLACK >= threshold:
+        return [], []
     moving, rigid = grown(todo.pairs, threshold), grown(todo.rigid, threshold)
     near = search(
         prober.arm,
@@ -51,9 +49,10 @@ def near_misses(
         todo.solids,
         moving,
         look.interval,
-        engine,
+        prober.prover.proposer,
         clearance=False,
-        band=-slack_of(engine) - margin_of(engine),
+        band=-SLACK - BAND,
+        nearest=True,
     )
     touches = near.contacts + near.open + _certified(todo, found.closest, threshold)
     distances = prober.distances(rigid.first, rigid.second, rigid.start_s)
@@ -63,9 +62,9 @@ def near_misses(
     pairs = joined(moving, rigid)
     teller = Teller(look.run, prober.curves, prober, pairs, todo.groups)
     alone = apart_from(episodes(touches, pairs), touching)
-    told = [teller.near_miss(episode) for episode in alone]
+    told, grazes = teller.near_misses(alone)
     # what the search gave up is among them, and need not be that near
-    return [miss for miss in told if miss.event.distance_m < threshold]
+    return [miss for miss in told if miss.event.distance_m < threshold], grazes
 
 
 def _certified(todo: Plan, closest: Closest, threshold: float) -> list[Touch]:

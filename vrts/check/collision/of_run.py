@@ -7,13 +7,13 @@ from vrts.check.collision.pairs.arm_state import RunRecord
 from vrts.check.collision.pairs.pairs import PAD_DEPTH, Plan, plan
 from vrts.check.curves.timeline_arrays import Curves, curves
 from vrts.engine.run import Run
-from vrts.geometry.nearest import Engine
+from vrts.geometry.proposing.proposer import Proposer
 from vrts.scene.model import Scene
 
 
 class _Planned(NamedTuple):
     scene: Scene
-    asked: tuple[str, float, bool, float]  # engine, threshold, with clearance, depth of pads
+    asked: tuple[str, float, bool, float]  # proposer, threshold, with clearance, depth of pads
     plan: Plan
 
 
@@ -34,7 +34,7 @@ def motion_of(run: RunRecord) -> Curves:
 def plan_of(
     scene: Scene,
     run: RunRecord,
-    by: Engine,
+    proposer: Proposer,
     near_miss: float,
     *,
     clearance: bool,
@@ -43,12 +43,12 @@ def plan_of(
     """Return every pair that can touch in a run; see `collision_pairs.plan`."""
     motion = motion_of(run)
     if not isinstance(run, Run):
-        return plan(scene, run, motion, by, near_miss, clearance=clearance, pads=pads)
+        return plan(scene, run, motion, proposer, near_miss, clearance=clearance, pads=pads)
     kept = _plans.setdefault(run, [])
-    asked = (by.name, near_miss, clearance, pads)
+    asked = (proposer.name, near_miss, clearance, pads)
     for planned in kept:
         if planned.scene is scene and planned.asked == asked:
             return planned.plan
-    found = plan(scene, run, motion, by, near_miss, clearance=clearance, pads=pads)
+    found = plan(scene, run, motion, proposer, near_miss, clearance=clearance, pads=pads)
     kept.append(_Planned(scene, asked, found))
     return found

@@ -20,7 +20,10 @@ Array: TypeAlias = npt.NDArray[np.float64]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
 ALL = slice(None)  # coordinates
-VELOCITY_JUMP = 1e-6  # [rad/s, m/s] a larger step between pieces is a jump
+CONTINUOUS = 1e-8  # [rad, m, s] a step below this is rounding
+# [rad/s, m/s] a larger step between pieces is a jump. Smaller ones are ignored: a thousand within
+# one interval of 0.3 s move nothing by 1e-6 m; those between set points are about 1e-15
+VELOCITY_JUMP = 1e-9
 
 
 class Spread(NamedTuple):
@@ -90,6 +93,31 @@ class Curves:
         before = self._velocities(pieces, (self.ends - self.starts)[:-1])
         after = self.powers[1:, :, 1]
         return self.starts[1:][np.abs(before - after).max(axis=1) > VELOCITY_JUMP]
+
+    def steps(self, t0: Array, t1: Array) -> Array:
+        """Return the sizes of all steps of the velocity inside of intervals, added up, (m, 7).
+
+        Raises:
+            ValueError: A coordinate itself makes a step, or for some time there is no piece.
+        """
+        pieces = np.arange(len(self.starts) - 1)
+        length = (self.ends - self.starts)[:-1]
+        late = np.abs(self.starts[1:] - self.ends[:-1]).max(initial=0.0)
+        if max(late, self._gap(pieces, length)) > CONTINUOUS:
+            raise ValueError("a timeline with a gap")
+        sizes = np.abs(self._velocities(pieces, length) - self.powers[1:, :, 1])
+        summed = np.vstack([np.zeros((1, COORDINATES)), np.cumsum(sizes, axis=0)])
+        first = np.searchsorted(self.starts[1:], t0, side="right")
+        last = np.searchsorted(self.starts[1:], t1, side="left")
+        return summed[np.maximum(first, last)] - summed[first]
+
+    def _gap(self, pieces: Indices, length: Array) -> float:
+        """Return the largest step of a coordinate where one piece meets the next."""
+        before = _values(self.powers[pieces], length[:, None])
+        rows, high = self._high(pieces)
+        if self.high is not None and len(rows):
+            before[rows] = self.high.value.at(high, length[rows])
+        return float(np.abs(before - self.powers[1:, :, 0]).max(initial=0.0))
 
     def spread(self, t0: Array, t1: Array) -> Spread:
         """Return exact bounds over intervals; above degree 3 they are wider by rounding.

@@ -5,29 +5,31 @@ from dataclasses import replace
 from fractions import Fraction
 
 from vrts.base.diagnostic import Diagnostic
+from vrts.check.goals.reached import Reached, reached
 from vrts.check.judgement import Judgement
 from vrts.check.mark.earned import earned
 from vrts.check.mark.grade import REVIEW, Grade, Loss, Status
 from vrts.check.mark.losses import (
-    PROGRAM_ENDS,
     Mishap,
     broken_demands,
+    broken_limits,
+    causes_of,
     losses_of,
     mishaps_of,
     stopped_by,
+    touched_by,
+    touched_in,
 )
+from vrts.check.mark.reasons import PROGRAM_ENDS
+from vrts.check.mark.shown import shown_parts
 from vrts.check.rounding import exact_s
 from vrts.check.task.demands import DEMAND
-from vrts.check.task.score import (
-    FULL,
-    Achieved,
-    rounded_mark,
-    score,
-)
+from vrts.check.task.score import Achieved, rounded_mark, score
 from vrts.check.task.task import Task
 from vrts.check.verdict import Answer
 from vrts.check.verdicts.duration import duration
-from vrts.check.verdicts.targets import Reached, describe, reached
+from vrts.check.verdicts.limits import LIMITS
+from vrts.check.verdicts.targets import describe
 from vrts.check.verdicts.vias import Passed, passed
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
@@ -41,20 +43,24 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
     points = passed(run, task)
     mishaps = mishaps_of(run, judgement)
     took = duration(run)
+    limits = broken_limits(task, run, judgement)
     demands = broken_demands(task, judgement)
     achieved = Achieved(
         goals=tuple((result.goal.weight, result.share) for result in results),
         vias=len(task.vias),
         vias_met=points.number,
-        contacts=len(mishaps),
+        touched=touched_by(mishaps),
         completed=run.ending in PROGRAM_ENDS,
         duration_s=took,
         broken=sum((loss.points for loss in demands), NOTHING),
         kept=not demands,
+        within_limits=limits is None,
     )
     parts = score(achieved, task.mark, exact_s(task.t_par), exact_s(task.t_max))
-    mark = rounded_mark(parts)
-    losses = losses_of(task, run, results, points, mishaps, demands, achieved, parts, mark)
+    mark = rounded_mark(parts, task.mark.total)
+    causes = causes_of(task, run, results, points, limits, mishaps, demands, parts)
+    shown = shown_parts(task, parts, mark, causes.costs)
+    losses = losses_of(task, run, causes, achieved, shown)
     lowest = _lowest(task, achieved, judgement, sum(points.certain))
     obstacles = _obstacles(run, results, points, mishaps, judgement)
     if lowest is not None and lowest < mark:
@@ -72,11 +78,14 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
         None if took is None else float(took),
         parts.demands,
         lowest,
-        earned(task, results, points, judgement.verdicts, losses, parts, mark),
+        earned(task, results, points, judgement.verdicts, losses, shown),
+        parts.limits,
+        task.mark.total,
+        shown,
     )
 
 
-def ungraded(status: Status, diagnostics: Sequence[Diagnostic]) -> Grade:
+def ungraded(task: Task, status: Status, diagnostics: Sequence[Diagnostic]) -> Grade:
     """Return the mark 0 of a submission that could not be run, with its first error as the loss."""
     errors = [d for d in diagnostics if d.is_error] or list(diagnostics)
     sentence, hint, span = status.value, "", None
@@ -85,9 +94,19 @@ def ungraded(status: Status, diagnostics: Sequence[Diagnostic]) -> Grade:
         span = first.primary.span if first.primary else None
         sentence = f"line {span.line}, {first.headline}" if span else first.headline
         hint = first.help[0] if first.help else ""
-    loss = Loss(FULL, "program", sentence, hint, span, None)
+    loss = Loss(task.mark.total, "program", sentence, hint, span, None)
     return Grade(
-        NOTHING, status, NOTHING, NOTHING, NOTHING, NOTHING, (loss,), False, (sentence,), None
+        NOTHING,
+        status,
+        NOTHING,
+        NOTHING,
+        NOTHING,
+        NOTHING,
+        (loss,),
+        ready=False,
+        obstacles=(sentence,),
+        duration_s=None,
+        total=task.mark.total,
     )
 
 
@@ -102,17 +121,20 @@ def _lowest(task: Task, achieved: Achieved, judgement: Judgement, vias: int) -> 
         for demand, verdict in zip(task.demands, asked, strict=True)
         if verdict.answer is Answer.UNDETERMINED
     ]
-    contacts = 0 if judgement.collisions is None else len(judgement.collisions.undetermined)
-    if not doubtful and not contacts and vias == achieved.vias_met:
+    found = judgement.collisions
+    contacts = () if found is None else (*found.contacts, *found.undetermined)
+    open_ones = 0 if found is None else len(found.undetermined)
+    if not doubtful and not open_ones and vias == achieved.vias_met:
         return None
     worst = replace(
         achieved,
         vias_met=vias,
-        contacts=achieved.contacts + contacts,
+        touched=touched_in(contacts, achieved.touched.drops),
         broken=achieved.broken + sum(doubtful, NOTHING),
         kept=achieved.kept and not doubtful,
     )
-    return rounded_mark(score(worst, task.mark, exact_s(task.t_par), exact_s(task.t_max)))
+    parts = score(worst, task.mark, exact_s(task.t_par), exact_s(task.t_max))
+    return rounded_mark(parts, task.mark.total)
 
 
 def _obstacles(
@@ -123,17 +145,19 @@ def _obstacles(
     judgement: Judgement,
 ) -> tuple[str, ...]:
     """Return why a program is not ready for the real robot, most serious first."""
-    found = [mishap.loss.sentence for mishap in mishaps]
+    found = [
+        v.summary for v in judgement.verdicts if v.check == LIMITS and v.answer is Answer.VIOLATED
+    ]
+    found += [mishap.loss.sentence for mishap in mishaps]
     stopped = stopped_by(run)
     if stopped is not None:
         found.append(stopped.sentence)
     for verdict in judgement.verdicts:
-        asked = verdict.check == "limits" or verdict.check.startswith(DEMAND)
-        if asked and verdict.answer is Answer.VIOLATED:
+        if verdict.check.startswith(DEMAND) and verdict.answer is Answer.VIOLATED:
             found.append(verdict.summary)
         if verdict.answer is Answer.UNDETERMINED:
             found.append(f"{REVIEW}: {verdict.check}: {verdict.summary}")
-    found += [f"`{r.goal.body}` {describe(r)}" for r in results if r.share < 1]
+    found += [f"`{r.body}` {describe(r)}" for r in results if r.share < 1]
     missed = len(points.met) - points.number
     if missed:
         found.append(f"{missed} via points are not passed")

@@ -5,6 +5,7 @@ from fractions import Fraction
 from vrts.base.diagnostic import Rule
 from vrts.base.toml.reading import Problems, Table
 from vrts.base.units import DEG, MM
+from vrts.check.rules.scheme import TOTAL
 from vrts.check.task.demands import Demand, Keeps, distances_of
 from vrts.lang.vocabulary.lookup import look_up
 from vrts.robots.model import SphericalWristArm
@@ -20,26 +21,35 @@ LIMITS = (
 RULES = ("must_use", "must_not_use", "most_steps")
 
 
-def read_demands(top: Table, problems: Problems, scene: Scene) -> tuple[Demand, ...]:
-    """Return every demand of a task; what is wrong goes to `problems`."""
-    found = [_zone(table, problems, n) for n, table in enumerate(top.tables("zone"), 1)]
-    found += [_upright(table, scene) for table in top.tables("upright")]
-    found += [_limit(table, problems, scene) for table in top.tables("limit")]
-    found += [_rule(table, problems) for table in top.tables("rule")]
+def read_demands(
+    top: Table, problems: Problems, scene: Scene, total: Fraction = TOTAL
+) -> tuple[Demand, ...]:
+    """Return every demand of a task; what is wrong goes to `problems`.
+
+    Args:
+        top: The task.
+        problems: Told what is wrong.
+        scene: In which it is set.
+        total: A mark is out of so many points; a demand costs a tenth of them if it does not say.
+    """
+    found = [_zone(table, problems, n, total) for n, table in enumerate(top.tables("zone"), 1)]
+    found += [_upright(table, scene, total) for table in top.tables("upright")]
+    found += [_limit(table, problems, scene, total) for table in top.tables("limit")]
+    found += [_rule(table, problems, total) for table in top.tables("rule")]
     return tuple(demand for demand in found if demand is not None)
 
 
-def _points(table: Table) -> Fraction:
-    return table.fraction("points", Fraction(1), minimum=0, maximum=10)
+def _points(table: Table, total: Fraction) -> Fraction:
+    return table.fraction("points", total / 10, minimum=0, maximum=float(total))
 
 
-def _zone(table: Table, problems: Problems, number: int) -> Demand | None:
+def _zone(table: Table, problems: Problems, number: int, total: Fraction) -> Demand | None:
     name = table.string("name", f"zone {number}")
     wanted = {"count": 3, "minimum": -FARTHEST, "maximum": FARTHEST, "required": True}
     low = table.numbers("from_mm", **wanted)  # type: ignore[arg-type]
     high = table.numbers("to_mm", **wanted)  # type: ignore[arg-type]
     keeps = table.string("keeps_out", "tool", choices=("tool", "robot"))
-    points = _points(table)
+    points = _points(table, total)
     table.finish()
     if low is None or high is None:
         return None
@@ -57,11 +67,11 @@ def _zone(table: Table, problems: Problems, number: int) -> Demand | None:
     return Demand(what, name, points, table.span, lower=(a, b, c), upper=(d, e, f))
 
 
-def _upright(table: Table, scene: Scene) -> Demand | None:
+def _upright(table: Table, scene: Scene, total: Fraction) -> Demand | None:
     movable = [b.name for b in scene.bodies if b.mobility is Mobility.MOVABLE]
     body = table.string("object", choices=movable, required=True)
     angle = table.number("within_deg", 5.0, above=0.0, maximum=180.0)
-    points = _points(table)
+    points = _points(table, total)
     table.finish()
     if body is None:
         return None
@@ -69,14 +79,14 @@ def _upright(table: Table, scene: Scene) -> Demand | None:
     return Demand(Keeps.UPRIGHT, name, points, table.span, angle * DEG, body=body)
 
 
-def _limit(table: Table, problems: Problems, scene: Scene) -> Demand | None:
+def _limit(table: Table, problems: Problems, scene: Scene, total: Fraction) -> Demand | None:
     percent = table.number("joint_percent", above=0.0, maximum=100.0)
     speed = table.number("tool_mm_s", above=0.0, maximum=FARTHEST)
     wrist = table.number("wrist_deg", above=0.0, maximum=90.0)
     elbow = table.number("elbow_deg", above=0.0, maximum=90.0)
     shoulder = table.number("shoulder_mm", above=0.0, maximum=FARTHEST)
     singular = table.number("singular_value", above=0.0, maximum=1.0)
-    points = _points(table)
+    points = _points(table, total)
     table.finish()
     if not _one_of(table, problems, LIMITS):
         return None
@@ -113,10 +123,10 @@ def _of_arm(keeps: Keeps, scene: Scene, table: Table, problems: Problems) -> boo
     return False
 
 
-def _rule(table: Table, problems: Problems) -> Demand | None:
+def _rule(table: Table, problems: Problems, total: Fraction) -> Demand | None:
     use, avoid = table.string("must_use"), table.string("must_not_use")
     steps = table.integer("most_steps", minimum=1, maximum=65_000)
-    points = _points(table)
+    points = _points(table, total)
     table.finish()
     if not _one_of(table, problems, RULES):
         return None

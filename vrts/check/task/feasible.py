@@ -10,9 +10,10 @@ from vrts.base.oat import rotation_from_oat
 from vrts.base.pose import Pose, Rotation, cross, dot, multiply, rotation_about
 from vrts.base.source import Span
 from vrts.base.units import mm
-from vrts.check.task.task import Goal, Task, ViaPoint
+from vrts.check.task.goals import Choice, Goal
+from vrts.check.task.task import Task, ViaPoint
 from vrts.scene.clearance import clearance, overlap_is_within, placed_body
-from vrts.scene.holds import holds
+from vrts.scene.handling.holds import holds
 from vrts.scene.model import Body, Mobility, Scene
 from vrts.scene.reach import branches
 from vrts.scene.standing import DEEPEST, TOUCHING, find_support
@@ -33,29 +34,33 @@ def task_findings(scene: Scene, task: Task) -> tuple[Diagnostic, ...]:
     """Return what speaks against the goals and via points of a task in its scene."""
     found: list[Diagnostic] = []
     for goal in task.goals:
-        found += _goal(scene, task, goal)
+        for choice in goal.choices:
+            found += _goal(scene, task, goal, choice)
     return (*found, *_vias(scene, task.vias))
 
 
-def _goal(scene: Scene, task: Task, goal: Goal) -> Iterator[Diagnostic]:
-    body = replace(scene.body(goal.body), X_WO=goal.X_WG)
-    others = at_the_end(scene, task, goal.body)
-    inside = tuple(_inside(goal, body, others))
+def _goal(scene: Scene, task: Task, goal: Goal, choice: Choice) -> Iterator[Diagnostic]:
+    body = replace(scene.body(choice.body), X_WO=choice.X_WG)
+    others = at_the_end(scene, task, choice.body)
+    which = f" {choice.where}" if goal.others else ""
+    inside = tuple(_inside(goal, body, others, which))
     yield from inside
-    if not inside and not _stands(body, others):
+    started = (b for b in scene.bodies if b.name != body.name)
+    known = {other.name for other in others}
+    if not inside and not _stands(body, (*others, *(b for b in started if b.name not in known))):
         yield _finding(
             GOAL_FLOATS,
-            f"at its goal `{goal.body}` stands on nothing",
+            f"at its goal{which} `{body.name}` stands on nothing",
             goal.span,
-            (f"its underside would be at z = {mm(goal.X_WG.translation[2]):.1f} mm",),
+            (f"its underside would be at z = {mm(choice.X_WG.translation[2]):.1f} mm",),
             ('write on = "NAME" of what it is to stand on',),
         )
-    ways = tuple(holds(scene.robot.gripper, scene.body(goal.body)))
+    ways = tuple(holds(scene.robot.gripper, scene.body(body.name)))
     X_PF = scene.robot.gripper.X_FP.inverse()
-    if ways and not any(_reaches(scene, goal.X_WG @ X_OP @ X_PF) for X_OP in ways):
+    if ways and not any(_reaches(scene, choice.X_WG @ X_OP @ X_PF) for X_OP in ways):
         yield _finding(
             GOAL_UNREACHABLE,
-            f"the robot cannot set `{goal.body}` down at its goal",
+            f"the robot cannot set `{body.name}` down at its goal{which}",
             goal.span,
             (f"tried: {len(ways)} ways to hold it, all branches",),
             ("move the goal nearer to the robot",),
@@ -72,16 +77,21 @@ def _stands(body: Body, others: Sequence[Body]) -> bool:
 
 
 def at_the_end(scene: Scene, task: Task, besides: str) -> tuple[Body, ...]:
-    """Return the other bodies where the task wants them; those without a goal where they start."""
-    wanted = {goal.body: goal.X_WG for goal in task.goals}
+    """Return the other bodies where the task wants them; those without a goal where they start.
+
+    Those that may end at several places, or beside something, are left out: nobody knows where.
+    """
+    wanted = {goal.body: goal.X_WG for goal in task.goals if not goal.others}
+    anywhere = {name for goal in task.goals if goal.others for name in goal.bodies}
+    anywhere |= {relation.body for relation in task.relations} - wanted.keys()
     return tuple(
         replace(body, X_WO=wanted.get(body.name, body.X_WO))
         for body in scene.bodies
-        if body.name != besides
+        if body.name != besides and body.name not in anywhere
     )
 
 
-def _inside(goal: Goal, body: Body, others: Sequence[Body]) -> Iterator[Diagnostic]:
+def _inside(goal: Goal, body: Body, others: Sequence[Body], which: str) -> Iterator[Diagnostic]:
     placed = placed_body(body)
     for other in others:
         if overlap_is_within(placed, placed_body(other), DEEPEST):
@@ -91,7 +101,7 @@ def _inside(goal: Goal, body: Body, others: Sequence[Body]) -> Iterator[Diagnost
         where = ", where that is at the end" if movable else ""
         yield _finding(
             GOAL_INSIDE,
-            f"the goal of `{goal.body}` is inside `{other.name}`{where}",
+            f"the goal of `{body.name}`{which} is inside `{other.name}`{where}",
             goal.span,
             (f"{mm(depth):.1f} mm deep",),
             ("move the goal or the body",),

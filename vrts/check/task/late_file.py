@@ -5,23 +5,30 @@ from fractions import Fraction
 
 from vrts.base.diagnostic import Rule
 from vrts.base.toml.reading import Problems, Table
-from vrts.check.task.late_rules import FULL, Keep, LateRules, LateStep
+from vrts.check.rules.scheme import TOTAL
+from vrts.check.task.late_rules import Keep, LateRules, LateStep
 
 LATE = Rule("V710", "late-rules")
 
 LONGEST = 24 * 366  # [h] of a step, or of grace
 
 
-def read_late(top: Table, problems: Problems) -> LateRules | None:
-    """Return the rules of `[late]`; None where there is no such section, or it is wrong."""
+def read_late(top: Table, problems: Problems, total: Fraction = TOTAL) -> LateRules | None:
+    """Return the rules of `[late]`; None where there is no such section, or it is wrong.
+
+    Args:
+        top: The task.
+        problems: Told what is wrong.
+        total: A mark is out of so many points.
+    """
     section = top.table("late")
     if section is None:
         return None
     due = section.time("due", required=True)
     grace = section.fraction("grace_min", Fraction(0), minimum=0, maximum=60 * LONGEST)
-    per_day = section.fraction("per_day", Fraction(0), minimum=0, maximum=FULL)
-    steps = _steps(section, problems)
-    most = section.fraction("most", Fraction(FULL), minimum=0, maximum=FULL)
+    per_day = section.fraction("per_day", Fraction(0), minimum=0, maximum=float(total))
+    steps = _steps(section, problems, total)
+    most = section.fraction("most", total, minimum=0, maximum=float(total))
     closed = section.time("closed")
     section.finish()
     if per_day and steps:
@@ -56,11 +63,11 @@ def read_keep(top: Table) -> Keep:
     return Keep(word)
 
 
-def _steps(section: Table, problems: Problems) -> tuple[LateStep, ...]:
+def _steps(section: Table, problems: Problems, total: Fraction) -> tuple[LateStep, ...]:
     found: list[LateStep] = []
     for table in section.tables("step"):
         after = table.fraction("after_h", minimum=0, maximum=LONGEST, required=True)
-        points = table.fraction("points", minimum=0, maximum=FULL, required=True)
+        points = table.fraction("points", minimum=0, maximum=float(total), required=True)
         table.finish()
         if after is None or points is None:
             continue

@@ -6,7 +6,7 @@ from enum import Enum
 from fractions import Fraction
 from typing import NamedTuple
 
-FULL = 10  # points
+from vrts.check.rules.scheme import TOTAL
 
 
 class Keep(Enum):
@@ -31,5 +31,5 @@ class LateRules:
     grace: timedelta = timedelta(0)  # so much later still costs nothing
     per_day: Fraction = Fraction(0)  # points for each day begun
     steps: tuple[LateStep, ...] = ()  # instead: the last one that applies
-    most: Fraction = Fraction(FULL)  # points that lateness costs at most
+    most: Fraction = TOTAL  # points that lateness costs at most
     closed: datetime | None = None  # what comes after this gets 0

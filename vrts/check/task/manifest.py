@@ -17,6 +17,7 @@ MODIFIED_SCENE = Rule("V671", "modified-scene")
 MODIFIED_TASK = Rule("V672", "modified-task")
 OTHER_VERSION = Rule("V673", "other-version")
 HIDDEN_SCENE = Rule("V678", "hidden-scene")
+OTHER_CONTROLLER = Rule("V679", "other-controller")
 
 NAME = "manifest.json"
 SCHEMA = "vrts.task/1"
@@ -149,6 +150,16 @@ def other_scene(own: Scene, taken: Scene) -> tuple[Diagnostic, ...]:
         here, there = own.title, taken.title
     note = f"the task is set in `{here}`; this is `{there}`, or a changed copy"
     return (warning(MODIFIED_SCENE, headline, notes=(note,)),)
+
+
+def other_controller(own: Scene, taken: Scene) -> tuple[Diagnostic, ...]:
+    """Return a warning if a controller model is not that of a task."""
+    if own.controller == taken.controller:
+        return ()
+    headline = f"another controller: {NOT_COUNTING}"
+    here, there = own.controller.name, taken.controller.name
+    note = f"the task is set under the controller model `{here}`; this is `{there}`"
+    return (warning(OTHER_CONTROLLER, headline, notes=(note,)),)
 
 
 def hidden_scene(scene: Scene) -> tuple[Diagnostic, ...]:

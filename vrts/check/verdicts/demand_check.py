@@ -19,6 +19,7 @@ from vrts.check.verdicts.singularity import on_lines
 from vrts.check.verdicts.upright import largest_tilt
 from vrts.check.verdicts.zone import robot_in
 from vrts.engine.run import Run
+from vrts.geometry.proposing.proposer import Proposer
 
 DOUBTFUL = Rule("V437", "undetermined-demand")
 
@@ -26,21 +27,21 @@ METHOD = "certified on the polynomials"
 
 
 def check_demands(
-    run: Run, demands: tuple[Demand, ...], engine: str | None = None
+    run: Run, demands: tuple[Demand, ...], proposer: Proposer | None = None
 ) -> tuple[Verdict, ...]:
-    """Return a verdict for every demand; `engine` measures distances, as for collisions."""
+    """Return a verdict for every demand; `proposer` as for collisions."""
     motion = motion_of(run) if lasting_of(run.timeline.segments) else None
-    return tuple(_verdict(run, motion, demand, engine) for demand in demands)
+    return tuple(_verdict(run, motion, demand, proposer) for demand in demands)
 
 
-def _verdict(run: Run, motion: Curves | None, demand: Demand, engine: str | None) -> Verdict:
+def _verdict(run: Run, motion: Curves | None, demand: Demand, proposer: Proposer | None) -> Verdict:
     match demand.keeps:
         case Keeps.USES | Keeps.AVOIDS | Keeps.STEPS:
             return check_rule(run, demand)
         case _ if motion is None:
             return _kept(demand, "nothing moves")
         case Keeps.ROBOT_OUT:
-            found, part = robot_in(run, demand, engine)
+            found, part = robot_in(run, demand, proposer)
             return _told(run, motion, demand, found, part)
         case Keeps.UPRIGHT:
             tilted = largest_tilt(run, motion, demand)

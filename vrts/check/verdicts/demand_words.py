@@ -1,7 +1,11 @@
 """What demands are called when they are kept, when they are not, and by how much."""
 
+from fractions import Fraction
+
+from vrts.base.beside import beside
 from vrts.base.diagnostic import Rule
 from vrts.base.units import deg, mm
+from vrts.check.rounding import exact_deg, exact_mm
 from vrts.check.task.demands import Demand, Keeps
 from vrts.check.verdicts.singularity import in_words
 
@@ -69,13 +73,20 @@ def reached(demand: Demand, largest: float) -> str:
         case Keeps.TOOL_OUT | Keeps.ROBOT_OUT:
             return f"at least {mm(largest):.1f} mm deep"
         case Keeps.UPRIGHT:
-            return f"{deg(largest):.1f} degrees are reached"
+            most, _ = beside(exact_deg(largest), exact_deg(demand.limit))
+            return f"{most} degrees are reached"
         case Keeps.JOINT_SPEED:
-            return f"{100 * largest:.0f} % are reached"
+            most, _ = beside(_percent(largest), _percent(demand.limit), least=0)
+            return f"{most} % are reached"
         case Keeps.TOOL_SPEED:
-            return f"{mm(largest):.0f} mm/s are reached"
+            most, _ = beside(exact_mm(largest), exact_mm(demand.limit), least=0)
+            return f"{most} mm/s are reached"
         case _:
             return f"the smallest is {in_words(demand.keeps, -largest)}"
+
+
+def _percent(share: float) -> Fraction:
+    return Fraction(round(share * 10_000), 100)
 
 
 def _distance(demand: Demand) -> str:

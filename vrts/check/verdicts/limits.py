@@ -5,54 +5,56 @@ The evidence tells how near straight lines come to singularities, too.
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, Severity
+from vrts.base.beside import beside
+from vrts.base.diagnostic import Datum, Diagnostic, Label, Moment, Rule, Severity
 from vrts.base.units import deg
 from vrts.check.collision.of_run import motion_of
-from vrts.check.curves.extremes import fastest, first_outside
+from vrts.check.curves.extremes import first_outside
 from vrts.check.curves.timeline_arrays import Curves, lasting_of
+from vrts.check.goals.too_fast import Fastest, over_limit, speed_shares
+from vrts.check.rounding import exact_deg
 from vrts.check.verdict import Answer, Verdict
 from vrts.check.verdicts.singularity import measured
-from vrts.engine.memory.records import Motion, Segment
+from vrts.engine.memory.events import Found
+from vrts.engine.memory.records import INSTANT, Motion, Segment
+from vrts.engine.motion.remarks import JOINT_SPEED, remedy_for
+from vrts.engine.programs.locks import LOCKED_SETTING
 from vrts.engine.run import Run
 from vrts.ir.instructions import Interpolation
 from vrts.robots.kinematics.singular import singular_at
 
-JOINT_SPEED = Rule("V302", "joint-speed")
+LIMITS = "limits"  # name of the check
 JOINT_POSITION = Rule("V430", "joint-position")
 
-SPEED_TOLERANCE = 1e-6  # share of the limit; rounding of the polynomials
 POSITION_TOLERANCE = math.radians(0.005)  # half of what a measurement is rounded to
 
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
 
-class _Fastest(NamedTuple):
-    """The largest share of its speed limit that a joint reaches on a motion."""
-
-    motion: Motion
-    share: float
-    joint: int  # from 0
-    speed: float  # [rad/s]
-    moment: Moment
-
-
 def check_limits(run: Run) -> Verdict:
-    """Return whether every joint stays within its position and speed limits."""
+    """Return whether every joint stays within its limits, and the program moved none of them.
+
+    Also a step that would have moved one, had it not been without effect, is a fault.
+    """
+    locked = tuple(
+        event.diagnostic.headline
+        for event in run.events
+        if isinstance(event, Found) and event.diagnostic.rule == LOCKED_SETTING
+    )
     segments = lasting_of(run.timeline.segments)
     if all(segment.motion is None for segment in segments):
-        return _verdict((), 0.0, {})
+        return _verdict((), 0.0, {}, locked)
     known = motion_of(run)
     bounds = known.pieces
     moving = known.motions >= 0
-    shares: Array = bounds.speed[:, :6] / np.array(run.scene.robot.arm.speed)
-    shares[~moving] = 0.0
-    findings = [_too_fast(run, found) for found in _over(run, segments, known, shares)]
+    shares = speed_shares(run, known)
+    findings = [_too_fast(run, found) for found in over_limit(run, segments, known, shares)]
     lower, upper = _range(run)
     out = (bounds.lower[:, :6] < lower) | (bounds.upper[:, :6] > upper)
     out[~moving] = False
@@ -61,17 +63,21 @@ def check_limits(run: Run) -> Verdict:
         if outside is not None:
             findings.append(outside)
             break
-    return _verdict(findings, float(shares.max()), measured(run, known))
+    return _verdict(findings, float(shares.max()), measured(run, known), locked)
 
 
 def _verdict(
-    findings: Sequence[Diagnostic], largest: float, singularities: Mapping[str, float]
+    findings: Sequence[Diagnostic],
+    largest: float,
+    singularities: Mapping[str, float],
+    locked: Sequence[str],
 ) -> Verdict:
     evidence = {"largest_speed_share": round(largest, 4), **singularities}
-    if findings:
-        return Verdict("limits", Answer.VIOLATED, findings[0].headline, tuple(findings), evidence)
+    if findings or locked:
+        summary = findings[0].headline if findings else locked[0]
+        return Verdict(LIMITS, Answer.VIOLATED, summary, tuple(findings), evidence)
     return Verdict(
-        "limits",
+        LIMITS,
         Answer.HOLDS,
         f"every joint stays within its limits; the fastest reaches {largest:.0%}",
         (),
@@ -79,29 +85,27 @@ def _verdict(
     )
 
 
-def _over(run: Run, segments: Sequence[Segment], known: Curves, shares: Array) -> list[_Fastest]:
-    """Return of every motion with a joint above its limit the one most above."""
-    too_fast = (shares > 1.0 + SPEED_TOLERANCE).any(axis=1)
-    found: list[_Fastest] = []
-    for motion in np.unique(known.motions[too_fast]).tolist():
-        own = np.nonzero(known.motions == motion)[0]
-        best, joint = divmod(int(np.argmax(shares[own])), 6)
-        segment = segments[int(own[best])]
-        speed, at = fastest(segment.coefficients[joint], segment.end_s - segment.start_s)
-        share = speed / run.scene.robot.arm.speed[joint]
-        moment = _moment(known, segment.start_s + at)
-        found.append(_Fastest(run.motions[motion], share, joint, speed, moment))
-    return found
-
-
-def _too_fast(run: Run, found: _Fastest) -> Diagnostic:
-    motion, share, joint, speed, moment = found
+def _too_fast(run: Run, found: Fastest) -> Diagnostic:
+    motion, _, share, joint, speed, moment = found
     limit = run.scene.robot.arm.speed[joint]
-    percent = math.floor(100.0 * motion.speed_fraction / share)
-    remedy = f"lower SPEED to {percent} or less" if percent >= 1 else "go round the singularity"
-    if motion.interpolation is Interpolation.LINEAR:  # whose set points fall elsewhere when slower
-        remedy = remedy.replace(" or less", ", or still less")
-        remedy += ", or use MOVE instead of MOVES"
+    needed, allowed = beside(exact_deg(speed), exact_deg(limit), least=0)
+    tried = _foretold(run, motion)
+    linear = motion.interpolation is Interpolation.LINEAR
+    data: dict[str, Datum] = {
+        "joint": joint + 1,
+        "speed_deg_s": deg(speed),
+        "limit_deg_s": deg(limit),
+    }
+    if tried is None:  # as in runs that an earlier vrts saved
+        percent = math.floor(100.0 * motion.speed_fraction / share)
+        remedy = f"lower SPEED to {percent} or less" if percent >= 1 else "go another way"
+        remedy += ", or use MOVE instead of MOVES" if linear else ""
+    else:
+        known = tried.data.get("speed_percent")
+        after_break = bool(tried.data.get("after_break"))
+        percent = known if isinstance(known, int) else None
+        remedy = remedy_for(percent, after_break=after_break, linear=linear)
+        data |= {"speed_percent": percent, "after_break": after_break}
     q = moment.configuration[:6]
     near = singular_at(run.scene.robot.arm, q)  # type: ignore[arg-type]
     where = "a singularity" if near == "singular" else f"the {near} singularity"
@@ -109,14 +113,25 @@ def _too_fast(run: Run, found: _Fastest) -> Diagnostic:
         JOINT_SPEED,
         Severity.ERROR,
         f"joint {joint + 1} exceeds its speed limit on this move",
-        Label(
-            motion.cause.span, f"needs {deg(speed):.0f} deg/s; the limit is {deg(limit):.0f} deg/s"
-        ),
+        Label(motion.cause.span, f"needs {needed} deg/s; the limit is {allowed} deg/s"),
         notes=(f"the arm is near {where} there",) if near is not None else (),
         help=(remedy,),
         moment=moment,
-        data={"joint": joint + 1, "speed_deg_s": deg(speed), "limit_deg_s": deg(limit)},
+        data=data,
     )
+
+
+def _foretold(run: Run, motion: Motion) -> Diagnostic | None:
+    """Return what the engine said of a motion when it began: it has tried slower ones."""
+    for event in run.events:
+        if (
+            isinstance(event, Found)
+            and event.diagnostic.rule == JOINT_SPEED
+            and event.cause == motion.cause
+            and abs(event.time_s - motion.start_s) < INSTANT
+        ):
+            return event.diagnostic
+    return None
 
 
 def _range(run: Run) -> tuple[Array, Array]:

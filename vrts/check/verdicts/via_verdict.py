@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from vrts.base.beside import beside
 from vrts.base.diagnostic import Diagnostic, Label, Moment, Rule, Severity
-from vrts.base.units import deg, mm
 from vrts.check.collision.of_run import motion_of
 from vrts.check.curves.timeline_arrays import lasting_of
 from vrts.check.rounding import exact_deg, exact_mm, exact_s
@@ -59,25 +59,22 @@ def _shortfall(visits: Visits, lack: Lack) -> str:
     via, best = visits.via, visits.best
     match lack:
         case Lack.PLACE:
+            near, wanted = beside(exact_mm(visits.nearest_m), exact_mm(via.radius), least=0)
             return (
-                f"the tool never comes nearer than {mm(visits.nearest_m):.0f} mm to `{via.name}`;"
-                f" {mm(via.radius):.0f} mm is wanted"
+                f"the tool never comes nearer than {near} mm to `{via.name}`; {wanted} mm is wanted"
             )
         case Lack.DIRECTION:
+            turned, allowed = beside(exact_deg(best), exact_deg(via.cone), plain=True)
             return (
-                f"the tool passes `{via.name}` turned {deg(best):.1f} degrees away from the"
-                f" direction asked for; {deg(via.cone):g} are allowed"
+                f"the tool passes `{via.name}` turned {turned} degrees away from the"
+                f" direction asked for; {allowed} are allowed"
             )
         case Lack.TOO_FAST:
-            return (
-                f"the tool passes `{via.name}` at {mm(best):.1f} mm/s;"
-                f" {mm(via.fastest):g} mm/s is the most allowed"
-            )
+            speed, most = beside(exact_mm(best), exact_mm(via.fastest), plain=True)
+            return f"the tool passes `{via.name}` at {speed} mm/s; {most} mm/s is the most allowed"
         case Lack.TOO_SLOW:
-            return (
-                f"the tool passes `{via.name}` at {mm(best):.1f} mm/s;"
-                f" {mm(via.slowest):g} mm/s is the least allowed"
-            )
+            speed, few = beside(exact_mm(best), exact_mm(via.slowest), plain=True)
+            return f"the tool passes `{via.name}` at {speed} mm/s; {few} mm/s is the least allowed"
         case Lack.ORDER:
             return f"`{via.name}` is passed, but not in the order of the task"
 

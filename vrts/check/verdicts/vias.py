@@ -14,8 +14,8 @@ from vrts.base.units import DEG, MM
 from vrts.check.collision.of_run import motion_of
 from vrts.check.curves.timeline_arrays import Curves, curves, lasting_of
 from vrts.check.curves.tool_motion import Bounded, tool_angle, tool_distance, tool_speed
+from vrts.check.goals.reached import judged_at
 from vrts.check.task.task import Task, ViaPoint
-from vrts.check.verdicts.targets import judged_at
 from vrts.check.verdicts.via_search import Array, Interval, Wanted, search
 from vrts.engine.memory.records import Segment
 from vrts.engine.run import Run

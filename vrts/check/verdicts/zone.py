@@ -8,13 +8,14 @@ from vrts.check.collision.pairs.pairs import ROBOT
 from vrts.check.curves.certified import Peak
 from vrts.check.task.demands import Demand
 from vrts.engine.run import Run
+from vrts.geometry.proposing.proposer import Proposer
 from vrts.geometry.shapes import Box, Piece
 from vrts.scene.model import Body, Mobility
 
 GREY = (0.5, 0.5, 0.5)
 
 
-def robot_in(run: Run, demand: Demand, engine: str | None) -> tuple[Peak, str]:
+def robot_in(run: Run, demand: Demand, proposer: Proposer | None) -> tuple[Peak, str]:
     """Return when the robot is in a zone, and which part of it enters first.
 
     The certified collision check is asked, with the zone as one more body.
@@ -27,7 +28,7 @@ def robot_in(run: Run, demand: Demand, engine: str | None) -> tuple[Peak, str]:
         name, name, "box", Mobility.FIXED, (piece,), translation(x, y, z), GREY, (0.0, 0.0, 0.0)
     )
     scene = replace(run.scene, bodies=(*run.scene.bodies, zone))
-    report = check_collisions(scene, run, clearance=False, engine=engine)
+    report = check_collisions(scene, run, clearance=False, proposer=proposer)
     entered = [e for e in report.contacts if e.first == ROBOT and e.second == name]
     doubtful = [e for e in report.undetermined if e.first == ROBOT and e.second == name]
     found = Peak(

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping
-from fractions import Fraction
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,6 +13,7 @@ from vrts.cli.shared.options import color_option
 
 if TYPE_CHECKING:
     from vrts.pipeline.setting import Setting
+    from vrts.scene.model import Scene
 
 EPILOG = """\b
 Examples:
@@ -50,14 +51,12 @@ def scene(name: Path, origin: str | None, color: str) -> None:
 @color_option
 @guarded
 def program(name: Path, origin: str | None, color: str) -> None:
-    """Write the program NAME with all locations of a scene."""
+    """Write the program NAME with all locations of a scene, or of the scene of a task."""
     from vrts.assignments.new_files import new_program
-    from vrts.pipeline.scenes import load_scene
 
     file = name if name.suffix else name.with_suffix(".v2")
     taken = origin or "cans-on-bases"
-    setting = load_scene(_scene_of(taken))
-    text = new_program(f"vrts verify {file.name} --scene {taken}", setting.scene)
+    text = new_program(f"vrts verify {file.name} --scene {taken}", _tried(_setting_of(taken)))
     _write(file.parent, {file.name: text.encode()})
     say(f"check it with `vrts verify {file} --scene {taken}`")
 
@@ -112,10 +111,11 @@ def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
     else:
         task_text, solution = copied_task(example, title), copied_reference(example)
     _write(name, {TASK_FILE: task_text})
-    task = load_task(name).task
+    setting = load_task(name)
+    task = setting.task
     assert task is not None
     label = name.resolve().name
-    started = new_program(f"vrts grade {label}-student.zip start.v2", scene.scene)
+    started = new_program(f"vrts grade {label}-student.zip start.v2", _tried(setting))
     _write(
         name,
         {
@@ -130,25 +130,32 @@ def task(name: Path, origin: str | None, title: str | None, color: str) -> None:
 
 def _carrying(name: Path, setting: "Setting", title: str) -> tuple[bytes, bytes]:
     """Return a task in which everything is carried to a base, and the program that does it."""
-    from vrts.assignments.new_files import carryings, new_solution, new_task
-    from vrts.assignments.task_check import times_of
-    from vrts.pipeline.assess import assess
-    from vrts.pipeline.compiling.reading import ProgramFile
-    from vrts.pipeline.request import Request
+    from vrts.assignments.first_task import first_task
 
-    work = carryings(setting.scene)
-    if not work:
+    found = first_task(title, name.resolve().name, setting)
+    if found is None:
         fail(
             "the scene has nothing to carry to a base",
             ("give it a can and a base within reach", f"see `vrts scene check {name}`"),
         )
-    solution = new_solution(title, setting.scene, work).encode()
-    times = times_of(assess(Request(ProgramFile(solution, "solution.v2"), setting)))
-    if times is None:
-        fail("the reference solution does not come to its end in this scene")
-    label = name.resolve().name
-    text = new_task(title, label, setting.scene, work, Fraction(times.reference_s))
-    return text.encode(), solution
+    return found.task.encode(), found.solution.encode()
+
+
+def _setting_of(origin: str) -> "Setting":
+    """Return the task of an example or of a folder, or a scene as it is."""
+    from vrts.pipeline.files import TASK_FILE, find_example
+    from vrts.pipeline.scenes import load_scene
+    from vrts.pipeline.settings import load_task
+
+    folder = find_example(origin) or Path(origin)
+    return load_task(folder) if (folder / TASK_FILE).is_file() else load_scene(origin)
+
+
+def _tried(setting: "Setting") -> "Scene":
+    """Return a scene with the locations that were tried in its task."""
+    from vrts.assignments.suggested import suggested
+
+    return replace(setting.scene, locations=suggested(setting).locations)
 
 
 def scene_files(name: Path, origin: str | None) -> dict[str, bytes]:

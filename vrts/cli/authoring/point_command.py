@@ -51,11 +51,15 @@ def command(
     lab: Path | None,
     color: str,
 ) -> None:
-    """Tell whether the tool reaches X Y Z (mm) [O A T (degrees)] in SCENE, and how."""
+    """Tell whether the tool reaches X Y Z (mm) [O A T (degrees)] in SCENE, and how.
+
+    What no program can MOVE to is not saved.
+    """
+    from vrts.assignments.point_tried import how_to_get_there
     from vrts.base.oat import pose_from_components
     from vrts.pipeline.scenes import load_scene
     from vrts.report.screen.scene_text import point_text
-    from vrts.scene.places import down_pose
+    from vrts.scene.handling.places import down_pose
     from vrts.scene.reach import reach
 
     values = _numbers(numbers, down=down)
@@ -64,6 +68,11 @@ def command(
     X_WT = down_pose(x, y, z, turn or 0.0) if down else pose_from_components(*values)
     found = reach(setting, X_WT)
     out(point_text(setting, X_WT, found))
+    told = how_to_get_there(setting, X_WT, found) if found.reachable else None
+    if told is not None:
+        out(f"tried: {told}")
+    if save is not None and not found.reachable:
+        fail(f"`{save[0]}` is not saved: no program can move there", status=WRONG)
     if save is not None:
         _save(save[0], Path(save[1]), X_WT, color)
     sys.exit(HOLDS if found.reachable else WRONG)

@@ -3,6 +3,7 @@
 import sys
 import time
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,6 +14,7 @@ from vrts.cli.shared.options import color_option, file_option, lab_option
 
 if TYPE_CHECKING:
     from vrts.pipeline.setting import Setting
+    from vrts.scene.model import Scene
 
 EPILOG = """\b
 Examples:
@@ -48,12 +50,13 @@ def list_scenes() -> None:
 @color_option
 @guarded
 def show(name: str, svg: Path | None, lab: Path | None, color: str) -> None:
-    """Print every object of scene NAME, and its locations ready to paste into a program."""
-    from vrts.pipeline.scenes import load_scene
-    from vrts.report.screen.scene_text import scene_text
+    """Print every object of scene NAME, and its locations ready to paste into a program.
 
-    scene = load_scene(name, lab=lab).scene
-    out(scene_text(scene))
+    Where NAME is the folder of a task, they are such that its goals are reached: each was tried by
+    running a program that carries the object with it.
+    """
+    scene, text = _shown(_setting(name, lab, staff=False))
+    out(text)
     if svg is not None:
         from vrts.report.scene_drawing import scene_svg
 
@@ -91,7 +94,17 @@ def check(name: str, lab: Path | None, color: str) -> None:
     sys.exit(WRONG if any(d.is_error for d in found) else HOLDS)
 
 
-def _setting(name: str, lab: Path | None) -> "Setting":
+def _shown(setting: "Setting") -> "tuple[Scene, str]":
+    """Return a scene with the locations to show, and what to print."""
+    from vrts.assignments.suggested import suggested, what_came_of_it
+    from vrts.report.screen.scene_text import scene_text
+
+    found = suggested(setting)
+    scene = replace(setting.scene, locations=found.locations)
+    return scene, scene_text(scene, what_came_of_it(found))
+
+
+def _setting(name: str, lab: Path | None, *, staff: bool = True) -> "Setting":
     """Return a scene, with the task where NAME is the folder of one."""
     from vrts.pipeline.files import TASK_FILE
     from vrts.pipeline.scenes import load_scene
@@ -99,8 +112,19 @@ def _setting(name: str, lab: Path | None) -> "Setting":
 
     path = Path(name)
     if (path / TASK_FILE).is_file() or (path.name == TASK_FILE and path.is_file()):
-        return load_task(path, staff=True, lab=lab)
+        return load_task(path, staff=staff, lab=lab)
     return load_scene(name, lab=lab)
+
+
+def _in_its_task(setting: "Setting", place: Path, lab: Path | None) -> "Setting":
+    """Return a setting with the task in the folder of its scene, if that is set in it."""
+    from vrts.pipeline.files import TASK_FILE
+    from vrts.pipeline.settings import load_task
+
+    if not (place.parent / TASK_FILE).is_file():
+        return setting
+    found = load_task(place.parent, lab=lab)
+    return found if found.scene.digest == setting.scene.digest else setting
 
 
 @command.command(name="watch", epilog=EPILOG)
@@ -115,15 +139,16 @@ def watch_scene(
 ) -> None:
     """Show scene NAME, and again whenever its file or the lab is saved. Control-C ends it."""
     from vrts.cli.shared.watching import watch
-    from vrts.pipeline.files import find_scene
+    from vrts.pipeline.files import TASK_FILE, find_scene
 
     place = find_scene(name)
+    task = place.parent / TASK_FILE
     until = None if seconds is None else time.monotonic() + seconds
 
     def redraw() -> None:
         draw(place, svg, lab, color)
 
-    files = [place] if lab is None else [place, lab]
+    files = [place, *([task] if task.is_file() else []), *([] if lab is None else [lab])]
     with suppress(KeyboardInterrupt):  # how it ends
         watch(files, redraw, clock=time.monotonic, sleep=time.sleep, until=until)
 
@@ -134,20 +159,20 @@ def draw(place: Path, svg: Path | None, lab: Path | None, color: str) -> None:
     from vrts.pipeline.refused import Refused
     from vrts.pipeline.scenes import load_scene
     from vrts.report.scene_drawing import scene_svg
-    from vrts.report.screen.scene_text import scene_text
     from vrts.scene.checks import scene_findings, without_repeats
 
     if sys.stdout.isatty():
         click.clear()
     try:
-        setting = load_scene(str(place.resolve()), lab=lab)
+        setting = _in_its_task(load_scene(str(place.resolve()), lab=lab), place, lab)
     except Refused as problem:
         show_diagnostics(problem.diagnostics, color)
         return
     except CannotRead as problem:  # in the middle of being saved
         say(problem.message)
         return
-    out(scene_text(setting.scene))
+    _, text = _shown(setting)
+    out(text)
     findings = scene_findings(setting.scene)
     show_diagnostics(without_repeats(setting.diagnostics, findings), color)
     if svg is not None:

@@ -40,7 +40,7 @@ def command() -> None:
 def check(folder: Path, reference: Path | None, lab: Path | None, color: str) -> None:
     """Tell whether the task in FOLDER, with its hidden part, is ready to be handed out.
 
-    The reference must get 10 of 10, a program that does nothing 0, and every goal must be within
+    The reference must get full marks, a program that does nothing 0, and every goal must be within
     reach. Proposes times, and lists what everything is worth. With a lab, tells whether the task
     would work there. Exit status 1 when something is wrong.
     """
@@ -115,11 +115,12 @@ def _text(setting: "Setting", found: "TaskCheck") -> str:
 
     task = setting.task
     assert task is not None
+    total = f"{float(task.mark.total):g}"
     lines = [f"{task.title}: {'ready to be handed out' if found.ready else 'not ready'}"]
     if found.reference is not None and found.reference.grade is not None:
-        lines.append(f"  reference      {float(found.reference.grade.mark):4.1f} of 10")
+        lines.append(f"  reference      {float(found.reference.grade.mark):4.1f} of {total}")
     assert found.empty.grade is not None
-    lines.append(f"  empty program  {float(found.empty.grade.mark):4.1f} of 10")
+    lines.append(f"  empty program  {float(found.empty.grade.mark):4.1f} of {total}")
     lines.append(f"  hidden checks  {setting.hidden:2d}")
     if found.times is not None:
         lines += ["", "times [s]        now   from the reference"]

@@ -18,6 +18,7 @@ from vrts.cli.shared.console import (
 from vrts.cli.shared.options import (
     Language,
     color_option,
+    controller_option,
     entry_option,
     lab_option,
     language_options,
@@ -52,6 +53,7 @@ Examples:
 @entry_option("Program to execute; otherwise the task's, or the first.")
 @click.option("-o", "--out", "place", help="File to write; `-` is stdout.")
 @lab_option
+@controller_option
 @language_options
 @color_option
 @guarded

@@ -10,6 +10,7 @@ from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, say, show_diagn
 from vrts.cli.shared.options import (
     Language,
     color_option,
+    controller_option,
     dialect_option,
     file_option,
     lab_option,
@@ -63,13 +64,14 @@ Examples:
     metavar="MM",
     help="Distance to keep from everything.",
 )
-@click.option("--entry", help="Program to execute; without it the task's, else the first.")
+@click.option("--entry", help="Program to execute; without it the task's, else the main one.")
 @click.option("--waive", "codes", multiple=True, metavar="CODE", help="Answer for a refusal.")
 @click.option("--reason", "reasons", multiple=True, metavar="TEXT", help="Why; one for each.")
 @click.option("--who", "people", multiple=True, metavar="NAME", help="Who answers for it.")
 @with_option("Send the programs of FILE, too.")
 @dialect_option("Language that the program is written in.", default="val2")
 @lab_option
+@controller_option
 @color_option
 @guarded
 @placed
@@ -98,8 +100,9 @@ def command(
     refused; a refusal is waived with its code, a reason and a name, all of which stand on the
     operator's sheet.
 
-    The bundle holds programs and data as they are sent, a manifest with hashes, and the sheet; the
-    same input gives the same bytes. Nothing is sent. Exit status 1 when it is refused.
+    The bundle holds programs and data as they are sent, a manifest with hashes, certificates of
+    the runs, and the sheet; the same input gives the same bytes. Nothing is sent. Exit status 1
+    when it is refused.
     """
     from vrts.base.diagnostic import Diagnostic
     from vrts.cli.shared.requests import verify_request
@@ -108,6 +111,7 @@ def command(
     from vrts.dispatch.planning.reasons.refusals import promises_of
     from vrts.dispatch.planning.wish import Wish
     from vrts.dispatch.profile import find_profile
+    from vrts.dispatch.proofs import check_proofs
     from vrts.pipeline.refused import Refused
 
     promises = promises_of(codes, reasons, people)
@@ -129,7 +133,7 @@ def command(
     if profile.warning:
         say(f"note: {profile.warning}")
     written = bundle_bytes(found.bundle)
-    read_bundle(written)  # what cannot be read again is no bundle
+    check_proofs(read_bundle(written))  # what cannot be read again is no bundle
     write_file(target, written)
     say(f"wrote {target} (sha256 {digest_of(written)[:12]})")
     if sheet is not None:

@@ -50,11 +50,14 @@ def command(
     every prompt awaited. At the first fault it stops, leaves the editor and says what the
     controller holds. Then everything is listed and compared.
 
+    The certificates in it are checked first: nothing is sent if one does not hold.
+
     It never executes anything, never enables power and never calibrates. The transcript lies beside
     the bundle unless --transcript says where. Exit status 1 unless everything is verified.
     """
     from vrts.dispatch.bundle import read_bundle
     from vrts.dispatch.profile import find_profile
+    from vrts.dispatch.proofs import check_proofs
     from vrts.dispatch.transfer.cargo import cargo_of
     from vrts.dispatch.transfer.held.looking import Options
     from vrts.dispatch.transfer.rehearsal import rehearsed
@@ -62,6 +65,8 @@ def command(
 
     read = read_bundle(read_bytes(bundle))
     known = find_profile(profile or read.profile)
+    for note in check_proofs(read):
+        say(f"note: {note}")
     cargo = cargo_of(read, known)
     for waiver in read.manifest.waivers:
         say(f"note: {waiver.code} was waived by {waiver.who}: {waiver.reason}")

@@ -20,7 +20,7 @@ Examples:
   vrts grade change anna --from out --mark 7 --reason "marked from paper" --who "R. Huber"
 """
 
-LARGEST = 10
+LARGEST = 1000
 
 
 class Points(click.ParamType[Fraction]):
@@ -37,7 +37,11 @@ class Points(click.ParamType[Fraction]):
         except (ValueError, ZeroDivisionError):
             self.fail(f"`{value}` is no number of points", param, ctx)
         if abs(points) > LARGEST or (points * 1000).denominator != 1:
-            self.fail(f"`{value}`: points are from -10 to 10, with three decimals", param, ctx)
+            self.fail(
+                f"`{value}`: points are from -{LARGEST} to {LARGEST}, with three decimals",
+                param,
+                ctx,
+            )
         return points
 
 
@@ -78,7 +82,7 @@ def command(
     row = written.row(student)
     today = day or date.today().isoformat()
     added = Override(row.id, delta, mark, reason, who, today)
-    overrides = add_overrides(written.layout.overrides, [added], written.known)
+    overrides = add_overrides(written.layout.overrides, [added], written.known, written.rows.total)
     show_diagnostics(overrides.diagnostics, color)
     changed = with_overrides(written.rows, overrides)
     after = next(other for other in changed.rows if other.id == row.id)

@@ -103,7 +103,7 @@ def _raise(found: "Diff", after: "Class", new: Path, who: str) -> None:
         say("nobody falls: nothing was written")
         return
     path = Layout(new).overrides
-    add_overrides(path, added, [row.id for row in after.rows])
+    add_overrides(path, added, [row.id for row in after.rows], after.total)
     one = "1 change" if len(added) == 1 else f"{len(added)} changes"
     say(f"wrote {one} into {path}; mark the class again")
 

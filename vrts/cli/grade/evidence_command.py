@@ -53,6 +53,6 @@ def command(
     row, data = pack_evidence(read_written(folder), student, task=task, download=submissions)
     path = target or Path(f"evidence-{row.id}.zip")
     write_file(path, data)
-    mark = "no mark" if row.final is None else f"{row.final:.1f} of 10"
+    mark = "no mark" if row.final is None else f"{row.final:.1f} of {row.result.total:g}"
     out(f"{path}: {row.id}, {mark}")
     say("it has the hidden part of the task in it: not for students")

@@ -42,8 +42,17 @@ def command(evidence: Path, color: str) -> None:
         out(f"{name}: nothing to mark again: {one_line(found.staff.cause)}")
         sys.exit(UNDETERMINED)
     if again.first is None:
-        mark = "no mark" if again.result.mark is None else f"{again.result.mark:.1f} of 10"
+        mark = (
+            "no mark"
+            if again.result.mark is None
+            else f"{again.result.mark:.1f} of {again.result.total:g}"
+        )
         out(f"{name}: the same result, {mark}")
+        if again.proof is not None:
+            count = len(again.proof.claims.meetings)
+            words = {0: "nothing touches anything", 1: "one contact, and no other"}
+            what = words.get(count, f"{count} contacts, and no others")
+            out(f"  its certificate holds: {what}")
         sys.exit(HOLDS)
     first = again.first
     out(f"{name}: another result")

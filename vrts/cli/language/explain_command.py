@@ -43,7 +43,8 @@ def command(code: str | None, assumptions: bool) -> None:
 
 
 def _list_assumptions() -> None:
-    """Print every decision that the source of vrts marks as assumed."""
+    """Print the controller models, and every decision that the source marks as assumed."""
+    from vrts.controllers.readings import readings_text
     from vrts.report.assumptions import decisions, text_of
 
     package = Path(str(files("vrts")))
@@ -51,6 +52,7 @@ def _list_assumptions() -> None:
         ".".join(path.relative_to(package).with_suffix("").parts): path.read_text(encoding="utf-8")
         for path in sorted(package.rglob("*.py"))
     }
+    out(readings_text() + "\n")
     out(text_of(decisions(sources)))
 
 

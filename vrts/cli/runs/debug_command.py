@@ -10,6 +10,7 @@ from vrts.cli.shared.options import (
     IN_CELL,
     TASK_OR_ALONE,
     color_option,
+    controller_option,
     dialect_option,
     entry_option,
     lab_option,
@@ -36,7 +37,8 @@ moment in the browser and in the Rerun viewer, : takes a command of the monitor;
 @task_option()
 @scenario_option(IN_CELL)
 @lab_option
-@entry_option("Program of the file to execute; the task's, or the first, otherwise.")
+@controller_option
+@entry_option("Program of the file to execute; the task's, or the main one, otherwise.")
 @with_option()
 @dialect_option("Language of the family; left out, file name and content tell.", auto=False)
 @color_option

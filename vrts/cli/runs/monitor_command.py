@@ -8,6 +8,7 @@ import click
 from vrts.cli.shared.console import guarded, out, say
 from vrts.cli.shared.options import (
     IN_CELL,
+    controller_option,
     dialect_option,
     lab_option,
     placed,
@@ -32,6 +33,7 @@ at that simulated time in s.
 @click.argument("files", metavar="[FILE]...", nargs=-1)
 @scene_option()
 @lab_option
+@controller_option
 @scenario_option(IN_CELL)
 @dialect_option("Language of commands and programs.", auto=False, default="val2")
 @click.option("--replace", is_flag=True, help="LOAD replaces programs that are in memory.")

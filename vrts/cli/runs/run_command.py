@@ -18,8 +18,10 @@ from vrts.cli.shared.console import (
     write_file,
 )
 from vrts.cli.shared.options import (
+    TASK_OR_ALONE,
     Language,
     color_option,
+    controller_option,
     entry_option,
     file_option,
     lab_option,
@@ -28,12 +30,14 @@ from vrts.cli.shared.options import (
     placed,
     scenario_option,
     scene_option,
+    task_option,
 )
 from vrts.cli.shared.programs import Given, given_program
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
     from vrts.engine.run import Run
+    from vrts.pipeline.setting import Setting
     from vrts.run_files.simulated import Simulated
 
 EPILOG = """\b
@@ -62,9 +66,10 @@ class _Span(NamedTuple):
 
 @click.command(name="run", epilog=EPILOG)
 @click.argument("program")
-@scene_option()
+@scene_option(TASK_OR_ALONE)
+@task_option()
 @scenario_option()
-@entry_option("Program of the file to execute; the first, if not given.")
+@entry_option("Program of the file to execute; the main one, if not given.")
 @click.option("--at", "time_s", type=float, help="Print the state at a time in s, not the output.")
 @click.option(
     "--statement", type=int, help="Print the state after so many statements; EXECUTE is the first."
@@ -78,6 +83,7 @@ class _Span(NamedTuple):
 @click.option("--check", is_flag=True, help="Execute a saved run again and compare.")
 @overwrite_option()
 @lab_option
+@controller_option
 @language_options
 @color_option
 @guarded
@@ -142,21 +148,33 @@ def command(
         _replay(run, _span(run, from_s, to_s, speed))
     elif table != "-":
         _show_output(run)
-    sys.exit(WRONG if any(d.is_error for d in run.findings) else HOLDS)
+    sys.exit(WRONG if any(d.is_error for d in found.diagnostics) else HOLDS)
 
 
 def _simulated(
     given: Given, where: Where, language: Language, entry: str | None, color: str
 ) -> "Simulated":
-    from vrts.cli.shared.requests import run_request
+    from vrts.cli.shared.requests import run_request_beside
     from vrts.run_files.simulated import simulate
 
-    request = run_request(given, where, language, entry)
+    request = run_request_beside(given, where, language, entry)
+    _say_where(request.setting, where)
     found = simulate(request)
     scenario = request.setting.scenario
     warnings = () if scenario is None else scenario.warnings
     show_diagnostics((*warnings, *found.diagnostics), color)
     return found
+
+
+def _say_where(setting: "Setting", where: Where) -> None:
+    """Say what nobody asked for by name: the task beside the program, or a robot without a tool."""
+    if where.scene is not None or where.task is not None:
+        return
+    if setting.task is not None:
+        say(f"in the scene `{setting.scene.name}`, as the task beside the program has it")
+    else:
+        arm = setting.scene.robot.arm.title
+        say(f"no scene: a bare {arm} with no tool; `--scene NAME` or a `task.toml` beside it")
 
 
 def _loaded(given: Given, color: str) -> "Simulated":

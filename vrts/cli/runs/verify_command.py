@@ -21,6 +21,7 @@ from vrts.cli.shared.console import (
 from vrts.cli.shared.options import (
     Language,
     color_option,
+    controller_option,
     engine_option,
     file_option,
     form_option,
@@ -36,6 +37,7 @@ from vrts.cli.shared.programs import given_program
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
+    from vrts.pipeline.request import Request
     from vrts.report.assessment import Assessment
 
 NO_RERUN = (
@@ -52,6 +54,7 @@ Examples:
   vrts verify prog.v2 --scenario gripper-slips.toml
   vrts verify prog.v2 --lab lab.toml
   vrts verify prog.v2 --engine fcl
+  vrts verify prog.v2 --certificate run.cert
   vrts verify prog.v2 --format json
 """
 
@@ -70,10 +73,12 @@ Examples:
     help="Whom the page is for: a grader's has what is to be reviewed, and facts for an appeal.",
 )
 @file_option("--record", help="Write a Rerun recording (.rrd).")
+@file_option("--certificate", help="Write what proves the collision check, for `check-proof`.")
 @form_option("full", "json")
 @no_collisions_option
-@engine_option("What measures distances; without it coal, or fcl where coal is not installed.")
+@engine_option("Who proposes where parts are nearest; no answer depends on it.")
 @lab_option
+@controller_option
 @language_options
 @color_option
 @guarded
@@ -84,6 +89,7 @@ def command(
     html: Path | None,
     reader: str,
     record: Path | None,
+    certificate: Path | None,
     form: str,
     no_collisions: bool,
     engine: str | None,
@@ -98,21 +104,27 @@ def command(
     """
     from vrts.assignments.packed import found_setting, public_answer
     from vrts.cli.shared.requests import verify_request
+    from vrts.marking.proposer.by_name import by_name
     from vrts.pipeline.assess import assess
     from vrts.pipeline.request import Checks
 
+    if certificate is not None and no_collisions:
+        fail("a certificate is of the check of collisions", ("leave out `--no-collisions`",))
     given = given_program(program)
     setting = found_setting(given.path, where)
     if setting is None:
         _no_setting()
     if where.scenario is not None and setting.scenario is not None:
         show_diagnostics(setting.scenario.warnings, color)
-    checks = Checks(
-        collisions=not no_collisions,
-        engine=engine,
-        curve=html is not None or record is not None,
-    )
-    found = assess(verify_request(given, setting, language, checks=checks))
+    with by_name(engine, asked=not no_collisions) as by:
+        checks = Checks(
+            collisions=not no_collisions,
+            proposer=by.proposer,
+            second=by.second,
+            curve=html is not None or record is not None,
+        )
+        request = verify_request(given, setting, language, checks=checks)
+        found = assess(request)
     if form == "json":
         from vrts.report.formats.json_form import assessment_json
         from vrts.report.formats.json_text import json_text
@@ -129,7 +141,22 @@ def command(
         write_page(found, html, reader, setting.more)
     if record is not None:
         write_record(found, record)
+    if certificate is not None:
+        write_certificate(found, request, certificate)
     sys.exit(status_of(found))
+
+
+def write_certificate(found: "Assessment", request: "Request", path: Path) -> None:
+    """Write what proves that the collisions found are those there are, and say so."""
+    from vrts.run_files.proving import certificate_of
+    from vrts.run_files.simulated import simulate
+
+    report = None if found.judgement is None else found.judgement.collisions
+    if report is None:
+        say("nothing ran, so there is nothing to prove")
+        return
+    write_file(path, certificate_of(simulate(request), report))
+    say(f"wrote {path}")
 
 
 def write_page(found: "Assessment", path: Path, reader: str = "student", more: int = 0) -> None:

@@ -13,6 +13,7 @@ from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, say, show_diagn
 from vrts.cli.shared.options import (
     TASK_OR_ALONE,
     color_option,
+    controller_option,
     file_option,
     no_open_option,
     placed,
@@ -42,6 +43,7 @@ Examples:
 @click.argument("file", type=click.Path(path_type=Path))
 @scene_option(TASK_OR_ALONE)
 @task_option()
+@controller_option
 @click.option("--with", "viewer", type=click.Choice(["browser", "rerun"]), default="browser")
 @click.option("--still", type=float, help="Draw one moment, in s, as a PNG picture instead.")
 @file_option("-o", "--out", "target", help="File to write.")
@@ -86,11 +88,12 @@ def command(
 def _of_program(file: Path, where: Where, curve: bool) -> "Assessment":
     from vrts.pipeline.alone import robot_alone
     from vrts.pipeline.assess import assess
+    from vrts.pipeline.controllers import with_controller
     from vrts.pipeline.request import Checks
     from vrts.pipeline.requesting import request_for
     from vrts.pipeline.settings import setting_for
 
-    setting = setting_for(file, where) or robot_alone()
+    setting = setting_for(file, where) or with_controller(robot_alone(), where.controller)
     return assess(request_for(file, setting=setting, checks=Checks(curve=curve)))
 
 

@@ -17,6 +17,7 @@ Option: TypeAlias = Callable[[Command], Command]
 
 DIALECTS = ("val2", "val2+", "val", "vplus", "as")
 OR_AUTO = ("auto", *DIALECTS)
+CONTROLLERS = ("val2", "vplus", "vrts-1")
 
 ALONE = "Name or path of a scene; without it the robot stands alone."
 TASK_OR_ALONE = "Name or path of a scene; without it the task's, or the robot alone."
@@ -55,6 +56,12 @@ color_option = click.option(
 lab_option = file_option(
     "--lab",
     help="Lay a lab over the scene: your own arm, table and hand; see `vrts new lab`.",
+)
+
+controller_option = click.option(
+    "--controller",
+    type=click.Choice(CONTROLLERS),
+    help="Controller model of the run; see `vrts explain --assumptions`.",
 )
 
 no_collisions_option = click.option(
@@ -96,9 +103,11 @@ def with_option(says: str = WITH_FILE) -> Option[Any]:
     return click.option("--with", "others", metavar="FILE", multiple=True, help=says)
 
 
-def engine_option(says: str = "What measures distances.") -> Option[Any]:
+def engine_option(
+    says: str = "Who proposes where parts are nearest; no mark depends on it.",
+) -> Option[Any]:
     """Return `--engine`."""
-    return click.option("--engine", type=click.Choice(["coal", "fcl"]), help=says)
+    return click.option("--engine", type=click.Choice(["coal", "fcl", "own"]), help=says)
 
 
 def form_option(*forms: str) -> Option[Any]:
@@ -117,7 +126,7 @@ def no_open_option(says: str) -> Option[Any]:
 
 
 def placed(function: Command) -> Command:
-    """Give a command one `where` for what `--scene`, `--task`, `--scenario` and `--lab` say."""
+    """Give a command one `where` for what `--scene`, `--task`, `--lab` and their like say."""
 
     @wraps(function)
     def wrapped(*args: Any, **kwargs: Any) -> Any:

@@ -20,7 +20,7 @@ def run_request(
         given: The program.
         where: Names of scene, scenario and lab.
         language: How it is to be read; without a dialect file name and content tell.
-        entry: Program of the file to execute; None: the first.
+        entry: Program of the file to execute; None: the main one.
 
     Raises:
         CannotRead: A file is not there.
@@ -33,6 +33,26 @@ def run_request(
     from vrts.pipeline.scenes import free_setting
 
     return Request(given.program, free_setting(where, given.folder), reading, entry)
+
+
+def run_request_beside(
+    given: Given, where: Where, language: Language, entry: str | None = None
+) -> Request:
+    """Return a request to run a program where `verify`, `view` and `debug` would.
+
+    That is the task given, else the one beside the program unless a scene is asked for, else the
+    robot alone.
+
+    Raises:
+        CannotRead: A file is not there.
+        Refused: Task, scene, scenario or lab have errors.
+    """
+    from vrts.pipeline.settings import setting_for
+
+    setting = setting_for(given.path, where)
+    if setting is None:
+        return run_request(given, where, language, entry)
+    return Request(given.program, setting, reading_of(language), entry)
 
 
 def verify_request(
@@ -49,7 +69,7 @@ def verify_request(
         given: The program.
         setting: Scene, and task if there is one.
         language: How it is to be read; strictly as VAL-II without a dialect.
-        entry: Program of the file to execute; None: the task's, else the first.
+        entry: Program of the file to execute; None: the task's, else the main one.
         checks: What is to be found out.
 
     Raises:

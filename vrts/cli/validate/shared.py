@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from vrts.cli.shared.console import fail, show_diagnostics
 from vrts.cli.shared.options import (
     Language,
+    controller_option,
     entry_option,
     lab_option,
     placed,
@@ -27,8 +28,9 @@ def setting_options(function: Command) -> Command:
     """Add the options that say in what a program runs; the command takes one `where`."""
     command: Any = placed(function)
     for option in (
+        controller_option,
         lab_option,
-        entry_option("Program of the file to execute; the first."),
+        entry_option("Program of the file to execute; the main one."),
         scenario_option("A scenario file."),
         scene_option(),
     ):

@@ -136,6 +136,7 @@ def _asked(a: Fields) -> Asked:
             _path(a.optional("task")),
             _path(a.optional("scenario")),
             _path(a.optional("lab")),
+            a.optional("controller"),
         ),
         entry=a.optional("entry"),
         others=tuple(Path(name) for name in a.texts("with")),

@@ -13,10 +13,19 @@ from vrts import __version__
 from vrts.base.units import mm
 from vrts.check.mark.mark import grade
 from vrts.check.verdicts.duration import duration
-from vrts.dispatch.bundle import NO_MEMBERS, Bundle, content_digest, digest_of, with_sheet
-from vrts.dispatch.manifest import SCHEMA, Answered, Manifest, Margin, Thing, Verified
+from vrts.controllers.values import digest
+from vrts.dispatch.bundle import (
+    NO_MEMBERS,
+    Bundle,
+    content_digest,
+    digest_of,
+    proof_name,
+    with_sheet,
+)
+from vrts.dispatch.manifest import SCHEMA, Answered, Manifest, Margin, Shown, Thing, Verified
 from vrts.dispatch.planning.beside.dry_run import DryRun
 from vrts.dispatch.planning.printed import Printed
+from vrts.dispatch.planning.proving import Certified
 from vrts.dispatch.planning.reasons.coverage import Covered, executed_steps
 from vrts.dispatch.planning.reasons.dependence import Dependence, reads
 from vrts.dispatch.planning.reasons.proof import Case
@@ -46,6 +55,7 @@ class Made(NamedTuple):
     known: Dependence
     sorted: Sorted
     raised: DryRun
+    proofs: Sequence[Certified]  # one for each scenario
 
 
 def bundle_of(made: Made, scened: Sequence[Scened], settings: Sequence[Setting]) -> Bundle:
@@ -53,7 +63,12 @@ def bundle_of(made: Made, scened: Sequence[Scened], settings: Sequence[Setting])
     manifest = _manifest(made, scened, settings)
     texts = made.texts
     programs: Mapping[str, str] = MappingProxyType(dict(texts.programs))
-    bundle = Bundle(manifest, programs, texts.locations, texts.reals, texts.strings, "")
+    proofs = {
+        proof_name(number): proof.certificate
+        for number, proof in enumerate(made.proofs, 1)
+        if proof.certificate is not None
+    }
+    bundle = Bundle(manifest, programs, texts.locations, texts.reals, texts.strings, "", proofs)
     facts = Sheet(
         bundle=bundle,
         content=content_digest(bundle),
@@ -82,7 +97,12 @@ def _manifest(made: Made, scened: Sequence[Scened], settings: Sequence[Setting])
         profile=made.profile.name,
         profile_sha256=made.profile.digest,
         dialect=made.profile.dialect,
-        scenarios=tuple(_verified(one, s) for one, s in zip(scened, settings, strict=True)),
+        scenarios=tuple(
+            _verified(one, setting, _shown(number, proof))
+            for number, (one, setting, proof) in enumerate(
+                zip(scened, settings, made.proofs, strict=True), 1
+            )
+        ),
         executed=executed_steps(made.given, made.seen),
         reads=reads(made.known),
         clearance_asked_mm=made.clearance_mm,
@@ -92,10 +112,16 @@ def _manifest(made: Made, scened: Sequence[Scened], settings: Sequence[Setting])
         first_to_fail="; ".join(dict.fromkeys(one.first_to_fail for one in scened))[:2_000],
         waivers=made.sorted.waivers,
         files=NO_MEMBERS,
+        controller=Thing(scene.controller.name, digest(scene.controller)),
     )
 
 
-def _verified(one: Scened, setting: Setting) -> Verified:
+def _shown(number: int, proof: Certified) -> Shown:
+    file = None if proof.certificate is None else proof_name(number)
+    return Shown(file, proof.scenario_sha256, proof.summary[:2_000])
+
+
+def _verified(one: Scened, setting: Setting, proof: Shown) -> Verified:
     case, took = one.held, duration(one.held.run)
     clearance = one.near.clearance_m
     return Verified(
@@ -110,6 +136,7 @@ def _verified(one: Scened, setting: Setting) -> Verified:
         verdicts=tuple(
             Answered(v.check, v.answer.value, v.summary[:2_000]) for v in case.judgement.verdicts
         ),
+        proof=proof,
     )
 
 

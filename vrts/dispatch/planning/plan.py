@@ -5,9 +5,10 @@ where it comes from, and where refusals point to.
 """
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Diagnostic, error
+from vrts.base.diagnostic import Diagnostic, Severity, error
 from vrts.base.units import MM
 from vrts.check.judge import judge
 from vrts.dispatch.bundle import Bundle
@@ -16,6 +17,7 @@ from vrts.dispatch.planning.beside.dry_run import NO_DRY_RUN, DryRun, dry_run
 from vrts.dispatch.planning.beside.worlds import World
 from vrts.dispatch.planning.making import Made, bundle_of
 from vrts.dispatch.planning.printed import printed, read_back
+from vrts.dispatch.planning.proving import Held, shown
 from vrts.dispatch.planning.reasons import coverage, dependence, fits
 from vrts.dispatch.planning.reasons.nearness import nearness, too_near
 from vrts.dispatch.planning.reasons.proof import Case, obstacles, unproven
@@ -32,7 +34,7 @@ from vrts.dispatch.profile import Profile
 from vrts.engine.controller import execute
 from vrts.ir.module import Module
 from vrts.lang.compiler import Compilation
-from vrts.pipeline.execution import compiled_for, entry_of, no_program
+from vrts.pipeline.execution import compiled_for, entry_in
 from vrts.pipeline.setting import Setting, scenario_of
 
 LONGEST_TITLE = 200  # characters of the title of a scenario
@@ -58,9 +60,9 @@ def plan(wish: Wish) -> Plan:
     if source is None or compilation is None or compilation.module is None:
         return Plan(None, tuple(d for d in said if d.is_error))
     given, profile = compilation.module, wish.profile
-    entry = (entry_of(request) or given.main or "").lower()
-    if entry not in given.programs:
-        return Plan(None, (no_program(given, entry),))
+    entry, chosen = entry_in(given, request)
+    if entry is None or chosen:  # nothing is guessed for a real robot
+        return Plan(None, tuple(replace(d, severity=Severity.ERROR) for d in chosen))
     if compilation.dialect.angles is not profile.language.angles:
         return Plan(None, (_other_language(compilation, profile),))
     texts = printed(compilation, profile)
@@ -90,6 +92,9 @@ def plan(wish: Wish) -> Plan:
         return result.plan
     raised = _dry_run(scened[0], held, entry, profile, asked)
     request.step_done("dry run")
+    typed = Held(read.module, texts, profile.language.name, request.reading.precedence)
+    proofs = [shown(typed, one, s, entry) for one, s in zip(scened, wish.settings, strict=True)]
+    request.step_done("certificate")
     made = Made(
         request.program.name,
         request.program.data,
@@ -103,6 +108,7 @@ def plan(wish: Wish) -> Plan:
         known,
         result.sorted,
         raised,
+        proofs,
     )
     bundle = bundle_of(made, scened, wish.settings)
     return result.plan._replace(bundle=bundle)

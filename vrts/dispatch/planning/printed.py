@@ -8,9 +8,8 @@ from typing import NamedTuple
 
 from vrts.base.oat import components, pose_from_components
 from vrts.base.pose import Pose
-from vrts.base.source import SourceFile
 from vrts.base.units import deg
-from vrts.dispatch.bundle import LOCATIONS, REALS, STRINGS
+from vrts.dispatch.bundle import files_of
 from vrts.dispatch.profile import Profile
 from vrts.dispatch.steps import typed
 from vrts.ir.module import Datum, Module
@@ -71,10 +70,7 @@ def name_of(datum: Datum) -> str:
 
 def read_back(texts: Printed, entry: str, profile: Profile, precedence: str | None) -> Compilation:
     """Return what a controller makes of the texts: each is a file of its own, `entry` first."""
-    names = [entry, *(name for name in texts.programs if name != entry)]
-    sources = [SourceFile(f"programs/{name}.v2", texts.programs[name]) for name in names]
-    sections = {LOCATIONS: texts.locations, REALS: texts.reals, STRINGS: texts.strings}
-    sources += [SourceFile(name, text) for name, text in sections.items() if text]
+    sources = files_of(texts.programs, entry, texts.locations, texts.reals, texts.strings)
     binds = None if precedence is None else Precedence(precedence)
     return compile_sources(sources, Options(profile.language, binds))
 

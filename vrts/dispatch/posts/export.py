@@ -14,7 +14,7 @@ from vrts.lang.compiler import Compilation
 from vrts.pipeline.assess import assess
 from vrts.pipeline.compiling.programs import compile_bytes
 from vrts.pipeline.compiling.reading import Reading
-from vrts.pipeline.execution import compiled_for, entry_of, no_program
+from vrts.pipeline.execution import compiled_for, entry_in
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import scenario_of
 
@@ -46,9 +46,9 @@ def exported(request: Request, target: str) -> Exported:
         return Exported(None, found)
     if compilation.dialect.name not in LANGUAGES:
         return Exported(None, (*found, _other_language(compilation)))
-    entry = entry_of(request)
-    if entry is not None and entry.lower() not in compilation.module.programs:
-        return Exported(None, (*found, no_program(compilation.module, entry)))
+    entry, chosen = entry_in(compilation.module, request)
+    if entry is None:
+        return Exported(None, (*found, *chosen))
     verified = assess(request, compiled)
     wrong = any(d.is_error for d in verified.findings)
     if verified.judgement is None or wrong or verified.judgement.answer is not Answer.HOLDS:
@@ -62,7 +62,7 @@ def exported(request: Request, target: str) -> Exported:
     if other.module is None:
         return Exported(None, (*told, *other.diagnostics))
     assert verified.run is not None
-    run = execute(other.module, setting.scene, scenario_of(setting), entry and entry.lower())
+    run = execute(other.module, setting.scene, scenario_of(setting), entry)
     apart = difference(verified.run, run)
     if not apart.is_none:
         return Exported(None, (*told, *run.findings, _moves_otherwise(target, apart)), apart)

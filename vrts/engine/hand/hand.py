@@ -280,7 +280,7 @@ class Hand:
     # --- opening ------------------------------------------------------------------------------
 
     def _release(self, time_s: float, cause: Cause | None, events: EventLog) -> None:
-        # the door to coal: it and numpy are loaded when something is let go, if ever
+        # the door to numpy, which is loaded when something is let go, if ever
         from vrts.engine.hand.settle import settle
 
         assert self.held is not None

@@ -26,17 +26,17 @@ from vrts.base.pose import (
 )
 from vrts.engine.hand.resting import Rest, Standing
 from vrts.geometry.hull import faces
-from vrts.geometry.narrow import nearest
+from vrts.geometry.proving.scalar import nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece, Shape
 from vrts.geometry.support import Bounds, bounds, span
 
 TOUCHING = 1e-5  # [m] nearer than this is contact
-SIDE_STEP = 1e-4  # [m] step past a body that is touched at its side
+LEAST_STEP = 1e-6  # [m] of the descent
 SIDE_NORMAL = math.sin(math.radians(10.0))  # a flatter contact does not carry
 ALIGNS_WITHIN = math.radians(10.0)  # between contact face and support plane
 FRICTION = 0.5  # coefficient µ of an inclined support [assumed]
 CORNERS = 48  # of a round face
-STEPS = 20_000  # of the descent; each is at least SIDE_STEP
+STEPS = 20_000  # of the descent
 
 
 class Face(NamedTuple):
@@ -71,7 +71,13 @@ def settle(
 def _descend(
     pieces: Sequence[Piece], X_WO: Pose, others: Sequence[Standing]
 ) -> tuple[float, Standing, Piece, Piece] | None:
-    """Return height, support and the two pieces of first contact straight down."""
+    """Return height, support and the two pieces of first contact straight down.
+
+    Two pieces are as far apart as the widest gap over all directions, which `normal` points along.
+    On the way down a gap closes at the rate at which its direction points down. So pieces do not
+    meet before their widest gap is closed at its own rate, and where it is to the side it stays the
+    widest, for steeper ones close faster: such pieces are passed by for good.
+    """
     mine = bounds(pieces, X_WO)
     below = [
         (standing, piece)
@@ -81,21 +87,29 @@ def _descend(
     ]
     if not below:
         return None
-    deepest = min(bounds((piece,), standing.X_WO).lower[2] for standing, piece in below)
+    pairs = [(piece, theirs, standing) for standing, theirs in below for piece in pieces]
     height = 0.0
     for _ in range(STEPS):
         X_low = translation(0.0, 0.0, -height) @ X_WO
         step = math.inf
-        for standing, theirs in below:
-            for piece in pieces:
-                found = nearest(piece, X_low, theirs, standing.X_WO)
-                upright = -found.normal[2]  # the second body lies below the first
-                if found.distance <= TOUCHING and upright > SIDE_NORMAL:
-                    return height, standing, piece, theirs
-                step = min(step, max(found.distance, SIDE_STEP))
-        height += step
-        if mine.upper[2] - height < deepest:
+        ahead: list[tuple[Piece, Piece, Standing]] = []
+        for pair in pairs:
+            piece, theirs, standing = pair
+            found = nearest(piece, X_low, theirs, standing.X_WO)
+            if found.lower < -TOUCHING:  # as deep to the side as upward it falls past
+                X_lower = translation(0.0, 0.0, -TOUCHING) @ X_low
+                found = nearest(piece, X_lower, theirs, standing.X_WO)
+            upright = -found.normal[2]  # the second body lies below the first
+            if upright <= SIDE_NORMAL:
+                continue
+            if found.lower <= TOUCHING:
+                return height, standing, piece, theirs
+            ahead.append(pair)
+            step = min(step, found.lower / upright)
+        if not ahead:
             return None
+        pairs = ahead
+        height += max(step, LEAST_STEP)
     return None
 
 

@@ -20,6 +20,7 @@ def obey_due(machine: Machine, now: float) -> None:
         if after is not None and after > machine.finished and time_s > now - machine.tick + INSTANT:
             return  # it comes within this tick
         machine.obeyed += 1
+        machine.watcher.begin()
         machine.finished += 1  # so that before and after can be told apart
         obey(command, machine, now)
         for c in (machine.robot, machine.process):

@@ -15,11 +15,9 @@ from vrts.engine.memory.records import INSTANT, Ending
 from vrts.engine.programs.context import Context
 from vrts.engine.programs.cycles import next_cycle, rest
 
-STEPS_A_TICK = 100  # of each program [assumed, manual language/processes#share]
-
 
 def execute(machine: Machine, c: Context, now: float) -> None:
-    """Let a program react, and go on for its share of a tick."""
+    """Let a program react, and go on for its share of a tick [manual language/processes#share]."""
     try:
         if c.finishing:
             _finish(machine, c)
@@ -27,7 +25,7 @@ def execute(machine: Machine, c: Context, now: float) -> None:
             react(machine, c, look=True)
             if c.wake == math.inf or c.wake <= now + INSTANT:
                 c.wake = now
-                _run_steps(machine, c, STEPS_A_TICK)
+                _run_steps(machine, c, machine.scene.controller.programs.steps_a_tick)
         check_limits(machine, c)
     except LimitReached as limit:
         end(machine, c, Ending.LIMIT, limit.diagnostic)

@@ -1,20 +1,16 @@
-"""Limits of a run, and waits that never end: each is a diagnostic, and ends the program."""
+"""Limits of a run: each is a diagnostic, and ends the program."""
 
-from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
+from vrts.base.diagnostic import Rule
 from vrts.engine.faults import (
     MOTIONS,
     OUTPUT,
     SIMULATED_TIME,
     STATEMENTS,
-    WAIT_NEVER_ENDS,
     LimitReached,
 )
 from vrts.engine.machine.machine import Machine
 from vrts.engine.programs.context import Context
 from vrts.engine.programs.cycles import place
-from vrts.ir import instructions as ir
-
-NO_ANSWER = Rule("V504", "no-answer")
 
 
 def check_limits(machine: Machine, c: Context) -> None:
@@ -23,7 +19,8 @@ def check_limits(machine: Machine, c: Context) -> None:
     Raises:
         LimitReached: One is exceeded.
     """
-    if not c.running:
+    over = machine.closed and not machine.robot.running  # what goes on beside it is no fault
+    if not c.running or (over and not c.is_robot):
         return
     limits = machine.scenario.limits
     elapsed = c.now - c.started_s
@@ -33,7 +30,7 @@ def check_limits(machine: Machine, c: Context) -> None:
             c,
             STATEMENTS,
             f"the program is still running after {limits.statements:,} steps",
-            f"it was stopped here, after {elapsed:.0f} s of simulated time",
+            f"it was stopped here, after {elapsed:.0f} s of simulated time{_share(machine)}",
             "check that every loop comes to an end",
         )
     if elapsed > limits.time_s:
@@ -62,29 +59,11 @@ def check_limits(machine: Machine, c: Context) -> None:
         )
 
 
-def stuck(c: Context, now: float) -> Diagnostic:
-    """Return what is wrong with a program that waits for something that never comes."""
-    cause = place(c)
-    assert cause is not None
-    frame = c.frames[-1]
-    program = c.system.programs.loaded[frame.program].program
-    if isinstance(program.instructions[frame.index], ir.Prompt):
-        return Diagnostic(
-            NO_ANSWER,
-            Severity.ERROR,
-            "this PROMPT waits for an answer that nobody gives",
-            Label(cause.span),
-            notes=(f"asked at {now:.3f} s, after {c.system.answers_read} answers",),
-            help=("script the answers in a scenario: `[prompts]`, `answers = [...]`",),
-        )
-    return Diagnostic(
-        WAIT_NEVER_ENDS,
-        Severity.ERROR,
-        "this WAIT never ends: nothing that is still to happen makes it true",
-        Label(cause.span),
-        notes=(f"nothing changes any more from {now:.3f} s on",),
-        help=("wait for a signal that the scenario turns on, or set it in the program",),
-    )
+def _share(machine: Machine) -> str:
+    """Return how many of the statements the process control program has executed, if any."""
+    process = machine.process
+    many = process.trace.executed(machine.finished)
+    return f"; {many:,} of the steps are of `{process.program}`" if many else ""
 
 
 def _reached(c: Context, rule: Rule, headline: str, note: str, remedy: str) -> LimitReached:

@@ -48,7 +48,7 @@ class Machine:
         self.system = System(
             executable.programs,
             executable.memory(),
-            Planner(arm, configuration, scene.X_FT, rate),
+            Planner(arm, configuration, scene.X_FT, rate, scene.controller),
             Hand(scene, scenario.hand_opening),
             Signals(scenario.inputs),
             Terminal(),
@@ -60,6 +60,7 @@ class Machine:
         self._wire()
         for name, value in scenario.parameters.items():
             self.system.set_parameter(name.upper(), value, 0)
+        self.system.locks = scenario.locks
         for answer in scenario.answers:
             self.system.answers.append(answer)
         self.sensing = Sensing(scene, scenario)

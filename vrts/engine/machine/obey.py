@@ -154,8 +154,7 @@ def _resume(machine: Machine, c: Context, now: float, *, retry: bool) -> None:
 
 def _do(machine: Machine, module: Module, now: float) -> None:
     """Execute an instruction beside the program that stopped, which keeps its place."""
-    name = module.main
-    assert name is not None
+    name = next(iter(module.programs))
     depth = machine.scenario.limits.call_depth
     machine.take_over(Executable(Module(module.programs, ()), depth, machine.executable))
     machine.executable.layout.extend(machine.system.memory)
@@ -224,7 +223,7 @@ def _repeat_motion(machine: Machine, now: float) -> None:
         intent = to_line(planner.stance, planner.destination, settings, cut.speed_fraction, None)
     else:
         intent = to_joints(planner.stance, planner.dest, settings, cut.speed_fraction, None)
-    start = max(now + machine.tick, planner.motion_end)
+    start = max(now + machine.tick, planner.free_at)
     planner.begin(intent, start, planner.destination, cut.cause)
 
 

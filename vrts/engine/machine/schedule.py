@@ -6,12 +6,10 @@ from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.records import INSTANT
 
 
-def signals_to_come(machine: Machine) -> bool:
-    """Return whether inputs, faults or commands may still change something."""
-    system = machine.system
+def changes_to_come(machine: Machine) -> bool:
+    """Return whether inputs, faults or commands may still change something from outside."""
     return (
-        system.signals.next_input_s is not None
-        or bool(system.scheduled)
+        machine.system.signals.next_input_s is not None
         or machine.faults_done < len(machine.scenario.faults)
         or machine.next_command_s is not None
     )

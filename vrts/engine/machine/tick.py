@@ -1,7 +1,7 @@
 """The machine goes on, tick by tick.
 
 Order within a tick: commands, faults of the scenario, signal inputs and sensors, the hand, then
-reactions, at most `execution.STEPS_A_TICK` steps of the robot program, as many of the process
+reactions, the steps of the robot program that the controller model gives it, as many of the process
 control program. Motion needs no work of its own, because it is planned as polynomials when it is
 issued. Ticks in which nothing can happen are skipped.
 """
@@ -10,14 +10,15 @@ import math
 
 from vrts.engine.machine.due import is_due, obey_due
 from vrts.engine.machine.ending import end
-from vrts.engine.machine.endless import look
 from vrts.engine.machine.execution import execute
-from vrts.engine.machine.limits import stuck
+from vrts.engine.machine.forever.findings import not_judged
+from vrts.engine.machine.forever.judge import judge, stopped, waits_in_vain
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.noting import note_motions
 from vrts.engine.machine.schedule import future_s, has_work, is_idle
 from vrts.engine.machine.surroundings import bring_faults_about, sample
 from vrts.engine.memory.records import INSTANT, Ending
+from vrts.engine.programs.cycles import place
 
 
 def run_until(machine: Machine, until_s: float, *, stop_when_idle: bool = False) -> None:
@@ -25,7 +26,7 @@ def run_until(machine: Machine, until_s: float, *, stop_when_idle: bool = False)
     machine.write()
     last = math.floor(until_s / machine.tick + INSTANT / machine.tick)
     while machine.next_tick <= last and has_work(machine):
-        if stop_when_idle and is_idle(machine):
+        if stop_when_idle and is_idle(machine) and waits_in_vain(machine):
             break
         _run_tick(machine, machine.next_tick)
     settle(machine, until_s)
@@ -90,7 +91,9 @@ def _plan_next(machine: Machine, now: float, *, progress: bool, stirred: bool) -
     if waking < math.inf:
         _skip_to(machine, waking)
     elif machine.closed and machine.robot.running:
-        end(machine, machine.robot, Ending.LIMIT, stuck(machine.robot, now))
+        finding = stopped(machine, now)
+        _tell_when_not_judged(machine)
+        end(machine, machine.robot, Ending.LIMIT, finding)
 
 
 def _skip_to(machine: Machine, time_s: float) -> None:
@@ -98,7 +101,18 @@ def _skip_to(machine: Machine, time_s: float) -> None:
 
 
 def _look_for_loops(machine: Machine, now: float) -> None:
-    if machine.closed and machine.robot.running:
-        finding = look(machine, now)
-        if finding is not None:
-            end(machine, machine.robot, Ending.LIMIT, finding)
+    if not machine.robot.running:
+        return
+    finding = judge(machine, now)
+    if finding is not None:
+        end(machine, machine.robot, Ending.LIMIT, finding)
+    else:
+        _tell_when_not_judged(machine)
+
+
+def _tell_when_not_judged(machine: Machine) -> None:
+    """Tell once, where it matters, that the judgement itself has failed."""
+    watcher = machine.watcher
+    if watcher.broken and machine.closed and not watcher.told:
+        watcher.told = True
+        machine.robot.report(not_judged(machine), place(machine.robot))

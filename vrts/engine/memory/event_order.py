@@ -15,6 +15,7 @@ from vrts.engine.memory.events import (
     Prompted,
 )
 
+AFTER_MOTIONS = 2**62  # rank of an event that is of no motion
 QUESTION = "question"  # track of what tells whether a PROMPT waits for a line
 
 
@@ -22,7 +23,7 @@ class Dated(NamedTuple):
     """An event with what orders it."""
 
     time_ns: int
-    rank: int  # of one instant: what ends, what begins, then what programs did
+    rank: int  # of one instant: motions as they follow one another, then what programs did
     number: int  # in the log
     event: Event
 
@@ -146,8 +147,14 @@ def is_of_robot(event: Event) -> bool:
 
 
 def _dated(event: Event, number: int) -> Dated:
-    rank = 0 if isinstance(event, MotionEnded) else 1 if isinstance(event, MotionStarted) else 2
-    return Dated(round(event.time_s * 1e9), rank, number, event)
+    return Dated(round(event.time_s * 1e9), _rank(event), number, event)
+
+
+def _rank(event: Event) -> int:
+    """Return the rank: a motion begins, it ends, the next one begins; some take no time at all."""
+    if isinstance(event, MotionStarted):
+        return 2 * event.motion
+    return 2 * event.motion + 1 if isinstance(event, MotionEnded) else AFTER_MOTIONS
 
 
 def _put(dated: list[Dated], one: Dated) -> None:

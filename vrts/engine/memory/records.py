@@ -36,6 +36,12 @@ class Motion(NamedTuple):
     cause: Cause
     blended: bool = False  # its end is rounded into the next motion
     cut: bool = False  # it was given up on the way
+    short: bool = False  # a line that ends before its target, where a fault stops it
+
+    @property
+    def arrives(self) -> bool:
+        """Whether it comes to its target."""
+        return not self.cut and not self.short
 
 
 class ArmPiece(NamedTuple):

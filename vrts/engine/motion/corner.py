@@ -1,13 +1,15 @@
 """A corner rounded: the end of one motion and the beginning of the next, added up.
 
 From W before to W after the nominal instant at the corner both motions are under way: the first
-slows down, the second picks up speed [Paul1981]_. Two joint motions add in the joints, two lines in
+slows down, the second picks up speed [Paul1981]_, as the controller model has it [manual
+language/motion#corners]. Two joint motions add in the joints, two lines in
 space, and a joint motion and a line in the joints of both.
 """
 
 from typing import NamedTuple
 
 from vrts.base.pose import Pose
+from vrts.controllers.model import CornerShape
 from vrts.engine.memory.records import INSTANT
 from vrts.engine.motion.paths import Course, JointPath, LinePath, Path, rounded
 from vrts.engine.motion.plan import Intent, joint_pieces, parameter
@@ -46,14 +48,15 @@ class Corner(NamedTuple):
 
 
 def half_width(leg: Leg, intent: Intent, arm: Arm) -> float:
-    """Return W [s], whole ticks: the longer of the two accelerations, as the arm's blends have it.
+    """Return W [s], whole ticks: of the longer of the two accelerations, as the model has it.
 
     It is never less than half of that: the first motion must not have begun to stop.
     """
     longer = max(leg.deceleration, intent.settings.acceleration_times(arm)[0])
     if arm.blend_time is None:
-        return longer
-    wanted = 0.5 * arm.blend_time * longer / arm.acceleration_time
+        wanted = intent.model.corners.half_accelerations * longer
+    else:
+        wanted = 0.5 * arm.blend_time * longer / arm.acceleration_time
     return arm.tick * max(round(wanted / arm.tick), round(0.5 * longer / arm.tick))
 
 
@@ -82,8 +85,9 @@ def round_corner(
         state: Configuration and velocity in path time at the start of the zone.
     """
     half = half_width(leg, intent, arm)
-    before = leg.profile._replace(fall=half, to_rest=False)
-    after = intent.profile._replace(rise=half, from_rest=False)
+    at_rest = intent.model.corners.shape is CornerShape.PARABOLA  # as each would be by itself
+    before = leg.profile._replace(fall=half, to_rest=at_rest)
+    after = intent.profile._replace(rise=half, from_rest=at_rest)
     arrival = leg.arrival
     following = Leg(intent.path, after, arrival, intent.settings.acceleration_times(arm)[1])
     start = arrival - half
@@ -109,15 +113,15 @@ def round_corner(
         times = _times(start, zone, arm.tick)
         head, begun = after.head(), second.change
 
-        def joining(k: int) -> Offset:
-            u, rate = at(head, times[k] - arrival)
+        def joining(t: float) -> Offset:
+            u, rate = at(head, t - arrival)
             return Offset(_scaled(begun, u), _scaled(begun, rate))
 
         points = follow(
             arm,
             X_FT,
             times,
-            lambda k: course_before(times[k]),
+            course_before,
             (*state, intent.start_branch),
             joining,
         )
@@ -127,27 +131,27 @@ def round_corner(
     if isinstance(first, JointPath):
         left = first.change
 
-        def leaving(k: int) -> Offset:
-            if k >= zone:
+        def leaving(t: float) -> Offset:
+            if t >= times[zone]:
                 return Offset(STILL, STILL)
-            u, rate = at(slowing, times[k] - leg.departure)
+            u, rate = at(slowing, t - leg.departure)
             return Offset(_scaled(left, u - 1.0), _scaled(left, rate))
 
         points = follow(
             arm,
             X_FT,
             times,
-            lambda k: course_after(times[k]),
+            course_after,
             (first.goal, STILL, intent.start_branch),
             leaving,
         )
         return _into_line(arm, X_FT, points, following, zone)
     corner = first.X_BT1
 
-    def course(k: int) -> Course:
-        if k >= zone:
-            return course_after(times[k])
-        return rounded(course_before(times[k]), corner, course_after(times[k]))
+    def course(t: float) -> Course:
+        if t >= times[zone]:
+            return course_after(t)
+        return rounded(course_before(t), corner, course_after(t))
 
     points = follow(arm, X_FT, times, course, (*state, intent.start_branch))
     return _into_line(arm, X_FT, points, following, zone)

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from vrts.base.pose import Pose
 from vrts.base.source import Span
+from vrts.controllers.model import ControllerModel, NoLength
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.motion.faults import obstacle_fault
 from vrts.engine.motion.paths import Course, JointPath, LinePath, Path
@@ -17,6 +18,7 @@ from vrts.robots.kinematics.branch import branch_of
 from vrts.robots.model import Arm, ArmBranch, Configuration
 
 SHORTEST_LINE = 1e-6  # [m] or [rad]: less is no motion at all
+ROUNDING = 1e-9  # [m] or [rad]: a motion of less goes nowhere
 
 
 class Intent(NamedTuple):
@@ -31,8 +33,28 @@ class Intent(NamedTuple):
     goal_branch: ArmBranch | None
     settings: Settings
     fraction: float  # program speed as a share of full speed
+    model: ControllerModel
     span: Span | None = None  # of the target, for what is wrong with it
     keeps_request: bool = False  # an arm branch that was asked for is left to a later motion
+
+    @property
+    def goes_nowhere(self) -> bool:
+        """Whether the arm is there already."""
+        path = self.path
+        if isinstance(path, JointPath):
+            return all(abs(change) <= ROUNDING for change in path.change)
+        return path.length <= ROUNDING and path.turned <= ROUNDING
+
+    @property
+    def takes_no_time(self) -> bool:
+        """Whether it ends where and when it begins, as the controller model has it."""
+        match self.model.pace.no_length:
+            case NoLength.NO_TIME:
+                return self.goes_nowhere
+            case NoLength.LEAST_TIME:
+                return False
+            case NoLength.BY_KIND:
+                return isinstance(self.path, JointPath) and self.path.start == self.path.goal
 
 
 class Planned(NamedTuple):
@@ -55,21 +77,34 @@ def joint_intent(
     branches: tuple[ArmBranch, ArmBranch],
     settings: Settings,
     fraction: float,
+    model: ControllerModel,
 ) -> Intent:
     """Return a joint-interpolated motion; the branches are those at start and goal."""
     path = JointPath(start, goal)
-    times = settings.acceleration_times(arm)
-    scaling = profile(path.needed(arm.speed, fraction), *times, arm.tick, settings.duration)
     return Intent(
         Interpolation.JOINT,
         path,
-        scaling,
+        joint_profile(arm, path, settings, fraction, model),
         start,
         branches[0],
         goal,
         branches[1],
         settings,
         fraction,
+        model,
+    )
+
+
+def joint_profile(
+    arm: Arm, path: JointPath, settings: Settings, fraction: float, model: ControllerModel
+) -> Profile:
+    """Return the time scaling of a joint motion from rest to rest."""
+    return profile(
+        path.needed(arm.speed, fraction),
+        *settings.acceleration_times(arm),
+        arm.tick,
+        settings.duration,
+        least_accelerations=model.pace.least_accelerations,
     )
 
 
@@ -79,18 +114,31 @@ def line_intent(
     start: tuple[Configuration, ArmBranch],
     settings: Settings,
     fraction: float,
+    model: ControllerModel,
     span: Span | None,
 ) -> Intent:
     """Return a straight line."""
-    scaling = line_profile(arm, path, settings, fraction)
-    return Intent(Interpolation.LINEAR, path, scaling, *start, None, None, settings, fraction, span)
+    scaling = line_profile(arm, path, settings, fraction, model)
+    return Intent(
+        Interpolation.LINEAR, path, scaling, *start, None, None, settings, fraction, model, span
+    )
 
 
-def line_profile(arm: Arm, path: LinePath, settings: Settings, fraction: float) -> Profile:
+def line_profile(
+    arm: Arm, path: LinePath, settings: Settings, fraction: float, model: ControllerModel
+) -> Profile:
     """Return the time scaling of a line from rest to rest."""
-    turning = fraction if settings.rotation is None else min(settings.rotation, 100.0) / 100.0
-    needed = path.needed(arm.linear_speed * fraction, arm.angular_speed * turning)
-    return profile(needed, *settings.acceleration_times(arm), arm.tick, settings.duration)
+    turning = fraction
+    if settings.rotation is not None:
+        turning = min(settings.rotation, model.pace.most_speed_percent) / 100.0
+    speeds = (arm.linear_speed * fraction, arm.angular_speed * turning)
+    return profile(
+        path.needed(*speeds, model.lines.measure),
+        *settings.acceleration_times(arm),
+        arm.tick,
+        settings.duration,
+        least_accelerations=model.pace.least_accelerations,
+    )
 
 
 def from_rest(arm: Arm, X_FT: Pose, intent: Intent) -> Planned:
@@ -99,23 +147,29 @@ def from_rest(arm: Arm, X_FT: Pose, intent: Intent) -> Planned:
     if isinstance(path, JointPath):
         assert intent.goal is not None
         assert intent.goal_branch is not None
-        moves = any(a != b for a, b in zip(path.start, path.goal, strict=True))
         scaling = intent.profile
+        moves = not intent.takes_no_time
         pieces = joint_pieces(path, scaling.phases(), scaling.rise) if moves else []
         return Planned(path, scaling, pieces, intent.goal, intent.goal_branch)
     start, branch = intent.start, intent.start_branch
+    if intent.takes_no_time:
+        return Planned(path, intent.profile, [], start, branch)
     fault, part, scaling = None, path, intent.profile
     points = follow_line(arm, X_FT, part, scaling, start, branch)
     while points.obstacle is not None:
-        u = parameter(scaling, points.times[points.obstacle.at] - scaling.rise)[0]
+        obstacle = points.obstacle
+        u = parameter(scaling, points.times[obstacle.at] - scaling.rise)[0]
         if fault is None:
-            fault = obstacle_fault(points.obstacle, path, u, intent.span)
+            met, worst = (
+                parameter(scaling, t - scaling.rise)[0] for t in (obstacle.met_s, obstacle.worst_s)
+            )
+            fault = obstacle_fault(obstacle, path, (met, worst), intent.span)
         elif u > 0.5:
             u = 0.5
         if u <= SHORTEST_LINE:
             return Planned(part, scaling, [], start, branch, fault=fault)
         part = part.part(u)
-        scaling = line_profile(arm, part, intent.settings, intent.fraction)
+        scaling = line_profile(arm, part, intent.settings, intent.fraction, intent.model)
         points = follow_line(arm, X_FT, part, scaling, start, branch)
     pieces = joined(points)
     goal = points.q[-1]
@@ -143,8 +197,8 @@ def follow_line(
     count = round(scaling.total / arm.tick)
     times = [k * arm.tick for k in range(count + 1)]
 
-    def course(k: int) -> Course:
-        u, rate = (1.0, 0.0) if k == count else parameter(scaling, times[k] - scaling.rise)
+    def course(t: float) -> Course:
+        u, rate = (1.0, 0.0) if t >= times[count] else parameter(scaling, t - scaling.rise)
         return path.course(u, rate)
 
     return follow(arm, X_FT, times, course, (start, STILL, branch))

@@ -7,20 +7,26 @@ are kept in path time; `scale` maps it to run time.
 
 import math
 from bisect import bisect_right
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from vrts.base.pose import IDENTITY, Pose
-from vrts.engine.faults import RuntimeFault
+from vrts.base.units import DEG
+from vrts.controllers.model import ControllerModel, NoLength, Settling
+from vrts.engine.faults import SINGULAR_JUMP, RuntimeFault
 from vrts.engine.memory.events import Cause
 from vrts.engine.memory.numbered import Numbered
 from vrts.engine.memory.records import INSTANT, ArmPiece, Motion
 from vrts.engine.motion.corner import Corner, Leg, fits, half_width, round_corner
+from vrts.engine.motion.faults import advise
+from vrts.engine.motion.overspeed import Planning, overspeed, past_singularity
 from vrts.engine.motion.plan import Intent, Planned, from_rest
 from vrts.engine.motion.polynomials import rate as rate_of
 from vrts.engine.motion.polynomials import value
 from vrts.engine.motion.profile import TICK_TOLERANCE
-from vrts.engine.motion.remarks import Remark
+from vrts.engine.motion.remarks import Overspeed, Told
 from vrts.engine.motion.requests import Stance, with_request
+from vrts.engine.motion.set_points import Piece
 from vrts.engine.motion.settings import Settings
 from vrts.engine.motion.time_scale import TimeScale
 from vrts.ir.instructions import BranchRequest
@@ -32,6 +38,8 @@ from vrts.robots.model import (
     ArmBranch,
     Configuration,
 )
+
+MOST_ADVISED = 50  # motions of a run for which slower ones are tried: each costs like several
 
 
 class Pending(NamedTuple):
@@ -47,9 +55,17 @@ class Pending(NamedTuple):
 class Planner:
     """Where the arm will be when all motions given so far are done, and the settings in force."""
 
-    def __init__(self, arm: Arm, configuration: Configuration, X_FT: Pose, rate: float) -> None:
+    def __init__(
+        self,
+        arm: Arm,
+        configuration: Configuration,
+        X_FT: Pose,
+        rate: float,
+        model: ControllerModel,
+    ) -> None:
         """Start at rest."""
         self.arm = arm
+        self.model = model
         self.configuration = configuration  # at the end of the last motion
         self.initial = configuration
         self.branch = branch_of(arm, configuration, INITIAL_BRANCH)
@@ -62,12 +78,14 @@ class Planner:
         self.dest: Configuration = configuration
         self.end_s = 0.0  # of the last motion, in path time
         self.settling_s = 0.0  # after it
+        self.stayed: Configuration | None = None  # asked for last, by a motion that took no time
         self.hold_until = 0.0  # end of a DELAY, in run time
         self.pieces: list[ArmPiece] = []
         self.motions: Numbered[Motion] = Numbered()  # in path time
-        self.remarks: dict[int, tuple[Remark, ...]] = {}  # by motion
+        self.remarks: dict[int, tuple[Told, ...]] = {}  # by motion
         self.leg: Leg | None = None  # None: nothing can be joined to the last motion
         self.pending: Pending | None = None
+        self.advised = 0  # motions for which slower ones were tried
         self.overdue = False  # a motion has begun before its instruction could see to it
         self.scale = TimeScale(rate)
         self.ghost: tuple[Configuration, ArmBranch] | None = None  # in a dry run: where it would be
@@ -93,7 +111,7 @@ class Planner:
 
     def take_settings(self, *, but_speed: bool = False) -> Settings:
         """Return the settings of the motion now given; those for one motion are used up."""
-        kept = {}
+        kept: dict[str, object] = {}
         if but_speed and "speed" in self.next:
             kept = {"speed": self.next.pop("speed")}
         settings = self.always._replace(**self.next)  # type: ignore[arg-type]
@@ -129,7 +147,7 @@ class Planner:
     def stance(self) -> Stance:
         """From where the next motion is asked for."""
         q, branch = self.origin
-        return Stance(self.arm, q, branch, self.request, self.base, self.tool)
+        return Stance(self.arm, q, branch, self.request, self.base, self.tool, self.model)
 
     def end_dry_run(self) -> None:
         """Go on from where the arm really is."""
@@ -148,6 +166,12 @@ class Planner:
         """Run time at which the arm counts as standing still [s]."""
         return max(self.scale.time(self.end_s) + self.settling_s, self.hold_until)
 
+    @property
+    def free_at(self) -> float:
+        """Run time at which whatever comes after the motion under way may begin [s]."""
+        waits = self.model.stops.settling is Settling.EVERY_STOP
+        return self.settled_at if waits else self.motion_end
+
     def under_way(self, now: float) -> bool:
         """Return whether a motion or a DELAY lasts beyond a run time."""
         return self.motion_end > now + INSTANT
@@ -158,6 +182,8 @@ class Planner:
 
     def _at(self, path_s: float) -> Configuration:
         pieces = self.pieces
+        if self.stayed is not None and path_s >= self.end_s:
+            return self.stayed
         if not pieces or path_s <= pieces[0].start_s:
             return next((motion.start for motion in self.motions), self.initial)
         piece = pieces[-1]
@@ -181,12 +207,12 @@ class Planner:
             dry: The arm stands still; everything else is as if it moved.
         """
         planned = from_rest(self.arm, self.tool, intent)
-        start = self.scale.path(time_s)
+        start = self._not_before_the_end(self.scale.path(time_s))
         pieces = [] if dry else planned.pieces
         tick = self.arm.tick
         end = start + (pieces[-1][1] if pieces else 0.0)
         if self.scale.plain:
-            end = round(end / tick) * tick
+            end = max(round(end / tick) * tick, start)  # which may be off by a last digit
         number = len(self.motions)
         for a, b, rows in pieces:
             stop = end if b == pieces[-1][1] else start + b
@@ -194,14 +220,26 @@ class Planner:
         goal = self.configuration if dry else planned.goal
         self.ghost = (planned.goal, planned.branch) if dry else None
         self._record(intent, start, end, goal, planned.deviation_m, cause)
-        self.remarks[number] = planned.remarks
+        if planned.fault is not None:
+            self.motions[-1] = self.motions[-1]._replace(short=True)
+        if not dry:
+            fast = self._overspeed(intent, pieces, (self._from_rest,))
+            self.remarks[number] = planned.remarks if fast is None else (fast, *planned.remarks)
+        if planned.fault is not None and planned.fault.rule == SINGULAR_JUMP:
+            advise(planned.fault, self._past(intent, planned.fault))
         self.configuration = goal
         self.dest = planned.goal
         self.branch = self.branch if dry else planned.branch
         reached = forward(self.arm, planned.goal) @ self.tool
         early = target is None or planned.fault is not None
         self.tool_at_dest = reached if early else self.base.inverse() @ target  # type: ignore[operator]
-        self._end(end, intent.settings)
+        no_time = self.model.pace.no_length is NoLength.NO_TIME
+        self.stayed = goal if no_time and intent.takes_no_time else None
+        still = dry or intent.takes_no_time
+        if still and self.model.stops.settling is Settling.EVERY_STOP:
+            self._stay(end)
+        else:
+            self._end(end, intent.settings)
         self.leg = self._leg(planned, intent, start) if pieces and planned.fault is None else None
         self._carry_out_request(intent)
         return planned.fault
@@ -215,6 +253,8 @@ class Planner:
         if leg is None or self.pending is not None or self.braking_until > now:
             return False
         if intent.goal_branch is not None and intent.goal_branch != intent.start_branch:
+            return False
+        if intent.takes_no_time and self.model.pace.no_length is NoLength.NO_TIME:
             return False
         half = half_width(leg, intent, self.arm)
         start = leg.arrival - half
@@ -230,7 +270,15 @@ class Planner:
         self.motions[-1] = self.motions[-1]._replace(end_s=start, blended=True)
         end = corner.pieces[-1][1]
         self._record(intent, start, end, corner.goal, corner.deviation_m, cause)
-        self.remarks[number] = corner.remarks
+
+        def again(slower: Intent) -> list[Piece] | None:
+            if not fits(leg, slower, half):
+                return None
+            other = round_corner(self.arm, self.tool, leg, slower, state)
+            return None if other is None else other.pieces
+
+        fast = self._overspeed(intent, corner.pieces, (again, self._from_rest))
+        self.remarks[number] = corner.remarks if fast is None else (fast, *corner.remarks)
         self.pending = Pending(start, corner, target, intent, replaced)
         return True
 
@@ -245,6 +293,7 @@ class Planner:
         reached = forward(self.arm, corner.goal) @ self.tool
         target = pending.target
         self.tool_at_dest = reached if target is None else self.base.inverse() @ target
+        self.stayed = None
         self.leg = corner.leg
         self._end(corner.pieces[-1][1], pending.intent.settings)
         self._carry_out_request(pending.intent)
@@ -289,7 +338,8 @@ class Planner:
             self._stop_at(path_s, motion.start)
             return True
         steady, rate = self.scale.rate, self.scale.rate_at(now)
-        ramp = self.arm.acceleration_time * (rate / steady)
+        full = self.model.pace.brake_accelerations * self.arm.acceleration_time
+        ramp = full * (rate / steady)
         stop_s = path_s + 0.5 * rate * ramp
         if stop_s >= self.end_s:
             return False  # it comes to rest by itself within that time
@@ -306,9 +356,14 @@ class Planner:
         if self.braking_until > now:
             self.scale.change_after_stop(rate)
         else:
-            self.scale.change(now, rate, self.arm.acceleration_time)
+            ramp = self.model.pace.monitor_accelerations * self.arm.acceleration_time
+            self.scale.change(now, rate, ramp)
 
     # --- parts --------------------------------------------------------------------------------
+
+    def _not_before_the_end(self, path_s: float) -> float:
+        """Return a path time that is not, by rounding alone, before the end of the last motion."""
+        return self.end_s if self.end_s - INSTANT < path_s < self.end_s else path_s
 
     def _carry_out_request(self, intent: Intent) -> None:
         if intent.goal is not None and not intent.keeps_request:
@@ -317,13 +372,38 @@ class Planner:
     def _stop_at(self, path_s: float, q: Configuration) -> None:
         self.end_s = path_s
         self.configuration = q
+        self.stayed = None
         self.branch = branch_of(self.arm, q, self.branch)
         self.leg = None
 
     def _end(self, path_s: float, settings: Settings) -> None:
         self.end_s = path_s
-        self.settling_s = settings.settling_ticks * self.arm.tick
+        self.settling_s = settings.settling_ticks(self.model.stops) * self.arm.tick
         self.hold_until = 0.0
+
+    def _stay(self, path_s: float) -> None:
+        """End a motion that went nowhere: the arm has stopped, and settled, before."""
+        self.end_s, self.settling_s, self.hold_until = path_s, 0.0, 0.0
+
+    def _overspeed(
+        self, intent: Intent, pieces: Sequence[Piece], plannings: Sequence[Planning]
+    ) -> Overspeed | None:
+        tried = plannings if self.advised < MOST_ADVISED else ()
+        found = overspeed(self.arm, pieces, self.scale.rate, intent, tried)
+        self.advised += found is not None
+        return found
+
+    def _past(self, intent: Intent, fault: RuntimeFault) -> int | None:
+        needed = fault.data.get("needed_deg_s")
+        if not isinstance(needed, float) or self.advised >= MOST_ADVISED:
+            return None
+        self.advised += 1
+        share = needed * DEG / self.arm.speed[fault.joint - 1]
+        return past_singularity(self.arm, self.scale.rate, intent, self._from_rest, share)
+
+    def _from_rest(self, intent: Intent) -> list[Piece] | None:
+        planned = from_rest(self.arm, self.tool, intent)
+        return planned.pieces if planned.fault is None else None
 
     def _leg(self, planned: Planned, intent: Intent, start: float) -> Leg:
         deceleration = intent.settings.acceleration_times(self.arm)[1]

@@ -8,7 +8,8 @@ start and stop at once. At each end that straight line is rounded over a zone:
   whose acceleration is zero at both ends [Paul1981]_. Added to the neighbour's, it gives the
   rounded corner; the peak acceleration is 1.5 times the change of speed divided by 2 W.
 
-All numbers are [assumed, manual language/motion#time-scaling].
+How long the zones are, and how short a motion may be, is the controller model's to say
+[manual language/motion#time-scaling].
 """
 
 import math
@@ -97,7 +98,13 @@ def at(phase: Phase, x: float) -> tuple[float, float]:
 
 
 def profile(
-    shortest: float, acceleration: float, deceleration: float, tick: float, least: float = 0.0
+    shortest: float,
+    acceleration: float,
+    deceleration: float,
+    tick: float,
+    least: float = 0.0,
+    *,
+    least_accelerations: float,
 ) -> Profile:
     """Return the profile from rest to rest of a motion.
 
@@ -107,7 +114,8 @@ def profile(
         deceleration: Time to come to rest [s].
         tick: Of the trajectory generator [s]: the duration is a whole number of them.
         least: Least duration [s], of DURATION.
+        least_accelerations: Least duration as a multiple of the longer acceleration.
     """
-    needed = max(shortest, 2.0 * max(acceleration, deceleration), least)
+    needed = max(shortest, least_accelerations * max(acceleration, deceleration), least)
     duration = math.ceil(needed / tick - TICK_TOLERANCE) * tick
     return Profile(duration, 0.5 * acceleration, 0.5 * deceleration)

@@ -1,13 +1,17 @@
-"""What a straight line does that its programmer should know, although it can be followed."""
+"""What a motion does that its programmer should know, although it can be carried out."""
 
 import math
+from collections.abc import Iterable
 from enum import Enum
+from typing import NamedTuple, TypeAlias
 
-from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
+from vrts.base.diagnostic import Datum, Diagnostic, Label, Rule, Severity
 from vrts.base.source import Span
+from vrts.base.units import deg
 from vrts.engine.motion.paths import LinePath
 from vrts.engine.motion.set_points import SetPoints
 
+JOINT_SPEED = Rule("V302", "joint-speed")
 NEAR_SINGULARITY = Rule("V331", "near-singularity")
 WRIST_CROSSES = Rule("V332", "wrist-crosses")
 HALF_TURN = Rule("V333", "half-turn")
@@ -26,6 +30,21 @@ class Remark(Enum):
     HALF_TURN = "half turn"
 
 
+class Overspeed(NamedTuple):
+    """A joint that is asked for more speed than it has, and what would do."""
+
+    joint: int  # from 1
+    speed: float  # [rad/s]
+    limit: float  # [rad/s]
+    percent: int | None  # the SPEED that would do; None: none does, or none was tried
+    after_break: bool = False  # it does only if the motion before is ended by BREAK
+    linear: bool = True
+
+
+Told: TypeAlias = Remark | Overspeed
+"""What is told of a motion."""
+
+
 def remarks_on(path: LinePath, points: SetPoints) -> tuple[Remark, ...]:
     """Return what is remarkable about a line that was followed."""
     found: list[Remark] = []
@@ -38,8 +57,10 @@ def remarks_on(path: LinePath, points: SetPoints) -> tuple[Remark, ...]:
     return tuple(found)
 
 
-def worded(remark: Remark, span: Span) -> Diagnostic:
+def worded(remark: Told, span: Span) -> Diagnostic:
     """Return a remark as a diagnostic."""
+    if isinstance(remark, Overspeed):
+        return _too_fast(remark, span)
     if remark is Remark.WRIST_CROSSES:
         return Diagnostic(
             WRIST_CROSSES,
@@ -64,6 +85,52 @@ def worded(remark: Remark, span: Span) -> Diagnostic:
         Label(span, WHY[remark]),
         notes=("a location a little to the side may need joint speeds that the arm does not have",),
         help=("choose other locations, or use MOVE instead of MOVES",),
+    )
+
+
+def without_forecasts(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """Return what a run found, without joint speeds: that is foretold when a motion begins.
+
+    Checks of the whole run say what came of it.
+    """
+    return tuple(d for d in found if d.rule != JOINT_SPEED)
+
+
+def remedy_for(percent: int | None, *, after_break: bool, linear: bool) -> str:
+    """Return what to do about a joint that is too fast.
+
+    Args:
+        percent: The SPEED that would do, as it was tried; None: none does, or none was tried.
+        after_break: It does if the motion before is ended by BREAK.
+        linear: Whether it is a straight line.
+    """
+    if percent is None:
+        return "lower SPEED, or use MOVE instead of MOVES" if linear else "lower SPEED"
+    before = "a BREAK before it and " if after_break else ""
+    instead = ", or use MOVE instead of MOVES" if linear else ""
+    return f"{before}SPEED {percent} would do{instead}"
+
+
+def _too_fast(found: Overspeed, span: Span) -> Diagnostic:
+    data: dict[str, Datum] = {
+        "joint": found.joint,
+        "speed_deg_s": deg(found.speed),
+        "limit_deg_s": deg(found.limit),
+    }
+    if found.percent is not None:
+        data["speed_percent"] = found.percent
+        data["after_break"] = found.after_break
+    remedy = remedy_for(found.percent, after_break=found.after_break, linear=found.linear)
+    return Diagnostic(
+        JOINT_SPEED,
+        Severity.WARNING,
+        f"joint {found.joint} exceeds its speed limit on this move",
+        Label(
+            span,
+            f"needs {deg(found.speed):.0f} deg/s; the limit is {deg(found.limit):.0f} deg/s",
+        ),
+        help=(remedy,),
+        data=data,
     )
 
 

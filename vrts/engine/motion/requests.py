@@ -11,8 +11,10 @@ from typing import NamedTuple
 from vrts.base.pose import Pose, translation
 from vrts.base.source import Span
 from vrts.base.units import MM
+from vrts.controllers.model import ControllerModel, WristChoice
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.motion.faults import limit_fault, reach_fault
+from vrts.engine.motion.line_end import end_out_of_reach
 from vrts.engine.motion.paths import line
 from vrts.engine.motion.plan import Intent, joint_intent, line_intent
 from vrts.engine.motion.settings import Settings
@@ -21,6 +23,7 @@ from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.robots.kinematics.branch import branch_of
 from vrts.robots.kinematics.choice import OutOfLimits, OutOfReach, Request, choose
 from vrts.robots.kinematics.kinematics import forward, limit_violations
+from vrts.robots.kinematics.limits import TIE
 from vrts.robots.kinematics.singular import singular_at
 from vrts.robots.model import Arm, ArmBranch, Configuration, Elbow, Shoulder, Wrist
 
@@ -34,6 +37,7 @@ class Stance(NamedTuple):
     request: Request  # arm branch that was asked for and not yet carried out
     X_VB: Pose  # displacement of the robot, BASE
     X_FT: Pose
+    model: ControllerModel
 
     @property
     def X_BT(self) -> Pose:
@@ -53,7 +57,8 @@ def to_joints(
     if violations:
         raise limit_fault(violations[0], span, "the location")
     branches = (stance.branch, branch_of(stance.arm, goal, stance.branch))
-    return joint_intent(stance.arm, stance.configuration, goal, branches, settings, fraction)
+    start = stance.configuration
+    return joint_intent(stance.arm, start, goal, branches, settings, fraction, stance.model)
 
 
 def to_pose(
@@ -66,14 +71,16 @@ def to_pose(
     """
     arm = stance.arm if settings.multiple else half_turns(stance.arm)
     X_BF = stance.X_VB.inverse() @ X_VT @ stance.X_FT.inverse()
-    found = choose(arm, X_BF, stance.branch, stance.configuration, stance.request)
+    keeps = stance.model.branches.wrist is WristChoice.KEPT
+    start, request = stance.configuration, stance.request
+    found = choose(arm, X_BF, stance.branch, start, request, keep_wrist=keeps)
     if isinstance(found, OutOfReach):
         raise reach_fault(found.kind, found.excess_m, span, "the location")
     if isinstance(found, OutOfLimits):
         raise limit_fault(found.violations[0], span, "the location", found.elsewhere)
     branches = (stance.branch, found.branch)
-    start = stance.configuration
-    return joint_intent(stance.arm, start, found.configuration, branches, settings, fraction)
+    goal = found.configuration
+    return joint_intent(stance.arm, start, goal, branches, settings, fraction, stance.model)
 
 
 def to_line(
@@ -81,13 +88,18 @@ def to_line(
 ) -> Intent:
     """Return a straight line of the tool to a location of the program.
 
+    What stops it on the way is found when it is planned: the arm goes as far as it can.
+
     Raises:
-        RuntimeFault: It cannot be started.
+        RuntimeFault: It cannot be started, or its end is out of reach.
     """
     _refuse_line(stance, span)
-    path = line(stance.X_BT, stance.X_VB.inverse() @ X_VT)
+    path = line(stance.X_BT, stance.X_VB.inverse() @ X_VT, stance.model.lines.turn)
     origin = (stance.configuration, stance.branch)
-    return line_intent(stance.arm, path, origin, settings, fraction, span)
+    error = end_out_of_reach(stance.arm, path, stance.X_FT, origin)
+    if error is not None:
+        raise reach_fault(*error, span, "the end of the straight line")
+    return line_intent(stance.arm, path, origin, settings, fraction, stance.model, span)
 
 
 def needs_branch_of(stance: Stance, joints: Configuration, span: Span | None) -> None:
@@ -129,7 +141,8 @@ def half_turns(arm: Arm) -> Arm:
     """Return an arm whose joints 4 and 6 stay within half a turn, as SINGLE asks."""
     lower, upper = list(arm.lower), list(arm.upper)
     for k in (3, 5):
-        lower[k], upper[k] = max(lower[k], -math.pi), min(upper[k], math.pi)
+        half = math.pi + TIE  # a joint at half a turn stays there, whatever the last digit says
+        lower[k], upper[k] = max(lower[k], -half), min(upper[k], half)
     return replace(arm, lower=tuple(lower), upper=tuple(upper))
 
 

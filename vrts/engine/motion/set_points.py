@@ -20,15 +20,23 @@ from vrts.base.pose import (
     scale,
     subtract,
 )
+from vrts.engine.motion.passage import (
+    Flange,
+    Passage,
+    Stand,
+    crossing,
+    farthest_out,
+    fastest_joint,
+    passage,
+    turned,
+)
 from vrts.engine.motion.paths import Course, LinePath
 from vrts.engine.motion.polynomials import Row
-from vrts.robots.kinematics.branch import has_branches
 from vrts.robots.kinematics.kinematics import (
     forward,
     joint_velocity,
-    limit_violations,
-    reach_error,
 )
+from vrts.robots.kinematics.limits import limit_violations, unlimited
 from vrts.robots.kinematics.singular import singular_at
 from vrts.robots.kinematics.tracking import track
 from vrts.robots.model import Arm, ArmBranch, Configuration
@@ -36,6 +44,8 @@ from vrts.robots.model import Arm, ArmBranch, Configuration
 Piece = tuple[float, float, tuple[Row, ...]]
 """Start and end in path time [s]; six rows of coefficients from the piece's start."""
 
+
+MOST_TURNED = 0.5  # [rad] of a joint between set points; beyond it may be another solution
 
 STILL: Configuration = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
@@ -52,7 +62,12 @@ class Obstacle(NamedTuple):
 
     kind: str  # "too far", "too close", "limit", "singular"
     at: int  # number of the last set point that can be reached
-    detail: tuple[int, float, float, float]  # joint (or 0), value, lower, upper [rad or m]
+    met_s: float  # path time at which it is met, after that set point
+    joint: int = 0  # from 1; 0: none
+    value: float = 0.0  # [rad], [rad/s], or beyond reach [m]; at its worst on the rest of the line
+    worst_s: float = 0.0  # path time of that value
+    limits: tuple[float, float] = (0.0, 0.0)  # of the joint
+    near: str = ""  # the singularity
 
 
 class SetPoints(NamedTuple):
@@ -71,54 +86,75 @@ def follow(
     arm: Arm,
     X_FT: Pose,
     times: Sequence[float],
-    courses: Callable[[int], Course],
+    course: Callable[[float], Course],
     start: tuple[Configuration, Configuration, ArmBranch],
-    offsets: Callable[[int], Offset] | None = None,
+    offset: Callable[[float], Offset] | None = None,
 ) -> SetPoints:
     """Return set points along a course.
+
+    The joints turn without a jump, so a joint that would have to come round from the other side is
+    beyond its limit. A joint that is merely too fast stops nothing: the line is generated as
+    commanded. A joint that is too fast near a singularity stops it, as on the controller.
 
     Args:
         arm: The arm.
         X_FT: The tool.
         times: Path times of the set points, the first that of the start [s].
-        courses: What is asked of the tool at the k-th time.
+        course: What is asked of the tool at a path time.
         start: Configuration, velocity and arm branch of the tool's course at the first time.
-        offsets: What is added to the joints at the k-th time.
+        offset: What is added to the joints at a path time.
     """
     X_TF = X_FT.inverse()
     lever = X_TF.translation  # flange seen from the tool, in T
     q, rate, branch = start
     first = branch
-    points: list[Configuration] = [_plus(q, offsets(0).q) if offsets else q]
-    rates: list[Configuration | None] = [_plus(rate, offsets(0).rate) if offsets else rate]
+    free = unlimited(arm)
+    begun = Offset(STILL, STILL) if offset is None else offset(times[0])
+    points: list[Configuration] = [_plus(q, begun.q)]
+    rates: list[Configuration | None] = [_plus(rate, begun.rate)]
     crossed, near = False, None
 
-    def stopped(kind: str, k: int, detail: tuple[int, float, float, float]) -> SetPoints:
-        obstacle = Obstacle(kind, k - 1, detail)
-        return SetPoints(list(times[:k]), points, rates, branch, crossed, near, obstacle)
+    def flange(time_s: float) -> Pose:
+        return course(time_s).X_BT @ X_TF
 
-    turned: Rotation | None = None
+    def added(time_s: float) -> Configuration:
+        return STILL if offset is None else offset(time_s).q
+
+    def stopped(obstacle: Obstacle) -> SetPoints:
+        known = list(times[: obstacle.at + 1])
+        return SetPoints(known, points, rates, branch, crossed, near, obstacle)
+
+    same: Rotation | None = None
     rotation: Rotation = X_TF.rotation  # of F in B
     carried: Vector = lever  # from T to F, in B
     for k in range(1, len(times)):
-        X_BT, v, w = courses(k)
-        if X_BT.rotation is not turned:  # a tool that does not turn has one rotation all along
-            turned = X_BT.rotation
-            rotation, carried = multiply(turned, X_TF.rotation), rotate(turned, lever)
+        X_BT, v, w = course(times[k])
+        if X_BT.rotation is not same:  # a tool that does not turn has one rotation all along
+            same = X_BT.rotation
+            rotation, carried = multiply(same, X_TF.rotation), rotate(same, lever)
         X_BF = Pose(rotation, add(carried, X_BT.translation))
-        found = track(arm, X_BF, branch, q)
-        if found is None:
-            kind, excess = reach_error(arm, X_BF) or ("too far", 0.0)
-            return stopped(kind, k, (0, excess, 0.0, 0.0))
-        following, branch = found
-        jump = _jump(arm, q, following, times[k] - times[k - 1])
-        offset = offsets(k) if offsets else None
-        point = following if offset is None else _plus(following, offset.q)
+        found = track(free, X_BF, branch, q)
+        before = Stand(times[k - 1], q, branch)
+        if found is None or fastest_joint(arm, q, found[0], times[k] - before.time_s)[1] > 1.0:
+            way = passage(free, flange, before, times[k])
+            if way.lost_s is not None:
+                return stopped(_lost(free, flange, times, k, way))
+            found = way.last.q, way.last.branch
+            turning = _met(arm, before, found[0], way, times[k])
+            if turning is not None:
+                return stopped(turning._replace(at=k - 1))
+        following, branch_there = found
+        point = following if offset is None else _plus(following, offset(times[k]).q)
         violations = limit_violations(arm, point)
         if violations:
-            return stopped("limit", k, violations[0])
-        if jump is not None:
-            return stopped("singular", k, jump)
+            met_s = crossing(arm, flange, before, times[k], added)
+            joint, _, *limits = violations[0]
+            reached = Stand(times[k], following, branch_there)
+            value, worst_s = _worst(free, flange, times[k:], reached, added, joint, limits)
+            return stopped(
+                Obstacle("limit", k - 1, met_s, joint, value, worst_s, (limits[0], limits[1]))
+            )
+        branch = branch_there
         crossed = crossed or branch.wrist is not first.wrist
         near = near or singular_at(arm, following)
         q = following
@@ -127,9 +163,46 @@ def follow(
         stands = velocity == w == (0.0, 0.0, 0.0)
         found_rate = STILL if stands else joint_velocity(arm, q, velocity, w)
         if found_rate is not None and offset is not None:
-            found_rate = _plus(found_rate, offset.rate)
+            found_rate = _plus(found_rate, offset(times[k]).rate)
         rates.append(found_rate)
     return SetPoints(list(times), points, rates, branch, crossed, near, None)
+
+
+def _lost(arm: Arm, flange: Flange, times: Sequence[float], k: int, way: Passage) -> Obstacle:
+    """Return what ends a line between two set points, where no solution goes on."""
+    lost_s = way.lost_s
+    assert lost_s is not None
+    out = farthest_out(arm, flange, [lost_s, *times[k:]], way.last.q)
+    if out is None:
+        near = singular_at(arm, way.last.q) or "singular"
+        return Obstacle("singular", k - 1, lost_s, worst_s=lost_s, near=near)
+    kind, excess, worst_s = out
+    return Obstacle(kind, k - 1, lost_s, 0, excess, worst_s)
+
+
+def _worst(
+    arm: Arm,
+    flange: Flange,
+    times: Sequence[float],
+    stand: Stand,
+    added: Callable[[float], Configuration],
+    joint: int,
+    limits: Sequence[float],
+) -> tuple[float, float]:
+    """Return where a joint would be, farthest beyond its limits, and when; as far as it gets on."""
+    lower, upper = limits
+    q, branch = stand.q, stand.branch
+    worst = q[joint - 1] + added(stand.time_s)[joint - 1]
+    worst_s = stand.time_s
+    for time_s in times[1:]:
+        found = track(arm, flange(time_s), branch, q)
+        if found is None or turned(q, found[0]) > MOST_TURNED:
+            break
+        q, branch = found
+        value = q[joint - 1] + added(time_s)[joint - 1]
+        if max(lower - value, value - upper) > max(lower - worst, worst - upper):
+            worst, worst_s = value, time_s
+    return worst, worst_s
 
 
 def joined(points: SetPoints) -> list[Piece]:
@@ -175,24 +248,16 @@ def _estimated(points: SetPoints, k: int) -> Configuration:
     return tuple([(b - a) / span for a, b in zip(points.q[before], points.q[after], strict=True)])  # type: ignore[return-value]
 
 
-def _jump(
-    arm: Arm, before: Configuration, after: Configuration, step_s: float
-) -> tuple[int, float, float, float] | None:
-    """Return the joint that would have to jump between two set points.
-
-    On arms of the PUMA family only near a singularity: elsewhere a step above the joint's speed is
-    a finding of the speed check, not a stop.
-    """
-    fast = None
-    for joint, (a, b, speed) in enumerate(zip(before, after, arm.speed, strict=True), 1):
-        if abs(b - a) > speed * step_s:
-            fast = (joint, abs(b - a) / step_s, 0.0, speed)
-            break
-    if fast is None or not has_branches(arm):
-        return fast
-    if singular_at(arm, before) is None and singular_at(arm, after) is None:
+def _met(arm: Arm, before: Stand, q: Configuration, way: Passage, end_s: float) -> Obstacle | None:
+    """Return the singularity that stops a line, if it makes a joint too fast for the whole step."""
+    if way.met is None:
         return None
-    return fast
+    name, there, joint = way.met
+    limit = arm.speed[joint]
+    speed = abs(q[joint] - before.q[joint]) / (end_s - before.time_s)
+    if speed <= limit:
+        return None
+    return Obstacle("singular", 0, there, joint + 1, speed, there, (-limit, limit), name)
 
 
 def _plus(a: Configuration, b: Configuration) -> Configuration:

@@ -4,13 +4,9 @@ import math
 from typing import NamedTuple
 
 from vrts.base.units import INCH, MM
+from vrts.controllers.model import Stops
 from vrts.ir.instructions import Accuracy, SpeedUnit
 from vrts.robots.model import Arm
-
-# [%] a higher program speed acts as this [assumed, manual language/settings#speed-limit]
-SPEED_MAX = 100.0
-# ticks at a stop [assumed, manual language/settings#settling]
-SETTLING = {Accuracy.FINE: 3, Accuracy.COARSE: 1}
 
 
 class Speed(NamedTuple):
@@ -19,7 +15,7 @@ class Speed(NamedTuple):
     value: float
     unit: SpeedUnit
 
-    def fraction(self, arm: Arm, most: float = SPEED_MAX) -> float:
+    def fraction(self, arm: Arm, most: float) -> float:
         """Return the share of full speed, at most that of a largest percentage."""
         match self.unit:
             case SpeedUnit.PERCENT:
@@ -55,10 +51,11 @@ class Settings(NamedTuple):
             _even(arm.acceleration_time * 100.0 / self.deceleration, arm.tick),
         )
 
-    @property
-    def settling_ticks(self) -> int:
-        """Ticks until a stop counts as reached."""
-        return SETTLING[self.accuracy] if self.nulling else 0
+    def settling_ticks(self, stops: Stops) -> int:
+        """Return the ticks until a stop counts as reached [manual language/settings#settling]."""
+        if not self.nulling:
+            return 0
+        return stops.fine_ticks if self.accuracy is Accuracy.FINE else stops.coarse_ticks
 
 
 def _even(time_s: float, tick: float) -> float:

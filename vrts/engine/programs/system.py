@@ -9,6 +9,7 @@ from vrts.engine.programs.loaded import Programs
 from vrts.engine.programs.signals import Signals
 from vrts.engine.programs.terminal import Terminal
 from vrts.ir.system import SWITCHES
+from vrts.scene.model import Locks
 
 
 class System:
@@ -23,6 +24,7 @@ class System:
         "hand",
         "held_base",
         "held_tool",
+        "locks",
         "memory",
         "parameters",
         "planner",
@@ -70,6 +72,7 @@ class System:
         self.powered = True
         self.tracing = False  # the switch TRACE, for speed
         self.warned: frozenset[str] = frozenset()
+        self.locks = Locks()  # what programs may not set
 
     def copy(self, copies: dict[int, Bound]) -> "System":
         """Return an independent system that shares the past, still without its programs."""
@@ -92,6 +95,7 @@ class System:
         other.clock_reads = self.clock_reads
         other.held_tool, other.held_base = self.held_tool.copy(), self.held_base.copy()
         other.powered, other.tracing, other.warned = self.powered, self.tracing, self.warned
+        other.locks = self.locks
         return other
 
     def cells(self) -> list[Cell]:

@@ -8,7 +8,6 @@ from vrts.engine.history import ArmHistory
 from vrts.engine.memory.records import ArmPiece, Motion
 from vrts.engine.motion.time_scale import Knot, TimeScale
 from vrts.engine.storage.columns import (
-    ascending,
     check_below,
     column,
     real_rows,
@@ -23,6 +22,7 @@ from vrts.ir.instructions import Interpolation
 from vrts.robots.model import Configuration
 
 JOINTS = 6
+SHORT = 2  # added for a line that a fault stops
 MOST_COEFFICIENTS = 16  # of one polynomial
 LARGEST_COEFFICIENT = 1e15
 LONGEST_S = 1e6
@@ -36,7 +36,7 @@ LAYOUT: Mapping[str, tuple[str, int]] = {
     "pieces.coefficients": ("<f8", 0),
     # start and end, start and goal, X_WT, X_FT, speed fraction, deviation
     "motions.numbers": ("<f8", 40),
-    "motions.kinds": ("|u1", 3),  # interpolation, blended, cut
+    "motions.kinds": ("|u1", 3),  # interpolation, blended, cut and SHORT
     "motions.cause": ("<u4", 0),
 }
 
@@ -54,7 +54,10 @@ def write_arm(arm: ArmHistory, plain: Plain) -> dict[str, Table]:
         "pieces.coefficients": column([c for part in numbers for c in part], "<f8"),
         "motions.numbers": column([_numbers(motion) for motion in arm.motions], "<f8", 40),
         "motions.kinds": column(
-            [[INTERPOLATIONS.index(m.interpolation), m.blended, m.cut] for m in arm.motions],
+            [
+                [INTERPOLATIONS.index(m.interpolation), m.blended, m.cut + SHORT * m.short]
+                for m in arm.motions
+            ],
             "|u1",
             3,
         ),
@@ -125,7 +128,8 @@ def _read_motions(tables: Mapping[str, Table], plain: Plain) -> list[Motion]:
         bool((np.abs(numbers) < LARGEST_COEFFICIENT).all()), "a number of a motion is too large"
     )
     check_below(kinds[:, 0], len(INTERPOLATIONS), "the kinds of motions")
-    check_below(kinds[:, 1:].reshape(-1), 2, "the kinds of motions")
+    check_below(kinds[:, 1], 2, "the kinds of motions")
+    check_below(kinds[:, 2], 2 * SHORT, "the kinds of motions")
     check_below(causes, len(plain.causes), "the steps of motions")
     found: list[Motion] = []
     for row, (kind, blended, cut), cause in zip(
@@ -144,7 +148,8 @@ def _read_motions(tables: Mapping[str, Table], plain: Plain) -> list[Motion]:
                 row[39],
                 plain.causes[cause],
                 bool(blended),
-                bool(cut),
+                bool(cut % SHORT),
+                bool(cut // SHORT),
             )
         )
     return found
@@ -181,5 +186,6 @@ def _check_times(times: Table, what: str) -> None:
     starts, ends = times[:, 0], times[:, 1]
     inside = bool(((starts >= -OVERLAP) & (ends < LONGEST_S)).all())
     require(inside, f"a time of {what} is out of range")
-    ordered = ascending(starts) and bool((ends >= starts - OVERLAP).all())
+    following = bool((starts[1:] >= starts[:-1] - OVERLAP).all())
+    ordered = following and bool((ends >= starts - OVERLAP).all())
     require(ordered, f"the times of {what} are not in order")

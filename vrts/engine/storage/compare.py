@@ -13,6 +13,7 @@ from vrts.base.pose import Pose
 from vrts.base.units import DEG, MM
 from vrts.engine.memory.cells import Content
 from vrts.engine.memory.events import Event, Found
+from vrts.engine.motion.remarks import JOINT_SPEED
 from vrts.engine.run import Run, State
 from vrts.engine.storage.damage import DIFFERS
 from vrts.ir.values import Value
@@ -38,7 +39,7 @@ def difference(first: Run, second: Run) -> Diagnostic | None:
 
 
 def _differences(first: Run, second: Run) -> Iterator[tuple[float, str, Label | None]]:
-    for before, after in zip_longest(first.events, second.events):
+    for before, after in zip_longest(_compared(first), _compared(second)):
         known = before or after
         assert known is not None
         if before is None or after is None or not _same_event(before, after):
@@ -57,6 +58,13 @@ def _differences(first: Run, second: Run) -> Iterator[tuple[float, str, Label | 
         label = Label(before.span) if before.span else None
         for what in _state_differences(before, after):
             yield before.time_s, what, label
+
+
+def _compared(run: Run) -> Iterator[Event]:
+    """Return the events, without joint speeds that are foretold: motions are compared instead."""
+    for event in run.events:
+        if not (isinstance(event, Found) and event.diagnostic.rule == JOINT_SPEED):
+            yield event
 
 
 def _kind(event: Event | None) -> str:

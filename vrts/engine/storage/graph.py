@@ -17,7 +17,9 @@ from vrts.engine.storage.damage import Damaged, require
 
 Form: TypeAlias = Any
 
-PACKAGES: Final = ("vrts.base.", "vrts.ir.", "vrts.robots.", "vrts.scene.", "vrts.engine.")
+PACKAGES: Final = tuple(
+    f"vrts.{name}." for name in ("base", "controllers", "ir", "robots", "scene", "engine")
+)
 _AGAIN, _GIVEN, _LIST, _TUPLE, _DICT, _VIEW, _SET, _FROZEN = range(8)
 _ARRAY, _ENUM, _RECORD, _OBJECT, _FRESH, _CALLED = range(8, 14)
 _PLAIN = (int, float, str, bytes, bool, type(None))

@@ -51,6 +51,7 @@ from vrts.robots.model import Configuration
 from vrts.scene.model import Mobility, Scenario, Scene
 
 LAYOUT = {**MAIN_LAYOUT, **arm.LAYOUT, **traces.LAYOUT, **cells.LAYOUT}
+BEFORE = "vrts.run/2"  # the format before, which is still read
 LONGEST_S = 1e6  # any time in a run
 MOST_STATEMENTS = 2**31
 LARGEST_TURN = 1e3  # [rad]
@@ -61,7 +62,7 @@ class SavedRun(NamedTuple):
     """A file that was opened, not yet believed."""
 
     name: str
-    container: Container
+    container: Container | None  # None: only what the run was made of is known
     manifest: Mapping[str, Json]
     origin: Origin
     module_digest: str
@@ -73,9 +74,9 @@ def opened(data: bytes, name: str) -> SavedRun | Diagnostic:
         container = Container(data)
         manifest = _json(container.manifest())
         said = manifest.get("format")
-        if said != FORMAT:
+        if said not in (FORMAT, BEFORE):
             return _other_format(name, said, manifest.get("vrts"))
-        origin, digest = read_origin(manifest.get("origin"))
+        origin, digest = read_origin(manifest.get("origin"), names_controller=said == FORMAT)
     except Damaged as damage:
         return damage.diagnostic(name)
     return SavedRun(name, container, manifest, origin, digest)
@@ -107,7 +108,7 @@ def restored(saved: SavedRun, module: Module, scene: Scene) -> Run | Diagnostic:
 
 def _other_format(name: str, said: Json, made_by: Json) -> Diagnostic:
     known = isinstance(said, str) and isinstance(made_by, str)
-    note = f"it is `{said}` of vrts {made_by}; this vrts reads `{FORMAT}`"
+    note = f"it is `{said}` of vrts {made_by}; this vrts reads `{FORMAT}` and `{BEFORE}`"
     return error(
         OTHER_FORMAT,
         f"the saved run `{name}` has a format that is not known here",
@@ -132,6 +133,7 @@ def _no_number(word: str) -> float:
 
 def _run(saved: SavedRun, module: Module, scene: Scene) -> Run:
     said = saved.manifest
+    assert saved.container is not None
     tables = saved.container.tables(LAYOUT)
     plain = Plain(saved.origin.programs.sources)
     plain.read_causes(said.get("causes"))
@@ -150,11 +152,11 @@ def _run(saved: SavedRun, module: Module, scene: Scene) -> Run:
         code=code,
         scene=scene,
         scenario=scenario,
-        issued=_commands(plain.read(tuple[TimedCommand, ...], said.get("commands")), module),
+        issued=checked_commands(plain.read(tuple[TimedCommand, ...], said.get("commands")), module),
         tick_s=scene.robot.arm.tick,
-        now_s=_time(said.get("now_s")),
-        started_s=_time(said.get("started_s")),
-        ended_s=None if ended is None else _time(ended),
+        now_s=time_of(said.get("now_s")),
+        started_s=time_of(said.get("started_s")),
+        ended_s=None if ended is None else time_of(ended),
         closed=truth(said.get("closed")),
         finished=finished,
         ticks=counts_of(tables["ticks"]),
@@ -172,7 +174,7 @@ def _run(saved: SavedRun, module: Module, scene: Scene) -> Run:
         events=_events(plain.read(tuple[Event, ...], said.get("events")), tables, finished),
     )
     _check_events(history)
-    return Run(history, _time(said.get("until_s")))
+    return Run(history, time_of(said.get("until_s")))
 
 
 def _code(module: Module) -> Code:
@@ -188,7 +190,12 @@ def _code(module: Module) -> Code:
     return Code(programs, bases, causes)
 
 
-def _time(data: Json) -> float:
+def time_of(data: Json) -> float:
+    """Return a time of a run [s].
+
+    Raises:
+        Damaged: It is none.
+    """
     found = number(data)
     require(0.0 <= found <= LONGEST_S, "a time is out of range")
     return found
@@ -218,7 +225,14 @@ def _events(events: tuple[Event, ...], tables: Mapping[str, Table], finished: in
     return log
 
 
-def _commands(commands: tuple[TimedCommand, ...], module: Module) -> tuple[TimedCommand, ...]:
+def checked_commands(
+    commands: tuple[TimedCommand, ...], module: Module
+) -> tuple[TimedCommand, ...]:
+    """Return commands that a controller with these programs can be given.
+
+    Raises:
+        Damaged: It cannot.
+    """
     for timed in commands:
         require(0.0 <= timed.time_s <= LONGEST_S, "a command comes at no time")
         match timed.command:
@@ -265,7 +279,9 @@ def _hand(data: Json, plain: Plain, scene: Scene) -> HandHistory:
     require(all(abs(x) <= WIDEST for x in openings), "an opening of the hand is out of range")
     for stroke in strokes:
         require(0.0 <= stroke.start_s <= stroke.end_s <= LONGEST_S, "a stroke has no time")
-    require(all(a.start_s <= b.start_s for a, b in pairwise(strokes)), "strokes are not in order")
+    # two of one instant may differ by a last digit, as motions may
+    ordered = all(a.start_s - arm.OVERLAP <= b.start_s for a, b in pairwise(strokes))
+    require(ordered, "strokes are not in order")
     movable = {body.name for body in scene.bodies if body.mobility is Mobility.MOVABLE}
     tracks = named(said.get("placements"))
     require(tracks.keys() == movable, "it places other objects than the scene has")
@@ -276,7 +292,7 @@ def _hand(data: Json, plain: Plain, scene: Scene) -> HandHistory:
 
 def _track(name: str, data: Json, plain: Plain, scene: Scene) -> list[Placement]:
     rows = [listed(row, 4) for row in listed(data)]
-    starts = [_time(row[0]) for row in rows]
+    starts = [time_of(row[0]) for row in rows]
     require(bool(starts) and starts[0] == 0.0, "an object is nowhere at the start")
     require(all(a <= b for a, b in pairwise(starts)), "placements are not in order")
     bodies = {body.name for body in scene.bodies}

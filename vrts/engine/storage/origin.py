@@ -4,12 +4,15 @@ import hashlib
 from typing import NamedTuple
 
 from vrts.base.source import SourceFile
+from vrts.controllers.models import FIRST
+from vrts.controllers.values import digest
 from vrts.engine.storage.damage import require
 from vrts.engine.storage.plain import Json, listed, named, text, truth
 from vrts.ir.dump import dump
 from vrts.ir.module import Module
 
 LONGEST_NAME = 4096  # characters of the name of a file, with its folders
+_FIRST = (FIRST.name, digest(FIRST))  # before files said which
 
 
 class Programs(NamedTuple):
@@ -27,6 +30,8 @@ class SceneText(NamedTuple):
     name: str  # under which it was read; of a robot alone: the robot
     text: str | None  # None: a robot alone
     digest: str  # of the file and those it names
+    controller: str  # name of the model that the run went by
+    controller_digest: str  # of what that model says
 
 
 class Origin(NamedTuple):
@@ -54,11 +59,16 @@ def write_origin(origin: Origin, module: Module) -> Json:
             "sha256": module_digest(module),
         },
         "scene": {"name": scene.name, "text": scene.text, "sha256": scene.digest},
+        "controller": {"name": scene.controller, "sha256": scene.controller_digest},
     }
 
 
-def read_origin(data: Json) -> tuple[Origin, str]:
+def read_origin(data: Json, *, names_controller: bool = True) -> tuple[Origin, str]:
     """Return an origin, and the digest that its module has to have.
+
+    Args:
+        data: JSON.
+        names_controller: Whether it says by which model the run went; else it was the first.
 
     Raises:
         Damaged: JSON does not stand for one.
@@ -80,5 +90,13 @@ def read_origin(data: Json) -> tuple[Origin, str]:
         text(scene.get("name")),
         None if content is None else text(content),
         text(scene.get("sha256")),
+        *(_controller(parts.get("controller")) if names_controller else _FIRST),
     )
     return Origin(found, place), text(programs.get("sha256"))
+
+
+def _controller(data: Json) -> tuple[str, str]:
+    said = named(data)
+    name = text(said.get("name"))
+    require(name.isprintable() and len(name) <= LONGEST_NAME, "a controller has no proper name")
+    return name, text(said.get("sha256"))

@@ -19,10 +19,13 @@ from vrts.base.source import SourceFile, Span
 from vrts.engine.memory.events import Cause
 from vrts.engine.storage.damage import require
 from vrts.ir.values import Joints
+from vrts.scene.model import Locks, Scenario
 
 Json: TypeAlias = Any
 LARGEST = 1e100  # of any number: nothing computed from a few of them overflows
 LARGEST_WHOLE = 2**53
+# last fields, which records have got since, and what they are where a file does not say
+LATER: Mapping[Any, Mapping[str, Any]] = MappingProxyType({Scenario: {"locks": Locks()}})
 _HALF = re.compile("[\ud800-\udfff]")  # surrogates, which no text file can hold
 DEEPEST = 10  # lists in each other in the exact values of a finding
 
@@ -183,14 +186,22 @@ class Plain:
     def _record(self, kind: Any) -> Pair:
         hints: dict[str, Any] = kind.__annotations__
         fields = [(name, self._pair(hint)) for name, hint in hints.items()]
+        later: dict[str, Any] = dict(LATER.get(kind, {}))
+        least = len(fields) - len(later)
 
         def write(value: Any) -> Json:
-            return [pair.write(getattr(value, name)) for name, pair in fields]
+            found = [pair.write(getattr(value, name)) for name, pair in fields]
+            for name in reversed(list(later)):
+                if getattr(value, name) != later[name]:
+                    break
+                found.pop()
+            return found
 
         def read(data: Json) -> Any:
-            values = listed(data, len(fields))
+            values = listed(data)
+            require(least <= len(values) <= len(fields), "a list has another length")
             return kind(
-                *[pair.read(value) for (_, pair), value in zip(fields, values, strict=True)]
+                *[pair.read(value) for (_, pair), value in zip(fields, values, strict=False)]
             )
 
         return Pair(write, read)

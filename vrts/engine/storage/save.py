@@ -23,7 +23,7 @@ from vrts.ir.commands import DeletePrograms, Do, Load, TimedCommand
 from vrts.robots.model import Configuration
 from vrts.scene.model import Scenario
 
-FORMAT = "vrts.run/2"
+FORMAT = "vrts.run/3"  # 2 does not say by which controller model the run went
 MAIN_LAYOUT = {
     "event_numbers": ("<u4", 0),  # beside the events: statements finished with each
     "ticks": ("<u4", 0),  # in which statements were executed

@@ -4,9 +4,9 @@ from itertools import pairwise
 
 from vrts.engine.programs.signals import INPUTS
 from vrts.engine.storage.damage import require
-from vrts.ir.system import PARAMETERS
+from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.robots.kinematics.kinematics import limit_violations
-from vrts.scene.model import Scenario, Scene
+from vrts.scene.model import FASTEST_ACCELERATION, Scenario, Scene
 from vrts.scene.reading.scenario_file import (
     FASTEST,
     LARGEST_PARAMETER,
@@ -54,6 +54,10 @@ def check_scenario(scenario: Scenario, scene: Scene) -> None:
     for name, value in scenario.parameters.items():
         require(name.lower() in names, f"there is no parameter `{name}`")
         require(0.0 <= value <= LARGEST_PARAMETER, f"its parameter `{name}` is out of range")
+    known = all(name in PARAMETERS or name in SWITCHES for name in scenario.locks.names)
+    require(known, "it locks what there is not")
+    most = scenario.locks.acceleration
+    require(1.0 <= most <= FASTEST_ACCELERATION, "its largest acceleration is out of range")
     _check_signals(scenario)
 
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import msgspec
 
+from vrts.controllers.models import FIRST
 from vrts.live.actions import Action
 from vrts.live.session.channel.entries import Entry
 from vrts.live.session.channel.messages import Act, Done, Halt
@@ -43,6 +44,8 @@ class LoggedSession(NamedTuple):
     jumped: int = 0  # record after which session time was another one; 0: none
     over: bool = False  # another scene was asked for
     purged: int = 0  # the first record of which a part was purged; 0: none
+    controller: str = FIRST.name  # model that it went by; before logs said so, the first
+    controller_sha256: str = ""  # of what that model said; empty: the log does not say
 
     def require_whole(self) -> "LoggedSession":
         """Return it if it can be done again.
@@ -59,6 +62,8 @@ class LoggedSession(NamedTuple):
 class _Begin(msgspec.Struct, frozen=True):
     scene: str
     scene_sha256: str = ""
+    controller: str = FIRST.name
+    controller_sha256: str = ""
 
 
 class _CarryOn(msgspec.Struct, frozen=True):
@@ -82,7 +87,9 @@ def sessions_of(rows: Iterable[LogRow]) -> tuple[LoggedSession, ...]:
         if row.kind == "begin":
             _close(found, entries)
             begun = msgspec.json.decode(row.text or b"", type=_Begin)
-            found.append(LoggedSession(row.session, begun.scene, begun.scene_sha256, ()))
+            session = LoggedSession(row.session, begun.scene, begun.scene_sha256, ())
+            model = (begun.controller, begun.controller_sha256)
+            found.append(session._replace(controller=model[0], controller_sha256=model[1]))
         elif found and row.kind == "scene":
             found[-1] = found[-1]._replace(over=True)
         elif found and row.kind == "carry_on":

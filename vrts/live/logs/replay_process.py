@@ -43,7 +43,9 @@ def page_of(order: Order) -> bytes:
     place = next((place for place in order.places if place.id == session.scene), None)
     if place is None:
         raise NoPage(f"the scene `{session.scene}` is not in the set any more")
-    start = Start(session.number, "", place.scene, place.task, place.lab)
+    start = Start(
+        *(session.number, "", place.scene, place.task, place.lab), controller=session.controller
+    )
     try:
         run = replay(start, session.entries, session.entries[-1].at_s + MORE_S)
     except ValueError as problem:

@@ -5,7 +5,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from vrts.live.logs.class_sessions import NOTHING, RoomSession
-from vrts.live.logs.session_marker import SessionMarker, entries_to_bytes
+from vrts.live.logs.session_marker import SessionMarker, session_to_bytes
 from vrts.marking.by_hand.override_text import load_overrides
 from vrts.marking.by_hand.overrides import NONE, with_change
 from vrts.marking.layout import Layout
@@ -52,6 +52,6 @@ def mark_sessions(
 def _entry(room: RoomSession) -> Entry:
     """Return what is marked of a room."""
     if room.session is not None:
-        return Entry(room.identifier, room.name, entries_to_bytes(room.session.entries))
+        return Entry(room.identifier, room.name, session_to_bytes(room.session))
     kind = Kind.MISSING if room.problem == NOTHING else Kind.AMBIGUOUS
     return Entry(room.identifier, room.name, None, kind, room.problem)

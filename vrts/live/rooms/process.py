@@ -47,6 +47,8 @@ class Head(msgspec.Struct, frozen=True):
     scene: msgspec.Raw = msgspec.Raw()
     carried_s: float | None = None
     anew: str = ""
+    controller: str = ""
+    controller_sha256: str = ""
 
 
 _heads = msgspec.json.Decoder(Head)

@@ -166,6 +166,8 @@ class Sessions:
                 if head.carried_s is None:
                     room.logged = 0
                     what: dict[str, object] = {"scene": room.kept.scene, "scene_sha256": scene}
+                    what |= {"controller": head.controller}
+                    what |= {"controller_sha256": head.controller_sha256}
                     record(self._hub, room, "begin", None, {**what, "vrts": __version__})
                 else:
                     what = {"at_s": head.carried_s, "vrts": __version__}
@@ -259,6 +261,8 @@ def _with_before(start: Start, file: Path, before: Unfinished) -> Start:
         before=str(file),
         until_s=before.until_s,
         scene_sha256=before.session.scene_sha256,
+        controller=before.session.controller,
+        controller_sha256=before.session.controller_sha256,
     )
 
 

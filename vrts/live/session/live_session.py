@@ -80,11 +80,16 @@ class Session:
         scenario = planned.scenario if planned is not None else Scenario()
         scene = self.setting.scene
         scenario = dataclasses.replace(scenario, limits=LIMITS)
+        task = self.setting.task
+        if task is not None:
+            scenario = dataclasses.replace(scenario, locks=task.locks)
         self.growing = GrowingRun(scene, scenario, self._past, forgets=self._forgets)
         desk = Desk(self._folders.of("nobody"), DIALECTS[self.start.dialect], replace=True)
         self.conversation = Conversation(self.growing, desk, self._folders)
         self._key = HeldKey(self.conversation)
         self.showing = Showing(self.growing, self.conversation, self._key, self.start.session)
+        if task is not None:
+            self.showing.total = float(task.mark.total)
         self._acting = Acting(self.growing, self.conversation, self._key, self.showing)
         self._waiting: deque[_Waiting] = deque()
         if memory:

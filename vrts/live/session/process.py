@@ -12,6 +12,7 @@ from pathlib import Path
 
 import msgspec
 
+from vrts.controllers.values import digest
 from vrts.live.session.again.carrying_on import (
     CannotCarryOn,
     Interrupted,
@@ -77,7 +78,9 @@ def _serve(inbox: Inbox, outbox: Outbox, readable: int, clock: Clock) -> int:
     title = setting.task.title if setting.task is not None else ""
     arm = setting.scene.robot.arm.name
     carried_s = session.growing.time_s if start.before and not anew else None
-    outbox.send(Ready(start.session, session.epoch_s, arm, scene, title, carried_s, anew))
+    model = setting.scene.controller
+    said = (model.name, digest(model))
+    outbox.send(Ready(start.session, session.epoch_s, arm, scene, title, carried_s, anew, *said))
     tidying = Tidying()
     with Checker(session) as checker:
         beats = Beats(clock())
@@ -124,6 +127,8 @@ def _begun(
             entries = read_entries(Path(start.before))
             if hashlib.sha256(msgspec.json.encode(scene)).hexdigest() != start.scene_sha256:
                 raise CannotCarryOn("its scene or task is another one now")
+            if start.controller_sha256 not in ("", digest(setting.scene.controller)):
+                raise CannotCarryOn("its controller model is another one now")
             carry_on(session, voice, entries, start.until_s, wanted=wanted)
         except CannotCarryOn as problem:
             anew = str(problem)

@@ -2,8 +2,10 @@
 
 from pathlib import Path
 
+from vrts.controllers.models import MODELS
 from vrts.live.session.channel.messages import Start
 from vrts.pipeline.alone import robot_alone
+from vrts.pipeline.controllers import under
 from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.settings import load_task
@@ -16,6 +18,12 @@ def setting_of(start: Start) -> Setting:
         CannotRead: A file is not there.
         Refused: A file has errors.
     """
+    found = _setting_of(start)
+    known = start.controller in MODELS  # else whoever carries it on notices by the hash
+    return under(found, start.controller) if known else found
+
+
+def _setting_of(start: Start) -> Setting:
     lab = Path(start.lab) if start.lab else None
     if start.task:
         return load_task(Path(start.task), start.scene or None, lab=lab)

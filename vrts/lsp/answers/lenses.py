@@ -20,11 +20,12 @@ class Lens(NamedTuple):
 def lenses(document: Document) -> list[Lens]:
     """Return the commands of the programs that can be executed: those without formals."""
     found: list[Lens] = []
-    for number, program in enumerate(document.names.programs):
+    main = document.names.entry
+    for program in document.names.programs:
         if not program.name or program.formals:
             continue
         commands = [("run", RUN), ("debug", DEBUG)]
-        if number == 0:
+        if program.name == main:
             commands.append(("verify", VERIFY))  # of the file
         place = (program.name_start, program.name_end)
         found += [Lens(*place, title, command, program.name) for title, command in commands]

@@ -6,6 +6,7 @@ from functools import cache, cached_property
 from typing import NamedTuple
 
 from vrts.base.source import SourceFile
+from vrts.ir.entry import Outline, entry_among
 from vrts.lang.dialect import Dialect
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
@@ -90,6 +91,25 @@ class Names:
         """Return the program around an offset."""
         found = [p for p in self.programs if p.start <= offset]
         return found[-1] if found else None
+
+    @cached_property
+    def entry(self) -> str | None:
+        """The program that is executed where nothing names one; None where there is none."""
+        calls: dict[str, set[str]] = {program.name: set() for program in self.programs}
+        for occurrence in self.occurrences:
+            if occurrence.target.family != "program" or occurrence.role is Role.WRITE:
+                continue
+            around = self.program_at(occurrence.start)
+            if around is not None:
+                calls[around.name].add(occurrence.target.name)
+        found = entry_among(
+            [
+                Outline(program.name, bool(program.formals), frozenset(calls[program.name]))
+                for program in self.programs
+                if program.name
+            ]
+        )
+        return None if found is None else found.name
 
     @cached_property
     def defined_programs(self) -> frozenset[str]:

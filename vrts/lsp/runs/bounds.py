@@ -5,6 +5,7 @@ from dataclasses import replace
 from vrts.base.diagnostic import Diagnostic, Severity
 from vrts.engine.faults import MOTIONS, STATEMENTS
 from vrts.engine.hand.hand import CLOSED_ON_NOTHING
+from vrts.engine.motion.remarks import without_forecasts
 from vrts.engine.run import Run
 from vrts.lsp.channel.verification import STOPPED
 from vrts.pipeline.setting import Setting
@@ -27,7 +28,7 @@ def said_by(run: Run, full: Limits, setting: Setting) -> list[Diagnostic]:
     """Return what a run says itself, as far as it is true of a run without our bounds."""
     ours = {STATEMENTS: full.statements > _STATEMENTS, MOTIONS: full.motions > _MOTIONS}
     found: list[Diagnostic] = []
-    for d in run.findings:
+    for d in without_forecasts(run.findings):
         if ours.get(d.rule, False):
             text = f"the verification in the background stops here: {d.headline}"
             help_ = ("`vrts verify` takes the time it needs", *d.help)

@@ -24,7 +24,7 @@ from vrts.lsp.runs.speeds import with_speeds
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.compiling.reading import ProgramFile, Reading
-from vrts.pipeline.execution import compiled_for, entry_of, executed, no_program
+from vrts.pipeline.execution import compiled_for, entry_in, executed
 from vrts.pipeline.files import CannotRead
 from vrts.pipeline.refused import Refused
 from vrts.pipeline.request import Request
@@ -55,15 +55,14 @@ def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Ans
     module = None if compiled.compilation is None else compiled.compilation.module
     if module is None or module.main is None:
         return Answer(is_whole=True)
-    asked_for = entry_of(request)
-    if asked_for is None and asked.is_called:
+    if asked.is_called and (setting.task is None or setting.task.program is None):
         return Answer(is_whole=True)
-    entry = (asked_for or module.main).lower()
-    request = request._replace(entry=entry)
+    entry, chosen = entry_in(module, request)
+    said = [Found(d) for d in chosen]
     known = {d.data["name"] for d in compiled.diagnostics if "name" in d.data}
     where = f"in the scene `{setting.scene.name}`" if setting.task else "with the robot alone"
     is_here = any(p.name == entry for p in Document(path, asked.text).names.programs)
-    header = header_of(asked, entry) if is_here or entry not in module.programs else None
+    header = header_of(asked, entry) if is_here or entry is None else None
 
     def shown(found: list[Found]) -> tuple[Finding, ...]:
         new = [f for f in found if f.diagnostic.data.get("name") not in known]
@@ -74,8 +73,8 @@ def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Ans
 
     run = executed(request, compiled).run
     if run is None:
-        return Answer((), shown([Found(no_program(module, entry))]), is_whole=True)
-    of_run = [Found(d) for d in said_by(run, full, setting)]
+        return Answer((), shown(said), is_whole=True)
+    of_run = [*said, *(Found(d) for d in said_by(run, full, setting))]
     tell(Answer(timings(setting, run, path, near=False), shown(of_run)))
 
     judgement = judge(setting.scene, run, setting.task)

@@ -10,6 +10,7 @@ from vrts.marking.appeals.evidence import (
     TASK,
     Contents,
 )
+from vrts.marking.appeals.proof import PROOF
 from vrts.marking.row import Row
 from vrts.report.plain import one_line
 
@@ -35,6 +36,7 @@ def readme(row: Row, contents: Contents) -> str:
         f"{TASK:24}the task, with its hidden checks",
         f"{STAFF + '/':24}result and report for those who mark",
         f"{STUDENT + '/':24}result, report and recording as the student has them",
+        f"{PROOF:24}what proves the contacts, if it could be shown: vrts check-proof",
         f"{ROW:24}whose it is, lateness, changes by hand, final mark",
         f"{INTAKE:24}the line of the table of hand-ins, if there is one",
         f"{CHANGES:24}the changes by hand, if there are any",

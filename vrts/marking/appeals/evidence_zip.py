@@ -28,6 +28,7 @@ from vrts.marking.appeals.evidence import (
     altered,
     damaged,
 )
+from vrts.marking.appeals.proof import PROOF
 from vrts.marking.layout import LOST, RESULT
 from vrts.marking.result import Damaged, Result, from_bytes
 from vrts.marking.row import Row
@@ -36,7 +37,7 @@ from vrts.pipeline.files import CannotRead
 
 _FIXED = frozenset(
     (
-        *(CONTENTS, README, TASK, ROW, INTAKE, CHANGES),
+        *(CONTENTS, README, TASK, ROW, INTAKE, CHANGES, PROOF),
         *(f"{who}/{name}" for who in (STAFF, STUDENT) for name in (RESULT, REPORT, RECORDING)),
         *(f"{STAFF}/{name}" for name in (FAULT, LOST)),
     )

@@ -89,7 +89,7 @@ def never_lower(found: Diff, new: Class, who: str, day: str) -> tuple[Override, 
 def _below_zero(row: Row) -> Fraction:
     """Return by how much changes by hand, which no mark shows, take more than there is."""
     taken = Fraction(0) if row.change is None else Fraction(row.change.delta)
-    there = final_mark(row.result.exact_mark, row.late, None) or Fraction(0)
+    there = final_mark(row.result.exact_mark, row.late, None, row.result.exact_total) or Fraction(0)
     return max(Fraction(0), -(there + taken))
 
 

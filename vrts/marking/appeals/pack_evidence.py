@@ -2,7 +2,6 @@
 
 import platform
 import sys
-from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -29,6 +28,7 @@ from vrts.marking.appeals.evidence import (
 )
 from vrts.marking.appeals.evidence_readme import readme
 from vrts.marking.appeals.handed_in import handed_in, intake_row
+from vrts.marking.appeals.proof import PROOF, certificate_for
 from vrts.marking.appeals.task_bytes import OTHER_TASK, task_files
 from vrts.marking.appeals.unpacked import unpacked_place
 from vrts.marking.appeals.written import Written, no_marking
@@ -39,7 +39,6 @@ from vrts.marking.result import SCORING, Damaged, Result, from_bytes
 from vrts.marking.row import Row, final_mark, row_of
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT
-from vrts.marking.submission.setting import Place
 from vrts.pipeline.refused import Refused
 
 LIBRARIES = ("numpy", "coal", "python-fcl", "pin", "msgspec", "rerun-sdk")
@@ -75,7 +74,13 @@ def pack_evidence(
         program = f"{SUBMISSION}/{safe(named.rsplit('/', 1)[-1].rsplit('!', 1)[-1])}"
         files[program] = data
     if row.result.program is not None and data is not None:
-        _require_same_task(inside, of_task, written.about, row.result, data)
+        with TemporaryDirectory(prefix="vrts-") as folder:
+            marker = Marker(unpacked_place(inside, of_task, Path(folder)), written.about.wanted)
+        _require_same_task(marker, row.result, data)
+        title = row.result.program.name
+        proof = certificate_for(marker.whole, title, data) if marker.wanted.collisions else None
+        if proof is not None:
+            files[PROOF] = proof
     line = intake_row(written, row)
     if line is not None:
         files[INTAKE] = line
@@ -124,7 +129,7 @@ def versions() -> dict[str, str]:
 
 def _with_changes(written: Written, row: Row) -> Row:
     """Return a row with the changes by hand as they are now."""
-    before = final_mark(row.result.exact_mark, row.late, None)
+    before = final_mark(row.result.exact_mark, row.late, None, row.result.exact_total)
     change = change_of(before, written.overrides().changes.get(row.id, ()))
     return row_of(row.result, row.student, row.handed_in, row.late, change)
 
@@ -156,12 +161,8 @@ def _require_result(written: Written, row: Row, data: bytes, *, staff: bool) -> 
         raise no_marking(written.layout.root, why)
 
 
-def _require_same_task(
-    inside: Place, files: Mapping[str, bytes], about: About, result: Result, data: bytes
-) -> None:
+def _require_same_task(marker: Marker, result: Result, data: bytes) -> None:
     """Refuse a task by which another result would be made."""
-    with TemporaryDirectory(prefix="vrts-") as folder:
-        marker = Marker(unpacked_place(inside, files, Path(folder)), about.wanted)
     task = marker.whole.task
     assert task is not None
     same = task.digest == result.task.sha256 and marker.whole.scene.digest == result.scene.sha256

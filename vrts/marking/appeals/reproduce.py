@@ -4,14 +4,20 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
+import msgspec
+
+from vrts.controllers.models import FIRST, MODELS
 from vrts.marking.appeals.evidence import Evidence
 from vrts.marking.appeals.pack_evidence import versions
+from vrts.marking.appeals.proof import PROOF, checked_proof
 from vrts.marking.appeals.unpacked import unpacked_place
 from vrts.marking.differences import Difference, differences
 from vrts.marking.marking import Entry
 from vrts.marking.result import Result
 from vrts.marking.sample import STAFF, STUDENT, mark_again
 from vrts.marking.submission.marker import Marker, versions_of_scoring
+from vrts.marking.submission.setting import Place
+from vrts.run_files.proving import Proof
 
 OF_VERSIONS = ("key", "versions")  # fields that say only with which vrts a result was made
 
@@ -22,6 +28,7 @@ class Reproduced(NamedTuple):
     result: Result  # the new one, for those who mark
     first: Difference | None  # None: the same result
     whose: str  # in which of the two results of a submission the difference is
+    proof: Proof | None  # the certificate in the evidence, which holds; None: there is none
 
 
 def reproduce(evidence: Evidence) -> Reproduced | None:
@@ -30,7 +37,7 @@ def reproduce(evidence: Evidence) -> Reproduced | None:
     Results of another version of vrts are compared in all but what names the version.
 
     Raises:
-        Refused: The task in the evidence has errors.
+        Refused: The task in the evidence has errors, or its certificate does not hold.
     """
     data = evidence.program
     if data is None:
@@ -38,20 +45,32 @@ def reproduce(evidence: Evidence) -> Reproduced | None:
     contents = evidence.contents
     with TemporaryDirectory(prefix="vrts-") as folder:
         place = unpacked_place(contents.place, evidence.files, Path(folder))
+        place = _under_model_of_then(place, evidence.staff)
         marker = Marker(place, contents.wanted)
+        proof, certificate = None, evidence.files.get(PROOF)
+        if certificate is not None:
+            proof = checked_proof(certificate, marker.whole, contents.title, data)
         entry = Entry(contents.id, contents.title, data)
         (done,) = mark_again(marker, [entry])
     made = evidence.staff.versions
     same_version = (made.vrts, str(made.scoring)) == versions_of_scoring()
     without = () if same_version else OF_VERSIONS
+    if evidence.staff.controller is None:  # which results did not tell
+        without = (*without, "controller")
     for whose, old, new in (
         (STAFF, evidence.staff, done.result),
         (STUDENT, evidence.student, done.student),
     ):
         first = next(differences(old, new, without), None)
         if first is not None:
-            return Reproduced(done.result, first, whose)
-    return Reproduced(done.result, None, "")
+            return Reproduced(done.result, first, whose, proof)
+    return Reproduced(done.result, None, "", proof)
+
+
+def _under_model_of_then(place: Place, result: Result) -> Place:
+    """Return where a task is, under the controller model of a result; a lab has its own."""
+    name = FIRST.name if result.controller is None else result.controller.name
+    return msgspec.structs.replace(place, controller=name) if name in MODELS else place
 
 
 def other_versions(evidence: Evidence) -> tuple[str, ...]:

@@ -40,7 +40,7 @@ class Written(NamedTuple):
         Raises:
             Refused: The file has errors.
         """
-        return load_overrides(self.layout.overrides, self.known)
+        return load_overrides(self.layout.overrides, self.known, self.rows.total)
 
     def row(self, wanted: str) -> Row:
         """Return the row of a student, by id, or by anything else that only one of them has.

@@ -6,6 +6,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from vrts.base.source import SourceFile
+from vrts.check.rules.scheme import TOTAL
 from vrts.marking.by_hand.overrides import NONE, Override, Overrides, read_overrides
 from vrts.marking.layout import write_atomically
 from vrts.pipeline.files import read_bytes, read_toml_source
@@ -18,7 +19,7 @@ BEGINNING = """\
 """
 
 
-def load_overrides(path: Path, known: Collection[str]) -> Overrides:
+def load_overrides(path: Path, known: Collection[str], total: Fraction = TOTAL) -> Overrides:
     """Return the changes in a file; none where it is not there.
 
     Raises:
@@ -27,25 +28,27 @@ def load_overrides(path: Path, known: Collection[str]) -> Overrides:
     """
     if not path.exists():
         return NONE
-    found = read_overrides(read_toml_source(path), known)
+    found = read_overrides(read_toml_source(path), known, total)
     if found.wrong:
         raise Refused(found.diagnostics)
     return found
 
 
-def add_overrides(path: Path, added: Sequence[Override], known: Collection[str]) -> Overrides:
+def add_overrides(
+    path: Path, added: Sequence[Override], known: Collection[str], total: Fraction = TOTAL
+) -> Overrides:
     """Write changes at the end of a file, and return all that are in it now.
 
     Raises:
         Refused: The file has errors, or would have them; it is left as it was.
         CannotRead: It cannot be read.
     """
-    load_overrides(path, known)
+    load_overrides(path, known, total)
     before = read_bytes(path) if path.exists() else BEGINNING.encode()
     gap = b"\n" if before.endswith(b"\n") or not before else b"\n\n"
     after = before + gap + "\n".join(map(override_text, added)).encode()
     text = after.decode("utf-8-sig").replace("\r\n", "\n")
-    found = read_overrides(SourceFile(path.name, text), known)
+    found = read_overrides(SourceFile(path.name, text), known, total)
     if found.wrong:
         raise Refused(found.diagnostics)
     write_atomically(path, after)

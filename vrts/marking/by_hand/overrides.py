@@ -17,12 +17,12 @@ import msgspec
 from vrts.base.diagnostic import Diagnostic, Label, Rule
 from vrts.base.source import SourceFile, Span
 from vrts.base.toml.reading import Problems, Table, read_toml
+from vrts.check.rules.scheme import TOTAL
 from vrts.marking.row import Change, Class, Row, final_mark, row_of
 
 CHANGE = Rule("V770", "change-by-hand")
 UNKNOWN_STUDENT = Rule("V771", "unknown-student")
 
-FULL = 10  # points
 LONGEST = 1000  # characters of a reason
 
 
@@ -52,12 +52,15 @@ class Overrides(NamedTuple):
 NONE = Overrides(MappingProxyType({}))
 
 
-def read_overrides(source: SourceFile, known: Collection[str]) -> Overrides:
+def read_overrides(
+    source: SourceFile, known: Collection[str], total: Fraction = TOTAL
+) -> Overrides:
     """Return the changes in a file.
 
     Args:
         source: Text of `overrides.toml`.
         known: Identifiers of the class; who is not among them is warned of.
+        total: Marks of the class are out of so many points.
     """
     top, problems = read_toml(source)
     if top is None:
@@ -65,7 +68,7 @@ def read_overrides(source: SourceFile, known: Collection[str]) -> Overrides:
     found: dict[str, tuple[Override, ...]] = {}
     seen: dict[Override, Span] = {}
     for table in top.tables("change"):
-        override = _override(table, problems, known)
+        override = _override(table, problems, known, float(total))
         if override is None:
             continue
         if override in seen:
@@ -83,10 +86,12 @@ def read_overrides(source: SourceFile, known: Collection[str]) -> Overrides:
     return Overrides({} if problems.any_error else found, problems.in_order())
 
 
-def _override(table: Table, problems: Problems, known: Collection[str]) -> Override | None:
+def _override(
+    table: Table, problems: Problems, known: Collection[str], total: float
+) -> Override | None:
     student = table.string("student", required=True)
-    delta = table.fraction("delta", minimum=-FULL, maximum=FULL)
-    mark = table.fraction("mark", minimum=0, maximum=FULL)
+    delta = table.fraction("delta", minimum=-total, maximum=total)
+    mark = table.fraction("mark", minimum=0, maximum=total)
     reason = _words(table, problems, "reason")
     who = _words(table, problems, "who")
     day = _date(table, problems)
@@ -177,6 +182,6 @@ def with_overrides(rows: Class, overrides: Overrides) -> Class:
 
 def with_change(row: Row, overrides: Overrides) -> Row:
     """Return a row with the changes by hand that are for it, and no others."""
-    after_lateness = final_mark(row.result.exact_mark, row.late, None)
+    after_lateness = final_mark(row.result.exact_mark, row.late, None, row.result.exact_total)
     change = change_of(after_lateness, overrides.changes.get(row.id, ()))
     return row_of(row.result, row.student, row.handed_in, row.late, change)

@@ -69,7 +69,11 @@ def feedback_html(told: Returned) -> str:
 def _words(told: Returned) -> Words:
     row, public = told
     final = row.exact_final
-    mark = f"{FINAL} {decimal(final, least=1)} of 10" if final is not None else "No mark yet"
+    mark = (
+        f"{FINAL} {decimal(final, least=1)} of {decimal(row.result.exact_total)}"
+        if final is not None
+        else "No mark yet"
+    )
     losses = tuple(
         Line(_signed(-Fraction(loss.points_exact)), one_line(loss.sentence), loss.hint or "")
         for loss in public.losses

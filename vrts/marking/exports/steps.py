@@ -3,10 +3,10 @@
 from fractions import Fraction
 from typing import NamedTuple
 
-from vrts.marking.row import Row
+from vrts.marking.exports.numbers import decimal
+from vrts.marking.row import Row, final_mark
 
 NOTHING = Fraction(0)
-FULL = Fraction(10)
 
 
 class Step(NamedTuple):
@@ -18,17 +18,31 @@ class Step(NamedTuple):
 
 
 def steps(row: Row) -> tuple[Step, ...]:
-    """Return what lies between computed and final mark, which differ by exactly these points."""
-    if row.exact_final is None:
+    """Return what lies between computed and final mark, which differ by exactly these points.
+
+    Marks are tenths from 0 to the total, so a step may come to less than what was written for it;
+    it says so then.
+    """
+    final, result = row.exact_final, row.result
+    if final is None:
         return ()
-    computed = row.result.exact_mark or NOTHING
+    before = result.exact_mark or NOTHING
     found: list[Step] = []
     if row.late is not None:
-        deduction = min(computed, Fraction(row.late.deduction))
-        found.append(Step("lateness", -deduction, row.late.sentence))
+        after = final
+        if row.change is not None:
+            after = final_mark(result.exact_mark, row.late, None, result.exact_total) or NOTHING
+        found.append(Step("lateness", after - before, row.late.sentence))
+        before = after
     if row.change is not None:
-        found.append(Step("change by hand", Fraction(row.change.delta), row.change.reason))
-    rest = row.exact_final - computed - sum((step.points for step in found), NOTHING)
-    if rest:
-        found.append(Step("rounding", rest, "marks are tenths from 0 to 10"))
+        points, written = final - before, Fraction(row.change.delta)
+        sentence = row.change.reason
+        if points != written:
+            sign = "+" if written > 0 else ""
+            sentence += f" ({sign}{decimal(written)}, in tenths from 0 to {_full(row)})"
+        found.append(Step("change by hand", points, sentence))
     return tuple(found)
+
+
+def _full(row: Row) -> str:
+    return decimal(row.result.exact_total)

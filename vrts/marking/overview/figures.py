@@ -4,10 +4,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from vrts.check.rules.scheme import TOTAL
 from vrts.marking.result import Check
 from vrts.marking.row import Row
 
-BINS = 10  # 0 to 1, .., 9 to 10; 10 counts in the last
+BINS = 10  # tenths of the total: 0 to 1, .., 9 to 10 of 10; full marks count in the last
 
 
 class Spread(NamedTuple):
@@ -16,6 +17,7 @@ class Spread(NamedTuple):
     counts: tuple[int, ...]
     mean: Fraction
     median: Fraction
+    total: Fraction = TOTAL  # marks are out of so many points
 
 
 class Failing(NamedTuple):
@@ -36,11 +38,12 @@ def spread(rows: Sequence[Row]) -> Spread | None:
     if not marks:
         return None
     counts = [0] * BINS
+    total = max(row.result.exact_total for row in rows)
     for mark in marks:
-        counts[min(BINS - 1, int(mark))] += 1
+        counts[min(BINS - 1, int(mark * BINS / total))] += 1
     half = len(marks) // 2
     median = marks[half] if len(marks) % 2 else (marks[half - 1] + marks[half]) / 2
-    return Spread(tuple(counts), sum(marks, Fraction(0)) / len(marks), median)
+    return Spread(tuple(counts), sum(marks, Fraction(0)) / len(marks), median, total)
 
 
 def failing(rows: Sequence[Row]) -> tuple[Failing, ...]:
@@ -50,23 +53,27 @@ def failing(rows: Sequence[Row]) -> tuple[Failing, ...]:
         for check in row.result.checks:
             if check.kind != "rounding":
                 asked.setdefault(check.id, []).append(check)
-    found = [_failing(checks) for checks in asked.values()]
+    every = sum(bool(row.result.checks) for row in rows)  # limits are told of where one is broken
+    found = [
+        _failing(checks, every if checks[0].kind == "limit" else len(checks))
+        for checks in asked.values()
+    ]
     missed = [f for f in found if f.violated or f.undetermined or f.not_reached]
     missed.sort(key=lambda f: (-Fraction(f.violated + f.not_reached, f.asked), -f.mean_lost))
     return tuple(missed)
 
 
-def _failing(checks: Sequence[Check]) -> Failing:
+def _failing(checks: Sequence[Check], asked: int) -> Failing:
     answers = [check.answer for check in checks]
     lost = sum((_exact(check.most) - _exact(check.points) for check in checks), Fraction(0))
     return Failing(
         checks[0].title,
         any(check.hidden for check in checks),
-        len(checks),
+        asked,
         answers.count("violated"),
         answers.count("undetermined"),
         answers.count("not reached"),
-        lost / len(checks),
+        lost / asked,
     )
 
 

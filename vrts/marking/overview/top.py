@@ -3,12 +3,13 @@
 from collections import Counter
 from collections.abc import Sequence
 
-from vrts.marking.overview.figures import Spread, spread
+from vrts.check.rules.scheme import TOTAL
+from vrts.marking.overview.figures import BINS, Spread, spread
 from vrts.marking.overview.words import KINDS, to_review
 from vrts.marking.row import Row
 from vrts.report.page.html import Markup, element
 from vrts.report.plain import one_line
-from vrts.report.quantities import points
+from vrts.report.quantities import full, points
 
 
 def top(rows: Sequence[Row], title: str, where: str) -> Markup:
@@ -28,6 +29,7 @@ def _tiles(rows: Sequence[Row], found: Spread | None) -> Markup:
     tiles = [("submission" if len(rows) == 1 else "submissions", str(len(rows)))]
     if found is not None:
         tiles += [("mean mark", points(found.mean)), ("median", points(found.median))]
+        tiles += [("full marks", full(found.total))] if found.total != TOTAL else []
     tiles += [
         ("ready for the real robot", str(sum(row.result.ready for row in rows))),
         ("to be reviewed", str(sum(to_review(row) for row in rows))),
@@ -78,17 +80,20 @@ def _kinds(rows: Sequence[Row]) -> Markup:
 
 def _histogram(found: Spread) -> Markup:
     most = max(found.counts)
+    ends = [full(found.total * k / BINS) for k in range(BINS + 1)]
     bars = [
         element(
             "div",
             element("b", str(count)) if count else None,
             element("i", style=f"--share:{count / most:.3f}") if count else None,
-            element("span", f"{low}–{low + 1}"),
-            title=f"{count} with a mark from {low} to {low + 1}",
+            element("span", f"{ends[low]}–{ends[low + 1]}"),
+            title=f"{count} with a mark from {ends[low]} to {ends[low + 1]}",
         )
         for low, count in enumerate(found.counts)
     ]
-    told = ", ".join(f"{low} to {low + 1}: {n}" for low, n in enumerate(found.counts) if n)
+    told = ", ".join(
+        f"{ends[low]} to {ends[low + 1]}: {n}" for low, n in enumerate(found.counts) if n
+    )
     chart = element("div", *bars, class_="bars", role="img", aria_label=f"Final marks: {told}")
     caption = element("figcaption", "Number of submissions by final mark")
     return element("figure", chart, caption, class_="histogram")

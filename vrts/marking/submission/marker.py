@@ -17,6 +17,9 @@ from vrts import __version__
 from vrts.assignments.packed import is_packed
 from vrts.assignments.task_folder import reference_of
 from vrts.check.mark.earned import not_reached
+from vrts.controllers.models import FIRST
+from vrts.controllers.values import digest
+from vrts.marking.proposer.by_name import By, by_name
 from vrts.marking.result import SCORING, Damaged, Kind, Record, Result, key_of
 from vrts.marking.submission.one import Marked, Order, Wanted, mark, refused
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT, Reader, write_files
@@ -73,6 +76,8 @@ class Marker:
         for setting in settings:
             assert setting.task is not None
             digests += [setting.task.digest, setting.scene.digest]
+            if setting.scene.controller != FIRST:  # of which results did not tell
+                digests += [digest(setting.scene.controller)]
         wanted = msgspec.json.encode(self.wanted).decode()
         return key_of(data, *digests, *versions_of_scoring(), wanted)
 
@@ -104,12 +109,14 @@ class Marker:
         return msgspec.json.encode(self._work(order, folder, self.wanted))
 
     def _work(self, order: Order, folder: Path, wanted: Wanted) -> Marks:
-        staff = self._mark(order, self.whole, wanted)
-        student = staff if self.public is self.whole else self._mark(order, self.public, wanted)
+        with by_name(wanted.engine, asked=wanted.collisions) as by:
+            staff = self._mark(order, self.whole, wanted, by)
+            same = self.public is self.whole
+            student = staff if same else self._mark(order, self.public, wanted, by)
         return self._finished(staff, student, order.data, folder, wanted)
 
-    def _mark(self, order: Order, setting: Setting, wanted: Wanted) -> Marked:
-        return mark(order, setting, wanted)
+    def _mark(self, order: Order, setting: Setting, wanted: Wanted, by: By) -> Marked:
+        return mark(order, setting, wanted, by)
 
     def _finished(
         self, staff: Marked, student: Marked, data: bytes | None, folder: Path, wanted: Wanted

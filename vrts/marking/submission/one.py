@@ -9,6 +9,7 @@ from typing import NamedTuple, TypeAlias
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.check.mark.grade import Status
 from vrts.check.mark.mark import ungraded
+from vrts.marking.proposer.by_name import ALONE, By
 from vrts.marking.result import Record
 from vrts.pipeline.assess import assess
 from vrts.pipeline.compiling.reading import ProgramFile
@@ -49,31 +50,37 @@ class Marked:
     fault: str | None  # traceback of a fault in vrts itself
 
 
-Assessed: TypeAlias = Callable[[Order, Setting, Wanted], Assessment]
+Assessed: TypeAlias = Callable[[Order, Setting, Wanted, By], Assessment]
 
 
-def assessed(order: Order, setting: Setting, wanted: Wanted) -> Assessment:
+def assessed(order: Order, setting: Setting, wanted: Wanted, by: By) -> Assessment:
     """Compile, run, check and mark a program."""
     return assess(
         Request(
             ProgramFile(order.data, order.title),
             setting,
-            checks=Checks(collisions=wanted.collisions, engine=wanted.engine),
+            checks=Checks(collisions=wanted.collisions, proposer=by.proposer, second=by.second),
             identifier=order.identifier,
         )
     )
 
 
-def mark(order: Order, setting: Setting, wanted: Wanted, assessed: Assessed = assessed) -> Marked:
+def mark(
+    order: Order,
+    setting: Setting,
+    wanted: Wanted,
+    by: By = ALONE,
+    assessed: Assessed = assessed,
+) -> Marked:
     """Mark a program, or whatever `assessed` knows; of hidden scenes the lowest mark counts.
 
     The one place where any exception is caught: a fault of ours must not look like one of the
     student's. The row says so, and the traceback is kept. Memory that is used up is no fault.
     """
     try:
-        found = assessed(order, setting, wanted)
+        found = assessed(order, setting, wanted, by)
         for variant in setting.variants:
-            other = assessed(order, variant, wanted)
+            other = assessed(order, variant, wanted, by)
             if _mark_of(other) < _mark_of(found):
                 found = other
     except (MemoryError, NotMarkable):
@@ -99,6 +106,7 @@ def _mark_of(a: Assessment) -> Fraction:
 
 
 def _nothing(order: Order, setting: Setting, why: Diagnostic) -> Assessment:
+    assert setting.task is not None
     return Assessment(
         order.identifier,
         order.title,
@@ -106,5 +114,5 @@ def _nothing(order: Order, setting: Setting, why: Diagnostic) -> Assessment:
         (why,),
         scene=setting.scene,
         task=setting.task,
-        grade=ungraded(Status.UNREADABLE, (why,)),
+        grade=ungraded(setting.task, Status.UNREADABLE, (why,)),
     )

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from vrts.assignments.packed import is_packed, load_zip
 from vrts.marking.result import Record
+from vrts.pipeline.controllers import under
 from vrts.pipeline.setting import Setting
 from vrts.pipeline.settings import load_task
 
@@ -15,6 +16,7 @@ class Place(Record, frozen=True):
     scene: str | None = None  # another than the task's: its marks do not count
     scenario: str | None = None
     lab: str | None = None
+    controller: str | None = None  # model of then, to mark again what was marked before
 
 
 def load(place: Place, *, staff: bool) -> Setting:
@@ -26,10 +28,11 @@ def load(place: Place, *, staff: bool) -> Setting:
     """
     path = Path(place.task)
     read = load_zip if is_packed(path) else load_task
-    return read(
+    setting = read(
         path,
         scene=place.scene,
         scenario=None if place.scenario is None else Path(place.scenario),
         staff=staff,
         lab=None if place.lab is None else Path(place.lab),
     )
+    return setting if place.controller is None else under(setting, place.controller)

@@ -8,6 +8,7 @@ from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
 from vrts.check.mark.earned import not_reached
 from vrts.check.mark.grade import Grade
+from vrts.controllers.values import digest
 from vrts.marking.result import (
     SCORING,
     Check,
@@ -68,6 +69,8 @@ def result_of(
         program=program_of(a.title, data),
         versions=versions(a),
         key=key,
+        controller=controller_named(setting),
+        total=_total(setting),
     )
 
 
@@ -100,7 +103,20 @@ def unmarked(
         program=None,
         versions=Versions(__version__, SCORING, None),
         key=key,
+        controller=controller_named(setting),
+        total=_total(setting),
     )
+
+
+def controller_named(setting: Setting) -> Named:
+    """Return how a result names its controller model."""
+    model = setting.scene.controller
+    return Named(model.name, model.title, digest(model))
+
+
+def _total(setting: Setting) -> float:
+    assert setting.task is not None
+    return float(setting.task.mark.total)
 
 
 def task_named(setting: Setting) -> Named:
@@ -129,6 +145,7 @@ def _parts(grade: Grade) -> Parts:
         _points(grade.contacts),
         _points(grade.demands),
         _points(grade.time),
+        _points(grade.limits),
     )
 
 

@@ -1,11 +1,12 @@
 """Commands that show what is going on, and what is set [manual language/monitor#showing]."""
 
 from vrts import __version__
+from vrts.base.numbers import round_half_away
 from vrts.engine.memory.records import ProgramState, ProgramStatus
 from vrts.engine.programs.signals import INPUTS, INTERNAL, OUTPUTS
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
-from vrts.lang.syntax.expressions import Element, Name
+from vrts.lang.syntax.expressions import Element, Name, Number
 from vrts.lang.typed.commands import CommandLine
 from vrts.monitor import words
 from vrts.monitor.commands.execution import as_instruction
@@ -95,19 +96,38 @@ def parameter(line: CommandLine, desk: Desk, now: Situation) -> Turn:
     unknown = next((name for name in names if name not in PARAMETERS), None)
     if unknown is not None:
         raise Refused(words.starred("Invalid parameter", f"there is no parameter {unknown}"))
-    return Turn(parameters_text(_parameters(names, desk, now), names))
+    indices = [_index(operand) for operand in line.operands] or [None] * len(names)
+    cells = [cell for pair in zip(names, indices, strict=True) for cell in _cells(*pair)]
+    return Turn(parameters_text((cell, _value(cell, desk, now)) for cell in cells))
 
 
-def _parameters(names: list[str], desk: Desk, now: Situation) -> dict[str, float]:
-    """Return values as programs read them; those that have none are left out."""
-    found: dict[str, float] = {}
-    for name in names:
-        try:
-            value = evaluated(f"PARAMETER({name})", Type.REAL, desk, now)
-        except Refused:
-            continue
-        found.update({name: value} if isinstance(value, float) else {})
-    return found
+def _value(cell: str, desk: Desk, now: Situation) -> float:
+    """Return a number of a parameter as programs read it."""
+    value = evaluated(f"PARAMETER({cell})", Type.REAL, desk, now)
+    assert isinstance(value, float)
+    return value
+
+
+def _cells(name: str, index: int | None) -> tuple[str, ...]:
+    """Return the numbers of a parameter that are to be shown: all, or the one with an index."""
+    known = PARAMETERS[name].cells
+    if index is None:
+        return known
+    wanted = f"{name}[{index}]"
+    if wanted not in known:
+        has = f"from 1 to {len(known)}" if len(known) > 1 else "none"
+        raise Refused(words.starred("Illegal array index", f"the index of {name}: {has}"))
+    return (wanted,)
+
+
+def _index(operand: object) -> int | None:
+    """Return the index in `NEST.POS[2]`; None where none is written."""
+    if not isinstance(operand, Element) or not operand.subscripts:
+        return None
+    (first, *more) = operand.subscripts
+    if more or not isinstance(first, Number):
+        raise Refused(words.starred("Illegal array index", "one number belongs into the brackets"))
+    return round_half_away(first.value)
 
 
 def _system_name(operand: object, what: str) -> str:

@@ -8,7 +8,9 @@ from fractions import Fraction
 
 from vrts.base.units import mm
 from vrts.check.mark.grade import Grade
-from vrts.check.verdict import Clearance, CollisionReport, ContactEvent, NearMiss, Verdict
+from vrts.check.verdict import Clearance, CollisionReport, ContactEvent, NearMiss, Verdict, sides
+from vrts.controllers.model import ControllerModel
+from vrts.controllers.values import digest
 from vrts.engine.memory.events import Cause
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import first_screen, status
@@ -48,6 +50,7 @@ def assessment_json(a: Assessment) -> Json:
         "obstacles": list(screen.obstacles),
         "task": a.task and {"name": a.task.name, "title": a.task.title, "sha256": a.task.digest},
         "scene": a.scene and {"name": a.scene.name, "sha256": a.scene.digest},
+        "controller": a.scene and _controller(a.scene.controller),
         "parts": _parts(a.grade) if a.grade else None,
         "run": _run(a),
         "verdicts": [_verdict(v) for v in a.judgement.verdicts] if a.judgement else [],
@@ -141,7 +144,7 @@ def _collisions(a: Assessment) -> Json | None:
 
 def _contact(c: ContactEvent) -> Json:
     return {
-        "bodies": [c.first, c.second],
+        "bodies": list(sides(c)),
         "parts": list(c.parts),
         "start_s": seconds(c.start_s),
         "end_s": seconds(c.end_s),
@@ -155,7 +158,7 @@ def _contact(c: ContactEvent) -> Json:
 
 def _near_miss(m: NearMiss) -> Json:
     return {
-        "bodies": [m.first, m.second],
+        "bodies": list(sides(m)),
         "parts": list(m.parts),
         "start_s": seconds(m.start_s),
         "end_s": seconds(m.end_s),
@@ -175,6 +178,10 @@ def _clearance(c: Clearance) -> Json:
         "bodies": list(c.bodies),
         "witnesses_mm": [[millimetres(x) for x in point] for point in c.witnesses],
     }
+
+
+def _controller(model: ControllerModel) -> Json:
+    return {"name": model.name, "sha256": digest(model)}
 
 
 def _line(cause: Cause | None) -> int | None:

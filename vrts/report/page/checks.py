@@ -7,13 +7,14 @@ from vrts import __version__
 from vrts.check.mark.grade import Grade
 from vrts.check.verdict import Answer, Verdict
 from vrts.check.verdicts.demand_check import DEMAND
+from vrts.controllers.values import digest
 from vrts.report.assessment import Assessment
 from vrts.report.audience import needs_review
 from vrts.report.page.html import Markup, element, prose
 from vrts.report.page.replay_data import contact_sentence
 from vrts.report.page.top import watch_button
 from vrts.report.plain import capital, one_line
-from vrts.report.quantities import MINUS, mark, points
+from vrts.report.quantities import MINUS, full, mark, points
 
 HIDDEN, REVIEWED = "hidden", "review"
 
@@ -62,15 +63,16 @@ def _tag(word: str) -> Markup:
 def _sum(a: Assessment) -> Markup | None:
     """Return the parts that add up to the mark."""
     task, grade = a.task, a.grade
-    if task is None or grade is None or a.run is None:
+    if task is None or grade is None or grade.shown is None:
         return None
-    scheme = task.mark
-    targets = scheme.targets + (Fraction(0) if task.vias else scheme.vias)
-    parts = [("Goals", grade.targets, f"of {points(targets)}")]
-    parts += [("Via points", grade.vias, f"of {points(scheme.vias)}")] if task.vias else []
-    parts += [("Contacts and drops", -grade.contacts, f"at most {_signed(-scheme.contact_cap)}")]
-    parts += [("Demands", -grade.demands, "")] if task.demands else []
-    parts += [("Time", grade.time, f"of {points(scheme.time_bonus)}")]
+    shown, most = grade.shown, grade.shown.most
+    name = "Goals" if task.targets else "Coming to the end"
+    parts = [(name, shown.targets, f"of {points(most.targets)}")] if most.targets else []
+    parts += [("Via points", shown.vias, f"of {points(most.vias)}")] if task.vias else []
+    parts += [("Limits of the robot", -shown.limits, "")] if shown.limits else []
+    parts += [("Contacts and drops", -shown.contacts, f"at most {_signed(-task.mark.contact_cap)}")]
+    parts += [("Demands", -shown.demands, "")] if task.demands else []
+    parts += [("Time", shown.time, f"of {points(most.time)}")]
     rows = [
         element(
             "tr",
@@ -84,7 +86,7 @@ def _sum(a: Assessment) -> Markup | None:
         "tr",
         element("th", "Mark", scope="row"),
         element("td", mark(grade.mark), class_="number"),
-        element("td", "of 10", class_="of"),
+        element("td", f"of {full(grade.total)}", class_="of"),
         class_="total",
     )
     caption = element("caption", "How the mark adds up")
@@ -138,11 +140,12 @@ def review_section(a: Assessment) -> Markup | None:
 
 
 def _range(grade: Grade | None) -> Markup | None:
-    """Return the lowest and the highest mark, and a bar of them from 0 to 10."""
+    """Return the lowest and the highest mark, and a bar of them from 0 to the total."""
     if grade is None or grade.lowest is None:
         return None
     low, high = grade.lowest, grade.mark
-    bar = element("i", style=f"left:{10 * float(low):.0f}%;right:{100 - 10 * float(high):.0f}%")
+    left, right = (100 * float(end / grade.total) for end in (low, high))
+    bar = element("i", style=f"left:{left:.0f}%;right:{100 - right:.0f}%")
     return element(
         "p",
         "Lowest mark ",
@@ -163,7 +166,7 @@ def facts_section(a: Assessment) -> Markup:
     rows: list[tuple[str, str]] = [("vrts", __version__)]
     report = a.judgement.collisions if a.judgement else None
     if report is not None:
-        rows += [("distances by", report.engine)]
+        rows += [("distances", f"proven; proposed by {report.engine}")]
         rows += [(name, f"{count:,}") for name, count in report.statistics.items()]
         rows += [("second engine disagrees", str(len(report.disagreements)))]
     for v in a.judgement.verdicts if a.judgement else ():
@@ -173,6 +176,9 @@ def facts_section(a: Assessment) -> Markup:
         rows += [("motions", str(len(a.run.motions)))]
         rows += [("pieces of motion", str(len(a.run.timeline.segments)))]
     rows += [("scene sha256", a.scene.digest)] if a.scene else []
+    if a.scene is not None:
+        model = a.scene.controller
+        rows += [("controller model", model.name), ("controller sha256", digest(model))]
     rows += [("task sha256", a.task.digest)] if a.task else []
     pairs = [
         element("div", element("dt", one_line(name)), element("dd", one_line(value)))

@@ -1,13 +1,16 @@
 """The first screen as HTML."""
 
 import base64
+from fractions import Fraction
 
 from vrts.base.diagnostic import Moment
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import FirstScreen
 from vrts.report.page.html import Markup, element, prose
 from vrts.report.plain import capital, one_line, yes_no
-from vrts.report.quantities import at_time, lost, mark, seconds, when
+from vrts.report.quantities import at_time, full, lost, mark, seconds, when
+
+HIGH, MIDDLE = Fraction(8, 10), Fraction(5, 10)  # shares of the total from which a mark is so
 
 
 def first_screen_section(
@@ -69,12 +72,13 @@ def mark_badge(screen: FirstScreen) -> Markup:
     """Return the mark, or the status where there is none."""
     if screen.mark is None:
         return element("p", element("b", screen.status), class_="mark word")
-    level = "high" if screen.mark >= 8 else "middle" if screen.mark >= 5 else "low"
+    share = screen.mark / screen.total
+    level = "high" if share >= HIGH else "middle" if share >= MIDDLE else "low"
     status = element("span", screen.status, class_="status") if screen.status != "graded" else None
     return element(
         "p",
         element("b", mark(screen.mark)),
-        element("span", "/ 10"),
+        element("span", f"/ {full(screen.total)}"),
         status,
         class_=f"mark {level}",
     )
@@ -94,7 +98,7 @@ def _loss_table(screen: FirstScreen) -> Markup:
     total = element(
         "tr",
         element("td", mark(screen.mark), class_="number"),
-        element("th", "Mark, of 10", scope="row", colspan=2),
+        element("th", f"Mark, of {full(screen.total)}", scope="row", colspan=2),
         class_="total",
     )
     head = element("tr", *(element("th", t, scope="col") for t in ("Points", "Lost by", "Moment")))

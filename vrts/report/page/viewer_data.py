@@ -12,6 +12,7 @@ from functools import cache
 from typing import TypeAlias
 
 from vrts.base.pose import Pose
+from vrts.check.task.goals import Goal
 from vrts.check.task.task import Task
 from vrts.geometry.mesh import surface
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
@@ -36,9 +37,17 @@ def scene_data(scene: Scene, task: Task | None) -> Json:
         "bodies": [_body(body) for body in scene.bodies],
         "floor": -scene.robot.arm.shoulder_height,
         "table": _table_top(scene),
-        "goals": [{"body": g.body, "X": pose_numbers(g.X_WG), "title": g.title} for g in goals],
+        "goals": [goal for each in goals for goal in _goals(each)],
         "vias": [{"name": v.name, "point": _rounded(v.point), "radius": v.radius} for v in vias],
     }
+
+
+def _goals(goal: Goal) -> list[Json]:
+    """Return an object at every place where it may end."""
+    return [
+        {"body": choice.body, "X": pose_numbers(choice.X_WG), "title": goal.title}
+        for choice in goal.choices
+    ]
 
 
 @cache

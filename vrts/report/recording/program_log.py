@@ -9,7 +9,7 @@ from vrts.report.first_screen import first_screen
 from vrts.report.page.replay_data import contact_sentence
 from vrts.report.page.replay_lanes import line_of, robot_lines
 from vrts.report.plain import one_line
-from vrts.report.quantities import mark
+from vrts.report.quantities import full, mark
 from vrts.report.recording.lanes import numbered_line
 from vrts.report.recording.names import at_times, plain_markdown
 from vrts.report.recording.static import static_chunk
@@ -50,9 +50,9 @@ def send_log(a: Assessment) -> None:
 def send_summary(a: Assessment) -> None:
     """Send the answer in one look."""
     screen = first_screen(a)
-    of_ten = "" if screen.mark is None else f"**{mark(screen.mark)} of 10**, "
+    out_of = f"**{mark(screen.mark)} of {full(screen.total)}**, " if screen.mark is not None else ""
     ready = "yes" if screen.ready else "no"
     title, cause = plain_markdown(one_line(a.title)), plain_markdown(screen.cause)
-    text = f"# {title}\n\n{of_ten}ready for the real robot: {ready}\n\n{cause}\n"
+    text = f"# {title}\n\n{out_of}ready for the real robot: {ready}\n\n{cause}\n"
     document = rr.TextDocument(text, media_type="text/markdown")
     rr.send_chunks(static_chunk("summary", document))

@@ -6,7 +6,7 @@ from typing import TypeAlias
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import FirstScreen, first_screen
 from vrts.report.plain import line_start, one_line, width, yes_no
-from vrts.report.quantities import lost, mark, when
+from vrts.report.quantities import full, lost, mark, when
 from vrts.report.review import review_of
 from vrts.report.screen.palette import Palette, Style, worded
 from vrts.report.screen.sketch import sketch
@@ -22,7 +22,7 @@ def first_screen_text(a: Assessment, palette: Palette) -> str:
     if screen.mark is None:
         rows = [palette.paint(Style.STRONG, line_start(title)) + f": {screen.status}"]
     else:
-        number = palette.paint(good, f"{mark(screen.mark)} / 10")
+        number = palette.paint(good, f"{mark(screen.mark)} / {full(screen.total)}")
         rows = [f"{number}  {palette.paint(Style.STRONG, title)} ({screen.status})"]
     rows.append("ready for the real robot: " + palette.paint(good, yes_no(screen.ready)))
     rows += _review_rows(a, palette)
@@ -63,7 +63,7 @@ def _picture(a: Assessment, screen: FirstScreen, palette: Palette) -> list[str]:
 def _loss_rows(screen: FirstScreen) -> list[Row]:
     assert screen.mark is not None
     rows = [(lost(loss.points), one_line(loss.sentence)) for loss in screen.losses]
-    return [("points", "lost by"), *rows, (mark(screen.mark), "mark, of 10")]
+    return [("points", "lost by"), *rows, (mark(screen.mark), f"mark, of {full(screen.total)}")]
 
 
 def _verdict_rows(screen: FirstScreen) -> list[Row]:

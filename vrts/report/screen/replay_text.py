@@ -88,13 +88,14 @@ def _events(run: Run, first_s: float, last_s: float, *, backward: bool) -> Itera
                 yield Told(event.time_s, _line(event.time_s, sign, event.cause, text), THEN)
         elif words := _words(run, event):
             told = _line(event.time_s, "* ", event.cause, words)
-            yield Told(event.time_s, told, _order(event))
+            yield Told(event.time_s, told, _order(run, event))
 
 
-def _order(event: Event) -> int:
+def _order(run: Run, event: Event) -> int:
     match event:
-        case MotionEnded():
-            return FIRST
+        case MotionEnded(time_s=time_s, motion=motion):
+            takes_time = run.motions[motion].start_s < time_s - INSTANT
+            return FIRST if takes_time else THEN  # after its own start
         case ProgramStarted():
             return BEGINNING
         case ProgramEnded():
@@ -108,7 +109,7 @@ def _words(run: Run, event: Event) -> str:
         case MotionStarted(cause=cause):
             return f"the arm starts: {one_line(cause.span.text)}"
         case MotionEnded(motion=motion, cause=cause):
-            ends = "is stopped" if run.motions[motion].cut else "arrives"
+            ends = "arrives" if run.motions[motion].arrives else "is stopped"
             return f"the arm {ends}: {one_line(cause.span.text)}"
         case _:
             found = event_text(event)

@@ -1,5 +1,7 @@
 """Where things are, for the terminal. Lengths in mm, angles in degrees, as programs write them."""
 
+from collections.abc import Sequence
+
 from vrts.base.oat import components
 from vrts.base.pose import Pose
 from vrts.base.units import deg, mm
@@ -20,8 +22,13 @@ Paste this at the end of a program; MOVE, APPRO and their like then know the nam
 """
 
 
-def scene_text(scene: Scene) -> str:
-    """Return every object with position and size, and the locations ready to paste."""
+def scene_text(scene: Scene, tried: Sequence[str] = ()) -> str:
+    """Return every object with position and size, and the locations ready to paste.
+
+    Args:
+        scene: The workspace, with the locations to show.
+        tried: What came of carrying objects with them, a line each.
+    """
     arm = scene.robot.arm
     rows = [("object", "X", "Y", "Z underside", "size X x Y x Z", "stands on", "")]
     rows += [_row(body) for body in scene.bodies if body.name != "floor"]
@@ -37,6 +44,8 @@ def scene_text(scene: Scene) -> str:
     ]
     if scene.locations:
         lines += ["", HOW_TO_USE + location_block(scene.locations).rstrip("\n")]
+    if tried:
+        lines += ["", *map(one_line, tried)]
     return plain_text("\n".join(lines))
 
 

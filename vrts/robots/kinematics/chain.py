@@ -7,10 +7,8 @@ import math
 from typing import NamedTuple
 
 from vrts.base.pose import IDENTITY, Pose, Vector
-from vrts.robots.kinematics.linear import solve_linear
+from vrts.robots.kinematics.linear import largest_singular_value, solve_linear
 from vrts.robots.model import Arm, Configuration, SerialArm
-
-NEAR_SINGULAR = 0.01  # bound on the smallest singular value of the scaled Jacobian [assumed]
 
 
 class Chain(NamedTuple):
@@ -129,14 +127,22 @@ def joint_velocity(arm: SerialArm, q: Configuration, v: Vector, w: Vector) -> Co
     return (q1, q2, q3, q4, q5, q6)
 
 
-def near_singular(arm: SerialArm, q: Configuration) -> bool:
-    """Return whether the hand can hardly move in some direction.
+def least_singular_value(arm: SerialArm, q: Configuration, enough: float = math.inf) -> float:
+    """Return how fast the hand moves at least, when the joints turn by 1 rad/s together.
 
-    The inverse of the Jacobian bounds its smallest singular value s: 1/|J^-1| <= s in the
-    Frobenius norm, within a factor of the root of six.
+    It is the smallest singular value of the flange's Jacobian, with lengths as shares of the arm's
+    extent, so that its rows can be compared. The inverse tells: 1/s is its largest singular value,
+    which lies between its Frobenius norm and that by the root of six.
+
+    Args:
+        arm: The arm.
+        q: Configuration.
+        enough: Above it the exact value does not matter: any bound from below that is larger will
+            do, and costs less.
     """
     unit = [tuple(float(row == column) for row in range(6)) for column in range(6)]
     inverse = solve_linear(columns(chain(arm, q), extent(arm)), unit)
     if inverse is None:
-        return True
-    return math.sqrt(math.fsum(x * x for column in inverse for x in column)) * NEAR_SINGULAR > 1.0
+        return 0.0
+    norm = math.sqrt(math.fsum(x * x for column in inverse for x in column))
+    return 1.0 / norm if norm * enough < 1.0 else 1.0 / largest_singular_value(inverse)

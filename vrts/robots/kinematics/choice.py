@@ -6,6 +6,7 @@ from typing import NamedTuple
 from vrts.base.pose import Pose
 from vrts.robots.kinematics.branch import ALL_BRANCHES
 from vrts.robots.kinematics.kinematics import limit_violations, reach_error, solve
+from vrts.robots.kinematics.limits import TIE
 from vrts.robots.kinematics.serial_solutions import solutions
 from vrts.robots.model import (
     Arm,
@@ -59,14 +60,16 @@ def choose(
     present: ArmBranch,
     near: Configuration,
     request: Request = NOTHING_REQUESTED,
+    *,
+    keep_wrist: bool = False,
 ) -> Choice | OutOfReach | OutOfLimits:
     """Return the solution that a MOVE to a pose takes.
 
     Shoulder and elbow are those requested, else those of the present branch. FLIP and NOFLIP bind
     only when requested; otherwise the wrist solution within limits whose largest change of joints
-    4 to 6 is smaller is taken [assumed, manual robots/branches#wrist]. Arms without branches take,
-    of the solutions within limits, the one whose largest change of a joint is smallest; requests
-    are ignored.
+    4 to 6 is smaller is taken [assumed, manual robots/branches#wrist], or with `keep_wrist` the
+    present one where it is within limits. Arms without branches take, of the solutions within
+    limits, the one whose largest change of a joint is smallest; requests are ignored.
     """
     if isinstance(arm, SerialArm):
         return _choose_nearest(arm, X_BF, present, near)
@@ -83,7 +86,10 @@ def choose(
     ]
     within = [(branch, q) for branch, q in candidates if not limit_violations(arm, q)]
     if within:
-        branch, q = min(within, key=lambda found: _wrist_change(found[1], near))
+        branch, q = within[0]
+        for other in () if keep_wrist else within[1:]:  # as far: the present wrist
+            if _wrist_change(other[1], near) < _wrist_change(q, near) - TIE:
+                branch, q = other
         return Choice(q, branch)
     branch, q = candidates[0]
     return OutOfLimits(

@@ -1,13 +1,16 @@
 """Joint limits, and which of the turns of a joint to take."""
 
 import math
+from dataclasses import replace
+from functools import lru_cache
 
 from vrts.robots.model import Arm, Configuration
 
 TAU = 2.0 * math.pi
 
 LIMIT_TOLERANCE = 1e-9  # [rad] a limit reached up to rounding holds
-HALF_TURN_BIAS = 1e-9  # [turns] of two turns equally near, the smaller angle is taken
+TIE = 1e-5  # [rad] ways that differ less are as long: single precision makes such a difference
+HALF_TURN_BIAS = TIE / TAU  # [turns] of two turns equally near, the smaller angle is taken
 SURELY_NEAREST = 3.0  # [rad] an angle nearer than this needs no other turn to be nearest
 
 
@@ -30,6 +33,12 @@ def limit_violations(arm: Arm, q: Configuration) -> tuple[tuple[int, float, floa
         for joint, value, lower, upper in zip(range(1, 7), q, arm.lower, arm.upper, strict=True)
         if not lower - LIMIT_TOLERANCE <= value <= upper + LIMIT_TOLERANCE
     )
+
+
+@lru_cache(maxsize=16)
+def unlimited(arm: Arm) -> Arm:
+    """Return an arm whose joints turn as far as they like: what a line would ask of it."""
+    return replace(arm, lower=(-math.inf,) * 6, upper=(math.inf,) * 6)
 
 
 def all_turned(

@@ -3,6 +3,8 @@
 import math
 from collections.abc import Sequence
 
+MOST_SWEEPS = 20  # of Jacobi's rotations; six equations need five or six
+ROUNDING = 1e-30  # relative, of squares
 SMALLEST_PIVOT = 1e-12  # below, equations count as dependent; coefficients are of the order of 1
 
 
@@ -81,3 +83,52 @@ def solve_symmetric(
         for k in range(i):
             x[k] -= lower[i][k] * x[i]
     return x
+
+
+def largest_singular_value(columns: Sequence[Sequence[float]]) -> float:
+    """Return the largest singular value of a matrix: the root of the largest eigenvalue of A^T A.
+
+    Jacobi's rotations make A^T A diagonal; they always converge.
+    """
+    squares, _ = _eigen(columns)
+    return math.sqrt(max(squares))
+
+
+def least_right_vector(columns: Sequence[Sequence[float]]) -> list[float]:
+    """Return the unit vector x for which A x is shortest."""
+    squares, vectors = _eigen(columns)
+    least = min(range(len(squares)), key=squares.__getitem__)
+    return [row[least] for row in vectors]
+
+
+def _eigen(columns: Sequence[Sequence[float]]) -> tuple[list[float], list[list[float]]]:
+    """Return eigenvalues of A^T A, and its eigenvectors as the columns of a matrix, by rows."""
+    size = len(columns)
+    a = [[math.fsum(x * y for x, y in zip(b, c, strict=True)) for c in columns] for b in columns]
+    turned = [[float(i == j) for j in range(size)] for i in range(size)]
+    for _ in range(MOST_SWEEPS):
+        off = math.fsum(a[i][j] * a[i][j] for i in range(size) for j in range(i))
+        if off <= ROUNDING * math.fsum(a[i][i] * a[i][i] for i in range(size)):
+            break
+        for i in range(size - 1):
+            for j in range(i + 1, size):
+                _rotate(a, turned, i, j)
+    return [a[i][i] for i in range(size)], turned
+
+
+def _rotate(a: list[list[float]], turned: list[list[float]], i: int, j: int) -> None:
+    """Turn a symmetric matrix so that one element off its diagonal becomes zero."""
+    if a[i][j] == 0.0:
+        return
+    tau = (a[j][j] - a[i][i]) / (2.0 * a[i][j])
+    t = math.copysign(1.0, tau) / (abs(tau) + math.hypot(1.0, tau))
+    c = 1.0 / math.hypot(1.0, t)
+    s = t * c
+    for k in range(len(a)):
+        a[k][i], a[k][j] = c * a[k][i] - s * a[k][j], s * a[k][i] + c * a[k][j]
+        turned[k][i], turned[k][j] = (
+            c * turned[k][i] - s * turned[k][j],
+            s * turned[k][i] + c * turned[k][j],
+        )
+    for k in range(len(a)):
+        a[i][k], a[j][k] = c * a[i][k] - s * a[j][k], s * a[i][k] + c * a[j][k]

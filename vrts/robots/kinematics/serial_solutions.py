@@ -14,7 +14,7 @@ from typing import cast
 from vrts.base.pose import Pose, add, distance, dot, scale, subtract
 from vrts.robots.kinematics.approach import Approach, approach
 from vrts.robots.kinematics.chain import chain, extent
-from vrts.robots.kinematics.limits import limit_violations, turned
+from vrts.robots.kinematics.limits import TIE, limit_violations, turned
 from vrts.robots.model import Configuration, SerialArm
 
 MOST_STEPS = 30  # from one start; most need eight
@@ -43,7 +43,16 @@ def solutions(arm: SerialArm, X_BF: Pose, near: Configuration) -> tuple[Configur
     _collect(arm, X_BF, near, (near, *starts(arm)), found)
     if all(limit_violations(arm, q) for q in found):
         _collect(arm, X_BF, near, starts(arm, FINER), found)
-    return tuple(sorted(found, key=lambda q: (bool(limit_violations(arm, q)), _change(q, near))))
+    return tuple(sorted(found, key=lambda q: _order(arm, q, near)))
+
+
+def _order(arm: SerialArm, q: Configuration, near: Configuration) -> tuple[bool, list[int]]:
+    """Return a key: within limits first, then by the largest change, then by the next largest.
+
+    Changes are counted in steps, so that rounding does not choose.
+    """
+    changes = sorted((abs(a - b) for a, b in zip(q, near, strict=True)), reverse=True)
+    return bool(limit_violations(arm, q)), [round(change / TIE) for change in changes]
 
 
 def reach_error(arm: SerialArm, X_BF: Pose) -> tuple[str, float] | None:
@@ -54,7 +63,7 @@ def reach_error(arm: SerialArm, X_BF: Pose) -> tuple[str, float] | None:
         the orientation nearly kept [m]), or None when one does.
     """
     best: Approach | None = None
-    length = ORIENTATION_FIRST * extent(arm)
+    length = weighs_orientation(arm)
     for start in (arm.ready, *starts(arm), *starts(arm, FINER)):
         result = approach(arm, X_BF, start, MOST_STEPS, length=length)
         if result.reached:
@@ -68,6 +77,11 @@ def reach_error(arm: SerialArm, X_BF: Pose) -> tuple[str, float] | None:
     centre = add(point, scale(axis, dot(subtract(at.points[1], point), axis)))
     wanted, got = distance(X_BF.translation, centre), distance(at.X_BF.translation, centre)
     return ("too far" if wanted >= got else "too close", best.gap_m)
+
+
+def weighs_orientation(arm: SerialArm) -> float:
+    """Return the length that counts as a radian where a pose is out of reach [m]."""
+    return ORIENTATION_FIRST * extent(arm)
 
 
 def starts(arm: SerialArm, parts: tuple[int, ...] = COARSE) -> tuple[Configuration, ...]:

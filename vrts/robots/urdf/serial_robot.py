@@ -8,7 +8,7 @@ from typing import NamedTuple, cast
 
 from vrts.base.pose import Pose, translation
 from vrts.base.units import MM
-from vrts.geometry.narrow import distance
+from vrts.geometry.proving.scalar import nearest
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
 from vrts.geometry.support import bounds
 from vrts.robots.arms.gripper import TWO_FINGERS
@@ -147,4 +147,4 @@ def _meet(first: Link, X_BA: Pose, second: Link, X_BB: Pose) -> bool:
     a, b = bounds(first.pieces, X_BA), bounds(second.pieces, X_BB)
     if any(a.lower[k] > b.upper[k] or b.lower[k] > a.upper[k] for k in range(3)):
         return False
-    return any(distance(p, X_BA, q, X_BB) <= 0.0 for p in first.pieces for q in second.pieces)
+    return any(nearest(p, X_BA, q, X_BB).lower <= 0.0 for p in first.pieces for q in second.pieces)

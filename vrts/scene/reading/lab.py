@@ -19,7 +19,7 @@ LAB_TABLE = Rule("V641", "lab-table")
 TWO_LABS = Rule("V644", "two-labs")
 
 SECTION = "lab"
-PARTS = ("robot", "gripper", "table")
+PARTS = ("robot", "gripper", "table", "controller")
 ONE_ROBOT = ("name", "urdf")  # either says which robot: then nothing of the scene's is left
 TABLE = "table"  # name of the object that `[lab.table]` describes
 
@@ -31,6 +31,7 @@ class Lab(NamedTuple):
     robot: Table | None = None
     gripper: Table | None = None
     table: Table | None = None
+    controller: Table | None = None
 
     def suffix(self) -> str:
         """Return what a scene's title has in addition."""
@@ -45,6 +46,10 @@ class Lab(NamedTuple):
     def gripper_over(self, own: Table | None) -> Table | None:
         """Return the section `[gripper]` of a scene with that of the lab over it."""
         return _over(own, self.gripper)
+
+    def controller_over(self, own: Table | None) -> Table | None:
+        """Return the section `[controller]` of the lab, else that of the scene."""
+        return self.controller or own
 
     def objects_over(self, own: Sequence[tuple[str, Table]]) -> tuple[tuple[str, Table], ...]:
         """Return the objects of a scene, with what the lab says about the table."""
@@ -69,9 +74,9 @@ def read_lab(top: Table) -> Lab:
     if section is None:
         return Lab()
     title = section.string("title", "the lab")
-    robot, gripper, table = (section.table(part) for part in PARTS)
+    robot, gripper, table, controller = (section.table(part) for part in PARTS)
     section.finish()
-    return Lab(title, robot, gripper, table)
+    return Lab(title, robot, gripper, table, controller)
 
 
 def laid_over(scene: SourceFile, lab: SourceFile) -> tuple[Appended | None, tuple[Diagnostic, ...]]:

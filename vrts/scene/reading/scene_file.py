@@ -18,10 +18,12 @@ from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.base.units import DEG
 from vrts.robots.model import Robot
+from vrts.robots.timed import timed
 from vrts.scene.colors import NAMED, Color, color
 from vrts.scene.default import floor_body
+from vrts.scene.handling.places import find_places
 from vrts.scene.model import Body, Mobility, Scene
-from vrts.scene.places import find_places
+from vrts.scene.reading.controller_section import read_controller
 from vrts.scene.reading.files import SceneFolder
 from vrts.scene.reading.form_section import CARRIED, COLORS, FARTHEST, MAY_BE_FIXED, read_form
 from vrts.scene.reading.gripper_section import read_gripper
@@ -102,6 +104,7 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems) -> Scene | None:
     lab = read_lab(top)
     gripper = read_gripper(lab.gripper_over(top.table("gripper")))
     arm_and_hand, X_FT, X_WS = read_robot(lab.robot_over(top.table("robot")), gripper, folder)
+    model = read_controller(lab.controller_over(top.table("controller")))
     sections = lab.objects_over(top.named_tables("objects"))
     locations_section = top.table("locations")
     top.finish()
@@ -119,11 +122,12 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems) -> Scene | None:
     scene = Scene(
         name,
         title + lab.suffix(),
-        arm_and_hand,
+        timed(arm_and_hand, model),
         X_FT,
         bodies,
         MappingProxyType({}),
         _digest(source, folder),
+        model,
     )
     if problems.any_error:  # geometry is looked at only when all of it is known
         return None

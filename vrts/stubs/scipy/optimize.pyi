@@ -1,4 +1,4 @@
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Generic, TypeVar, overload
 
 import numpy as np
@@ -36,3 +36,18 @@ def least_squares(
     loss: str = ...,
     f_scale: float = ...,
 ) -> OptimizeResult[_Array]: ...
+def linear_sum_assignment(
+    cost_matrix: npt.NDArray[np.int64], maximize: bool = ...
+) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]: ...
+
+class LinearResult:
+    x: _Array | None
+    fun: float
+
+def linprog(
+    c: tuple[float, ...],
+    *,
+    A_ub: _Array,
+    b_ub: _Array,
+    bounds: Sequence[tuple[float | None, float | None]],
+) -> LinearResult: ...

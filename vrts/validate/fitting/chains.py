@@ -65,7 +65,7 @@ def chains_of(run: Run) -> list[Chain]:
 
 def _chain(run: Run, motions: Sequence[Motion], rests: tuple[float, float]) -> Chain | None:
     kinds = {motion.interpolation for motion in motions}
-    if len(kinds) != 1 or any(m.cut or m.end_s > run.horizon_s for m in motions):
+    if len(kinds) != 1 or any(not m.arrives or m.end_s > run.horizon_s for m in motions):
         return None
     arm = run.scene.robot.arm
     in_joints = kinds == {Interpolation.JOINT}

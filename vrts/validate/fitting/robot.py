@@ -108,6 +108,7 @@ def _fitted(
         len(joint_legs) + len(line_legs),
         read,
         (),
+        run.scene.controller.name,
     )
 
 

@@ -78,7 +78,7 @@ export const FROM_SESSION = {
   done: ["ref", "at_s", "accepted", "text", "help", "code", "counts", "row"],
   reached: ["ref", "reachable", "why", "code", "branch", "joints_rad"],
   status: ["time_s", "joints_rad", "location", "hand_m", "program", "mode", "step", "line", "text", "speed",
-    "signals", "held", "prompt", "contacts", "checked_s", "mark", "tool"],
+    "signals", "held", "prompt", "contacts", "checked_s", "mark", "tool", "total"],
   snapshot: ["ref", "status", "bodies", "programs", "contacts", "near", "events", "output"],
 };
 
@@ -97,9 +97,9 @@ export const LONGEST_CHAT = 1000; // characters
  *   turn_s: number, idle_s: number, ends: number}} Control
  * @typedef {{time_s: number, joints_rad: number[], location: number[], hand_m: number, program: string, mode: string,
  *   step: number, line: number, text: string, speed: number, signals: number[], held: string, prompt: string,
- *   contacts: number, checked_s: number, mark: number | null, tool: number[]}} Status
+ *   contacts: number, checked_s: number, mark: number | null, tool: number[], total: number}} Status
  * @typedef {{body: string, start: number, lie: string, X: number[], support: string | null}} Placed
- * @typedef {{name: string, lines: string[], fault: string}} Program
+ * @typedef {{name: string, lines: string[], fault: string, main?: boolean}} Program
  * @typedef {{first: string, second: string, parts: string[], text: string, start: number, end: number,
  *   deepest: number, point: number[], held: string, line: number, depthMm?: number, distanceMm?: number,
  *   heard?: number}} Contact `heard`: session time at which the page learnt of it [s]

@@ -8,7 +8,8 @@ from vrts.check.collision.clearance_curve import FAR, clearance_curve
 from vrts.check.collision.of_run import motion_of, plan_of
 from vrts.check.collision.pairs.arm_state import Prober
 from vrts.check.collision.pairs.grips import NEAR_MISS
-from vrts.geometry.narrow import engine
+from vrts.geometry.proposing.choose import here
+from vrts.geometry.proving.prover import Prover
 from vrts.pipeline.assess import assess
 from vrts.pipeline.requesting import request_for
 
@@ -37,9 +38,11 @@ def test_no_pair_is_nearer_than_it_says() -> None:
     assert found.scene is not None
     times = np.linspace(0.0, found.run.horizon_s, 61)
     curve = clearance_curve(found.scene, found.run, times)
-    todo = plan_of(found.scene, found.run, engine(), NEAR_MISS, clearance=True)
+    todo = plan_of(found.scene, found.run, here(), NEAR_MISS, clearance=True)
     pairs = todo.pairs
-    prober = Prober(found.scene.robot.arm, motion_of(found.run), todo.solids, engine())
+    prober = Prober(
+        found.scene.robot.arm, motion_of(found.run), todo.solids, Prover(todo.solids, here())
+    )
     for now, said in zip(times[::6], curve[::6], strict=True):
         there = np.flatnonzero(pairs.counts & (pairs.start_s <= now) & (now <= pairs.end_s))
         each = prober.distances(pairs.first[there], pairs.second[there], np.full(len(there), now))

@@ -14,14 +14,17 @@ from vrts.base.units import mm
 from vrts.check.collision import collision
 from vrts.check.collision.pairs.arm_state import Prober
 from vrts.check.collision.pairs.pairs import plan
-from vrts.check.collision.second_opinion import Witness
+from vrts.check.collision.second_opinion import Witness, measured
 from vrts.check.curves.timeline_arrays import curves
 from vrts.check.task.task_file import read_task
 from vrts.check.verdict import Answer
-from vrts.geometry.narrow import FCL, engine
-from vrts.geometry.nearest import Array, Engine, Transform
+from vrts.geometry.proposing.by_coal import ByCoal
+from vrts.geometry.proposing.choose import here
+from vrts.geometry.proposing.proposer import Array, Proposals, Proposer, Questions
+from vrts.geometry.proving.prover import Prover
 from vrts.geometry.support import bounds
 from vrts.pipeline.assess import assess
+from vrts.pipeline.request import Checks
 from vrts.pipeline.requesting import request_for
 from vrts.pipeline.where import Where
 from vrts.report.assessment import Assessment
@@ -35,10 +38,13 @@ HITS = (EXAMPLE / "submissions" / "hits-base.v2").read_text("utf-8")
 LOW = "low 800 150 -285.2 90 90 0\n"  # the fingertips 0.2 mm inside the table, near nothing else
 
 
-def assessed(folder: Path, program: str, task: str = TASK) -> Assessment:
+def assessed(
+    folder: Path, program: str, task: str = TASK, second: Proposer | None = None
+) -> Assessment:
     (folder / "task.toml").write_text(task, encoding="utf-8")
     (folder / "mine.v2").write_text(program, encoding="utf-8")
-    return assess(request_for(folder / "mine.v2", Where(task=folder / "task.toml")))
+    where = Where(task=folder / "task.toml")
+    return assess(request_for(folder / "mine.v2", where, checks=Checks(second=second)))
 
 
 def collisions(a: Assessment) -> dict[str, Any]:
@@ -57,15 +63,16 @@ def looked_at(a: Assessment, found: dict[str, Any]) -> tuple[Array, Array]:
     assert a.scene is not None
     motion = curves(a.run.timeline.segments)
     todo = plan(a.scene, a.run, motion)
-    prober = Prober(a.scene.robot.arm, motion, todo.solids, engine())
+    prober = Prober(a.scene.robot.arm, motion, todo.solids, Prover(todo.solids, here()))
     pairs = todo.pairs
     times = np.arange(found["start_s"] - 0.1, found["end_s"] + 0.1, 1e-4)
     depth = np.full(len(times), -np.inf)
-    group = todo.groups.index(tuple(found["bodies"]))
+    group = todo.groups.index(("robot", found["bodies"][1]))  # the can moves with it
     for row in np.flatnonzero((pairs.group == group) & pairs.grazes).tolist():
         now = np.flatnonzero((pairs.start_s[row] <= times) & (times <= pairs.end_s[row]))
         first, second = np.full((2, len(now)), [[pairs.first[row]], [pairs.second[row]]])
-        depth[now] = np.maximum(depth[now], -prober.distances(first, second, times[now]))
+        by_coal = measured(ByCoal().propose(prober.questions(first, second, times[now])))
+        depth[now] = np.maximum(depth[now], -by_coal)
     return times, depth
 
 
@@ -75,7 +82,7 @@ def test_every_fact_of_a_contact_stands_in_the_json(tmp_path: Path) -> None:
     assert a.scene is not None
     assert a.source is not None
     (found,) = collisions(a)["contacts"]
-    assert found["bodies"] == ["robot", "base1"]
+    assert found["bodies"] == ["can1", "base1"]
     assert found["parts"] == ["can1", "base1"]
     assert found["held"] == "can1"
     times, depth = looked_at(a, found)
@@ -183,43 +190,42 @@ def test_contacts_near_misses_and_the_clearance_are_asked_about_again(
     asked: list[Witness] = []
     really = collision.disagreements
 
-    def noted(ours: Prober, theirs: Prober, witnesses: list[Witness]) -> tuple[str, ...]:
-        assert (ours.engine.name, theirs.engine.name) == ("coal", FCL)
+    def noted(ours: Prober, by: Proposer, witnesses: list[Witness]) -> tuple[str, ...]:
         asked.extend(witnesses)
-        return really(ours, theirs, witnesses)
+        return really(ours, by, witnesses)
 
     monkeypatch.setattr(collision, "disagreements", noted)
-    hit = collisions(assessed(tmp_path, HITS))
+    hit = collisions(assessed(tmp_path, HITS, second=ByCoal()))
     times = [round(witness.time_s, 3) for witness in asked]
     assert times == [row["deepest_s"] for row in hit["contacts"]]
     asked.clear()
-    wide = collisions(assessed(tmp_path, SOLUTION, TASK + "\n[collision]\nnear_miss_mm = 12\n"))
+    wider = TASK + "\n[collision]\nnear_miss_mm = 12\n"
+    wide = collisions(assessed(tmp_path, SOLUTION, wider, second=ByCoal()))
     times = [round(witness.time_s, 3) for witness in asked]
     assert times[:-1] == [row["nearest_s"] for row in wide["near_misses"]]
     assert times[-1] == wide["clearance"]["time_s"]
 
 
-def test_a_disagreement_keeps_the_verdict_and_is_for_review(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+class Nearer(ByCoal):
+    """Measures a millimetre too near."""
+
+    name = "nearer"
+
+    def propose(self, asked: Questions) -> Proposals:
+        found = super().propose(asked)
+        return found._replace(second=found.second - 1e-3 * found.normal)
+
+
+def test_a_disagreement_keeps_the_verdict_and_is_for_review(tmp_path: Path) -> None:
     usual = assessed(tmp_path, SOLUTION)
-    fcl = engine(FCL)
-
-    def shifted(rotation: Array, origin: Array) -> Transform:
-        return fcl.transform(rotation, 0.99 * origin)
-
-    def by_name(name: str | None) -> Engine:
-        return fcl._replace(transform=shifted) if name == FCL else engine(name)
-
-    monkeypatch.setattr(collision, "engine_by_name", by_name)
-    disputed = assessed(tmp_path, SOLUTION)
+    disputed = assessed(tmp_path, SOLUTION, second=Nearer())
     assert usual.grade is not None
     assert usual.judgement is not None
     assert disputed.grade is not None
     assert disputed.judgement is not None
     assert collisions(usual)["disagreements"] == []
     (words,) = collisions(disputed)["disagreements"]
-    assert "coal measures 10.00 mm, fcl " in words
+    assert "10.00 mm proven, nearer measures 9.00 mm" in words
     assert disputed.judgement.answer is usual.judgement.answer is Answer.HOLDS
     assert replace(disputed.grade, ready=True, obstacles=()) == usual.grade
     assert f"to be reviewed: two engines disagree: {words}" in disputed.grade.obstacles

@@ -7,6 +7,7 @@ import pytest
 
 from tests.collision_runs import Record, Story, down, fixed, movable, scene_of
 from tests.near_misses import near_miss
+from tests.proposers import PROPOSERS
 from vrts.base.diagnostic import Severity
 from vrts.base.pose import IDENTITY, Pose, translation
 from vrts.check.collision.collision import check_collisions
@@ -15,7 +16,9 @@ from vrts.check.collision.pairs.arm_state import Prober
 from vrts.check.collision.pairs.pairs import plan
 from vrts.check.curves.timeline_arrays import curves
 from vrts.check.verdict import Answer, CollisionReport
-from vrts.geometry.narrow import engine
+from vrts.geometry.proposing.choose import here
+from vrts.geometry.proposing.proposer import Proposer
+from vrts.geometry.proving.prover import Prover
 from vrts.geometry.shapes import Box, Cylinder, Piece
 from vrts.scene.model import Body, Scene
 
@@ -53,15 +56,16 @@ def stooping(gap: float, wait: float = 0.5) -> Story:
     return story
 
 
-def checked(story: Story, **settings: float | str) -> CollisionReport:
+def checked(story: Story, **settings: float | Proposer) -> CollisionReport:
     return check_collisions(story.scene, story.record(), **settings)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize(("name", "beyond"), [("coal", 2e-4), ("fcl", 1e-3)])
+@pytest.mark.parametrize("name", PROPOSERS)
 @pytest.mark.parametrize("threshold", [None, 0.008])
-def test_the_threshold_decides(name: str, beyond: float, threshold: float | None) -> None:
+def test_the_threshold_decides(name: str, threshold: float | None) -> None:
+    beyond = 2e-4
     limit = threshold or THRESHOLD
-    settings: dict[str, float | str] = {"engine": name}
+    settings: dict[str, float | Proposer] = {"proposer": PROPOSERS[name]()}
     if threshold is not None:
         settings["near_miss"] = threshold
     far = checked(stooping(limit + beyond), **settings)
@@ -185,7 +189,7 @@ def test_no_sample_is_near_outside_a_near_miss(seed: int) -> None:
     report = check_collisions(case.scene, case.record)
     motion = curves(case.record.timeline.segments)
     todo = plan(case.scene, case.record, motion)
-    prober = Prober(case.scene.robot.arm, motion, todo.solids, engine())
+    prober = Prober(case.scene.robot.arm, motion, todo.solids, Prover(todo.solids, here()))
     touches = (*report.contacts, *report.undetermined, *report.grazes)
     touched = {event.second for event in touches}  # such an approach is told as a touch
     times = np.linspace(0.0, case.duration, 1001)

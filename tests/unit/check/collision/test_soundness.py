@@ -4,19 +4,20 @@ import numpy as np
 import pytest
 
 from tests.near_misses import NearMiss, near_miss, sampled, sampled_plainly
+from tests.proposers import PROPOSERS
 from tests.soundness import PAST, case
 from vrts.check.collision.collision import check_collisions
 
 
-@pytest.mark.parametrize("engine", ["coal", "fcl"])
+@pytest.mark.parametrize("by", PROPOSERS)
 @pytest.mark.parametrize("seed", [190, 422])
-def test_a_post_touched_for_a_fraction_of_a_millisecond(seed: int, engine: str) -> None:
+def test_a_post_touched_for_a_fraction_of_a_millisecond(seed: int, by: str) -> None:
     motion = case(seed)
     times = sampled(motion)
     assert 0 < len(times) < 10
     at = np.rint(times / 1e-4).astype(np.int64)
     assert not (at % 10 == 0).any()  # looking every millisecond misses it
-    assert_found(motion, times, engine)
+    assert_found(motion, times, by)
 
 
 @pytest.mark.parametrize("seed", [430, 946, 2306, 3886, 5738, 6970, 7574, 9356])
@@ -27,10 +28,11 @@ def test_a_post_touched_for_a_millisecond(seed: int) -> None:
     assert_found(motion, times, "coal")
 
 
-def assert_found(motion: NearMiss, times: np.ndarray, engine: str) -> None:
-    """Assert that the check brackets the contact, or with fcl's error cannot exclude it."""
-    report = check_collisions(motion.scene, motion.record, clearance=False, engine=engine)
-    events = [*report.contacts, *(report.undetermined if engine == "fcl" else ())]
+def assert_found(motion: NearMiss, times: np.ndarray, by: str) -> None:
+    """Assert that the check brackets the contact."""
+    proposer = PROPOSERS[by]()
+    report = check_collisions(motion.scene, motion.record, clearance=False, proposer=proposer)
+    events = report.contacts
     around = [e for e in events if e.start_s < times[0] + 1.5e-4 and times[-1] - 1.5e-4 < e.end_s]
     assert [event.second for event in around] == [motion.kind]
 

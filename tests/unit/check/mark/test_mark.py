@@ -11,8 +11,9 @@ from vrts.base.source import SourceFile
 from vrts.check.judge import judge
 from vrts.check.mark.grade import Grade, Status
 from vrts.check.mark.mark import grade, ungraded
-from vrts.check.task.score import Achieved, rounded_mark, score
-from vrts.check.task.task import MarkScheme, Task
+from vrts.check.rules.scheme import TOTAL, MarkScheme
+from vrts.check.task.score import UNTOUCHED, Achieved, Touched, rounded_mark, score
+from vrts.check.task.task import Task
 from vrts.check.task.task_file import read_task
 from vrts.check.task.task_places import scene_name
 from vrts.check.verdict import Answer
@@ -30,7 +31,7 @@ CLEAN = Achieved(
     goals=((Fraction(1), Fraction(1)),) * 4,
     vias=0,
     vias_met=0,
-    contacts=0,
+    touched=UNTOUCHED,
     completed=True,
     duration_s=PAR,
 )
@@ -42,26 +43,26 @@ ANCHORS = [
     (replace(CLEAN, duration_s=PAR * 3 / 2), "9.3"),
     (replace(CLEAN, duration_s=PAR * 2), "8.5"),
     (replace(CLEAN, duration_s=PAR * 5), "8.5"),
-    (replace(CLEAN, contacts=1), "7.0"),
-    (replace(CLEAN, contacts=2), "6.0"),
-    (replace(CLEAN, contacts=5), "3.5"),
-    (replace(CLEAN, contacts=50), "3.5"),
+    (replace(CLEAN, touched=Touched(1)), "7.0"),
+    (replace(CLEAN, touched=Touched(2)), "6.0"),
+    (replace(CLEAN, touched=Touched(5)), "3.5"),
+    (replace(CLEAN, touched=Touched(50)), "3.5"),
     (replace(CLEAN, completed=False), "8.5"),
     (replace(CLEAN, vias=2, vias_met=2), "10"),
     (replace(CLEAN, vias=2, vias_met=1), "7.3"),
     (replace(CLEAN, goals=NOTHING), "0"),
-    (replace(CLEAN, goals=NOTHING, contacts=3), "0"),
+    (replace(CLEAN, goals=NOTHING, touched=Touched(3)), "0"),
 ]
 
 
 @pytest.mark.parametrize(("achieved", "mark"), ANCHORS)
 def test_anchor(achieved: Achieved, mark: str) -> None:
-    assert rounded_mark(score(achieved, MarkScheme(), PAR, LONGEST)) == Fraction(mark)
+    assert rounded_mark(score(achieved, MarkScheme(), PAR, LONGEST), TOTAL) == Fraction(mark)
 
 
 def test_three_goals_of_four_with_via_points_earn_seven() -> None:
     achieved = replace(CLEAN, goals=THREE_OF_FOUR, vias=3, vias_met=3)
-    assert rounded_mark(score(achieved, MarkScheme(), PAR, LONGEST)) == 7
+    assert rounded_mark(score(achieved, MarkScheme(), PAR, LONGEST), TOTAL) == 7
 
 
 def task(text: str = TASK_TEXT) -> Task:
@@ -115,7 +116,7 @@ def test_an_empty_program_earns_nothing() -> None:
 
 
 def test_what_does_not_compile_earns_nothing() -> None:
-    found = ungraded(Status.DOES_NOT_COMPILE, ())
+    found = ungraded(task(), Status.DOES_NOT_COMPILE, ())
     assert (found.mark, found.ready) == (0, False)
     assert sum(loss.points for loss in found.losses) == 10
 
@@ -199,7 +200,7 @@ def test_a_line_close_to_a_singular_wrist_is_too_fast() -> None:
         "SPEED {} MMPS\nMOVES SHIFT(p BY 0,-400,0)\n.END\n"
     )
     run = ran(text.format(500))
-    assert codes(run) == []
+    assert codes(run) == ["V302"]  # told on the way, too
     found = check_limits(run)
     assert found.answer is Answer.VIOLATED
     (finding,) = found.findings

@@ -16,7 +16,7 @@ from vrts.pipeline.files import CHECKOUT
 from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.settings import load_task
 from vrts.scene.checks import scene_findings
-from vrts.scene.holds import holds
+from vrts.scene.handling.holds import holds
 from vrts.scene.reading.scene_file import read_scene
 from vrts.scene.things.forms import upright_box, upright_cylinder
 

@@ -14,7 +14,7 @@ SCENES = (
     *("V600", "V601", "V602", "V603", "V604", "V605", "V606", "V607"),
     *(f"V{number}" for number in range(610, 620)),
 )
-TASKS = ("V431", "V443", "V651", "V652", "V653", "V654")
+TASKS = ("V431", "V443", "V651", "V652", "V653", "V654", "V657", "V658", "V659")
 
 
 def example(code: str) -> str:

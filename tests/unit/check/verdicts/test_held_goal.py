@@ -1,7 +1,7 @@
 """An object in the right place does not count while the hand holds it."""
 
 from tests.places import ROOT
-from vrts.check.verdicts.targets import reached
+from vrts.check.goals.reached import reached
 from vrts.pipeline.assess import assess
 from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.request import Request

@@ -14,6 +14,7 @@ import pytest
 
 from tests.places import ROOT
 from tests.support_commands import vrts_text
+from tests.support_goals import SCENE_TEXT
 from vrts.cli.shared.watching import LOOK_EVERY_S, watch
 
 UNCOMMENTED = re.compile(r"^# (\[\[?[a-z.0-9]+\]\]?$|[a-z_]+ = (?!\"lab).*$)", re.MULTILINE)
@@ -323,6 +324,8 @@ def test_a_new_lab_changes_nothing_until_it_is_filled_in(tmp_path: Path) -> None
     lab.write_text(lab.read_text().replace("# top_z_mm = -300", "top_z_mm = -290"))
     program = ROOT / "examples" / "01-cans-on-bases" / "solution.v2"
     example = program.parent
+    lone = tmp_path / "lone.v2"
+    lone.write_bytes(program.read_bytes())
     for words, status, answer in (
         (("scene", "show", "cans-on-bases"), 0, "top at Z -290"),
         (("scene", "check", example), 0, "2 goals: nothing found"),
@@ -331,7 +334,8 @@ def test_a_new_lab_changes_nothing_until_it_is_filled_in(tmp_path: Path) -> None
         (("verify", program), 0, "modified scene: this mark does not count"),
         (("grade", example, program), 0, "modified scene: this mark does not count"),
         (("run", program, "--scene", "cans-on-bases", "--save", "in.vrun"), 0, "in place"),
-        (("run", program), 2, "give `--scene NAME`"),
+        (("run", program), 0, "as the task beside the program has it"),
+        (("run", lone), 2, "give `--scene NAME`"),
         (("scene", "watch", "cans-on-bases", "--for", "0"), 0, "top at Z -290"),
     ):
         result = vrts(*words, "--lab", lab, cwd=tmp_path)
@@ -402,3 +406,42 @@ def test_what_students_get_is_the_same_whatever_the_staff_hides(tmp_path: Path) 
             assert first[name] == second[name], name
     assert b"can1" in first["r.rrd"]
     assert b"can1" in first["run.rrd"]
+
+
+def test_a_point_that_nobody_can_move_to_is_not_saved(tmp_path: Path) -> None:
+    far = vrts(
+        *("point", "cans-on-bases", "1700", "0", "0", "--down", "--save", "p", "p.v2"), cwd=tmp_path
+    )
+    assert far.returncode == 1
+    assert "`p` is not saved" in far.stderr
+    assert not (tmp_path / "p.v2").exists()
+    behind = vrts("point", "cans-on-bases", "-691", "49", "-205", "-90", "90", "0", cwd=tmp_path)
+    assert behind.returncode == 0
+    assert "tried: MOVE gets there only after RIGHTY" in behind.stdout
+
+
+def test_a_scene_is_shown_with_what_was_tried_in_its_task(tmp_path: Path) -> None:
+    folder = tmp_path / "bricks"
+    folder.mkdir()
+    (folder / "scene.toml").write_text(SCENE_TEXT)
+    task = '[task]\nscene = "scene.toml"\n[[goal]]\nobject = "brick"\non = "base1"\nturn_deg = 90\n'
+    (folder / "task.toml").write_text(task + "[time]\nreference_s = 9\n")
+    for words in (("show", "bricks"), ("watch", "bricks", "--for", "0.1")):
+        shown = vrts("scene", *words, cwd=tmp_path).stdout
+        assert "brick_grip, brick_put: brick on base1" in shown
+        assert "Not shown: base1_put1, with which `brick` is turned 90 degrees" in shown
+        assert "base1_put1  " not in shown
+    assert vrts("new", "program", "mine.v2", "--from", "bricks", cwd=tmp_path).returncode == 0
+    assert "brick_put" in (tmp_path / "mine.v2").read_text()
+
+
+def test_a_new_task_of_a_turned_brick_is_ready(tmp_path: Path) -> None:
+    folder = tmp_path / "bricks"
+    folder.mkdir()
+    size = "size_mm = [70, 40, 80]"
+    (folder / "scene.toml").write_text(SCENE_TEXT.replace(size, f"{size}\nturn_deg = 30"))
+    assert vrts("new", "task", "bricks", cwd=tmp_path).returncode == 0
+    assert "turn_deg = 30" in (folder / "task.toml").read_text()
+    checked = vrts("task", "check", "bricks", cwd=tmp_path)
+    assert checked.returncode == 0, checked.stderr
+    assert "ready to be handed out" in checked.stdout

@@ -191,3 +191,54 @@ def test_lines_are_shown_when_they_are_due(speed: float, due: list[float]) -> No
     show_paced(lines[::-1], 15.0, -speed, backward.write, backward.tell, backward.wait)
     waited = [round(due[-1] - time_s, 6) for time_s in due[::-1]]
     assert backward.shown == list(zip(waited, "dcba", strict=True))
+
+
+# --- where it runs ------------------------------------------------------------------------------
+
+
+def test_without_a_scene_it_says_that_the_robot_is_bare(tmp_path: Path) -> None:
+    (tmp_path / "p.v2").write_text(".PROGRAM main\n  TYPE 1\n.END\n")
+    said = vrts("run", "p.v2", cwd=tmp_path)
+    assert said.stdout == b" 1\n"
+    assert b"no scene: a bare Unimation PUMA 761 with no tool" in said.stderr
+    named = vrts("run", "p.v2", "--scene", "cans-on-bases", cwd=tmp_path)
+    assert b"bare" not in named.stderr
+
+
+def test_the_task_beside_the_program_is_taken(tmp_path: Path) -> None:
+    beside, named = vrts("run", SOLUTION), vrts("run", *CANS)
+    assert beside.stdout == named.stdout == b"Both cans are in place.\n"
+    assert b"in the scene `cans-on-bases`, as the task beside the program has it" in beside.stderr
+    elsewhere = tmp_path / "p.v2"
+    elsewhere.write_bytes(Path(SOLUTION).read_bytes())
+    given = vrts("run", elsewhere, "--task", Path(SOLUTION).parent)
+    assert given.stdout == named.stdout
+
+
+# --- what it tells as `verify` does -------------------------------------------------------------
+
+FAST = """.PROGRAM main
+        MOVE TRANS(250,-300,400,0,180,0)
+        BREAK
+        MOVES TRANS(250,300,400,0,180,0)
+.END
+"""
+
+
+def test_a_joint_that_is_too_fast_is_told_as_verify_tells_it(tmp_path: Path) -> None:
+    program = tmp_path / "fast.v2"
+    program.write_text(FAST)
+    ran, verified = (vrts(word, program, "--scene", "one-can-ur5") for word in ("run", "verify"))
+    assert ran.returncode == verified.returncode == 1
+
+    def told(text: bytes) -> list[bytes]:
+        return [part for part in text.split(b"\n\n") if b"[V302 joint-speed]" in part]
+
+    (found,) = told(ran.stderr)
+    assert found.strip() in verified.stdout + verified.stderr
+    assert b"would do" in found
+    saved = tmp_path / "fast.vrun"
+    vrts("run", program, "--scene", "one-can-ur5", "--save", saved)
+    again = vrts("run", saved)
+    assert again.returncode == 1
+    assert told(again.stderr) == [found]

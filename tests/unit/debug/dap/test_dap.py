@@ -329,7 +329,7 @@ def test_it_says_what_of_a_client_it_does_not_understand(client: Client) -> None
 
 def test_a_program_that_never_ends_is_over_and_can_be_asked(client: Client, tmp_path: Path) -> None:
     path = tmp_path / "endless.v2"
-    path.write_text(".PROGRAM main\n n = 0\n10 n = n+1\n WAIT SIG(-1)\n GOTO 10\n.END\n")
+    path.write_text(".PROGRAM main\n n = 0\n10 n = n+1\n WAIT n > 0\n GOTO 10\n.END\n")
     client.launch(path, scenario=None)
     stopped = client.go("continue")
     assert stopped["reason"] == "exception"

@@ -34,13 +34,14 @@ def happenings(count: int, seed: int) -> list[Event]:
         now += draw.choice((0.0, 0.0, 0.028))
         ahead = now + draw.choice((0.0, 0.1, 1.0))
         process = draw.random() < 0.3
+        number = draw.randrange(3)
         found.append(
             draw.choice(
                 (
                     Printed(now, "text", None),
                     SignalChanged(now, 1, True, None),
-                    MotionStarted(ahead, 1, CAUSE),
-                    MotionEnded(ahead, 1, CAUSE),
+                    MotionStarted(ahead, number, CAUSE),
+                    MotionEnded(ahead, number, CAUSE),
                     ProgramEnded(ahead, "completed", None, process=process),
                     ProgramStarted(now, "main", process=process),
                 )
@@ -62,10 +63,10 @@ def naive(events: list[Event], until_s: float) -> list[Event]:
     return sorted(kept, key=instant)
 
 
-def instant(event: Event) -> tuple[int, int]:
-    """Return what orders an event: motions first, and of those the ends."""
-    rank = 0 if isinstance(event, MotionEnded) else 1 if isinstance(event, MotionStarted) else 2
-    return round(event.time_s * 1e9), rank
+def instant(event: Event) -> tuple[int, bool, int, bool]:
+    """Return what orders an event: motions first, as they follow one another."""
+    number = event.motion if isinstance(event, MotionStarted | MotionEnded) else -1
+    return round(event.time_s * 1e9), number < 0, number, isinstance(event, MotionEnded)
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -86,6 +87,26 @@ def test_a_log_that_grows_has_the_order_of_one_that_is_sorted(seed: int) -> None
     for copy in copies:  # of a time before: what came later is not among theirs
         found = [one.event for one in copy.in_order.until(1e9)]
         assert found == naive(events[: len(copy)], 1e9)
+
+
+def test_a_motion_that_takes_no_time_begins_before_it_ends() -> None:
+    log = EventLog()
+    for k in (7, 8):
+        log.append(Printed(1.0, str(k), None))
+        log.append(MotionStarted(1.0, k, CAUSE))
+        log.append(MotionEnded(1.0, k, CAUSE))
+    log.append(MotionEnded(1.0, 6, CAUSE))
+    ordered = [one.event for one in log.in_order.until(1.0)]
+    kinds = [(type(e).__name__[6:], getattr(e, "motion", None)) for e in ordered]
+    assert kinds == [
+        ("Ended", 6),
+        ("Started", 7),
+        ("Ended", 7),
+        ("Started", 8),
+        ("Ended", 8),
+        ("d", None),
+        ("d", None),
+    ]
 
 
 def test_a_copy_that_goes_on_otherwise_has_an_order_of_its_own() -> None:

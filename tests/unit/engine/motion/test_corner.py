@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tests.support_engine import SETTLING, TACC, TICK, runs, tool_speed
+from tests.support_engine import TACC, TICK, runs, tool_speed
 from tests.support_programs import codes, ended, started, switched
 from vrts.base.pose import distance
 from vrts.engine.run import Run
@@ -138,9 +138,10 @@ def test_a_motion_that_comes_too_late_starts_from_rest() -> None:
     assert run.at(run.motions[0].end_s).velocity == (0.0,) * 6
 
 
-def test_a_stop_that_nobody_asked_for_does_not_settle() -> None:
-    run = runs("DISABLE CP\nMOVE a\nMOVE b")
-    assert started(run)[1] - ended(run)[0] < SETTLING
+@pytest.mark.parametrize(("setting", "ticks"), [("FINE", 3), ("COARSE", 1), ("NONULL", 0)])
+def test_a_stop_that_nobody_asked_for_settles_too(setting: str, ticks: int) -> None:
+    run = runs(f"DISABLE CP\n{setting}\nMOVE a\nMOVE b")
+    assert started(run)[1] - ended(run)[0] == pytest.approx(ticks * TICK)
 
 
 def test_accelerations_stay_within_one_and_a_half_of_speed_by_time() -> None:

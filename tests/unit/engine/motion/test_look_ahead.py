@@ -36,7 +36,7 @@ def test_there_is_a_look_ahead_of_one_motion_only() -> None:
 def test_without_corner_the_second_motion_begins_when_the_first_has_ended() -> None:
     run = runs("DISABLE CP\nMOVE a\nMOVE b\nSIGNAL 2")
     assert ended(run)[0] <= switched(run)[2] + 1e-9
-    assert started(run)[1] - ended(run)[0] == pytest.approx(0.0, abs=TICK)
+    assert started(run)[1] - ended(run)[0] == pytest.approx(SETTLING)
     assert switched(run)[2] == pytest.approx(started(run)[1], abs=TICK)
 
 
@@ -97,8 +97,8 @@ def test_a_delay_waits_its_turn_and_stands_still() -> None:
     run = runs("MOVE a\nSIGNAL 1\nDELAY 1\nSIGNAL 2\nMOVE b\nSIGNAL 3")
     on = switched(run)
     assert on[1] == 0.0
-    assert on[2] == pytest.approx(ended(run)[0])
-    assert started(run)[1] == pytest.approx(ended(run)[0] + 36 * TICK)  # 1 s in whole ticks
+    assert on[2] == pytest.approx(ended(run)[0] + SETTLING)
+    assert started(run)[1] == pytest.approx(on[2] + 36 * TICK)  # 1 s in whole ticks
     assert on[3] == pytest.approx(started(run)[1], abs=TICK)
     for t in (0.01, 0.5, 0.99):
         assert run.at(ended(run)[0] + t).velocity == (0.0,) * 6
@@ -110,10 +110,15 @@ def test_close_acts_when_the_next_motion_starts() -> None:
 
 
 def test_open_before_a_first_motion_acts_when_that_one_starts() -> None:
-    run = runs("OPEN\nDELAY 1\nMOVE a")
+    run = runs("OPEN\nTIMER 1 = 0\nWAIT TIMER(1) > 1\nMOVE a")
     assert hand(run) == [started(run)[0]]
     assert run.at(started(run)[0] - 0.01).hand_opening == 0.0
     assert run.at(started(run)[0] + 0.2).hand_opening > 0.0
+
+
+def test_open_before_a_delay_acts_when_that_begins() -> None:
+    run = runs("MOVE a\nOPEN\nDELAY 1\nMOVE b")
+    assert hand(run) == [pytest.approx(ended(run)[0] + SETTLING)]
 
 
 def test_closei_acts_at_rest_and_takes_the_hands_time() -> None:

@@ -5,11 +5,19 @@ from itertools import pairwise
 
 import pytest
 
-from vrts.engine.motion.profile import Phase, Profile, at, profile
+from vrts.engine.motion.profile import Phase, Profile, at
+from vrts.engine.motion.profile import profile as with_least
 
 TICK = 0.028
 TACC = 8 * TICK
 SHORTEST = (0.0, 0.1, 2 * TACC, 0.6, 2.0)
+
+
+def profile(
+    shortest: float, acceleration: float, deceleration: float, tick: float, least: float = 0.0
+) -> Profile:
+    """Return the profile of a motion that takes at least twice its acceleration."""
+    return with_least(shortest, acceleration, deceleration, tick, least, least_accelerations=2.0)
 
 
 def slope(phase: Phase, x: float) -> float:

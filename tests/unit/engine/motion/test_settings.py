@@ -36,7 +36,8 @@ SPEEDS = [
     ("MOVE a\nSPEED 200 MMPS\nMOVES b", [1.0, 0.2]),
     ("MOVE a\nSPEED 10 IPS\nMOVES b", [1.0, 0.254]),
     ("SPEED 250 MMPS\nMOVE a", [0.25]),
-    ("SPEED 40\nDELAY 0.2\nMOVE a", [0.4]),
+    ("SPEED 40\nDELAY 0.2\nMOVE a", [1.0]),
+    ("SPEED 40 ALWAYS\nDELAY 0.2\nMOVE a", [0.4]),
 ]
 
 

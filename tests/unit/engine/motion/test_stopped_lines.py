@@ -16,5 +16,5 @@ def test_the_operator_may_leave_it_out() -> None:
 
 def test_the_operator_may_have_it_done_again() -> None:
     run = driven(main(FAR.format("")), 20.0, (2.0, Abort()), (6.0, Retry()))
-    assert words(run) == ["Location too far"]
+    assert words(run) == ["Joint 3 out of range"]
     assert len(run.motions) == 3

@@ -5,6 +5,7 @@ import json
 import struct
 import zipfile
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -55,6 +56,13 @@ def refusal(data: bytes) -> Diagnostic:
     return refused.value.diagnostics[0]
 
 
+def simulated(body: str) -> Simulated:
+    """Return the run of a program of these lines."""
+    found = simulate(Request(ProgramFile(program(body).encode(), "main.v2"), robot_alone()))
+    assert found.run is not None, found.diagnostics
+    return found
+
+
 # --- what is kept ---------------------------------------------------------------------------------
 
 
@@ -71,6 +79,39 @@ def test_a_loaded_run_answers_everything_as_before(which: Callable[[], Simulated
         assert state_answers(after.at_statement(finished)) == state_answers(
             before.at_statement(finished)
         )
+
+
+@pytest.mark.parametrize("count", [22, 300])
+def test_motions_that_take_no_time_are_kept(count: int) -> None:
+    """Their times are sums of ticks, of which some are a last digit beside the others."""
+    found = simulated(f"FOR i = 1 TO {count}\nREADY\nEND")
+    assert found.run is not None
+    assert len(found.run.motions) == count
+    for motion, following in pairwise(found.run.motions):
+        assert motion.start_s <= motion.end_s <= following.start_s
+    assert answers(loaded(saved_bytes(found))) == answers(found.run)
+
+
+def test_a_line_that_a_fault_stops_is_kept_as_such() -> None:
+    found = simulated("MOVE a\nBREAK\nMOVES TRANS(300,100,900,90,90,0)")
+    assert found.run is not None
+    for run in (found.run, loaded(saved_bytes(found))):
+        assert [(motion.arrives, motion.cut) for motion in run.motions] == [
+            (True, False),
+            (False, False),
+        ]
+
+
+def test_files_whose_times_miss_each_other_by_a_last_digit_are_taken() -> None:
+    """As earlier versions of vrts saved them."""
+    data = saved_bytes(simulated("ENABLE DRY.RUN\nREADY\nREADY\nMOVE a\nREADY"))
+
+    def nudged(table: Any) -> Any:
+        table[0, :2] = np.nextafter(table[0, :2], 1e9)
+        return table
+
+    again = loaded(with_table(data, "motions.numbers", nudged))
+    assert again.motions[0].start_s > again.motions[1].start_s
 
 
 def test_what_is_compared_above_is_something() -> None:
@@ -95,7 +136,7 @@ def test_the_same_run_gives_the_same_bytes(which: Callable[[], Simulated]) -> No
 
 def test_a_file_is_json_and_arrays_that_numpy_reads_without_pickle() -> None:
     with np.load(io.BytesIO(file_of(busy)), allow_pickle=False) as arrays:
-        assert json.loads(arrays["vrun.json"])["format"] == "vrts.run/2"
+        assert json.loads(arrays["vrun.json"])["format"] == "vrts.run/3"
         for name in arrays.files:
             if name != "vrun.json":
                 assert arrays[name].dtype.kind in "uif"
@@ -251,7 +292,8 @@ def test_encrypted_members_are_not_taken() -> None:
 def test_other_formats_are_named() -> None:
     found = refusal(with_manifest(DATA, lambda m: m.update(format="vrts.run/9", vrts="8.0")))
     assert found.rule.code == "V542"
-    assert found.notes == ("it is `vrts.run/9` of vrts 8.0; this vrts reads `vrts.run/2`",)
+    known = "this vrts reads `vrts.run/3` and `vrts.run/2`"
+    assert found.notes == (f"it is `vrts.run/9` of vrts 8.0; {known}",)
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """The real process of a session: its pipes, its beat, its end."""
 
 import contextlib
+import itertools
 import math
 import os
 import select
@@ -152,6 +153,9 @@ def test_an_endless_program_delays_no_beat_and_panic_ends_it(piped: Piped) -> No
     while len(piped.frames) < first + 100:
         piped.until_frame(lambda frame: bool(frame.flags & RUNNING))
     took_s = (spent_s(piped) - began) / (len(piped.frames) - first)
+    times = [frame.time_s for _, frame in piped.frames[first:]]
+    gaps = [later - earlier for earlier, later in itertools.pairwise(times)]
+    assert any(abs(gap - BEAT) < 0.004 for gap in gaps), "now and then, on however busy a machine"
     assert took_s < 0.5 * BEAT, "of processor time, so that a beat is never late because of it"
     piped.send(Halt(4, now_of(ready)))
     piped.until_frame(lambda frame: not frame.flags & RUNNING)

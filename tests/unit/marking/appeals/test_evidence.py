@@ -15,6 +15,7 @@ from click.testing import CliRunner, Result
 from tests.unit.marking.appeals.support import BAD, EXAMPLE, GOOD, SECRET, marked_class, submissions
 from vrts.assignments.pack import staff_zip
 from vrts.assignments.task_folder import read_folder
+from vrts.check.proof.certificate import certificate_bytes, read_certificate
 from vrts.cli.main import vrts
 from vrts.marking.appeals.evidence import CONTENTS, Contents
 from vrts.marking.appeals.evidence_zip import known_name
@@ -99,7 +100,7 @@ def reproduce(folder: Path, data: bytes) -> Result:
 def test_everything_is_in_it(marked: Marked, evidence: bytes) -> None:
     found = members(evidence)
     assert set(found) == {
-        *("README.txt", "evidence.json", "row.json", "intake.csv", "task.zip"),
+        *("README.txt", "evidence.json", "row.json", "intake.csv", "task.zip", "proof.cert"),
         *(f"staff/{name}" for name in ("result.json", "report.html")),
         *(f"student/{name}" for name in ("result.json", "report.html", "run.rrd")),
         "submission/anna.v2",
@@ -131,11 +132,28 @@ def test_nothing_of_anybody_else_is_in_it(marked: Marked, evidence: bytes) -> No
     assert str(marked.download) not in inside["evidence.json"].decode()
 
 
+def test_the_contacts_of_a_mark_are_proven_by_a_certificate(
+    evidence: bytes, tmp_path: Path
+) -> None:
+    files = members(evidence)
+    assert "its certificate holds: nothing touches anything" in reproduce(tmp_path, evidence).output
+    assert str(tmp_path) not in files["proof.cert"].decode("latin-1")
+    read = read_certificate(files["proof.cert"])
+    other = read.claims._replace(clearance_m=1.0)
+    said = {name: read.said[name] for name in read.said.keys() - {"format", "sha256", "claims"}}
+    files["proof.cert"] = certificate_bytes(said, other, read.evidence)
+    found = reproduce(tmp_path, sealed(files))
+    assert found.exit_code == 1
+    assert "V547 certificate-does-not-prove" in found.output
+
+
 def test_the_same_result_comes_again(marked: Marked, evidence: bytes, tmp_path: Path) -> None:
     found = reproduce(tmp_path, evidence)
     assert found.exit_code == 0, found.output
     mark = from_bytes(members(evidence)["staff/result.json"]).mark
-    assert found.stdout == f"anna: the same result, {mark} of 10\n"
+    first, proven = found.stdout.splitlines()
+    assert first == f"anna: the same result, {mark} of 10"
+    assert proven == "  its certificate holds: nothing touches anything"
     assert not found.stderr
     assert pack_evidence(read_written(marked.out), "anna")[1] == evidence
 

@@ -48,9 +48,9 @@ def test_steps_add_up_from_the_computed_to_the_final_mark() -> None:
     changed = row("anna", 8.5, late=late, change=Change("2", "seen in the lab", "r", "2026-01-01"))
     found = steps(changed)
     assert [(step.title, step.points) for step in found] == [
-        ("lateness", Fraction(-1, 3)),
-        ("change by hand", Fraction(2)),
-        ("rounding", Fraction(-1, 6)),
+        ("lateness", Fraction(-3, 10)),  # 8.1667 is 8.2
+        ("change by hand", Fraction(9, 5)),  # more than 10 there is not
     ]
+    assert found[1].sentence == "seen in the lab (+2, in tenths from 0 to 10)"
     assert Fraction("8.5") + sum(step.points for step in found) == changed.exact_final == 10
     assert steps(row("anna", None)) == ()

@@ -64,7 +64,7 @@ def test_times_of_a_contact_say_whether_they_are_its_begin_or_where_it_is_deepes
     assert "At 5.0 s" not in shown
     text = assessment_text(a, color=False)
     assert "\n  deepest at 5.0 s\n" in text
-    assert "= deepest at 5.0 s: robot and base1" in text
+    assert "= deepest at 5.0 s: can1 and base1" in text
 
 
 def test_what_ran_not_has_no_pictures() -> None:

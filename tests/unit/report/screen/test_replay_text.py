@@ -5,6 +5,7 @@ from itertools import pairwise
 
 import pytest
 
+from tests.support_programs import program, ran
 from tests.support_saved import busy
 from vrts.engine.run import Run
 from vrts.engine.statements import statements
@@ -13,6 +14,7 @@ from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.request import Request
 from vrts.report.screen.replay_text import MOST_STEPS, replay
 from vrts.run_files.simulated import simulate
+from vrts.scene.model import Scenario
 
 
 @pytest.fixture(scope="module")
@@ -42,6 +44,46 @@ def test_some_of_the_statements(run: Run, first: int, last: int) -> None:
     whole = statements(run.history, 0, run.statements)
     wanted = [statement for statement in whole if first < statement.number <= last]
     assert statements(run.history, first, last) == wanted
+
+
+def test_a_motion_that_takes_no_time_starts_before_it_arrives() -> None:
+    text = b".PROGRAM main\nENABLE DRY.RUN\nMOVE #PPOINT(10,-90,90)\nREADY\n.END\n"
+    found = simulate(Request(ProgramFile(text, "main.v2"), robot_alone())).run
+    assert found is not None
+    still = [motion for motion in found.motions if motion.start_s == motion.end_s]
+    told = [
+        line.split("the arm ")[1] for line in words(found, 0.0, found.horizon_s) if "arm" in line
+    ]
+    goes = ["starts", "arrives"] * len(found.motions)
+    assert still
+    assert [line.split(":")[0] for line in told] == goes
+
+
+def arm_words(text: str, scenario: Scenario | None = None) -> list[str]:
+    run = ran(text, scenario=scenario)
+    told = words(run, 0.0, run.horizon_s)
+    return [line.split("the arm ")[1].split(":")[0] for line in told if "the arm " in line]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "TRANS(0,-900,100,90,90,0)",  # a joint limit on the way
+        "TRANS(300,100,900,90,90,0)",
+    ],
+)
+def test_a_line_that_a_fault_stops_does_not_arrive(line: str) -> None:
+    assert arm_words(program(f"MOVE a\nBREAK\nMOVES {line}")) == [
+        *("starts", "arrives"),
+        *("starts", "is stopped"),
+    ]
+
+
+def test_a_line_that_a_reaction_stops_does_not_arrive() -> None:
+    text = program("REACTI 1001, note\nMOVE a\nBREAK\nSPEED 10\nMOVES b\nMOVE a")
+    text += ".PROGRAM note\nTYPE 1\n.END\n"
+    told = arm_words(text, Scenario(inputs=((2.0, 1001, True),)))
+    assert told == ["starts", "arrives", "starts", "is stopped", "starts", "arrives"]
 
 
 def test_parts_make_the_whole(run: Run) -> None:

@@ -8,8 +8,8 @@ from vrts.lang.compiler import compile_source
 from vrts.report.scene_drawing import scene_svg
 from vrts.report.screen.scene_text import point_text, scene_text
 from vrts.scene.block import location_block
+from vrts.scene.handling.places import down_pose
 from vrts.scene.model import Scene
-from vrts.scene.places import down_pose
 from vrts.scene.reach import reach
 from vrts.scene.reading.scene_file import read_scene
 from vrts.scene.save import with_location

@@ -2,16 +2,18 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Protocol, TypeAlias
+from typing import NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from vrts.check.collision.pairs.exact import outside
+from vrts.check.collision.pairs.outside import outside
 from vrts.check.curves.timeline_arrays import Curves
 from vrts.engine.memory.events import Event
 from vrts.engine.memory.records import GRAVITY, Motion, Placement, Segment
-from vrts.geometry.nearest import Engine, Nearest, Pair, Transform
+from vrts.geometry.proposing.proposer import Questions
+from vrts.geometry.proving.prover import Bounds, Prover
+from vrts.geometry.proving.rows import Placed, placed
 from vrts.geometry.solids import Frames, Instants, Places, Solids
 from vrts.robots.kinematics.batch import link_frames
 from vrts.robots.model import Arm
@@ -72,111 +74,89 @@ class Asked(NamedTuple):
     times: Array  # [s]
 
 
-class _Placed:
-    """Where solids are at instants, in numpy's form and, when asked for, in the engine's."""
-
-    __slots__ = ("_engine", "_known", "first", "places", "second")
-
-    def __init__(self, engine: Engine, places: Places, first: Indices, second: Indices) -> None:
-        self.places = places
-        self.first = first  # index of the place of each query's first solid
-        self.second = second
-        self._engine = engine
-        self._known: list[Transform | None] = [None] * len(places.origins)
-
-    def transform(self, at: int) -> Transform:
-        """Return a place in the engine's form."""
-        known = self._known[at]
-        if known is None:
-            known = self._engine.transform(self.places.rotations[at], self.places.origins[at])
-            self._known[at] = known
-        return known
-
-
 @dataclass(frozen=True, slots=True)
 class Prober:
-    """Exact distances between solids at chosen instants."""
+    """Distances between solids at chosen instants, proven."""
 
     arm: Arm
     curves: Curves
     solids: Solids
-    engine: Engine
+    prover: Prover
 
     def distances(self, first: Indices, second: Indices, time_s: Array) -> Array:
         """Return signed distances [m]; all arguments have shape (m,)."""
-        queries = self._queries(first, second, time_s)
-        return np.array([function.distance(a, b) for function, a, b in queries])
-
-    def nearest(self, first: Indices, second: Indices, time_s: Array) -> list[Nearest]:
-        """Return signed distances with their points; all arguments have shape (m,)."""
-        return [function.nearest(a, b) for function, a, b in self._queries(first, second, time_s)]
-
-    def _queries(
-        self, first: Indices, second: Indices, time_s: Array
-    ) -> Iterator[tuple[Pair, Transform, Transform]]:
         if len(time_s) == 0:
-            return
-        placed = self._placed(first, second, time_s)
-        columns = (first, second, placed.first, placed.second)
-        for i, j, a, b in zip(*(column.tolist() for column in columns), strict=True):
-            yield self._pair(i, j), placed.transform(a), placed.transform(b)
+            return np.empty(0)
+        return self.prover.exact(*self._sides(first, second, time_s)).distance
 
-    def _pair(self, first: int, second: int) -> Pair:
-        return self.engine.pair(self.solids.shapes[first], self.solids.shapes[second])
+    def told(self, first: Indices, second: Indices, time_s: Array) -> Bounds:
+        """Return bounds, and points to tell people; the same bits whoever proposes."""
+        return self.prover.told(*self._sides(first, second, time_s))
 
-    def _placed(self, first: Indices, second: Indices, time_s: Array) -> _Placed:
+    def outside(self, first: Indices, second: Indices, time_s: Array) -> Array:
+        """Return how far solids are apart at least, by their boxes [m]; arguments are (m,)."""
+        return outside(*self._placed(first, second, time_s))
+
+    def questions(self, first: Indices, second: Indices, time_s: Array) -> Questions:
+        """Return what a proposer is asked about solids at times; all arguments are (m,)."""
+        return self.prover.questions(*self._sides(first, second, time_s))
+
+    def _sides(self, first: Indices, second: Indices, time_s: Array) -> tuple[Placed, Placed]:
+        places, a, b = self._placed(first, second, time_s)
+        return placed(places, first, a), placed(places, second, b)
+
+    def _placed(
+        self, first: Indices, second: Indices, time_s: Array
+    ) -> tuple[Places, Indices, Indices]:
+        """Return places, and which of them those of each question are."""
         times, at = np.unique(time_s, return_inverse=True)
         state = instants(self.arm, self.curves, times)
         still = (self.solids.frame == 0) & ~self.solids.falls
         keys = [s * len(times) + np.where(still[s], 0, at) for s in (first, second)]
         known, place = np.unique(np.concatenate(keys), return_inverse=True)
         places = self.solids.places(state, *np.divmod(known, len(times)), GRAVITY)
-        return _Placed(self.engine, places, place[: len(first)], place[len(first) :])
+        return places, place[: len(first)], place[len(first) :]
 
-    def gaps(self, asked: Sequence[Asked]) -> list[Iterator[float]]:
+    def gaps(self, asked: Sequence[Asked], far: float) -> list[Array]:
         """Return the distances [m] between unions of solids; inf while nothing is there.
 
-        The solids are placed for all questions together; a distance is measured when it is taken.
+        Args:
+            asked: The questions; what they have in common is done once.
+            far: Larger distances may be told too small, down to this [m].
         """
-        rows = [own for number, one in enumerate(asked) for own in _rows(number, one)]
-        if not rows:
-            return [iter([np.inf] * len(one.times)) for one in asked]
-        first, second, number, instant, times = (np.concatenate(c) for c in zip(*rows, strict=True))
-        placed = self._placed(first, second, times)
-        # the nearest by their boxes first; most of the others need not be asked then
-        least = outside(placed.places, placed.first, placed.second)
-        order = np.lexsort((least, instant, number))
-        ends = np.searchsorted(number[order], np.arange(len(asked) + 1))
-        columns = (instant, least, first, second, placed.first, placed.second)
-        in_order: list[npt.NDArray[Any]] = [column[order] for column in columns]
-        return [
-            self._taken(len(one.times), placed, [c[ends[k] : ends[k + 1]] for c in in_order])
-            for k, one in enumerate(asked)
-        ]
-
-    def _taken(
-        self, count: int, placed: _Placed, columns: Sequence[npt.NDArray[Any]]
-    ) -> Iterator[float]:
-        """Yield the distance at each instant, from rows in the order of instants and gaps."""
-        rows = list(zip(*(column.tolist() for column in columns), strict=True))
-        at, whole = 0, len(rows)
-        pairs: dict[tuple[int, int], Pair] = {}
-        for instant in range(count):
-            found = np.inf
-            while at < whole and rows[at][0] == instant:
-                _, low, i, j, a, b = rows[at]
-                at += 1
-                if low >= found:
-                    continue
-                if (i, j) not in pairs:
-                    pairs[i, j] = self._pair(i, j)
-                distance = pairs[i, j].distance(placed.transform(a), placed.transform(b))
-                found = min(found, distance)
-            yield found
+        sizes = [len(one.times) for one in asked]
+        found = np.full(sum(sizes), np.inf)
+        begins = np.cumsum([0, *sizes])
+        rows = [own for k, one in enumerate(asked) for own in _rows(int(begins[k]), one)]
+        if rows:
+            first, second, instant, times = (np.concatenate(c) for c in zip(*rows, strict=True))
+            places, a, b = self._placed(first, second, times)
+            least = outside(places, a, b)
+            # the nearest by their boxes first; most of the others need not be asked then
+            order = np.lexsort((least, instant))
+            nearest = order[np.unique(instant[order], return_index=True)[1]]
+            rest = np.ones(len(order), dtype=np.bool_)
+            rest[nearest] = False
+            for some in (nearest, order[rest[order]]):
+                near = some[least[some] < np.minimum(found[instant[some]], far)]
+                measured = self.prover.exact(
+                    placed(places, first[near], a[near]), placed(places, second[near], b[near]), far
+                )
+                # what is only known to be farther than that is that far
+                distance = np.where(measured.lower >= far, measured.lower, measured.distance)
+                np.minimum.at(found, instant[near], distance)
+                away = some[least[some] >= far]
+                np.minimum.at(found, instant[away], least[away])
+        return np.split(found, begins[1:-1])
 
 
-def _rows(number: int, asked: Asked) -> Iterator[tuple[Indices, Indices, Indices, Indices, Array]]:
-    """Yield solids, number of the question, number of the time, and time of pairs to measure."""
+def _rows(begin: int, asked: Asked) -> Iterator[tuple[Indices, Indices, Indices, Array]]:
+    """Yield solids, number of the instant, and time of pairs to measure.
+
+    Args:
+        begin: Number of the first instant of this question.
+        asked: The question.
+    """
     for members, start_s, end_s in asked.stays:
         now = np.nonzero((asked.times >= start_s) & (asked.times <= end_s))[0]
         if not len(now):
@@ -184,4 +164,4 @@ def _rows(number: int, asked: Asked) -> Iterator[tuple[Indices, Indices, Indices
         ones = np.ones_like(now)
         for i in asked.first:
             for j in members:
-                yield i * ones, j * ones, number * ones, now, asked.times[now]
+                yield i * ones, j * ones, begin + now, asked.times[now]

@@ -7,7 +7,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from vrts.geometry.nearest import Engine
+from vrts.geometry.proving.rows import ROUNDING
 
 Array: TypeAlias = npt.NDArray[np.float64]
 Indices: TypeAlias = npt.NDArray[np.int64]
@@ -17,23 +17,8 @@ BAND = 1e-5  # [m] this near to the tolerance a depth is undetermined
 REPORTED = 1e-3  # [s] times of contact
 COVERED = 0.016  # [s] inside a contact event shorter intervals are not looked into
 EVENT_GAP = 0.5  # [s] contacts of one pair of names less than this apart are one event
-CLEARANCE_TOLERANCE = 1e-4  # [m] of an engine that is exact enough
-ROUNDING = 2e-6  # [m] of double precision in bounds
-
-
-def pad_of(engine: Engine) -> float:
-    """Return what is added to every bound: rounding and the error of the exact distance [m]."""
-    return ROUNDING + engine.error
-
-
-def slack_of(engine: Engine) -> float:
-    """Return how exactly the smallest distance is certified [m]."""
-    return max(CLEARANCE_TOLERANCE, 2.0 * pad_of(engine))
-
-
-def margin_of(engine: Engine) -> float:
-    """Return how near to a tolerance a measured depth is undetermined [m]."""
-    return max(BAND, engine.error)
+SLACK = 1e-4  # [m] how exactly the smallest distance is certified
+PAD = ROUNDING  # [m] added to every bound on an approach
 
 
 class Touch(NamedTuple):
@@ -43,13 +28,14 @@ class Touch(NamedTuple):
     start_s: float
     end_s: float
     time_s: float  # between the two
-    distance: float  # signed, then [m]
+    distance: float  # signed, then: not exceeded; NaN: not known [m]
+    least: float = -np.inf  # nor is it less than this [m]
 
 
 class Closest(NamedTuple):
     """The smallest distance found."""
 
-    distance: float  # [m]
+    distance: float  # not exceeded [m]
     pair: int
     time_s: float
 
@@ -64,19 +50,32 @@ class Findings:
     closest: Closest = field(default_factory=lambda: Closest(np.inf, -1, 0.0))
     nodes: int = 0
     rows: int = 0
-    exact: int = 0
+    asked: int = 0
+    searched: int = 0
     levels: int = 0
 
 
-def spans(contacts: Sequence[Touch], group: Indices) -> dict[int, tuple[Array, Array]]:
+class Spans(NamedTuple):
+    """The events of one pair of names, in order of time; arrays of shape (e,)."""
+
+    starts: Array  # [s]
+    ends: Array
+    least: Array  # smallest distance known of each [m]
+
+
+def spans(contacts: Sequence[Touch], group: Indices) -> dict[int, Spans]:
     """Return, for each group, the intervals that one event covers."""
-    by_group: dict[int, list[tuple[float, float]]] = {}
+    by_group: dict[int, list[Touch]] = {}
     for touch in contacts:
-        by_group.setdefault(int(group[touch.pair]), []).append((touch.start_s, touch.end_s))
-    covered: dict[int, tuple[Array, Array]] = {}
-    for number, intervals in by_group.items():
-        merged = merge(intervals)
-        covered[number] = (np.array([a for a, _ in merged]), np.array([b for _, b in merged]))
+        by_group.setdefault(int(group[touch.pair]), []).append(touch)
+    covered: dict[int, Spans] = {}
+    for number, touches in by_group.items():
+        merged = merge([(touch.start_s, touch.end_s) for touch in touches])
+        starts = np.array([a for a, _ in merged])
+        least = np.full(len(merged), np.inf)
+        event = np.searchsorted(starts, [touch.start_s for touch in touches], side="right") - 1
+        np.minimum.at(least, event, [touch.distance for touch in touches])
+        covered[number] = Spans(starts, np.array([b for _, b in merged]), least)
     return covered
 
 

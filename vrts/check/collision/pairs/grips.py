@@ -7,7 +7,7 @@ clearance and near misses only once they have been farther apart than the near-m
 come nearer again, and an object that is set down leaves them with the final approach.
 """
 
-from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
+from collections.abc import Generator, Sequence
 from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -18,10 +18,9 @@ from vrts.ir.instructions import HandAction
 
 Array: TypeAlias = npt.NDArray[np.float64]
 T = TypeVar("T")
-Distances: TypeAlias = Iterable[float]
-Asking: TypeAlias = Generator[
-    Array, Distances, T
-]  # yields times, is sent distances [m], comes to T
+Distances: TypeAlias = Sequence[float]
+# yields times, is sent distances [m], comes to T
+Asking: TypeAlias = Generator[Array, Distances, T]
 
 NEAR_MISS = 5e-3  # [m] nearer than this is a near miss, unless the task says otherwise [assumed]
 SEPARATED = 2e-4  # [m] pads farther than this from the object have let go of it [assumed]
@@ -138,26 +137,3 @@ def _parting(
         first = float(times[-1]) + step_s
         count *= 1 if separated is None else 2
     return (end_s if separated is None else separated), end_s
-
-
-def all_told(
-    questions: Sequence[Asking[T]], answer: Callable[[Mapping[int, Array]], Mapping[int, Distances]]
-) -> list[T]:
-    """Return what several questions come to, all asking together for their next distances.
-
-    Args:
-        questions: Each asks for the distances of its own pair.
-        answer: Returns, for times by the number of the question, the distances then [m].
-    """
-    told: dict[int, T] = {}
-    answers: Mapping[int, Distances | None] = dict.fromkeys(range(len(questions)))
-    while answers:
-        asked: dict[int, Array] = {}
-        for number, distances in answers.items():
-            question = questions[number]
-            try:
-                asked[number] = next(question) if distances is None else question.send(distances)
-            except StopIteration as end:
-                told[number] = end.value
-        answers = answer(asked) if asked else {}
-    return [told[number] for number in range(len(questions))]

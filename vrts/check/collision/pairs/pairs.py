@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.check.collision.pairs.arm_state import Asked, Prober, RunRecord
+from vrts.check.collision.pairs.asking import all_told
 from vrts.check.collision.pairs.cast import (
     HAND,
     Cast,
@@ -23,12 +24,12 @@ from vrts.check.collision.pairs.cast import (
     stays_of,
 )
 from vrts.check.collision.pairs.grips import (
+    AWAY,
     NEAR_MISS,
     Asking,
     Distances,
     Grip,
     Window,
-    all_told,
     counted_from,
     counted_until,
     finger_windows,
@@ -36,8 +37,9 @@ from vrts.check.collision.pairs.grips import (
 )
 from vrts.check.curves.timeline_arrays import Curves
 from vrts.engine.memory.records import Lie
-from vrts.geometry.narrow import engine
-from vrts.geometry.nearest import Engine
+from vrts.geometry.proposing.choose import here
+from vrts.geometry.proposing.proposer import Proposer
+from vrts.geometry.proving.prover import Prover
 from vrts.geometry.solids import Solids, solids
 from vrts.robots.model import Robot
 from vrts.scene.model import Scene
@@ -48,6 +50,7 @@ Indices: TypeAlias = npt.NDArray[np.int64]
 
 ROBOT = "robot"  # with gripper and held object, as one
 TOLERANCE = 2e-4  # [m] deeper than this is a contact, less is a graze
+FAR = AWAY + 1e-3  # [m] beyond this no rule asks how far
 PAD_DEPTH = 1e-3  # [m] a pad may press this far into a grasped object
 
 
@@ -95,7 +98,7 @@ def plan(
     scene: Scene,
     run: RunRecord,
     curves: Curves,
-    by: Engine | None = None,
+    proposer: Proposer | None = None,
     near_miss: float = NEAR_MISS,
     *,
     clearance: bool = True,
@@ -107,7 +110,7 @@ def plan(
         scene: What stands where.
         run: What happens.
         curves: How the robot moves.
-        by: Measures the distances that rules depend on; None: the most exact engine there is.
+        proposer: Helps to measure distances that rules depend on; None: the best there is here.
         near_miss: Nearer than this is a near miss [m].
         clearance: Whether pairs that matter to the smallest distance only are wanted.
         pads: How far a pad may press into what it grasps [m].
@@ -129,7 +132,8 @@ def plan(
         for stay in stays_of(cast, body, placements[body.name], supports)
     ]
     arrays = solids(cast.members)
-    prober = Prober(scene.robot.arm, curves, arrays, engine() if by is None else by)
+    prover = Prover(arrays, here() if proposer is None else proposer)
+    prober = Prober(scene.robot.arm, curves, arrays, prover)
     table = _Table()
     _self_pairs(table, scene.robot, arm, interval)
     counted = near_miss if clearance else None
@@ -278,8 +282,9 @@ def _finger_windows(
     sides = [(finger, own) for own in by_body.values() for finger in arm.fingers]
 
     def answer(asked: Mapping[int, Array]) -> Mapping[int, Distances]:
-        gaps = prober.gaps([_asked(*sides[number], times) for number, times in asked.items()])
-        return dict(zip(asked, gaps, strict=True))
+        questions = [_asked(*sides[number], times) for number, times in asked.items()]
+        gaps = prober.gaps(questions, FAR)
+        return dict(zip(asked, (own.tolist() for own in gaps), strict=True))
 
     return all_told(questions, answer)
 
@@ -335,8 +340,9 @@ def _counted(
             sides.append((stay, other))
 
     def answer(asked: Mapping[int, Array]) -> Mapping[int, Distances]:
-        gaps = prober.gaps([_always(*sides[number], times) for number, times in asked.items()])
-        return dict(zip(asked, gaps, strict=True))
+        questions = [_always(*sides[number], times) for number, times in asked.items()]
+        gaps = prober.gaps(questions, FAR)
+        return dict(zip(asked, (own.tolist() for own in gaps), strict=True))
 
     told = iter(all_told(questions, answer))
     found: list[tuple[float, float]] = []

@@ -5,6 +5,7 @@ from the inner solid at the middle, its radius r, half the interval h, and a bou
 acceleration of any of its points.
 """
 
+from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -28,35 +29,59 @@ class Rows(NamedTuple):
     base: Indices  # frame of the inner solid
 
 
-class Normals(NamedTuple):
-    """The directions in which the pairs are separated at the middle of their nodes."""
+@dataclass(frozen=True, slots=True)
+class Rates:
+    """How fast the solids of rows move one against the other, whatever the direction."""
 
-    normal: Array  # (r, 3), unit
-    at: Indices  # (r,) place of the outer solid
-    arms: Array  # (6, m) [m] largest distance of each place from each joint's axis
-    centre: Array  # (r, 3) [m] of the outer solid
+    velocity: Array  # (r, 3) of the outer solid's centre, at the middle [m/s]
+    turning: Array  # (r, 3) angular velocity then [rad/s]
+    ball: Array  # (r,) radius of the outer solid [m]
+    curve: Array  # (r,) bound on the acceleration of any of its points [m/s^2]
+    half: Array  # (r,) half of the interval [s]
+
+    def approach(self, rows: Indices, normal: Array) -> Array:
+        """Return how far some rows can come nearer along unit vectors, shape (m,), in m."""
+        h = self.half[rows]
+        along = np.abs(np.einsum("ri,ri->r", self.velocity[rows], normal))
+        turn = cross(normal, self.turning[rows])
+        along += np.sqrt(np.einsum("ri,ri->r", turn, turn)) * self.ball[rows]
+        return (along + 0.5 * self.curve[rows] * h) * h
 
 
-def approach(
-    curves: Curves, solids: Solids, level: Level, rows: Rows, normals: Normals, *, falls: bool
-) -> Array:
-    """Return the bound on the approach of each pair within its node, shape (r,), in m."""
+def rates(
+    curves: Curves,
+    solids: Solids,
+    level: Level,
+    rows: Rows,
+    arms: Array,
+    centre: Array,
+    *,
+    falls: bool,
+) -> Rates:
+    """Return how fast the pairs of rows move within their nodes.
+
+    Args:
+        curves: How the arm moves.
+        solids: The convex pieces.
+        level: The nodes.
+        rows: Which pairs, in which nodes.
+        arms: Largest distance of each outer solid from each joint's axis, shape (6, r), in m.
+        centre: Of the outer solids, shape (r, 3), in m.
+        falls: Whether anything falls.
+    """
     frames = level.state.frames
     node, outer, inner, base = rows
-    normal, at, arms, centre = normals
-    velocity = curves.velocities(level.middle[node])
+    velocity = curves.velocities(level.middle)[node]
     speed, acceleration = level.spread.speed[node], level.spread.acceleration[node]
-    h = level.half[node]
     # all joints at once, shape (6, r): those that move one solid against the other
     between = base < np.arange(1, JOINTS + 1)[:, None]
-    far = arms[:, at]
-    arm = np.where(between, far, 0.0)
+    arm = np.where(between, arms, 0.0)
     axis = frames.rotations[1:, :, :, 2][:, node]
     offset = centre - frames.origins[1:][:, node]
-    rate = np.where(between & (far > 0.0), velocity[:, :JOINTS].T, 0.0)
+    rate = np.where(between & (arms > 0.0), velocity[:, :JOINTS].T, 0.0)
     turned = axis * rate[:, :, None]
     w = turned.sum(axis=0)
-    v = _cross(turned, offset).sum(axis=0)
+    v = cross(turned, offset).sum(axis=0)
     top = np.where(between, speed[:, :JOINTS].T, 0.0)
     summed = np.cumsum(np.where(arm > 0.0, top, 0.0), axis=0)
     faster = summed[-1]  # sum of all joint speeds
@@ -66,21 +91,20 @@ def approach(
     # |d2x/dq_i dq_j| is at most the distance from the outer of the two axes
     curve = (arm * (acceleration[:, :JOINTS].T + top * (2.0 * before + top))).sum(axis=0)
     slides = solids.slides[outer]
-    turned = (frames.rotations[6][node] @ solids.slide[outer][:, :, None])[:, :, 0]
-    v += turned * velocity[:, 6, None]
-    curve += slides * (acceleration[:, 6] + 2.0 * faster * speed[:, 6])
+    if slides.any():
+        turned = (frames.rotations[6][node] @ solids.slide[outer][:, :, None])[:, :, 0]
+        v += turned * velocity[:, 6, None]
+        curve += slides * (acceleration[:, 6] + 2.0 * faster * speed[:, 6])
     if falls:
         for solid, sign in ((outer, 1.0), (inner, -1.0)):
             falling = solids.falls[solid]
             since = np.maximum(level.middle[node] - solids.falls_from[solid], 0.0)
             v[:, 2] -= sign * np.where(falling, GRAVITY * since, 0.0)
             curve += np.where(falling, GRAVITY, 0.0)
-    along = np.abs(np.einsum("ri,ri->r", v, normal))
-    turning = np.linalg.norm(_cross(normal, w), axis=1) * solids.ball[outer]
-    return (along + turning) * h + 0.5 * curve * h * h
+    return Rates(v, w, solids.ball[outer], curve, level.half[node])
 
 
-def _cross(a: Array, b: Array) -> Array:
+def cross(a: Array, b: Array) -> Array:
     """Return vector products, shape (..., 3); much faster than numpy's for few vectors."""
     x, y, z = a[..., 0], a[..., 1], a[..., 2]
     u, v, w = b[..., 0], b[..., 1], b[..., 2]

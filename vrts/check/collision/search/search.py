@@ -20,27 +20,29 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.check.collision.pairs.arm_state import instants_of
-from vrts.check.collision.pairs.exact import PROBES, Exact, outside
 from vrts.check.collision.pairs.findings import (
     BAND,
     COVERED,
     GRAZE,
+    PAD,
     REPORTED,
+    SLACK,
     Closest,
     Findings,
+    Spans,
     Touch,
-    margin_of,
-    pad_of,
-    slack_of,
     spans,
 )
+from vrts.check.collision.pairs.outside import outside
 from vrts.check.collision.pairs.pairs import Pairs
 from vrts.check.collision.search.broad import gaps, sides_of
+from vrts.check.collision.search.measures import PROBES, Measured, Measures, Open
 from vrts.check.collision.search.nodes import Level, first_nodes
-from vrts.check.collision.search.normals import Normals, Rows, approach
+from vrts.check.collision.search.normals import Rows, rates
 from vrts.check.curves.timeline_arrays import Curves
 from vrts.engine.memory.records import GRAVITY
-from vrts.geometry.nearest import Engine, Pair
+from vrts.geometry.proposing.proposer import Proposer
+from vrts.geometry.proving.prover import Prover
 from vrts.geometry.solids import Motion, Places, Solids
 from vrts.robots.model import Arm
 
@@ -49,9 +51,10 @@ Flags: TypeAlias = npt.NDArray[np.bool_]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
 FINEST = 1e-5  # [s] to which intervals still open are halved
-STILL = 0.1  # of the error of a distance: intervals are not halved for what changes it by less
+STILL = 1e-6  # [m] intervals are not halved for what changes a distance by less
+CAP = 0.03  # [m] nothing but boxes is looked at while a pair can come nearer by more
 WITHIN = 0.1  # [m] a smallest distance is sought first among bodies this near
-BUDGET = 600_000  # exact distances; what is open then is undetermined
+BUDGET = 600_000  # questions about distances; what is open then is undetermined
 
 
 class _Placed(NamedTuple):
@@ -70,10 +73,11 @@ def search(
     solids: Solids,
     pairs: Pairs,
     interval: tuple[float, float],
-    engine: Engine,
+    proposer: Proposer,
     *,
     clearance: bool = True,
     band: float = BAND,
+    nearest: bool = False,
 ) -> Findings:
     """Return every contact and graze, and the smallest distance.
 
@@ -83,14 +87,23 @@ def search(
         solids: The convex pieces.
         pairs: Which are tested when, by which rule.
         interval: Start and end of the time to look at, in s.
-        engine: What measures distances; its error widens every bound.
+        proposer: Proposes directions and points; nothing rests on it but how long this takes.
         clearance: Whether to look for the smallest distance.
         band: A pair is settled when it stays this far from its tolerance, in m; below zero,
             touches deeper than its tolerance by less than that may be missed.
+        nearest: Whether, of each event, the smallest distance is wanted to `SLACK`, and not all
+            of the time that it lasts.
     """
-    return _Search(
-        arm, curves, solids, pairs, interval, engine, clearance=clearance, band=band
-    ).run()
+    wanted = _Wanted(clearance=clearance, band=band, nearest=nearest)
+    return _Search(arm, curves, Prover(solids, proposer), pairs, interval, wanted).run()
+
+
+class _Wanted(NamedTuple):
+    """What a search is to find; see `search`."""
+
+    clearance: bool
+    band: float
+    nearest: bool
 
 
 class _Search:
@@ -100,37 +113,37 @@ class _Search:
         self,
         arm: Arm,
         curves: Curves,
-        solids: Solids,
+        prover: Prover,
         pairs: Pairs,
         interval: tuple[float, float],
-        engine: Engine,
-        *,
-        clearance: bool,
-        band: float,
+        wanted: _Wanted,
     ) -> None:
         self.arm = arm
         self.curves = curves
-        self.solids = solids
+        self.prover = prover
+        self.solids = solids = prover.solids
         self.pairs = pairs
-        self.engine = engine
-        self.pad, self.slack, self.margin = pad_of(engine), slack_of(engine), margin_of(engine)
-        self.band = band
-        self.still = STILL * engine.error
+        self.band = band = wanted.band
+        self.nearest = wanted.nearest
         self.found = Findings()
-        self.counts = pairs.counts & clearance
-        if not clearance:
+        self.counts = pairs.counts & wanted.clearance
+        if not wanted.clearance:
             self.found.closest = Closest(-np.inf, -1, 0.0)
         self.sides = sides_of(solids, pairs)
         self.outer, self.inner, self.inner_frame = self.sides
         self.static = (solids.frame == 0) & ~solids.falls
         self.falls = bool(solids.falls.any())
         # below this a row is not decided: a touch, or for pads what may be too deep
-        self.floor = np.where(pairs.grazes, -GRAZE, band - pairs.tolerance)
-        self.functions: dict[int, Pair] = {}
-        self.spans: dict[int, tuple[Array, Array]] = {}
+        floor = np.where(pairs.grazes, -GRAZE, band - pairs.tolerance)
+        self.measures = Measures(
+            prover, self.sides, self.counts, floor, pairs.tolerance, self.found
+        )
+        self.floor = floor
+        self.spans: dict[int, Spans] = {}
         self.start, self.end = first_nodes(curves, pairs, interval, falls=self.falls)
         self.level = self._level()
         self.node, self.row = self._first_rows()
+        self.way = np.full((len(self.row), 3), np.nan)
 
     def _first_rows(self) -> tuple[Indices, Indices]:
         """Return the rows of the first nodes that boxes of whole bodies do not settle."""
@@ -141,23 +154,26 @@ class _Search:
         while True:
             blocks = gaps(
                 *(self.solids, pairs, self.sides, level.state, level.motion, nodes),
-                near=near + self.pad,
+                near=near + PAD,
             )
             counts = np.nonzero(self.counts[blocks.first_row])[0]
             if len(counts):
                 best = counts[np.argsort(blocks.middle[counts], kind="stable")[:PROBES]]
                 self._probe(*blocks.rows(best))
-            if found.closest.distance - self.slack <= near or near == np.inf:
+            if found.closest.distance - SLACK <= near or near == np.inf:
                 break
             near = found.closest.distance
-        bar = self._bar(blocks.first_row)
-        return blocks.rows(np.nonzero(blocks.least - self.pad < bar)[0])
+        bar = self.measures.bar(blocks.first_row)
+        return blocks.rows(np.nonzero(blocks.least - PAD < bar)[0])
 
     def _probe(self, node: Indices, row: Indices) -> None:
         """Measure some distances, so that the smallest is known better."""
         placed = self._placed(self.level, row, node)
         gap = outside(placed.places, placed.outer, placed.inner)
-        self._exact(self.level, placed.places).probe(row, node, placed.outer, placed.inner, gap)
+        unknown = np.full((len(row), 3), np.nan)
+        nothing = np.zeros(len(row))
+        rows = Open(row, node, placed.outer, placed.inner, gap, nothing, unknown, nothing + np.inf)
+        self.measures.probe(self.level, placed.places, rows)
 
     def run(self) -> Findings:
         """Halve until nothing is open."""
@@ -166,40 +182,47 @@ class _Search:
             found.levels += 1
             found.nodes += len(self.start)
             found.rows += len(self.row)
-            if found.exact > BUDGET:
+            if self.prover.asked + self.prover.searched > BUDGET:
                 self._give_up()
                 break
             self._step()
+        found.asked, found.searched = self.prover.asked, self.prover.searched
         return found
 
     def _step(self) -> None:
-        level = self.level
-        node, row = self.node, self.row
+        level, row, node = self.level, self.row, self.node
         placed = self._placed(level, row, node)
         places, at_outer, at_inner = placed.places, placed.outer, placed.inner
         bound, arms = self._travel(level, placed)
-        reach = bound[self.inner_frame[row], at_outer] + self.pad
+        reach = bound[self.inner_frame[row], at_outer] + PAD
         if self.falls:
             inner, outer = self.inner[row], self.outer[row]
             reach += self._drop(level, inner, node) + self._drop(level, outer, node)
         gap = outside(places, at_outer, at_inner)
-        exact = self._exact(level, places)
+        matters = self._covered(row, node) if self.nearest else np.full(len(row), np.inf)
+        rows = Open(row, node, at_outer, at_inner, gap, reach, self.way, matters)
         if self.found.closest.distance > -np.inf:
-            exact.probe(row, node, at_outer, at_inner, gap)
-        keep = np.nonzero(gap - reach < self._bar(row))[0]
-        row, node, gap, reach = row[keep], node[keep], gap[keep], reach[keep]
-        at_outer, at_inner = at_outer[keep], at_inner[keep]
-        distance, normal = exact.measure(row, node, at_outer, at_inner, gap, reach)
-        measured = ~np.isnan(distance)
-        least = np.where(measured, distance, gap) - reach
-        tight = np.nonzero(measured & (least < self._bar(row)))[0]
-        if len(tight):
-            a, b, n = at_outer[tight], at_inner[tight], normal[tight]
-            apart = self._apart(places, row[tight], a, b, n)
-            normals = Normals(n, a, arms, places.centres[a])
-            apart -= self._along_normal(level, row[tight], node[tight], normals)
-            least[tight] = np.maximum(least[tight], apart)
-        self._decide(level, row, node, distance, least, reach)
+            self.measures.probe(level, places, rows)
+        rows = rows.at(np.flatnonzero(gap - reach < self.measures.bar_of(rows)))
+        least = rows.gap - rows.reach
+        found = Measured(least, rows.gap.copy(), np.full(len(least), np.inf), rows.way)
+        near = np.flatnonzero(rows.reach <= CAP)
+        if len(near):
+            some = rows.at(near)
+            which = Rows(
+                some.node, self.outer[some.row], self.inner[some.row], self.inner_frame[some.row]
+            )
+            moving = rates(
+                *(self.curves, self.solids, level, which, arms[:, some.outer]),
+                places.centres[some.outer],
+                falls=self.falls,
+            )
+            measured = self.measures.of(level, places, moving, some)
+            found.least[near] = np.maximum(least[near], measured.least)
+            found.lower[near] = np.maximum(some.gap, measured.lower)
+            found.upper[near] = measured.upper
+            found.way[near] = measured.way
+        self._decide(level, rows, found)
 
     def _level(self) -> Level:
         middle, half = 0.5 * (self.start + self.end), 0.5 * (self.end - self.start)
@@ -220,19 +243,6 @@ class _Search:
         places = self.solids.places(level.state, solid, instant, GRAVITY)
         return _Placed(places, solid, instant, place_of[key_outer], place_of[key_inner])
 
-    def _exact(self, level: Level, places: Places) -> Exact:
-        columns = (self.engine, self._pair_of, self.counts, self.floor, self.found)
-        return Exact(*columns, level.middle, places)
-
-    def _pair_of(self, row: int) -> Pair:
-        """Return what measures the distance of a pair."""
-        known = self.functions.get(row)
-        if known is None:
-            shapes = self.solids.shapes
-            known = self.engine.pair(shapes[int(self.outer[row])], shapes[int(self.inner[row])])
-            self.functions[row] = known
-        return known
-
     def _travel(self, level: Level, placed: _Placed) -> tuple[Array, Array]:
         columns = (placed.solid, placed.instant, placed.places.centres)
         return self.solids.travel(level.state, level.motion, *columns)
@@ -242,119 +252,98 @@ class _Search:
         since = level.middle[node] - self.solids.falls_from[solid]
         return self.solids.drop(motion, since, solid, GRAVITY)
 
-    def _bar(self, row: Indices) -> Array:
-        """Return what the least distance of rows must reach for them to be settled."""
-        sought = self.found.closest.distance - self.slack
-        return np.where(
-            self.pairs.counts[row], np.maximum(self.floor[row], sought), self.floor[row]
-        )
-
-    def _apart(
-        self, places: Places, row: Indices, outer: Indices, inner: Indices, normal: Array
-    ) -> Array:
-        """Return the gaps along normals at the middle, shape (r,), in m.
-
-        Near touching the normal of an exact distance may be any direction; the gap along it is a
-        lower bound all the same, and it is measured, not taken for the distance.
-        """
-        solids = self.solids
-        between = np.einsum("ri,ri->r", places.origins[inner] - places.origins[outer], normal)
-        between -= solids.reach(self.outer[row], places.rotations[outer], normal)
-        between -= solids.reach(self.inner[row], places.rotations[inner], -normal)
-        unit = np.abs(np.linalg.norm(normal, axis=1) - 1.0) < 1e-7
-        return np.where(unit, between, -np.inf)
-
-    def _along_normal(self, level: Level, row: Indices, node: Indices, normals: Normals) -> Array:
-        """Return how far rows can come nearer along normals, shape (r,), in m."""
-        return self.pad + approach(
-            self.curves,
-            self.solids,
-            level,
-            Rows(node, self.outer[row], self.inner[row], self.inner_frame[row]),
-            normals,
-            falls=self.falls,
-        )
-
-    def _decide(
-        self,
-        level: Level,
-        row: Indices,
-        node: Indices,
-        distance: Array,
-        least: Array,
-        reach: Array,
-    ) -> None:
+    def _decide(self, level: Level, rows: Open, measured: Measured) -> None:
         """Settle rows, note what is found, halve the nodes of the rest."""
         found, pairs = self.found, self.pairs
-        alive = least < self._bar(row)
-        row, node, distance = row[alive], node[alive], distance[alive]
-        least, reach = least[alive], reach[alive]
+        alive = np.flatnonzero(measured.least < self.measures.bar_of(rows))
+        row, node, reach = rows.row[alive], rows.node[alive], rows.reach[alive]
+        least, lower, upper, way = (column[alive] for column in measured)
         length = 2.0 * level.half[node]
         tolerance = pairs.tolerance[row]
-        measured = ~np.isnan(distance)
-        deep = measured & (distance < -tolerance - self.margin)
-        brief = (length <= COVERED) | (reach <= self.pad + self.still)
-        whole = deep & (distance + reach < -tolerance - self.margin) & brief
+        known = upper < np.inf
+        deep = upper < -tolerance - BAND
+        brief = (length <= COVERED) | (reach <= PAD + STILL)
+        whole = deep & (upper + reach < -tolerance - BAND) & brief
         middle = level.middle[node]
         for k in np.nonzero(deep)[0].tolist():
-            t, d = float(middle[k]), float(distance[k])
+            t, d, low = float(middle[k]), float(upper[k]), float(lower[k])
             if whole[k]:
                 start, end = float(self.start[node[k]]), float(self.end[node[k]])
-                found.contacts.append(Touch(int(row[k]), start, end, t, d))
+                found.contacts.append(Touch(int(row[k]), start, end, t, d, low))
             else:
-                found.contacts.append(Touch(int(row[k]), t, t, t, d))
+                found.contacts.append(Touch(int(row[k]), t, t, t, d, low))
         if deep.any():
             found.closest = Closest(-np.inf, -1, 0.0)
             self.spans = spans(found.contacts, pairs.group)
-        done = whole
-        if self.spans:
-            done |= (length <= COVERED) & self._covered(row, node)
+        done = self._known(row, node, least, whole)
         harmless = least > self.band - tolerance  # cannot be a contact any more
         short = harmless & (length <= REPORTED) & (least >= self._sought(row))
-        grazing = measured & harmless & (distance + reach < -GRAZE) & pairs.grazes[row]
-        touching = (short | grazing) & measured & pairs.grazes[row] & (distance < -GRAZE) & ~done
-        found.grazes += self._touches(np.nonzero(touching)[0], row, node, middle, distance)
+        grazing = harmless & (upper + reach < -GRAZE) & pairs.grazes[row]
+        touching = (short | grazing) & pairs.grazes[row] & (upper < -GRAZE) & ~done
+        found.grazes += self._touches(np.nonzero(touching)[0], row, node, upper, lower)
         done |= short | grazing
-        sharp = np.where(measured, distance - least <= 2.0 * self.pad, length <= 0.1 * FINEST)
-        resolved = (length <= FINEST) | (distance - least <= self.pad + self.still)
+        # what cannot be measured any better is not halved for ever
+        sharp = (upper - least <= 2.0 * PAD) | (length <= 0.1 * FINEST)
+        resolved = (length <= FINEST) | (upper - least <= PAD + STILL)
         finest = ~harmless & ~deep & resolved & sharp & ~done
-        shallow = finest & (distance > BAND - tolerance) & (least > -tolerance)
-        grazed = shallow & pairs.grazes[row] & (distance < -GRAZE)
-        found.grazes += self._touches(np.nonzero(grazed)[0], row, node, middle, distance)
-        found.open += self._touches(np.nonzero(finest & ~shallow)[0], row, node, middle, distance)
+        shallow = finest & known & (lower > BAND - tolerance) & (least > -tolerance)
+        grazed = shallow & pairs.grazes[row] & (upper < -GRAZE)
+        found.grazes += self._touches(np.nonzero(grazed)[0], row, node, upper, lower)
+        found.open += self._touches(np.nonzero(finest & ~shallow)[0], row, node, upper, lower)
         done |= finest
-        self._halve(row[~done], node[~done])
+        self._halve(row[~done], node[~done], way[~done])
 
     def _touches(
-        self, which: Indices, row: Indices, node: Indices, middle: Array, distance: Array
+        self, which: Indices, row: Indices, node: Indices, upper: Array, lower: Array
     ) -> list[Touch]:
-        columns = (row, self.start[node], self.end[node], middle, distance)
+        middle = self.level.middle[node]
+        columns = (row, self.start[node], self.end[node], middle, upper, lower)
         return [
             Touch(*values) for values in zip(*(c[which].tolist() for c in columns), strict=True)
         ]
 
     def _sought(self, row: Indices) -> Array:
-        sought = self.found.closest.distance - self.slack
+        sought = self.found.closest.distance - SLACK
         return np.where(self.pairs.counts[row], sought, -np.inf)
 
-    def _covered(self, row: Indices, node: Indices) -> Flags:
-        """Return which rows lie between two contacts of one event."""
-        covered = np.zeros(len(row), dtype=np.bool_)
+    def _known(self, row: Indices, node: Indices, least: Array, whole: Flags) -> Flags:
+        """Return which rows can add nothing to the events that are known."""
+        length = self.end[node] - self.start[node]
+        if not self.nearest:
+            known = whole
+            if self.spans:
+                known = known | ((length <= COVERED) & (least >= self._covered(row, node)))
+            return known
+        if not self.spans:
+            return np.zeros(len(row), dtype=np.bool_)
+        return (least >= self._covered(row, node)) | (length <= FINEST)
+
+    def _covered(self, row: Indices, node: Indices) -> Array:
+        """Return how near rows must come to matter between two contacts of one event, (r,) [m].
+
+        Inf is for rows that lie in none. Where the smallest distance of an event is wanted, what
+        may be nearer than the smallest known matters; else nothing does.
+        """
+        matters = np.full(len(row), np.inf)
         group = self.pairs.group[row]
-        for number, (starts, ends) in self.spans.items():
+        for number, (starts, ends, least) in self.spans.items():
             mine = np.nonzero(group == number)[0]
+            if not len(mine):
+                continue
             at = np.searchsorted(starts, self.start[node[mine]] + REPORTED, side="right") - 1
             inside = (at >= 0) & (self.end[node[mine]] - REPORTED <= ends[np.maximum(at, 0)])
-            covered[mine] = inside
-        return covered
+            wanted = least[at[inside]] - SLACK if self.nearest else -np.inf
+            matters[mine[inside]] = wanted
+        return matters
 
-    def _halve(self, row: Indices, node: Indices) -> None:
+    def _halve(self, row: Indices, node: Indices, way: Array) -> None:
         used, again = np.unique(node, return_inverse=True)
         start, end = self.start[used], self.end[used]
         middle = 0.5 * (start + end)
         self.start = np.concatenate([start, middle])
         self.end = np.concatenate([middle, end])
         self.row = np.concatenate([row, row])
+        self.way = np.concatenate([way, way])  # what served for the whole serves its halves
         self.node = np.concatenate([again, again + len(used)])
         if len(row):
             self.level = self._level()

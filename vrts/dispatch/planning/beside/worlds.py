@@ -149,14 +149,24 @@ def _task_moved(task: Task | None, offset: Vector) -> Task | None:
     if task is None:
         return None
     goals = tuple(
-        goal._replace(X_WG=Pose(goal.X_WG.rotation, add(goal.X_WG.translation, offset)))
+        goal._replace(
+            X_WG=_shifted(goal.X_WG, offset),
+            others=tuple(c._replace(X_WG=_shifted(c.X_WG, offset)) for c in goal.others),
+        )
         for goal in task.goals
+    )
+    relations = tuple(
+        r._replace(lower=add(r.lower, offset), upper=add(r.upper, offset)) for r in task.relations
     )
     vias = tuple(via._replace(point=add(via.point, offset)) for via in task.vias)
     demands = tuple(
         d._replace(lower=add(d.lower, offset), upper=add(d.upper, offset)) for d in task.demands
     )
-    return replace(task, goals=goals, vias=vias, demands=demands)
+    return replace(task, goals=goals, relations=relations, vias=vias, demands=demands)
+
+
+def _shifted(X: Pose, offset: Vector) -> Pose:
+    return Pose(X.rotation, add(X.translation, offset))
 
 
 def _scenario_moved(scenario: Scenario, offset: Vector) -> Scenario:

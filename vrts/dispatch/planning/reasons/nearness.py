@@ -8,10 +8,12 @@ an object that is grasped has a limit of its own: what the object and the arm's 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from vrts.base.beside import beside
 from vrts.base.diagnostic import Diagnostic, Label, error
 from vrts.base.units import mm
 from vrts.check.collision.collision import check_collisions
 from vrts.check.collision.pairs.grips import Grip, grips
+from vrts.check.rounding import exact_mm
 from vrts.check.verdict import NearMiss
 from vrts.dispatch.planning.reasons.refusals import TOO_NEAR
 from vrts.engine.run import Run
@@ -64,10 +66,11 @@ def too_near(found: Nearness, asked: float, grasping: float) -> Iterator[Diagnos
             continue
         label = None if miss.cause is None else Label(miss.cause.span)
         first, second = miss.parts
+        near, wanted = beside(exact_mm(miss.distance_m), exact_mm(limit), plain=True)
         yield error(
             TOO_NEAR,
-            f"{first} comes within {mm(miss.distance_m):.1f} mm of {second} at "
-            f"{miss.nearest_s:.1f} s, {mm(limit):.0f} mm are asked for",
+            f"{first} comes within {near} mm of {second} at "
+            f"{miss.nearest_s:.1f} s, {wanted} mm are asked for",
             label,
             help=("go higher or farther round; `--clearance` asks for another distance",),
             data={"distance_mm": round(mm(miss.distance_m), 2), "time_s": round(miss.nearest_s, 3)},

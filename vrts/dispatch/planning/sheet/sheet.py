@@ -177,6 +177,9 @@ def _verified(facts: Sheet) -> Iterator[Markup]:
         rows_.append(element("dd", f"{took:.1f} s at SPEED 100, {_long(slow)} at SPEED 10"))
         rows_.append(element("dt", "clearance"))
         rows_.append(element("dd", _clearance(facts, one.clearance_mm)))
+        if one.proof is not None:
+            rows_.append(element("dt", "proof"))
+            rows_.append(element("dd", one.proof.summary))
     steps = sum(e.steps for e in manifest.executed)
     done = sum(e.executed for e in manifest.executed)
     moving = sum(e.motions for e in manifest.executed)

@@ -6,7 +6,6 @@ that has to wait returns BLOCKED and is entered again; `Context.phase` remembers
 
 from collections.abc import Callable
 
-from vrts.base.numbers import round_half_away
 from vrts.base.pose import Pose
 from vrts.base.source import Span
 from vrts.engine.code.closures import (
@@ -30,15 +29,18 @@ from vrts.engine.code.steps.signal_steps import SignalStepCompiler
 from vrts.engine.code.steps.terminal_steps import TerminalStepCompiler, put
 from vrts.engine.code.values.arithmetic import checked_string, rounded
 from vrts.engine.code.values.compiler import Compiler
+from vrts.engine.code.values.controller_functions import parameter
+from vrts.engine.code.values.operands import parameter_cell
 from vrts.engine.code.values.real_expressions import truth
 from vrts.engine.code.values.static_types import static_type
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.memory.events import Cause, SwitchChanged
 from vrts.engine.programs.context import Context
+from vrts.engine.programs.locks import Wish, refused
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression, Place
 from vrts.ir.runtime_errors import RuntimeErrorKind
-from vrts.ir.system import PARAMETERS, SWITCHES
+from vrts.ir.system import SWITCHES
 from vrts.ir.values import Type, Value
 from vrts.robots.kinematics.kinematics import forward, solve
 
@@ -198,19 +200,18 @@ class StepCompiler:
         e = self.expressions
         value = e.real(instruction.value)
         index = e.real(instruction.subscript) if instruction.subscript is not None else None
-        known = instruction.name in PARAMETERS
 
         def set_parameter(c: Context) -> int:
-            if not known:
-                raise RuntimeFault(
-                    RuntimeErrorKind.INVALID_ARGUMENT,
-                    f"there is no parameter `{instruction.name}`",
-                    cause.span,
-                )
-            name = instruction.name
-            if index is not None:
-                name = f"{name}[{round_half_away(index(c))}]"
-            c.system.set_parameter(name, value(c), c.finished)
+            which = None if index is None else index(c)
+            name = parameter_cell(instruction.name, which, cause.span)
+            wanted = value(c)
+            if instruction.name in c.system.locks.names:
+                kept = parameter(c, instruction.name, name, cause.span)
+                if wanted != kept:
+                    keeps = f"it stays {kept:g}"
+                    refused(c, Wish(instruction.name, f"PARAMETER {name}", keeps), cause)
+                return following
+            c.system.set_parameter(name, wanted, c.finished)
             return following
 
         return set_parameter
@@ -352,6 +353,10 @@ def _switch(instruction: ir.Switch, following: int, cause: Cause) -> Step:
                     cause.span,
                     help=(f"switches are {', '.join(SWITCHES)}",),
                 )
+            if c.system.is_on(name) is not on and name in c.system.locks.names:
+                keeps = f"it stays {'off' if on else 'on'}"
+                refused(c, Wish(name, f"{'ENABLE' if on else 'DISABLE'} {name}", keeps), cause)
+                continue
             if c.system.is_on(name) is not on:
                 c.events.append(SwitchChanged(c.now, name, on, cause))
             c.system.switches[name] = on

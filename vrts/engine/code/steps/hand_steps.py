@@ -66,6 +66,12 @@ class HandStepCompiler:
         return grasp
 
 
+def hand_time(c: Context) -> float:
+    """Return the parameter HAND.TIME at the start [s] [manual language/hand#at-once]."""
+    said = c.planner.model.programs.hand_s
+    return c.hand.gripper.stroke_time if said is None else said
+
+
 def acted(c: Context, action: ir.HandAction, cause: Cause, *, tested: bool = False) -> bool:
     """Do an action of the hand once the arm stands still; return whether HAND.TIME is over."""
     if c.phase == 0:
@@ -73,7 +79,7 @@ def acted(c: Context, action: ir.HandAction, cause: Cause, *, tested: bool = Fal
             return False
         command_hand(c, action, c.now, cause, tested=tested)
         tick = c.planner.arm.tick
-        seconds = max(c.system.parameter(HAND_TIME, c.hand.gripper.stroke_time), 0.0)
+        seconds = max(c.system.parameter(HAND_TIME, hand_time(c)), 0.0)
         c.until = c.now + math.ceil(seconds / tick - TICK_TOLERANCE) * tick
         c.phase = 1
     if not reached(c, c.until):

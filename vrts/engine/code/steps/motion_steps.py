@@ -28,13 +28,15 @@ from vrts.engine.code.values.compiler import Compiler
 from vrts.engine.code.values.operands import span_of
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.memory.events import Cause
+from vrts.engine.memory.records import INSTANT
 from vrts.engine.motion.plan import Intent
 from vrts.engine.motion.requests import backed_off, needs_branch_of, to_joints, to_line, to_pose
-from vrts.engine.motion.settings import SPEED_MAX, Settings, Speed
+from vrts.engine.motion.settings import Settings, Speed
 from vrts.engine.programs.context import Context
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
 from vrts.ir.runtime_errors import RuntimeErrorKind
+from vrts.robots.kinematics.limits import TIE
 from vrts.robots.model import Configuration
 
 # what a motion instruction that waits has come to
@@ -100,16 +102,17 @@ class MotionStepCompiler:
                 c.operands, c.phase = evaluate(c), REACHED
             target = c.operands
             assert isinstance(target, Target)
-            if planner.under_way(c.now):
+            if planner.free_at > c.now + INSTANT:
                 if c.phase == REACHED and _joins(c, target, cause):
                     assert planner.pending is not None
                     c.phase, c.wake = JOINED, planner.scale.time(planner.pending.start_s)
                     return BLOCKED
-                c.phase, c.wake = WAITED, planner.motion_end
+                c.phase, c.wake = WAITED, planner.free_at
                 return BLOCKED
             # a command waited for this tick already, which is the next one after it was given
             due = c.phase == WAITED or c.at_once
-            start = c.now if due else c.now + planner.arm.tick
+            ticks = 0 if due else planner.model.pace.departure_ticks
+            start = c.now + ticks * planner.arm.tick
             intent = _intent(c, target)
             dry = c.system.is_on("DRY.RUN")
             c.fault = planner.begin(intent, start, target.pose, cause, dry=dry)
@@ -126,9 +129,7 @@ class MotionStepCompiler:
                 opens = target.opening > 0.0
                 action = ir.HandAction.OPEN if opens else ir.HandAction.CLOSE
                 c.next_hand.append((action, cause))
-            for action, by in c.next_hand:
-                command_hand(c, action, start, by)
-            c.next_hand = []
+            _begin_hand(c, start)
             c.phase, c.operands = 0, None
             c.hand.path_changed(c.now)
             return following
@@ -205,7 +206,8 @@ class MotionStepCompiler:
             change = by(c) * DEG
             percent = own(c) if own is not None else 100.0
             speed = positive(Speed(percent, ir.SpeedUnit.PERCENT), cause.span)
-            settings = c.planner.take_settings(but_speed=True)
+            keeps = not c.planner.model.next_motion.drive_uses_speed
+            settings = c.planner.take_settings(but_speed=keeps)
             fraction = speed.fraction(c.planner.arm, speed_max(c))
             return Target(
                 ir.Interpolation.JOINT,
@@ -251,13 +253,24 @@ class MotionStepCompiler:
     # --- standing still -----------------------------------------------------------------------
 
     def delay(self, time: Expression, following: int) -> Step:
-        """Return the step of DELAY: it waits its turn like a motion."""
+        """Return the step of DELAY: it waits its turn like a motion.
+
+        Whether it counts as the next motion for settings and for the hand is the controller
+        model's to say [manual language/motion#delay].
+        """
         seconds = self.expressions.real(time)
 
         def delay(c: Context) -> int:
-            if not reached(c, c.planner.motion_end):
+            planner, counts = c.planner, c.planner.model.next_motion
+            if counts.delay_uses_settings and c.phase == 0:
+                planner.take_settings()
+                c.phase = WAITED
+            if not reached(c, planner.free_at):
                 return BLOCKED
-            c.planner.hold(c.now, seconds(c))
+            c.phase = 0
+            planner.hold(c.now, seconds(c))
+            if counts.delay_moves_hand:
+                _begin_hand(c, c.now)
             return following
 
         return delay
@@ -314,7 +327,9 @@ def aligned(pose: Pose) -> Pose:
     The turn is the smallest one, about z x axis [assumed, manual language/motion#align].
     """
     z = pose.approach
-    axis = max(WORLD_AXES, key=lambda candidate: dot(candidate, z))
+    along = [dot(axis, z) for axis in WORLD_AXES]
+    nearest = max(along) - TIE  # as near: the first
+    axis = next(axis for axis, share in zip(WORLD_AXES, along, strict=True) if share > nearest)
     normal = cross(z, axis)
     sine = math.sqrt(dot(normal, normal))
     if sine < 1e-12:
@@ -337,7 +352,14 @@ def positive(speed: Speed, span: Span | None) -> Speed:
 
 def speed_max(c: Context) -> float:
     """Return the parameter SPEED.MAX [%]."""
-    return c.system.parameter("SPEED.MAX", SPEED_MAX)
+    return c.system.parameter("SPEED.MAX", c.planner.model.pace.most_speed_percent)
+
+
+def _begin_hand(c: Context, start: float) -> None:
+    """Begin what OPEN, CLOSE and RELAX left to the next motion."""
+    for action, by in c.next_hand:
+        command_hand(c, action, start, by)
+    c.next_hand = []
 
 
 def _to_pose(c: Context, interpolation: ir.Interpolation, pose: Pose, span: Span) -> Target:

@@ -11,6 +11,7 @@ from vrts.engine.faults import RuntimeFault
 from vrts.engine.memory.events import Cause, SpeedChanged
 from vrts.engine.motion.settings import Speed
 from vrts.engine.programs.context import Context
+from vrts.engine.programs.locks import Wish, refused
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
 from vrts.ir.runtime_errors import RuntimeErrorKind
@@ -73,9 +74,9 @@ class SettingStepCompiler:
                 def percentages(c: Context) -> dict[str, object]:
                     found: dict[str, object] = {}
                     if up is not None:
-                        found["acceleration"] = up(c)
+                        found["acceleration"] = _allowed(c, up(c), cause)
                     if down is not None:
-                        found["deceleration"] = down(c)
+                        found["deceleration"] = _allowed(c, down(c), cause)
                     return found
 
                 return percentages
@@ -130,7 +131,8 @@ class SettingStepCompiler:
         branch = instruction.branch
 
         def request(c: Context) -> int:
-            if not reached(c, c.planner.settled_at):
+            waits = c.planner.model.stops.branch_words_wait
+            if waits and not reached(c, c.planner.settled_at):
                 return BLOCKED
             if has_branches(c.planner.arm):
                 c.planner.ask(branch)
@@ -140,6 +142,14 @@ class SettingStepCompiler:
             return following
 
         return request
+
+
+def _allowed(c: Context, percent: float, cause: Cause) -> float:
+    """Return an acceleration, at most what a program may ask for."""
+    most = c.system.locks.acceleration
+    if percent > most:
+        refused(c, Wish("ACCEL", f"ACCEL {percent:g}", f"{most:g} % is the most"), cause)
+    return min(percent, most)
 
 
 def change_monitor_speed(c: Context, percent: float, cause: Cause | None) -> None:
@@ -154,7 +164,7 @@ def change_monitor_speed(c: Context, percent: float, cause: Cause | None) -> Non
             "a speed must be above zero",
             cause.span if cause else None,
         )
-    percent = min(percent, 100.0)
+    percent = min(percent, c.planner.model.pace.most_monitor_percent)
     c.planner.set_rate(c.now, percent / 100.0)
     c.hand.path_changed(c.now)
     c.look_again()

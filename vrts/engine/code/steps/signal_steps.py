@@ -19,7 +19,6 @@ HIGHEST_TIMER = 15  # [manual language/settings#timers]
 MOST_BITS = 16  # that BITS writes at once [manual language/signals#bits]
 ANALOG_OUTPUTS = 4  # [assumed, manual language/signals#analog]
 ANALOG_RANGE = (-2048, 2047)  # counts [assumed, manual language/signals#analog]
-PULSE_TIME = 0.2  # [s] of PULSE without a time [assumed, manual language/signals#pulse]
 
 SignalInstruction = (
     ir.Signal
@@ -101,7 +100,8 @@ class SignalStepCompiler:
         def pulse(c: Context) -> int:
             wanted = round_half_away(number(c))
             known(wanted, cause.span, writable=True)
-            lasts = PULSE_TIME if time is None else max(time(c), 0.0)
+            model = c.planner.model
+            lasts = model.programs.pulse_s if time is None else max(time(c), 0.0)
             on = wanted > 0
             turn(c, abs(wanted), on, cause)
             _schedule(c, c.now + lasts, abs(wanted), not on)

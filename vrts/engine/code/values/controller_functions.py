@@ -11,6 +11,7 @@ from vrts.base.source import Span
 from vrts.engine.code.closures import Evaluate
 from vrts.engine.code.values.arithmetic import integer, logical, rounded
 from vrts.engine.code.values.compiler import Compiler
+from vrts.engine.code.values.operands import parameter_cell
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.memory.records import Ending
 from vrts.engine.programs.context import Context
@@ -35,13 +36,13 @@ def controller_function(compiler: Compiler, expression: Apply) -> Evaluate:
         case Function.SWITCH:
             return _switch(_name(expression), span)
         case Function.PARAMETER:
-            index = arguments[1] if len(arguments) > 1 else None
-            which = compiler.real_argument(index) if index is not None else None
+            given = arguments[1] if len(arguments) > 1 else None
+            which = compiler.real_argument(given) if given is not None else None
             name = _name(expression)
 
             def read(c: Context) -> Value:
-                wanted = name if which is None else f"{name}[{round_half_away(which(c))}]"
-                return _parameter(c, name, wanted, span)
+                index = None if which is None else which(c)
+                return parameter(c, name, parameter_cell(name, index, span), span)
 
             return read
         case Function.ADC:
@@ -151,23 +152,32 @@ def _switch(name: str, span: Span | None) -> Evaluate:
     return state
 
 
-def _parameter(c: Context, name: str, wanted: str, span: Span | None) -> float:
-    known = PARAMETERS.get(name)
-    if known is None:
-        raise RuntimeFault(
-            RuntimeErrorKind.INVALID_ARGUMENT, f"there is no parameter `{name}`", span
-        )
-    arm, gripper = c.planner.arm, c.hand.gripper
+def parameter(c: Context, name: str, wanted: str, span: Span | None) -> float:
+    """Return what a parameter is.
+
+    Args:
+        c: The program that asks.
+        name: Of the parameter, upper case.
+        wanted: The same with its index, if it has one.
+        span: What asks.
+
+    Raises:
+        RuntimeFault: There is no such parameter, or no such index.
+    """
+    known = PARAMETERS[name]
+    arm, gripper, model = c.planner.arm, c.hand.gripper, c.planner.model
     of_the_robot = {
-        "HAND.TIME": gripper.stroke_time,
+        "HAND.TIME": gripper.stroke_time
+        if model.programs.hand_s is None
+        else model.programs.hand_s,
+        "SPEED.MAX": model.pace.most_speed_percent,
         "HAND.MAX": 1e3 * gripper.opening_max,
         "VEL.LIN": 1e3 * arm.linear_speed,
         "TACC": arm.acceleration_time,
     }
     otherwise = of_the_robot.get(name, known.value or 0.0)
-    if name == "NEST.POS" and wanted.endswith("]"):
-        joint = integer(float(wanted[len(name) + 1 : -1]), span, 1, 6, "index")
-        otherwise = math.degrees(arm.ready[joint - 1])
+    if name == "NEST.POS":
+        otherwise = math.degrees(arm.ready[known.cells.index(wanted)])
     return rounded(c.system.parameter(wanted, otherwise), span)
 
 

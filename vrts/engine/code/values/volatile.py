@@ -22,6 +22,8 @@ MOVING = frozenset(
     }
 )  # these change while the arm or the hand moves
 
+SWAPS = frozenset({Function.TAS, Function.DECODE})  # these change a variable when they are asked
+
 
 def changes_by_itself(expression: object) -> bool:
     """Return whether an expression reads a clock, or the arm or the hand while they move."""
@@ -30,6 +32,7 @@ def changes_by_itself(expression: object) -> bool:
             return (
                 function in CLOCKS
                 or function in MOVING
+                or function in SWAPS
                 or any(changes_by_itself(a) for a in arguments)
             )
         case Unary(operand=operand):

@@ -52,6 +52,8 @@ class Start(Order, frozen=True, tag="start"):
     before: str = ""  # file of what was done before the server ended; the session removes it
     until_s: Stamp = 0.0  # how far the session had come then
     scene_sha256: str = ""  # of `Ready.scene` then; with another scene it begins anew
+    controller: str = ""  # model that it went by then; empty: the setting's own
+    controller_sha256: str = ""  # of what that model said; empty: not asked for
 
 
 class Act(Order, frozen=True, tag="act"):
@@ -121,6 +123,8 @@ class Ready(News, frozen=True, tag="ready"):
     task: str  # title; empty without one
     carried_s: float | None = None  # it goes on from then; None: it begins
     anew: str = ""  # why it does not go on, where it was to
+    controller: str = ""  # model that it goes by
+    controller_sha256: str = ""  # of what that model says
 
 
 class Failed(News, frozen=True, tag="failed"):
@@ -216,6 +220,7 @@ class Status(News, frozen=True, tag="status"):
     checked_s: float  # up to this time
     mark: float | None = None  # of the public checks so far; None: no task, or not judged yet
     tool: tuple[float, ...] = ()  # pose of TOOL in the flange frame
+    total: float = 10.0  # the mark is out of so many points
 
 
 class ProgramEntry(msgspec.Struct, frozen=True):
@@ -224,6 +229,7 @@ class ProgramEntry(msgspec.Struct, frozen=True):
     name: str
     lines: tuple[str, ...]
     fault: str = ""  # why it cannot be executed
+    main: bool = False  # the one to execute where nobody names one
 
 
 class Programs(News, frozen=True, tag="programs"):

@@ -24,6 +24,7 @@ import msgspec
 
 from vrts.engine.code.executable import Executable
 from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.watcher import Watcher
 from vrts.engine.memory.cells import UNDEFINED
 from vrts.engine.memory.event_order import EventOrder
 from vrts.engine.storage.damage import Damaged
@@ -97,6 +98,7 @@ class Past:
         """Keep a machine at a time [s]; it is of no use to anybody afterwards."""
         executable = machine.executable
         del machine.executable, machine.system.programs  # written as their source
+        machine.watcher = Watcher()  # where commands may come, nobody asks whether a program ends
         self._given = _given(machine)
         self._add(STATE, time_s, (executable.source, machine))
 

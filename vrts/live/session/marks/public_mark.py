@@ -8,6 +8,7 @@ import time
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from vrts.base.units import MM
 from vrts.check.judge import judge
 from vrts.check.mark.mark import grade
 from vrts.check.task.task import Task
@@ -17,6 +18,7 @@ from vrts.live.session.channel.messages import Json
 from vrts.live.session.live_session import Session
 from vrts.marking.submission.session_run import session_run
 
+NOWHERE = (0.0, 0.0, 0.0)
 PAUSE = 1.0  # [s] of session time between judgements at least
 REST = 20.0  # times as long as one took is waited at least
 
@@ -104,9 +106,10 @@ def judged(run: Run, task: Task, contacts: Sequence[Json]) -> Judged:
 
 
 def _event(row: Json) -> ContactEvent:
-    """Return what a mark needs of a contact: that it was, and when."""
-    start, end = row["start"], row["end"]
+    """Return what a mark needs of a contact: of what, when, and how deep."""
+    start, end, depth = row["start"], row["end"], row["depthMm"]
+    assert isinstance(depth, float | int)
     assert isinstance(start, float | int)
     assert isinstance(end, float | int)
     names = str(row["first"]), str(row["second"])
-    return ContactEvent(*names, names, start, end, start, 0.0, (0.0, 0.0, 0.0), None, None)
+    return ContactEvent(*names, names, start, end, start, depth * MM, NOWHERE, None, None)

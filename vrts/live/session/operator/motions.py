@@ -28,7 +28,6 @@ from vrts.robots.kinematics.branch import has_branches
 from vrts.robots.kinematics.kinematics import limit_violations, solve
 from vrts.robots.model import Configuration
 
-JOG_FULL = 25.0  # [%] of the arm's speed, at the pendant's full speed [assumed]
 JOG_LENGTH = 1.0  # [m] farthest that one press of a key goes
 JOG_TURN = math.radians(170.0)  # [rad] the same about an axis
 _LOOK_M, _LOOK_RAD = 10e-3, math.radians(2.0)  # between looks at how far a key can go
@@ -128,7 +127,7 @@ def farthest(stance: Stance, frame: str, axis: int, way: int, speed: float) -> I
     Raises:
         RuntimeFault: A line cannot begin here.
     """
-    percent = JOG_FULL * speed
+    percent = stance.model.pace.pendant_percent * speed
     if frame == "joint":
         arm, q = stance.arm, stance.configuration
         end = arm.upper[axis] - _MARGIN if way > 0 else arm.lower[axis] + _MARGIN

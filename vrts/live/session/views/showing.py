@@ -2,7 +2,9 @@
 
 from collections import deque
 
+from vrts.check.rules.scheme import TOTAL
 from vrts.engine.memory.events import Answered, Event, ProgramEnded, ProgramStarted, Prompted
+from vrts.ir.entry import entry_among
 from vrts.live.session.channel.messages import (
     Happened,
     Json,
@@ -63,6 +65,7 @@ class Showing:
         self.near: list[Json] = []
         self.checked_s = 0.0
         self.mark: float | None = None
+        self.total = float(TOTAL)
 
     # --- what happens -------------------------------------------------------------------------
 
@@ -185,6 +188,7 @@ class Showing:
             checked_s=self.checked_s,
             mark=self.mark,
             tool=tool(growing),
+            total=self.total,
         )
 
     def snapshot(self, ref: int) -> Snapshot:
@@ -214,6 +218,13 @@ def _differs(a: Status, b: Status) -> bool:
 
 
 def _entries(programs: tuple[StoredProgram, ...]) -> tuple[ProgramEntry, ...]:
+    main = entry_among([p.program.outline for p in programs if p.program is not None])
     return tuple(
-        ProgramEntry(p.name, p.lines, p.faults[0].headline if p.faults else "") for p in programs
+        ProgramEntry(
+            p.name,
+            p.lines,
+            p.faults[0].headline if p.faults else "",
+            main is not None and p.name == main.name,
+        )
+        for p in programs
     )

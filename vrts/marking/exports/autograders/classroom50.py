@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from vrts.base.diagnostic import Rule, error
 from vrts.marking.exports.autograders.gradescope import to_bytes
 from vrts.marking.exports.given import Given, Options, Product, Returned, returned
-from vrts.marking.exports.steps import FULL, NOTHING
+from vrts.marking.exports.steps import NOTHING
 from vrts.pipeline.refused import Refused
 from vrts.report.plain import one_line
 
@@ -59,8 +59,9 @@ def classroom50(given: Given, options: Options) -> Product:
 def scores(told: Returned) -> Json:
     """Return score and tests of a submission; the tests add up to the score."""
     final = told.row.exact_final or NOTHING
-    score, most = int(final * POINTS), int(FULL * POINTS)
-    whole = {"test-name": "mark", "passed": final == FULL, "score": score, "max-score": most}
+    full = told.row.result.exact_total
+    score, most = int(final * POINTS), int(full * POINTS)
+    whole = {"test-name": "mark", "passed": final == full, "score": score, "max-score": most}
     checks = [check for check in told.public.checks if check.kind != "rounding"]
     return {
         "score": score,

@@ -11,7 +11,7 @@ from vrts.marking.exports.autograders.gradescope import said, to_bytes
 from vrts.marking.exports.feedback import feedback_text
 from vrts.marking.exports.given import Given, Options, Page, Product, Returned, returned
 from vrts.marking.exports.numbers import number, points
-from vrts.marking.exports.steps import FULL, NOTHING
+from vrts.marking.exports.steps import NOTHING
 from vrts.marking.result import Check, Kind
 from vrts.marking.submission.report_files import REPORT
 from vrts.report.plain import capital, one_line, visible
@@ -49,7 +49,7 @@ def results(told: Returned, pages: tuple[Page, ...] = ()) -> Json:
     row, public = told
     gradable = row.exact_final is not None and public.kind not in NOT_GRADABLE
     gradable = gradable or row.change is not None
-    score = (row.exact_final or NOTHING) / FULL
+    score = (row.exact_final or NOTHING) / row.result.exact_total
     document: Json = {
         "gradable": gradable,
         "score": number(score if gradable else NOTHING),

@@ -11,7 +11,6 @@ from vrts.marking.exports.given import Given, Options, Product, Returned
 from vrts.marking.exports.grade_books.matching import Line, match
 from vrts.marking.exports.grade_books.sheet import Sheet
 from vrts.marking.exports.numbers import decimal, parsed
-from vrts.marking.exports.steps import FULL
 from vrts.marking.row import Row
 from vrts.report.plain import one_line
 
@@ -62,7 +61,7 @@ def fill(
         if why or final is None:
             skipped.append(f"`{_title(line)}`: {why}")
             continue
-        value = final * slot.full / FULL
+        value = final * slot.full / row.result.exact_total
         old = sheet.field(line.row, column.at)
         new = decimal(value, least=column.least, most=column.most, point=column.point)
         if old and parsed(old) != parsed(new):

@@ -77,7 +77,9 @@ export function mountPrograms({ store, connection, command, act, toasts }) {
   store.on(["programs"], draw);
   function draw() {
     const { programs, status } = store.now;
-    if (!programs.some((program) => program.name === chosen)) chosen = status?.program || programs[0]?.name || "";
+    if (!programs.some((program) => program.name === chosen)) {
+      chosen = status?.program || programs.find((program) => program.main)?.name || programs[0]?.name || "";
+    }
     names.replaceChildren(...programs.map((program) => button(program.name, () => { chosen = program.name; draw(); }, {
       "aria-pressed": String(program.name === chosen), class: program.fault ? "faulty" : "",
     })));

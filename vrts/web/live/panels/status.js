@@ -8,7 +8,7 @@ const SECOND = 1000; // [ms]
 const NAMES = ["J1", "J2", "J3", "J4", "J5", "J6", "X", "Y", "Z", "O", "A", "T", "Time", "Hand", "Speed", "Outputs", "Contacts", "Mark"];
 const TITLES = {
   X: "mm, tool in the world", O: "degrees", Hand: "opening, mm", Speed: "of the monitor",
-  Contacts: "certified so far", Mark: "of 10, by the public checks",
+  Contacts: "certified so far", Mark: "by the public checks",
 };
 
 /** @param {import("../pages/room.js").App} app */
@@ -27,7 +27,7 @@ export function mountStatus({ store, world }) {
     status.location.forEach((value, index) => set(NAMES[6 + index], figure(value, index < 3 ? 1 : 2)));
     set("Speed", `${figure(status.speed, 0)} %`);
     set("Contacts", String(status.contacts));
-    set("Mark", status.mark === null || status.mark === undefined ? "–" : `${figure(status.mark, 1)} / 10`);
+    set("Mark", status.mark === null || status.mark === undefined ? "–" : `${figure(status.mark, 1)} / ${status.total}`);
     write(byId("mode"), status.mode);
     byId("mode").className = `mode ${status.mode}`;
     const line = status.line ? `${status.program} ${status.line}  ${status.text}` : status.program;

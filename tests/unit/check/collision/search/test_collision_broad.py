@@ -5,7 +5,7 @@ import numpy as np
 from tests.support_forty import forty_objects
 from vrts.check.collision.collision import check_collisions
 from vrts.check.collision.pairs.arm_state import instants_of
-from vrts.check.collision.pairs.exact import outside
+from vrts.check.collision.pairs.outside import outside
 from vrts.check.collision.pairs.pairs import plan
 from vrts.check.collision.search.broad import gaps, sides_of
 from vrts.check.curves.timeline_arrays import curves

@@ -82,6 +82,15 @@ def test_any_time_is_had_again_from_the_file(tmp_path: Path) -> None:
     assert (tmp_path / FILE).stat().st_mode & 0o777 == 0o600
 
 
+def test_what_loops_are_looked_for_with_is_not_kept(tmp_path: Path) -> None:
+    past = Past(tmp_path)
+    growing = grown(GrowingRun(SCENE, Scenario(), past), 150.0)
+    assert growing.machine.watcher.kept is not None  # there is something to be left out
+    _, machine, _ = past.state_before(100.0)
+    assert machine.watcher.kept is None
+    assert machine.watcher.idle is None
+
+
 def test_the_whole_is_had_again_for_its_mark(tmp_path: Path) -> None:
     whole = grown(GrowingRun(SCENE, Scenario(), forgets=False), 130.0).run
     again = grown(kept(tmp_path), 130.0).run_since(0.0)

@@ -1,0 +1,75 @@
+"""Cases at and beside the thresholds, honest and lying proposers, and an independent judge."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.adversary.__main__ import looked_at
+from tests.adversary.cases import case
+from tests.adversary.gaps import Posed, distance, sharpened
+from tests.adversary.kinematics import frames
+from tests.adversary.liars import HONEST, LYING
+from tests.laws import first
+from vrts.base.pose import IDENTITY
+from vrts.check.collision import near_misses
+from vrts.check.collision.collision import check_collisions
+from vrts.check.collision.pairs.findings import Findings
+from vrts.check.collision.search.search import search
+from vrts.geometry.proving.scalar import between
+from vrts.geometry.shapes import Box, Cylinder, Hull
+from vrts.robots.catalog import robot
+from vrts.robots.kinematics.batch import link_frames
+
+HULL = Hull(((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, 0.0, 0.1)))
+SHAPES = Box((0.05, 0.02, 0.07)), Cylinder(0.03, 0.05), Cylinder(0.001, 0.1), HULL
+QUICK = 4
+
+
+@pytest.mark.parametrize("seed", first(QUICK, range(1, 161)))
+def test_nothing_is_missed_or_made_up_and_nobody_who_proposes_changes_it(seed: int) -> None:
+    found = looked_at(seed, whole=False)
+    assert found.faults == {}
+    assert found.differ == []
+
+
+@pytest.mark.parametrize(("seed", "who"), [(59, "backward"), (202, "coal"), (202, "own")])
+def test_bad_directions_make_near_misses_no_longer(
+    monkeypatch: pytest.MonkeyPatch, seed: int, who: str
+) -> None:
+    rows: list[int] = []
+
+    def counted(*args: Any, **named: Any) -> Findings:
+        found = search(*args, **named)
+        rows.append(found.rows)
+        return found
+
+    monkeypatch.setattr(near_misses, "search", counted)
+    it = case(seed)
+    with (HONEST | LYING)[who](seed) as proposer:
+        check_collisions(it.scene, it.record, proposer=proposer)
+    (looked,) = rows  # otherwise 332,214 for coal, 7,971 for the liar
+    assert looked < 1000
+
+
+def test_the_judge_knows_where_the_links_are() -> None:
+    q = np.random.default_rng(0).uniform(-3.0, 3.0, (50, 6))
+    ours = frames(q)
+    rotations, origins = link_frames(robot("puma761").arm, q)
+    assert np.abs(ours[:7, :, :3, :3] - rotations).max() < 1e-12
+    assert np.abs(ours[:7, :, :3, 3] - origins).max() < 1e-12
+
+
+def test_the_judge_and_the_prover_measure_alike() -> None:
+    random = np.random.default_rng(1)
+    for k in range(12):
+        a, b = SHAPES[k % 4], SHAPES[(k + k // 4) % 4]
+        origin = random.normal(size=3) * 0.08
+        x, y, z = origin.tolist()
+        ours = between(a, IDENTITY, b, IDENTITY._replace(translation=(x, y, z)))
+        if ours.upper < -2e-3:
+            continue
+        still = np.eye(3)[None]
+        pair = Posed(a, still, np.zeros((1, 3))), Posed(b, still, origin[None])
+        _, way = distance(*pair)
+        assert sharpened(*pair, 0, way[0]) == pytest.approx(ours.distance, abs=2e-8)

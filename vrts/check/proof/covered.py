@@ -1,0 +1,120 @@
+"""What has to be covered: which pieces may not touch which others, when, and how deep.
+
+Written from the rules alone, not from the tables of the search: the one list of what is looked at.
+"""
+
+from collections.abc import Iterator, Sequence
+from math import inf, isfinite
+
+from vrts.base.pose import rotate, translation
+from vrts.check.proof.given import (
+    Claims,
+    Covered,
+    Records,
+    Release,
+    Span,
+    Stay,
+    Told,
+    Window,
+    common,
+    grips_of,
+)
+from vrts.engine.memory.records import Lie, Placement
+from vrts.scene.model import Mobility, Scene
+
+HAND = 6  # frame of the flange
+DEEP, PRESSED = 2e-4, 1e-3  # [m] deeper is a contact: of all things; of pads in what they hold
+HERE, LOWERED = translation(0.0, 0.0, 0.0), translation(0.0, 0.0, -1e-3)  # of what stands under it
+ROBOT, STILL = ("robot", "robot"), (Lie.RESTING, Lie.TOPPLED)
+
+
+def covered(scene: Scene, run: Records, moves: Span, claims: Claims) -> Covered:
+    """Return what must be shown of a run whose arm moves within a span of time."""
+    todo, arm, hand = Covered([], [], [], []), scene.robot.arm, scene.robot.gripper
+    ends = [p.end_s for own in run.placements.values() for p in own if isfinite(p.end_s)]
+    whole = (moves[0], max([moves[1], *ends]))
+    links = [(x.joint, x.name, todo.add(x.pieces, x.joint, HERE, x.name)) for x in arm.links]
+    palm = todo.add(hand.body, HAND, arm.X_LF, "palm")
+    fingers: list[Sequence[int]] = []
+    for finger in hand.fingers:
+        slide = rotate(arm.X_LF.rotation, (0.0, 0.5 * finger.side, 0.0))
+        fingers.append(todo.add(finger.pieces, HAND, arm.X_LF, finger.name, slide))
+    # the arm against itself: all but neighbours, and what cannot meet by construction
+    for joint, name, part in links:
+        for other, its_name, its_part in links:
+            if other > joint + 1 and frozenset((name, its_name)) not in arm.skipped_pairs:
+                todo.keep(ROBOT, its_part, part, whole, DEEP, False)
+        for its_part in (palm, *fingers) if joint < HAND - 1 else ():
+            todo.keep(ROBOT, its_part, part, whole, DEEP, False)
+    # the arm against every body: pads may press into what they hold
+    todo.stays.extend(stays := list(_stays(todo, scene, run, whole)))
+    for body in scene.bodies:
+        sides, own = ("robot", body.name), [stay for stay in stays if stay.body == body.name]
+        for stay in own:
+            for joint, _, part in (*links, (HAND, "palm", palm)):
+                if joint > 0 or stay.lie in (Lie.HELD, Lie.FALLING):
+                    todo.keep(sides, part, stay.solids, stay.span, DEEP)
+        grips, during = grips_of(body.name, run.events), (own[0].span[0], own[-1].span[1])
+        for number, finger in enumerate(fingers):
+            told = {x.grip: x for x in claims.let_go if (x.body, x.finger) == (body.name, number)}
+            for window in _windows(during, grips, told):
+                todo.releases.append(Release(finger, own, window, number))
+                for stay in own:
+                    span = common(window.span, stay.span)
+                    todo.keep(sides, finger, stay.solids, span, window.depth_m, window.counts)
+    # what is carried or falls against the rest; what it stood or will stand on is lowered
+    parted = {(p.body, p.stay, p.other): (p.from_s, p.to_s) for p in claims.parted}
+    for stay, other in ((a, b) for a in stays for b in stays if a.body != b.body):
+        both, held = common(stay.span, other.span), stay.lie is Lie.HELD
+        sides = ("robot" if held else stay.body, other.body)
+        if stay.lie is Lie.FALLING and other.lie is Lie.HELD:  # it drops past what is still held
+            counts, sides = stay.before != other.body, ("robot", stay.body)
+            todo.keep(sides, other.solids, stay.solids, both, DEEP, counts)
+        elif stay.lie in STILL or other.lie not in STILL:
+            continue
+        elif other.body not in stay.partners:
+            todo.keep(sides, stay.solids, other.solids, both, DEEP)
+        else:
+            todo.keep(sides, stay.solids, other.lowered, both, DEEP, False)
+            if held and claims.clearance_m is not None:
+                span = common(both, parted.get((stay.body, stay.number, other.body), both))
+                todo.keep(sides, stay.solids, other.solids, span, inf)
+    return todo
+
+
+def _stays(todo: Covered, scene: Scene, run: Records, whole: Span) -> Iterator[Stay]:
+    """Yield every body in each of its placements."""
+    supports = {p.support for own in run.placements.values() for p in own}
+    supports |= {body.rests_on for body in scene.bodies}
+    for body in scene.bodies:
+        known = run.placements.get(body.name, ()) if body.mobility is Mobility.MOVABLE else ()
+        own = tuple(known) or (Placement(body.name, -inf, inf, Lie.RESTING, body.X_WO, None),)
+        before = body.rests_on
+        for number, p in enumerate(own):
+            span, held, lowered = common((p.start_s, p.end_s), whole), p.lie is Lie.HELD, range(0)
+            if span[1] > span[0]:
+                X = scene.robot.arm.X_LF @ p.X if held else p.X
+                falls = p.start_s if p.lie is Lie.FALLING else None
+                solids = todo.add(body.pieces, HAND if held else 0, X, body.name, falls=falls)
+                if body.name in supports and p.lie in STILL:
+                    lowered = todo.add(body.pieces, 0, LOWERED @ X, body.name)
+                later = (q.support for q in own[number + 1 :] if q.lie is not Lie.FALLING)
+                after = next(later, None)
+                yield Stay(body.name, number, span, p.lie, before, after, solids, lowered)
+            before = p.support
+
+
+def _windows(whole: Span, grips: Sequence[Span], told: Told) -> Iterator[Window]:
+    """Yield the rules between one finger and one body."""
+    at = whole[0]
+    for k, (close_s, open_s) in enumerate(grips):
+        until_s = grips[k + 1][0] if k + 1 < len(grips) else whole[1]
+        apart_s = away_s = min(open_s, until_s)
+        if open_s < until_s and k in told:
+            apart_s = min(max(told[k].apart_s, open_s), until_s)
+            away_s = min(max(told[k].away_s, apart_s), until_s)
+        yield Window((at, max(close_s, at)), DEEP, True)
+        yield Window((max(close_s, at), apart_s), PRESSED, False, open_s, until_s, k)
+        yield Window((apart_s, away_s), DEEP, False)
+        at = away_s
+    yield Window((at, whole[1]), DEEP, True)

@@ -1,0 +1,103 @@
+"""`vrts check-proof`."""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, show_diagnostics
+from vrts.cli.shared.options import (
+    Language,
+    color_option,
+    file_option,
+    lab_option,
+    language_options,
+    placed,
+    scenario_option,
+    scene_option,
+    task_option,
+)
+from vrts.cli.shared.programs import given_program
+from vrts.pipeline.files import read_bytes, shown
+from vrts.pipeline.where import Where
+
+if TYPE_CHECKING:
+    from vrts.run_files.simulated import Simulated
+
+EPILOG = """\b
+Examples:
+  vrts check-proof run.cert
+  vrts check-proof run.cert solution.v2
+  vrts check-proof run.cert solution.v2 --task task.toml
+  vrts check-proof run.cert --run saved.vrun
+"""
+
+
+@click.command(name="check-proof", epilog=EPILOG)
+@click.argument("certificate", type=click.Path(path_type=Path))
+@click.argument("program", required=False)
+@scene_option("Name or path of the scene that the program runs in.")
+@task_option(packed=True)
+@scenario_option()
+@file_option("--run", help="A saved run (.vrun) that the certificate is to be about.")
+@lab_option
+@language_options
+@color_option
+@guarded
+@placed
+def command(
+    certificate: Path,
+    program: str | None,
+    where: Where,
+    run: Path | None,
+    language: Language,
+    color: str,
+) -> None:
+    """Check a CERTIFICATE that `verify --certificate` wrote: of PROGRAM, if it is given.
+
+    The program in the certificate is executed again, in its scene, and everything that the
+    certificate claims is checked by a small checker that uses no distance library. Exit status 1
+    when something is not proven, or it is about another program, scene, task or run than is given.
+    """
+    from vrts.report.screen.proof_text import About, proof_text
+    from vrts.run_files.proving import differing, proof_of, scenario_digest
+
+    if program is None and any(where):
+        fail("a scene or a task is compared with the help of a program", ("give the program too",))
+    proof = proof_of(read_bytes(certificate), shown(certificate), certificate.parent)
+    assert proof.made.run is not None
+    assert proof.made.origin is not None
+    origin, made = proof.made.origin, proof.made.run
+    hashed = scenario_digest(made, origin)
+    about = About(proof.name, proof.size, made, origin, hashed)
+    out(proof_text(about, proof.claims, proof.proven))
+    others: list[Simulated] = []
+    if program is not None:
+        others.append(_simulated(program, where, language))
+    if run is not None:
+        others.append(_loaded(run))
+    for other in others:
+        found = differing(proof, other)
+        if found is not None:
+            show_diagnostics((found,), color)
+            sys.exit(WRONG)
+    sys.exit(HOLDS)
+
+
+def _simulated(program: str, where: Where, language: Language) -> "Simulated":
+    from vrts.assignments.packed import found_setting
+    from vrts.cli.shared.requests import verify_request
+    from vrts.run_files.simulated import simulate
+
+    given = given_program(program)
+    setting = found_setting(given.path, where)
+    if setting is None:
+        fail("nothing says in which scene the program runs", ("give `--scene` or `--task`",))
+    return simulate(verify_request(given, setting, language))
+
+
+def _loaded(run: Path) -> "Simulated":
+    from vrts.run_files.loading import load_run
+
+    return load_run(read_bytes(run), shown(run), run.parent)

@@ -1,0 +1,57 @@
+"""Variables that decide nothing: they are counted up, or given numbers, and nobody looks at them.
+
+A loop that counts its rounds in such a variable repeats itself all the same. Adding a number to a
+single-precision real for ever stops changing it at some time, and never overflows.
+"""
+
+from collections import Counter
+
+from vrts.engine.code.executable import Executable
+from vrts.engine.machine.forever.nodes import all_nodes, tops
+from vrts.ir import instructions as ir
+from vrts.ir.expressions import Binary, BinaryOperator, Constant, Global, Load, Place, WholeArray
+from vrts.ir.values import Type
+
+MOST_ADDED = 1e30  # added for ever, it does not come near the largest real
+COUNTING = (BinaryOperator.ADD, BinaryOperator.SUBTRACT)
+
+
+def idle(executable: Executable) -> frozenset[int]:
+    """Return the numbers of the global variables that decide nothing."""
+    seen: Counter[str] = Counter()
+    counted: Counter[str] = Counter()
+    for program in executable.module.programs.values():
+        for instruction in program.instructions:
+            for top in tops(instruction):
+                for node in all_nodes(top):
+                    if isinstance(node, Place | WholeArray):
+                        seen[node.variable.name] += isinstance(node.variable, Global)
+            name = _counted(instruction)
+            if name is not None:
+                assert isinstance(instruction, ir.Assign)
+                counted[name] += 1 + isinstance(instruction.value, Binary)
+    numbers = executable.layout.numbers
+    return frozenset(
+        numbers[name] for name, count in counted.items() if count == seen[name] and name in numbers
+    )
+
+
+def _counted(instruction: ir.Instruction) -> str | None:
+    """Return the variable of `n = n+1`, `n = n-1` or `n = 1`."""
+    match instruction:
+        case ir.Assign(
+            place=Place(variable=Global(name=name, type=Type.REAL), subscripts=()), value=value
+        ):
+            match value:
+                case Constant(value=float()):
+                    return name
+                case Binary(
+                    operator=operator,
+                    left=Load(place=Place(variable=Global(name=other), subscripts=())),
+                    right=Constant(value=float(added)),
+                ) if operator in COUNTING and other == name and abs(added) <= MOST_ADDED:
+                    return name
+                case _:
+                    return None
+        case _:
+            return None
