@@ -317,7 +317,7 @@ class Teller:
         rows = np.flatnonzero(same)
         near = yield _Needs(rows, np.full(len(rows), time_s), boxes=True)
         (own,) = yield _Needs(np.array([pair]), np.array([time_s]))
-        rows = rows[(near <= own) & (rows != pair)]
+        rows = rows[(near <= own + SAME) & (rows != pair)]
         if not len(rows):
             return pair
         distances = yield _Needs(rows, np.full(len(rows), time_s))

@@ -16,6 +16,7 @@ from vrts.base.pose import (
     translation,
 )
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
+from vrts.geometry.support import bounds
 from vrts.scene.things.forms import dish, stand, table, upright_box, upright_cylinder
 from vrts.scene.things.oven import Oven, oven
 from vrts.scene.things.pizza import pizza
@@ -76,7 +77,9 @@ def test_what_is_inside_something_is_not_seen() -> None:
 
 
 def middle_of(pieces: tuple[Piece, ...]) -> Vector:
-    x, y, z = (sum(piece.X_OP.translation[k] for piece in pieces) / len(pieces) for k in range(3))
+    """Return the middle of the box round a thing, which every turn of a cube keeps in its place."""
+    box = bounds(pieces, IDENTITY)
+    x, y, z = ((low + high) / 2 for low, high in zip(box.lower, box.upper, strict=True))
     return (x, y, z)
 
 
