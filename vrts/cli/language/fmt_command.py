@@ -1,13 +1,25 @@
 """`vrts fmt`."""
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import HOLDS, WRONG, guarded, out, say, show_diagnostics, write_file
+from vrts.cli.shared.console import (
+    HOLDS,
+    WRONG,
+    guarded,
+    out,
+    out_bytes,
+    say,
+    show_diagnostics,
+    write_file,
+)
 from vrts.cli.shared.options import color_option, dialect_option
 from vrts.cli.shared.programs import given_program
+
+LINES_SHOWN = 5
 
 EPILOG = """\b
 Examples:
@@ -29,7 +41,8 @@ def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, co
     """Write each PROGRAM (a file, or - for stdin) in the canonical layout.
 
     Keywords upper case, names lower case, structures indented; comments, blank lines and the
-    numbers of the steps stay, and so does what the program means.
+    numbers of the steps stay, and so does what the program means. Encoding and line ends stay. A
+    line that cannot be read stays as it is; the exit status is 1 then.
     """
     from vrts.pipeline.compiling.formatting import format_bytes
 
@@ -40,7 +53,8 @@ def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, co
         if found.diagnostic is not None:
             show_diagnostics([found.diagnostic], color)
             status = WRONG
-        elif diff:
+            continue
+        if diff:
             _print_diff(found.before, found.after, name)
             status = WRONG if found.changed and check else status
         elif check:
@@ -48,11 +62,27 @@ def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, co
                 say(f"would change {name}")
                 status = WRONG
         elif path is None:
-            out(found.after, end=False)
+            out_bytes(found.data)
         elif found.changed:
-            _rewrite(path, found.data)
-            say(f"changed {name}")
+            write_file(path, found.data)
+            say(f"changed {_shown(path, name)}")
+        if found.unread:
+            say(f"{name}: {_unread(found.unread)}; `vrts compile {program}` says why")
+            status = WRONG
     sys.exit(status)
+
+
+def _shown(path: Path, name: str) -> str:
+    """Return the name of a file, and of the one that it is a link to."""
+    return f"{name}, a link to {path.resolve()}" if path.is_symlink() else name
+
+
+def _unread(lines: Sequence[int]) -> str:
+    first = ", ".join(map(str, lines[:LINES_SHOWN]))
+    if len(lines) == 1:
+        return f"line {first} cannot be read and stays as it is"
+    more = f" and {len(lines) - LINES_SHOWN} more" if len(lines) > LINES_SHOWN else ""
+    return f"lines {first}{more} cannot be read and stay as they are"
 
 
 def _print_diff(before: str, after: str, name: str) -> None:
@@ -63,9 +93,3 @@ def _print_diff(before: str, after: str, name: str) -> None:
     rows = unified_diff(before.splitlines(), after.splitlines(), name, name, lineterm="")
     for row in rows:
         out(plain_text(row))
-
-
-def _rewrite(path: Path, data: bytes) -> None:
-    mode = path.stat().st_mode
-    write_file(path, data)
-    path.chmod(mode)

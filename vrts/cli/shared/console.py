@@ -1,6 +1,7 @@
 """What commands share: colour, diagnostics on stderr, files written, exit statuses."""
 
 import os
+import secrets
 import sys
 from collections.abc import Callable, Sequence
 from functools import wraps
@@ -55,6 +56,12 @@ def out(text: str, *, end: bool = True) -> None:
     click.echo(text, nl=end, color=True)
 
 
+def out_bytes(data: bytes) -> None:
+    """Write the bytes of a file to stdout, as they are."""
+    sys.stdout.buffer.write(data)
+    sys.stdout.flush()
+
+
 def show_diagnostics(found: Sequence[Diagnostic], color: str) -> None:
     """Write diagnostics to stderr, and count them."""
     from vrts.report.screen.text import diagnostic_text
@@ -105,11 +112,33 @@ def guarded(function: Command) -> Command:
 
 
 def write_file(path: Path, data: bytes) -> None:
-    """Write a file whole or not at all; a link stays a link, and a pipe or a device what it is."""
+    """Write a file whole or not at all, beside where it goes.
+
+    A link stays a link, a file keeps its mode and its owner, and a pipe or a device is written to.
+    """
     if path.exists() and not path.is_file():
         path.write_bytes(data)
         return
     file = path.resolve()
-    draft = file.with_name(file.name + ".part")
-    draft.write_bytes(data)
-    draft.replace(file)
+    draft = file.with_name(f".{secrets.token_hex(8)}.part")  # nobody else's file
+    try:
+        with draft.open("xb") as stream:
+            stream.write(data)
+        if not file.exists() or _like(draft, file.stat()):
+            draft.replace(file)
+        else:
+            file.write_bytes(data)  # somebody else's file that we may write to stays theirs
+    finally:
+        draft.unlink(missing_ok=True)
+
+
+def _like(draft: Path, before: os.stat_result) -> bool:
+    """Give a file the mode and the owner of another; return whether that was allowed."""
+    now = draft.stat()
+    if (now.st_uid, now.st_gid) != (before.st_uid, before.st_gid):
+        try:
+            os.chown(draft, before.st_uid, before.st_gid)
+        except PermissionError:
+            return False
+    draft.chmod(before.st_mode & 0o7777)
+    return True

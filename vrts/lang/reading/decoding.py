@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.source import SourceFile
+from vrts.lang.reading.encodings import characters, shown
 
 EMPTY_FILE = Rule("V101", "empty-file")
 NOT_TEXT = Rule("V102", "not-text")
@@ -11,10 +12,9 @@ FILE_TOO_LARGE = Rule("V103", "file-too-large")
 
 MAX_BYTES = 4_000_000
 MAX_LINE = 10_000  # characters; no program line comes near this, whatever its comment
-MAX_CONTROL_SHARE = 0.02  # of control characters in what still counts as text
+DROPPED = "\0\f\x1a"  # NUL, form feed and SUB, as paper tape and disks had them
 
-_DROPPED = {0: None, 12: None, 26: None}  # NUL, form feed and SUB, as paper tape and disks had them
-_CONTROLS = frozenset(range(32)) - {0, 9, 10, 12, 13, 26}
+_NOT_READ = str.maketrans("", "", DROPPED)
 
 
 class _Container(NamedTuple):
@@ -55,10 +55,10 @@ def decode(data: bytes, name: str) -> SourceFile | Diagnostic:
     for container in _CONTAINERS:
         if data.startswith(container.magic):
             return _not_text(name, f"`{name}` is {container.what}, not program text")
-    text = _text_of(data)
-    if text is None:
+    found = characters(data)
+    if found is None:
         return _not_text(name, f"`{name}` is not text")
-    text = text.replace("\r\n", "\n").replace("\r", "\n").translate(_DROPPED)
+    text = shown(found.text).replace("\r\n", "\n").replace("\r", "\n").translate(_NOT_READ)
     if not text.strip():
         return error(
             EMPTY_FILE,
@@ -75,30 +75,6 @@ def decode(data: bytes, name: str) -> SourceFile | Diagnostic:
             data={"longest_line": longest},
         )
     return SourceFile(name, text)
-
-
-def _text_of(data: bytes) -> str | None:
-    for mark, encoding in ((b"\xff\xfe", "utf-16-le"), (b"\xfe\xff", "utf-16-be")):
-        if data.startswith(mark):
-            return _if_printable(data[2:].decode(encoding, errors="replace"))
-    half = len(data) // 2
-    odd, even = data[1::2].count(0), data[0::2].count(0)
-    if odd > 0.6 * half > 2 and even < 0.1 * half:
-        return _if_printable(data.decode("utf-16-le", errors="replace"))
-    if even > 0.6 * half > 2 and odd < 0.1 * half:
-        return _if_printable(data.decode("utf-16-be", errors="replace"))
-    if data.count(0) > 0.3 * len(data):
-        return None
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        text = data.decode("cp1252", errors="replace")
-    return _if_printable(text)
-
-
-def _if_printable(text: str) -> str | None:
-    controls = sum(text.count(chr(code)) for code in _CONTROLS)
-    return None if controls > MAX_CONTROL_SHARE * len(text) else text
 
 
 def _not_text(name: str, headline: str) -> Diagnostic:

@@ -24,16 +24,37 @@ GUTTER = 8  # columns for labels, before the first level
 INDENT = 4  # columns of a level; VALUE and ANY stand half a level inside their CASE
 MAX_LEVELS = 20
 NAME_WIDTH = 16  # columns of a name in a data section
+BLANKS = " \t"  # of no use at the end of a line; another sign there may be half of a letter
 
 _OPENERS = frozenset({"IF", "WHILE", "FOR", "CASE", "DO"})
 _CLOSERS = frozenset({"END", "UNTIL"})
 _GROUPS = frozenset({"VALUE", "ANY"})
 
 
+class Layout(NamedTuple):
+    """The text of a file in canonical layout."""
+
+    rows: tuple[str, ...]  # as many as there were lines
+    unread: tuple[
+        int, ...
+    ]  # numbers, from 1, of lines that stay as they are since nobody reads them
+
+    @property
+    def text(self) -> str:
+        """All rows."""
+        return "\n".join(self.rows)
+
+
 @deep_stack()
+def laid_out(source: SourceFile, dialect: Dialect) -> Layout:
+    """Return a file in canonical layout, and which lines could not be read."""
+    found = _Layout(source, dialect)
+    return Layout(tuple(found.run()), tuple(found.unread))
+
+
 def layout(source: SourceFile, dialect: Dialect) -> str:
     """Return the text of a file in canonical layout; the same again for what it returns."""
-    return _Layout(source, dialect).run()
+    return laid_out(source, dialect).text
 
 
 def program_text(source: SourceFile, dialect: Dialect) -> dict[str, str]:
@@ -66,8 +87,9 @@ class _Layout:
         self.open: list[tuple[str, int]] = []  # structure words and their indentation
         self.name = ""  # of the program that a row stands in
         self.programs: dict[str, list[str]] = {}
+        self.unread: list[int] = []
 
-    def run(self) -> str:
+    def run(self) -> list[str]:
         places = self._places()
         rows: list[str] = []
         at = 0
@@ -82,7 +104,7 @@ class _Layout:
             if place is not None and place.kind == "end":
                 inside = None
             at += len(raw) + 1
-        return "\n".join(rows)
+        return rows
 
     def _collect(self, row: str, inside: Section | None, place: _Place | None) -> None:
         if inside is None or inside.kind != "program":
@@ -108,7 +130,7 @@ class _Layout:
 
     def _row(self, raw: str, at: int, place: _Place | None, inside: Section | None) -> str:
         cut = comment_start(raw)
-        comment = raw[cut:].rstrip() if cut >= 0 else ""
+        comment = raw[cut:].rstrip(BLANKS) if cut >= 0 else ""
         if place is None:
             return self._unplaced(raw, comment, inside)
         if place.kind == "end":
@@ -123,12 +145,12 @@ class _Layout:
 
     def _unplaced(self, raw: str, comment: str, inside: Section | None) -> str:
         """A blank line, a comment, or text of a section that is not known."""
-        if not raw.strip():
+        if not raw.strip(BLANKS):
             return ""
         if not raw.strip().startswith(";"):
             return raw
         if raw[0] == ";" or inside is None or inside.kind != "program":
-            return raw.rstrip()
+            return raw.rstrip(BLANKS)
         return " " * (GUTTER + self._level()) + comment
 
     def _joined(self, raw: str, row: str, comment: str) -> str:
@@ -154,11 +176,11 @@ class _Layout:
         if opening < 0:
             return f".PROGRAM {text.split()[1].lower()}"
         inner = text[opening + 1 : closing]
-        if self.dialect.has("a") and ("." in inner or "&" in inner):
-            return None
         named = ", ".join(
             formal.name.text.lower() + ("[]" if formal.array else "") for formal in formals
         )
+        if "".join(inner.lower().split()) != named.replace(" ", ""):
+            return None  # names of AS with signs before them
         return f".PROGRAM {text[:opening].split()[1].lower()}({named})"
 
     def _data(self, line: Line) -> str | None:
@@ -166,8 +188,12 @@ class _Layout:
         name, _, values = line.text.partition(" ")
         if self.dialect.is_as or not values or "\t" in line.text or "=" in line.text:
             return None
+        if not name.isascii():
+            return None
         if '"' in values:
-            return f"{name.lower():<{NAME_WIDTH - 1}} {values.strip()}"
+            return f"{name.lower():<{NAME_WIDTH - 1}} {values.strip(BLANKS)}"
+        if not values.isascii():
+            return None
         numbers = values.replace(",", " , ").split()
         if "," in numbers:
             return None  # a value may be left out between commas
@@ -180,12 +206,14 @@ class _Layout:
         indent = self._indent(step)
         code = ""
         if isinstance(step.statement, Bad) or any(d.is_error for d in self.problems.found[found:]):
+            self.unread.append(self.source.line_of(line.start))
             return None
         if isinstance(step.statement, Rest):
-            word, rest = text[: len(step.statement.word)], text[len(step.statement.word) :].strip()
+            word, rest = text[: len(step.statement.word)], text[len(step.statement.word) :]
             if word.upper() != step.statement.word:
                 return None
-            code = f"{word.upper()} {rest}".rstrip()
+            blank = " " if rest[:1].isspace() else ""  # none in POINT/OAT
+            code = f"{word.upper()}{blank}{rest.strip()}".rstrip()
         elif text:
             found_tokens = self.parser.tokens(text, at)
             if found_tokens is None or step.statement is None:

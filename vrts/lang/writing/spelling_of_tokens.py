@@ -25,7 +25,11 @@ def written(tokens: Sequence[Token], head: Head, source: str, dialect: Dialect) 
     for i, token in enumerate(tokens):
         before = tokens[i - 1] if i else None
         text = _text(tokens, i, head, source, dialect)
-        if before is not None and _blank(tokens, i, depth):
+        if before is not None and (
+            before.end < token.start
+            if _belongs_to_the_word(tokens, i, dialect)
+            else _blank(tokens, i, depth)
+        ):
             parts.append(" ")
         parts.append(text)
         if token.kind in ("LPAREN", "LBRACKET"):
@@ -69,6 +73,11 @@ def _of_the_controller(tokens: Sequence[Token], i: int) -> bool:
         return True
     function = tokens[i - 2].text.upper() if i > 1 and tokens[i - 1].kind == "LPAREN" else ""
     return function in ("SWITCH", "PARAMETER")
+
+
+def _belongs_to_the_word(tokens: Sequence[Token], i: int, dialect: Dialect) -> bool:
+    """Whether a token is the end of a word of AS: `POINT/OAT`, which `POINT /OAT` is too."""
+    return i == 1 and tokens[i].kind == "FORMAT" and dialect.is_as
 
 
 def _blank(tokens: Sequence[Token], i: int, depth: int) -> bool:

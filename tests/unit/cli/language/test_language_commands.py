@@ -1,5 +1,6 @@
 """`vrts fmt`, and the options that say how programs are read, as a user runs them."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -60,6 +61,51 @@ def test_fmt_keeps_an_8_bit_code_page(tmp_path: Path) -> None:
     assert path.read_bytes() == ".PROGRAM a\n        MOVE p ; Stra\xdfe\n.END\n".encode(
         "cp1252"
     ).replace(b"p ; ", b"p  ; ")
+
+
+def test_fmt_writes_what_a_link_leads_to(tmp_path: Path) -> None:
+    (tmp_path / "real").mkdir()
+    real, link = tmp_path / "real" / "a.v2", tmp_path / "link.v2"
+    real.write_text(UGLY)
+    real.chmod(0o604)
+    link.symlink_to(Path("real") / "a.v2")
+    (tmp_path / "real" / "a.v2.part").write_text("mine")
+    result = vrts("fmt", link)
+    assert result.returncode == 0
+    assert result.stderr.decode() == f"changed {link}, a link to {real}\n"
+    assert link.is_symlink()
+    assert real.read_text() == NEAT
+    assert real.stat().st_mode & 0o777 == 0o604
+    assert sorted(path.name for path in real.parent.iterdir()) == ["a.v2", "a.v2.part"]
+    assert (tmp_path / "real" / "a.v2.part").read_text() == "mine"
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root gives files away")
+def test_fmt_keeps_the_owner(tmp_path: Path) -> None:
+    path = tmp_path / "a.v2"
+    path.write_text(UGLY)
+    os.chown(path, 1234, 4321)
+    assert vrts("fmt", path).returncode == 0
+    assert (path.stat().st_uid, path.stat().st_gid) == (1234, 4321)
+    assert path.read_text() == NEAT
+
+
+def test_fmt_gives_a_pipe_the_bytes_that_a_file_would_get() -> None:
+    data = b"\xef\xbb\xbf" + UGLY.replace("go", "Stra\xdfe").replace("\n", "\r\n").encode()
+    result = vrts("fmt", "-", stdin=data)
+    assert result.stdout.startswith(b"\xef\xbb\xbf.PROGRAM main\r\n        MOVE p  ; Stra\xc3\x9f")
+    assert result.stdout.count(b"\r\n") == 3
+
+
+def test_fmt_says_which_lines_nobody_reads(tmp_path: Path) -> None:
+    path = tmp_path / "a.v2"
+    path.write_text("garbage")
+    for call, stdin in ((path, b""), ("-", b"garbage")):
+        result = vrts("fmt", call, stdin=stdin)
+        assert result.returncode == 1
+        assert b"line 1 cannot be read and stays as it is; `vrts compile " in result.stderr
+    assert result.stdout == b"garbage"
+    assert path.read_text() == "garbage"
 
 
 def test_files_compile_together(tmp_path: Path) -> None:
