@@ -269,4 +269,29 @@ PROOFS: tuple[Patch, ...] = (
         "sum(sizes.values()) >= 0",
         (BYTES + "test_limits_hold_before_anything_is_unpacked",),
     ),
+    Patch(
+        "a certificate says where its program was",
+        "vrts/run_files/proving.py",
+        "(SourceFile(base_name(s.name), s.text)",
+        "(SourceFile(s.name, s.text)",
+        (
+            "tests/unit/cli/runs/test_check_proof.py::test_a_certificate_does_not_depend_on_where_it_was_written",
+        ),
+    ),
+    Patch(
+        "the name of a scene depends on the working folder",
+        "vrts/pipeline/scenes.py",
+        "scene_name(str(path.resolve())) if home is None else None",
+        "None",
+        (
+            "tests/unit/cli/runs/test_check_proof.py::test_a_certificate_does_not_depend_on_where_it_was_written",
+        ),
+    ),
+    Patch(
+        "a certificate leaves the files of its scene at home",
+        "vrts/run_files/proving.py",
+        "found.evidence, run.scene.files)",
+        "found.evidence)",
+        ("tests/unit/cli/runs/test_check_proof.py::test_files_that_a_scene_names_come_along",),
+    ),
 )

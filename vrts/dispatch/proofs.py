@@ -7,11 +7,14 @@ who made it: the texts of the bundle are executed again, and the contacts are sh
 from collections.abc import Iterator
 
 from vrts.base.diagnostic import error
+from vrts.base.units import mm
 from vrts.dispatch.bundle import Bundle, files_of
 from vrts.dispatch.manifest import WITHOUT_PROOFS, Shown, Verified
 from vrts.ir.commands import Execute, TimedCommand
 from vrts.pipeline.refused import Refused
-from vrts.run_files.proving import OTHER, Proof, proof_of, scenario_digest
+from vrts.run_files.proving import OTHER, Proof, base_name, proof_of, scenario_digest
+
+HUNDREDTH = 0.011  # [mm] by which two numbers that are rounded may differ
 
 
 def check_proofs(bundle: Bundle) -> tuple[str, ...]:
@@ -47,7 +50,7 @@ def _differs(bundle: Bundle, one: Verified, said: Shown, proof: Proof) -> str | 
     sections = (bundle.locations, bundle.reals, bundle.strings)
     files = files_of(bundle.programs, manifest.entry, *sections)
     texts = [(source.name, source.text) for source in origin.programs.sources]
-    if texts != [(file.name, file.text) for file in files]:
+    if texts != [(base_name(file.name), file.text) for file in files]:
         return "it is about other programs or data than the bundle"
     if origin.programs.dialect != manifest.dialect:
         return "its program is read in another language"
@@ -69,4 +72,12 @@ def _differs(bundle: Bundle, one: Verified, said: Shown, proof: Proof) -> str | 
     free = any(v.check == "collision" and v.answer == "holds" for v in one.verdicts)
     if free and proof.claims.meetings:
         return "it shows a contact, and the bundle says that nothing touches"
-    return None
+    return None if _as_near(one.clearance_mm, proof) else "it proves another smallest distance"
+
+
+def _as_near(clearance_mm: float | None, proof: Proof) -> bool:
+    """Return whether a bundle tells of the smallest distance that a certificate proves."""
+    least_m, shown_m = proof.claims.clearance_m, proof.proven.nearest_m
+    if clearance_mm is None or least_m is None or shown_m is None:
+        return clearance_mm is least_m is None
+    return round(mm(least_m), 2) <= clearance_mm <= round(mm(shown_m), 2) + HUNDREDTH

@@ -11,7 +11,7 @@ from vrts.pipeline.files import find_scene, read_toml_source
 from vrts.pipeline.setting import Setting, accepted
 from vrts.pipeline.where import Where
 from vrts.scene.reading.scenario_file import read_scenario
-from vrts.scene.reading.scene_file import read_scene, read_scene_in_lab
+from vrts.scene.reading.scene_file import read_scene, read_scene_in_lab, scene_name
 
 
 def load_scene(
@@ -31,11 +31,13 @@ def load_scene(
     """
     path = find_scene(name, beside)
     source = read_toml_source(path, home)
+    # the name of a scene depends neither on the working folder nor on how its path was typed
+    named = scene_name(str(path.resolve())) if home is None else None
     if lab is None:
-        scene, found = read_scene(source, path.parent)
+        scene, found = read_scene(source, path.parent, name=named)
     else:
         laid = read_toml_source(lab, home)
-        scene, found, source = read_scene_in_lab(source, laid, path.parent, lab.parent)
+        scene, found, source = read_scene_in_lab(source, laid, path.parent, lab.parent, name=named)
     return Setting(accepted(scene, found), None, found, scene_source=source)
 
 

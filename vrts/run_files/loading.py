@@ -1,5 +1,6 @@
 """Runs from the bytes of their files, and executed again."""
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TypeVar
 
@@ -45,17 +46,20 @@ def load_run(data: bytes, name: str, folder: Path | None = None) -> Simulated:
     return Simulated(run, saved.origin, told_of(run))
 
 
-def made_again(saved: SavedRun, folder: Path | None) -> tuple[Module, Scene]:
+def made_again(
+    saved: SavedRun, folder: Path | None, files: Mapping[str, bytes] | None = None
+) -> tuple[Module, Scene]:
     """Return the programs of a saved run, compiled again, and its scene, read again.
 
     Args:
         saved: What is known of the run.
         folder: Where files that its scene names may be.
+        files: Those that it names, where they came with it; then no folder is opened.
 
     Raises:
         Refused: They cannot be made again.
     """
-    return _module(saved), _controlled(saved, _scene(saved, folder))
+    return _module(saved), _controlled(saved, _scene(saved, folder, files))
 
 
 def executed_again(loaded: Simulated) -> Run:
@@ -93,7 +97,7 @@ def _module(saved: SavedRun) -> Module:
     return module
 
 
-def _scene(saved: SavedRun, folder: Path | None) -> Scene:
+def _scene(saved: SavedRun, folder: Path | None, files: Mapping[str, bytes] | None) -> Scene:
     """Return the scene of a saved run, with files that it names from where they are found."""
     said = saved.origin.scene
     if said.text is None:
@@ -105,8 +109,8 @@ def _scene(saved: SavedRun, folder: Path | None) -> Scene:
     source = SourceFile(said.name, said.text)
     places = [folder, Path(said.name).parent, _library_folder(scene_name(said.name))]
     scene, found = None, ()
-    for place in places:
-        scene, found = read_scene(source, place)
+    for place in places if files is None else [None]:
+        scene, found = read_scene(source, place, files=files)
         if scene is not None and scene.digest == said.digest:
             return scene
     if scene is None:

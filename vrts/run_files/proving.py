@@ -1,17 +1,21 @@
 """Certificates of runs: written of what was found, and checked by executing everything again."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import NamedTuple
 
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic, Rule, error
-from vrts.check.proof.certificate import certificate_bytes, digest, read_certificate
+from vrts.base.source import SourceFile
+from vrts.check.proof.certificate import MOST_FILES, certificate_bytes, digest, read_certificate
 from vrts.check.proof.checker import check
 from vrts.check.proof.given import Claims, Proven, Wrong
 from vrts.check.proof.record import certified
 from vrts.check.verdict import CollisionReport
+from vrts.controllers.model import ControllerModel
+from vrts.controllers.models import MODELS
+from vrts.controllers.values import digest as digest_of_model
 from vrts.engine.controller import advance, start
 from vrts.engine.run import Run
 from vrts.engine.storage.damage import Damaged
@@ -21,9 +25,10 @@ from vrts.engine.storage.plain import Json, Plain, Unwritable, truth
 from vrts.engine.storage.sound_scenario import check_scenario
 from vrts.ir.commands import DeletePrograms, Do, Load, TimedCommand
 from vrts.pipeline.refused import Refused
+from vrts.report.plain import one_line
 from vrts.run_files.loading import made_again
 from vrts.run_files.simulated import Simulated
-from vrts.scene.model import Limits, Locks, Scenario
+from vrts.scene.model import Limits, Locks, Scenario, Scene
 
 DAMAGED = Rule("V546", "damaged-certificate")
 NOT_PROVEN = Rule("V547", "certificate-does-not-prove")
@@ -53,6 +58,8 @@ def certificate_of(simulated: Simulated, report: CollisionReport) -> bytes:
     run, origin = simulated.run, simulated.origin
     assert run is not None
     assert origin is not None
+    if sum(len(data) for data in run.scene.files.values()) > MOST_FILES:
+        raise Refused((_uncertified("the files that its scene names are too large"),))
     changed = [c for c in run.history.issued if isinstance(c.command, Load | Do | DeletePrograms)]
     if changed:
         raise Refused((_uncertified("the programs in memory were changed on the way"),))
@@ -60,7 +67,7 @@ def certificate_of(simulated: Simulated, report: CollisionReport) -> bytes:
     try:
         said: Mapping[str, Json] = {
             "vrts": __version__,
-            "origin": write_origin(origin, run.module),
+            "origin": write_origin(_placeless(origin, run.scene), run.module),
             "scenario": plain.write(Scenario, run.history.scenario),
             "commands": plain.write(tuple[TimedCommand, ...], run.history.issued),
             "until_s": plain.write(float, run.until_s),
@@ -71,16 +78,29 @@ def certificate_of(simulated: Simulated, report: CollisionReport) -> bytes:
         raise Refused((_uncertified(str(problem)),)) from problem
     except Wrong as problem:
         raise Refused((_uncertified(_words(problem)),)) from problem
-    return certificate_bytes(said, found.claims, found.evidence)
+    return certificate_bytes(said, found.claims, found.evidence, run.scene.files)
 
 
-def proof_of(data: bytes, name: str, folder: Path | None = None) -> Proof:
+def base_name(name: str) -> str:
+    """Return the name of a file without its folders."""
+    return re.split(r"[/\\]", name)[-1]
+
+
+def _placeless(origin: Origin, scene: Scene) -> Origin:
+    """Return what a run was made of by names that say nothing of folders, nor depend on them."""
+    programs, named = origin
+    sources = (SourceFile(base_name(s.name), s.text) for s in programs.sources)
+    if named.text is not None:
+        named = named._replace(name=f"{scene.name}.toml")
+    return Origin(programs._replace(sources=tuple(sources)), named)
+
+
+def proof_of(data: bytes, name: str) -> Proof:
     """Return what a certificate proves.
 
     Args:
         data: The bytes of the file.
         name: As shown.
-        folder: Where files that its scene names may be.
 
     Raises:
         Refused: The file is not sound, its run cannot be made again, or it proves nothing.
@@ -89,7 +109,7 @@ def proof_of(data: bytes, name: str, folder: Path | None = None) -> Proof:
         read = read_certificate(data)
         origin, wanted = read_origin(read.said.get("origin"))
         saved = SavedRun(name, None, read.said, origin, wanted)
-        run = _run(saved, folder)
+        run = _run(saved, read.files)
     except Damaged as damage:
         headline = f"the certificate `{name}` is damaged: {damage.reason}"
         raise Refused((error(DAMAGED, headline, help=(WRITE_AGAIN,)),)) from damage
@@ -119,7 +139,7 @@ def differing(proof: Proof, other: Simulated) -> Diagnostic | None:
     if origin.scene.digest != its.scene.digest:
         return _other(proof, "it is about another scene")
     if origin.scene != its.scene._replace(name=origin.scene.name):
-        return _other(proof, "its run goes by another controller model")
+        return _other_model(proof, its.scene.controller, "the program given by")
     scenarios = [  # limits and locks change a run, which is compared below, or do not matter
         replace(run.history.scenario, limits=Limits(), locks=Locks()) for run in (ours, theirs)
     ]
@@ -130,16 +150,25 @@ def differing(proof: Proof, other: Simulated) -> Diagnostic | None:
     return None if same else _other(proof, "its run was commanded in another way")
 
 
+def under_another(proof: Proof, model: ControllerModel) -> Diagnostic | None:
+    """Return that the run of a certificate goes by another controller model, if it does."""
+    assert proof.made.origin is not None
+    scene = proof.made.origin.scene
+    if (scene.controller, scene.controller_digest) == (model.name, digest_of_model(model)):
+        return None
+    return _other_model(proof, model.name, "what was asked for is")
+
+
 def scenario_digest(run: Run, origin: Origin) -> str:
     """Return the hash of a scenario."""
     return digest(Plain(origin.programs.sources).write(Scenario, run.history.scenario))
 
 
-def _run(saved: SavedRun, folder: Path | None) -> Run:
+def _run(saved: SavedRun, files: Mapping[str, bytes]) -> Run:
     """Return the run that a certificate is about, executed again."""
     said, name = saved.manifest, saved.name
     try:
-        module, scene = made_again(saved, folder)
+        module, scene = made_again(saved, None, files)
     except Refused as refused:
         notes = tuple(found.headline for found in refused.diagnostics)
         headline = f"the certificate `{name}` cannot be checked: its run cannot be made again"
@@ -170,6 +199,19 @@ def _uncertified(reason: str) -> Diagnostic:
 
 def _other(proof: Proof, what: str) -> Diagnostic:
     return error(OTHER, f"the certificate `{proof.name}` holds, but {what}")
+
+
+def _other_model(proof: Proof, theirs: str, whose: str) -> Diagnostic:
+    assert proof.made.origin is not None
+    ours = proof.made.origin.scene.controller
+    if ours == theirs:  # as a lab fitted it
+        return _other(proof, f"its controller model `{one_line(ours)}` says something else")
+    headline = (
+        f"the certificate `{proof.name}` holds, but its run goes by the controller model "
+        f"`{one_line(ours)}`, {whose} `{one_line(theirs)}`"
+    )
+    remedy = (f"give `--controller {ours}`",) if ours in MODELS else ()
+    return error(OTHER, headline, help=remedy, data={"model": ours, "other": theirs})
 
 
 def _refusal(name: str, wrong: Wrong) -> Diagnostic:

@@ -18,6 +18,8 @@ from vrts.robots.model import Configuration, Robot
 from vrts.robots.timed import timed
 from vrts.scene.colors import Color
 
+NO_FILES: Mapping[str, bytes] = MappingProxyType({})
+
 
 class Mobility(Enum):
     """Whether a body can be carried."""
@@ -64,6 +66,8 @@ class Scene:
     ]  # named tool poses X_WT for students: "can1_grip", "base2_put", "safe"
     digest: str  # sha256 of the file: marks are valid for this scene only
     controller: ControllerModel = USUAL  # by which runs go
+    # files that it names, by name, as read
+    files: Mapping[str, bytes] = field(default_factory=lambda: NO_FILES)
 
     def body(self, name: str) -> Body:
         """Return the body of a name. Raises KeyError when there is none."""

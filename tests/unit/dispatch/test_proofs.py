@@ -1,5 +1,6 @@
 """Certificates in bundles: there, about what is sent, and refused when they are not."""
 
+import shutil
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -8,12 +9,14 @@ import msgspec
 import pytest
 from click.testing import CliRunner, Result
 
+from tests.places import ROOT
 from tests.unit.dispatch.test_bundle import consistent, members, zipped
 from vrts.check.proof.certificate import certificate_bytes, read_certificate
 from vrts.cli.main import vrts
 from vrts.dispatch.bundle import MANIFEST, Bundle, bundle_bytes, read_bundle
 from vrts.dispatch.manifest import SCHEMA, WITHOUT_PROOFS, Manifest
 from vrts.dispatch.planning.plan import plan
+from vrts.dispatch.planning.reasons.refusals import Promise
 from vrts.dispatch.planning.wish import Wish
 from vrts.dispatch.profile import find_profile
 from vrts.dispatch.proofs import check_proofs
@@ -56,6 +59,9 @@ def other_bundle() -> Bundle:
     return planned(PROGRAM.replace(" 30 ", " 31 "))
 
 
+NOT_AS_NEAR = (0.5, -0.5, 100.0, None)  # [mm] more than what is proven, or nothing said
+
+
 def send(home: Path, data: bytes) -> Result:
     """Send a bundle to nobody."""
     path = home / "x.bundle"
@@ -86,7 +92,7 @@ def test_a_bundle_holds_the_certificate_of_the_text_that_is_sent(
     said: Json = read_certificate(read.proofs[PROOF]).said["origin"]
     sources = named(named(said)["programs"])["sources"]
     assert sources == [
-        ["programs/main.v2", sound.programs["main"]],
+        ["main.v2", sound.programs["main"]],
         ["locations.lc", sound.locations],
     ]
     assert "900.00 30.00" in sound.locations, "as the controller prints them"
@@ -97,6 +103,63 @@ def test_a_bundle_holds_the_certificate_of_the_text_that_is_sent(
     done = send(tmp_path, data)
     assert done.exit_code == 0, done.output
     assert "certificate" not in done.output
+
+
+def test_a_bundle_of_an_arm_described_beside_its_scene_depends_on_no_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shutil.copytree(ROOT / "scenes" / "one-can-urdf", tmp_path / "cell")
+    program = ".PROGRAM main()\n        DRIVE 1, 20, 50\n        READY\n.END\n"
+    found: set[bytes] = set()
+    for folder, scene in ((tmp_path, "cell"), (tmp_path / "cell", "scene.toml")):
+        monkeypatch.chdir(folder)
+        found.add(bundle_bytes(planned(program, scene)))
+    (data,) = found
+    monkeypatch.chdir("/")
+    read = read_bundle(data)
+    assert list(read.proofs) == [PROOF]
+    assert check_proofs(read) == ()
+
+
+LIFTED = """.PROGRAM main()
+        SPEED 20 ALWAYS
+        OPENI
+        MOVE safe
+        APPRO can1_grip, 120
+        MOVES can1_grip
+        CLOSEI
+        APPROS can1_grip, 4
+        APPROS can1_grip, 2
+        APPROS can1_grip, 200
+        APPRO base2_put, 120
+        MOVES base2_put
+        OPENI
+        DEPARTS 120
+        MOVE safe
+.END
+.LOCATIONS
+can1_grip  800 -450 -225 90 90 0
+base2_put  1100 230 -125 90 90 0
+safe       900 30 100 90 90 0
+.END
+"""
+
+
+def test_the_distance_told_is_the_one_proven_whatever_was_asked_for() -> None:
+    """Lifted by more than that, a can counts when it comes nearer to its base again."""
+    told: list[float] = []
+    for asked_mm in (1.0, 10.0):
+        request = Request(
+            ProgramFile(LIFTED.encode(), "x.v2"), load_scene("cans-on-bases"), Reading("val2")
+        )
+        promises = tuple(Promise(code, "tried", "R. Huber") for code in ("V811", "V812", "V813"))
+        found = plan(Wish(request, find_profile("mark2-val2"), asked_mm, promises))
+        assert found.bundle is not None, found.refused
+        assert check_proofs(read_bundle(bundle_bytes(found.bundle))) == ()
+        (one,) = found.bundle.manifest.scenarios
+        assert one.clearance_mm is not None
+        told.append(one.clearance_mm)
+    assert told[0] < 3.5 < told[1]
 
 
 def test_an_altered_certificate_is_refused_and_nothing_is_sent(
@@ -198,9 +261,20 @@ def of_run(manifest: Manifest) -> dict[str, object]:
     return {"scenarios": (msgspec.structs.replace(one, statements=one.statements + 1),)}
 
 
+def of_distance(by_mm: float | None) -> Callable[[Manifest], dict[str, object]]:
+    def change(manifest: Manifest) -> dict[str, object]:
+        (one,) = manifest.scenarios
+        assert one.clearance_mm is not None
+        other = None if by_mm is None else one.clearance_mm + by_mm
+        return {"scenarios": (msgspec.structs.replace(one, clearance_mm=other),)}
+
+    return change
+
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [
+        *((of_distance(by_mm), "it proves another smallest distance") for by_mm in NOT_AS_NEAR),
         (of_scene, "it is about another scene"),
         (of_model, "its run goes by another controller model"),
         (of_no_model, "its run goes by another controller model"),

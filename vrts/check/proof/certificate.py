@@ -1,5 +1,7 @@
 """Certificates as bytes: a zip of `proof.json` and one member for every column of numbers.
 
+The files that a scene names come along, one after the other in one more member, so that a
+certificate needs nothing beside it.
 Nothing is believed: names and sizes are checked before anything is unpacked, and what the numbers
 mean is for the checker to say.
 """
@@ -27,9 +29,11 @@ from vrts.check.proof.given import (
 from vrts.engine.storage.damage import Damaged, require
 from vrts.engine.storage.plain import Json, listed, named, number, text
 from vrts.engine.storage.plain import whole as count
+from vrts.scene.model import NO_FILES
 
-FORMAT = "vrts.proof/1"
-MANIFEST = "proof.json"
+FORMAT = "vrts.proof/2"
+BEFORE = "vrts.proof/1"  # the same without files of the scene
+MANIFEST, FILES = "proof.json", "files"
 COLUMNS = {  # kind of number, and how many in a row; 0: no rows
     "edges": ("<f8", 0),
     "row": ("<u4", 0),  # steps from leaf to leaf
@@ -51,6 +55,7 @@ ONE = 127 * FINE  # steps of a unit vector
 STEPS = (16 * FINE, FINE, 1)  # from short to exact
 MOST_BYTES = 64_000_000  # of all members, unpacked
 MOST_MANIFEST = 8_000_000
+MOST_FILES = 16_000_000  # bytes of all files of the scene
 MOST_LEAVES = 500_000
 MOST_EDGES = 50_000
 MOST_POINTS = 100_000
@@ -64,6 +69,7 @@ class Read(NamedTuple):
     said: Mapping[str, Json]  # what it says of the run, by name
     claims: Claims
     evidence: Evidence
+    files: Mapping[str, bytes]  # that the scene names, by name
 
 
 def digest(said: Json) -> str:
@@ -72,14 +78,18 @@ def digest(said: Json) -> str:
     return hashlib.sha256(plain.encode()).hexdigest()
 
 
-def certificate_bytes(said: Mapping[str, Json], claims: Claims, by: Evidence) -> bytes:
+def certificate_bytes(
+    said: Mapping[str, Json], claims: Claims, by: Evidence, files: Mapping[str, bytes] = NO_FILES
+) -> bytes:
     """Return the bytes of a certificate; the same content gives the same bytes.
 
     Args:
         said: What is said of the run, by name; each part is written with its hash.
         claims: What is claimed.
         by: What shows it.
+        files: That the scene names, by name.
     """
+    said = {**said, FILES: [[name, len(data)] for name, data in sorted(files.items())]}
     manifest = {
         "format": FORMAT,
         **said,
@@ -111,6 +121,7 @@ def certificate_bytes(said: Mapping[str, Json], claims: Claims, by: Evidence) ->
     members = {MANIFEST: json.dumps(manifest, separators=(",", ":"), allow_nan=False).encode()}
     for name, (kind, _) in COLUMNS.items():
         members[name] = np.ascontiguousarray(tables[name]).astype(kind).tobytes()
+    members[FILES] = b"".join(data for _, data in sorted(files.items()))
     return packed(members, MODE)
 
 
@@ -138,19 +149,24 @@ def read_certificate(data: bytes) -> Read:
     try:
         archive = Unpacker(data)
         sizes = archive.sizes
-        require(sizes.keys() == {MANIFEST, *COLUMNS}, "it has other members than certificates have")
+        known = sizes.keys() - {FILES} == {MANIFEST, *COLUMNS}
+        require(known, "it has other members than certificates have")
         require(sizes[MANIFEST] <= MOST_MANIFEST, "what it says about itself is too long")
         require(sum(sizes.values()) <= MOST_BYTES, "it is too large")
+        require(sizes.get(FILES, 0) <= MOST_FILES, "the files of its scene are too large")
         said = _manifest(archive.read(MANIFEST))
         tables = {name: _table(archive.read(name), *COLUMNS[name]) for name in COLUMNS}
+        joined = archive.read(FILES) if FILES in sizes else None
     except BadZip as problem:
         raise Damaged("it is incomplete, or was changed") from problem
-    require(said.get("format") == FORMAT, f"its format is not `{FORMAT}`")
+    wanted = FORMAT if joined is not None else BEFORE
+    require(said.get("format") == wanted, f"its format is not `{FORMAT}`")
     hashes = named(said.get("sha256"))
     for name in said.keys() - {"format", "sha256", "claims"}:
         good = hashes.get(name) == digest(said[name])
         require(good, f"what it says of `{name}` does not have the hash that it names")
-    return Read(said, _claims(named(said.get("claims"))), _evidence(tables))
+    files = NO_FILES if joined is None else _files(joined, said.get(FILES))
+    return Read(said, _claims(named(said.get("claims"))), _evidence(tables), files)
 
 
 def _manifest(data: bytes) -> dict[str, Json]:
@@ -162,6 +178,18 @@ def _manifest(data: bytes) -> dict[str, Json]:
 
 def _no_number(word: str) -> float:
     raise ValueError(word)
+
+
+def _files(joined: bytes, said: Json) -> Mapping[str, bytes]:
+    found: dict[str, bytes] = {}
+    at = 0
+    for row in listed(said):
+        name, size = listed(row, 2)
+        end = at + count(size)
+        found[text(name)] = joined[at:end]
+        at = end
+    require(at == len(joined), "the files of its scene have other lengths")
+    return found
 
 
 def _table(data: bytes, kind: str, columns: int) -> Table:

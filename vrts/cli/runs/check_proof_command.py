@@ -10,6 +10,7 @@ from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, show_diagn
 from vrts.cli.shared.options import (
     Language,
     color_option,
+    controller_option,
     file_option,
     lab_option,
     language_options,
@@ -30,6 +31,7 @@ Examples:
   vrts check-proof run.cert
   vrts check-proof run.cert solution.v2
   vrts check-proof run.cert solution.v2 --task task.toml
+  vrts check-proof run.cert solution.v2 --controller vplus
   vrts check-proof run.cert --run saved.vrun
 """
 
@@ -42,6 +44,7 @@ Examples:
 @scenario_option()
 @file_option("--run", help="A saved run (.vrun) that the certificate is to be about.")
 @lab_option
+@controller_option
 @language_options
 @color_option
 @guarded
@@ -58,20 +61,27 @@ def command(
 
     The program in the certificate is executed again, in its scene, and everything that the
     certificate claims is checked by a small checker that uses no distance library. Exit status 1
-    when something is not proven, or it is about another program, scene, task or run than is given.
+    when something is not proven, or it is about another program, scene, task, controller model or
+    run than is given.
     """
+    from vrts.pipeline.controllers import model_named
     from vrts.report.screen.proof_text import About, proof_text
-    from vrts.run_files.proving import differing, proof_of, scenario_digest
+    from vrts.run_files.proving import differing, proof_of, scenario_digest, under_another
 
-    if program is None and any(where):
+    if program is None and any(where._replace(controller=None)):
         fail("a scene or a task is compared with the help of a program", ("give the program too",))
-    proof = proof_of(read_bytes(certificate), shown(certificate), certificate.parent)
+    proof = proof_of(read_bytes(certificate), shown(certificate))
     assert proof.made.run is not None
     assert proof.made.origin is not None
     origin, made = proof.made.origin, proof.made.run
     hashed = scenario_digest(made, origin)
     about = About(proof.name, proof.size, made, origin, hashed)
     out(proof_text(about, proof.claims, proof.proven))
+    if program is None and where.controller is not None:
+        found = under_another(proof, model_named(where.controller))
+        if found is not None:
+            show_diagnostics((found,), color)
+            sys.exit(WRONG)
     others: list[Simulated] = []
     if program is not None:
         others.append(_simulated(program, where, language))

@@ -1,6 +1,5 @@
 """The certificate of each scenario: of the run that the texts of the bundle make, read again."""
 
-from pathlib import PurePath
 from typing import NamedTuple
 
 from vrts.dispatch.bundle import files_of
@@ -13,6 +12,8 @@ from vrts.pipeline.refused import Refused
 from vrts.pipeline.setting import Setting
 from vrts.run_files.proving import certificate_of, proof_of, scenario_digest
 from vrts.run_files.simulated import Simulated, scene_text
+
+MOST_BYTES = 1_000_000  # of a certificate in a bundle; files of its scene may make it larger
 
 
 class Held(NamedTuple):
@@ -41,18 +42,18 @@ def shown(held: Held, one: Scened, setting: Setting, entry: str) -> Certified:
         setting: Where its scene comes from.
         entry: The program that is executed.
     """
-    texts, world, report = held.texts, one.world, one.held.judgement.collisions
+    texts, world, report = held.texts, one.world, one.near.report  # its distance is told of
     run = execute(held.module, world.scene, world.scenario, entry)
     files = files_of(texts.programs, entry, texts.locations, texts.reals, texts.strings)
-    scene = scene_text(setting)
-    named = scene._replace(name=PurePath(scene.name).name)  # a bundle names no folder
-    origin = Origin(Programs(files, held.dialect, held.precedence), named)
+    origin = Origin(Programs(files, held.dialect, held.precedence), scene_text(setting))
     hashed = scenario_digest(run, origin)
-    if report is None:
+    if one.held.judgement.collisions is None:
         return Certified(None, hashed, "none: collisions were not checked")
     try:
         certificate = certificate_of(Simulated(run, origin, ()), report)
         proof = proof_of(certificate, "certificate")
     except Refused as refused:
         return Certified(None, hashed, f"none: {refused.diagnostics[0].headline}")
+    if len(certificate) > MOST_BYTES:
+        return Certified(None, hashed, f"none: it has {len(certificate):,} bytes")
     return Certified(certificate, hashed, f"holds, {proof.proven.leaves:,} intervals")

@@ -1,7 +1,5 @@
 """The certificate in evidence: what shows that the contacts in a result are those there are."""
 
-from pathlib import PurePath
-
 from vrts.check.collision.collision import check_collisions
 from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.refused import Refused
@@ -52,9 +50,4 @@ def checked_proof(certificate: bytes, setting: Setting, title: str, data: bytes)
 
 
 def _made(setting: Setting, title: str, data: bytes) -> Simulated:
-    made = simulate(Request(ProgramFile(data, title), setting))
-    if made.origin is None:
-        return made
-    scene = made.origin.scene  # where it lies is nobody's business, and another place each time
-    named = scene._replace(name=PurePath(scene.name).name)
-    return made._replace(origin=made.origin._replace(scene=named))
+    return simulate(Request(ProgramFile(data, title), setting))

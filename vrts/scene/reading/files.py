@@ -1,6 +1,7 @@
 """Files that a scene names: only those in its own folder, and only up to a size."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -17,6 +18,7 @@ class SceneFolder:
 
     path: Path | None  # None: the scene came without one
     lab: Path | None = None  # where to look next
+    given: Mapping[str, bytes] | None = None  # files that came with the scene: no folder is opened
     contents: dict[str, bytes] = field(default_factory=dict[str, bytes])  # by name, as read
 
     def read(self, name: str, most: int) -> bytes:
@@ -29,10 +31,21 @@ class SceneFolder:
         Raises:
             FileFault: The name leads out of the folder, or the file is missing or too large.
         """
-        if self.path is None:
+        if self.given is None and self.path is None:
             raise FileFault("the scene came without its folder")
         if not _PLAIN.fullmatch(name) or ".." in name.split("/"):
             raise FileFault("only names of files in the scene's own folder are taken")
+        data = self._opened(name, most) if self.given is None else self.given.get(name)
+        if data is None:
+            raise FileFault("it did not come with the scene")
+        if len(data) > most:
+            raise FileFault(f"it has more than {most:,} bytes")
+        self.contents[name] = data
+        return data
+
+    def _opened(self, name: str, most: int) -> bytes:
+        """Return the first bytes of a file in a folder, one more than may be."""
+        assert self.path is not None
         folder = self.path.resolve()
         if self.lab is not None and not (folder / name).is_file():
             folder = self.lab.resolve()
@@ -43,10 +56,6 @@ class SceneFolder:
             raise FileFault("there is no such file in the scene's folder")
         try:
             with place.open("rb") as file:
-                data = file.read(most + 1)
+                return file.read(most + 1)
         except OSError as refusal:
             raise FileFault(f"it cannot be read: {refusal.strerror}") from refusal
-        if len(data) > most:
-            raise FileFault(f"it has more than {most:,} bytes")
-        self.contents[name] = data
-        return data

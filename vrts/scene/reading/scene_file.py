@@ -49,23 +49,35 @@ _NAME = re.compile(r"[a-z][a-z0-9_]*", re.IGNORECASE)
 
 
 def read_scene(
-    source: SourceFile, folder: Path | None = None
+    source: SourceFile,
+    folder: Path | None = None,
+    *,
+    name: str | None = None,
+    files: Mapping[str, bytes] | None = None,
 ) -> tuple[Scene | None, tuple[Diagnostic, ...]]:
     """Return the scene a file describes, or None, with everything there is to say about it.
 
     Args:
         source: The file.
         folder: Where files that it names are; None: none can be read.
+        name: Of the scene; None: as the file is named.
+        files: Those that it names, by name, where they came with it; then no folder is opened.
     """
     top, problems = read_toml(source)
-    scene = None if top is None else _scene(top, SceneFolder(folder), problems)
+    place = SceneFolder(folder, given=files)
+    scene = None if top is None else _scene(top, place, problems, name)
     if problems.any_error:
         scene = None
     return scene, problems.in_order()
 
 
 def read_scene_in_lab(
-    source: SourceFile, lab: SourceFile, folder: Path | None, lab_folder: Path | None
+    source: SourceFile,
+    lab: SourceFile,
+    folder: Path | None,
+    lab_folder: Path | None,
+    *,
+    name: str | None = None,
 ) -> tuple[Scene | None, tuple[Diagnostic, ...], SourceFile]:
     """Return the scene a file describes with a lab laid over it, and the text of both.
 
@@ -74,12 +86,14 @@ def read_scene_in_lab(
         lab: The lab's.
         folder: Where files that the scene names are.
         lab_folder: Where files that the lab names are.
+        name: Of the scene; None: as its file is named.
     """
     both, found = laid_over(source, lab)
     if both is None:
         return None, found, source
     top, problems = read_toml(both.joined)
-    scene = None if top is None else _scene(top, SceneFolder(folder, lab_folder), problems)
+    place = SceneFolder(folder, lab_folder)
+    scene = None if top is None else _scene(top, place, problems, name)
     told = tuple(in_lab(both.diagnostic(d), lab) for d in problems.in_order())
     if scene is None or problems.any_error:
         return None, told, both.joined
@@ -97,9 +111,9 @@ def scene_name(file_name: str) -> str:
     return parts[-2] if last == "scene" and len(parts) > 1 else last
 
 
-def _scene(top: Table, folder: SceneFolder, problems: Problems) -> Scene | None:
+def _scene(top: Table, folder: SceneFolder, problems: Problems, named: str | None) -> Scene | None:
     source = problems.source
-    name = scene_name(source.name)
+    name = scene_name(source.name) if named is None else named
     title = top.string("title", name)
     lab = read_lab(top)
     gripper = read_gripper(lab.gripper_over(top.table("gripper")))
@@ -128,6 +142,7 @@ def _scene(top: Table, folder: SceneFolder, problems: Problems) -> Scene | None:
         MappingProxyType({}),
         _digest(source, folder),
         model,
+        MappingProxyType(dict(sorted(folder.contents.items()))),
     )
     if problems.any_error:  # geometry is looked at only when all of it is known
         return None

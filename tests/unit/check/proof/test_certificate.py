@@ -94,6 +94,21 @@ def test_members_are_those_of_certificates() -> None:
         read_certificate(b"no zip at all")
 
 
+def test_a_certificate_of_the_format_before_is_read_too() -> None:
+    def earlier(said: dict[str, Any]) -> None:
+        said["format"] = "vrts.proof/1"
+        del said["files"]
+        del said["sha256"]["files"]
+
+    parts = members(retold(written(), earlier))
+    with pytest.raises(Damaged, match="format"):
+        read_certificate(packed(parts, 0o600))
+    del parts["files"]
+    read = read_certificate(packed(parts, 0o600))
+    assert read.files == {}
+    assert read.claims == case("free").certified.claims
+
+
 @pytest.mark.parametrize("name", list(COLUMNS))
 def test_columns_that_are_too_long_or_too_short_are_refused(name: str) -> None:
     data = written()
@@ -120,6 +135,8 @@ def test_limits_hold_before_anything_is_unpacked(monkeypatch: pytest.MonkeyPatch
         with pytest.raises(Damaged):
             read_certificate(data)
         monkeypatch.undo()
+    with pytest.raises(Damaged, match="files of its scene are too large"):
+        read_certificate(repacked(data, {"files": b"\0" * (certificate.MOST_FILES + 1)}))
     bomb = repacked(data, {"corners": b"\0" * (certificate.MOST_BYTES + 8)})
     assert len(bomb) < 200_000
     with pytest.raises(Damaged, match="too large"):
@@ -141,6 +158,7 @@ CHANGES: list[Change] = [
     lambda said: said.update(program="three cans"),
     lambda said: said.update(more="unhashed"),
     lambda said: said["sha256"].pop("scene"),
+    lambda said: said.update(files=[["arm.urdf", 3]]),
     lambda said: said.update(sha256=[]),
     lambda said: said.update(claims=None),
     lambda said: said["claims"].update(contacts=3),

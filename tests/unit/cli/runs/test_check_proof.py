@@ -1,12 +1,15 @@
 """`vrts verify --certificate` and `vrts check-proof`: what is proven, and what is refused."""
 
+import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from tests.unit.check.proof.test_certificate import retold
+from tests.places import ROOT
+from tests.unit.check.proof.test_certificate import members, retold
 from tests.unit.cli.test_commands import EXAMPLE, HITS, SOLUTION, vrts
+from vrts.base.zips import packed
 from vrts.check.proof.certificate import digest
 
 COLOR = ("--color", "never")
@@ -48,6 +51,62 @@ def test_a_certificate_needs_nothing_beside_it(proofs: Path, tmp_path: Path) -> 
     assert vrts("check-proof", elsewhere, cwd=tmp_path).returncode == 0
 
 
+TURN = b".PROGRAM main()\n DRIVE 1, 20, 50\n READY\n.END\n"
+
+
+@pytest.fixture(scope="module", name="described")
+def described_arm(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a program, and a scene beside whose file an arm is described."""
+    folder = tmp_path_factory.mktemp("described")
+    shutil.copytree(ROOT / "scenes" / "one-can-urdf", folder / "cell")
+    (folder / "turn.v2").write_bytes(TURN)
+    return folder
+
+
+def test_a_certificate_does_not_depend_on_where_it_was_written(described: Path) -> None:
+    """Nor on how paths were typed: none is in it."""
+    found: set[bytes] = set()
+    for number, (cwd, program, scene) in enumerate(
+        (
+            (described, "turn.v2", "cell/scene.toml"),
+            (described / "cell", "../turn.v2", "scene.toml"),
+            (described / "cell", "../turn.v2", "../cell"),
+            (Path("/"), described / "turn.v2", described / "cell" / "scene.toml"),
+        )
+    ):
+        target = described / f"{number}.cert"
+        result = vrts("verify", program, "--scene", scene, "--certificate", target, cwd=cwd)
+        assert result.returncode == 0, result.stderr
+        found.add(target.read_bytes())
+    (data,) = found
+    said = members(data)["proof.json"].decode()
+    assert described.name not in said
+    assert '[["turn.v2",' in said
+    assert '"name":"cell.toml"' in said
+
+
+def test_files_that_a_scene_names_come_along(described: Path, tmp_path: Path) -> None:
+    target = tmp_path / "run.cert"
+    words = ("verify", "turn.v2", "--scene", "cell", "--certificate", target)
+    assert vrts(*words, cwd=described).returncode == 0
+    result = vrts("check-proof", "run.cert", cwd=tmp_path)
+    assert result.returncode == 0, result.stderr
+    assert b"scene       cell, sha256" in result.stdout
+    arm = (described / "cell" / "arm.urdf").read_bytes()
+    parts = members(target.read_bytes())
+    assert parts["files"] == arm
+    longer = arm.replace(b"0.4", b"0.5", 1)
+    assert longer != arm
+    target.write_bytes(packed({**parts, "files": longer}, 0o600))
+    result = vrts("check-proof", "run.cert", *COLOR, cwd=tmp_path)
+    assert result.returncode == 1
+    assert b"its scene is not the one that it names" in result.stderr
+    target.write_bytes(packed({**parts, "files": arm + b" "}, 0o600))
+    result = vrts("check-proof", "run.cert", *COLOR, cwd=tmp_path)
+    assert result.returncode == 1
+    assert b"the files of its scene have other lengths" in result.stderr
+
+
 def test_it_is_about_one_program_scene_and_run(proofs: Path, tmp_path: Path) -> None:
     for words, what in (
         ((HITS,), b"it is about another program"),
@@ -65,6 +124,29 @@ def test_it_is_about_one_program_scene_and_run(proofs: Path, tmp_path: Path) -> 
     result = vrts("check-proof", proofs / "run.cert", "--run", saved, *COLOR)
     assert result.returncode == 1
     assert b"it is about another program" in result.stderr
+
+
+def test_the_controller_model_is_part_of_what_a_certificate_is_about(
+    proofs: Path, tmp_path: Path
+) -> None:
+    target = tmp_path / "vplus.cert"
+    vrts("verify", SOLUTION, "--controller", "vplus", "--certificate", target)
+    for words in ((), (SOLUTION, "--controller", "vplus"), ("--controller", "vplus")):
+        result = vrts("check-proof", target, *words, *COLOR)
+        assert result.returncode == 0, (words, result.stderr)
+        assert b"controller  vplus, sha256" in result.stdout
+    for certificate, words, ours, rest in (
+        (target, (SOLUTION,), "vplus", "the program given by `val2`"),
+        (proofs / "run.cert", (SOLUTION, "--controller", "vplus"), "val2", "given by `vplus`"),
+        (proofs / "run.cert", ("--controller", "vplus"), "val2", "asked for is `vplus`"),
+    ):
+        result = vrts("check-proof", certificate, *words, *COLOR)
+        assert result.returncode == 1
+        text = result.stderr.decode()
+        assert "error[V549 other-certificate]" in text
+        assert f"its run goes by the controller model `{ours}`" in text
+        assert rest in text
+        assert f"help: give `--controller {ours}`" in text
 
 
 def test_a_damaged_certificate_is_one_diagnostic(proofs: Path, tmp_path: Path) -> None:

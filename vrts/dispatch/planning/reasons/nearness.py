@@ -14,7 +14,7 @@ from vrts.base.units import mm
 from vrts.check.collision.collision import check_collisions
 from vrts.check.collision.pairs.grips import Grip, grips
 from vrts.check.rounding import exact_mm
-from vrts.check.verdict import NearMiss
+from vrts.check.verdict import CollisionReport, NearMiss
 from vrts.dispatch.planning.reasons.refusals import TOO_NEAR
 from vrts.engine.run import Run
 from vrts.scene.model import Scene
@@ -33,9 +33,15 @@ class Passage(NamedTuple):
 class Nearness(NamedTuple):
     """How near a run comes to anything; certified for every instant."""
 
-    clearance_m: float | None  # smallest; None: there is contact, or nothing to be near
+    report: CollisionReport  # with what is asked for as the threshold
     passages: tuple[Passage, ...]  # nearer than what is asked for
     shown: tuple[Passage, ...]  # nearer than `SHOWN` times that
+
+    @property
+    def clearance_m(self) -> float | None:
+        """The smallest distance; None: there is contact, or nothing to be near."""
+        found = self.report.clearance
+        return None if found is None else found.distance_m
 
 
 def nearness(scene: Scene, run: Run, asked: float) -> Nearness:
@@ -48,8 +54,7 @@ def nearness(scene: Scene, run: Run, asked: float) -> Nearness:
     passages = (
         Passage(miss, any(_within(miss, way) for way in ways)) for miss in report.near_misses
     )
-    found = report.clearance
-    return Nearness(None if found is None else found.distance_m, tuple(passages), shown)
+    return Nearness(report, tuple(passages), shown)
 
 
 def too_near(found: Nearness, asked: float, grasping: float) -> Iterator[Diagnostic]:
