@@ -65,8 +65,9 @@ def trial(number: int, looked: Looked) -> Outcome:
         return tried(drawn(number), looked)
 
 
-def _scene_read_once(source: SourceFile, folder: Path | None) -> object:
+def _scene_read_once(source: SourceFile, folder: Path | None, *, files: None = None) -> object:
     """Read a scene, which takes longer than all the rest, once for all files that tell it."""
+    assert files is None, "no file of a run holds them"
     return _scene_of(source.name, source.text, folder)
 
 
