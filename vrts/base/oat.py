@@ -12,6 +12,7 @@ from vrts.base.units import DEG, MM
 
 # below this hypot(a_x, a_y) the tool is vertical [manual language/locations#vertical-tolerance]
 VERTICAL_TOLERANCE = 1e-7
+LAST_BIT = 2.0**-24  # of a number in single precision, as a share of it
 
 Components: TypeAlias = tuple[float, float, float, float, float, float]
 
@@ -57,6 +58,36 @@ def components(pose: Pose) -> Components:
     """Return X Y Z in mm and O A T in degrees."""
     x, y, z = pose.translation
     return (x / MM, y / MM, z / MM, *oat_from_rotation(pose.rotation))
+
+
+def known_components(pose: Pose) -> Components:
+    """Return the same as single precision knows them [manual language/locations#noise].
+
+    Beside the largest length, or beside half a turn, what is smaller than its last bit is 0.
+    """
+    found = components(pose)
+    least = max(map(abs, found[:3])) * LAST_BIT
+    x, y, z = (0.0 if abs(length) < least else length for length in found[:3])
+    o, a, t = (0.0 if abs(angle) < 180.0 * LAST_BIT else angle for angle in found[3:])
+    return x, y, z, o, a, t
+
+
+def plain_angles(o: float, a: float, t: float) -> tuple[float, float, float]:
+    """Return yaw, pitch and roll in degrees, as V+ and AS print them: Z-Y'-Z'' angles.
+
+    With the tool vertical yaw is 0 and roll has all the turn [manual
+    language/locations#vertical].
+    """
+    yaw, pitch = _within(o - 90.0), a + 90.0
+    if 90.0 - abs(a) <= VERTICAL_TOLERANCE / DEG:
+        return 0.0, pitch, _within(t + yaw if pitch < 90.0 else t - yaw)
+    return yaw, pitch, t
+
+
+def _within(degrees: float) -> float:
+    """Return an angle in (-180, 180]."""
+    turned = degrees - 360.0 * math.ceil((degrees - 180.0) / 360.0)
+    return turned + 0.0
 
 
 def _sine_cosine(degrees: float) -> tuple[float, float]:

@@ -38,6 +38,11 @@ class Dialect(NamedTuple):
         return self.letters == "a"
 
     @property
+    def is_vplus(self) -> bool:
+        """Whether this is Adept's language."""
+        return self.letters == "+"
+
+    @property
     def is_val(self) -> bool:
         """Whether this is the VAL of 1979."""
         return self.letters == "1"

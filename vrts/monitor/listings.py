@@ -5,7 +5,7 @@ See [manual language/monitor#layouts].
 
 from collections.abc import Iterable, Mapping
 
-from vrts.base.oat import Components, components
+from vrts.base.oat import Components, components, plain_angles
 from vrts.base.pose import Pose
 from vrts.base.units import deg, mm
 from vrts.engine.code.values.formats import free
@@ -27,8 +27,7 @@ def printed(X: Pose, angles: Angles) -> Components:
     x, y, z, o, a, t = components(X)
     if angles is Angles.OAT:
         return x, y, z, o, a, t
-    yaw = o - 90.0
-    return x, y, z, yaw if yaw > -180.0 else yaw + 360.0, a + 90.0, t
+    return x, y, z, *plain_angles(o, a, t)
 
 
 def pose_row(X: Pose, angles: Angles = Angles.OAT) -> str:

@@ -4,7 +4,14 @@ import math
 
 import pytest
 
-from vrts.base.oat import components, pose_from_components, rotation_from_oat
+from vrts.base.oat import (
+    components,
+    known_components,
+    oat_from_rotation,
+    plain_angles,
+    pose_from_components,
+    rotation_from_oat,
+)
 from vrts.base.pose import Pose, Vector, rotation_angle
 
 # (O, A, T), normal, orientation, approach; the first two are stated in words by the 1977 text
@@ -63,3 +70,33 @@ def test_rotation_angle_keeps_digits_near_zero() -> None:
     a = rotation_from_oat(10, 20, 30)
     b = rotation_from_oat(10, 20, 30 + 1e-7)
     assert math.degrees(rotation_angle(a, b)) == pytest.approx(1e-7, rel=1e-4)
+
+
+@pytest.mark.parametrize("pitch", [0.0, 180.0])
+@pytest.mark.parametrize("yaw", [0.0, 40.0, 90.0, -135.0, 180.0])
+@pytest.mark.parametrize("roll", [0.0, 30.0, -170.0])
+def test_a_hand_that_is_vertical_has_yaw_0_in_plain_angles(
+    pitch: float, yaw: float, roll: float
+) -> None:
+    rotation = rotation_from_oat(yaw + 90.0, pitch - 90.0, roll)
+    shown = plain_angles(*oat_from_rotation(rotation))
+    assert shown[:2] == (0.0, pitch)
+    assert -180.0 < shown[2] <= 180.0
+    again = rotation_from_oat(shown[0] + 90.0, shown[1] - 90.0, shown[2])
+    assert again == pytest.approx(rotation, abs=1e-12)
+
+
+def test_plain_angles_of_a_hand_that_is_not_vertical() -> None:
+    assert plain_angles(90.0, 0.0, 30.0) == (0.0, 90.0, 30.0)
+    assert plain_angles(-100.0, 10.0, -30.0) == (170.0, 100.0, -30.0)
+    assert plain_angles(-90.0, 89.0, 5.0) == (180.0, 179.0, 5.0)
+
+
+def test_what_is_only_rounding_is_0() -> None:
+    noisy = pose_from_components(3.98e-14, 190.0, 1645.0, 1e-9, 0.0, -1e-9)
+    assert known_components(noisy)[:3] == (0.0, 190.0, 1645.0)
+    assert known_components(noisy)[3:] == (0.0, 0.0, 0.0)
+    small = pose_from_components(1e-6, 0.0, 0.0, 90.0, -90.0, 0.0)
+    assert known_components(small)[0] == pytest.approx(1e-6)
+    seen = pose_from_components(2e-4, 190.0, 1645.0, 90.0, -90.0, 0.0)
+    assert known_components(seen)[0] == pytest.approx(2e-4)

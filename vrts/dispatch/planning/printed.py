@@ -6,7 +6,7 @@ What is verified for the real robot is this text, read again: nothing that print
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from vrts.base.oat import components, pose_from_components
+from vrts.base.oat import components, plain_angles, pose_from_components
 from vrts.base.pose import Pose
 from vrts.base.units import deg
 from vrts.dispatch.bundle import files_of
@@ -119,7 +119,7 @@ def pose_numbers(pose: Pose, profile: Profile) -> str:
         rounded = again
     x, y, z, o, a, t = rounded
     if profile.language.angles is Angles.ZYZ:
-        o, a = o - 90.0, a + 90.0
+        o, a, t = plain_angles(o, a, t)
     lengths = (_fixed(number, profile.length_decimals) for number in (x, y, z))
     angles = (_fixed(number, profile.angle_decimals) for number in (o, a, t))
     return " ".join((*lengths, *angles))

@@ -2,7 +2,8 @@
 
 import re
 
-from vrts.base.diagnostic import Rule
+from vrts.base.diagnostic import Fix, Rule
+from vrts.base.source import Span
 from vrts.ir.values import Type
 from vrts.lang.meaning.scope import Entry, Scope
 from vrts.lang.names import key
@@ -17,10 +18,27 @@ from vrts.lang.syntax.expressions import (
 )
 from vrts.lang.syntax.statements import Assignment
 from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions, bare_functions
-from vrts.lang.vocabulary.lookup import reserved_words
+from vrts.lang.vocabulary.lookup import look_up, reserved_words
 
 KEYWORD_AS_NAME = Rule("V160", "keyword-as-name")
 NOT_SIMULATED = Rule("V161", "not-simulated")
+MONITOR_COMMAND = Rule("V199", "monitor-command")
+
+SAME_AS_COMMANDS = frozenset(  # SPEED is none: as a command it is the speed of the monitor
+    [
+        "BASE",
+        "DISABLE",
+        "ENABLE",
+        "HERE",
+        "PARAMETER",
+        "PCABORT",
+        "PCEND",
+        "PCEXECUTE",
+        "RESET",
+        "SIGNAL",
+        "TOOL",
+    ]
+)
 
 _WORD = re.compile(r"[$#]?[\w.]+")
 
@@ -88,6 +106,28 @@ class NameUses:
             "a run stops when it gets here",
             notes=("VAL-II says *Option not installed*",),
             data={"word": word},
+        )
+
+    def refuse_monitor_command(self, start: int, end: int) -> None:
+        """Refuse `MC command`: what is simulated has no operator at whose terminal it would act."""
+        source = self.problems.source
+        first, _, command = source.text[start:end].partition(" ")
+        at = end - len(command.lstrip())
+        word = _WORD.match(source.text, at, end)
+        known = None if word is None else look_up(word.group(), self.dialect).word
+        help_ = "let the operator give the command, with `vrts monitor`"
+        fix = None
+        if known is not None and known.text in SAME_AS_COMMANDS:
+            help_ = f"leave MC out: {known.text} is an instruction too"
+            fix = Fix(Span(source, start, at), "")
+        self.problems.error(
+            MONITOR_COMMAND,
+            "a program cannot give the monitor commands here",
+            start,
+            start + len(first),
+            "a command of the monitor follows",
+            help=(help_,),
+            fix=fix,
         )
 
     def _use(self, node: Name, wanted: Type | None) -> Entry:

@@ -83,7 +83,10 @@ class Resolver(OperandTypes):
                 self.device(node)
             case Rest(word, names):
                 self.bad_names.update(names)
-                self.warn_not_simulated(word, node.start, node.start + len(word))
+                if word == "MC" and not (self.dialect.is_as or self.dialect.is_vplus):
+                    self.refuse_monitor_command(node.start, node.end)
+                else:
+                    self.warn_not_simulated(word, node.start, node.start + len(word))
             case Goto(_, condition):
                 if condition is not None:
                     self.check(condition, Type.REAL, "IF takes a condition")

@@ -6,7 +6,7 @@ programs, strings and reals exactly, locations rounded to 4 decimals, or exactly
 
 from collections.abc import Iterable
 
-from vrts.base.oat import components, pose_from_components
+from vrts.base.oat import components, plain_angles, pose_from_components
 from vrts.base.pose import Pose
 from vrts.base.source import SourceFile
 from vrts.base.units import deg
@@ -80,7 +80,7 @@ def _pose(pose: Pose, dialect: Dialect) -> str:
         rounded, again = again, _rounded(pose_from_components(*again))
     x, y, z, o, a, t = rounded
     if dialect.angles is Angles.ZYZ:
-        o, a = o - 90.0, a + 90.0
+        o, a, t = plain_angles(o, a, t)
     return " ".join(_fixed(number) for number in (x, y, z, o, a, t))
 
 

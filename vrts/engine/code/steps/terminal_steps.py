@@ -3,7 +3,7 @@
 import re
 
 from vrts.base.numbers import single
-from vrts.base.oat import components
+from vrts.base.oat import known_components, plain_angles
 from vrts.base.pose import Pose
 from vrts.base.units import deg
 from vrts.engine.code.closures import BLOCKED, Step
@@ -115,8 +115,8 @@ class TerminalStepCompiler:
         def decompose(c: Context) -> int:
             found = location(c)
             if isinstance(found, Pose):
-                x, y, z, o, a, t = components(found)
-                values = (x, y, z, *((o - 90.0, a + 90.0, t) if plain else (o, a, t)))
+                x, y, z, o, a, t = known_components(found)
+                values = (x, y, z, *(plain_angles(o, a, t) if plain else (o, a, t)))
             else:
                 values = tuple(deg(joint) for joint in found)  # type: ignore[union-attr]
             for k, value in enumerate(values):

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 
 from vrts.base.numbers import round_half_away
-from vrts.base.oat import components, pose_from_components, rotation_from_oat
+from vrts.base.oat import known_components, pose_from_components, rotation_from_oat
 from vrts.base.pose import (
     IDENTITY,
     X_AXIS,
@@ -196,7 +196,7 @@ def _outside(a: Arguments, span: Span | None) -> float:
 
 
 def _component(k: int) -> "Pure":
-    return lambda a, span: rounded(components(_pose(a, 0))[k], span)
+    return lambda a, span: rounded(known_components(_pose(a, 0))[k], span)
 
 
 def _turn(axis: tuple[float, float, float]) -> "Pure":
