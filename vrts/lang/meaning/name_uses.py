@@ -25,19 +25,8 @@ NOT_SIMULATED = Rule("V161", "not-simulated")
 MONITOR_COMMAND = Rule("V199", "monitor-command")
 
 SAME_AS_COMMANDS = frozenset(  # SPEED is none: as a command it is the speed of the monitor
-    [
-        "BASE",
-        "DISABLE",
-        "ENABLE",
-        "HERE",
-        "PARAMETER",
-        "PCABORT",
-        "PCEND",
-        "PCEXECUTE",
-        "RESET",
-        "SIGNAL",
-        "TOOL",
-    ]
+    {"BASE", "DISABLE", "ENABLE", "HERE", "PARAMETER", "RESET", "SIGNAL", "TOOL"}
+    | {"PCABORT", "PCEND", "PCEXECUTE"}
 )
 
 _WORD = re.compile(r"[$#]?[\w.]+")
