@@ -4,6 +4,7 @@ How the files are written stands in the README beside them.
 """
 
 import re
+from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
@@ -26,7 +27,8 @@ class BadCaseError(ValueError):
     """A case that the README's format does not allow."""
 
 
-class Mistake(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Mistake:
     """One program with one mistake."""
 
     family: str
