@@ -53,6 +53,7 @@ class NameUses:
         self.bad_names: set[str] = set()
         self.wrong_lines: set[int] = set()  # lines where a type did not fit
         self.reserved: set[str] = set()  # keywords used as names, each said once
+        self.profiles = False  # whether it was said that profiles have no effect
 
     def type_of_name(self, program: str | None, name: Name) -> Type:
         """Return the type of a name as all its uses tell."""
