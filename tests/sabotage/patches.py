@@ -359,6 +359,20 @@ PATCHES: tuple[Patch, ...] = (
         (LANG, RUNS),
     ),
     Patch(
+        "a number passes as a string",
+        "vrts/lang/meaning/expression_types.py",
+        "        if wanted is Type.STRING:\n            self.no_texts",
+        "        if wanted is Type.JOINTS:\n            self.no_texts",
+        (LANG,),
+    ),
+    Patch(
+        "calls decide nothing about formals",
+        "vrts/lang/meaning/agreement.py",
+        "if found in _SPREADING:",
+        "if found is Type.JOINTS:",
+        (LANG,),
+    ),
+    Patch(
         "AUTO variables are shared by all calls",
         "vrts/engine/code/steps/call_steps.py",
         "slots += [fresh(callee, auto) for auto in callee.autos]",

@@ -31,12 +31,7 @@ COMPANY = {  # words whose usage needs other steps around it
     "EXIT": "DO\nEXIT 1\nUNTIL n",
     "NEXT": "DO\nNEXT 1\nUNTIL n",
 }
-_EASIER = {
-    "JMOVE": "JMOVE 1, 2, 3, 4, 5, 6",
-    "ATTACH": "ATTACH (0)",
-    "DETACH": "DETACH (0)",
-    "WRITE": 'WRITE (4) "text"',
-}
+_EASIER = {"ATTACH": "ATTACH (0)", "DETACH": "DETACH (0)", "WRITE": 'WRITE (4) "text"'}
 _QUALIFIERS = {
     "ALWAYS": "SPEED 50 ALWAYS",
     "BY": "SET q = SHIFT(NULL BY 1,2,3)",
@@ -62,16 +57,9 @@ def native(dialects: str) -> Dialect:
     return next(dialect for letter, dialect in NATIVE.items() if letter in dialects)
 
 
-def home(steps: str, dialects: str) -> Dialect:
-    """Return the first dialect with a word that takes some steps: VAL-II has MC, and refuses it."""
-    homes = [dialect for letter, dialect in NATIVE.items() if letter in dialects]
-    return next((dialect for dialect in homes if compiled(steps, dialect) is not None), homes[0])
-
-
 def instruction_sample(word: Word) -> str:
     """Return steps that use an instruction."""
-    easier = _EASIER.get(word.text, word.usage.replace(", ...", ""))
-    return COMPANY.get(word.text) or easier
+    return COMPANY.get(word.text) or _EASIER.get(word.text, word.usage)
 
 
 def qualifier_sample(word: Word) -> str:

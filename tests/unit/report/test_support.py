@@ -20,8 +20,8 @@ from vrts.report.word_samples import (
     NATIVE,
     compiled,
     function_sample,
-    home,
     instruction_sample,
+    native,
     operator_sample,
     parameter_sample,
     qualifier_sample,
@@ -37,7 +37,7 @@ LISTED = json.loads((TESTS / "data" / "keywords.json").read_text("utf-8"))
 
 def stopped_at(steps: str, dialects: str) -> bool:
     """Whether a run of some steps stops because one of them is not simulated."""
-    module = compiled(steps, home(steps, dialects))
+    module = compiled(steps, native(dialects))
     assert module is not None, steps
     assert verify(module) == []
     run = execute(module, robot_alone())
@@ -82,12 +82,9 @@ def test_parts_of_steps(kind: str, text: str, steps: str, dialects: str) -> None
 
 @pytest.mark.parametrize("word", INSTRUCTIONS.values(), ids=lambda word: word.text)
 def test_usage_compiles_where_the_word_exists(word: Word) -> None:
-    """As it is printed, or with the steps around it without which it is no program.
-
-    `...` says that there may be more of the last operand.
-    """
+    """As it is printed, or with the steps around it without which it is no program."""
     homes = [dialect for letter, dialect in NATIVE.items() if letter in word.dialects]
-    steps = COMPANY.get(word.text, word.usage.replace(", ...", ""))
+    steps = COMPANY.get(word.text, word.usage)
     assert any(compiled(steps, dialect) is not None for dialect in homes)
 
 

@@ -5,12 +5,14 @@ from collections.abc import Callable
 
 from vrts.base.diagnostic import Rule
 from vrts.ir.values import Type
+from vrts.lang.meaning.agreement import settle_types, type_of_argument
+from vrts.lang.meaning.no_texts import report_no_texts
 from vrts.lang.meaning.resolve import Resolver
-from vrts.lang.meaning.scope import Entry
+from vrts.lang.meaning.scope import Entry, Place
 from vrts.lang.names import NAME_TRUNCATED, SIGNIFICANT, is_truncated, key
 from vrts.lang.problems import LIMIT
 from vrts.lang.spelling import nearest
-from vrts.lang.syntax.expressions import Element, Infix, Name
+from vrts.lang.syntax.expressions import Element, Item, Name
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import CallStatement
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
@@ -30,8 +32,8 @@ _MISMATCH = "VAL-II says *Program argument mismatch*"
 
 def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
     """Report what the uses of each name do not agree on, and what is never given a value."""
-    _settle_moves(resolver)
-    resolver.scope.spread_types()
+    decided = settle_types(resolver, programs)
+    report_no_texts(resolver)
     suggestions = _Suggestions(resolver)
     bodies = sorted((p.start, p.finish[1]) for p in programs)
     clashes: set[int] = set()
@@ -47,7 +49,7 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
     for program in programs:
         for step in program.steps:
             if isinstance(step.statement, CallStatement):
-                _call(resolver, program, step.statement, suggestions)
+                _call(resolver, program, step.statement, suggestions, decided)
     for name in resolver.called:
         if key(name.text) not in resolver.scope.programs:
             _undefined_program(resolver, name, suggestions)
@@ -74,25 +76,6 @@ class _Suggestions:
     def _may_ask(self, count: int) -> bool:
         self.left -= 1
         return self.left >= 0 and count <= MOST_NAMES
-
-
-def _settle_moves(resolver: Resolver) -> None:
-    """Decide about `a = b`: numbers, unless one of them is a location elsewhere."""
-    scope, program = resolver.scope, resolver.program
-    for node in resolver.moves:
-        value = node.value
-        assert isinstance(value, Name | Element)
-        names = [n if isinstance(n, Name) else n.name for n in (node.target, value)]
-        where = resolver.program_of.get(node.start, program)
-        entries = [scope.entry(where, key(name.text)) for name in names]
-        if any(Type.POSE in e.types and Type.REAL not in e.types for e in entries):
-            resolver.assigned_location(node)
-            for entry, name in zip(entries, names, strict=True):
-                if Type.REAL not in entry.types:
-                    entry.types.setdefault(Type.POSE, (name.start, name.end))
-        else:
-            for entry, name in zip(entries, names, strict=True):
-                entry.types.setdefault(Type.REAL, (name.start, name.end))
 
 
 def _clash(resolver: Resolver, entry: Entry) -> bool:
@@ -225,7 +208,11 @@ def _could_be(other: Entry, entry: Entry) -> bool:
 
 
 def _call(
-    resolver: Resolver, caller: ProgramText, node: CallStatement, suggestions: _Suggestions
+    resolver: Resolver,
+    caller: ProgramText,
+    node: CallStatement,
+    suggestions: _Suggestions,
+    decided: dict[int, Place],
 ) -> None:
     problems, scope = resolver.problems, resolver.scope
     name = node.program
@@ -250,6 +237,7 @@ def _call(
         formal = program.formals[i]
         if argument is None or not formal.name.text:
             continue
+        secondary = (header,)
         whole = isinstance(argument, Element) and not argument.subscripts
         if formal.array and not isinstance(argument, Element):
             problem = f"argument {i + 1} of `{program.name}` is a whole array"
@@ -258,21 +246,37 @@ def _call(
             problem = f"argument {i + 1} of `{program.name}` is not an array"
             help_ = "name one element: `a[1]`"
         else:
-            wanted = scope.formals[program.name][key(formal.name.text)].type
-            found = _type_of(resolver, caller.name, argument)
-            if Type.DYNAMIC in (wanted, found) or wanted is found:
+            entry = scope.formals[program.name][key(formal.name.text)]
+            wanted, found = entry.type, type_of_argument(resolver, caller.name, argument)
+            if wanted is found or not _differ(wanted, found, argument):
                 continue
             problem = f"argument {i + 1} of `{program.name}` is {_WORDS[wanted]}"
             help_ = f"this is {_WORDS[found]}"
+            if id(entry) in decided:
+                first = problems.label(*decided[id(entry)], f"{_WORDS[wanted]} here")
+                header = problems.label(program.start, program.end, "it is open here")
+                secondary = (first, header)
         problems.error(
             ARGUMENT_TYPE,
             problem,
             argument.start,
             argument.end,
-            secondary=(header,),
+            secondary=secondary,
             notes=(_MISMATCH,),
             help=(help_,),
         )
+
+
+def _differ(wanted: Type, found: Type, argument: Item) -> bool:
+    """Return whether a formal surely cannot take an argument of another type.
+
+    What is open is a number or a location: a name without prefix.
+    """
+    if wanted is Type.DYNAMIC:
+        return found in (Type.STRING, Type.JOINTS)
+    if found is Type.DYNAMIC:
+        return wanted in (Type.STRING, Type.JOINTS) and isinstance(argument, Name | Element)
+    return True
 
 
 def _undefined_program(resolver: Resolver, name: Name, suggestions: _Suggestions) -> None:
@@ -295,13 +299,5 @@ _WORDS = {
     Type.STRING: "a string",
     Type.POSE: "a location",
     Type.JOINTS: "a precision point",
+    Type.DYNAMIC: "a number or a location",
 }
-
-
-def _type_of(resolver: Resolver, program: str, argument: object) -> Type:
-    if isinstance(argument, Name | Element):
-        name = argument if isinstance(argument, Name) else argument.name
-        return resolver.type_of_name(program, name)
-    if isinstance(argument, Infix) and argument.operator == ":":
-        return Type.POSE
-    return resolver.argument_types.get(id(argument), Type.DYNAMIC)

@@ -13,7 +13,7 @@ from vrts.ir.values import Type
 from vrts.lang.dialect import Angles
 from vrts.lang.meaning import type_mistakes
 from vrts.lang.meaning.forms import is_text
-from vrts.lang.meaning.name_uses import NameUses
+from vrts.lang.meaning.name_uses import NameUses, NoText
 from vrts.lang.meaning.scope import Entry
 from vrts.lang.meaning.type_mistakes import IN_WORDS, MAX_SUBSCRIPTS
 from vrts.lang.names import key
@@ -36,7 +36,6 @@ from vrts.lang.vocabulary.lookup import instructions_of
 
 FORMAT = re.compile(r"/[DFIGEHOCXUBSJKLN](\d{0,3}(\.\d{1,2})?)?", re.IGNORECASE)
 _OF_ARRAYS = frozenset({"last", "$unpack"})  # functions that a whole array is given to
-_SWAPS = frozenset({"tas", "cas"})  # functions that give their variable a value
 
 Wanted: TypeAlias = Type | None  # None: any type; POSE also takes joints where `joints` is True
 _CODES = {"r": Type.REAL, "s": Type.STRING, "p": Type.POSE, "l": Type.POSE, "$": Type.STRING}
@@ -48,7 +47,10 @@ class ExpressionTypes(NameUses):
 
     def check(self, node: Item, wanted: Wanted, why: str, *, joints: bool = False) -> Type:
         """Return the type of an expression, and report it where it is not the one wanted."""
+        before = len(self.no_texts)
         found = self._type(node, wanted)
+        if wanted is Type.STRING and len(self.no_texts) > before:
+            self._explain_no_texts(before, why)
         if wanted is None or found is wanted or found is Type.DYNAMIC:
             return found
         if joints and wanted is Type.POSE and found is Type.JOINTS:
@@ -143,7 +145,7 @@ class ExpressionTypes(NameUses):
         entry = self._use(node, wanted)
         entry.reads.append((node.start, node.end))
         self._once(entry, node, array=False)
-        return _as_used(entry, wanted)
+        return self._as_used(node, node, wanted)
 
     def _element(
         self, node: Element, name: Name, subscripts: tuple[Item | None, ...], wanted: Wanted
@@ -151,7 +153,7 @@ class ExpressionTypes(NameUses):
         entry = self._use(name, wanted)
         entry.reads.append((node.start, node.end))
         self._subscripts(entry, node, subscripts)
-        return _as_used(entry, wanted)
+        return self._as_used(name, node, wanted)
 
     def _subscripts(self, entry: Entry, node: Element, subscripts: tuple[Item | None, ...]) -> None:
         self._once(entry, node.name, array=True)
@@ -168,15 +170,13 @@ class ExpressionTypes(NameUses):
             return Type.DYNAMIC
         if signature.opaque:
             self.warn_not_simulated(node.name.text.upper(), node.name.start, node.name.end)
-            if self._count(node, signature):
-                for argument in node.arguments:
-                    self.loosely(argument)
+            self._loose(node)
         elif signature.parameters and signature.parameters[0][0] == "v":
             self._defined(node, signature)
         elif signature.parameters and signature.parameters[0][0] == "n":
             self._named(node, signature)
         elif signature.name == "$encode":
-            self.items_of_type(node.arguments)
+            self.items_of_type(node.arguments, writes=False)
             self._count(node, signature)
         elif self._count(node, signature):
             for i, argument in enumerate(node.arguments):
@@ -189,16 +189,6 @@ class ExpressionTypes(NameUses):
             if signature.name == "trans" and self.dialect.angles is Angles.OAT:
                 type_mistakes.default_angles(self.problems, node)
         return signature.result
-
-    def loosely(self, node: Item | None) -> None:
-        """Check an operand of any type; a variable may be given a value, so all is right of it."""
-        if isinstance(node, Element):
-            self.bad_names.add(key(node.name.text))
-            self._items(node.subscripts, Type.REAL)
-        elif isinstance(node, Name):
-            self.bad_names.add(key(node.text))
-        elif node is not None and not isinstance(node, FormatItem):
-            self.check(node, None, "")
 
     def _count(self, node: Application, signature: Signature) -> bool:
         fits = type_mistakes.arguments_fit(self.problems, node, signature)
@@ -215,9 +205,9 @@ class ExpressionTypes(NameUses):
             type_mistakes.no_variable(self.problems, node, first)
             return
         name = first if isinstance(first, Name) else first.name
-        entry = self._use(name, Type.REAL if signature.name in _SWAPS else None)
+        entry = self._use(name, Type.REAL if signature.name == "tas" else None)
         entry.asked = True
-        if signature.name in _SWAPS:
+        if signature.name == "tas":
             entry.writes.append((name.start, name.end))
         whole_array = signature.name in _OF_ARRAYS
         if isinstance(first, Element):
@@ -259,15 +249,17 @@ class ExpressionTypes(NameUses):
             return
         type_mistakes.no_string_variable(self.problems, node, argument)
 
-    def items_of_type(self, items: tuple[Item | None, ...]) -> None:
-        """Check the items of TYPE and $ENCODE."""
+    def items_of_type(self, items: tuple[Item | None, ...], *, writes: bool = True) -> None:
+        """Check the items of TYPE, and of $ENCODE, which writes nothing."""
         for item in items:
             if isinstance(item, FormatItem):
                 if FORMAT.fullmatch(item.text) is None:
                     type_mistakes.unknown_format(self.problems, item)
             elif item is not None:
                 kind = Type.STRING if is_text(item) else Type.REAL
+                self.item_of_type = item if writes and kind is Type.STRING else None
                 self.check(item, kind, "TYPE writes numbers and strings")
+        self.item_of_type = None
 
     def _items(self, items: tuple[Item | None, ...], wanted: Type) -> None:
         for item in items:
@@ -298,13 +290,32 @@ class ExpressionTypes(NameUses):
 
     def _wrong(self, node: Expression, found: Type, wanted: Type, why: str) -> None:
         self.wrong_lines.add(self.problems.source.line_of(node.start))
+        if wanted is Type.STRING and found is Type.REAL and not isinstance(node, Variable):
+            self.no_texts.append(NoText(None, node, self.program, why, self.item_of_type))
+            return
         type_mistakes.wrong_type(self.problems, node, found, wanted, why)
 
+    def _as_used(self, name: Name, node: Expression, wanted: Wanted) -> Type:
+        """Return the type of a variable: a name without prefix is what its uses agree on.
 
-def _as_used(entry: Entry, wanted: Wanted) -> Type:
-    if entry.name[0] in "$#":
-        return entry.type
-    return wanted or Type.DYNAMIC
+        It never holds a string, whatever they say.
+        """
+        sigil = name.text[0]
+        if sigil == "$":
+            return Type.STRING
+        if sigil == "#":
+            return Type.JOINTS
+        if wanted is Type.STRING:
+            self.no_texts.append(NoText(name, node, self.program, "", self.item_of_type))
+            return Type.DYNAMIC
+        return wanted or Type.DYNAMIC
+
+    def _explain_no_texts(self, first: int, why: str) -> None:
+        """Say of the names without `$` just found why a string belongs there."""
+        for at in range(first, len(self.no_texts)):
+            found = self.no_texts[at]
+            self.no_texts[at] = found._replace(why=found.why or why)
+            self.wrong_lines.add(self.problems.source.line_of(found.node.start))
 
 
 def _taken(code: str) -> str:

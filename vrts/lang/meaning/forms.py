@@ -16,11 +16,22 @@ from vrts.lang.syntax.statements import Device
 
 
 def is_text(node: Item) -> bool:
-    """Return whether an expression is a string."""
+    """Return whether an expression is a string: of a sum, one operand tells."""
     while isinstance(node, Parenthesised | Infix):
-        if isinstance(node, Infix) and node.operator != "+":
+        if isinstance(node, Parenthesised):
+            node = node.inner
+            continue
+        if node.operator != "+":
             return False
-        node = node.inner if isinstance(node, Parenthesised) else node.left
+        if _is_plain_text(node.right):
+            return True
+        node = node.left
+    return _is_plain_text(node)
+
+
+def _is_plain_text(node: Item) -> bool:
+    while isinstance(node, Parenthesised):
+        node = node.inner
     if isinstance(node, Application | Element):
         node = node.name
     return isinstance(node, Text) or (isinstance(node, Name) and node.text[0] == "$")

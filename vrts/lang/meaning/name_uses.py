@@ -1,6 +1,7 @@
 """How the names of a program are used: what is noted of each while its statements are read."""
 
 import re
+from typing import NamedTuple
 
 from vrts.base.diagnostic import Fix, Rule
 from vrts.base.source import Span
@@ -13,6 +14,7 @@ from vrts.lang.syntax.expressions import (
     Element,
     Expression,
     Infix,
+    Item,
     Name,
     Parenthesised,
 )
@@ -30,6 +32,16 @@ SAME_AS_COMMANDS = frozenset(  # SPEED is none: as a command it is the speed of 
 )
 
 _WORD = re.compile(r"[$#]?[\w.]+")
+
+
+class NoText(NamedTuple):
+    """A number in a place of a string, or a name without `$`: a number or a location."""
+
+    name: Name | None
+    node: Expression  # the name, the element of it, or a number
+    program: str | None
+    why: str  # a string belongs there
+    item: Item | None  # of TYPE, that it stands in
 
 
 class NameUses:
@@ -52,8 +64,9 @@ class NameUses:
         self.argument_types: dict[int, Type] = {}  # of expressions passed by value, by identity
         self.bad_names: set[str] = set()
         self.wrong_lines: set[int] = set()  # lines where a type did not fit
+        self.no_texts: list[NoText] = []  # names without `$` where a string belongs
+        self.item_of_type: Item | None = None  # mixed sum of TYPE that is looked at
         self.reserved: set[str] = set()  # keywords used as names, each said once
-        self.profiles = False  # whether it was said that profiles have no effect
 
     def type_of_name(self, program: str | None, name: Name) -> Type:
         """Return the type of a name as all its uses tell."""
@@ -123,7 +136,7 @@ class NameUses:
     def _use(self, node: Name, wanted: Type | None) -> Entry:
         entry = self.scope.entry(self.program, key(node.text))
         entry.spellings.setdefault(node.text.lower(), (node.start, node.end))
-        if wanted is not None and node.text[0] not in "$#":
+        if (wanted is Type.REAL or wanted is Type.POSE) and node.text[0] not in "$#":
             entry.types.setdefault(wanted, (node.start, node.end))
         self._reserved(node)
         return entry

@@ -11,8 +11,6 @@ from vrts.lang.syntax.statements import Declare
 
 Place = tuple[int, int]  # range of offsets
 
-_SPREADING = frozenset({Type.REAL, Type.POSE})  # types that a name has from its uses
-
 
 class Passed(NamedTuple):
     """A variable passed to a program by reference."""
@@ -116,23 +114,6 @@ class Scope:
     def all_entries(self) -> list[Entry]:
         """Return every name, globals first."""
         return [*self.entries.values(), *(e for f in self.formals.values() for e in f.values())]
-
-    def spread_types(self) -> None:
-        """Give a name passed by reference the type its formal has, until nothing changes."""
-        passers: dict[int, list[Entry]] = {}  # of a formal, by identity
-        entries = self.all_entries()
-        for entry in entries:
-            for passed in entry.passed:
-                formal = self.formal(passed)
-                if formal is not None:
-                    passers.setdefault(id(formal), []).append(entry)
-        waiting = [entry for entry in reversed(entries) if entry.type in _SPREADING]
-        while waiting:
-            formal = waiting.pop()
-            for entry in passers.get(id(formal), ()):
-                if entry.type is Type.DYNAMIC:
-                    entry.types[formal.type] = next(iter(entry.spellings.values()), (0, 0))
-                    waiting.append(entry)
 
     def formal(self, passed: Passed) -> Entry | None:
         """Return the formal a variable is passed to, if the program is known."""

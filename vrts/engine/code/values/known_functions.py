@@ -34,7 +34,6 @@ _STATEFUL = frozenset(
         Function.SIG,
         Function.SPEED,
         Function.TAS,
-        Function.CAS,
         Function.TIMER,
         Function.TOOL,
         Function.UNPACK,

@@ -19,7 +19,6 @@ LOCATIONS = frozenset(
         Function.TRANS_ZYZ,
         Function.NULL,
         Function.INVERSE,
-        Function.NORMAL,
         Function.FRAME,
         Function.SHIFT,
         Function.SCALE,
@@ -32,7 +31,7 @@ LOCATIONS = frozenset(
         Function.TOOL,
     }
 )
-NOT_KNOWN = frozenset({Function.OPAQUE, Function.TAS, Function.CAS})
+NOT_KNOWN = frozenset({Function.OPAQUE, Function.TAS})
 
 
 def static_type(expression: Expression) -> Type | None:
