@@ -1839,4 +1839,11 @@ PATCHES: tuple[Patch, ...] = (
         (LAB,),
     ),
     *PROOFS,
+    Patch(
+        "motions at the next tick begin a last digit after it",
+        "vrts/engine/code/steps/motion_steps.py",
+        "start = c.after(ticks)",
+        "start = c.now + ticks * planner.arm.tick",
+        ("tests/unit/engine/hand/test_hand_program.py",),
+    ),
 )

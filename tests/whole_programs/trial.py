@@ -86,6 +86,9 @@ def tried(given: Drawn, looked: Looked) -> Outcome:
         told = [*faults, *(d.headline for d in found.diagnostics)]
         return Outcome(given.number, tuple(told), Counter(), (), False, False)
     run, draw = found.run, Random(given.number)
+    with _noting(faults, "ordering strokes"):
+        begun = [stroke.start_s for stroke in run.history.hand.strokes]
+        assert begun == sorted(begun), "one of the hand begins before the last one"
     with _noting(faults, "saving and loading"):
         _same_when_saved(found)
     if looked.again:

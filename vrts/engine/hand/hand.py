@@ -145,7 +145,13 @@ class Hand:
         *,
         tested: bool = False,
     ) -> None:
-        """Begin an action of the hand at an instant."""
+        """Begin an action of the hand at an instant, which is not before that of the last one.
+
+        A motion that was joined to another begins when its path does, which may be the tick that
+        is carried out but for a last digit.
+        """
+        if self.strokes:
+            time_s = max(time_s, self.strokes[-1].start_s)
         self.settle_until(time_s, events)
         self.closing = None
         events.append(HandCommanded(time_s, action.value, cause))

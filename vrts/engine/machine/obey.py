@@ -145,7 +145,7 @@ def _resume(machine: Machine, c: Context, now: float, *, retry: bool) -> None:
     for watch in c.watches:  # what changed meanwhile is lost
         watch.state = watch.signal in c.signals.on
     if retry and c.is_robot and c.ending is Ending.ABORTED and not c.step_was_cut:
-        _repeat_motion(machine, now)
+        _repeat_motion(machine)
     c.ending, c.wake, c.steps_left, c.step_was_cut = Ending.RUNNING, now, None, False
     note_progress(c)
     if c.is_robot:
@@ -212,7 +212,7 @@ def _panic(machine: Machine) -> None:
         machine.system.hand.path_changed(machine.now)
 
 
-def _repeat_motion(machine: Machine, now: float) -> None:
+def _repeat_motion(machine: Machine) -> None:
     """Give the motion that was cut once more, as RETRY does."""
     planner = machine.system.planner
     if not planner.motions or not planner.motions[-1].cut:
@@ -223,7 +223,7 @@ def _repeat_motion(machine: Machine, now: float) -> None:
         intent = to_line(planner.stance, planner.destination, settings, cut.speed_fraction, None)
     else:
         intent = to_joints(planner.stance, planner.dest, settings, cut.speed_fraction, None)
-    start = max(now + machine.tick, planner.free_at)
+    start = max(machine.robot.after(1), planner.free_at)
     planner.begin(intent, start, planner.destination, cut.cause)
 
 

@@ -96,6 +96,15 @@ class Context:
         self.step_was_cut = False  # stopped at a motion that was given, and would have failed
         self.steps_left: tuple[int, int | None] | None = None  # single steps, depth for whole calls
 
+    def after(self, ticks: int) -> float:
+        """Return the time of a later tick, to the last digit as it will be `now` [s].
+
+        Times of ticks are products; a sum may be off by a last digit, and what begins at such a
+        time would begin after what is commanded when the tick has come.
+        """
+        tick = self.planner.arm.tick
+        return (round(self.now / tick) + ticks) * tick
+
     def attach(self, system: System) -> None:
         """Take the parts of a system."""
         self.system = system

@@ -279,7 +279,7 @@ def _hand(data: Json, plain: Plain, scene: Scene) -> HandHistory:
     require(all(abs(x) <= WIDEST for x in openings), "an opening of the hand is out of range")
     for stroke in strokes:
         require(0.0 <= stroke.start_s <= stroke.end_s <= LONGEST_S, "a stroke has no time")
-    # two of one instant may differ by a last digit, as motions may
+    # files of before may have two of one instant that differ by a last digit
     ordered = all(a.start_s - arm.OVERLAP <= b.start_s for a, b in pairwise(strokes))
     require(ordered, "strokes are not in order")
     movable = {body.name for body in scene.bodies if body.mobility is Mobility.MOVABLE}

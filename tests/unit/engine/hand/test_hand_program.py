@@ -87,3 +87,18 @@ def test_the_opening_changes_at_the_grippers_speed() -> None:
     half = run.at(0.5 * gripper.stroke_time).hand_opening
     assert half == pytest.approx(0.5 * gripper.opening_max)
     assert run.at(run.horizon_s).hand_opening == pytest.approx(gripper.opening_max)
+
+
+@pytest.mark.parametrize(
+    "body", ["CLOSE\nREADY", "OPEN\nREADY\nCLOSE\nREADY", "CLOSE\nREADY\nCLOSEI"]
+)
+def test_strokes_are_in_order_to_the_last_digit(body: str) -> None:
+    """What begins with a motion at the next tick begins when that tick has come."""
+    run = ran(f".PROGRAM main\nFOR i = 1 TO 60\n{body}\nEND\n.END\n", SCENE)
+    starts = [stroke.start_s for stroke in run.history.hand.strokes]
+    assert len(starts) >= 60
+    assert starts == sorted(starts)
+    commanded = [time_s for time_s, _ in actions(run)]
+    assert commanded == sorted(commanded)
+    ticks = {round(time_s / TICK) * TICK for time_s in commanded}
+    assert set(commanded) <= ticks, "as the clock counts"

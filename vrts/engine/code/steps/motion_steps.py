@@ -112,7 +112,7 @@ class MotionStepCompiler:
             # a command waited for this tick already, which is the next one after it was given
             due = c.phase == WAITED or c.at_once
             ticks = 0 if due else planner.model.pace.departure_ticks
-            start = c.now + ticks * planner.arm.tick
+            start = c.after(ticks)
             intent = _intent(c, target)
             dry = c.system.is_on("DRY.RUN")
             c.fault = planner.begin(intent, start, target.pose, cause, dry=dry)
