@@ -1840,6 +1840,13 @@ PATCHES: tuple[Patch, ...] = (
     ),
     *PROOFS,
     Patch(
+        "arms without a closed form are short of a link",
+        "vrts/robots/kinematics/too_far.py",
+        "return Bound(centre, to_last, fsum(lengths))",
+        "return Bound(centre, to_last, fsum(lengths[:-1]))",
+        ("tests/unit/robots/kinematics/test_too_far.py",),
+    ),
+    Patch(
         "motions at the next tick begin a last digit after it",
         "vrts/engine/code/steps/motion_steps.py",
         "start = c.after(ticks)",

@@ -8,24 +8,27 @@ drawn at random it does in five of six or better.
 
 import math
 from collections.abc import Iterable
+from functools import lru_cache
 from itertools import product
 from typing import cast
 
 from vrts.base.pose import Pose, add, distance, dot, scale, subtract
 from vrts.robots.kinematics.approach import Approach, approach
-from vrts.robots.kinematics.chain import chain, extent
+from vrts.robots.kinematics.chain import chain, extent, forward
 from vrts.robots.kinematics.limits import TIE, limit_violations, turned
+from vrts.robots.kinematics.too_far import as_far_as_links, beyond
 from vrts.robots.model import Configuration, SerialArm
 
 MOST_STEPS = 30  # from one start; most need eight
 SAME = 1e-6  # [rad] two solutions that differ less are one
 COARSE = (2, 2, 2, 1, 2, 1)  # parts of the range of each joint; these tell solutions apart
 FINER = (2, 3, 3, 2, 2, 1)
-REACHED = 1e-6  # [m]
 ORIENTATION_FIRST = 10.0  # extents of the arm that count as a radian when a pose is out of reach
+REMEMBERED = 128  # answers: a program that fails at a place may try again and again
 ASIDE = 0.2  # of half its range: how far a joint that is not cut starts from its middle
 
 
+@lru_cache(maxsize=REMEMBERED)
 def solutions(arm: SerialArm, X_BF: Pose, near: Configuration) -> tuple[Configuration, ...]:
     """Return the configurations found that put the flange at a pose, the nearest first.
 
@@ -37,7 +40,7 @@ def solutions(arm: SerialArm, X_BF: Pose, near: Configuration) -> tuple[Configur
         X_BF: Where the flange shall be.
         near: The present configuration.
     """
-    if _certainly_too_far(arm, X_BF):
+    if beyond(arm, X_BF) > 0.0:
         return ()
     found: list[Configuration] = []
     _collect(arm, X_BF, near, (near, *starts(arm)), found)
@@ -55,6 +58,7 @@ def _order(arm: SerialArm, q: Configuration, near: Configuration) -> tuple[bool,
     return bool(limit_violations(arm, q)), [round(change / TIE) for change in changes]
 
 
+@lru_cache(maxsize=REMEMBERED)
 def reach_error(arm: SerialArm, X_BF: Pose) -> tuple[str, float] | None:
     """Return why no start leads to a pose, and by how much.
 
@@ -62,21 +66,32 @@ def reach_error(arm: SerialArm, X_BF: Pose) -> tuple[str, float] | None:
         ("too far" or "too close", seen from the shoulder, and how far the flange stays away with
         the orientation nearly kept [m]), or None when one does.
     """
-    best: Approach | None = None
-    length = weighs_orientation(arm)
-    for start in (arm.ready, *starts(arm), *starts(arm, FINER)):
-        result = approach(arm, X_BF, start, MOST_STEPS, length=length)
-        if result.reached:
-            return None
-        if best is None or _left(result, length) < _left(best, length):
-            best = result
-    assert best is not None
+    if beyond(arm, X_BF) > 0.0:  # steps are short far away, and all starts lead to much the same
+        best = _best(arm, as_far_as_links(arm, X_BF), (arm.ready, *starts(arm)))
+        return ("too far", distance(X_BF.translation, forward(arm, best.configuration).translation))
+    best = _best(arm, X_BF, (arm.ready, *starts(arm), *starts(arm, FINER)))
+    if best.reached:
+        return None
     at = chain(arm, best.configuration)
     # on the axis of joint 1, at the height of joint 2
     axis, point = at.axes[0], at.points[0]
     centre = add(point, scale(axis, dot(subtract(at.points[1], point), axis)))
     wanted, got = distance(X_BF.translation, centre), distance(at.X_BF.translation, centre)
     return ("too far" if wanted >= got else "too close", best.gap_m)
+
+
+def _best(arm: SerialArm, X_BF: Pose, from_: Iterable[Configuration]) -> Approach:
+    """Return where the first start leads that reaches a pose, else the one that comes nearest."""
+    best: Approach | None = None
+    length = weighs_orientation(arm)
+    for start in from_:
+        result = approach(arm, X_BF, start, MOST_STEPS, length=length)
+        if best is None or result.reached or _left(result, length) < _left(best, length):
+            best = result
+        if result.reached:
+            break
+    assert best is not None
+    return best
 
 
 def weighs_orientation(arm: SerialArm) -> float:
@@ -118,12 +133,6 @@ def _collect(
         q = nearest_turns(arm, result.configuration, near)
         if all(_change(q, other) > SAME for other in found):
             found.append(q)
-
-
-def _certainly_too_far(arm: SerialArm, X_BF: Pose) -> bool:
-    """Return whether the links, laid end to end from joint 1, are too short for a pose."""
-    longest = math.hypot(*arm.joints[1].translation) + extent(arm)
-    return distance(X_BF.translation, arm.joints[0].translation) > longest + REACHED
 
 
 def nearest_turns(arm: SerialArm, q: Configuration, near: Configuration) -> Configuration:

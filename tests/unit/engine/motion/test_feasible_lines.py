@@ -86,7 +86,7 @@ def test_no_speed_is_told_where_none_would_do() -> None:
     ("body", "scene", "excess_mm"),
     [
         ("MOVE a\nBREAK\nMOVES TRANS(1700,200,100,90,90,0)", robot_alone(), 216),
-        ("MOVE TRANS(400,-300,400,0,180,0)\nBREAK\nMOVES TRANS(5000,300,400,0,180,0)", UR5, 4131),
+        ("MOVE TRANS(400,-300,400,0,180,0)\nBREAK\nMOVES TRANS(5000,300,400,0,180,0)", UR5, 4099),
     ],
 )
 def test_a_line_whose_end_is_out_of_reach_does_not_begin(
