@@ -183,6 +183,7 @@ class Function(Enum):
     TRANS_ZYZ = "trans.zyz"  # x, y, z [mm], plain Z Y' Z'' angles [deg]: V+ and AS
     NULL = "null"
     INVERSE = "inverse"
+    NORMAL = "normal"
     FRAME = "frame"
     SHIFT = "shift"  # pose, dx, dy, dz [mm] in world axes
     SCALE = "scale"
@@ -207,6 +208,7 @@ class Function(Enum):
     DEFINED = "defined"
     LAST = "last"
     TAS = "tas"  # old value of a variable, which then takes another
+    CAS = "cas"  # old value of a variable, which takes another if it was a third
     SWITCH = "switch"
     PARAMETER = "parameter"
     ADC = "adc"
@@ -224,6 +226,7 @@ class Function(Enum):
     MID = "$mid"
     POS = "pos"
     VAL = "val"
+    STRDIF = "strdif"  # -1, 0 or 1: how two strings are sorted
     ENCODE = "$encode"
     DECODE = "$decode"
     TRUNCATE = "$truncate"

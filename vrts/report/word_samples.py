@@ -31,7 +31,12 @@ COMPANY = {  # words whose usage needs other steps around it
     "EXIT": "DO\nEXIT 1\nUNTIL n",
     "NEXT": "DO\nNEXT 1\nUNTIL n",
 }
-_EASIER = {"ATTACH": "ATTACH (0)", "DETACH": "DETACH (0)", "WRITE": 'WRITE (4) "text"'}
+_EASIER = {
+    "JMOVE": "JMOVE 1, 2, 3, 4, 5, 6",
+    "ATTACH": "ATTACH (0)",
+    "DETACH": "DETACH (0)",
+    "WRITE": 'WRITE (4) "text"',
+}
 _QUALIFIERS = {
     "ALWAYS": "SPEED 50 ALWAYS",
     "BY": "SET q = SHIFT(NULL BY 1,2,3)",
@@ -59,7 +64,8 @@ def native(dialects: str) -> Dialect:
 
 def instruction_sample(word: Word) -> str:
     """Return steps that use an instruction."""
-    return COMPANY.get(word.text) or _EASIER.get(word.text, word.usage)
+    easier = _EASIER.get(word.text, word.usage.replace(", ...", ""))
+    return COMPANY.get(word.text) or easier
 
 
 def qualifier_sample(word: Word) -> str:

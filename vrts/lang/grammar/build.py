@@ -131,7 +131,15 @@ def _level(v: Values) -> Level:
 
 def _speed(v: Values) -> SpeedStatement:
     levels = tuple(v[1])
-    return SpeedStatement(v[0].text, levels, _always(v[2]), v[0].start, _last(levels[-1], v[2]))
+    end = _last(levels[-1], v[2])
+    return SpeedStatement(v[0].text, levels, _always(v[2]), None, v[0].start, end)
+
+
+def _profile(v: Values) -> SpeedStatement:
+    """`ACCEL (profile) up, down` of V+; the values may be missing."""
+    levels = tuple(v[4]) if len(v) > 5 else ()
+    end = _last(v[3], *levels, v[-1])
+    return SpeedStatement(v[0].text, levels, _always(v[-1]), _list(v[2]), v[0].start, end)
 
 
 def _setting(v: Values) -> Setting:
@@ -156,7 +164,13 @@ def _device(v: Values) -> Device:
     unit = _list(v[2]) if len(v) > 2 else None
     operands = _list(v[-1])
     closing = v[3] if len(v) > 2 else None
-    return Device(v[0].text, unit, operands, v[0].start, _last(v[0], closing, *operands))
+    return Device(v[0].text, unit, operands, None, v[0].start, _last(v[0], closing, *operands))
+
+
+def _device_put(v: Values) -> Device:
+    unit = _list(v[2]) if len(v) > 4 else None
+    operands, equal, given = _list(v[-3]), v[-2], _list(v[-1])
+    return Device(v[0].text, unit, operands, given, v[0].start, _last(equal, *given))
 
 
 def _declare(v: Values) -> Declare:
@@ -269,12 +283,14 @@ _BUILDERS: dict[str, Build] = {
     "put_bits": lambda v: Put(v[0].text, v[1], v[3], v[5], v[0].start, v[5].end),
     "pack": lambda v: PackStatement(v[1], v[3], v[5], v[7], v[0].start, v[7].end),
     "device": _device,
+    "device_put": _device_put,
     "setting": _setting,
     "setting_value": _setting,
     "react": _react,
     "on_call": _on_call,
     "level": _level,
     "speed": _speed,
+    "profile": _profile,
     "declare": _declare,
     "goto": lambda v: Goto(v[1], None, v[0].start, v[1].end),
     "goto_if": lambda v: Goto(v[1], v[3], v[0].start, v[3].end),

@@ -8,6 +8,7 @@ from vrts.lang.dialect import Dialect
 from vrts.lang.problems import Problems
 from vrts.lang.syntax.expressions import Item, Name, Number
 from vrts.lang.syntax.statements import (
+    Device,
     Goto,
     ReactStatement,
     Setting,
@@ -15,15 +16,18 @@ from vrts.lang.syntax.statements import (
     SpeedStatement,
     Statement,
 )
+from vrts.lang.vocabulary.room import room_of
 from vrts.lang.vocabulary.word import Word
 
 UNEXPECTED_TEXT = Rule("V125", "unexpected-text")
 LABEL_EXPECTED = Rule("V136", "label-expected")
 TOO_MANY_OPERANDS = Rule("V156", "too-many-operands")
+MISSING_KEYWORD = Rule("V130", "missing-keyword")
 
 _DRAW = 3
 _DRAW_OF_AS = 7  # three rotations and a speed more
 _MOST = {
+    "JMOVE": 6,
     "BASE": 4,
     "TDRAW": _DRAW_OF_AS,
     "PCEXECUTE": 3,
@@ -50,6 +54,12 @@ def fits(problems: Problems, node: Statement, word: Word | None) -> bool:
             return _named_label(problems, label)
         case Simple(operands=operands) | ReactStatement(operands=operands):
             return _few_enough(problems, word, operands, _most(node.word, dialect))
+        case Device() if word is not None:
+            return _room_enough(problems, word, node)
+        case SpeedStatement(profile=profile) if profile is not None and not (
+            dialect.has("+") and node.word == "ACCEL"
+        ):
+            return _few_enough(problems, word, profile, 0)
         case SpeedStatement(levels=levels):
             most = 1 if node.word in ("DURATION", "ACCURACY", "DECEL") or not _pairs(dialect) else 2
             return _few_enough(problems, word, levels, most)
@@ -57,6 +67,34 @@ def fits(problems: Problems, node: Statement, word: Word | None) -> bool:
             return _few_enough(problems, word, (value,), 0)
         case _:
             return True
+
+
+def _room_enough(problems: Problems, word: Word, node: Device) -> bool:
+    """Whether the operands of an instruction with a device are not more than its usage shows."""
+    room = room_of(word)
+    given = node.given
+    if room.equal is not (given is not None):
+        at = node.start + len(word.text) if given is None else _equal_sign(problems, node)
+        problems.error(
+            UNEXPECTED_TEXT if given is not None else MISSING_KEYWORD,
+            f"{word.text} takes no `=`" if given is not None else f"{word.text} wants `=`",
+            at,
+            at + 1 if given is not None else node.end,
+            help=(f"write `{word.usage}`",),
+        )
+        return False
+    return (
+        _few_enough(problems, word, node.unit or (), room.unit)
+        and _few_enough(problems, word, node.operands, room.operands)
+        and _few_enough(problems, word, given or (), room.given)
+    )
+
+
+def _equal_sign(problems: Problems, node: Device) -> int:
+    """Return where the `=` of a step stands."""
+    before = [operand for operand in (*(node.unit or ()), *node.operands) if operand is not None]
+    start = max((operand.end for operand in before), default=node.start)
+    return problems.source.text.index("=", start)
 
 
 def _pairs(dialect: Dialect) -> bool:

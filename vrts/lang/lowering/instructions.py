@@ -12,7 +12,7 @@ from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
 from vrts.lang.meaning.name_uses import NameUses
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
-from vrts.lang.syntax.expressions import Element, FormatItem, Item, Name, Number
+from vrts.lang.syntax.expressions import Element, FormatItem, Item, Name, Number, Variable
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import (
     Device,
@@ -159,6 +159,10 @@ class InstructionLowering(ValueLowering):
         first = values[0] if values else None
         second = values[1] if len(values) > 1 else None
         match node.word:
+            case "JMOVE":
+                joints = self._filled(node.operands, (0.0,) * 6)
+                goal = x.Apply(x.Function.PPOINT, joints, self.origin.span)
+                self._emit(i.Move(i.Interpolation.JOINT, goal))
             case "TWAIT":
                 assert first is not None
                 self._emit(i.WaitTime(first))
@@ -186,6 +190,8 @@ class InstructionLowering(ValueLowering):
         """Lower SPEED and the settings written like it."""
         scope = i.Scope.ALWAYS if node.always else i.Scope.NEXT_MOTION
         values = [self.value(level.value) for level in node.levels]
+        if not values:
+            return  # `ACCEL (2)` chooses a profile only
         first, second = values[0], values[1] if len(values) > 1 else None
         match node.word:
             case "ACCEL":
@@ -229,6 +235,10 @@ class InstructionLowering(ValueLowering):
         match word:
             case "COARSE" | "FINE":
                 self._emit(i.SetAccuracy(i.Accuracy(word.lower()), scope, value))
+            case "CPON" | "CPOFF" if node.always:
+                self._emit(i.Switch(("CP",), word == "CPON"))
+            case "CPON" | "CPOFF":
+                self._emit(i.Opaque(self._text(node)))
             case "NULL" | "NONULL":
                 self._emit(i.SetNulling(word == "NULL", scope))
             case "INTON" | "INTOFF":
@@ -247,6 +257,8 @@ class InstructionLowering(ValueLowering):
                 name = target if isinstance(target, Name) else target.name
                 index = target.subscripts[0] if isinstance(target, Element) else None
                 self._emit(i.SetParameter(name.text.upper(), self._optional(index), values[0]))
+            case "SWITCH":
+                self._set_switch(target, values[0])
             case "DECOMPOSE":
                 if isinstance(target, Element) and not target.subscripts:
                     target = target._replace(subscripts=(Number(0.0, target.start, target.end),))
@@ -258,6 +270,15 @@ class InstructionLowering(ValueLowering):
                 function = x.Function(word.lower())
                 value = x.Apply(function, tuple(values), self.origin.span)
                 self._emit(i.Assign(self.place(target), value))
+
+    def _set_switch(self, target: Variable, value: x.Expression) -> None:
+        """`SWITCH CP = value`: one of two steps, as the value says."""
+        name = target if isinstance(target, Name) else target.name
+        at = len(self.code)
+        self._emit(i.JumpIf(value, False, at + 3))
+        self._emit(i.Switch((name.text.upper(),), True))
+        self._emit(i.Jump(at + 4))
+        self._emit(i.Switch((name.text.upper(),), False))
 
     def put(self, node: Put) -> None:
         """Lower TIMER, BITS, DAC and IOPUT."""
@@ -308,7 +329,7 @@ class InstructionLowering(ValueLowering):
         elif node.word == "WRITE":
             self._emit(i.Type(self.written(node.operands)))
 
-    def _text(self, node: Simple | Device | Put | Rest) -> str:
+    def _text(self, node: Simple | Device | Put | Rest | Setting) -> str:
         """Return an instruction as written, for the message of one that is opaque."""
         return " ".join(self.source.text[node.start : node.end].split())[:MAX_TEXT]
 

@@ -127,7 +127,13 @@ class ValueLowering:
                 arguments = (self.value(pose), *self._three(given[1:]))
             case x.Function.PPOINT:
                 arguments = self._filled(given, (0.0,) * 6)
-            case x.Function.DEFINED | x.Function.LAST | x.Function.TAS | x.Function.UNPACK:
+            case (
+                x.Function.DEFINED
+                | x.Function.LAST
+                | x.Function.TAS
+                | x.Function.CAS
+                | x.Function.UNPACK
+            ):
                 first = given[0]
                 assert isinstance(first, Name | Element)
                 rest = (self._optional(a) for a in given[1:])

@@ -36,6 +36,7 @@ from vrts.lang.vocabulary.lookup import instructions_of
 
 FORMAT = re.compile(r"/[DFIGEHOCXUBSJKLN](\d{0,3}(\.\d{1,2})?)?", re.IGNORECASE)
 _OF_ARRAYS = frozenset({"last", "$unpack"})  # functions that a whole array is given to
+_SWAPS = frozenset({"tas", "cas"})  # functions that give their variable a value
 
 Wanted: TypeAlias = Type | None  # None: any type; POSE also takes joints where `joints` is True
 _CODES = {"r": Type.REAL, "s": Type.STRING, "p": Type.POSE, "l": Type.POSE, "$": Type.STRING}
@@ -170,7 +171,9 @@ class ExpressionTypes(NameUses):
             return Type.DYNAMIC
         if signature.opaque:
             self.warn_not_simulated(node.name.text.upper(), node.name.start, node.name.end)
-            self._loose(node)
+            if self._count(node, signature):
+                for argument in node.arguments:
+                    self.loosely(argument)
         elif signature.parameters and signature.parameters[0][0] == "v":
             self._defined(node, signature)
         elif signature.parameters and signature.parameters[0][0] == "n":
@@ -190,6 +193,16 @@ class ExpressionTypes(NameUses):
                 type_mistakes.default_angles(self.problems, node)
         return signature.result
 
+    def loosely(self, node: Item | None) -> None:
+        """Check an operand of any type; a variable may be given a value, so all is right of it."""
+        if isinstance(node, Element):
+            self.bad_names.add(key(node.name.text))
+            self._items(node.subscripts, Type.REAL)
+        elif isinstance(node, Name):
+            self.bad_names.add(key(node.text))
+        elif node is not None and not isinstance(node, FormatItem):
+            self.check(node, None, "")
+
     def _count(self, node: Application, signature: Signature) -> bool:
         fits = type_mistakes.arguments_fit(self.problems, node, signature)
         if not fits:
@@ -205,9 +218,9 @@ class ExpressionTypes(NameUses):
             type_mistakes.no_variable(self.problems, node, first)
             return
         name = first if isinstance(first, Name) else first.name
-        entry = self._use(name, Type.REAL if signature.name == "tas" else None)
+        entry = self._use(name, Type.REAL if signature.name in _SWAPS else None)
         entry.asked = True
-        if signature.name == "tas":
+        if signature.name in _SWAPS:
             entry.writes.append((name.start, name.end))
         whole_array = signature.name in _OF_ARRAYS
         if isinstance(first, Element):

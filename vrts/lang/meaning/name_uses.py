@@ -67,6 +67,7 @@ class NameUses:
         self.no_texts: list[NoText] = []  # names without `$` where a string belongs
         self.item_of_type: Item | None = None  # mixed sum of TYPE that is looked at
         self.reserved: set[str] = set()  # keywords used as names, each said once
+        self.profiles = False  # whether it was said that profiles have no effect
 
     def type_of_name(self, program: str | None, name: Name) -> Type:
         """Return the type of a name as all its uses tell."""

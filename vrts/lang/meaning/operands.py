@@ -6,9 +6,8 @@ from vrts.ir.values import Type
 from vrts.lang.meaning.expression_types import ExpressionTypes
 from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
 from vrts.lang.meaning.type_mistakes import FUNCTION_ARGUMENTS, TYPES_SAY, WRONG_TYPE
-from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Element, Item, Name, Number
-from vrts.lang.syntax.statements import Device, Give, ReactStatement, Simple
+from vrts.lang.syntax.statements import Device, Give, ReactStatement, Simple, SpeedStatement
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 WITHOUT_EFFECT = Rule("V229", "without-effect")
@@ -89,6 +88,11 @@ class OperandTypes(ExpressionTypes):
                 if isinstance(target, Element):
                     self._items(target.subscripts, Type.REAL)
                 self._values(node, 1, Type.REAL)
+            case "SWITCH":
+                self.system_name(target, SWITCHES.keys(), "switch")
+                if isinstance(target, Element):
+                    self._items(target.subscripts, Type.REAL)
+                self._values(node, 1, Type.REAL)
             case "DECOMPOSE":
                 if isinstance(target, Element) and not target.subscripts:
                     target = target._replace(subscripts=(Number(0.0, target.start, target.end),))
@@ -162,21 +166,28 @@ class OperandTypes(ExpressionTypes):
 
     def device(self, node: Device) -> None:
         """Check the instructions of V+ with a device: WRITE is TYPE on the terminal."""
-        for number in node.unit or ():
-            self._loosely(number)
         if node.word == "WRITE":
             self.items_of_type(node.operands)
+            operands = node.unit or ()
         else:
-            for operand in node.operands:
-                self._loosely(operand)
+            operands = (*(node.unit or ()), *node.operands, *(node.given or ()))
+        for operand in operands:
+            self.loosely(operand)
         if device_is_opaque(node):
             self.warn_not_simulated(node.word, node.start, node.start + len(node.word))
 
-    def _loosely(self, node: Item | None) -> None:
-        """Note names in operands that are not looked into: they may be given values."""
-        name = node.name if isinstance(node, Element) else node
-        if isinstance(name, Name):
-            self.bad_names.add(key(name.text))
+    def profile(self, node: SpeedStatement, numbers: tuple[Item | None, ...]) -> None:
+        """Check the profile of ACCEL, and say once that the arm has but one."""
+        self._items(numbers, Type.REAL)
+        if not self.profiles:
+            self.profiles = True
+            self.problems.warning(
+                WITHOUT_EFFECT,
+                "the profile of an acceleration has no effect",
+                node.start,
+                node.end,
+                notes=("the arm is simulated with one form of acceleration",),
+            )
 
     def _swapped(self, node: Simple, distance: Number, location: Name) -> None:
         """`APPRO 50, part`."""

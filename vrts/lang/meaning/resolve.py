@@ -58,9 +58,13 @@ class Resolver(OperandTypes):
                 self._items(offsets, Type.REAL)
             case Simple():
                 self.simple(node)
-            case SpeedStatement(word, levels):
+            case SpeedStatement(word, levels, _, profile):
                 for level in levels:
                     self.check(level.value, Type.REAL, f"{word} takes a number")
+                if profile is not None:
+                    self.profile(node, profile)
+            case Setting(("CPON" | "CPOFF") as word, _, False):
+                self.warn_not_simulated(word, node.start, node.end)
             case Setting(word, value):
                 if value is not None:
                     self.check(value, Type.REAL, f"{word} takes a number")

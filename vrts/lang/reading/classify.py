@@ -24,6 +24,7 @@ _UNITS = {  # of AS, by the word before and after the slash
     ("DEG", "S"): "DEG/S",
 }
 _OPERAND_ENDS = frozenset({"NUMBER", "NAME", "RPAREN", "RBRACKET"})
+_OPERAND_STARTS = frozenset({"NUMBER", "NAME", "LPAREN"})
 _DEVICE_WORDS = frozenset({"TYPE", "PCEXECUTE"})  # AS puts a number and a colon before operands
 
 
@@ -74,7 +75,7 @@ def classify(tokens: list[Token], dialect: Dialect = VAL2) -> tuple[list[Token],
     if word is not None:
         if word.terminal in ("VALUE", "ANY") and result[-1].text == ":":
             result[-1] = result[-1]._replace(kind="ENDCOLON")
-        if word.unit and len(result) > 1 and result[1].kind == "LPAREN":
+        if len(result) > 1 and result[1].kind == "LPAREN" and _has_unit(word, result, dialect):
             _open_unit(result)
     return result, head
 
@@ -142,13 +143,33 @@ def _without_device(tokens: list[Token], word: Word) -> list[Token]:
 
 def _open_unit(tokens: list[Token]) -> None:
     """Mark the parentheses round the number of a device."""
+    closing = _closing(tokens)
+    tokens[1] = tokens[1]._replace(kind="UNITOPEN")
+    tokens[closing] = tokens[closing]._replace(kind="UNITCLOSE")
+
+
+def _closing(tokens: list[Token]) -> int:
+    """Return which token closes the parenthesis that the second one opens."""
     depth = 0
     for i in range(1, len(tokens)):
         depth += (tokens[i].kind == "LPAREN") - (tokens[i].kind == "RPAREN")
         if depth == 0:
-            tokens[1] = tokens[1]._replace(kind="UNITOPEN")
-            tokens[i] = tokens[i]._replace(kind="UNITCLOSE")
-            return
+            return i
+    raise AssertionError("brackets are balanced")
+
+
+def _has_unit(word: Word, tokens: list[Token], dialect: Dialect) -> bool:
+    return word.unit or (word.text == "ACCEL" and _is_profile(tokens, dialect))
+
+
+def _is_profile(tokens: list[Token], dialect: Dialect) -> bool:
+    """Whether parentheses behind ACCEL hold a profile of V+, as in `ACCEL (1) 100, 100`."""
+    if not dialect.has("+"):
+        return False
+    after = tokens[_closing(tokens) + 1 :]
+    if not after or after[0].kind == "ALWAYS":
+        return not dialect.takes_all  # others write `ACCEL (n)` for a number
+    return after[0].kind in _OPERAND_STARTS
 
 
 def _is_unit(upper: str, dialect: Dialect, before: str) -> bool:

@@ -5,13 +5,12 @@ Each function reports its mistake where a step has it, and returns whether it do
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.grammar.lalr import END
-from vrts.lang.grammar.shapes import LABEL_EXPECTED
+from vrts.lang.grammar.shapes import LABEL_EXPECTED, MISSING_KEYWORD
 from vrts.lang.problems import short
 from vrts.lang.steps.broken_step import ARGUMENT_SAYS, OPERANDS, TEXT_SAYS, BrokenStep, outside
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 MISSING_OPERAND = Rule("V124", "missing-operand")
-MISSING_KEYWORD = Rule("V130", "missing-keyword")
 MISSING_COMMA = Rule("V131", "missing-comma")
 
 _KEYWORDS = ("THEN", "DO", "OF", "TO", "BY")

@@ -67,6 +67,7 @@ class SpeedStatement(NamedTuple):
     word: str
     levels: tuple[Level, ...]
     always: bool
+    profile: "tuple[Item | None, ...] | None"  # `ACCEL (profile) up, down` of V+
     start: int
     end: int
 
@@ -124,11 +125,15 @@ class ReactStatement(NamedTuple):
 
 
 class Device(NamedTuple):
-    """`WRITE (unit) items`; `unit` is None when no parentheses are written."""
+    """`WRITE (unit) items`; `unit` is None when no parentheses are written.
+
+    `VGETCAL (camera) data[0] = x, y` gives or takes more behind `=`.
+    """
 
     word: str
     unit: "tuple[Item | None, ...] | None"
     operands: "tuple[Item | None, ...]"
+    given: "tuple[Item | None, ...] | None"  # behind `=`
     start: int
     end: int
 

@@ -2,8 +2,8 @@
 
 Signatures: `r` real, `s` string, `p` pose, `l` location (pose or precision point), `v` a variable
 or whole array, `$` a string variable, `f` a format or any value, `n` the name of a switch or
-parameter. `?` may be left out or omitted, `*` any number of these, at least none. Before BY stands
-what comes first.
+parameter, `x` anything (of functions that are never carried out). `?` may be left out or omitted,
+`*` any number of these, at least none. Before BY stands what comes first.
 """
 
 from functools import cache
@@ -12,6 +12,7 @@ from typing import NamedTuple
 from vrts.ir.expressions import Function
 from vrts.ir.values import Type
 from vrts.lang.dialect import Dialect
+from vrts.lang.vocabulary.opaque_vplus_functions import OPAQUE_VPLUS_FUNCTIONS
 
 
 class Signature(NamedTuple):
@@ -88,6 +89,7 @@ _ALL = (
     _f(_F.TRANS, "r? r? r? r? r? r?", _P, "location of three lengths and three angles"),
     _f(_F.NULL, "", _P, "the location that changes nothing", bare=_EVERYWHERE),
     _f(_F.INVERSE, "p", _P, "inverse of a location"),
+    _f(_F.NORMAL, "p", _P, "location without errors of rounding", "+"),
     _f(_F.FRAME, "p p p p", _P, "frame by two points on X, one towards Y, and its origin"),
     _f(_F.SHIFT, "p r? r? r?", _P, "location shifted in world axes", by=1),
     _f(_F.SCALE, "p r", _P, "location with its lengths scaled", "+", by=1),
@@ -122,9 +124,16 @@ _ALL = (
     _f(_F.STATE, "r", _R, "state of the robot"),
     _f(_F.STATUS, "s", _R, "state of a program", "2+"),
     _f(_F.ERROR, "r? r?", _R, "number of the last error", bare="a"),
-    _f(_F.FREE, "r", _R, "memory left", "+"),
+    _f(_F.FREE, "r? r?", _R, "memory left", "+"),
     _f(_F.LAST, "v", _R, "highest index that has a value", "+"),
     _f(_F.TAS, "v r", _R, "old value of a variable, which then takes the new one", "+"),
+    _f(
+        _F.CAS,
+        "v r r",
+        _R,
+        "old value of a variable, which takes the last if it was the second",
+        "+",
+    ),
     _f(_F.TIME, "s? r?", _R, "date and time as a number", "+"),
     # strings
     _f(_F.ASC, "s r?", _R, "code of a character"),
@@ -133,6 +142,7 @@ _ALL = (
     _f(_F.MID, "s r? r?", _S, "part of a string"),
     _f(_F.POS, "s s r?", _R, "where a string stands in another"),
     _f(_F.VAL, "s r?", _R, "number at the start of a string"),
+    _f(_F.STRDIF, "s s", _R, "-1, 0 or 1: how two strings are sorted", "+"),
     _f(_F.ENCODE, "f f*", _S, "text as TYPE would write it"),
     _f(_F.DECODE, "$ s r?", _S, "next piece of a string, taken from it"),
     _f(_F.TRUNCATE, "s", _S, "string up to the first NUL", "+"),
@@ -146,22 +156,6 @@ _ALL = (
     _f(_F.POS, "r s s", _R, "where a string stands in another", "a", name="instr"),
     # never carried out
     _f(_F.OPAQUE, "r", _R, "word on the bus", "2", name="ioget"),
-    _f(_F.OPAQUE, "s r?", _P, "location of 48 bytes", "+", name="transb"),
-    _f(_F.OPAQUE, "r", _J, "joints when the latch closed", "+", name="#platch"),
-    _f(_F.OPAQUE, "r?", _P, "pose when the latch closed", "+", name="latch"),
-    _f(_F.OPAQUE, "r r? r?", _R, "result of a device", "+", name="iostat"),
-    _f(_F.OPAQUE, "r? r?", _R, "number of the task", "+", name="task"),
-    _f(_F.OPAQUE, "r r?", _R, "event of a task", "+", name="get.event"),
-    _f(_F.OPAQUE, "r", _R, "position of a belt", "+", name="belt"),
-    _f(_F.OPAQUE, "s r?", _R, "number of bytes as binary", "+", name="intb"),
-    _f(_F.OPAQUE, "s r?", _R, "number of bytes as binary", "+", name="lngb"),
-    _f(_F.OPAQUE, "s r?", _R, "number of bytes as binary", "+", name="fltb"),
-    _f(_F.OPAQUE, "s r?", _R, "number of bytes as binary", "+", name="dblb"),
-    _f(_F.OPAQUE, "r", _S, "bytes of a number", "+", name="$intb"),
-    _f(_F.OPAQUE, "r", _S, "bytes of a number", "+", name="$lngb"),
-    _f(_F.OPAQUE, "r", _S, "bytes of a number", "+", name="$fltb"),
-    _f(_F.OPAQUE, "r", _S, "bytes of a number", "+", name="$dblb"),
-    _f(_F.OPAQUE, "r r*", _R, "number of signals as bits", "+", name="bmask"),
     _f(_F.OPAQUE, "s", _R, "whether there is a program", "a", name="existpgm"),
     _f(_F.OPAQUE, "s", _R, "whether a number has a value", "a", name="existreal"),
     _f(_F.OPAQUE, "s", _R, "whether a string has a value", "a", name="existchar"),
@@ -169,10 +163,23 @@ _ALL = (
     _f(_F.OPAQUE, "s", _R, "whether a precision point has a value", "a", name="existjoint"),
     _f(_F.OPAQUE, "r", _R, "seconds of a timer of the user", "a", name="utimer"),
     _f(_F.PPOINT, "r? r? r? r? r? r?", _J, "precision point without its sign", "+", name="ppoint"),
-    _f(_F.OPAQUE, "r? r?", _S, "name of the default disk", "+", name="$defaults", bare=_EVERYWHERE),
 )
 
-FUNCTIONS = {signature.name: signature for signature in _ALL}
+_RESULTS = {"r": _R, "s": _S, "p": _P, "j": _J}
+_OPAQUE_OF_VPLUS = tuple(
+    _f(
+        _F.OPAQUE,
+        row.parameters,
+        _RESULTS[row.result],
+        row.about,
+        "+",
+        name=row.name,
+        bare="+" if row.bare else "",
+    )
+    for row in OPAQUE_VPLUS_FUNCTIONS
+)
+
+FUNCTIONS = {signature.name: signature for signature in (*_ALL, *_OPAQUE_OF_VPLUS)}
 
 
 @cache

@@ -4,6 +4,7 @@ One row a word: columns of the dialects, class in the grammar, how it is written
 Classes are explained in `grammar.lark`; REST takes the rest of its line as it stands.
 """
 
+from vrts.lang.vocabulary.opaque_vplus import OPAQUE_VPLUS
 from vrts.lang.vocabulary.word import Place, Word
 
 
@@ -554,7 +555,7 @@ _VAL = (
 )
 
 _AS = (
-    _i("JMOVE", "a", "WORD1", "JMOVE location", "MOVE of AS", _LOCATION, means="MOVE", flags="R"),
+    _i("JMOVE", "+a", "WORD1", "JMOVE location", "MOVE of AS", _LOCATION, means="MOVE", flags="R"),
     _i("LMOVE", "a", "WORD1", "LMOVE location", "MOVES of AS", _LOCATION, means="MOVES", flags="R"),
     _i(
         "JAPPRO",
@@ -746,25 +747,33 @@ _AS = (
 )
 
 _VPLUS = (
-    _i("ATTACH", "+", "DEVICE", "ATTACH (unit)", "take the robot or a device", flags="U"),
-    _i("DETACH", "+", "DEVICE", "DETACH (unit)", "give the robot or a device back", flags="U"),
-    _i("WRITE", "+", "DEVICE", 'WRITE (unit) "text"', "write to a device", flags="U"),
     *(
-        _i(word, "+", "DEVICE", f"{word} (unit)", about, flags="UO")
+        _i(word, "+", "SETTING0", f"{word} ALWAYS", about, "", "ALWAYS", full=True, flags="R")
         for word, about in (
-            ("READ", "read from a device"),
-            ("GETC", "read a character"),
-            ("FOPEN", "open a file or window"),
-            ("FOPENA", "open a file to append"),
-            ("FOPEND", "open a folder"),
-            ("FOPENR", "open a file to read"),
-            ("FOPENW", "open a file to write"),
-            ("FCLOSE", "close a file"),
-            ("FDELETE", "delete a file"),
-            ("FEMPTY", "empty a buffer"),
-            ("FSEEK", "go to a record"),
-            ("FCMND", "give a device a command"),
+            ("CPON", "blend motions; ENABLE CP with ALWAYS"),
+            ("CPOFF", "do not blend motions; DISABLE CP with ALWAYS"),
         )
+    ),
+    _i(
+        "SWITCH",
+        "+",
+        "GIVE",
+        "SWITCH CP = value",
+        "turn a system switch on or off",
+        "the name of a switch",
+        full=True,
+    ),
+    _i(
+        "ATTACH", "+", "DEVICE", "ATTACH (unit, mode) name", "take the robot or a device", flags="U"
+    ),
+    _i("DETACH", "+", "DEVICE", "DETACH (unit)", "give the robot or a device back", flags="U"),
+    _i(
+        "WRITE",
+        "+",
+        "DEVICE",
+        "WRITE (unit, record, mode) text, ...",
+        "write to a device",
+        flags="U",
     ),
     _i(
         "WAIT.EVENT",
@@ -777,31 +786,13 @@ _VPLUS = (
     *(
         _i(word, "+", "REST", usage, about, flags="O", full=True)
         for word, usage, about in (
-            ("SET.EVENT", "SET.EVENT task", "set an event of a task"),
-            ("CLEAR.EVENT", "CLEAR.EVENT task", "clear an event of a task"),
-            ("SELECT", "SELECT ROBOT = 1", "choose the robot that the task means"),
-            ("RELEASE", "RELEASE task", "let other tasks run"),
-            ("EXECUTE", "EXECUTE task program()", "run a program in a task"),
-            ("ABORT", "ABORT task", "stop a task"),
-            ("CYCLE.END", "CYCLE.END task", "let a task end its cycle"),
-            ("KILL", "KILL task", "clear a stopped task"),
-            ("PANIC", "PANIC", "stop everything at once"),
-            ("PRIME", "PRIME task program()", "make a task ready to run"),
-            ("PROCEED", "PROCEED task", "let a stopped task go on"),
-            ("RUNSIG", "RUNSIG signal", "an output that is on while the task runs"),
-            ("DEF.DIO", "DEF.DIO signal = address", "give signals an address on the bus"),
-            ("CALIBRATE", "CALIBRATE", "calibrate the joints"),
-            ("ESTOP", "ESTOP", "stop as the emergency button does"),
-            ("JHERE", "JHERE j1, j2, j3, j4, j5, j6", "store the present joints in variables"),
-            (
-                "NOOVERLAP",
-                "NOOVERLAP ALWAYS",
-                "refuse motions that turn a joint the long way round",
-            ),
-            ("OVERLAP", "OVERLAP ALWAYS", "take motions that turn a joint the long way round"),
-            ("SETDEVICE", "SETDEVICE (type) code", "set up a device"),
+            ("CALLP", "CALLP pointer(a, b)", "run the program that a pointer stands for"),
+            ("EXECUTE", "EXECUTE task program(a), cycles, step, priority", "run a task"),
+            ("PRIME", "PRIME task program(a), cycles, step, priority", "make a task ready to run"),
+            ("SEE", "SEE (unit) program, step", "edit a program"),
         )
     ),
+    *OPAQUE_VPLUS,
 )
 
 _OPTIONS = tuple(
@@ -817,6 +808,19 @@ _OPTIONS = tuple(
         ("PAYLOAD", "PAYLOAD kg", "the mass in the hand"),
     )
 )
+
+VPLUS_FORMS = {  # words that V+ has with other operands than AS
+    "JMOVE": _i(
+        "JMOVE",
+        "+",
+        "WORDLIST",
+        "JMOVE a, b, c, d, e, f",
+        "move to joints in degrees",
+        "a joint in degrees",
+        full=True,
+        flags="R",
+    )
+}
 
 INSTRUCTIONS = {
     word.text: word

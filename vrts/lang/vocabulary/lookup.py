@@ -4,7 +4,7 @@ from functools import cache, lru_cache
 
 from vrts.lang.dialect import VAL2, Dialect
 from vrts.lang.vocabulary.functions import applied_functions
-from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS, VPLUS_FORMS
 from vrts.lang.vocabulary.word import Match, Word
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 
@@ -12,7 +12,8 @@ from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 @cache
 def instructions_of(dialect: Dialect) -> dict[str, Word]:
     """Return the instructions of a dialect."""
-    return {text: word for text, word in INSTRUCTIONS.items() if dialect.has(word.dialects)}
+    words = {text: word for text, word in INSTRUCTIONS.items() if dialect.has(word.dialects)}
+    return words if dialect.has("a12") else words | VPLUS_FORMS
 
 
 @cache

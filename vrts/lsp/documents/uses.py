@@ -213,8 +213,8 @@ class _Walk:
                 if len(operands) > 1:
                     yield from self._program(operands[1])
                 yield from self._items(operands[2:])
-            case Device(word, unit, operands):
-                yield from self._items(unit or ())
+            case Device(word, unit, operands, given):
+                yield from self._items((*(unit or ()), *(given or ())))
                 for operand in operands:
                     written = word == "READ" and isinstance(operand, Name | Element)
                     yield from self._write(operand) if written else self._read(operand)

@@ -45,7 +45,7 @@ def test_dialect_and_kind_choose() -> None:
     words = {word["word"]: word for word in found["words"]}
     assert "JMOVE" in words
     assert "MOVE" not in words
-    assert words["JMOVE"]["languages"] == ["AS"]
+    assert words["JMOVE"]["languages"] == ["V+", "AS"]
     assert {word["kind"] for word in found["words"]} == {"instruction"}
     nothing = vrts("support", "--dialect", "val", "--kind", "switch")
     assert (nothing.returncode, nothing.stdout) == (2, b"")

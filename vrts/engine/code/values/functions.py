@@ -233,6 +233,7 @@ PURE: Mapping[Function, Pure] = MappingProxyType(
         Function.TRUNCATE: lambda a, s: _text(a, 0).partition("\0")[0],
         Function.NULL: lambda a, s: IDENTITY,
         Function.INVERSE: lambda a, s: _pose(a, 0).inverse(),
+        Function.NORMAL: lambda a, s: _pose(a, 0),  # no errors of rounding add up here
         Function.FRAME: _frame,
         Function.SHIFT: _shift,
         Function.SCALE: lambda a, s: Pose(
@@ -249,6 +250,9 @@ PURE: Mapping[Function, Pure] = MappingProxyType(
         Function.MID: lambda a, s: checked_string(_mid(a, s), s),
         Function.POS: _pos,
         Function.VAL: _val,
+        Function.STRDIF: lambda a, s: float(
+            (_text(a, 0) > _text(a, 1)) - (_text(a, 0) < _text(a, 1))
+        ),
     }
 )
 """Functions whose result depends on their arguments only."""

@@ -34,6 +34,7 @@ _STATEFUL = frozenset(
         Function.SIG,
         Function.SPEED,
         Function.TAS,
+        Function.CAS,
         Function.TIMER,
         Function.TOOL,
         Function.UNPACK,

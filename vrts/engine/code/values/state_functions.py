@@ -92,6 +92,8 @@ def state_function(compiler: Compiler, expression: Apply) -> Evaluate:
             return lambda c: _last(find(c))
         case Function.TAS:
             return _test_and_set(compiler, expression)
+        case Function.CAS:
+            return _compare_and_set(compiler, expression)
         case _:
             return controller_function(compiler, expression)
 
@@ -106,6 +108,22 @@ def _test_and_set(compiler: Compiler, expression: Apply) -> Evaluate:
         old = cell.value
         cell.assign(wanted, c.finished)
         return old if isinstance(old, float) else 0.0
+
+    return swapped
+
+
+def _compare_and_set(compiler: Compiler, expression: Apply) -> Evaluate:
+    place, test, new = expression.arguments
+    assert isinstance(place, Place)
+    find = compiler.cell(place)
+    compared, value = compiler.real_argument(test), compiler.real_argument(new)
+
+    def swapped(c: Context) -> Value:
+        cell, wanted, then = find(c), compared(c), value(c)
+        old = cell.value if isinstance(cell.value, float) else 0.0
+        if old == wanted:
+            cell.assign(then, c.finished)
+        return old
 
     return swapped
 

@@ -19,6 +19,7 @@ LOCATIONS = frozenset(
         Function.TRANS_ZYZ,
         Function.NULL,
         Function.INVERSE,
+        Function.NORMAL,
         Function.FRAME,
         Function.SHIFT,
         Function.SCALE,
@@ -31,7 +32,7 @@ LOCATIONS = frozenset(
         Function.TOOL,
     }
 )
-NOT_KNOWN = frozenset({Function.OPAQUE, Function.TAS})
+NOT_KNOWN = frozenset({Function.OPAQUE, Function.TAS, Function.CAS})
 
 
 def static_type(expression: Expression) -> Type | None:

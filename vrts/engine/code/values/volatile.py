@@ -22,7 +22,9 @@ MOVING = frozenset(
     }
 )  # these change while the arm or the hand moves
 
-SWAPS = frozenset({Function.TAS, Function.DECODE})  # these change a variable when they are asked
+SWAPS = frozenset(
+    {Function.TAS, Function.CAS, Function.DECODE}
+)  # these change a variable when they are asked
 
 
 def changes_by_itself(expression: object) -> bool:
