@@ -23,6 +23,7 @@ from vrts.report.word_samples import (
     NATIVE,
     compiled,
     function_sample,
+    home,
     instruction_sample,
     native,
     operator_sample,
@@ -83,7 +84,8 @@ def _all(kind: str | None) -> Iterator[Entry]:
 
 
 def _instruction(word: Word) -> Entry:
-    state = _state(compiled(instruction_sample(word), native(word.dialects)))
+    sample = instruction_sample(word)
+    state = _state(compiled(sample, home(sample, word.dialects)))
     about = (word.dialects, word.usage, word.about)
     shortest = _shortest_instruction(word)
     return Entry("instruction", word.text, *about, state, shortest, word.robot, word.breaks)

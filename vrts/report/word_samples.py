@@ -62,6 +62,12 @@ def native(dialects: str) -> Dialect:
     return next(dialect for letter, dialect in NATIVE.items() if letter in dialects)
 
 
+def home(steps: str, dialects: str) -> Dialect:
+    """Return the first dialect with a word that takes some steps: VAL-II has MC, and refuses it."""
+    homes = [dialect for letter, dialect in NATIVE.items() if letter in dialects]
+    return next((dialect for dialect in homes if compiled(steps, dialect) is not None), homes[0])
+
+
 def instruction_sample(word: Word) -> str:
     """Return steps that use an instruction."""
     easier = _EASIER.get(word.text, word.usage.replace(", ...", ""))

@@ -46,7 +46,7 @@ def test_titles_of_columns() -> None:
     ("step", "takers"),
     [
         ("MOVE p", [VAL2, VAL2_PLUS, VAL, VPLUS]),
-        ("JMOVE p", [VAL2_PLUS, AS]),
+        ("JMOVE p", [VAL2_PLUS, VPLUS, AS]),
         ("CALLS $p", [VAL2_PLUS, VPLUS]),
         ("GOSUB main", [VAL2_PLUS, VAL]),
         ("WAIT SIG(1001)", [VAL2, VAL2_PLUS, VAL, VPLUS, AS]),
@@ -61,7 +61,7 @@ def test_a_word_counts_where_it_belongs(step: str, takers: list[Dialect]) -> Non
 
 @pytest.mark.parametrize("dialect", [VAL2, VAL, VPLUS], ids=lambda d: d.name)
 def test_a_refusal_names_the_dialect(dialect: Dialect) -> None:
-    (said,) = (d for d in compiled("JMOVE p", dialect).diagnostics if d.is_error)
+    (said,) = (d for d in compiled("LMOVE p", dialect).diagnostics if d.is_error)
     assert said.rule.code == "V122"
     assert f"a {dialect.title} instruction" in said.headline
 

@@ -20,8 +20,8 @@ from vrts.report.word_samples import (
     NATIVE,
     compiled,
     function_sample,
+    home,
     instruction_sample,
-    native,
     operator_sample,
     parameter_sample,
     qualifier_sample,
@@ -37,7 +37,7 @@ LISTED = json.loads((TESTS / "data" / "keywords.json").read_text("utf-8"))
 
 def stopped_at(steps: str, dialects: str) -> bool:
     """Whether a run of some steps stops because one of them is not simulated."""
-    module = compiled(steps, native(dialects))
+    module = compiled(steps, home(steps, dialects))
     assert module is not None, steps
     assert verify(module) == []
     run = execute(module, robot_alone())
