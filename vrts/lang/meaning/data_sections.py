@@ -6,6 +6,8 @@ behind the name, locations of 3, 6 or 12 values [manual language/files#data-line
 
 import math
 import re
+from collections import Counter
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule
@@ -15,7 +17,7 @@ from vrts.base.pose import IDENTITY_ROTATION, Pose, Rotation
 from vrts.ir.module import Datum
 from vrts.ir.values import Joints, Type, Value
 from vrts.lang.decimals import metres, radians
-from vrts.lang.dialect import Angles
+from vrts.lang.dialect import Angles, Dialect
 from vrts.lang.grammar.lalr import Failure
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
@@ -34,8 +36,10 @@ VALUE_REPLACED = Rule("V216", "value-replaced")
 MAX_STRING = 128  # [manual language/strings#length]
 SKEW = 1e-3  # how far a matrix may be from a rotation and still be read as one [assumed]
 _JOINTS = 6
-_AXES_OF_AS = (7, 8)
+_MORE_AXES = range(7, 13)  # of AS and V+
+_FEWEST_AXES = 4  # of a robot that V+ is for
 _NAME = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
+_NUMBERS = re.compile(r"[-+]?[.\d][-+.\deE, \t]*", re.ASCII)
 _STRING = re.compile(
     r"(?P<name>\$[A-Za-z][\w.]*)[ \t]*(?:\[(?P<subscripts>[^\]]*)\])?[ \t]*=?[ \t]*(?P<value>.*)$",
     re.ASCII,
@@ -61,17 +65,43 @@ class _Read(NamedTuple):
 def read_data(section: Section, parser: StepParser, scope: Scope) -> list[Datum]:
     """Return the values of a data section; report lines that give none."""
     data: list[Datum] = []
-    for line in section.lines:
-        found = _read(section.kind, line, parser)
+    axes = _axes(section)
+    for line, more in _entries(section, parser.problems.dialect):
+        found = _read(section.kind, line, more, parser, axes)
         if found is not None:
             _note(found, scope)
-            span = parser.problems.span(line.start, line.end)
+            span = parser.problems.span(line.start, (line, *more)[-1].end)
             data.append(Datum(key(found.name), found.subscripts, found.value, span))
         else:
             name = _NAME.match(line.text)
             if name is not None:  # a bad line still means to give its name a value
                 scope.entry(None, key(name.group())).writes.append((line.start, line.end))
     return data
+
+
+def _axes(section: Section) -> int:
+    """Return how many values most precision points of a section have: the axes of its robot."""
+    counts = Counter(len(line.text.split()) - 1 for line in section.lines if line.text[0] == "#")
+    return counts.most_common(1)[0][0] if counts else _JOINTS
+
+
+def _entries(section: Section, dialect: Dialect) -> Iterator[tuple[Line, tuple[Line, ...]]]:
+    """Yield every line of a section with the lines that carry it on.
+
+    V+ stores the twelve numbers of a location on two lines, the second without a name.
+    """
+    joins = section.kind == "locations" and dialect.has("+")
+    held: Line | None = None
+    more: tuple[Line, ...] = ()
+    for line in section.lines:
+        if joins and held is not None and _NUMBERS.fullmatch(line.text) is not None:
+            more = (*more, line)
+            continue
+        if held is not None:
+            yield held, more
+        held, more = line, ()
+    if held is not None:
+        yield held, more
 
 
 def _note(found: _Read, scope: Scope) -> None:
@@ -89,11 +119,13 @@ def _note(found: _Read, scope: Scope) -> None:
             entry.values.append(found.number)
 
 
-def _read(kind: str, line: Line, parser: StepParser) -> _Read | None:
+def _read(
+    kind: str, line: Line, more: tuple[Line, ...], parser: StepParser, axes: int
+) -> _Read | None:
     if kind == "strings":
         return _string(parser.problems, line)
     problems = parser.problems
-    node = parser.data(line)
+    node = parser.data(line, more)
     if isinstance(node, Failure):
         _invalid(problems, line, kind, "this line gives no value")
     if not isinstance(node, DataLine):
@@ -113,7 +145,7 @@ def _read(kind: str, line: Line, parser: StepParser) -> _Read | None:
         value = numbers[0].value
         return _Read(name.text, name.start, subscripts, value, Type.REAL, numbers[0])
     if name.text[0] == "#":
-        joints = _joints(problems, line, name, numbers)
+        joints = _joints(problems, line, name, numbers, axes)
         if joints is None:
             return None
         return _Read(name.text, name.start, subscripts, joints, Type.JOINTS)
@@ -168,8 +200,21 @@ def _written(problems: Problems, number: Number) -> str:
     return f"-{text}" if math.copysign(1.0, number.value) < 0 else text  # -0.0 of what is tiny
 
 
-def _joints(problems: Problems, line: Line, name: Name, numbers: list[Number]) -> Joints | None:
-    if problems.dialect.has("a") and len(numbers) in _AXES_OF_AS:
+def _joints(
+    problems: Problems, line: Line, name: Name, numbers: list[Number], axes: int
+) -> Joints | None:
+    fewer = problems.dialect.has("+") and _FEWEST_AXES <= len(numbers) < _JOINTS
+    if fewer and len(numbers) == axes:
+        problems.warning(
+            EXTRA_AXES,
+            f"`{name.text}` has {len(numbers)} axes; the other joints are at 0",
+            name.start,
+            name.end,
+            help=("the simulated arm has six joints",),
+        )
+        zero = Number(0.0, name.start, name.start)
+        numbers = numbers + [zero] * (_JOINTS - len(numbers))
+    if problems.dialect.has("+a") and len(numbers) in _MORE_AXES:
         problems.warning(
             EXTRA_AXES,
             f"`{name.text}` has {len(numbers)} axes; the first six are taken",

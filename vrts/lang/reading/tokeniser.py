@@ -45,6 +45,7 @@ _LOCAL = re.compile(
     re.ASCII | re.VERBOSE,
 )
 _WORD = re.compile(r"[\w.]+")
+_BELT = re.compile(r"%[A-Za-z][\w.]*", re.ASCII)
 _CARET = re.compile(r"\^[A-Za-z0-9]*")
 
 _BRACKETS = frozenset("()[]（）")
@@ -131,6 +132,9 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
             token = Token(
                 "NUMBER", text[start:position], at + start, at + position, float(ord(text[end]))
             )
+        elif written == "%" and dialect.has("+") and (belt := _belt(text, start, tokens)):
+            position = start + len(belt)
+            token = Token("NAME", belt, at + start, at + position)
         elif written in ".&#" and dialect.has("a") and (special := _LOCAL.match(text, start)):
             position = special.end()
             if special["mark"]:
@@ -164,6 +168,12 @@ def _tolerated(written: str, dialect: Dialect) -> str | None:
     if written == "**" and dialect.tolerant:
         return "**"
     return "<>" if written in ("><", "!=") and dialect.tolerant else None
+
+
+def _belt(text: str, start: int, tokens: list[Token]) -> str | None:
+    """Return the name of a belt of V+, `%belt`, where an operand may stand."""
+    match = _BELT.match(text, start) if _operand_expected(tokens) else None
+    return match.group() if match is not None else None
 
 
 def _local(special: re.Match[str], at: int, problems: Problems) -> Token:

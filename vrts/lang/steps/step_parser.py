@@ -83,11 +83,14 @@ class StepParser:
         )
         self.block_steps = []
 
-    def data(self, line: Line) -> DataLine | Failure | None:
-        """Return a line of a data section; None when it was reported."""
-        tokens = tokenise(line.text, line.start, self.problems)
-        if not tokens:
-            return None
+    def data(self, line: Line, more: tuple[Line, ...] = ()) -> DataLine | Failure | None:
+        """Return a line of a data section, with lines that carry it on; None when reported."""
+        tokens: list[Token] = []
+        for part in (line, *more):
+            found = tokenise(part.text, part.start, self.problems)
+            if not found:
+                return None
+            tokens += found
         plain = [t._replace(kind="NAME") if t.kind == "WORD" else t for t in tokens]
         return self.parser.parse("data", plain)
 

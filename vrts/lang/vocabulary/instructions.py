@@ -809,16 +809,27 @@ _OPTIONS = tuple(
     )
 )
 
-VPLUS_FORMS = {  # words that V+ has with other operands than AS
-    "JMOVE": _i(
-        "JMOVE",
-        "+",
-        "WORDLIST",
-        "JMOVE a, b, c, d, e, f",
-        "move to joints in degrees",
-        "a joint in degrees",
-        full=True,
-        flags="R",
+VPLUS_FORMS = {  # words whose operands are told apart in V+ only
+    word.text: word
+    for word in (
+        _i(
+            "JMOVE",
+            "+",
+            "WORDLIST",
+            "JMOVE a, b, c, d, e, f",
+            "move to joints in degrees",
+            "a joint in degrees",
+            full=True,
+            flags="R",
+        ),
+        *(
+            _i(word, "+", "DEVICE", usage, "conveyor tracking", full=True, flags="O")
+            for word, usage in (
+                ("WINDOW", "WINDOW %belt = location, location, program, priority"),
+                ("SETBELT", "SETBELT %belt = value"),
+                ("DEFBELT", "DEFBELT %belt = location, number, speed, scale"),
+            )
+        ),
     )
 }
 

@@ -188,8 +188,8 @@ class _Layout:
         name, _, values = line.text.partition(" ")
         if self.dialect.is_as or not values or "\t" in line.text or "=" in line.text:
             return None
-        if not name.isascii():
-            return None
+        if not name.isascii() or name[0] in "+-.0123456789":
+            return None  # the second line of a location of twelve numbers
         if '"' in values:
             return f"{name.lower():<{NAME_WIDTH - 1}} {values.strip(BLANKS)}"
         if not values.isascii():

@@ -89,3 +89,51 @@ def test_continuous_path_by_an_instruction() -> None:
     assert first("CPON ALWAYS") == first("ENABLE CP")
     assert first("CPOFF ALWAYS") == first("DISABLE CP")
     assert isinstance(first("CPOFF"), ir.Opaque)  # for the next motion only
+
+
+def data(text: str, dialect: Dialect = VPLUS) -> Compilation:
+    source = SourceFile("main.v2", f".PROGRAM main\n.END\n.LOCATIONS\n{text}\n.END\n")
+    return compile_source(source, Options(dialect))
+
+
+def test_a_location_of_twelve_numbers_on_two_lines() -> None:
+    module = data("a 0 -1 0 -1 0 0\n 0 0 -1 167.5 -243.25 600\nb 1 2 3 0 0 0").module
+    assert module is not None
+    whole = data("a 0 -1 0 -1 0 0 0 0 -1 167.5 -243.25 600\nb 1 2 3 0 0 0").module
+    assert whole is not None
+    assert [d.value for d in module.data] == [d.value for d in whole.data]
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("0 0 -1 167.5 -243.25 600", "V145"),  # no name before it
+        ("a 0 -1 0 -1 0 0\n0 0 -1 167.5 600", "V146"),  # one is missing
+        ("a 0 -1 0 -1 0 0\n0 0 -1 167.5 x 600", "V145"),
+        ("a 0 -1 0 -1 0 1\n0 0 -1 167.5 1 600", "V163"),  # no rotation
+    ],
+)
+def test_two_lines_that_are_no_location(text: str, code: str) -> None:
+    assert [d.rule.code for d in data(text).diagnostics if d.is_error] == [code]
+
+
+def test_only_vplus_has_two_lines() -> None:
+    text = "a 0 -1 0 -1 0 0\n0 0 -1 167.5 -243.25 600"
+    assert [d.rule.code for d in data(text, VAL2).diagnostics if d.is_error] == ["V145"]
+
+
+def test_robots_of_other_numbers_of_axes() -> None:
+    four = data("#a 1 2 3 4\n#b 5 6 7 8")
+    assert [d.rule.code for d in four.diagnostics] == ["V162", "V162"]
+    assert [d.rule.code for d in data("#a 1 2 3 4 5 6 7").diagnostics] == ["V162"]
+    torn = data("#a 1 2 3 4 5 6\n#b 5 6 7 8 9\n#c 1 2 3 4 5 6")
+    assert [d.rule.code for d in torn.diagnostics if d.is_error] == ["V146"]
+
+
+def test_belts() -> None:
+    steps = (
+        "DEFBELT %b = HERE, 1\nSETBELT %b = x\nMOVES %b:HERE\nx = BELT(%b)+WINDOW(%b:HERE, 1, 2)"
+    )
+    assert codes(steps) == []
+    assert codes("x = x %b") == ["V107"]
+    assert codes("MOVE %b:HERE", dialect=VAL2) == ["V107"]
