@@ -40,7 +40,8 @@ def listed(dialect: str) -> Iterator[Listed]:
     for part in tomllib.loads((FOLDER / f"{dialect}.toml").read_text("utf-8"))["list"]:
         for kind in KINDS:
             for word in part.get(kind, ()):
-                yield Listed(part["title"], part["read"], kind, word)
+                if not word.startswith("."):  # .PROGRAM and .END begin and end sections
+                    yield Listed(part["title"], part["read"], kind, word)
 
 
 @cache

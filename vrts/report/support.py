@@ -12,13 +12,14 @@ from vrts.engine.code.values.known_functions import evaluates
 from vrts.ir import instructions as ir
 from vrts.ir.module import Module
 from vrts.ir.system import PARAMETERS, SWITCHES
+from vrts.ir.taken import TAKEN_PARAMETERS, TAKEN_SWITCHES
 from vrts.lang.dialect import TITLES, Dialect
 from vrts.lang.vocabulary.commands import COMMANDS
 from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS, Signature
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.lookup import look_up
 from vrts.lang.vocabulary.word import Word
-from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
+from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS, QUALIFIERS_OF_ONE
 from vrts.report.word_samples import (
     NATIVE,
     compiled,
@@ -37,6 +38,7 @@ COMPILES = "compiles"  # a run stops where it is reached: not simulated yet
 OPAQUE = "opaque"  # a run stops where it is reached: never simulated
 KNOWN = "known"  # told apart from others, nothing more yet
 
+_TAKEN = "accepted without effect"
 _COMPANY = (ir.Jump, ir.JumpIf, ir.BeginFor, ir.TestFor, ir.NextFor, ir.BeginCase, ir.TestCase)
 
 
@@ -67,12 +69,12 @@ def entries(dialect: Dialect | None = None, kind: str | None = None) -> tuple[En
 def _all(kind: str | None) -> Iterator[Entry]:
     makers: dict[str, tuple[Entry, ...] | Iterator[Entry]] = {
         "instruction": map(_instruction, INSTRUCTIONS.values()),
-        "qualifier": map(_qualifier, QUALIFIERS.values()),
+        "qualifier": map(_qualifier, (*QUALIFIERS.values(), *QUALIFIERS_OF_ONE.values())),
         "operator": map(_operator, OPERATORS.values()),
         "function": map(_function, FUNCTIONS.values()),
         "constant": map(_constant, CONSTANTS),
-        "switch": map(_switch, SWITCHES),
-        "parameter": map(_parameter, PARAMETERS),
+        "switch": map(_switch, (*SWITCHES, *TAKEN_SWITCHES)),
+        "parameter": map(_parameter, (*PARAMETERS, *TAKEN_PARAMETERS)),
         "command": map(_command, COMMANDS.values()),
     }  # made when asked for
     for name, made in makers.items():
@@ -120,15 +122,21 @@ def _constant(name: str) -> Entry:
 
 
 def _switch(name: str) -> Entry:
-    sample, dialects = switch_sample(name), FUNCTIONS["switch"].dialects
+    known = SWITCHES.get(name)
+    dialects = TAKEN_SWITCHES[name] if known is None else FUNCTIONS["switch"].dialects
+    sample = switch_sample(name, dialects)
     state = _state(compiled(sample, native(dialects)))
-    return Entry("switch", name, dialects, sample, SWITCHES[name].about, state)
+    about = _TAKEN if known is None else known.about
+    return Entry("switch", name, dialects, sample, about, state)
 
 
 def _parameter(name: str) -> Entry:
-    sample, dialects = parameter_sample(name), FUNCTIONS["parameter"].dialects
+    known = PARAMETERS.get(name)
+    dialects = TAKEN_PARAMETERS[name] if known is None else FUNCTIONS["parameter"].dialects
+    sample = parameter_sample(name)
     state = _state(compiled(sample, native(dialects)))
-    return Entry("parameter", name, dialects, sample, PARAMETERS[name].about, state)
+    about = _TAKEN if known is None else known.about
+    return Entry("parameter", name, dialects, sample, about, state)
 
 
 def _command(word: Word) -> Entry:

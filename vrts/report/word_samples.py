@@ -47,6 +47,8 @@ _QUALIFIERS = {
     "STEP": _LOOP,
     "THEN": "IF n THEN\nEND",
     "TO": _LOOP,
+    **{kind: f"AUTO {kind} b" for kind in ("DOUBLE", "LOC", "REAL")},
+    **{word: f"IF n {word} 1 THEN 10\n10 READY" for word in ("EQ", "NE", "LT", "GT", "LE", "GE")},
 }
 _ARGUMENTS = {"r": "1", "s": '"a"', "p": "p", "l": "p", "v": "v[1]", "$": "$s", "f": "1"}
 _TARGETS = {
@@ -100,9 +102,9 @@ def function_sample(signature: Signature) -> str:
     return f"{_TARGETS[signature.result]}{signature.name.upper()}{call}"
 
 
-def switch_sample(name: str) -> str:
-    """Return a step that uses a system switch."""
-    return f"ENABLE {name}"
+def switch_sample(name: str, dialects: str = "2") -> str:
+    """Return a step that uses a system switch; AS has no ENABLE."""
+    return f"x = SWITCH({name})" if dialects == "a" else f"ENABLE {name}"
 
 
 def parameter_sample(name: str) -> str:

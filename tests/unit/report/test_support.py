@@ -9,6 +9,7 @@ from tests.places import TESTS
 from vrts.cli.language.support_command import KINDS as OFFERED
 from vrts.engine.controller import execute
 from vrts.ir.system import PARAMETERS, SWITCHES
+from vrts.ir.taken import TAKEN_PARAMETERS, TAKEN_SWITCHES
 from vrts.ir.verify import verify
 from vrts.lang.vocabulary.functions import CONSTANTS, FUNCTIONS
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
@@ -70,6 +71,14 @@ PARTS = [
     *(("constant", name.upper(), f"x = {name}", "2") for name in CONSTANTS),
     *(("switch", name, switch_sample(name), "2") for name in SWITCHES),
     *(("parameter", name, parameter_sample(name), "2") for name in PARAMETERS),
+    *(
+        ("switch", name, switch_sample(name, dialects), dialects)
+        for name, dialects in TAKEN_SWITCHES.items()
+    ),
+    *(
+        ("parameter", name, parameter_sample(name), dialects)
+        for name, dialects in TAKEN_PARAMETERS.items()
+    ),
 ]
 
 

@@ -116,4 +116,5 @@ class System:
 
     def is_on(self, switch: str) -> bool:
         """Return whether a system switch is on."""
-        return self.switches.get(switch, SWITCHES[switch].on)
+        known = SWITCHES.get(switch)
+        return self.switches.get(switch, known is not None and known.on)

@@ -537,6 +537,8 @@ _TERMINAL = (
 )
 
 _VAL = (
+    _i("GO", "1", "DEVICE", "GO location", "move by another form of path", full=True, flags="RO"),
+    _i("MOVEI", "1", "DEVICE", "MOVEI location", "move by a location", full=True, flags="RO"),
     _i("REMARK", "1", "REST", "REMARK text", "a comment"),
     _i("GOSUB", "1", "CALL", "GOSUB program", "run another program", means="CALL"),
     _i("SETI", "1", "GIVE", "SETI n = value", "give a number a value", "a variable"),

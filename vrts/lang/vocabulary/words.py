@@ -24,6 +24,18 @@ _QUALIFIERS = (
     _q("TO", "2+a", "TO", "before the last value of FOR"),
 )
 
+_OF_ONE = (  # keywords at one place of one instruction, told apart there
+    _q("DOUBLE", "+", "KIND", "before variables of double precision that are declared"),
+    _q("LOC", "+", "KIND", "before locations that are declared"),
+    _q("REAL", "+", "KIND", "before numbers that are declared"),
+    _q("EQ", "1", "RELATION", "== in IF of VAL"),
+    _q("NE", "1", "RELATION", "<> in IF of VAL"),
+    _q("LT", "1", "RELATION", "< in IF of VAL"),
+    _q("GT", "1", "RELATION", "> in IF of VAL"),
+    _q("LE", "1", "RELATION", "<= in IF of VAL"),
+    _q("GE", "1", "RELATION", ">= in IF of VAL"),
+)
+
 _OPERATORS = (
     _o("AND", "INFIX", "both are true"),
     _o("BAND", "INFIX", "bits that are set in both"),
@@ -36,5 +48,6 @@ _OPERATORS = (
     _o("XOR", "INFIX", "one of them is true"),
 )
 
+QUALIFIERS_OF_ONE = {word.text: word for word in _OF_ONE}
 QUALIFIERS = {word.text: word for word in _QUALIFIERS}
 OPERATORS = {word.text: word for word in _OPERATORS}

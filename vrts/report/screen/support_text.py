@@ -23,7 +23,25 @@ def table(found: tuple[Entry, ...]) -> str:
             rows += ["", _plural(kind)] if rows else [_plural(kind)]
         cells = (f"{cell:<{width}}" for cell, width in zip(_cells(entry), widths, strict=True))
         rows.append(f"  {'  '.join(cells)}".rstrip())
-    return "\n".join([*rows, "", _LEGEND])
+    return "\n".join([*rows, "", *_counted(found), "", _LEGEND])
+
+
+def counts(found: tuple[Entry, ...]) -> dict[str, dict[str, int]]:
+    """Return how many words of each kind are in each state."""
+    kinds: dict[str, dict[str, int]] = {}
+    for entry in found:
+        states = kinds.setdefault(entry.kind, {})
+        states[entry.state] = states.get(entry.state, 0) + 1
+    return kinds
+
+
+def _counted(found: tuple[Entry, ...]) -> list[str]:
+    """Return a line for each kind: how many words, and how far vrts goes with them."""
+    return [
+        f"{sum(states.values())} {_plural(kind) if sum(states.values()) > 1 else kind}: "
+        + ", ".join(f"{count} {state}" for state, count in sorted(states.items(), reverse=True))
+        for kind, states in counts(found).items()
+    ]
 
 
 def _columns(found: tuple[Entry, ...]) -> list[tuple[str, ...]]:
@@ -59,5 +77,6 @@ def as_json(found: tuple[Entry, ...]) -> dict[str, object]:
     """Return words for JSON."""
     return {
         "schema": "vrts.support/1",
+        "counts": counts(found),
         "words": [{**entry._asdict(), "languages": entry.languages.split(", ")} for entry in found],
     }

@@ -41,6 +41,7 @@ from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression, Place
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.system import SWITCHES
+from vrts.ir.taken import TAKEN_SWITCHES
 from vrts.ir.values import Type, Value
 from vrts.robots.kinematics.kinematics import forward, solve
 
@@ -346,6 +347,9 @@ def _switch(instruction: ir.Switch, following: int, cause: Cause) -> Step:
     def switch(c: Context) -> int:
         for name in names:
             known = SWITCHES.get(name)
+            if name in TAKEN_SWITCHES:
+                c.system.switches[name] = on
+                continue
             if known is None or known.read_only:
                 raise RuntimeFault(
                     RuntimeErrorKind.INVALID_SWITCH,

@@ -18,6 +18,7 @@ from vrts.engine.programs.context import Context
 from vrts.ir.expressions import Apply, Constant, Function
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.system import PARAMETERS, SWITCHES
+from vrts.ir.taken import TAKEN_SWITCHES
 from vrts.ir.values import Value
 
 POWERED_UP = datetime(1988, 1, 1)
@@ -143,7 +144,7 @@ def _name(expression: Apply) -> str:
 
 def _switch(name: str, span: Span | None) -> Evaluate:
     def state(c: Context) -> Value:
-        if name not in SWITCHES:
+        if name not in SWITCHES and name not in TAKEN_SWITCHES:
             raise RuntimeFault(
                 RuntimeErrorKind.INVALID_SWITCH, f"there is no switch `{name}`", span
             )
@@ -164,7 +165,9 @@ def parameter(c: Context, name: str, wanted: str, span: Span | None) -> float:
     Raises:
         RuntimeFault: There is no such parameter, or no such index.
     """
-    known = PARAMETERS[name]
+    known = PARAMETERS.get(name)
+    if known is None:
+        return rounded(c.system.parameter(wanted, 0.0), span)
     arm, gripper, model = c.planner.arm, c.hand.gripper, c.planner.model
     of_the_robot = {
         "HAND.TIME": gripper.stroke_time

@@ -6,6 +6,7 @@ from vrts.engine.faults import RuntimeFault
 from vrts.ir.expressions import Argument, Expression, Format, Load, Place, WholeArray
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.system import PARAMETERS
+from vrts.ir.taken import TAKEN_PARAMETERS
 
 
 def span_of(expression: Expression) -> Span | None:
@@ -29,6 +30,8 @@ def parameter_cell(name: str, index: float | None, span: Span | None) -> str:
         RuntimeFault: There is no such parameter, or it has no such number.
     """
     known = PARAMETERS.get(name)
+    if name in TAKEN_PARAMETERS:
+        return name if index is None else f"{name}[{round_half_away(index)}]"
     if known is None:
         raise RuntimeFault(
             RuntimeErrorKind.INVALID_ARGUMENT, f"there is no parameter `{name}`", span
