@@ -1847,6 +1847,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/robots/kinematics/test_too_far.py",),
     ),
     Patch(
+        "the robot program is told of steps that the other has used up",
+        "vrts/engine/machine/limits.py",
+        "and 2 * many > machine.finished",
+        "and many > machine.finished",
+        ("tests/unit/engine/machine/test_limits.py",),
+    ),
+    Patch(
+        "of a line that is stopped anyway a SPEED is told as if it did",
+        "vrts/engine/motion/planner.py",
+        "fast = fast._replace(stopped=True)",
+        "fast = fast._replace(stopped=False)",
+        ("tests/unit/engine/motion/test_feasible_lines.py",),
+    ),
+    Patch(
         "motions at the next tick begin a last digit after it",
         "vrts/engine/code/steps/motion_steps.py",
         "start = c.after(ticks)",

@@ -104,7 +104,8 @@ def _too_fast(run: Run, found: Fastest) -> Diagnostic:
         known = tried.data.get("speed_percent")
         after_break = bool(tried.data.get("after_break"))
         percent = known if isinstance(known, int) else None
-        remedy = remedy_for(percent, after_break=after_break, linear=linear)
+        stopped = bool(tried.data.get("stopped"))
+        remedy = remedy_for(percent, after_break=after_break, linear=linear, stopped=stopped)
         data |= {"speed_percent": percent, "after_break": after_break}
     q = moment.configuration[:6]
     near = singular_at(run.scene.robot.arm, q)  # type: ignore[arg-type]

@@ -25,14 +25,9 @@ def check_limits(machine: Machine, c: Context) -> None:
     limits = machine.scenario.limits
     elapsed = c.now - c.started_s
     system = machine.system
-    if machine.finished > limits.statements:
-        raise _reached(
-            c,
-            STATEMENTS,
-            f"the program is still running after {limits.statements:,} steps",
-            f"it was stopped here, after {elapsed:.0f} s of simulated time{_share(machine)}",
-            "check that every loop comes to an end",
-        )
+    # of two programs the robot program is ended, and once it is told which of them it was
+    if machine.finished > limits.statements and (c.is_robot or not machine.robot.running):
+        raise _too_many(machine, c)
     if elapsed > limits.time_s:
         raise _reached(
             c,
@@ -59,11 +54,28 @@ def check_limits(machine: Machine, c: Context) -> None:
         )
 
 
-def _share(machine: Machine) -> str:
-    """Return how many of the statements the process control program has executed, if any."""
-    process = machine.process
+def _too_many(machine: Machine, c: Context) -> LimitReached:
+    """Return that there were too many statements, at the program that executed most of them."""
+    process, most = machine.process, machine.scenario.limits.statements
     many = process.trace.executed(machine.finished)
-    return f"; {many:,} of the steps are of `{process.program}`" if many else ""
+    remedy = "check that every loop comes to an end"
+    lasted = f"after {c.now - c.started_s:.0f} s of simulated time"
+    if c.is_robot and process.running and 2 * many > machine.finished:
+        return _reached(
+            process,
+            STATEMENTS,
+            f"`{process.program}` is still running beside `{c.program}` after {most:,} steps",
+            f"it was here, {lasted}; {many:,} of the steps are its own",
+            f"{remedy}, or let `{process.program}` wait in its loop: `DELAY`, `WAIT`",
+        )
+    share = f"; {many:,} of the steps are of `{process.program}`" if many and c.is_robot else ""
+    return _reached(
+        c,
+        STATEMENTS,
+        f"the program is still running after {most:,} steps",
+        f"it was stopped here, {lasted}{share}",
+        remedy,
+    )
 
 
 def _reached(c: Context, rule: Rule, headline: str, note: str, remedy: str) -> LimitReached:

@@ -223,7 +223,10 @@ class Planner:
         if planned.fault is not None:
             self.motions[-1] = self.motions[-1]._replace(short=True)
         if not dry:
-            fast = self._overspeed(intent, pieces, (self._from_rest,))
+            again = self._from_rest if planned.fault is None else self._as_far_as_it_goes
+            fast = self._overspeed(intent, pieces, (again,))
+            if fast is not None and planned.fault is not None:
+                fast = fast._replace(stopped=True)
             self.remarks[number] = planned.remarks if fast is None else (fast, *planned.remarks)
         if planned.fault is not None and planned.fault.rule == SINGULAR_JUMP:
             advise(planned.fault, self._past(intent, planned.fault))
@@ -404,6 +407,9 @@ class Planner:
     def _from_rest(self, intent: Intent) -> list[Piece] | None:
         planned = from_rest(self.arm, self.tool, intent)
         return planned.pieces if planned.fault is None else None
+
+    def _as_far_as_it_goes(self, intent: Intent) -> list[Piece] | None:
+        return from_rest(self.arm, self.tool, intent).pieces
 
     def _leg(self, planned: Planned, intent: Intent, start: float) -> Leg:
         deceleration = intent.settings.acceleration_times(self.arm)[1]

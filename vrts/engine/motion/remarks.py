@@ -39,6 +39,7 @@ class Overspeed(NamedTuple):
     percent: int | None  # the SPEED that would do; None: none does, or none was tried
     after_break: bool = False  # it does only if the motion before is ended by BREAK
     linear: bool = True
+    stopped: bool = False  # something else stops the motion on its way
 
 
 Told: TypeAlias = Remark | Overspeed
@@ -96,14 +97,20 @@ def without_forecasts(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     return tuple(d for d in found if d.rule != JOINT_SPEED)
 
 
-def remedy_for(percent: int | None, *, after_break: bool, linear: bool) -> str:
+def remedy_for(
+    percent: int | None, *, after_break: bool, linear: bool, stopped: bool = False
+) -> str:
     """Return what to do about a joint that is too fast.
 
     Args:
         percent: The SPEED that would do, as it was tried; None: none does, or none was tried.
         after_break: It does if the motion before is ended by BREAK.
         linear: Whether it is a straight line.
+        stopped: Something else stops it on its way, at whatever SPEED.
     """
+    if stopped:
+        first = "first look at what stops this motion"
+        return first if percent is None else f"{first}; up to there SPEED {percent} would do"
     if percent is None:
         return "lower SPEED, or use MOVE instead of MOVES" if linear else "lower SPEED"
     before = "a BREAK before it and " if after_break else ""
@@ -120,7 +127,11 @@ def _too_fast(found: Overspeed, span: Span) -> Diagnostic:
     if found.percent is not None:
         data["speed_percent"] = found.percent
         data["after_break"] = found.after_break
-    remedy = remedy_for(found.percent, after_break=found.after_break, linear=found.linear)
+    if found.stopped:
+        data["stopped"] = True
+    remedy = remedy_for(
+        found.percent, after_break=found.after_break, linear=found.linear, stopped=found.stopped
+    )
     return Diagnostic(
         JOINT_SPEED,
         Severity.WARNING,

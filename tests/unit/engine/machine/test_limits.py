@@ -30,6 +30,35 @@ def test_the_process_program_counts_too() -> None:
     assert codes(run) == ["V510"]
 
 
+BUSY = ".PROGRAM busy\nk = 0\nDO\nk = k+1\nm = k\nUNTIL k < 0\n.END\n"
+
+
+def test_of_two_programs_the_one_is_told_that_uses_the_statements_up() -> None:
+    """And it is told once, at one of its own lines, although the other is ended for it."""
+    body = "PCEXECUTE busy, -1\ni = 0\nDO\ni = i+1\nDELAY 1\nUNTIL i < 0"
+    run = runs(body, BUSY, Scenario(limits=Limits(statements=20_000)))
+    (found,) = run.findings
+    assert run.ending is Ending.LIMIT
+    assert found.headline == "`busy` is still running beside `main` after 20,000 steps"
+    assert found.primary is not None
+    assert found.primary.span.text in ("k = k+1", "m = k", "UNTIL k < 0", "DO")
+    (note,) = found.notes
+    assert note.startswith("it was here, after ")
+    assert "of the steps are its own" in note
+    assert "`busy` wait" in found.help[0]
+
+
+def test_of_two_programs_the_robot_program_is_told_when_it_uses_most() -> None:
+    idle = ".PROGRAM busy\nk = 0\nDO\nk = k+1\nWAIT TIMER(1) > k\nUNTIL k < 0\n.END\n"
+    body = f"TIMER 1 = 0\nPCEXECUTE busy, -1\n{COUNT.format(-1)}"
+    run = runs(body, idle, Scenario(limits=Limits(statements=20_000)))
+    (found,) = run.findings
+    assert found.headline == "the program is still running after 20,000 steps"
+    assert found.primary is not None
+    assert found.primary.span.text in ("n = n+1", "UNTIL n == -1", "DO")
+    assert "of the steps are of `busy`" in found.notes[0]
+
+
 def test_time_counts_from_execute() -> None:
     run = runs(
         "DO\nDELAY 1\nBREAK\nUNTIL TIMER(0) > 60", scenario=Scenario(limits=Limits(time_s=10.0))

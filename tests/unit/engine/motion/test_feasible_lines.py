@@ -30,6 +30,26 @@ def too_fast(run: Run) -> list[Diagnostic]:
     return [d for d in check_limits(run).findings if d.rule.code == "V302"]
 
 
+STOPPED = (
+    "SET #a = #PPOINT(60.1,-126.8,51,25.4,37.1,0)\nMOVE #a\nHERE p\nBREAK\n"
+    "SPEED {}\nMOVES SHIFT(p BY 497,532,-579)"
+)
+
+
+def test_of_a_line_that_is_stopped_anyway_it_is_told_what_would_do_up_to_there() -> None:
+    run = runs(STOPPED.format("1000 MMPS"), scene=robot_alone())
+    assert "V301" in codes(run)
+    (found,) = too_fast(run)
+    percent = found.data["speed_percent"]
+    assert isinstance(percent, int)
+    wanted = f"first look at what stops this motion; up to there SPEED {percent} would do"
+    assert found.help == (wanted,)
+    slow = runs(STOPPED.format(percent), scene=robot_alone())
+    assert "V301" in codes(slow), "it is stopped all the same"
+    assert not too_fast(slow)
+    assert too_fast(runs(STOPPED.format(percent + 1), scene=robot_alone()))
+
+
 # --- joint speeds -------------------------------------------------------------------------------
 
 

@@ -153,4 +153,6 @@ def test_a_limit_of_steps_tells_whose_they_are() -> None:
     run = runs(
         "PCEXECUTE b\n10 x = RANDOM\nWAIT\nGOTO 10", more, Scenario(limits=Limits(statements=5000))
     )
-    assert "of the steps are of `b`" in run.findings[0].notes[0]
+    (found,) = run.findings
+    assert found.headline == "`b` is still running beside `main` after 5,000 steps"
+    assert "of the steps are its own" in found.notes[0]
