@@ -204,8 +204,9 @@ def _input(item: Any) -> Infix:
 
 def _if_signals(v: Values) -> Goto:
     """`IFSIG a, b THEN label` of VAL."""
-    items = tuple(map(_input, v[1]))
-    condition = signals_hold(items, items[0].start, items[-1].end)
+    items = tuple(_input(item) for item in v[1] if item is not None)
+    start, end = (items[0].start, items[-1].end) if items else (v[0].start, v[0].end)
+    condition = signals_hold(items, start, end)
     return Goto(v[3], condition, v[0].start, v[3].end)
 
 

@@ -1,7 +1,7 @@
 """First words that are no instruction of the dialect, or that could be several."""
 
 from vrts.base.diagnostic import Rule
-from vrts.lang.dialect import titles
+from vrts.lang.dialect import VAL, titles
 from vrts.lang.names import key
 from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.reading.classify import Head, is_assigned
@@ -35,7 +35,9 @@ def refuse(
     first = tokens[0]
     if head.word is not None:
         written = problems.source.text[first.start : first.end].upper()
-        if written != head.word.text and written in INSTRUCTIONS and len(tokens) > 1:
+        other = INSTRUCTIONS.get(written, head.word)
+        of_val = other.dialects == VAL.letters  # GO is short for GOTO elsewhere
+        if other.text != head.word.text and not of_val and len(tokens) > 1:
             _other_dialect(problems, first, written)  # READ of V+ is short for READY, but hardly
             return True
         if len(head.abbreviates) > 1:
