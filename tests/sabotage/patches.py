@@ -1838,6 +1838,20 @@ PATCHES: tuple[Patch, ...] = (
         "clearance(part, other, gap) < gap",
         (LAB,),
     ),
+    Patch(
+        "what calls a program with a broken header is blamed, too",
+        "vrts/lang/findings/usage.py",
+        "    if not program.sound:",
+        "    if program.sound and not program.sound:",
+        ("tests/unit/lang/reading/test_sections.py",),
+    ),
+    Patch(
+        "END without its dot at the end of a program is taken for one that ends nothing",
+        "vrts/lang/reading/misplaced_lines.py",
+        "return open_structures(lines) == -1",
+        "return open_structures(lines) == -2",
+        ("tests/unit/lang/reading/test_sections.py",),
+    ),
     *PROOFS,
     Patch(
         "arms without a closed form are short of a link",

@@ -24,8 +24,8 @@ from vrts.lang.reading.detection import detect
 from vrts.lang.reading.headers import is_remarks, read_header
 from vrts.lang.reading.pasted_characters import report_pasted_characters
 from vrts.lang.reading.splitter import Section, split
-from vrts.lang.steps.step_parser import StepParser
-from vrts.lang.syntax.program import ProgramText
+from vrts.lang.steps.step_parser import StepParser, names_in
+from vrts.lang.syntax.program import Formal, ProgramText
 from vrts.lang.syntax.statements import Bad
 from vrts.lang.uncollected import uncollected
 
@@ -125,7 +125,13 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
     dialect = problems.dialect
     sections = [s for s in split(problems) if not is_remarks(s, dialect)]
     headed = [s for s in sections if s.kind == "program"]
-    headers = [read_header(s, problems) for s in headed]
+    headers: list[tuple[str, tuple[Formal, ...]]] = []
+    unsound: set[int] = set()  # where the headers begin of which something was reported
+    for section in headed:
+        before = len(problems.found)
+        headers.append(read_header(section, problems))
+        if len(problems.found) > before:
+            unsound.add(section.header.start)
     parser = StepParser(problems, options.precedence)
     parser.program_names = frozenset(name for name, _ in headers)
     programs: list[ProgramText] = []
@@ -135,7 +141,14 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
         header = section.header
         programs.append(
             ProgramText(
-                name, formals, steps, section.line_count, header.start, header.end, section.finish
+                name,
+                formals,
+                steps,
+                section.line_count,
+                header.start,
+                header.end,
+                section.finish,
+                header.start not in unsound,
             )
         )
     stranger = _stranger(problems, programs)
@@ -152,6 +165,9 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
     parser.tolerated.report(problems)
     report_replaced(problems, data)
     resolver = Resolver(problems, scope)
+    for section in headed:
+        if section.header.start in unsound:  # a formal of it may be any name in it
+            resolver.bad_names.update(n for line in section.lines for n in names_in(line.text))
     structures: dict[str, tuple[list[Block], dict[int | str, int]]] = {}
     for program in programs:
         resolver.program = program.name
@@ -182,7 +198,10 @@ def _distinct(
             kept[program.name] = program
             continue
         first = kept.setdefault(program.name, program)
-        if first is not program and program.name:
+        headed = first.start < first.end and program.start < program.end
+        if not headed and program.start < program.end:
+            kept[program.name] = program  # steps outside any program were reported
+        if first is not program and program.name and headed:
             problems.error(
                 DUPLICATE_PROGRAM,
                 f"there are two programs `{program.name}`",

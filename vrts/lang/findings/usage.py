@@ -220,6 +220,8 @@ def _call(
     if program is None:
         _undefined_program(resolver, name, suggestions)
         return
+    if not program.sound:
+        return  # which arguments it takes is not known
     header = problems.label(program.start, program.end, "the program begins here")
     if len(node.arguments) > len(program.formals):
         given, taken = len(node.arguments), len(program.formals)
@@ -281,6 +283,8 @@ def _differ(wanted: Type, found: Type, argument: Item) -> bool:
 
 def _undefined_program(resolver: Resolver, name: Name, suggestions: _Suggestions) -> None:
     problems = resolver.problems
+    if "" in resolver.scope.programs:
+        return  # it may be the one whose header has no name
     meant = suggestions.program(key(name.text))
     problems.warning(
         UNDEFINED_PROGRAM,

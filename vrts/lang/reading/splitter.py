@@ -7,13 +7,26 @@ Steps are numbered as the controller numbers them: from 1, blank and comment lin
 import re
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Rule
+from vrts.base.diagnostic import Fix, Rule
 from vrts.lang.joined import parts
 from vrts.lang.problems import Problems
 from vrts.lang.reading.characters import OPENING_QUOTES
+from vrts.lang.reading.misplaced_lines import (
+    MISSING_END_LINE,
+    Place,
+    is_data,
+    is_end_without_dot,
+    is_value,
+    open_structures,
+    report_data,
+    report_dotted_end,
+    report_end_of_nothing,
+    report_end_without_dot,
+    report_steps_outside,
+    report_values_outside,
+)
+from vrts.lang.reading.section_heads import SectionHead, section_head
 
-MISSING_PROGRAM_LINE = Rule("V140", "missing-program-line")
-MISSING_END_LINE = Rule("V141", "missing-end-line")
 INVALID_HEADER = Rule("V142", "invalid-header")
 UNKNOWN_SECTION = Rule("V144", "unknown-section")
 LINE_TOO_LONG = Rule("V105", "line-too-long")
@@ -25,22 +38,10 @@ MAX_DATA_LINE = 4096  # twelve values with all their digits
 MAX_LINES = 150_000  # of all sections that hold something: with more it would not fit into memory
 MAX_STEPS = 65_000  # of a program; more are refused before they are parsed
 
-_DATA_SECTIONS = {
-    ".LOCATIONS": "locations",
-    ".TRANS": "locations",
-    ".JOINTS": "locations",
-    ".REALS": "reals",
-    ".DOUBLES": "reals",
-    ".STRINGS": "strings",
-}
-_DOTTED = re.compile(r"\.[A-Za-z_*][\w*]*")
 _LOCAL = re.compile(r"\.[A-Za-z][\w.]*[ \t]*[=\[]", re.ASCII)  # a local name of AS, assigned
 _STARS = re.compile(r"\.\*")  # lines of stars and words that AS writes between sections
-_UNDOTTED = re.compile(r"PROGRAM[ \t]+[A-Za-z][\w.]*(?:[ \t]*\(.*\))?$", re.IGNORECASE)
 _QUOTES = re.escape(OPENING_QUOTES)
 _STRING_OR_COMMENT = re.compile(rf"""("[^"]*("|$)|[{_QUOTES}][^{_QUOTES}"]*[{_QUOTES}"]|'.)|(;)""")
-
-DEFAULT_PROGRAM = "main"  # name given to steps outside any program [assumed]
 
 
 class Line(NamedTuple):
@@ -69,6 +70,7 @@ class _Open:
         self.lines: list[Line] = []
         self.count = 0
         self.last = header.end
+        self.data: list[Line] = []  # of a program: values that stand among its steps
 
 
 def split(problems: Problems) -> list[Section]:
@@ -85,11 +87,17 @@ class _Splitter:
         self.kept = 0  # lines, sections, formals
         self.stopped = False  # as there were too many
         self.long_lines: list[tuple[int, int]] = []
+        self.strict = not problems.dialect.has("a")
+        self.headers: list[str] = []  # of the programs
+        self.outside: list[Line] = []  # the first steps of programs without a header
+        self.unended = 0  # sections whose .END may still come, behind another section
 
     def run(self) -> list[Section]:
         for at, text in parts(self.problems.source):
             self._file(text, at)
         self._report_long_lines()
+        for line in self.outside:
+            report_steps_outside(self.problems, _place(line), self.headers)
         return self.sections
 
     def _file(self, text: str, at: int) -> None:
@@ -127,10 +135,9 @@ class _Splitter:
             self.long_lines.append((start, at + len(raw)))
         if _STARS.match(text):
             return
-        if text.startswith(".") and self._is_section(text):
-            self._dotted(line)
-        elif _UNDOTTED.match(text):
-            self._begin("program", line)
+        head = self._head(text)
+        if head is not None:
+            self._section(line, head)
         elif self.skipping:
             return
         elif self.open is not None:
@@ -138,11 +145,11 @@ class _Splitter:
         elif text:
             self._stray(line)
 
-    def _is_section(self, text: str) -> bool:
-        """Whether a line is `.PROGRAM` or its like, and no step on a local name of AS, `.x = 1`."""
-        if _DOTTED.match(text) is None:
-            return False
-        return not (self.problems.dialect.has("a") and _LOCAL.match(text))
+    def _head(self, text: str) -> SectionHead | None:
+        """Return the section of `.PROGRAM` and its like; `.x = 1` is a step on a local name."""
+        if text[:1] == "." and self.problems.dialect.has("a") and _LOCAL.match(text):
+            return None
+        return section_head(text, strict=self.strict)
 
     def _keep(self, section: _Open, line: Line) -> None:
         section.count += 1
@@ -160,23 +167,34 @@ class _Splitter:
                 data={"characters": len(line.text)},
             )
             return
-        if section.kind == "program" and section.count > MAX_STEPS:
-            return
+        if section.kind == "program":
+            if section.count > MAX_STEPS:
+                return
+            if self.strict and is_data(line.text, self.problems):
+                section.data.append(line)
+                return
         self.kept += 1
         section.lines.append(line._replace(number=section.count))
 
-    def _dotted(self, line: Line) -> None:
-        match = _DOTTED.match(line.text)
-        assert match is not None
-        word = match.group().upper()
-        if word == ".END":
-            self._end(line, match.end())
-        elif word == ".PROGRAM":
-            self._begin("program", line)
-        elif word in _DATA_SECTIONS:
-            self._begin(_DATA_SECTIONS[word], line)
+    def _section(self, line: Line, head: SectionHead) -> None:
+        if head.meant:
+            written = line.text[: head.end]
+            self.problems.error(
+                UNKNOWN_SECTION,
+                f"`{written}` begins no section"
+                if head.kind != "end"
+                else f"`{written}` ends no section",
+                line.start,
+                line.start + head.end,
+                help=(f"write `{head.meant}`",),
+                fix=self.problems.replace(line.start, line.start + head.end, head.meant),
+            )
+        if head.kind == "end":
+            self._end(line, head.end)
+        elif head.kind:
+            self._begin(head.kind, line)
         else:
-            self._unknown(line, word)
+            self._unknown(line, line.text[: head.end].upper())
 
     def _begin(self, kind: str, header: Line) -> None:
         if self.open is not None:
@@ -184,6 +202,8 @@ class _Splitter:
         self.skipping = False
         self.kept += 1 + header.text.count(",")  # formals take room as well
         self.open = _Open(kind, header)
+        if kind == "program":
+            self.headers.append(header.text)
 
     def _end(self, line: Line, word_end: int) -> None:
         if line.text[word_end:].strip():
@@ -192,17 +212,17 @@ class _Splitter:
                 "text after .END is ignored",
                 line.start + word_end,
                 line.end,
+                help=("write `.END` alone on its line",),
+                fix=self.problems.replace(line.start + word_end, line.end, ""),
             )
         if self.skipping:
             self.skipping = False
+        elif self.open is None and self._reopened():
+            self._close((line.start, line.end))
         elif self.open is None:
-            self.problems.warning(
-                MISSING_PROGRAM_LINE,
-                "this .END ends nothing",
-                line.start,
-                line.end,
-                help=("begin each program with `.PROGRAM name`, or take this line out",),
-            )
+            if not self.unended:
+                report_end_of_nothing(self.problems, _place(line))
+            self.unended = max(self.unended - 1, 0)
         else:
             self._close((line.start, line.end))
 
@@ -219,24 +239,53 @@ class _Splitter:
         )
 
     def _stray(self, line: Line) -> None:
-        """Steps outside any program, as in real files [manual language/programs#loose-steps]."""
-        self.problems.warning(
-            MISSING_PROGRAM_LINE,
-            "these steps stand outside any program",
-            line.start,
-            line.end,
-            f"taken as the first step of a program `{DEFAULT_PROGRAM}`",
-            help=(f"write `.PROGRAM {DEFAULT_PROGRAM}` above and `.END` below",),
-        )
+        """Take steps and values outside any section as one without its first line."""
+        kind = "program"
+        if self.strict and is_data(line.text, self.problems):
+            kind = "locations"
+        elif self.strict and is_value(line.text, self.problems):
+            kind = "reals"
+        if kind == "program":
+            if self._reopened():
+                assert self.open is not None
+                self._keep(self.open, line)
+                return
+            self.outside.append(line)
         self.kept += 1
-        self.open = _Open("program", Line(0, "", line.start, line.start))
+        self.open = _Open(kind, Line(0, "", line.start, line.start))
         self._keep(self.open, line)
+
+    def _reopened(self) -> bool:
+        """Go on with the program before, if its `.END` was meant to end a structure."""
+        before = self.sections[-1] if self.sections else None
+        if not self.strict or before is None or before.kind != "program":
+            return False
+        start, end = before.finish
+        if not before.header.text or self.problems.source.text[start:end].upper() != ".END":
+            return False
+        if open_structures([line.text for line in before.lines]) < 1:
+            return False
+        del self.sections[-1]
+        report_dotted_end(self.problems, start, end)
+        self.open = _Open("program", before.header)
+        self.open.lines = list(before.lines)
+        self.open.count = before.line_count
+        self._keep(self.open, Line(0, "END", start, end))
+        return True
 
     def _close_without_end(self, noticed: Line | None) -> None:
         section = self.open
         assert section is not None
         header = section.header
+        texts = [line.text for line in section.lines]
+        program = section.kind == "program"
+        if self.strict and is_end_without_dot(texts, program=program):
+            end = section.lines.pop()
+            report_end_without_dot(self.problems, _place(end), _named(section.kind))
+            self._close((end.start, end.end))
+            return
         if header.text:
+            self.unended += noticed is not None
             where = (
                 (self.problems.label(noticed.start, noticed.end, "the next section begins here"),)
                 if noticed is not None
@@ -249,8 +298,15 @@ class _Splitter:
                 header.end,
                 secondary=where,
                 help=("write .END after its last line",),
+                fix=self._insert_end(section.last),
             )
         self._close((section.last, section.last))
+
+    def _insert_end(self, last: int) -> Fix:
+        text = self.problems.source.text
+        at = text.find("\n", last)
+        at = len(text) if at < 0 else at
+        return self.problems.replace(at, at, "\n.END")
 
     def _close(self, finish: tuple[int, int]) -> None:
         section = self.open
@@ -268,7 +324,25 @@ class _Splitter:
         self.sections.append(
             Section(section.kind, section.header, tuple(section.lines), section.count, finish)
         )
+        if not section.header.text and section.kind != "program":
+            places = [_place(line) for line in section.lines]
+            head = f".{section.kind.upper()}"
+            report_values_outside(self.problems, places, head, ended=finish[0] < finish[1])
+        if section.data:
+            self._close_data(section, finish)
         self.open = None
+
+    def _close_data(self, section: _Open, finish: tuple[int, int]) -> None:
+        """Report values among the steps of a program, and take them for a section of their own."""
+        last = max((line.end for line in section.lines), default=0)
+        ends = finish[0] < finish[1] and last < section.data[0].start
+        report_data(
+            self.problems, [_place(line) for line in section.data], finish[0] if ends else None
+        )
+        first = section.data[0]
+        header = Line(0, "", first.start, first.start)
+        lines = tuple(section.data)
+        self.sections.append(Section("locations", header, lines, len(lines), finish))
 
     def _report_long_lines(self) -> None:
         if not self.long_lines:
@@ -294,6 +368,10 @@ def comment_start(line: str) -> int:
         if match.group(3):
             return match.start()
     return -1
+
+
+def _place(line: Line) -> Place:
+    return Place(line.text, line.start, line.end)
 
 
 def _named(kind: str) -> str:

@@ -48,3 +48,4 @@ class ProgramText(NamedTuple):
     start: int  # of the header line
     end: int
     finish: tuple[int, int]  # range of the line that ends the program
+    sound: bool = True  # whether nothing was reported of its header

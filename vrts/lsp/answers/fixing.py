@@ -6,7 +6,7 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic
 from vrts.lang.findings.usage import UNDEFINED_PROGRAM
 from vrts.lang.meaning.structure import MISSING_END
-from vrts.lang.reading.splitter import MISSING_END_LINE
+from vrts.lang.reading.misplaced_lines import MISSING_END_LINE
 from vrts.lsp.answers.formatting import Edit
 from vrts.lsp.documents.documents import Document
 
@@ -24,11 +24,11 @@ def remedies(document: Document, diagnostic: Diagnostic) -> Iterator[Remedy]:
     fix = diagnostic.fix
     if fix is not None:
         span = fix.span
-        yield Remedy(_title(span.text, fix.replacement), Edit(*span[1:], fix.replacement))
+        missing = diagnostic.rule == MISSING_END_LINE and not span.text
+        title = "Write the missing .END" if missing else _title(span.text, fix.replacement)
+        yield Remedy(title, Edit(*span[1:], fix.replacement))
     if diagnostic.rule == MISSING_END:
         yield from _end(document, diagnostic)
-    elif diagnostic.rule == MISSING_END_LINE:
-        yield _end_line(document, diagnostic)
     elif diagnostic.rule == UNDEFINED_PROGRAM:
         name = diagnostic.data.get("name")
         end = len(document.source.text)
@@ -63,15 +63,3 @@ def _end(document: Document, diagnostic: Diagnostic) -> Iterator[Remedy]:
         start = source.line_starts[finish.line - 1]
         edit = Edit(start, start, f"{indent}END\n")
     yield Remedy("Write the missing END", edit)
-
-
-def _end_line(document: Document, diagnostic: Diagnostic) -> Remedy:
-    """End a section before the next one begins, or at the end of the text."""
-    source = document.source
-    if diagnostic.secondary:
-        start = source.line_starts[diagnostic.secondary[0].span.line - 1]
-        edit = Edit(start, start, ".END\n")
-    else:
-        end = len(source.text)
-        edit = Edit(end, end, ".END\n" if source.text.endswith("\n") else "\n.END\n")
-    return Remedy("Write the missing .END", edit)
