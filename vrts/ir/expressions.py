@@ -165,6 +165,7 @@ class Function(Enum):
     TAN = "tan"
     FRACT = "fract"
     INT = "int"
+    ROUND = "round"  # AS: halves away from zero
     MAX = "max"
     MIN = "min"
     OUTSIDE = "outside"
@@ -179,6 +180,7 @@ class Function(Enum):
     DX = "dx"
     DY = "dy"
     DZ = "dz"
+    DEXT = "dext"  # AS: element 1 to 7 of a location, plain Z Y' Z'' angles or joints [deg]
     TRANS = "trans"  # x, y, z [mm], o, a, t [deg]
     TRANS_ZYZ = "trans.zyz"  # x, y, z [mm], plain Z Y' Z'' angles [deg]: V+ and AS
     NULL = "null"
@@ -225,6 +227,9 @@ class Function(Enum):
     LEN = "len"
     MID = "$mid"
     POS = "pos"
+    INSTR = "instr"  # AS: as POS, whatever the case of letters
+    RIGHT = "$right"  # AS
+    SPACE = "$space"  # AS
     VAL = "val"
     STRDIF = "strdif"  # -1, 0 or 1: how two strings are sorted
     ENCODE = "$encode"

@@ -137,7 +137,6 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
     programs: list[ProgramText] = []
     for section, (name, formals) in zip(headed, headers, strict=True):
         steps = tuple(parser.step(line) for line in section.lines)
-        parser.report_block_steps()
         header = section.header
         programs.append(
             ProgramText(
@@ -163,6 +162,7 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
             data += read_data(section, parser, scope)
     report_pasted_characters(problems)
     parser.tolerated.report(problems)
+    parser.report_block_steps()
     report_replaced(problems, data)
     resolver = Resolver(problems, scope)
     for section in headed:

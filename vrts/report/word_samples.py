@@ -54,8 +54,8 @@ _ARGUMENTS = {"r": "1", "s": '"a"', "p": "p", "l": "p", "v": "v[1]", "$": "$s", 
 _TARGETS = {
     Type.REAL: "x = ",
     Type.STRING: "$x = ",
-    Type.POSE: "SET q = ",
-    Type.JOINTS: "SET #q = ",
+    Type.POSE: "q = ",
+    Type.JOINTS: "#q = ",
 }
 
 
@@ -99,7 +99,10 @@ def function_sample(signature: Signature) -> str:
     if signature.by is not None:
         inner = f"{arguments[0]} BY {','.join(arguments[1:])}"
     call = f"({inner})" if signature.parameters else ""
-    return f"{_TARGETS[signature.result]}{signature.name.upper()}{call}"
+    target = _TARGETS[signature.result]
+    if signature.result in (Type.POSE, Type.JOINTS):
+        target = f"{'POINT' if signature.dialects == 'a' else 'SET'} {target}"
+    return f"{target}{signature.name.upper()}{call}"
 
 
 def switch_sample(name: str, dialects: str = "2") -> str:

@@ -57,7 +57,7 @@ def test_function(name: str) -> None:
     signature = FUNCTIONS[name]
     before = '$s = "a"\n'
     if {"p", "l"} & {code[0] for code in signature.parameters}:
-        before += "SET p = NULL\n"
+        before += f"{'POINT' if signature.dialects == 'a' else 'SET'} p = NULL\n"
     stops = stopped_at(before + function_sample(signature), signature.dialects)
     assert stops is (FUNCTION_STATES[name.upper()] != RUNS)
 

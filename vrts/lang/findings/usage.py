@@ -3,7 +3,7 @@
 from bisect import bisect_right
 from collections.abc import Callable
 
-from vrts.base.diagnostic import Rule
+from vrts.base.diagnostic import Rule, Severity
 from vrts.ir.values import Type
 from vrts.lang.meaning.agreement import settle_types, type_of_argument
 from vrts.lang.meaning.no_texts import report_no_texts
@@ -233,6 +233,7 @@ def _call(
             node.end,
             secondary=(header,),
             notes=(_MISMATCH,),
+            severity=_at_the_call(resolver),
         )
         return
     for i, argument in enumerate(node.arguments):
@@ -279,6 +280,11 @@ def _differ(wanted: Type, found: Type, argument: Item) -> bool:
     if found is Type.DYNAMIC:
         return wanted in (Type.STRING, Type.JOINTS) and isinstance(argument, Name | Element)
     return True
+
+
+def _at_the_call(resolver: Resolver) -> Severity:
+    """Return how bad too many arguments are: AS takes the program, and stops at the call."""
+    return Severity.WARNING if resolver.dialect.is_as else Severity.ERROR
 
 
 def _undefined_program(resolver: Resolver, name: Name, suggestions: _Suggestions) -> None:

@@ -3,7 +3,7 @@
 Tokens and nodes both end in `start` and `end`, so the range of a node is that of its parts.
 """
 
-from typing import Any
+from typing import Any, cast
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.dialect import Precedence
@@ -39,6 +39,7 @@ from vrts.lang.syntax.statements import (
     PackStatement,
     Put,
     ReactStatement,
+    Rest,
     SetLocation,
     Setting,
     ShiftStatement,
@@ -160,6 +161,15 @@ def _on_call(v: Values) -> ReactStatement:
     return ReactStatement(v[0].text, operands, False, v[0].start, v[-1].end)
 
 
+def _opaque(v: Values) -> Rest:
+    """A step that is well formed and never carried out; the names in it are added later."""
+    written = [value for value in v if value is not None and not isinstance(value, list)]
+    for value in v:
+        if isinstance(value, list):
+            written += cast("Values", value)
+    return Rest(v[0].text, (), v[0].start, _last(*written))
+
+
 def _device(v: Values) -> Device:
     unit = _list(v[2]) if len(v) > 2 else None
     operands = _list(v[-1])
@@ -271,6 +281,7 @@ def _link(v: Values) -> Any:
 
 _BUILDERS: dict[str, Build] = {
     "assignment": lambda v: Assignment(v[0], v[2], v[0].start, v[2].end),
+    "set_near": lambda v: Rest("POINT", (), v[0].start, v[5].end),
     "set_location": lambda v: SetLocation(v[1], v[3], v[0].start, v[3].end),
     "here": lambda v: HereStatement(v[1], v[0].start, v[1].end),
     "shift": _shift,
@@ -289,6 +300,8 @@ _BUILDERS: dict[str, Build] = {
     "setting_value": _setting,
     "react": _react,
     "on_call": _on_call,
+    "on_goto": _opaque,
+    "opaque": _opaque,
     "level": _level,
     "speed": _speed,
     "profile": _profile,

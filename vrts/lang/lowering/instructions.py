@@ -12,7 +12,15 @@ from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
 from vrts.lang.meaning.name_uses import NameUses
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
-from vrts.lang.syntax.expressions import Element, FormatItem, Item, Name, Number, Variable
+from vrts.lang.syntax.expressions import (
+    Element,
+    FormatItem,
+    Item,
+    Name,
+    Number,
+    Prefix,
+    Variable,
+)
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import (
     Device,
@@ -59,6 +67,8 @@ class InstructionLowering(ValueLowering):
         first = values[0] if values else None
         joint, linear = i.Interpolation.JOINT, i.Interpolation.LINEAR
         match word:
+            case "MOVE" | "MOVES" if len(values) > 1:
+                self._clamping(node)
             case "MOVE" | "MOVES" | "APPRO" | "APPROS":
                 assert first is not None
                 retreat = values[1] if len(values) > 1 else None
@@ -105,6 +115,11 @@ class InstructionLowering(ValueLowering):
                     assert isinstance(label, Number)
                     self.gotos.append((at, int(label.value)))
             case "OPEN" | "CLOSE" | "RELAX" | "OPENI" | "CLOSEI" | "RELAXI":
+                if first is not None and self.dialect.is_as:  # the number of a clamp
+                    if not _is_hand(node.operands[0]):
+                        self._emit(i.Opaque(self._text(node)))
+                        return
+                    first = None
                 action = i.HandAction(word.removesuffix("I").lower())
                 self._emit(i.MoveHand(action, word[-1] == "I", first))
             case "TOOL":
@@ -153,6 +168,17 @@ class InstructionLowering(ValueLowering):
                 self._emit(i.EndProcess(first))
             case _:
                 self._relative(node, values)
+
+    def _clamping(self, node: Simple) -> None:
+        """Lower `LMOVE location, clamp` of AS: a negative number opens [AS2015] 6-2."""
+        location, clamp = node.operands
+        if location is None or not _is_hand(clamp):
+            self._emit(i.Opaque(self._text(node)))
+            return
+        path = i.Interpolation.LINEAR if node.word == "MOVES" else i.Interpolation.JOINT
+        self._emit(i.Move(path, self.value(location)))
+        opens = isinstance(clamp, Prefix)
+        self._emit(i.MoveHand(i.HandAction.OPEN if opens else i.HandAction.CLOSE, True))
 
     def _relative(self, node: Simple, values: list[x.Expression | None]) -> None:
         """Lower an instruction that only V+ or AS has."""
@@ -342,3 +368,9 @@ def _program(operands: tuple[Item | None, ...]) -> str | None:
     """Return the program that the first operand names."""
     first = operands[0] if operands else None
     return key(first.text) if isinstance(first, Name) else None
+
+
+def _is_hand(clamp: Item | None) -> bool:
+    """Return whether the number of a clamp of AS is that of the hand: clamp 1."""
+    number = clamp.operand if isinstance(clamp, Prefix) and clamp.operator == "-" else clamp
+    return isinstance(number, Number) and number.value == 1.0

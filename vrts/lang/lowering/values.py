@@ -5,6 +5,7 @@ from vrts.base.source import SourceFile, Span
 from vrts.ir import expressions as x
 from vrts.lang.dialect import Angles
 from vrts.lang.joined import Joined, span_in
+from vrts.lang.meaning.forms import with_start
 from vrts.lang.meaning.name_uses import NameUses
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
@@ -144,9 +145,12 @@ class ValueLowering:
                 arguments = (x.Constant(name), *(self._optional(a) for a in more))
             case x.Function.ENCODE:
                 arguments = self.written(given)
-            case x.Function.POS if signature.name == "instr":  # AS: the start comes first
-                start, *texts = given
+            case x.Function.INSTR:  # the start comes first
+                start, *texts = with_start(given)
                 arguments = tuple(self._optional(a) for a in (*texts, start))
+            case x.Function.MID if signature.name == "$left":
+                text, count = map(self._optional, given)
+                arguments = (text, x.Constant(1.0), count)
             case x.Function.OPAQUE:
                 arguments = _named(signature)
             case _:

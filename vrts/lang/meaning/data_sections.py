@@ -36,8 +36,9 @@ VALUE_REPLACED = Rule("V216", "value-replaced")
 MAX_STRING = 128  # [manual language/strings#length]
 SKEW = 1e-3  # how far a matrix may be from a rotation and still be read as one [assumed]
 _JOINTS = 6
-_MORE_AXES = range(7, 13)  # of AS and V+
+_MOST_AXES = 18  # of AS: POINT/18 sets the last
 _FEWEST_AXES = 4  # of a robot that V+ is for
+_MATRIX = 12  # values of a location of V+; also the most axes
 _NAME = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
 _NUMBERS = re.compile(r"[-+]?[.\d][-+.\deE, \t]*", re.ASCII)
 _STRING = re.compile(
@@ -214,15 +215,7 @@ def _joints(
         )
         zero = Number(0.0, name.start, name.start)
         numbers = numbers + [zero] * (_JOINTS - len(numbers))
-    if problems.dialect.has("+a") and len(numbers) in _MORE_AXES:
-        problems.warning(
-            EXTRA_AXES,
-            f"`{name.text}` has {len(numbers)} axes; the first six are taken",
-            name.start,
-            name.end,
-            help=("the simulated arm has six joints",),
-        )
-        numbers = numbers[:_JOINTS]
+    numbers = _first_six(problems, name, numbers)
     if len(numbers) != _JOINTS:
         _count(problems, line, name.text, len(numbers), "6 joint angles")
         return None
@@ -230,7 +223,24 @@ def _joints(
     return (a, b, c, d, e, f)
 
 
+def _first_six(problems: Problems, name: Name, numbers: list[Number]) -> list[Number]:
+    """Return the values without those of more axes, which AS and V+ have."""
+    most = _MOST_AXES if problems.dialect.is_as else _MATRIX
+    if not (problems.dialect.has("+a") and _JOINTS < len(numbers) <= most):
+        return numbers
+    problems.warning(
+        EXTRA_AXES,
+        f"`{name.text}` has {len(numbers)} axes; the first six are taken",
+        name.start,
+        name.end,
+        help=("the simulated arm has six joints",),
+    )
+    return numbers[:_JOINTS]
+
+
 def _pose(problems: Problems, line: Line, name: Name, numbers: list[Number]) -> Pose | None:
+    if problems.dialect.is_as or (problems.dialect.has("a") and len(numbers) != _MATRIX):
+        numbers = _first_six(problems, name, numbers)
     texts = [_written(problems, number) for number in numbers]
     match texts:
         case [x, y, z]:

@@ -12,7 +12,7 @@ from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
 from vrts.lang.dialect import Angles
 from vrts.lang.meaning import type_mistakes
-from vrts.lang.meaning.forms import is_text
+from vrts.lang.meaning.forms import is_text, with_start
 from vrts.lang.meaning.name_uses import NameUses, NoText
 from vrts.lang.meaning.scope import Entry
 from vrts.lang.meaning.type_mistakes import IN_WORDS, MAX_SUBSCRIPTS
@@ -169,6 +169,8 @@ class ExpressionTypes(NameUses):
             type_mistakes.unknown_function(self.problems, node, self.functions, self.scope.programs)
             self._loose(node)
             return Type.DYNAMIC
+        if lower == "instr":
+            node = node._replace(arguments=with_start(node.arguments))
         if signature.opaque:
             self.warn_not_simulated(node.name.text.upper(), node.name.start, node.name.end)
             if self._count(node, signature):

@@ -37,6 +37,11 @@ def _is_plain_text(node: Item) -> bool:
     return isinstance(node, Text) or (isinstance(node, Name) and node.text[0] == "$")
 
 
+def with_start(arguments: tuple[Item | None, ...]) -> tuple[Item | None, ...]:
+    """Return the arguments of INSTR with the start, which AS lets programs leave out."""
+    return (None, *arguments) if len(arguments) == 2 else arguments
+
+
 def prompt_parts(
     operands: tuple[Item | None, ...],
 ) -> tuple[Expression | None, tuple[Item | None, ...]]:

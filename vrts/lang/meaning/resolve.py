@@ -7,6 +7,7 @@ from vrts.lang.meaning.operands import OperandTypes
 from vrts.lang.meaning.scope import Passed
 from vrts.lang.meaning.type_mistakes import WRONG_TYPE
 from vrts.lang.names import key
+from vrts.lang.steps.kawasaki_forms import BLOCK_WORD
 from vrts.lang.syntax.expressions import Element, Expression, Infix, Item, Name, Variable
 from vrts.lang.syntax.statements import (
     Assignment,
@@ -89,7 +90,7 @@ class Resolver(OperandTypes):
                 self.bad_names.update(names)
                 if word == "MC" and not (self.dialect.is_as or self.dialect.is_vplus):
                     self.refuse_monitor_command(node.start, node.end)
-                else:
+                elif word != BLOCK_WORD:  # said once, by the parser of steps
                     self.warn_not_simulated(word, node.start, node.start + len(word))
             case Goto(_, condition):
                 if condition is not None:
@@ -172,8 +173,9 @@ class Resolver(OperandTypes):
 
     def _here(self, target: Expression) -> None:
         last = target
-        if isinstance(target, Infix) and target.operator == ":":
-            self.check(target.left, Type.POSE, "`:` joins locations")
+        joint = "+" if self.dialect.is_as else ":"
+        if isinstance(target, Infix) and target.operator == joint:
+            self.check(target.left, Type.POSE, f"`{joint}` joins locations")
             last = target.right
         if isinstance(last, Name | Element):
             self._write(last, Type.POSE, "HERE gives a value to a location", None)
@@ -184,7 +186,7 @@ class Resolver(OperandTypes):
                 last.start,
                 last.end,
                 notes=("VAL-II says *Illegal assignment*",),
-                help=("write `HERE part`, or `HERE frame:part`",),
+                help=(f"write `HERE part`, or `HERE frame{joint}part`",),
             )
 
     def _call(self, program: Name, arguments: tuple[Item | None, ...]) -> None:

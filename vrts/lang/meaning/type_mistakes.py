@@ -132,7 +132,8 @@ def arguments_fit(problems: Problems, node: Application, signature: Signature) -
     omitted = [
         i
         for i, argument in enumerate(node.arguments)
-        if argument is None and i < signature.required
+        if argument is None and i < len(signature.parameters)
+        if signature.parameters[i][-1] not in "?*"
     ]
     name = node.name.text.upper()
     if signature.by is not None and node.by != signature.by:

@@ -25,7 +25,9 @@ _UNITS = {  # of AS, by the word before and after the slash
 }
 _OPERAND_ENDS = frozenset({"NUMBER", "NAME", "RPAREN", "RBRACKET"})
 _OPERAND_STARTS = frozenset({"NUMBER", "NAME", "LPAREN"})
-_DEVICE_WORDS = frozenset({"TYPE", "PCEXECUTE"})  # AS puts a number and a colon before operands
+# AS puts a number and a colon before operands
+_DEVICE_WORDS = frozenset({"TYPE", "PROMPT", "PCEXECUTE", "PCABORT", "PCEND"})
+_MODES = frozenset({"/ERR", "/LVL"})  # of ON and ONI: what becomes of a signal that is on
 
 
 class Head(NamedTuple):
@@ -135,9 +137,11 @@ def _with_units(tokens: list[Token], word: Word) -> list[Token]:
 
 
 def _without_device(tokens: list[Token], word: Word) -> list[Token]:
-    """Drop `2:` before the operands of PRINT and PCEXECUTE of AS."""
+    """Drop `2:` before the operands of PRINT and PCEXECUTE of AS, and the mode of ON."""
     if word.canonical in _DEVICE_WORDS and len(tokens) > 2 and tokens[2].text == ":":
         return [tokens[0], *tokens[3:]]
+    if word.terminal == "ONCALL" and len(tokens) > 1 and tokens[1].text.upper() in _MODES:
+        return [tokens[0], *tokens[2:]]
     return tokens
 
 

@@ -46,6 +46,7 @@ _LOCAL = re.compile(
 )
 _WORD = re.compile(r"[\w.]+")
 _BELT = re.compile(r"%[A-Za-z][\w.]*", re.ASCII)
+_UNIT = re.compile(r"(?:MM|CM|DEG)[ \t]*/[ \t]*(?:S|MIN)\b", re.IGNORECASE)  # SPEED 100MM/S of AS
 _CARET = re.compile(r"\^[A-Za-z0-9]*")
 
 _BRACKETS = frozenset("()[]（）")
@@ -88,7 +89,8 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
             else:
                 foreign_name(written, at + start, problems)
         elif kind == "NUMBER":
-            if end < size and (text[end].isalpha() or text[end] == "_"):
+            glued = end < size and (text[end].isalpha() or text[end] == "_")
+            if glued and not (dialect.has("a") and _UNIT.match(text, end)):
                 word = _WORD.match(text, start)
                 end = position = word.end() if word else start + 1
                 name_after_digit(text[start:end], at + start, problems)
@@ -127,6 +129,8 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
             token = based(caret.group(), at + start, problems, dialect)
         elif written == "^" and dialect.is_as:
             token = Token("INFIX", "**", at + start, at + end)
+        elif written == "%" and dialect.is_as and not _operand_expected(tokens):
+            token = Token("INFIX", "MOD", at + start, at + end)
         elif written == "'" and _operand_expected(tokens) and end < size:
             position = end + 1
             token = Token(

@@ -16,6 +16,7 @@ from vrts.lang.reading.literals import MAX_STRING
 from vrts.lang.reading.nesting import MAX_NESTING, too_deep
 from vrts.lang.reading.splitter import Line
 from vrts.lang.reading.tokeniser import tokenise
+from vrts.lang.steps.kawasaki_forms import BLOCK_WORD, untouched_word
 from vrts.lang.steps.labels import read_label
 from vrts.lang.steps.mistakes import explain
 from vrts.lang.steps.tolerated import Tolerated, completed
@@ -35,10 +36,6 @@ MAX_KEPT = 64  # tokens of such a line
 MAX_TOKENS = 1_000_000  # of a file: with more it would not fit into memory
 _NAMES = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
 _FIRST_WORD = re.compile(r"[A-Za-z][\w.]*", re.ASCII)
-_BLOCK_STEP = re.compile(
-    r"(?:A[CS][ \t]+)?[A-Z]\w*[ \t]+SPEED\d+[ \t]+ACCU\d+", re.ASCII | re.IGNORECASE
-)  # JOINT SPEED9 ACCU1 TIMER0 ... [traps 25]
-_COMPONENT = re.compile(r"POINT[ \t]*/", re.IGNORECASE)  # `POINT/X a = b` sets one component
 _TEXT_WORDS = frozenset({"TYPE", "STOP", "PAUSE"})  # VAL: text without quotes follows
 
 
@@ -59,29 +56,26 @@ class StepParser:
     def step(self, line: Line) -> Step:
         """Return the step of a line of a program."""
         label, text, at = read_label(line, self.problems, self.tolerated)
-        if text and self.dialect.has("a") and _BLOCK_STEP.match(text):
-            self.block_steps.append((at, line.end))
-            return Step(line.number, label, Bad(None, (), at, line.end))
         statement = self._statement(text, at) if text else None
         return Step(line.number, label, statement)
 
     def report_block_steps(self) -> None:
-        """Report the block steps of AS met since the last call: one message for a program."""
+        """Warn of the block steps of AS: one message for a file."""
         if not self.block_steps:
             return
         more = len(self.block_steps) - 1
-        self.problems.error(
+        self.problems.warning(
             BLOCK_STEP,
-            "a block step of AS is not read",
+            "a block step of AS is not simulated",
             *self.block_steps[0],
+            "a run stops when it gets here",
             notes=(
-                *((f"{more} more in this program",) if more else ()),
+                *((f"{more} more in this file",) if more else ()),
                 "block steps are another language of the Kawasaki controller",
             ),
             help=("write the motion as an AS step: `JMOVE` or `LMOVE` to the joints in `#[...]`",),
             data={"steps": more + 1},
         )
-        self.block_steps = []
 
     def data(self, line: Line, more: tuple[Line, ...] = ()) -> DataLine | Failure | None:
         """Return a line of a data section, with lines that carry it on; None when reported."""
@@ -109,8 +103,12 @@ class StepParser:
 
     def _statement(self, text: str, at: int) -> Statement | None:
         first = text.split(None, 1)[0]
-        if self.dialect.has("a") and _COMPONENT.match(text):
-            return Rest("POINT", names_in(text), at, at + len(text))
+        if self.dialect.has("a"):
+            untouched = untouched_word(text)
+            if untouched == BLOCK_WORD:
+                self.block_steps.append((at, at + len(text)))
+            if untouched is not None:
+                return Rest(untouched, names_in(text), at, at + len(text))
         if first.upper() in self.whole_lines:
             whole = self._unparsed(text, at)
             if whole is not None:
@@ -135,6 +133,8 @@ class StepParser:
                 node = None
             elif not self._fits(node, head, len(tokens)):
                 node = None
+        if isinstance(node, Rest):
+            return node._replace(names=names_in(text))
         if node is not None and added:
             self.tolerated.note(added, tokens[0].start, tokens[-1].end)
         if node is None:

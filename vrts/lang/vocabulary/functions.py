@@ -12,6 +12,7 @@ from typing import NamedTuple
 from vrts.ir.expressions import Function
 from vrts.ir.values import Type
 from vrts.lang.dialect import Dialect
+from vrts.lang.vocabulary.kawasaki_functions import OF_KAWASAKI
 from vrts.lang.vocabulary.opaque_vplus_functions import OPAQUE_VPLUS_FUNCTIONS
 
 
@@ -63,6 +64,7 @@ def _f(
 
 
 _F = Function
+_RESULTS = {"r": _R, "s": _S, "p": _P, "j": _J}
 _ALL = (
     # numbers
     _f(_F.ABS, "r", _R, "magnitude"),
@@ -153,19 +155,21 @@ _ALL = (
     # spellings of AS
     _f(_F.MAX, "r r*", _R, "largest", "a", name="maxval"),
     _f(_F.MIN, "r r*", _R, "smallest", "a", name="minval"),
-    _f(_F.POS, "r s s", _R, "where a string stands in another", "a", name="instr"),
+    _f(_F.INSTR, "r? s s", _R, "where a string stands in another", "a"),
+    _f(_F.ROUND, "r", _R, "nearest whole number", "a"),
+    _f(_F.DEXT, "l r", _R, "one element of a location", "a"),
+    _f(_F.MID, "s r", _S, "first characters of a string", "a", name="$left"),
+    _f(_F.RIGHT, "s r", _S, "last characters of a string", "a"),
+    _f(_F.SPACE, "r", _S, "blanks", "a"),
     # never carried out
     _f(_F.OPAQUE, "r", _R, "word on the bus", "2", name="ioget"),
-    _f(_F.OPAQUE, "s", _R, "whether there is a program", "a", name="existpgm"),
-    _f(_F.OPAQUE, "s", _R, "whether a number has a value", "a", name="existreal"),
-    _f(_F.OPAQUE, "s", _R, "whether a string has a value", "a", name="existchar"),
-    _f(_F.OPAQUE, "s", _R, "whether a location has a value", "a", name="existtrans"),
-    _f(_F.OPAQUE, "s", _R, "whether a precision point has a value", "a", name="existjoint"),
-    _f(_F.OPAQUE, "r", _R, "seconds of a timer of the user", "a", name="utimer"),
+    *(
+        _f(_F.OPAQUE, parameters, _RESULTS[kind], about, "a", name=name, bare=bare)
+        for name, parameters, kind, about, bare in OF_KAWASAKI
+    ),
     _f(_F.PPOINT, "r? r? r? r? r? r?", _J, "precision point without its sign", "+", name="ppoint"),
 )
 
-_RESULTS = {"r": _R, "s": _S, "p": _P, "j": _J}
 _OPAQUE_OF_VPLUS = tuple(
     _f(
         _F.OPAQUE,
@@ -205,13 +209,9 @@ def bare_functions(dialect: Dialect) -> dict[str, Signature]:
 FOREIGN_FUNCTIONS = {
     "maxval": "use MAX",
     "minval": "use MIN",
-    "instr": "use POS($s, $part, start)",
     "point": "use TRANS(x, y, z, o, a, t)",
     "pow": "multiply, or use SQR(x)",
     "sqrtf": "use SQRT",
-    "round": "use INT(x+0.5)",
-    "$left": "use $MID($s, 1, count)",
-    "$right": "use $MID($s, first)",
 }
 
 CONSTANTS = {"true": -1.0, "false": 0.0, "on": -1.0, "off": 0.0, "pi": 3.141593}

@@ -4,6 +4,7 @@ One row a word: columns of the dialects, class in the grammar, how it is written
 Classes are explained in `grammar.lark`; REST takes the rest of its line as it stands.
 """
 
+from vrts.lang.vocabulary import kawasaki
 from vrts.lang.vocabulary.opaque_vplus import OPAQUE_VPLUS
 from vrts.lang.vocabulary.word import Place, Word
 
@@ -44,6 +45,7 @@ def _i(
 _LOCATION = "a location"
 _RETREAT = "a location | a distance in mm"
 _HAND = "a location | an opening in mm"
+_CLAMPED = "a location | the number of a clamp"
 _DISTANCE = "a distance in mm"
 _CONDITION = "a condition"
 _TEXT = "a text"
@@ -557,8 +559,26 @@ _VAL = (
 )
 
 _AS = (
-    _i("JMOVE", "+a", "WORD1", "JMOVE location", "MOVE of AS", _LOCATION, means="MOVE", flags="R"),
-    _i("LMOVE", "a", "WORD1", "LMOVE location", "MOVES of AS", _LOCATION, means="MOVES", flags="R"),
+    _i(
+        "JMOVE",
+        "+a",
+        "WORD12",
+        "JMOVE location, clamp",
+        "MOVE of AS",
+        _CLAMPED,
+        means="MOVE",
+        flags="R",
+    ),
+    _i(
+        "LMOVE",
+        "a",
+        "WORD12",
+        "LMOVE location, clamp",
+        "MOVES of AS",
+        _CLAMPED,
+        means="MOVES",
+        flags="R",
+    ),
     _i(
         "JAPPRO",
         "a",
@@ -609,8 +629,8 @@ _AS = (
         flags="R",
     ),
     _i("HOME", "a", "WORD01", "HOME", "READY of AS", "a number", means="READY", flags="R"),
-    _i("C1MOVE", "a", "WORD1", "C1MOVE location", "first part of an arc", _LOCATION, flags="RO"),
-    _i("C2MOVE", "a", "WORD1", "C2MOVE location", "second part of an arc", _LOCATION, flags="RO"),
+    _i("C1MOVE", "a", "WORD12", "C1MOVE location", "first part of an arc", _CLAMPED, flags="RO"),
+    _i("C2MOVE", "a", "WORD12", "C2MOVE location", "second part of an arc", _CLAMPED, flags="RO"),
     _i(
         "ACCURACY",
         "a",
@@ -699,52 +719,14 @@ _AS = (
         full=True,
     ),
     *(
-        _i(word, "a", "REST", usage, about, flags="O")
-        for word, usage, about in (
-            ("JUMP", "JUMP program", "go on in another program"),
-            ("SJUMP", "SJUMP $name", "go on in the program that a string names"),
-            ("WEIGHT", "WEIGHT kg", "the mass in the hand"),
-            ("XMOVE", "XMOVE location TILL signal", "move straight until a signal comes"),
-            ("EXTCALL", "EXTCALL", "run the program that signals choose"),
-            ("IFPWPRINT", "IFPWPRINT window, row, column = text", "write to a window of the panel"),
-            ("COLR", "COLR value", "set the limit of collision detection when running"),
-            ("COLT", "COLT value", "set the limit of collision detection when teaching"),
-            ("RUNMASK", "RUNMASK signal, count", "outputs that are on only while a program runs"),
-            ("GROUP", "GROUP number", "choose a group"),
-            ("MON_SPEED", "MON_SPEED percent", "set the operator's speed"),
-            ("SOUT", "SOUT signal = condition", "an output that follows a condition"),
-            ("HMOVE", "HMOVE location", "move straight, with the wrist turning by its joints"),
-            ("CLAMP", "CLAMP number", "switch a clamp"),
-            ("BSPEED", "BSPEED percent", "set the speed of the block steps"),
-            ("MVWAIT", "MVWAIT distance", "wait until the rest of the way is short enough"),
-            ("TCP_ACCEPT", "TCP_ACCEPT result, port", "take a connection of the network"),
-            ("TCP_CLOSE", "TCP_CLOSE result, socket", "close a connection of the network"),
-            (
-                "TCP_CONNECT",
-                "TCP_CONNECT result, port, address[0]",
-                "open a connection of the network",
-            ),
-            ("TCP_END_LISTEN", "TCP_END_LISTEN result, port", "stop listening on the network"),
-            ("TCP_LISTEN", "TCP_LISTEN result, port", "listen on the network"),
-            ("TCP_RECV", "TCP_RECV result, socket, $text[0], number", "receive from a connection"),
-            ("TCP_SEND", "TCP_SEND result, socket, $text[0], number", "send on a connection"),
-            (
-                "TCP_STATUS",
-                "TCP_STATUS number, port[0], socket[0]",
-                "list the connections of the network",
-            ),
-            (
-                "UDP_RECVFROM",
-                "UDP_RECVFROM result, port, $text[0], number",
-                "receive a message of the network",
-            ),
-            (
-                "UDP_SENDTO",
-                "UDP_SENDTO result, address[0], port, $text[0], number",
-                "send a message on the network",
-            ),
-            ("UTIMER", "UTIMER name = seconds", "set a timer of the user"),
+        _i(usage.split()[0], "a", terminal, usage, about, flags=flags, full=True)
+        for terminal, flags, rows in (
+            ("OPAQUE", "O", kawasaki.LISTS),
+            ("OPAQUE", "RO", kawasaki.MOTIONS),
+            ("REST", "O", kawasaki.LINES),
+            ("REST", "O", kawasaki.OPTIONS),
         )
+        for usage, about in rows
     ),
 )
 

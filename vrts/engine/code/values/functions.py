@@ -10,7 +10,12 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 
 from vrts.base.numbers import round_half_away
-from vrts.base.oat import known_components, pose_from_components, rotation_from_oat
+from vrts.base.oat import (
+    known_components,
+    plain_angles,
+    pose_from_components,
+    rotation_from_oat,
+)
 from vrts.base.pose import (
     IDENTITY,
     X_AXIS,
@@ -36,6 +41,8 @@ from vrts.ir.values import Value
 
 Arguments = Sequence[Value | None]
 
+MAX_BLANKS = 255  # of $SPACE [assumed]; longer strings are refused where they are kept
+_ELEMENTS = 7  # of a location of AS: six, and an axis more
 COLLINEAR = 1e-9  # [m] points of a FRAME nearer than this to one line are refused
 
 
@@ -159,6 +166,32 @@ def _pos(a: Arguments, span: Span | None) -> float:
     return float(_text(a, 0).find(_text(a, 1), start - 1) + 1)
 
 
+def _instr(a: Arguments, span: Span | None) -> float:
+    """INSTR of AS [AS2015] 9-14."""
+    start = max(round_half_away(_real(a, 2, 1.0)), 1)
+    return float(_text(a, 0).lower().find(_text(a, 1).lower(), start - 1) + 1)
+
+
+def _right(a: Arguments, span: Span | None) -> str:
+    text, count = _text(a, 0), max(round_half_away(_real(a, 1)), 0)
+    return text[max(len(text) - count, 0) :]
+
+
+def _space(a: Arguments, span: Span | None) -> str:
+    return " " * integer(_real(a, 0), span, 0, MAX_BLANKS, "number of blanks")
+
+
+def _dext(a: Arguments, span: Span | None) -> float:
+    """DEXT of AS: the seventh element is an axis that the arm does not have."""
+    location, element = a[0], integer(_real(a, 1), span, 1, _ELEMENTS, "element")
+    if isinstance(location, Pose):
+        x, y, z, *turns = known_components(location)
+        values = (x, y, z, *plain_angles(*turns), 0.0)
+    else:
+        values = (*map(deg, location), 0.0)  # type: ignore[arg-type]
+    return rounded(values[element - 1], span)
+
+
 def number_at_start(text: str) -> tuple[float, int] | None:
     """Return the number that a text begins with and how long it is; None when there is none."""
     based = re.match(r"([-+]?)\^(?:[hH]([0-9a-fA-F]+)|[bB]([01]+)|([0-7]+))", text)
@@ -214,6 +247,7 @@ PURE: Mapping[Function, Pure] = MappingProxyType(
         Function.TAN: _tangent,
         Function.FRACT: lambda a, s: rounded(math.fmod(_real(a, 0), 1.0), s),
         Function.INT: lambda a, s: float(math.trunc(_real(a, 0))),
+        Function.ROUND: lambda a, s: float(round_half_away(_real(a, 0))),
         Function.MAX: lambda a, s: max(_real(a, k) for k in range(len(a))),
         Function.MIN: lambda a, s: min(_real(a, k) for k in range(len(a))),
         Function.OUTSIDE: _outside,
@@ -228,6 +262,7 @@ PURE: Mapping[Function, Pure] = MappingProxyType(
         Function.DX: _component(0),
         Function.DY: _component(1),
         Function.DZ: _component(2),
+        Function.DEXT: _dext,
         Function.TRANS: _trans,
         Function.TRANS_ZYZ: _trans_zyz,
         Function.TRUNCATE: lambda a, s: _text(a, 0).partition("\0")[0],
@@ -249,6 +284,9 @@ PURE: Mapping[Function, Pure] = MappingProxyType(
         Function.LEN: lambda a, s: float(len(_text(a, 0))),
         Function.MID: lambda a, s: checked_string(_mid(a, s), s),
         Function.POS: _pos,
+        Function.INSTR: _instr,
+        Function.RIGHT: _right,
+        Function.SPACE: lambda a, s: checked_string(_space(a, s), s),
         Function.VAL: _val,
         Function.STRDIF: lambda a, s: float(
             (_text(a, 0) > _text(a, 1)) - (_text(a, 0) < _text(a, 1))
