@@ -167,7 +167,7 @@ class Context:
         self.frames.append(frame)
         self.slots = frame.slots
         self.activation = Activation(frame.program, frame.slots, called_from, self.activation)
-        self.trace.activate(self.finished, self.activation)
+        self._note_innermost()
 
     def stop(self) -> Stopped:
         """Return all that going on needs, and forget it."""
@@ -180,7 +180,7 @@ class Context:
         for name, value in kept._asdict().items():
             setattr(self, name, value)
         self.slots = self.frames[-1].slots if self.frames else []
-        self.trace.activate(self.finished, self.activation)
+        self._note_innermost()
 
     def leave(self) -> Frame:
         """End the innermost program, which is not the first; what it interrupted goes on."""
@@ -188,7 +188,7 @@ class Context:
         self.slots = self.frames[-1].slots
         assert self.activation is not None
         self.activation = self.activation.caller
-        self.trace.activate(self.finished, self.activation)
+        self._note_innermost()
         if frame.interrupted is not None:
             kept = frame.interrupted
             self.phase, self.until, self.operands = kept.phase, kept.until, kept.operands
@@ -209,7 +209,11 @@ class Context:
         """Forget every program that is being executed."""
         self.frames, self.slots, self.activation = [], [], None
         self.phase, self.operands, self.fault = 0, None, None
-        self.trace.activate(self.finished, None)
+        self._note_innermost()
+
+    def _note_innermost(self) -> None:
+        """Note the innermost program from the statement under way on, of whichever program."""
+        self.trace.activate(self.events.counted(), self.activation)
 
     def wait_for_change(self) -> None:
         """Be looked at again whenever something has changed."""

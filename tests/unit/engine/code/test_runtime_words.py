@@ -35,7 +35,7 @@ RAISED = [
     (Kind.HAND_CLOSED_TOO_FAR, "GRASP 10", "val2"),
     (Kind.PROCESS_EXECUTING, "PCEXECUTE watch\nPCEXECUTE watch", "val2"),
     (Kind.ILLEGAL_RETURNE, "RETURNE", "val2"),
-    (Kind.INVALID_SWITCH, "ENABLE BELT", "vplus"),
+    (Kind.INVALID_SWITCH, "ENABLE NO.SUCH", "vplus"),
     (Kind.NOT_INSTALLED, "IOPUT 1 = 5", "val2"),
 ]
 ELSEWHERE = {

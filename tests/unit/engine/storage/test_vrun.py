@@ -102,6 +102,30 @@ def test_a_line_that_a_fault_stops_is_kept_as_such() -> None:
         ]
 
 
+def test_a_run_that_was_cut_while_a_second_program_waits_is_kept() -> None:
+    """The second program begins after the cut, and remembers nothing of what came after it."""
+    found = simulate(
+        Request(
+            ProgramFile(
+                program("READY\nDELAY 6\nn = 1\nDELAY 1\nPCEXECUTE watch\nDELAY 6").encode()
+                + b".PROGRAM watch\n.END\n",
+                "main.v2",
+            ),
+            robot_alone(),
+        )
+    )
+    run = found.run
+    assert run is not None
+    for k in range(1, 20):
+        time_s = run.horizon_s * k / 20
+        cut = truncate(run, time_s)
+        file = saved_bytes(found._replace(run=cut))
+        assert answers(loaded(file)) == answers(cut)
+        on = advance(cut, run.until_s, closed=True)
+        assert answers(on) == answers(run)
+        assert answers(loaded(saved_bytes(found._replace(run=on)))) == answers(run)
+
+
 def test_files_whose_times_miss_each_other_by_a_last_digit_are_taken() -> None:
     """As earlier versions of vrts saved them."""
     data = saved_bytes(simulated("ENABLE DRY.RUN\nREADY\nREADY\nMOVE a\nREADY"))
