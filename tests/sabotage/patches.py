@@ -1881,4 +1881,18 @@ PATCHES: tuple[Patch, ...] = (
         "start = c.now + ticks * planner.arm.tick",
         ("tests/unit/engine/hand/test_hand_program.py",),
     ),
+    Patch(
+        "the end of a name outweighs the text",
+        "vrts/lang/reading/detection.py",
+        "_TIE = 1.0",
+        "_TIE = 100.0",
+        ("tests/unit/lang/reading/test_detection.py",),
+    ),
+    Patch(
+        "whatever begins like a block step is one",
+        "vrts/lang/steps/kawasaki_forms.py",
+        "    [ \\t]*$\"\"\",\n    re.ASCII | re.IGNORECASE | re.VERBOSE,",
+        "    .*$\"\"\",\n    re.ASCII | re.IGNORECASE | re.VERBOSE,",
+        (LANG,),
+    ),
 )

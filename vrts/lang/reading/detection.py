@@ -1,70 +1,97 @@
 """Which language of the family a file is written in, where nobody says.
 
-Strict VAL-II is the default; another dialect is taken only where the file name says so, or where
-several words that only it has stand in the text and hardly one that it lacks.
+The text as a whole decides: its words, headers, sections and signs. The end of its name only breaks
+ties, since the same endings are used for several languages. What is close is read as VAL-II, and
+both readings are said.
 """
 
-import re
+from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.source import SourceFile
 from vrts.lang.dialect import AS, VAL, VAL2, VPLUS, Dialect
 from vrts.lang.joined import span_in
-from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.reading.evidence import Evidence, evidence
 
 DIALECT_DETECTED = Rule("V157", "dialect-detected")
 
-_BY_SUFFIX = {".as": AS, ".pg": VAL2, ".lc": VAL2, ".rv": VAL2, ".st": VAL2}
-_FIRST_WORDS = re.compile(
-    r"^[ \t]*(?:\d+[ \t]+)?([A-Za-z][\w.]*)(?![\w.]|[ \t]*[=\[])", re.MULTILINE
-)
-_AS_SECTION = re.compile(
-    r"^[ \t]*\.(TRANS|JOINTS|ROBOTDATA\d*|SYSDATA|AUXDATA)\b", re.MULTILINE | re.IGNORECASE
-)
-_ENOUGH = 2  # words that only one dialect has
-_OUTWEIGHS = 3  # times as many as words that it lacks: real files hold a slip or two
+_CANDIDATES = (VAL2, VPLUS, AS, VAL)  # of equals, the first
+_BY_SUFFIX = {".as": AS, ".lc": VAL2, ".rv": VAL2, ".st": VAL2}
+_TIE = 1.0  # what the end of a name counts
+_ENOUGH = 2.0  # by which another language must be better than VAL-II
+_SLIP = 1.0  # one word of another language, which is said where it stands
+
+
+class _Found(NamedTuple):
+    """What speaks against each language, and what was looked at."""
+
+    costs: dict[str, float]  # by name of the dialect
+    seen: list[Evidence]
 
 
 def detect(source: SourceFile) -> tuple[Dialect, Diagnostic | None]:
-    """Return the dialect of a source, and a note where it is not VAL-II."""
+    """Return the dialect of a source, and a note where it is not VAL-II, or where it is close."""
     suffix = source.name[source.name.rfind(".") :].lower() if "." in source.name else ""
     named = _BY_SUFFIX.get(suffix)
-    if named is not None:
-        return named, _note(source, named, 0, 0, f"files that end in `{suffix}` are {named.title}")
-    section = _AS_SECTION.search(source.text)
-    if section is not None:
-        words = f"only AS has the section {section.group().strip().upper()}"
-        return AS, _note(source, AS, section.start(), section.end(), words)
-    first: dict[str, re.Match[str]] = {}
-    for match in _FIRST_WORDS.finditer(source.text):
-        first.setdefault(match.group(1).upper(), match)
-    used = [word for text in first if (word := INSTRUCTIONS.get(text)) is not None]
-    counts: list[tuple[int, Dialect, list[str]]] = []
-    for dialect in (VPLUS, AS, VAL):
-        own = [w.text for w in used if w.dialects == dialect.letters]
-        lacking = [w for w in used if not dialect.has(w.dialects)]
-        if len(own) >= _ENOUGH and len(own) > _OUTWEIGHS * len(lacking):
-            counts.append((len(own), dialect, own))
-    if not counts:
+    found = _weighed(source.text, named)
+    best = min(_CANDIDATES, key=lambda dialect: found.costs[dialect.name])
+    if best is VAL2:
         return VAL2, None
-    _, dialect, own = max(counts, key=lambda entry: entry[0])
-    shown = sorted(own, key=lambda text: first[text].start())[:3]
-    at = first[shown[0]]
-    words = f"only {dialect.title} has {', '.join(shown[:-1])} and {shown[-1]}"
-    return dialect, _note(source, dialect, at.start(1), at.end(1), words)
+    own = _own(found.seen, best)
+    ahead = found.costs[VAL2.name] - found.costs[best.name]
+    if not own:
+        if named is best:
+            return best, _note(source, best, None, f"files that end in `{suffix}` are {best.title}")
+        return VAL2, None
+    if ahead < _ENOUGH and named is not best:
+        return VAL2, _doubt(source, best, own) if ahead > _SLIP else None
+    return best, _note(source, best, own[0], f"only {best.title} has {_listed(own)}")
 
 
-def _note(
-    source: SourceFile, dialect: Dialect, start: int, end: int, why: str
-) -> Diagnostic | None:
-    if dialect is VAL2:
-        return None
+def _weighed(text: str, named: Dialect | None) -> _Found:
+    seen = list(evidence(text))
+    costs = {
+        dialect.name: sum(e.weight for e in seen if not dialect.has(e.columns))
+        - (_TIE if dialect is named else 0.0)
+        for dialect in _CANDIDATES
+    }
+    return _Found(costs, seen)
+
+
+def _own(seen: list[Evidence], dialect: Dialect) -> list[Evidence]:
+    """Return what only a language has, or else what VAL-II lacks: one of each kind, in order."""
+    only = [e for e in seen if e.columns == dialect.letters]
+    lacking = only or [e for e in seen if dialect.has(e.columns) and not VAL2.has(e.columns)]
+    kinds: dict[str, Evidence] = {}
+    for e in sorted(lacking, key=lambda e: (e.weight < 1.0, e.start)):
+        kinds.setdefault(e.what, e)
+    return list(kinds.values())
+
+
+def _listed(own: list[Evidence]) -> str:
+    shown = [e.what for e in own[:3]]
+    return " and ".join([", ".join(shown[:-1]), shown[-1]] if len(shown) > 1 else shown)
+
+
+def _note(source: SourceFile, dialect: Dialect, at: Evidence | None, why: str) -> Diagnostic:
     return Diagnostic(
         DIALECT_DETECTED,
         Severity.NOTE,
         f"this is read as {dialect.title}",
-        Label(span_in(source, start, end), "") if end else None,
+        Label(span_in(source, at.start, at.end), "") if at is not None else None,
         notes=(why,),
         help=("`--dialect val2` reads it as VAL-II",),
         data={"dialect": dialect.name},
+    )
+
+
+def _doubt(source: SourceFile, other: Dialect, own: list[Evidence]) -> Diagnostic:
+    return Diagnostic(
+        DIALECT_DETECTED,
+        Severity.NOTE,
+        f"this is read as VAL-II, and may be {other.title}",
+        Label(span_in(source, own[0].start, own[0].end), ""),
+        notes=(f"only {other.title} has {_listed(own)}",),
+        help=(f"`--dialect {other.name}` reads it as {other.title}, `--dialect val2` as VAL-II",),
+        data={"dialect": VAL2.name},
     )
