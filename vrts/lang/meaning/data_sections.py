@@ -19,37 +19,39 @@ from vrts.ir.values import Joints, Type, Value
 from vrts.lang.decimals import metres, radians
 from vrts.lang.dialect import Angles, Dialect
 from vrts.lang.grammar.lalr import Failure
+from vrts.lang.meaning.data_mistakes import (
+    FORMS,
+    INVALID_DATA,
+    ODD_QUOTES,
+    explain,
+    explain_string,
+    plain,
+    wrong_count,
+)
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.reading.splitter import Line, Section
-from vrts.lang.steps.step_parser import StepParser
+from vrts.lang.steps.step_parser import StepParser, names_in
 from vrts.lang.syntax.expressions import Element, Name, Number
 from vrts.lang.syntax.program import DataLine
 
-INVALID_DATA = Rule("V145", "invalid-data-line")
-VALUE_COUNT = Rule("V146", "value-count")
 EXTRA_AXES = Rule("V162", "extra-axes")
 NO_ROTATION = Rule("V163", "no-rotation")
 VALUE_REPLACED = Rule("V216", "value-replaced")
 
+MOST_MEANT = 8  # names of a bad line that are taken as given a value
 MAX_STRING = 128  # [manual language/strings#length]
 SKEW = 1e-3  # how far a matrix may be from a rotation and still be read as one [assumed]
 _JOINTS = 6
 _MOST_AXES = 18  # of AS: POINT/18 sets the last
 _FEWEST_AXES = 4  # of a robot that V+ is for
 _MATRIX = 12  # values of a location of V+; also the most axes
-_NAME = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
 _NUMBERS = re.compile(r"[-+]?[.\d][-+.\deE, \t]*", re.ASCII)
 _STRING = re.compile(
     r"(?P<name>\$[A-Za-z][\w.]*)[ \t]*(?:\[(?P<subscripts>[^\]]*)\])?[ \t]*=?[ \t]*(?P<value>.*)$",
     re.ASCII,
 )
-_FORMS = {
-    "locations": "name X Y Z O A T",
-    "reals": "name value",
-    "strings": '$name "text"',
-}
 
 
 class _Read(NamedTuple):
@@ -74,9 +76,10 @@ def read_data(section: Section, parser: StepParser, scope: Scope) -> list[Datum]
             span = parser.problems.span(line.start, (line, *more)[-1].end)
             data.append(Datum(key(found.name), found.subscripts, found.value, span))
         else:
-            name = _NAME.match(line.text)
-            if name is not None:  # a bad line still means to give its name a value
-                scope.entry(None, key(name.group())).writes.append((line.start, line.end))
+            for name in names_in(line.text)[:MOST_MEANT]:  # a bad line still means to give a value
+                for meant in (name, *(f"{sigil}{name.lstrip('$#')}" for sigil in ("$", "#", ""))):
+                    if meant:
+                        scope.entry(None, meant).writes.append((line.start, line.end))
     return data
 
 
@@ -126,6 +129,9 @@ def _read(
     if kind == "strings":
         return _string(parser.problems, line)
     problems = parser.problems
+    strict = not problems.dialect.tolerant
+    if strict and not plain(line.text) and explain(line, kind, problems):
+        return None
     node = parser.data(line, more)
     if isinstance(node, Failure):
         _invalid(problems, line, kind, "this line gives no value")
@@ -137,11 +143,17 @@ def _read(
     if subscripts is None:
         return None
     if len(numbers) < len(node.values) or name.text[0] == "$":
-        _invalid(problems, line, kind, "strings belong to a .STRINGS section")
+        problems.error(
+            INVALID_DATA,
+            "a string stands here, not a number",
+            line.start,
+            line.end,
+            help=("end this section by `.END`, and write the string below `.STRINGS`",),
+        )
         return None
     if kind == "reals":
         if name.text[0] == "#" or len(numbers) != 1:
-            _count(problems, line, name.text, len(numbers), "one value")
+            wrong_count(problems, line, name.text, len(numbers), kind)
             return None
         value = numbers[0].value
         return _Read(name.text, name.start, subscripts, value, Type.REAL, numbers[0])
@@ -175,8 +187,9 @@ def _string(problems: Problems, line: Line) -> _Read | None:
     text = match["value"].strip() if match is not None else ""
     quoted = len(text) > 1 and text[0] == text[-1] == '"'
     inner = text[1:-1] if quoted else text
-    if match is None or not text or '"' in inner:
-        _invalid(problems, line, "strings", "a string has a name with `$` and one text")
+    odd = not quoted and not problems.dialect.tolerant and ODD_QUOTES.match(line.text)
+    if match is None or not text or '"' in inner or odd:
+        explain_string(line, problems)
         return None
     if len(inner) > MAX_STRING:
         _invalid(problems, line, "strings", f"a string has at most {MAX_STRING} characters")
@@ -217,7 +230,7 @@ def _joints(
         numbers = numbers + [zero] * (_JOINTS - len(numbers))
     numbers = _first_six(problems, name, numbers)
     if len(numbers) != _JOINTS:
-        _count(problems, line, name.text, len(numbers), "6 joint angles")
+        wrong_count(problems, line, name.text, len(numbers), "locations")
         return None
     a, b, c, d, e, f = (radians(_written(problems, number)) for number in numbers)
     return (a, b, c, d, e, f)
@@ -266,8 +279,7 @@ def _pose(problems: Problems, line: Line, name: Name, numbers: list[Number]) -> 
                 return None
             return Pose(rotation, (metres(x), metres(y), metres(z)))
         case _:
-            wanted = "6 values: X Y Z in mm, O A T in degrees"
-            _count(problems, line, name.text, len(numbers), wanted)
+            wrong_count(problems, line, name.text, len(numbers), "locations")
             return None
 
 
@@ -293,18 +305,7 @@ def _invalid(problems: Problems, line: Line, kind: str, headline: str) -> None:
         headline,
         line.start,
         line.end,
-        help=(f"write `{_FORMS[kind]}`",),
-    )
-
-
-def _count(problems: Problems, line: Line, name: str, count: int, wanted: str) -> None:
-    problems.error(
-        VALUE_COUNT,
-        f"`{name}` has {count} value{'' if count == 1 else 's'}",
-        line.start,
-        line.end,
-        f"it takes {wanted}",
-        data={"name": name, "count": count},
+        help=(f"write `{FORMS[kind]}`",),
     )
 
 
