@@ -5,7 +5,7 @@ beside the rule. Headlines are lower case without a full stop, say what is, and 
 remedy stands only in `help`.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from types import MappingProxyType
@@ -49,11 +49,29 @@ class Moment(NamedTuple):
     deepest: bool = False  # of a contact that began before
 
 
-class Fix(NamedTuple):
-    """A replacement of text that removes the cause."""
+class Edit(NamedTuple):
+    """A replacement of a piece of text."""
 
     span: Span
     replacement: str
+
+
+class Fix(NamedTuple):
+    """Replacements of text that together remove the cause: all of them, or none."""
+
+    span: Span
+    replacement: str
+    more: tuple[Edit, ...] = ()  # further places, none overlapping another
+
+    @property
+    def edits(self) -> tuple[Edit, ...]:
+        """All replacements."""
+        return (Edit(self.span, self.replacement), *self.more)
+
+    @classmethod
+    def from_edits(cls, edits: Sequence[Edit]) -> "Fix":
+        """Return a fix of one or more replacements."""
+        return cls(*edits[0], tuple(edits[1:]))
 
 
 @dataclass(frozen=True, slots=True)

@@ -38,6 +38,7 @@ COMMANDS = {  # name: where it is, what it does
     "validate": ("validate.validate_command", "compare a real robot with the run of its program"),
     "new": ("authoring.new_command", "write a scene, a task or a program to begin with"),
     "task": ("authoring.task_command", "check an assignment, and pack it for students and staff"),
+    "fix": ("language.fix_command", "mend what is certain in a program"),
     "fmt": ("language.fmt_command", "write a program in the canonical layout"),
     "scene": ("authoring.scene_command", "list, show, check and watch scenes"),
     "point": ("authoring.point_command", "ask what the arm can reach"),

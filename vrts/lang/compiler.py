@@ -180,6 +180,7 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
             check_exits(program, found, problems)
         structures[program.name] = (found, labels(program, problems))
         check_jumps(problems, program, *structures[program.name])
+    parser.habits.report(problems)
     check_process_programs(problems, scope.programs)
     check_usage(resolver, programs)
     check_habits(problems, scope, programs, {n: found for n, (found, _) in structures.items()})

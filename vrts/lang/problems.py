@@ -54,16 +54,18 @@ class Problems:
         severity: Severity = Severity.ERROR,
     ) -> None:
         """Add an error at a range of offsets."""
-        is_error = severity is Severity.ERROR
-        self.any_error = self.any_error or is_error
-        self._room[is_error] -= 1
-        if self._room[is_error] < 0:
-            self.found.append(_NOT_KEPT[severity])
-            return
         primary = self.label(start, end, text)
-        self.found.append(
+        self.add(
             Diagnostic(rule, severity, headline, primary, secondary, notes, help, fix, None, data)
         )
+
+    def add(self, diagnostic: Diagnostic) -> None:
+        """Add a diagnostic; of those beyond what is kept, its severity."""
+        is_error = diagnostic.is_error
+        self.any_error = self.any_error or is_error
+        self._room[is_error] -= 1
+        full = self._room[is_error] < 0
+        self.found.append(_NOT_KEPT[diagnostic.severity] if full else diagnostic)
 
     def warning(
         self,
@@ -106,6 +108,12 @@ class Problems:
     ) -> None:
         """Add a note at a range of offsets."""
         self.error(rule, headline, start, end, help=help, data=data, severity=Severity.NOTE)
+
+    def forget(self, mark: int) -> None:
+        """Take back what was reported after the first `mark`: there is something better to say."""
+        for diagnostic in self.found[mark:]:
+            self._room[diagnostic.is_error] += 1
+        del self.found[mark:]
 
     @property
     def full(self) -> bool:

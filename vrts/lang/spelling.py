@@ -28,14 +28,19 @@ def nearest(word: str, names: Iterable[str]) -> str | None:
     One slip is allowed in a word of up to five letters, two in longer ones; a word of two letters
     or fewer only for letters swapped or one letter added.
     """
+    found = near(word, names)
+    return min(found)[1] if found else None
+
+
+def near(word: str, names: Iterable[str]) -> list[tuple[int, str]]:
+    """Return all names that a word may be a slip for, with the number of slips."""
     limit = 1 if len(word) <= 5 else 2
-    best: tuple[int, str] | None = None
+    found: list[tuple[int, str]] = []
     for name in names:
         if name == word:
             continue
         distance = edit_distance(word, name, limit)
         if distance > limit or (len(word) <= 2 and distance and len(name) <= len(word)):
             continue
-        if best is None or (distance, name) < best:
-            best = (distance, name)
-    return best[1] if best else None
+        found.append((distance, name))
+    return found

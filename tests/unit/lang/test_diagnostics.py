@@ -126,7 +126,7 @@ def test_negative_height_is_seen_through_a_variable() -> None:
         ("FOR i = 1, 3\nTYPE i\nEND", "V130"),
         ("APPRO 50, part", "V202"),  # nor that part is a number here and a location there
         ("MOVE part-grip", "V202"),
-        ("VALUE 5", "V126"),
+        ("VALUE 5", "V164"),
     ],
 )
 def test_one_cause_is_one_diagnostic(body: str, code: str) -> None:
@@ -143,13 +143,13 @@ def test_every_label_lies_in_one_line() -> None:
     ("body", "headline", "help_"),
     [
         ("OPENI()", "OPENI has no parentheses", "write `OPENI`"),
-        ("// note", "a step does not begin with `/`", "begin comments with `;`"),
-        ("WAIT SIG 1001", "SIG without parentheses", "write `SIG(1001)`"),
+        ("// note", "`//` begins no comment", "begin comments with `;`"),
+        ("WAIT SIG 1001", "SIG without parentheses", "write `WAIT SIG(1001)`"),
         ("APPRO 50, part", "the location comes first in APPRO", "write `APPRO part, 50`"),
         ("MOVESpart", "`MOVESpart` is not an instruction", "write a blank: `MOVES part`"),
-        ("SPEED 50%", "`%` has no meaning here", "leave the percent sign out: SPEED takes percent"),
-        ("n += 1", "`+=` is not an operator of VAL-II", "write `x = x+1`"),
-        ("ENDIF", "ENDIF is not a VAL-II instruction", "write END"),
+        ("SPEED 50%", "SPEED takes percent, without a sign", "write `SPEED 50`"),
+        ("n += 1", "`+=` is not an operator of VAL-II", "write `n = n+1`"),
+        ("ENDIF", "ENDIF is not a VAL-II instruction", "write `END`"),
     ],
 )
 def test_habits_of_other_languages_are_named(body: str, headline: str, help_: str) -> None:

@@ -2,15 +2,14 @@
 
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 
 import click
 
+from vrts.cli.language.changes import file_shown, print_diff
 from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
     guarded,
-    out,
     out_bytes,
     say,
     show_diagnostics,
@@ -55,7 +54,7 @@ def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, co
             status = WRONG
             continue
         if diff:
-            _print_diff(found.before, found.after, name)
+            print_diff(found.before, found.after, name)
             status = WRONG if found.changed and check else status
         elif check:
             if found.changed:
@@ -65,16 +64,11 @@ def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, co
             out_bytes(found.data)
         elif found.changed:
             write_file(path, found.data)
-            say(f"changed {_shown(path, name)}")
+            say(f"changed {file_shown(path, name)}")
         if found.unread:
             say(f"{name}: {_unread(found.unread)}; `vrts compile {program}` says why")
             status = WRONG
     sys.exit(status)
-
-
-def _shown(path: Path, name: str) -> str:
-    """Return the name of a file, and of the one that it is a link to."""
-    return f"{name}, a link to {path.resolve()}" if path.is_symlink() else name
 
 
 def _unread(lines: Sequence[int]) -> str:
@@ -83,13 +77,3 @@ def _unread(lines: Sequence[int]) -> str:
         return f"line {first} cannot be read and stays as it is"
     more = f" and {len(lines) - LINES_SHOWN} more" if len(lines) > LINES_SHOWN else ""
     return f"lines {first}{more} cannot be read and stay as they are"
-
-
-def _print_diff(before: str, after: str, name: str) -> None:
-    from difflib import unified_diff
-
-    from vrts.report.plain import plain_text
-
-    rows = unified_diff(before.splitlines(), after.splitlines(), name, name, lineterm="")
-    for row in rows:
-        out(plain_text(row))

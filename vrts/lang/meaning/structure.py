@@ -1,116 +1,50 @@
 """Pairs the structure words and labels of a program."""
 
 import heapq
-from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule
+from vrts.lang.meaning.blocks.borrowed_forms import mend_borrowed
+from vrts.lang.meaning.blocks.pairing import (
+    ELSE_IF,
+    ONE_LINE_IF,
+    READINGS,
+    Block,
+    marks,
+    pair,
+    word_of,
+)
+from vrts.lang.meaning.blocks.unpaired import (
+    CASE_LAYOUT,
+    CONTROL_SAYS,
+    MISSING_END,
+    UNMATCHED,
+    report_faults,
+)
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.syntax.expressions import Name, Number
-from vrts.lang.syntax.program import ProgramText, Step
-from vrts.lang.syntax.statements import (
-    Bad,
-    Case,
-    For,
-    Goto,
-    If,
-    Simple,
-    Statement,
-    Structure,
-    Until,
-    ValueGroup,
-    While,
-)
+from vrts.lang.syntax.program import ProgramText
+from vrts.lang.syntax.statements import Bad, Goto, Simple, Statement
 
 DUPLICATE_LABEL = Rule("V134", "duplicate-label")
 UNDEFINED_LABEL = Rule("V135", "undefined-label")
-MISSING_END = Rule("V137", "missing-end")
-UNMATCHED = Rule("V138", "unmatched-structure-word")
-CASE_LAYOUT = Rule("V139", "case-layout")
 
-_SAYS = "VAL-II says *Control structure error*"
-_WORDS = frozenset({"IF", "WHILE", "FOR", "CASE", "DO", "END", "UNTIL"})
-_OPENERS: dict[type, str] = {If: "IF", While: "WHILE", For: "FOR", Case: "CASE"}
-
-
-class Block(NamedTuple):
-    """One structure: indices into the steps of its program."""
-
-    word: str  # IF, WHILE, FOR, CASE, DO
-    opener: int
-    middles: list[int]  # ELSE, or VALUE and ANY
-    end: int
-
-
-def word_of(step: Step) -> str | None:
-    """Return the structure word of a step, also of one that did not parse."""
-    node = step.statement
-    if isinstance(node, Structure):
-        return node.word
-    if isinstance(node, Bad):
-        return node.word
-    if isinstance(node, Until):
-        return "UNTIL"
-    if isinstance(node, ValueGroup):
-        return "VALUE"
-    return _OPENERS.get(type(node)) if node is not None else None
+__all__ = ["MISSING_END", "Block", "blocks", "word_of"]
+_CLOSED = frozenset({"IF", "WHILE", "FOR", "CASE", "DO", "END", "UNTIL"})
 
 
 def blocks(program: ProgramText, problems: Problems) -> list[Block]:
     """Return the structures of a program; report words without their partner."""
-    found: list[Block] = []
-    open_: list[Block] = []
-    for i, step in enumerate(program.steps):
-        word = word_of(step)
-        if word is None or step.statement is None:
-            continue
-        top = open_[-1] if open_ else None
-        if word in ("IF", "WHILE", "FOR", "CASE", "DO"):
-            open_.append(Block(word, i, [], -1))
-        elif word in ("ELSE", "VALUE", "ANY"):
-            wanted = "IF" if word == "ELSE" else "CASE"
-            if top is None or top.word != wanted:
-                _unmatched(program, step, word, wanted, top, problems)
-            elif top.middles and word_of(program.steps[top.middles[-1]]) in ("ELSE", "ANY"):
-                last = program.steps[top.middles[-1]].statement
-                assert last is not None
-                problems.error(
-                    CASE_LAYOUT,
-                    f"{word} after {word_of(program.steps[top.middles[-1]])}",
-                    step.statement.start,
-                    step.statement.end,
-                    secondary=(problems.label(last.start, last.end, "the last group is here"),),
-                    notes=(_SAYS,),
-                    help=("an IF has one ELSE; ANY is the last group of a CASE",),
-                )
-            else:
-                top.middles.append(i)
-        elif word in ("END", "UNTIL"):
-            if top is None or (top.word == "DO") != (word == "UNTIL"):
-                _unmatched(program, step, word, "DO" if word == "UNTIL" else "", top, problems)
-                if top is not None and word == "END":
-                    open_.pop()  # a DO closed by END: said once
-            else:
-                found.append(open_.pop()._replace(end=i))
-        elif top is not None and top.word == "CASE" and not top.middles:
-            pass
-    bad = any(isinstance(program.steps[b.opener].statement, Bad) for b in (*found, *open_))
-    for block in open_ if not bad else ():  # a bad opener may have taken the END of another
-        step = program.steps[block.opener].statement
-        assert step is not None
-        closer = "UNTIL" if block.word == "DO" else "END"
-        problems.error(
-            MISSING_END,
-            f"this {block.word} has no {closer}",
-            step.start,
-            step.end,
-            "opened here",
-            secondary=(problems.label(*program.finish, "still open where the program ends"),),
-            notes=(_SAYS,),
-            help=(f"write {closer} after its last step",),
-        )
-    _check_cases(program, found, problems)
-    return found
+    found = marks(program.steps)
+    pairing = pair(found)
+    if any(mark.word in (ELSE_IF, ONE_LINE_IF) for mark in found):
+        readings = [(pair(found, reading), reading) for reading in READINGS]
+        pairing, reading = min(readings, key=lambda read: read[0].faults)
+        mend_borrowed(program, pairing, reading, problems)
+    if pairing.faults:
+        report_faults(program, pairing, problems)
+    _check_cases(program, pairing.blocks, problems)
+    return pairing.blocks
 
 
 def label_key(node: Number | Name) -> int | str:
@@ -146,7 +80,7 @@ def exits(program: ProgramText, found: list[Block]) -> dict[int, Block | None]:
 
 def check_exits(program: ProgramText, found: list[Block], problems: Problems) -> None:
     """Report EXIT and NEXT outside of loops, where the structures are known."""
-    if any(isinstance(step.statement, Bad) and word_of(step) in _WORDS for step in program.steps):
+    if any(isinstance(step.statement, Bad) and word_of(step) in _CLOSED for step in program.steps):
         return
     for at, block in exits(program, found).items():
         node = program.steps[at].statement
@@ -159,7 +93,7 @@ def check_exits(program: ProgramText, found: list[Block], problems: Problems) ->
             else f"there are not so many loops around this {node.word}",
             node.start,
             node.end,
-            notes=(_SAYS,),
+            notes=(CONTROL_SAYS,),
             help=("EXIT and NEXT stand inside FOR, WHILE or DO",),
         )
 
@@ -214,38 +148,6 @@ def _label_wanted(node: Statement | None) -> Number | Name | None:
     return None
 
 
-def _unmatched(
-    program: ProgramText,
-    step: Step,
-    word: str,
-    wanted: str,
-    top: Block | None,
-    problems: Problems,
-) -> None:
-    node = step.statement
-    assert node is not None
-    if isinstance(node, Bad):
-        return  # reported as it is
-    secondary = ()
-    if top is not None:
-        opener = program.steps[top.opener].statement
-        assert opener is not None
-        secondary = (problems.label(opener.start, opener.end, f"this {top.word} is open"),)
-    headline = f"{word} without {wanted}" if wanted else f"{word} ends nothing"
-    help_ = "take it out, or write the line that opens the structure"
-    if word == "END" and top is not None:
-        headline, help_ = "a DO ends with UNTIL, not END", "write `UNTIL condition`"
-    problems.error(
-        UNMATCHED,
-        headline,
-        node.start,
-        node.end,
-        secondary=secondary,
-        notes=(_SAYS,),
-        help=(help_,),
-    )
-
-
 def _check_cases(program: ProgramText, found: list[Block], problems: Problems) -> None:
     for block in found:
         if block.word != "CASE" or isinstance(program.steps[block.opener].statement, Bad):
@@ -259,7 +161,7 @@ def _check_cases(program: ProgramText, found: list[Block], problems: Problems) -
                     "a step between CASE and its first VALUE",
                     node.start,
                     node.end,
-                    notes=(_SAYS,),
+                    notes=(CONTROL_SAYS,),
                     help=("move it before CASE, or after a VALUE",),
                 )
                 break

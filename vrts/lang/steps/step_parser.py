@@ -16,9 +16,13 @@ from vrts.lang.reading.literals import MAX_STRING
 from vrts.lang.reading.nesting import MAX_NESTING, too_deep
 from vrts.lang.reading.splitter import Line
 from vrts.lang.reading.tokeniser import tokenise
+from vrts.lang.steps.advice import Advice
+from vrts.lang.steps.advice import Line as AdvisedLine
+from vrts.lang.steps.habits import Habits
 from vrts.lang.steps.kawasaki_forms import BLOCK_WORD, untouched_word
 from vrts.lang.steps.labels import read_label
 from vrts.lang.steps.mistakes import explain
+from vrts.lang.steps.repair import Repair
 from vrts.lang.steps.tolerated import Tolerated, completed
 from vrts.lang.steps.unknown_words import refuse, structural_word
 from vrts.lang.syntax.expressions import Text
@@ -31,6 +35,7 @@ from vrts.lang.vocabulary.lookup import instructions_of, look_up
 TOO_MANY_WORDS = Rule("V116", "too-many-words")
 BLOCK_STEP = Rule("V158", "block-step")
 
+MOST_DEEP = 2  # trials within trials
 MAX_SEEN = 4096  # different lines whose tokens are kept
 MAX_KEPT = 64  # tokens of such a line
 MAX_TOKENS = 1_000_000  # of a file: with more it would not fit into memory
@@ -42,8 +47,15 @@ _TEXT_WORDS = frozenset({"TYPE", "STOP", "PAUSE"})  # VAL: text without quotes f
 class StepParser:
     """Parses the lines of one source."""
 
-    def __init__(self, problems: Problems, precedence: Precedence | None = None) -> None:
+    def __init__(
+        self, problems: Problems, precedence: Precedence | None = None, *, depth: int = 0
+    ) -> None:
+        """Parse for a collection of problems; `depth` counts trials within trials."""
         self.problems = problems
+        self.precedence = precedence
+        self.depth = depth
+        self.habits = Habits()
+        self.advice = Advice(problems, Repair(problems.dialect, self._tried), self.habits)
         self.dialect = problems.dialect
         self.parser = TableParser(builders(problems, precedence or self.dialect.precedence))
         self.program_names: frozenset[str] = frozenset()
@@ -55,6 +67,9 @@ class StepParser:
 
     def step(self, line: Line) -> Step:
         """Return the step of a line of a program."""
+        if self.advice.open_comment:
+            self.advice.inside_comment(line.start, line.end, line.text)
+            return Step(line.number, None, Bad(None, (), line.start, line.end))
         label, text, at = read_label(line, self.problems, self.tolerated)
         statement = self._statement(text, at) if text else None
         return Step(line.number, label, statement)
@@ -102,6 +117,32 @@ class StepParser:
     # --- statements -----------------------------------------------------------------------------
 
     def _statement(self, text: str, at: int) -> Statement | None:
+        """Return the statement of a line; explain it where it is none."""
+        mark = len(self.problems.found)
+        looks = len(self.problems.look_alikes)
+        node = self._read(text, at)
+        told = len(self.problems.found) > mark or len(self.problems.look_alikes) > looks
+        if not isinstance(node, Bad) or not told or self.depth > MOST_DEEP:
+            return node
+        finish = self.problems.source.text.find("\n", at + len(text))
+        raw = self.problems.source.text[at : finish if finish >= 0 else None].rstrip()
+        line = AdvisedLine(text, at, raw, node.word)
+        if len(self.problems.look_alikes) > looks:  # pasted characters: told by themselves
+            advised = self.advice.comment(line, mark)
+        else:
+            advised = self.advice.explain(line, mark)
+        if advised is None:
+            return node
+        del self.problems.look_alikes[looks:]
+        return node._replace(word=advised.word, meant=advised.meant)
+
+    def _tried(self, problems: Problems, text: str) -> Statement | None:
+        """Return a text as a step, tried out apart from the file."""
+        parser = StepParser(problems, self.precedence, depth=self.depth + 1)
+        parser.program_names = self.program_names
+        return parser._statement(text, 0)
+
+    def _read(self, text: str, at: int) -> Statement | None:
         first = text.split(None, 1)[0]
         if self.dialect.has("a"):
             untouched = untouched_word(text)

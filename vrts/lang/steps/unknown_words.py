@@ -24,7 +24,8 @@ _ENDS = frozenset({"ENDIF", "ENDFOR", "ENDWHILE", "ENDCASE", "WEND", "LOOP"})
 def structural_word(tokens: list[Token], head: Head) -> str | None:
     """Return the structure word a step that cannot be parsed stands for."""
     if head.word is not None:
-        return head.word.text
+        jumps = head.word.text == "IF" and any(token.text.upper() == "GOTO" for token in tokens)
+        return "GOTO" if jumps else head.word.text
     return "END" if tokens[0].text.upper() in _ENDS else None
 
 

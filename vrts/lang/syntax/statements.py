@@ -250,6 +250,7 @@ class Bad(NamedTuple):
     names: tuple[str, ...]  # names in it: nothing is reported about them
     start: int
     end: int
+    meant: str | None = None  # the steps meant, where it takes the blocks around to mend it
 
 
 Statement: TypeAlias = (

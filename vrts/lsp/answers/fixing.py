@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Diagnostic
+from vrts.base.diagnostic import Diagnostic, Fix
 from vrts.lang.findings.usage import UNDEFINED_PROGRAM
 from vrts.lang.meaning.structure import MISSING_END
 from vrts.lang.reading.misplaced_lines import MISSING_END_LINE
@@ -12,10 +12,10 @@ from vrts.lsp.documents.documents import Document
 
 
 class Remedy(NamedTuple):
-    """An edit, and what it does in a few words."""
+    """Edits, and what they do in a few words."""
 
     title: str
-    edit: Edit
+    edits: tuple[Edit, ...]
     preferred: bool = True
 
 
@@ -23,10 +23,9 @@ def remedies(document: Document, diagnostic: Diagnostic) -> Iterator[Remedy]:
     """Return what would take the cause of a diagnostic of a buffer away."""
     fix = diagnostic.fix
     if fix is not None:
-        span = fix.span
-        missing = diagnostic.rule == MISSING_END_LINE and not span.text
-        title = "Write the missing .END" if missing else _title(span.text, fix.replacement)
-        yield Remedy(title, Edit(*span[1:], fix.replacement))
+        missing = diagnostic.rule == MISSING_END_LINE and not fix.span.text
+        title = "Write the missing .END" if missing else _title(fix)
+        yield Remedy(title, tuple(Edit(*e.span[1:], e.replacement) for e in fix.edits))
     if diagnostic.rule == MISSING_END:
         yield from _end(document, diagnostic)
     elif diagnostic.rule == UNDEFINED_PROGRAM:
@@ -34,10 +33,13 @@ def remedies(document: Document, diagnostic: Diagnostic) -> Iterator[Remedy]:
         end = len(document.source.text)
         begin = "\n" if document.source.text.endswith("\n") else "\n\n"
         text = f"{begin}.PROGRAM {name}\n.END\n"
-        yield Remedy(f"Write a program `{name}`", Edit(end, end, text), preferred=False)
+        yield Remedy(f"Write a program `{name}`", (Edit(end, end, text),), preferred=False)
 
 
-def _title(before: str, after: str) -> str:
+def _title(fix: Fix) -> str:
+    if len(fix.edits) > 1:
+        return f"Mend all {len(fix.edits)} places"
+    before, after = fix.span.text, fix.replacement
     if not before:
         return f"Insert `{after.strip()}`" if after.strip() else "Insert a blank"
     if not after:
@@ -62,4 +64,4 @@ def _end(document: Document, diagnostic: Diagnostic) -> Iterator[Remedy]:
     else:
         start = source.line_starts[finish.line - 1]
         edit = Edit(start, start, f"{indent}END\n")
-    yield Remedy("Write the missing END", edit)
+    yield Remedy("Write the missing END", (edit,))

@@ -47,13 +47,13 @@ def _touches(diagnostic: Diagnostic, first: int, last: int) -> bool:
 
 
 def _action(remedy: Remedy, diagnostic: Diagnostic, uri: str, places: Places) -> types.CodeAction:
-    edit = types.TextEdit(places.range(remedy.edit.start, remedy.edit.end), remedy.edit.text)
+    edits = [types.TextEdit(places.range(e.start, e.end), e.text) for e in remedy.edits]
     return types.CodeAction(
         remedy.title,
         types.CodeActionKind.QuickFix,
         [converted(diagnostic, uri, places)],
         is_preferred=remedy.preferred,
-        edit=types.WorkspaceEdit(changes={uri: [edit]}),
+        edit=types.WorkspaceEdit(changes={uri: edits}),
     )
 
 

@@ -2,7 +2,7 @@
 
 from typing import TypeAlias
 
-from vrts.base.diagnostic import Diagnostic, Label, Moment
+from vrts.base.diagnostic import Diagnostic, Fix, Label, Moment
 from vrts.base.source import Span
 from vrts.report.quantities import joint_degrees, millimetres, rounded_data, seconds
 
@@ -20,7 +20,7 @@ def diagnostic_json(d: Diagnostic) -> Json:
         "secondary": [_label(label) for label in d.secondary],
         "notes": list(d.notes),
         "help": list(d.help),
-        "fix": {**_span(d.fix.span), "replacement": d.fix.replacement} if d.fix else None,
+        "fix": _fix(d.fix) if d.fix else None,
         "moment": moment_json(d.moment) if d.moment else None,
         "data": rounded_data(d.data),
     }
@@ -35,6 +35,13 @@ def moment_json(moment: Moment) -> Json:
         "hand_mm": millimetres(hand[0]) if hand else None,
         "bodies": list(moment.bodies),
     }
+
+
+def _fix(fix: Fix) -> Json:
+    """Return what to replace, and where more has to be replaced with it."""
+    more = [{**_span(edit.span), "replacement": edit.replacement} for edit in fix.more]
+    first: Json = {**_span(fix.span), "replacement": fix.replacement}
+    return {**first, "more": more} if more else first
 
 
 def _span(span: Span) -> Json:

@@ -97,9 +97,10 @@ def _fix(fix: Fix, help_texts: Sequence[str]) -> Json:
         **_file(fix.span.source.name),
         "replacements": [
             {
-                "deletedRegion": _region(fix.span),
-                "insertedContent": {"text": fix.replacement},
+                "deletedRegion": _region(edit.span),
+                "insertedContent": {"text": edit.replacement},
             }
+            for edit in fix.edits
         ],
     }
     described: Json = {"description": _message(visible(help_texts[0]))} if help_texts else {}

@@ -109,7 +109,7 @@ def test_lines_of_a_file() -> None:
 
 def test_of_what_is_found_beyond_only_the_number_is_kept() -> None:
     signs = 30
-    source = SourceFile("a.v2", f".PROGRAM main\n{('%' * signs + chr(10)) * 10_000}.END\n")
+    source = SourceFile("a.v2", f".PROGRAM main\n{('?' * signs + chr(10)) * 10_000}.END\n")
     problems = compile_source(source, Options(VAL2)).diagnostics
     assert [d.rule.code for d in problems] == ["V107"] * LIMIT + ["V151"]
     more = problems[-1].data["more"]

@@ -57,7 +57,7 @@ def test_words_and_what_they_are() -> None:
 def mended(text: str, title: str) -> str:
     document = Document("/c/a.v2", text)
     offered = [r for d in check(document) for r in remedies(document, d)]
-    (edit,) = [r.edit for r in offered if r.title == title]
+    ((edit,),) = [r.edits for r in offered if r.title == title]
     return text[: edit.start] + edit.text + text[edit.end :]
 
 

@@ -66,7 +66,8 @@ def test_every_question_is_answered() -> None:
             assert 0 <= edit.start <= edit.end <= len(source.text)
         for diagnostic in check(document):
             for remedy in remedies(document, diagnostic):
-                assert 0 <= remedy.edit.start <= remedy.edit.end <= len(source.text)
+                for edit in remedy.edits:
+                    assert 0 <= edit.start <= edit.end <= len(source.text)
 
 
 def _inside(symbol: Symbol, size: int) -> None:

@@ -1,0 +1,417 @@
+"""What to say of a line that is no step, by what its writer most likely meant.
+
+The idioms of other languages come first; then what the parser itself would say, if it has a fix;
+then comments and signs of other languages; then the parser's word. Whatever is to be written
+instead has been tried out.
+"""
+
+import re
+from dataclasses import replace
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Diagnostic, Fix, Rule, Severity
+from vrts.lang.grammar.shapes import LABEL_EXPECTED, TOO_MANY_OPERANDS, UNEXPECTED_TEXT
+from vrts.lang.problems import LIMIT, Problems, short
+from vrts.lang.reading.odd_signs import STRAY_CHARACTER
+from vrts.lang.steps.habits import Habits
+from vrts.lang.steps.idioms import comments, signs
+from vrts.lang.steps.idioms.idiom import Idiom, Matched, filled
+from vrts.lang.steps.idioms.tables import matches
+from vrts.lang.steps.missing_parts import MISSING_KEYWORD
+from vrts.lang.steps.near_words import meant_by, short_for
+from vrts.lang.steps.repair import Repair, Tried
+from vrts.lang.steps.unknown_words import (
+    AMBIGUOUS_KEYWORD,
+    MONITOR_COMMAND,
+    OTHER_DIALECT,
+    UNKNOWN_INSTRUCTION,
+)
+from vrts.lang.vocabulary.lookup import look_up
+
+OTHER_LANGUAGE = Rule("V164", "other-language")
+
+ONE_LINE_IF = "IF THEN"  # `IF x THEN READY`, which stands for IF, the step and END
+ELSE_IF = "ELSEIF"  # `ELSEIF x THEN`, which stands for ELSE and IF
+_INNER = "    "
+_ONE_LINE = re.compile(
+    r"IF[ \t]*(?P<e>.+?)[ \t]*THEN[ \t]*(?P<then>.+?)[ \t]*"
+    r"(?:(?<!\w)ELSE[ \t]+(?P<other>.+?)[ \t]*)?(?:(?<!\w)END(?:[ \t]*IF)?[ \t]*)?",
+    re.IGNORECASE,
+)
+_PRECISE = frozenset(
+    {
+        UNEXPECTED_TEXT,
+        TOO_MANY_OPERANDS,
+        LABEL_EXPECTED,
+        MONITOR_COMMAND,
+        STRAY_CHARACTER,
+        MISSING_KEYWORD,
+    }
+)  # codes that say what it is, whatever language it comes from
+STRUCTURE = frozenset({"IF", "WHILE", "FOR", "CASE", "DO", "END", "UNTIL", "ELSE", "VALUE", "ANY"})
+
+
+class Advised(NamedTuple):
+    """A line that was explained: the structure word it stands for, and the steps that are meant."""
+
+    word: str | None
+    meant: str | None = None
+
+
+class Line(NamedTuple):
+    """The statement of a line in its file."""
+
+    text: str
+    at: int
+    raw: str  # with what would be its comment
+    kept: str | None  # the structure word that the parser knows
+
+
+class Advice:
+    """Explains lines that are no steps, each by one diagnostic."""
+
+    def __init__(self, problems: Problems, repair: Repair, habits: Habits) -> None:
+        self.problems = problems
+        self.repair = repair
+        self.habits = habits
+        self.open_comment = False  # of `/*`
+
+    def explain(self, line: Line, mark: int) -> Advised | None:
+        """Put something better in the place of what was reported since a mark, if there is."""
+        problems = self.problems
+        if mark >= LIMIT:
+            return None  # it would not be shown
+        told = problems.found[mark:]
+        for better in (self._quoted, self._comment, self._idiom, self._one_line, self._word):
+            found = better(line, mark)
+            if found is not None:
+                return found
+        if len(told) == 1 and told[0].fix is not None:
+            return None
+        return self._signs(line, mark) or self._comment_behind(line, mark, alone=False)
+
+    def _quoted(self, line: Line, mark: int) -> Advised | None:
+        """Quotes and per cent before they are taken for comments; comments before idioms."""
+        found = comments.behind(line.text)
+        if found is None:
+            return None
+        if found.sign in ("'", "%", "!"):
+            return self._signs(line, mark)
+        return self._comment_behind(line, mark)
+
+    def _one_line(self, line: Line, mark: int) -> Advised | None:
+        """`IF x THEN READY`: where its END belongs is for the blocks to say."""
+        told = self.problems.found[mark:]
+        found = _ONE_LINE.fullmatch(line.text)
+        if found is None or len(told) != 1 or told[0].rule != UNEXPECTED_TEXT:
+            return None
+        rows = [f"IF {found['e']} THEN", f"{_INNER}{found['then']}"]
+        if found["other"] is not None:
+            rows += ["ELSE", f"{_INNER}{found['other']}"]
+        tried = self.repair.steps("\n".join(rows))
+        return Advised(ONE_LINE_IF, tried.text if tried is not None else None)
+
+    def comment(self, line: Line, mark: int) -> Advised | None:
+        """Explain a line by the comment in it alone."""
+        return self._comment(line, mark) or self._comment_behind(line, mark, alone=False)
+
+    # --- comments -------------------------------------------------------------------------------
+
+    def _comment(self, line: Line, mark: int) -> Advised | None:
+        found = comments.leading(line.text)
+        if found is None:
+            return None
+        self.problems.forget(mark)
+        self._comment_told(line, found)
+        return Advised(None)
+
+    def _comment_behind(self, line: Line, mark: int, *, alone: bool = True) -> Advised | None:
+        """A comment behind a step; `alone`: which is right but for it."""
+        found = comments.behind(line.text)
+        tried = self.repair.steps(found.before) if found is not None else None
+        if found is None or tried is None or tried.fixes > (not alone):
+            return None
+        self.problems.forget(mark)
+        self._comment_told(line, found)
+        return Advised(self._word_of(tried.text))
+
+    def _comment_told(self, line: Line, found: comments.Comment) -> None:
+        start, end = line.at + found.start, line.at + found.end
+        self.open_comment = found.goes_on and "*/" not in line.raw and "*)" not in line.raw
+        self.problems.error(
+            OTHER_LANGUAGE,
+            f"`{found.sign}` begins no comment",
+            start,
+            end,
+            help=("begin comments with `;`",),
+            fix=self.problems.replace(start, end, ";"),
+        )
+        self.habits.note(self.problems, f"comment {found.sign}")
+
+    def inside_comment(self, start: int, end: int, text: str) -> None:
+        """Report a line of a comment that began with `/*` in a line above."""
+        self.open_comment = "*/" not in text and "*)" not in text
+        self.problems.error(
+            OTHER_LANGUAGE,
+            "this is meant as a comment",
+            start,
+            end,
+            help=("begin comments with `;`",),
+            fix=self.problems.replace(start, start, "; "),
+        )
+        self.habits.note(self.problems, "comment /*")
+
+    # --- idioms ---------------------------------------------------------------------------------
+
+    def _idiom(self, line: Line, mark: int) -> Advised | None:
+        for text in dict.fromkeys((line.text, line.raw)):
+            for found in matches(text):
+                advised = self._fits(found, line._replace(text=text), mark)
+                if advised is not None:
+                    return advised
+        return None
+
+    def _fits(self, found: Matched, line: Line, mark: int) -> Advised | None:
+        idiom = found.idiom
+        if idiom.word == ELSE_IF:
+            return self._else_if(found, line, mark)
+        tried = self.repair.steps(_indented(found.instead, self._indent(line)))
+        if idiom.instead and tried is None:
+            return None
+        if tried is not None and self._mends(line, mark, tried):
+            return Advised(line.kept)
+        reported = self.problems.found[mark:]
+        told = reported[0] if len(reported) == 1 else None
+        self.problems.forget(mark)
+        word = idiom.word or (self._word_of(tried.text) if tried is not None else None)
+        self._told(found, line, tried, told)
+        return Advised(word)
+
+    def _mends(self, line: Line, mark: int, tried: Tried) -> bool:
+        """Whether what the parser has to say leads to the same step."""
+        told = self.problems.found[mark:]
+        if len(told) != 1 or told[0].fix is None or told[0].fix.more:
+            return False
+        span, instead, _ = told[0].fix
+        shift = told[0].fix.span.start - self.problems.span(line.at, line.at).start
+        before, after = line.text[: max(shift, 0)], line.text[shift + span.end - span.start :]
+        found = self.repair.steps(before + instead + after)
+        return found is not None and not found.fixes and _same(found.text, tried.text)
+
+    def _told(
+        self, found: Matched, line: Line, tried: Tried | None, told: Diagnostic | None
+    ) -> None:
+        """Report an idiom; what was told keeps its code and place where that says enough."""
+        idiom = found.idiom
+        start, end = line.at, line.at + len(line.text)
+        help_ = filled(idiom.help, found.parts) or (_write(tried.text) if tried is not None else "")
+        fix = None
+        if idiom.drop:
+            fix = self._without(line)
+        elif tried is not None and idiom.sure:
+            begin, finish, instead = _changed(line.text, tried.text)
+            fix = self.problems.replace(start + begin, start + finish, instead)
+        first = _first_word(line.text)
+        title = self.problems.dialect.title
+        says = filled(idiom.says, found.parts)
+        notes = (idiom.note,) if idiom.note else ()
+        known = told is not None and (told.rule in _PRECISE or not (says or idiom.of))
+        rule, primary, about = OTHER_LANGUAGE, self.problems.label(start, end), notes
+        written = f"`{short(line.text)}`"
+        of = idiom.of if "other" not in idiom.of else ""
+        headline = says or (f"{written} is {of}, not {title}" if of else f"{written} is no step")
+        if known:
+            assert told is not None
+            rule, about = told.rule, (*notes, *told.notes)
+            primary = told.primary or primary
+            headline = says or told.headline
+        elif first and look_up(first, self.problems.dialect).word is None and _is_word(idiom):
+            label = f"a word of {of}" if of else ""
+            rule, primary = OTHER_DIALECT, self.problems.label(start, start + len(first), label)
+            headline = f"{first.upper()} is not {_a(title)} instruction"
+            about = (*((says,) if says else ()), *notes, "VAL-II says *Unknown instruction*")
+        self.problems.add(
+            Diagnostic(
+                rule,
+                Severity.ERROR,
+                headline,
+                primary,
+                notes=about,
+                help=(help_,) if help_ else (),
+                fix=fix,
+            )
+        )
+        self.habits.note(self.problems, _habit(line, idiom, tried, first.upper()))
+
+    def _else_if(self, found: Matched, line: Line, mark: int) -> Advised:
+        """`ELSEIF x THEN`: where its END belongs is for the blocks to say."""
+        tried = self.repair.steps(f"IF {found.parts['e']} THEN")
+        self.problems.forget(mark)
+        self.problems.error(
+            OTHER_LANGUAGE,
+            "VAL-II has no ELSE IF",
+            line.at,
+            line.at + len(line.text),
+            help=("write ELSE, in the line below a new IF, and an END of its own for that",),
+        )
+        self.habits.note(self.problems, ELSE_IF)
+        return Advised(ELSE_IF, tried.text if tried is not None else None)
+
+    def _without(self, line: Line) -> Fix:
+        """Return a fix that takes a step out: its whole line, where nothing else stands there."""
+        text = self.problems.source.text
+        begin = text.rfind("\n", 0, line.at) + 1
+        end = line.at + len(line.text)
+        finish = text.find("\n", end)
+        finish = len(text) if finish < 0 else finish + 1
+        if text[begin : line.at].strip() or text[end:finish].strip(" \t;\n"):
+            return self.problems.replace(line.at, end, "")
+        return self.problems.replace(begin, finish, "")
+
+    # --- words that are nearly right ------------------------------------------------------------
+
+    def _word(self, line: Line, mark: int) -> Advised | None:
+        """A first word with a slip in it: what is near and makes a step of the line."""
+        told = self.problems.found[mark:]
+        first = _first_word(line.text)
+        if len(told) == 1 and told[0].rule == AMBIGUOUS_KEYWORD:
+            return self._short(line, mark, first)
+        if len(told) != 1 or told[0].rule != UNKNOWN_INSTRUCTION:
+            return None
+        rest, dialect = line.text[len(first) :], self.problems.dialect
+        rivals = meant_by(first, rest, self.repair, dialect)
+        if not rivals:
+            return None
+        word, tried = rivals[0]
+        self.problems.forget(mark)
+        start, end = line.at, line.at + len(first)
+        names = " or ".join(f"`{rival}`" for rival, _ in rivals[:3])
+        self.problems.error(
+            UNKNOWN_INSTRUCTION,
+            f"`{short(first)}` is not an instruction",
+            start,
+            end,
+            notes=("VAL-II says *Unknown instruction*",),
+            help=(f"did you mean {names}?",),
+            fix=self.problems.replace(start, end, word) if len(rivals) == 1 else None,
+            data={"word": first},
+        )
+        return Advised(self._word_of(tried.text))
+
+    def _short(self, line: Line, mark: int, first: str) -> Advised | None:
+        """A word that several begin with: the one that begins all the others, or alone fits."""
+        rest = line.text[len(first) :]
+        meant = short_for(first, rest, self.repair, self.problems.dialect)
+        if meant is None:
+            return None
+        told = self.problems.found[mark]
+        self.problems.forget(mark)
+        fix = self.problems.replace(line.at, line.at + len(first), meant)
+        help_ = f"did you mean `{meant}`? Write the word in full"
+        self.problems.add(replace(told, help=(help_,), fix=fix))
+        return Advised(self._word_of(meant + rest))
+
+    # --- signs ----------------------------------------------------------------------------------
+
+    def _signs(self, line: Line, mark: int) -> Advised | None:
+        for found, text in signs.replaced(line.text):
+            tried = self.repair.steps(text)
+            if tried is None:
+                continue
+            told = self.problems.found[mark]
+            self.problems.forget(mark)
+            start, end, instead = _changed(line.text, tried.text)
+            primary = self.problems.label(line.at + start, line.at + max(end, start))
+            precise = told.rule in _PRECISE or not found.says
+            self.problems.add(
+                Diagnostic(
+                    told.rule if precise else OTHER_LANGUAGE,
+                    Severity.ERROR,
+                    found.says or told.headline,
+                    (told.primary or primary) if precise else primary,
+                    notes=told.notes,
+                    help=(found.help,),
+                    fix=self.problems.replace(line.at + start, line.at + end, instead),
+                )
+            )
+            return Advised(self._word_of(tried.text))
+        return None
+
+    # --- help for all of them -------------------------------------------------------------------
+
+    def _word_of(self, text: str) -> str | None:
+        """Return the structure word that steps begin with."""
+        first = text.split("\n")[0].strip()
+        word = look_up(_first_word(first), self.problems.dialect).word if first else None
+        if word is None or word.text not in STRUCTURE:
+            return word.text if word is not None else None
+        if "\n" in text and text.rstrip().upper().endswith("END"):
+            return None  # it closes what it opens
+        if word.text == "IF" and " GOTO " in first.upper():
+            return None
+        return word.text
+
+    def _indent(self, line: Line) -> str:
+        text = self.problems.source.text
+        begin = text.rfind("\n", 0, line.at) + 1
+        before = text[begin : line.at]
+        return before if not before.strip() else " " * len(before.expandtabs(8))
+
+
+def _is_word(idiom: Idiom) -> bool:
+    """Whether an idiom begins with a word of its own."""
+    return idiom.pattern[0] == "<" or idiom.pattern[0].isalpha()
+
+
+def _habit(line: Line, idiom: Idiom, tried: Tried | None, first: str) -> str:
+    """Return what an idiom is a habit of: braces, cases, or itself."""
+    if "{" in line.raw or "}" in line.raw:
+        return "braces"
+    instead = tried.text.split()[0] if tried is not None else ""
+    ends_cases = line.text.upper().endswith(("SELECT", "SWITCH", "TEST", "CASE"))
+    if instead in ("CASE", "VALUE", "ANY") or (instead == "END" and ends_cases):
+        return "cases"
+    return f"idiom {idiom.pattern} {first}"
+
+
+def _same(one: str, other: str) -> bool:
+    return "".join(one.upper().split()) == "".join(other.upper().split())
+
+
+def _indented(steps: str, indent: str) -> str:
+    """Return steps of which all but the first are indented."""
+    return steps.replace("\n", f"\n{indent}")
+
+
+def _write(text: str) -> str:
+    rows = [row.strip() for row in text.split("\n")]
+    if len(rows) == 1:
+        return f"write `{rows[0]}`"
+    return "write " + ", ".join(f"`{row}`" for row in rows) + " in lines of their own"
+
+
+def _first_word(text: str) -> str:
+    end = 0
+    while end < len(text) and (text[end].isalnum() or text[end] in "._") and text[end].isascii():
+        end += 1
+    return text[:end] if text[:1].isalpha() else ""
+
+
+def _a(title: str) -> str:
+    return f"an {title}" if title == "AS" else f"a {title}"
+
+
+def _changed(before: str, after: str) -> tuple[int, int, str]:
+    """Return the smallest range of words that differs, and what stands there after."""
+    start = 0
+    while start < min(len(before), len(after)) and before[start] == after[start]:
+        start += 1
+    while start and before[start - 1].isalnum():
+        start -= 1
+    end = 0
+    most = min(len(before), len(after)) - start
+    while end < most and before[-1 - end] == after[-1 - end]:
+        end += 1
+    while end and before[len(before) - end].isalnum():
+        end -= 1
+    return start, len(before) - end, after[start : len(after) - end]

@@ -1,0 +1,47 @@
+"""Motions as other robot languages and beginners write them."""
+
+# fmt: off
+# ruff: noqa: E501
+
+from vrts.lang.steps.idioms.idiom import Idiom
+
+_JOINT = "<movej|move_j|ptp|jmove|jmov|move_ptp|move_joint|moveptp|moveto|move_to|movetcp|goto_point|move_absj|moveabsj|jump|movep>"
+_LINE = "<movel|move_l|lin|lmove|lmov|movelin|move_lin|move_line|move_linear|moveline|linear|mvs|straight|move_straight|moves_to|movs>"
+
+MOVING = (
+    Idiom("move_to_{e} , {e2}", "APPRO {e}, {e2}", says="MOVE takes the location alone", sure=False),
+    Idiom("<move|moves>_<to|the|at> ( {v} )", "MOVE {v}", says="MOVE takes the location alone"),
+    Idiom("move_<to|at>_{e}", "MOVE {e}", says="MOVE takes the location alone"),
+    Idiom("moves_<to|at>_{e}", "MOVES {e}", says="MOVES takes the location alone"),
+    Idiom("move_<straight|linear|line|lin|s|l>_<to|> {e}", "MOVES {e}", says="MOVES moves along a straight line"),
+    Idiom("move_<joint|ptp|j>_<to|> {e}", "MOVE {e}", says="MOVE takes the location alone"),
+    Idiom("move = {e}", "MOVE {e}", says="MOVE takes no `=`"),
+    Idiom("moves = {e}", "MOVES {e}", says="MOVES takes no `=`"),
+    Idiom("move : {e}", "MOVE {e}", says="MOVE takes no colon"),
+    Idiom("move_{s}", "", says="a location is named without quotes", help="leave the quotes out"),
+    Idiom("move , {e}", "MOVE {e}", says="MOVE takes no comma first"),
+    Idiom("<moves|move> {v} , {d} %", "", says="MOVE takes the location alone", help="write `SPEED {d}` before it"),
+    Idiom("move_{v} , {d}", "APPRO {v}, {d}", says="MOVE takes the location alone", help="to stop short of a location use `APPRO {v}, {d}`; SPEED sets the speed", sure=False),
+    Idiom("moves_{v} , {d}", "APPROS {v}, {d}", says="MOVES takes the location alone", help="to stop short of a location use `APPROS {v}, {d}`; SPEED sets the speed", sure=False),
+    Idiom("move_{v} <at|with|speed|at_speed|with_speed> {r}", "", says="MOVE takes the location alone", help="set the speed in the line before: `SPEED 50`"),
+    Idiom("moves_{v} <at|with|speed|at_speed|with_speed> {r}", "", says="MOVES takes the location alone", help="set the speed in the line before: `SPEED 50`"),
+    Idiom(_JOINT + " ( {v} )", "MOVE {v}", "other robot languages"),
+    Idiom(_LINE + " ( {v} )", "MOVES {v}", "other robot languages"),
+    Idiom(_JOINT + "_{v}", "MOVE {v}", "other robot languages"),
+    Idiom(_LINE + "_{v}", "MOVES {v}", "other robot languages"),
+    Idiom(_JOINT + "_{v} , {r}", "", "other robot languages", help="write `MOVE {v}`, and the speed in the line before: `SPEED 50`"),
+    Idiom(_JOINT + " ( {v} , {r} )", "", "other robot languages", help="write `MOVE {v}`, and the speed in the line before: `SPEED 50`"),
+    Idiom(_LINE + "_{v} , {r}", "", "other robot languages", help="write `MOVES {v}`, and the speed in the line before: `SPEED 50`"),
+    Idiom(_LINE + " ( {v} , {r} )", "", "other robot languages", help="write `MOVES {v}`, and the speed in the line before: `SPEED 50`"),
+    Idiom("<circ|movec|arc|circle|move_c>_{r}", "", "other robot languages", help="VAL-II has no arcs: compute points on the arc and MOVES to them"),
+    Idiom("<circ|movec|arc|circle> ( {r} )", "", "other robot languages", help="VAL-II has no arcs: compute points on the arc and MOVES to them"),
+    Idiom("<g0|g00>_{r}", "", "G-code", help="write `MOVE TRANS(x, y, z, o, a, t)`"),
+    Idiom("<g1|g01>_{r}", "", "G-code", help="write `MOVES TRANS(x, y, z, o, a, t)`"),
+    Idiom("<g28|g30>", "READY", "G-code", sure=False),
+    Idiom("<m2|m02|m30>", "", "G-code", help="leave it out: the program ends at `.END`", drop=True),
+    Idiom("<g20|g21|g90|g91|m3|m03|m4|m5|m05|m6>_{r}", "", "G-code", help="VAL-II has no such word: leave it out"),
+    Idiom("<g20|g21|g90|g91|m3|m03|m4|m5|m05|m6>", "", "G-code", help="VAL-II has no such word: leave it out"),
+    Idiom("goto_{n}", "", help="labels are whole numbers; to move to a location write `MOVE {n}`"),
+    Idiom("<go|goto>_<to|>_{n}", "MOVE {n}", "other languages", sure=False),
+    Idiom("<home|go_home|gohome|move_home|movehome|move_to_home|movetohome|park|rest|origin|homing|zero|go_ready|move_ready|init> <(|> <)|>", "READY", "other robot languages"),
+)

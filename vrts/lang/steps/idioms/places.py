@@ -1,0 +1,58 @@
+"""Locations out of numbers, and values of locations, as beginners write them."""
+
+# fmt: off
+# ruff: noqa: E501
+
+from vrts.lang.steps.idioms.idiom import Idiom
+
+_POINT = "TRANS({d}, {d2}, {d3})"
+_NUMBERS = "numbers make no location: TRANS does"
+_LIST6 = "{e} , {e2} , {e3} , {e4} , {e5} , {e6}"
+_SIX = "TRANS({e}, {e2}, {e3}, {e4}, {e5}, {e6})"
+_ANGLES = "the angles of the hand follow the lengths: `TRANS(x, y, z, o, a, t)`"
+
+PLACES = (
+    # locations out of numbers
+    Idiom("<move|goto|movet>_<to|>" + _LIST6, "MOVE " + _SIX, says=_NUMBERS),
+    Idiom("move ( " + _LIST6 + " )", "MOVE " + _SIX, says=_NUMBERS),
+    Idiom("move [ " + _LIST6 + " ]", "MOVE " + _SIX, says=_NUMBERS),
+    Idiom("moves " + _LIST6, "MOVES " + _SIX, says=_NUMBERS),
+    Idiom("moves ( " + _LIST6 + " )", "MOVES " + _SIX, says=_NUMBERS),
+    Idiom("move {d} , {d2} , {d3}", "MOVE " + _POINT, says=_NUMBERS, note=_ANGLES),
+    Idiom("move ( {d} , {d2} , {d3} )", "MOVE " + _POINT, says=_NUMBERS, note=_ANGLES),
+    Idiom("move [ {d} , {d2} , {d3} ]", "MOVE " + _POINT, says=_NUMBERS, note=_ANGLES),
+    Idiom("move {d}_{d2}_{d3}", "MOVE " + _POINT, says=_NUMBERS, note=_ANGLES),
+    Idiom("moves {d} , {d2} , {d3}", "MOVES " + _POINT, says=_NUMBERS, note=_ANGLES),
+    Idiom("moves ( {d} , {d2} , {d3} )", "MOVES " + _POINT, says=_NUMBERS, note=_ANGLES),
+    Idiom("move_<to|> x {d} <,|> y {d2} <,|> z {d3}", "MOVE " + _POINT, says=_NUMBERS, note=_ANGLES),
+    Idiom("set_{n} = " + _LIST6, "SET {n} = " + _SIX, says=_NUMBERS),
+    Idiom("set_{n} = ( " + _LIST6 + " )", "SET {n} = " + _SIX, says=_NUMBERS),
+    Idiom("set_{n} = [ " + _LIST6 + " ]", "SET {n} = " + _SIX, says=_NUMBERS),
+    Idiom("set_{n} , " + _LIST6, "SET {n} = " + _SIX, says=_NUMBERS),
+    Idiom("set_{n} = {d} , {d2} , {d3}", "SET {n} = " + _POINT, says=_NUMBERS, note=_ANGLES),
+    Idiom("set_{n} = ( {d} , {d2} , {d3} )", "SET {n} = " + _POINT, says=_NUMBERS, note=_ANGLES),
+    Idiom("set_{n} = [ {d} , {d2} , {d3} ]", "SET {n} = " + _POINT, says=_NUMBERS, note=_ANGLES),
+    Idiom("<point|pos|location|pose>_{n} = trans ( {r} )", "SET {n} = TRANS({r})", "other languages"),
+    Idiom("<point|location|pose|pos|position|frame|def_point|teach>_{n} = " + _LIST6, "SET {n} = " + _SIX, "other languages"),
+    Idiom("{n} = ( " + _LIST6 + " )", "SET {n} = " + _SIX, says=_NUMBERS),
+    Idiom("{n} = [ " + _LIST6 + " ]", "SET {n} = " + _SIX, "MATLAB and Python"),
+    Idiom("{n} = p [ " + _LIST6 + " ]", "", "URScript", help="write `SET {n} = TRANS(x, y, z, o, a, t)`, in mm and degrees"),
+    Idiom("{n} = " + _LIST6, "SET {n} = " + _SIX, says=_NUMBERS),
+    Idiom("set_<location|point|pose|pos>_{n} = {e}", "SET {n} = {e}", says="SET takes the name of the location alone"),
+    Idiom("set_{n} := {e}", "SET {n} = {e}", "Pascal and RAPID"),
+    Idiom("set_{n}_trans ( {r} )", "SET {n} = TRANS({r})", says="`=` is missing before `TRANS`"),
+    Idiom("set_{n} , trans ( {r} )", "SET {n} = TRANS({r})", says="SET takes `=`, not a comma"),
+    Idiom("<set|let>_{n}_<to|as>_{e}", "SET {n} = {e}", says="SET takes `=`"),
+    # locations that change
+    Idiom("shift ( {v} , {e} , {e2} , {e3} )", "SHIFT {v} BY {e}, {e2}, {e3}", says="the offsets of SHIFT follow BY", sure=False),
+    Idiom("here = {v}", "HERE {v}", says="HERE takes the name of the location"),
+    Idiom("here ( {v} )", "HERE {v}", says="HERE takes no parentheses"),
+    Idiom("{v} = here", "HERE {v}", says="`=` gives a value to a number, HERE to a location"),
+    Idiom("{v} = trans ( {r} )", "SET {v} = TRANS({r})", says="SET gives a value to a location"),
+    Idiom("<teach|record|save|store_point|learn|where>_{v}", "HERE {v}", "other robot languages", sure=False),
+    Idiom("base ( {r} )", "BASE {r}", says="BASE takes no parentheses"),
+    Idiom("tool ( {r} )", "", says="TOOL takes a location", help="write `TOOL TRANS(x, y, z, o, a, t)`"),
+    Idiom("tool = {e}", "TOOL {e}", says="TOOL takes no `=`"),
+    Idiom("<settool|set_tool|tooloffset|set_tcp>_{v}", "TOOL {v}", "other robot languages"),
+    Idiom("<settool|set_tool|set_tcp> ( {v} )", "TOOL {v}", "other robot languages"),
+)

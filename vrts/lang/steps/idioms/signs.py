@@ -1,0 +1,158 @@
+"""Operators and quotes of other languages inside a step, one kind of them at a time."""
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+
+class Signs(NamedTuple):
+    """A kind of sign, and what VAL-II writes for it."""
+
+    pattern: re.Pattern[str]  # what is replaced; strings are hidden from it
+    instead: str  # as `re.sub` takes it
+    says: str
+    help: str
+
+
+_OPERAND = r"(?:[\w.]+(?:\[[^\[\]]*\]|\([^()]*\))?|\([^()]*\))"
+
+SIGNS = (
+    Signs(re.compile(r"'([^'\"]*)'"), r'"\1"', "text stands between double quotes", 'write `"`'),
+    Signs(
+        re.compile(r"[ \t]*(?<=[\w)\] \t])%[ \t]*(?=[\w(-])"),
+        " MOD ",
+        "`%` is not an operator of VAL-II",
+        "write `MOD` for the remainder of a division",
+    ),
+    Signs(
+        re.compile(r"(?<=\d)[ \t]*%"),
+        "",
+        "`%` has no meaning here",
+        "leave the percent sign out: SPEED takes percent",
+    ),
+    Signs(re.compile(r"~="), "<>", "`~=` is not an operator of VAL-II", "write `<>`"),
+    Signs(re.compile(r"/="), "<>", "`/=` is not an operator of VAL-II", "write `<>`"),
+    Signs(re.compile(r"==="), "==", "`===` is not an operator of VAL-II", "write `==`"),
+    Signs(re.compile(r"!=="), "<>", "`!==` is not an operator of VAL-II", "write `<>`"),
+    Signs(re.compile(r"!(?!=)[ \t]*"), "NOT ", "`!` is not an operator of VAL-II", "write `NOT`"),
+    Signs(re.compile(r"~(?!=)[ \t]*"), "NOT ", "`~` is not an operator of VAL-II", "write `NOT`"),
+    Signs(
+        re.compile(r"[ \t]*(?<!&)&(?!&)[ \t]*"),
+        " AND ",
+        "`&` is not an operator of VAL-II",
+        "write `AND`",
+    ),
+    Signs(
+        re.compile(r"[ \t]*(?<!\|)\|(?!\|)[ \t]*"),
+        " OR ",
+        "`|` is not an operator of VAL-II",
+        "write `OR`",
+    ),
+    Signs(
+        re.compile(rf"({_OPERAND})[ \t]*(?:\^|\*\*)[ \t]*2(?![\d.])"),
+        r"SQR(\1)",
+        "VAL-II has no power operator",
+        "write `SQR(x)` for a square",
+    ),
+    Signs(
+        re.compile(rf"({_OPERAND})[ \t]*(?:\^|\*\*)[ \t]*3(?![\d.])"),
+        r"\1*\1*\1",
+        "VAL-II has no power operator",
+        "multiply: `x*x*x`",
+    ),
+    Signs(
+        re.compile(rf"({_OPERAND})[ \t]*(?:\^|\*\*)[ \t]*0\.5(?!\d)"),
+        r"SQRT(\1)",
+        "VAL-II has no power operator",
+        "write `SQRT(x)` for a square root",
+    ),
+    Signs(
+        re.compile(rf"({_OPERAND})[ \t]*(?://|\\|\bdiv\b)[ \t]*({_OPERAND})", re.I),
+        r"INT(\1/\2)",
+        "VAL-II has no whole division",
+        "write `INT(a/b)`",
+    ),
+    Signs(
+        re.compile(r"\bmod[ \t]*\(([^(),]*),[ \t]*([^(),]*)\)", re.I),
+        r"\1 MOD \2",
+        "MOD is an operator",
+        "write `a MOD b`",
+    ),
+    Signs(
+        re.compile(r"(?<=.)\bsig[ \t]*\[([^\[\]]*)\]", re.I),
+        r"SIG(\1)",
+        "SIG takes parentheses, not brackets",
+        "write `SIG(1001)`",
+    ),
+    Signs(
+        re.compile(
+            r"\b(?:\$in|di|din|input|digitalread|get_digital_in|in)[ \t]*[\[(]([^\[\]()]*)[\])]",
+            re.I,
+        ),
+        r"SIG(\1)",
+        "a signal is asked for by SIG",
+        "write `SIG(1001)`",
+    ),
+    Signs(
+        re.compile(r"(?<=.)\bsig(?:nal)?[ \t]+(\d+)", re.I),
+        r"SIG(\1)",
+        "SIG without parentheses",
+        "write `SIG(1001)`",
+    ),
+    Signs(
+        re.compile(r"(?<=.)\bsignal[ \t]*\(([^()]*)\)", re.I),
+        r"SIG(\1)",
+        "SIGNAL switches, SIG asks",
+        "write `SIG(1001)`",
+    ),
+    Signs(
+        re.compile(r"\bgreater[ \t]+than\b|\bis[ \t]+greater[ \t]+than\b", re.I),
+        ">",
+        "comparisons are signs in VAL-II",
+        "write `>`",
+    ),
+    Signs(
+        re.compile(r"\b(?:is[ \t]+)?(?:less|smaller)[ \t]+than\b", re.I),
+        "<",
+        "comparisons are signs in VAL-II",
+        "write `<`",
+    ),
+    Signs(
+        re.compile(r"\b(?:equals|is|eq)\b", re.I),
+        "==",
+        "comparisons are signs in VAL-II",
+        "write `==`",
+    ),
+    Signs(
+        re.compile(r"\b(?:isnt|not[ \t]+equal|ne)\b", re.I),
+        "<>",
+        "comparisons are signs in VAL-II",
+        "write `<>`",
+    ),
+    Signs(
+        re.compile(r"\band[ \t]+also\b|\bandalso\b", re.I), "AND", "VAL-II has AND", "write `AND`"
+    ),
+    Signs(re.compile(r"(?<=\d),(?=\d)"), ".", "a decimal number has a point", "write the point"),
+    Signs(re.compile(r"[ \t]*;[ \t]*$"), "", "", "leave it out"),
+    Signs(re.compile(r"[ \t]*[{:.,][ \t]*$"), "", "", "leave it out"),
+    Signs(re.compile(r"\\"), "/", "`\\` is not an operator of VAL-II", "write `/` to divide"),
+)
+_STRING = re.compile(r'"[^"]*"')
+
+
+def replaced(text: str) -> Iterator[tuple[Signs, str]]:
+    """Return a step with one kind of foreign signs replaced after the other."""
+    strings = _STRING.findall(text)
+    hidden = _STRING.sub(_HIDDEN, text)
+    for signs in SIGNS:
+        found = signs.pattern.sub(signs.instead, hidden)
+        if found != hidden:
+            yield signs, _shown(found, strings)
+
+
+_HIDDEN = '"\0"'
+
+
+def _shown(text: str, strings: list[str]) -> str:
+    following = iter(strings)
+    return re.sub('"\0"', lambda _: next(following, '""'), text)

@@ -1,0 +1,60 @@
+"""Words that may be meant by one with a slip in it, by what would be a step."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from vrts.lang.dialect import Dialect
+from vrts.lang.spelling import near
+from vrts.lang.steps.repair import Repair, Tried
+from vrts.lang.vocabulary.lookup import look_up, spellings
+
+
+class Near(NamedTuple):
+    """A word that may be meant, and the step that it makes."""
+
+    word: str
+    tried: Tried
+
+
+def meant_by(first: str, rest: str, repair: Repair, dialect: Dialect) -> list[Near]:
+    """Return the instructions most likely meant by the first word of a step."""
+    written = first.upper()
+    fitting: list[tuple[int, int, Near]] = []
+    for distance, word in near(written, spellings(dialect)):
+        tried = repair.steps(word + rest)
+        if tried is not None:
+            fitting.append((tried.fixes, distance, Near(word, tried)))
+    if not fitting:
+        return []
+    best = min((fixes, distance) for fixes, distance, _ in fitting)
+    rivals = [found for fixes, distance, found in fitting if (fixes, distance) == best]
+    for likelier in _LIKELIER:
+        rivals = [rival for rival in rivals if likelier(rival.word, written)] or rivals
+    return sorted(rivals, key=lambda rival: rival.word)
+
+
+def short_for(first: str, rest: str, repair: Repair, dialect: Dialect) -> str | None:
+    """Return the word that is meant by a beginning of several: the one that the others go on."""
+    words = [word.text for word in look_up(first, dialect).candidates]
+    fitting = [word for word in words if repair.steps(word + rest) is not None]
+    meant = [word for word in fitting if all(other.startswith(word) for other in fitting)]
+    return meant[0] if meant else None
+
+
+def _begins(word: str, written: str) -> bool:
+    return written.startswith(word) or word.startswith(written)  # one letter more, or less
+
+
+def _swapped(word: str, written: str) -> bool:
+    return sorted(word) == sorted(written)
+
+
+def _same_ends(word: str, written: str) -> bool:
+    return word[0] == written[0] and word[-1] == written[-1]
+
+
+def _same_start(word: str, written: str) -> bool:
+    return word[0] == written[0]
+
+
+_LIKELIER: tuple[Callable[[str, str], bool], ...] = (_begins, _swapped, _same_ends, _same_start)
