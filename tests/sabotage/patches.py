@@ -1891,8 +1891,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "whatever begins like a block step is one",
         "vrts/lang/steps/kawasaki_forms.py",
-        "    [ \\t]*$\"\"\",\n    re.ASCII | re.IGNORECASE | re.VERBOSE,",
-        "    .*$\"\"\",\n    re.ASCII | re.IGNORECASE | re.VERBOSE,",
+        '    [ \\t]*$""",\n    re.ASCII | re.IGNORECASE | re.VERBOSE,',
+        '    .*$""",\n    re.ASCII | re.IGNORECASE | re.VERBOSE,',
         (LANG,),
     ),
 )

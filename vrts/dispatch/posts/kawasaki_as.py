@@ -46,7 +46,7 @@ class KawasakiAs(Post):
     LACKS_FUNCTIONS: ClassVar[frozenset[str]] = frozenset(
         {
             *("adc", "ioget", "pendant", "status", "$unpack", "bcd", "dcb", "identical", "state"),
-            *("defined", "parameter", "tas", "last"),
+            *("defined", "parameter", "tas", "last", "hand"),
         }
     )
 
@@ -80,7 +80,8 @@ class KawasakiAs(Post):
         return (f"JMOVE #PPOINT({joints})",)
 
     def _write_grasp(self, node: statements.Simple) -> tuple[str, ...]:
-        return self.grasped(node)
+        """AS does not know how far a hand is open [AS2015] appendix 5."""
+        raise self.lacking(node, "GRASP", "use CLOSEI, and ask a signal of the hand with SIG")
 
     def _write_shift(self, node: statements.ShiftStatement) -> tuple[str, ...]:
         place = self.expression(node.target)
@@ -227,6 +228,10 @@ class KawasakiAs(Post):
 
     def _apply_pos(self, node: expressions.Application) -> str:
         text, part, *start = node.arguments
+        literal = part.value if isinstance(part, expressions.Text) else None
+        if literal is None or literal.lower() != literal.upper():
+            headline = "AS looks for strings whatever the case of their letters"
+            raise CannotWrite(node.start, node.end, headline, "look for a sign that is no letter")
         first = self.listed(tuple(start)) if any(start) else "1"
         return f"INSTR({first}, {self.listed((text,))}, {self.listed((part,))})"
 

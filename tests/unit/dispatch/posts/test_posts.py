@@ -66,7 +66,7 @@ def steps_in(text: str) -> str:
         ("y = (x == 2) AND x", "y = (x == 2) AND x", "y = (x == 2) AND x"),
         ("y = SQR(x+1)", "y = SQR(x+1)", "y = ((x+1)*(x+1))"),
         ("y = MAX(x,1)", "y = MAX(x,1)", "y = MAXVAL(x,1)"),
-        ('y = POS("abc","b")', 'y = POS("abc","b")', 'y = INSTR(1,"abc","b")'),
+        ('y = POS("a,c",",")', 'y = POS("a,c",",")', 'y = INSTR(1,"a,c",",")'),
         ("y = SIGN(x)", "y = SIGN(x)", "y = ((x < 0)*2+1)"),
         ("REACTI 1001, halt1, 5", "REACTI 1001, halt1, 5", "ONI 1001 CALL halt1, 5"),
         ('TYPE "x", /F5.1, x', 'TYPE "x", /F5.1, x', 'PRINT "x", /F5.1, x'),
@@ -97,6 +97,9 @@ def test_a_step_in_other_languages(step: str, vplus: str, kawasaki: str | None) 
         ("y = BCD(3)", "as", "AS has nothing that means BCD"),
         ("y = SQR(RANDOM)", "as", "AS has no SQR, and its argument is a function"),
         ("SPEED 5 IPS\ny = SPEED(3)", "as", "SPEED would yield mm/s where it yields inches a"),
+        ("y = HAND", "as", "AS has nothing that means HAND"),
+        ("GRASP 20, 10\n10 OPENI", "as", "AS has nothing that means GRASP"),
+        ('y = POS("abc", "b")', "as", "AS looks for strings whatever the case"),
         ("y = ADC(1)", "vplus", "V+ has nothing that means ADC"),
     ],
 )
