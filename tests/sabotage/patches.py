@@ -311,7 +311,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "DRIVE uses up the pending speed",
-        "vrts/engine/code/steps/motion_steps.py",
+        "vrts/engine/code/steps/targets.py",
         "keeps = not c.planner.model.next_motion.drive_uses_speed",
         "keeps = c.planner.model.next_motion.drive_uses_speed",
         (ENGINE,),

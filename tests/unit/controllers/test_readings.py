@@ -20,7 +20,7 @@ ROUNDING = 1e-6  # less is a matter of rounding
 KNOWN = {
     ("passage.py", 0.1),  # radians: how finely a way is looked at
     ("remarks.py", 179.5),  # degrees: what is told of a line, not how it goes
-    ("motion_steps.py", 90.0),  # angles of BASE, as VAL counts them
+    ("frame_steps.py", 90.0),  # angles of BASE, as VAL counts them
     ("terminal_steps.py", 90.0),  # the same, listed
     ("setting_steps.py", 1000.0),  # the largest ACCEL that is no slip
 }

@@ -22,7 +22,7 @@ from vrts.base.pose import (
 )
 from vrts.controllers.model import LineTurn
 from vrts.controllers.models import USUAL
-from vrts.engine.code.steps.motion_steps import aligned
+from vrts.engine.code.steps.targets import aligned
 from vrts.engine.motion.paths import line
 from vrts.engine.motion.requests import Stance, to_pose
 from vrts.engine.motion.settings import Settings

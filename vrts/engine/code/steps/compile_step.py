@@ -20,6 +20,7 @@ from vrts.engine.code.closures import (
 )
 from vrts.engine.code.steps.call_steps import CallStepCompiler
 from vrts.engine.code.steps.extent import robot_only, simulates
+from vrts.engine.code.steps.frame_steps import FrameStepCompiler
 from vrts.engine.code.steps.guard import for_robot
 from vrts.engine.code.steps.hand_steps import HandStepCompiler
 from vrts.engine.code.steps.motion_steps import MotionStepCompiler
@@ -54,6 +55,7 @@ class StepCompiler:
         self.expressions = expressions
         self.calls = CallStepCompiler(expressions, call_depth)
         self.motions = MotionStepCompiler(expressions)
+        self.frames = FrameStepCompiler(expressions)
         self.settings = SettingStepCompiler(expressions)
         self.hands = HandStepCompiler(expressions)
         self.signals = SignalStepCompiler(expressions)
@@ -127,9 +129,9 @@ class StepCompiler:
             case ir.Grasp():
                 return self.hands.grasp(instruction, following, cause)
             case ir.SetTool(pose=pose):
-                return self.motions.tool(pose, following)
+                return self.frames.tool(pose, following)
             case ir.SetBase() | ir.SetBaseFrame():
-                return self.motions.base(instruction, following)
+                return self.frames.base(instruction, following)
             case ir.Jump(target=target):
                 return lambda c: target
             case ir.JumpIf(condition=condition, when=when, target=target):

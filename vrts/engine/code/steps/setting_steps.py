@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.engine.code.closures import BLOCKED, Step, reached
-from vrts.engine.code.steps.motion_steps import positive
+from vrts.engine.code.steps.targets import positive
 from vrts.engine.code.values.compiler import Compiler
 from vrts.engine.code.values.operands import span_of
 from vrts.engine.faults import RuntimeFault
