@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule
+from vrts.base.pose import Pose
 from vrts.base.source import SourceFile
 from vrts.base.stack import deep_stack
 from vrts.ir.module import Datum, Module, Program
@@ -17,7 +18,7 @@ from vrts.lang.joined import Joined
 from vrts.lang.lowering.programs import Lowering
 from vrts.lang.meaning.data_sections import read_data, report_replaced
 from vrts.lang.meaning.resolve import Resolver
-from vrts.lang.meaning.scope import Scope
+from vrts.lang.meaning.scope import Scope, location_name
 from vrts.lang.meaning.structure import Block, blocks, check_exits, labels
 from vrts.lang.problems import Problems
 from vrts.lang.reading.detection import detect
@@ -116,8 +117,20 @@ def _compile(problems: Problems, options: Options) -> Compilation:
         lowering = Lowering(problems.source, resolver.scope, resolver, program, *structure)
         lowered[program.name] = lowering.run()
         check_reachable(problems, program, lowered[program.name])
-    module = Module(MappingProxyType(lowered), tuple(found.data))
+    module = Module(MappingProxyType(lowered), _told_apart(found))
     return Compilation(module, problems.in_order(), dialect, problems.source)
+
+
+def _told_apart(found: Resolved) -> tuple[Datum, ...]:
+    """Return the data; locations that share names with numbers have names of their own."""
+    entries = found.resolver.scope.entries
+    shared = {entry.name for entry in entries.values() if entry.both}
+    return tuple(
+        datum._replace(name=location_name(datum.name))
+        if datum.name in shared and isinstance(datum.value, Pose)
+        else datum
+        for datum in found.data
+    )
 
 
 def _resolved(problems: Problems, options: Options) -> Resolved | None:

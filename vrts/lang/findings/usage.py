@@ -81,6 +81,9 @@ class _Suggestions:
 def _clash(resolver: Resolver, entry: Entry) -> bool:
     problems = resolver.problems
     if Type.REAL in entry.types and Type.POSE in entry.types:
+        if resolver.dialect.is_as and entry.slot is None:
+            entry.both = True  # numbers and locations of AS have names of their own
+            return False
         lines = {problems.source.line_of(place[0]) for place in entry.types.values()}
         if lines & resolver.wrong_lines:
             return True  # said there

@@ -3,11 +3,12 @@
 from vrts.base.numbers import single
 from vrts.base.source import SourceFile, Span
 from vrts.ir import expressions as x
+from vrts.ir.values import Type
 from vrts.lang.dialect import Angles
 from vrts.lang.joined import Joined, span_in
 from vrts.lang.meaning.forms import with_start
 from vrts.lang.meaning.name_uses import NameUses
-from vrts.lang.meaning.scope import Scope
+from vrts.lang.meaning.scope import Scope, location_name
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import (
     Application,
@@ -38,6 +39,7 @@ class ValueLowering:
         self.functions = types.functions
         self.bare_functions = types.bare_functions
         self.composing = types.composing
+        self.located = types.located
         self.program_name = program
 
     def _span(self, node: Item) -> Span:
@@ -50,6 +52,12 @@ class ValueLowering:
         entry = self.scope.entry(self.program_name, key(name.text))
         if entry.slot is not None:
             return x.Slot(entry.slot, entry.name, entry.type)
+        if entry.both:
+            located = name.start in self.located
+            return x.Global(
+                location_name(entry.name) if located else entry.name,
+                Type.POSE if located else Type.REAL,
+            )
         return x.Global(entry.stored or entry.name, entry.type)
 
     def place(self, node: Variable) -> x.Place:

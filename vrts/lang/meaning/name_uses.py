@@ -56,6 +56,7 @@ class NameUses:
         self.words = reserved_words(self.dialect)
         self.predefined = CONSTANTS.keys() | self.bare_functions.keys()
         self.composing: set[int] = set()  # offsets of `+` and `-` of AS that join locations
+        self.located: set[int] = set()  # offsets of names without prefix that are locations
         self.called: list[Name] = []  # programs named by REACT and its like
         self.not_simulated: set[str] = set()  # words reported, each once
         self.program: str | None = None
@@ -139,6 +140,8 @@ class NameUses:
         entry.spellings.setdefault(node.text.lower(), (node.start, node.end))
         if (wanted is Type.REAL or wanted is Type.POSE) and node.text[0] not in "$#":
             entry.types.setdefault(wanted, (node.start, node.end))
+            if wanted is Type.POSE:
+                self.located.add(node.start)
         self._reserved(node)
         return entry
 

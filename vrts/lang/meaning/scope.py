@@ -35,6 +35,7 @@ class Entry:
     scalar: Place | None = None
     array: Place | None = None
     spellings: dict[str, Place] = field(default_factory=dict[str, Place])
+    both: bool = False  # AS: a number and a location of the same name, two variables
     asked: bool = False  # DEFINED and its like look whether it has a value
     changed: bool = False  # given a value by something else than `=`
     values: list[Expression] = field(default_factory=list[Expression])  # all that is assigned
@@ -141,3 +142,8 @@ class Scope:
                     seen.add(id(formal))
                     waiting.append(formal)
         return False
+
+
+def location_name(name: str) -> str:
+    """Return the name in memory of a location of AS that shares its name with a number."""
+    return f"&{name}"
