@@ -366,6 +366,34 @@ PATCHES: tuple[Patch, ...] = (
         (LANG,),
     ),
     Patch(
+        "of two ways only the first counts",
+        "vrts/lang/findings/values/flow.py",
+        "both = intervals.hull(old, new)",
+        "both = old",
+        (LANG,),
+    ),
+    Patch(
+        "what a condition tells takes the place of what was known",
+        "vrts/lang/findings/values/flow.py",
+        "return True\n        name = key(node.text)\n        low, high = state.get(name, ANY)",
+        "return True\n        name = key(node.text)\n        low, high = bounds",
+        (LANG,),
+    ),
+    Patch(
+        "what a reaction changes is followed",
+        "vrts/lang/findings/values/check.py",
+        "if self.beside and not entry.written_in <= {text.name, None}:",
+        "if self.beside and entry.written_in is None:",
+        (LANG,),
+    ),
+    Patch(
+        "remarks in prose are taken for steps",
+        "vrts/lang/findings/remarks.py",
+        "if not all(_exists(scope, program, name) for name in _names(node)):",
+        "if not program:",
+        (LANG,),
+    ),
+    Patch(
         "calls decide nothing about formals",
         "vrts/lang/meaning/agreement.py",
         "if found in _SPREADING:",
@@ -403,8 +431,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "unreachable steps are not seen",
         "vrts/lang/findings/flow.py",
-        "if isinstance(instruction, i.Jump | i.NextFor | i.Stop | i.Halt | i.ReturnError):",
-        "if isinstance(instruction, i.NextFor):",
+        "            if kind in _ENDING:",
+        "            if kind is i.NextFor:",
         (LANG,),
     ),
     Patch(

@@ -13,7 +13,9 @@ from vrts.ir.module import Datum, Module, Program
 from vrts.lang.dialect import VAL2, Dialect, Precedence
 from vrts.lang.findings.flow import check_jumps, check_process_programs, check_reachable
 from vrts.lang.findings.habits import check_habits
+from vrts.lang.findings.remarks import check_remarks
 from vrts.lang.findings.usage import check_usage
+from vrts.lang.findings.values.check import ValueCheck
 from vrts.lang.joined import Joined
 from vrts.lang.lowering.programs import Lowering
 from vrts.lang.meaning.data_sections import read_data, report_replaced
@@ -57,6 +59,7 @@ class Resolved(NamedTuple):
     structures: dict[str, tuple[list[Block], dict[int | str, int]]]  # of each program
     data: list[Datum]
     stored: bool  # whether a file without programs is all right
+    values: ValueCheck
 
 
 class Options(NamedTuple):
@@ -117,6 +120,7 @@ def _compile(problems: Problems, options: Options) -> Compilation:
         lowering = Lowering(problems.source, resolver.scope, resolver, program, *structure)
         lowered[program.name] = lowering.run()
         check_reachable(problems, program, lowered[program.name])
+    found.values.followed(lowered)
     module = Module(MappingProxyType(lowered), _told_apart(found))
     return Compilation(module, problems.in_order(), dialect, problems.source)
 
@@ -196,11 +200,14 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
     parser.habits.report(problems)
     check_process_programs(problems, scope.programs)
     check_usage(resolver, programs)
+    check_remarks(problems, scope, programs)
+    values = ValueCheck(resolver, programs)
+    values.written(data)
     check_habits(problems, scope, programs, {n: found for n, (found, _) in structures.items()})
     by_start = {section.header.start: section for section in headed}
     stored = bool(data) and (dialect.is_as or problems.source.name.lower().endswith(DATA_SUFFIXES))
     kept = [by_start[program.start] for program in programs]
-    return Resolved(programs, kept, resolver, structures, data, stored)
+    return Resolved(programs, kept, resolver, structures, data, stored, values)
 
 
 def _distinct(

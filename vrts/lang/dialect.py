@@ -54,6 +54,8 @@ class Dialect(NamedTuple):
 
     def has(self, letters: str) -> bool:
         """Return whether a word with these columns of the vocabulary counts."""
+        if len(letters) == 1:
+            return letters in self.letters
         return not set(self.letters).isdisjoint(letters)
 
 

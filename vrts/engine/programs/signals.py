@@ -4,11 +4,10 @@ from collections.abc import Sequence
 
 from vrts.base.source import Span
 from vrts.engine.faults import RuntimeFault
+from vrts.ir.ranges import INPUTS, INTERNAL, OUTPUTS
 from vrts.ir.runtime_errors import RuntimeErrorKind
 
-OUTPUTS = range(1, 33)  # [assumed, manual language/signals#ranges]
-INPUTS = range(1001, 1033)
-INTERNAL = range(2001, 2257)
+__all__ = ["INPUTS", "INTERNAL", "OUTPUTS", "Signals", "known"]
 
 
 class Signals:

@@ -5,7 +5,6 @@ See [manual language/reactions].
 
 from dataclasses import dataclass
 
-HIGHEST_PRIORITY = 127
 ERROR_PRIORITY = 254  # of a program that REACTE names [assumed, manual language/reactions#errors]
 MOST_WATCHES = 8  # [assumed, manual language/reactions#number]
 

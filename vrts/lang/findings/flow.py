@@ -28,6 +28,8 @@ UNREACHABLE = Rule("V223", "unreachable-step")
 INTO_LOOP = Rule("V224", "jump-into-loop")
 ROBOT_IN_PROCESS = Rule("V227", "robot-in-process")
 
+_LEADING = frozenset({i.Jump, i.JumpIf, i.TestFor, i.NextFor, i.TestCase, i.Grasp})
+_ENDING = frozenset({i.Jump, i.NextFor, i.Stop, i.Halt, i.ReturnError, i.Return})
 _MARKS = (i.Jump, i.NextFor, i.TestFor, i.TestCase, i.Return)  # what END, ELSE, VALUE leave behind
 
 
@@ -74,10 +76,10 @@ def _reached(program: Program) -> set[int]:
         while at not in reached and at < len(program.instructions):
             reached.add(at)
             instruction = program.instructions[at]
-            waiting += _jumps(instruction)
-            if isinstance(instruction, i.Jump | i.NextFor | i.Stop | i.Halt | i.ReturnError):
-                break
-            if isinstance(instruction, i.Return):
+            kind = type(instruction)
+            if kind in _LEADING:
+                waiting += _jumps(instruction)
+            if kind in _ENDING:
                 break
             at += 1
     return reached

@@ -13,7 +13,7 @@ from vrts.ir.values import Type
 from vrts.lang.dialect import Angles
 from vrts.lang.meaning import type_mistakes
 from vrts.lang.meaning.forms import is_text, with_start
-from vrts.lang.meaning.name_uses import NameUses, NoText
+from vrts.lang.meaning.name_uses import Asked, NameUses, NoText
 from vrts.lang.meaning.scope import Entry
 from vrts.lang.meaning.type_mistakes import IN_WORDS, MAX_SUBSCRIPTS
 from vrts.lang.names import key
@@ -40,6 +40,10 @@ _SWAPS = frozenset({"tas", "cas"})  # functions that give their variable a value
 
 Wanted: TypeAlias = Type | None  # None: any type; POSE also takes joints where `joints` is True
 _CODES = {"r": Type.REAL, "s": Type.STRING, "p": Type.POSE, "l": Type.POSE, "$": Type.STRING}
+_LOOKED_AT = frozenset({"/", "MOD", "OR"})  # operators whose operands matter
+_LOOKED_INTO = frozenset(  # functions whose arguments matter
+    {"sig", "bits", "timer", "sqrt", "sin", "cos", "tan", "trans", "#ppoint", "rx", "ry", "rz"}
+)
 _COMPARISONS = frozenset({"==", "<>", "<", "<=", ">", ">="})
 
 
@@ -92,11 +96,13 @@ class ExpressionTypes(NameUses):
         if operator == ":":
             for part in (node.left, node.right):
                 self.check(part, Type.POSE, "`:` joins locations")
+            self._part(node.right)
             return Type.POSE
         if operator in "+-" and self.dialect.is_as and self._locations(wanted, node.left):
             self.composing.add(node.operator_start)
             for part in (node.left, node.right):
                 self.check(part, Type.POSE, f"`{operator}` joins locations")
+            self._part(node.right)
             return Type.POSE
         if operator == "+":
             return self._sum(node, wanted)
@@ -104,12 +110,24 @@ class ExpressionTypes(NameUses):
             text = is_text(node.left) or is_text(node.right)
             kind = Type.STRING if text else Type.REAL
             why = f"`{operator}` takes two strings or two numbers"
+            if isinstance(node.left, Application) and operator in ("==", "<>"):
+                self.asked.append(Asked(self.program, self.step, node))
             self.check(node.left, kind, why)
             self.check(node.right, kind, why)
             return Type.REAL
         for part in (node.left, node.right):
             self.check(part, Type.REAL, f"`{operator}` takes numbers")
+        if operator in _LOOKED_AT and not (
+            isinstance(node.right, Number) and node.right.value and operator != "OR"
+        ):
+            self.asked.append(Asked(self.program, self.step, node))
         return Type.REAL
+
+    def _part(self, node: Expression) -> None:
+        """Note a location that is given within another one."""
+        name = node.name if isinstance(node, Element) else node
+        if isinstance(name, Name):
+            self.parts.add(key(name.text))
 
     def _sum(self, node: Infix, wanted: Wanted) -> Type:
         """`a + b + c`: all numbers or all strings. Looked at from the left, each operand once."""
@@ -158,6 +176,8 @@ class ExpressionTypes(NameUses):
 
     def _subscripts(self, entry: Entry, node: Element, subscripts: tuple[Item | None, ...]) -> None:
         self._once(entry, node.name, array=True)
+        if subscripts and isinstance(subscripts[0], Prefix):
+            self.asked.append(Asked(self.program, self.step, node))
         if not 0 < len(subscripts) <= MAX_SUBSCRIPTS:
             type_mistakes.wrong_subscripts(self.problems, node)
         self._items(subscripts, Type.REAL)
@@ -184,6 +204,8 @@ class ExpressionTypes(NameUses):
             self.items_of_type(node.arguments, writes=False)
             self._count(node, signature)
         elif self._count(node, signature):
+            if lower in _LOOKED_INTO:
+                self.asked.append(Asked(self.program, self.step, node))
             for i, argument in enumerate(node.arguments):
                 code = signature.parameters[min(i, len(signature.parameters) - 1)]
                 if code[0] == "$" and argument is not None:
@@ -293,6 +315,7 @@ class ExpressionTypes(NameUses):
             return
         entry = self._use(name, None if sigil else kind)
         entry.writes.append((name.start, name.end))
+        entry.written_in.add(self.program)
         if value is not None and isinstance(target, Name):
             entry.values.append(value)
         elif isinstance(target, Name):

@@ -18,7 +18,7 @@ from vrts.lang.syntax.expressions import (
     Name,
     Parenthesised,
 )
-from vrts.lang.syntax.statements import Assignment
+from vrts.lang.syntax.statements import Assignment, Statement
 from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions, bare_functions
 from vrts.lang.vocabulary.lookup import look_up, reserved_words
 
@@ -44,6 +44,14 @@ class NoText(NamedTuple):
     item: Item | None  # of TYPE, that it stands in
 
 
+class Asked(NamedTuple):
+    """A place whose numbers are to be looked at when all is known."""
+
+    program: str | None
+    step: int  # offset of the step that it stands in
+    node: Item | Statement
+
+
 class NameUses:
     """Notes of one compilation, one program after the other."""
 
@@ -66,6 +74,9 @@ class NameUses:
         self.bad_names: set[str] = set()
         self.wrong_lines: set[int] = set()  # lines where a type did not fit
         self.no_texts: list[NoText] = []  # names without `$` where a string belongs
+        self.asked: list[Asked] = []
+        self.parts: set[str] = set()  # locations behind `:`, by their keys
+        self.step = 0  # offset of the step that is looked at
         self.item_of_type: Item | None = None  # mixed sum of TYPE that is looked at
         self.reserved: set[str] = set()  # keywords used as names, each said once
         self.profiles = False  # whether it was said that profiles have no effect

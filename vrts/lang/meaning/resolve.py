@@ -3,12 +3,22 @@
 from vrts.base.diagnostic import Rule, Severity
 from vrts.ir.values import Type
 from vrts.lang.meaning.forms import is_text
+from vrts.lang.meaning.name_uses import Asked
 from vrts.lang.meaning.operands import OperandTypes
 from vrts.lang.meaning.scope import Passed
 from vrts.lang.meaning.type_mistakes import WRONG_TYPE
 from vrts.lang.names import key
 from vrts.lang.steps.kawasaki_forms import BLOCK_WORD
-from vrts.lang.syntax.expressions import Element, Expression, Infix, Item, Name, Variable
+from vrts.lang.syntax.expressions import (
+    Application,
+    Element,
+    Expression,
+    Infix,
+    Item,
+    Name,
+    Number,
+    Variable,
+)
 from vrts.lang.syntax.statements import (
     Assignment,
     Bad,
@@ -41,25 +51,36 @@ from vrts.lang.syntax.statements import (
 ASSIGNED_LOCATION = Rule("V203", "assigned-location")
 
 
+_LOOKED_AT = frozenset(  # instructions whose operands matter
+    {"SIGNAL", "WAIT", "DRIVE", "LOCK", "APPRO", "APPROS", "DEPART", "DEPARTS", "MOVE", "MOVES"}
+)
+
+
 class Resolver(OperandTypes):
     """Walks the statements of one program after the other."""
 
     def statement(self, node: Statement) -> None:
         """Record and check one statement of the current program."""
+        self.step = node.start
         match node:
             case Assignment(target, value):
                 self._assignment(node, target, value)
             case SetLocation(target, value):
                 self._write(target, Type.POSE, "SET gives a value to a location", value)
                 self._location(value, "SET gives a value to a location")
+                if isinstance(value, Application):
+                    self._ask(node)
             case HereStatement(target):
                 self._here(target)
             case ShiftStatement(target, offsets):
                 self._write(target, Type.POSE, "SHIFT moves a location", None)
                 self._items(offsets, Type.REAL)
             case Simple():
+                if node.word in _LOOKED_AT:
+                    self._ask(node)
                 self.simple(node)
             case SpeedStatement(word, levels, _, profile):
+                self._ask(node)
                 for level in levels:
                     self.check(level.value, Type.REAL, f"{word} takes a number")
                 if profile is not None:
@@ -72,6 +93,7 @@ class Resolver(OperandTypes):
             case Give():
                 self.give(node)
             case Put(word, target, count, value):
+                self._ask(node)
                 for part in (target, count, value):
                     if part is not None:
                         self.check(part, Type.REAL, f"{word} takes numbers")
@@ -83,6 +105,7 @@ class Resolver(OperandTypes):
                 self.check(count, Type.REAL, "PACK takes a number of characters")
                 self.check(value, Type.STRING, "PACK puts a string in")
             case ReactStatement():
+                self._ask(node)
                 self.react(node)
             case Device():
                 self.device(node)
@@ -96,6 +119,8 @@ class Resolver(OperandTypes):
                 if condition is not None:
                     self.check(condition, Type.REAL, "IF takes a condition")
             case If(condition) | While(condition) | Until(condition):
+                if isinstance(node, If) and isinstance(condition, Number):
+                    self._ask(node)
                 self.check(condition, Type.REAL, "a condition is a number")
             case Case(selector):
                 self._selector(selector)
@@ -104,6 +129,7 @@ class Resolver(OperandTypes):
                     if value is not None:
                         self._selector(value)
             case For(target, first, last, increment):
+                self._ask(node)
                 self._write(target, Type.REAL, "FOR counts a number", None)
                 for part in (first, last, increment):
                     if part is not None:
@@ -117,6 +143,10 @@ class Resolver(OperandTypes):
                 self.bad_names.update(names)
             case Structure() | Declare():
                 pass
+
+    def _ask(self, node: Statement) -> None:
+        """Have the numbers of a step looked at when all is known."""
+        self.asked.append(Asked(self.program, node.start, node))
 
     # --- statements -----------------------------------------------------------------------------
 
@@ -202,6 +232,7 @@ class Resolver(OperandTypes):
                 if name.text.lower() not in self.predefined:
                     entry = self.scope.entry(self.program, key(name.text))
                     entry.passed.append(Passed(callee, i, False))
+                    entry.written_in.add(self.program)
                     entry.reads.pop()
             elif argument is not None:
                 self.argument_types[id(argument)] = self._type(argument, None)

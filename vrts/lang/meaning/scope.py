@@ -38,6 +38,7 @@ class Entry:
     both: bool = False  # AS: a number and a location of the same name, two variables
     asked: bool = False  # DEFINED and its like look whether it has a value
     changed: bool = False  # given a value by something else than `=`
+    written_in: set[str | None] = field(default_factory=set[str | None])  # programs, by CALL too
     values: list[Expression] = field(default_factory=list[Expression])  # all that is assigned
 
     @property

@@ -12,8 +12,9 @@ from vrts.engine.programs.context import Context
 from vrts.engine.programs.cycles import abort, after_step, begin, end_later, note_progress
 from vrts.engine.programs.frames import FrameKind
 from vrts.engine.programs.signals import OUTPUTS, known
-from vrts.engine.programs.watches import HIGHEST_PRIORITY, MOST_WATCHES, Watch
+from vrts.engine.programs.watches import MOST_WATCHES, Watch
 from vrts.ir import instructions as ir
+from vrts.ir.ranges import HIGHEST_PRIORITY
 from vrts.ir.runtime_errors import RuntimeErrorKind
 
 ReactionInstruction = (

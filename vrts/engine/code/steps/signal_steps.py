@@ -14,9 +14,8 @@ from vrts.engine.programs.context import Context
 from vrts.engine.programs.signals import OUTPUTS, known
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
+from vrts.ir.ranges import HIGHEST_TIMER, MOST_BITS
 
-HIGHEST_TIMER = 15  # [manual language/settings#timers]
-MOST_BITS = 16  # that BITS writes at once [manual language/signals#bits]
 ANALOG_OUTPUTS = 4  # [assumed, manual language/signals#analog]
 ANALOG_RANGE = (-2048, 2047)  # counts [assumed, manual language/signals#analog]
 

@@ -11,10 +11,9 @@ from vrts.engine.faults import RuntimeFault
 from vrts.engine.memory.cells import UNDEFINED, Array, Bound, Cell, Undefined
 from vrts.engine.programs.context import Context
 from vrts.ir.expressions import Expression, Global, Place, Slot, Variable
+from vrts.ir.ranges import HIGHEST_SUBSCRIPT
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Type, Value, type_of_value
-
-HIGHEST_SUBSCRIPT = 32767  # [assumed, manual language/numbers#subscripts]
 
 RealOf = Callable[[Expression], Real]
 

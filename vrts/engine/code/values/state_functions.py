@@ -29,6 +29,7 @@ from vrts.ir.expressions import (
     Place,
     WholeArray,
 )
+from vrts.ir.ranges import MOST_BITS
 from vrts.ir.values import Value
 from vrts.robots.kinematics.choice import OutOfLimits, OutOfReach, choose
 from vrts.robots.kinematics.kinematics import forward, limit_violations
@@ -173,7 +174,7 @@ def _random(c: Context) -> float:
 
 
 def _bits(c: Context, first: int, count: float, span: Span | None) -> float:
-    number = integer(count, span, 1, 16, "number of signals")
+    number = integer(count, span, 1, MOST_BITS, "number of signals")
     return float(sum(1 << k for k in range(number) if c.signals.holds(first + k, span)))
 
 

@@ -9,10 +9,10 @@ from vrts.engine.code.values.compiler import Compiler
 from vrts.engine.code.values.formats import FREE, NUMBER_KINDS, control, number
 from vrts.engine.code.values.operands import expression_of, span_of
 from vrts.engine.code.values.pieces import ELEMENT, decode, spread
-from vrts.engine.code.values.places import HIGHEST_SUBSCRIPT
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.programs.context import Context
 from vrts.ir.expressions import Apply, Constant, Expression, Format, Load, Place, WholeArray
+from vrts.ir.ranges import HIGHEST_SUBSCRIPT
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.values import Value
 

@@ -1,0 +1,102 @@
+"""Conditions that hardly ask what is meant: constants, SIG compared with 1, outputs waited for."""
+
+from vrts.base.diagnostic import Fix, Rule
+from vrts.ir.ranges import INPUTS, INTERNAL, OUTPUTS
+from vrts.lang.findings.values.complaints import NO_SUCH_SIGNAL
+from vrts.lang.findings.values.evaluate import evaluate, nothing_known
+from vrts.lang.findings.values.intervals import ANY, TRUTH
+from vrts.lang.meaning.constants import number_of
+from vrts.lang.meaning.name_uses import Asked, NameUses
+from vrts.lang.syntax.expressions import Application, Expression, Infix, Item, Name, Number
+from vrts.lang.syntax.statements import If, Simple
+
+ALWAYS_TRUE = Rule("V239", "always-true")
+SIGNAL_COMPARED = Rule("V240", "signal-compared")
+WAITS_FOR_OUTPUT = Rule("V241", "waits-for-output")
+
+_TRUTHS = frozenset({"true", "on"})
+_LOGICAL = (-1.0, 0.0, 1.0)  # numbers that may stand for true and false
+
+
+def check_condition(types: NameUses, asked: Asked, *, beside: bool) -> None:
+    """Warn of a condition that asks nothing, or something else."""
+    match asked.node:
+        case Infix("OR", left, right):
+            for operand, other in ((left, right), (right, left)):
+                if _surely_true(operand) and evaluate(other, nothing_known) in (ANY, TRUTH):
+                    _always(types, operand, "with it the whole condition is always true")
+                    return
+        case Infix("==" | "<>", Application(name), Number(value)) if name.text.lower() == "sig":
+            if value not in (-1.0, 0.0):
+                _compared(types, asked.node)
+        case If(Number(value) as condition) if value not in _LOGICAL:
+            _always(types, condition, "a number that is not 0 is true")
+        case Simple("WAIT", (Application(name, arguments) as condition,)):
+            ours = not types.problems.dialect.tolerant and not beside
+            if ours and name.text.lower() == "sig" and all(map(_is_output, arguments)):
+                _waits(types, condition)
+        case Simple("SIGNAL", operands):
+            for operand in operands:
+                if isinstance(operand, Number) and operand.value == 0.0:
+                    _nothing(types, operand)
+        case _:
+            return
+
+
+def _surely_true(node: Expression) -> bool:
+    if isinstance(node, Number):
+        return node.value != 0.0
+    return isinstance(node, Name) and node.text.lower() in _TRUTHS
+
+
+def _is_output(node: Item | None) -> bool:
+    number = number_of(node)
+    return number is not None and abs(number) in OUTPUTS
+
+
+def _always(types: NameUses, node: Expression, text: str) -> None:
+    value = node.value if isinstance(node, Number) else 0.0
+    if value in INPUTS or value in INTERNAL:
+        help_ = f"to ask for a signal write `SIG({value:g})`"
+    else:
+        help_ = "compare on both sides: `(x == 1) OR (x == 2)`"
+    types.problems.warning(
+        ALWAYS_TRUE, "this condition is always true", node.start, node.end, text, help=(help_,)
+    )
+
+
+def _compared(types: NameUses, node: Infix) -> None:
+    problems = types.problems
+    right = node.right
+    fix: Fix | None = problems.replace(right.start, right.end, "ON")
+    never = node.operator == "=="
+    problems.warning(
+        SIGNAL_COMPARED,
+        f"SIG yields -1 or 0: this is {'never' if never else 'always'} true",
+        node.start,
+        node.end,
+        notes=("TRUE and ON are -1, FALSE and OFF are 0",),
+        help=("write `== ON`, or leave the comparison out",),
+        fix=fix,
+    )
+
+
+def _waits(types: NameUses, node: Application) -> None:
+    types.problems.warning(
+        WAITS_FOR_OUTPUT,
+        "this waits for an output, which only a program sets",
+        node.start,
+        node.end,
+        notes=("no other program runs beside this one: it goes on at once, or never",),
+        help=("wait for an input, 1001 to 1032: `WAIT SIG(1001)`",),
+    )
+
+
+def _nothing(types: NameUses, node: Number) -> None:
+    types.problems.warning(
+        NO_SUCH_SIGNAL,
+        "SIGNAL 0 sets no signal",
+        node.start,
+        node.end,
+        help=("name an output, 1 to 32; a minus before it turns it off",),
+    )
