@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from tests.support_mistakes import Mistake, Right, mistakes, right
-from vrts.base.diagnostic import Diagnostic, Fix, Severity
+from vrts.base.diagnostic import Diagnostic, Edit, Severity
+from vrts.base.mending import edits_of
 from vrts.base.source import SourceFile
 from vrts.ir.dump import dump
 from vrts.lang.compiler import Compilation, compile_source
@@ -98,7 +99,7 @@ def mends(mistake: Mistake) -> bool:
         found = compiled(text)
         if meaning is not None and _meaning(found) == meaning:
             return True
-        text = _edited(text, [d.fix for d in said(found) if d.fix is not None])
+        text = _edited(text, edits_of(said(found)))
     return meaning is not None and _meaning(compiled(text)) == meaning
 
 
@@ -130,7 +131,7 @@ def _labels(found: Diagnostic) -> list[str]:
 
 
 def _help(found: Diagnostic) -> str:
-    edit = [f"`{found.fix.replacement}`"] if found.fix is not None else []
+    edit = [f"`{edit.replacement}`" for edit in edits_of([found])]
     return "\n".join((*found.help, *edit))
 
 
@@ -146,7 +147,7 @@ def _has(text: str, quoted: str, word: str) -> bool:
     return re.search(pattern, text, re.I) is not None
 
 
-def _edited(text: str, edits: Sequence[Fix]) -> str:
+def _edited(text: str, edits: Sequence[Edit]) -> str:
     end = len(text)
     for edit in sorted(edits, key=lambda edit: edit.span.start, reverse=True):
         if edit.span.end <= end:

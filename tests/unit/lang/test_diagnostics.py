@@ -147,7 +147,7 @@ def test_every_label_lies_in_one_line() -> None:
         ("WAIT SIG 1001", "SIG without parentheses", "write `WAIT SIG(1001)`"),
         ("APPRO 50, part", "the location comes first in APPRO", "write `APPRO part, 50`"),
         ("MOVESpart", "`MOVESpart` is not an instruction", "write a blank: `MOVES part`"),
-        ("SPEED 50%", "SPEED takes percent, without a sign", "write `SPEED 50`"),
+        ("SPEED 50%", "SPEED takes percent, without a sign", "take `%` out: write `SPEED 50`"),
         ("n += 1", "`+=` is not an operator of VAL-II", "write `n = n+1`"),
         ("ENDIF", "ENDIF is not a VAL-II instruction", "write `END`"),
     ],

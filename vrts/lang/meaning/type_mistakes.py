@@ -2,7 +2,7 @@
 
 from collections.abc import Collection
 
-from vrts.base.diagnostic import Rule
+from vrts.base.diagnostic import Fix, Rule
 from vrts.ir.values import Type
 from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.spelling import nearest
@@ -136,9 +136,11 @@ def arguments_fit(problems: Problems, node: Application, signature: Signature) -
         if signature.parameters[i][-1] not in "?*"
     ]
     name = node.name.text.upper()
+    fix: Fix | None = None
     if signature.by is not None and node.by != signature.by:
         headline = f"{name} without BY"
         help_ = f"write `{name}(location BY ...)`"
+        fix = _with_by(problems, node)
     elif given < signature.required or omitted:
         headline = f"{name} needs {_arguments(signature.required)}, {given} given"
         help_ = ""
@@ -154,8 +156,17 @@ def arguments_fit(problems: Problems, node: Application, signature: Signature) -
         node.end,
         notes=("VAL-II says *Missing argument*",),
         help=(help_,) if help_ else (),
+        fix=fix,
     )
     return False
+
+
+def _with_by(problems: Problems, node: Application) -> Fix | None:
+    """Return what puts BY in the place of the first comma: `SHIFT(part, 0, 0, 50)`."""
+    if len(node.arguments) < _ANGLES or node.arguments[0] is None or node.by is not None:
+        return None
+    comma = problems.source.text.find(",", node.arguments[0].end, node.end)
+    return problems.replace(comma, comma + 1, " BY") if comma >= 0 else None
 
 
 def no_variable(problems: Problems, node: Application, first: Item) -> None:
@@ -207,10 +218,16 @@ def unknown_function(
     lower = node.name.text.lower()
     shown = len(problems.found) < LIMIT  # what is not shown needs no suggestion
     meant = nearest(lower, known) if shown else None
+    fix: Fix | None = None
+    module, _, last = lower.rpartition(".")
     if lower in FOREIGN_FUNCTIONS:
         help_ = (FOREIGN_FUNCTIONS[lower],)
+    elif module in ("math", "np", "numpy") and last in known:
+        help_ = (f"write `{last.upper()}` alone",)
+        fix = problems.replace(node.name.start, node.name.end, last.upper())
     elif meant is not None:
         help_ = (f"did you mean `{meant.upper()}`?",)
+        fix = problems.replace(node.name.start, node.name.end, meant.upper())
     elif lower in programs:
         help_ = ("a program is called by CALL and yields no value",)
     else:
@@ -222,6 +239,7 @@ def unknown_function(
         node.name.end,
         notes=("VAL-II says *Illegal expression syntax*",),
         help=help_,
+        fix=fix,
     )
 
 

@@ -17,8 +17,18 @@ from vrts.lang.steps.habits import Habits
 from vrts.lang.steps.idioms import comments, signs
 from vrts.lang.steps.idioms.idiom import Idiom, Matched, filled
 from vrts.lang.steps.idioms.tables import matches
+from vrts.lang.steps.idioms.wording import (
+    else_word,
+    first_word,
+    indented,
+    same_steps,
+    smallest_change,
+    what_to_write,
+    with_article,
+)
 from vrts.lang.steps.missing_parts import MISSING_KEYWORD
-from vrts.lang.steps.near_words import meant_by, short_for
+from vrts.lang.steps.near_words import meant_by, short_for, slips
+from vrts.lang.steps.other_forms import INVALID_EXPRESSION
 from vrts.lang.steps.repair import Repair, Tried
 from vrts.lang.steps.unknown_words import (
     AMBIGUOUS_KEYWORD,
@@ -33,6 +43,8 @@ OTHER_LANGUAGE = Rule("V164", "other-language")
 ONE_LINE_IF = "IF THEN"  # `IF x THEN READY`, which stands for IF, the step and END
 ELSE_IF = "ELSEIF"  # `ELSEIF x THEN`, which stands for ELSE and IF
 _INNER = "    "
+_LETTERS = re.compile(r"[A-Za-z][A-Za-z0]*")
+_NUMBER = re.compile(r"[ \t]*[\d.]+[ \t]*")
 _ONE_LINE = re.compile(
     r"IF[ \t]*(?P<e>.+?)[ \t]*THEN[ \t]*(?P<then>.+?)[ \t]*"
     r"(?:(?<!\w)ELSE[ \t]+(?P<other>.+?)[ \t]*)?(?:(?<!\w)END(?:[ \t]*IF)?[ \t]*)?",
@@ -82,7 +94,14 @@ class Advice:
         if mark >= LIMIT:
             return None  # it would not be shown
         told = problems.found[mark:]
-        for better in (self._quoted, self._comment, self._idiom, self._one_line, self._word):
+        for better in (
+            self._quoted,
+            self._comment,
+            self._idiom,
+            self._one_line,
+            self._word,
+            self._qualifier,
+        ):
             found = better(line, mark)
             if found is not None:
                 return found
@@ -95,7 +114,8 @@ class Advice:
         found = comments.behind(line.text)
         if found is None:
             return None
-        if found.sign in ("'", "%", "!"):
+        divides = found.sign == "//" and _NUMBER.fullmatch(line.text[found.end :]) is not None
+        if found.sign in ("'", "%", "!") or (divides and found.before):
             return self._signs(line, mark)
         return self._comment_behind(line, mark)
 
@@ -164,6 +184,9 @@ class Advice:
     # --- idioms ---------------------------------------------------------------------------------
 
     def _idiom(self, line: Line, mark: int) -> Advised | None:
+        told = self.problems.found[mark:]
+        if told and told[0].headline.endswith("is a program, not an instruction"):
+            return None
         for text in dict.fromkeys((line.text, line.raw)):
             for found in matches(text):
                 advised = self._fits(found, line._replace(text=text), mark)
@@ -175,8 +198,10 @@ class Advice:
         idiom = found.idiom
         if idiom.word == ELSE_IF:
             return self._else_if(found, line, mark)
-        tried = self.repair.steps(_indented(found.instead, self._indent(line)))
+        tried = self.repair.steps(indented(found.instead, self._indent(line)))
         if idiom.instead and tried is None:
+            return None
+        if not idiom.sure and self.problems.found[mark].rule == INVALID_EXPRESSION:
             return None
         if tried is not None and self._mends(line, mark, tried):
             return Advised(line.kept)
@@ -196,7 +221,7 @@ class Advice:
         shift = told[0].fix.span.start - self.problems.span(line.at, line.at).start
         before, after = line.text[: max(shift, 0)], line.text[shift + span.end - span.start :]
         found = self.repair.steps(before + instead + after)
-        return found is not None and not found.fixes and _same(found.text, tried.text)
+        return found is not None and not found.fixes and same_steps(found.text, tried.text)
 
     def _told(
         self, found: Matched, line: Line, tried: Tried | None, told: Diagnostic | None
@@ -204,14 +229,16 @@ class Advice:
         """Report an idiom; what was told keeps its code and place where that says enough."""
         idiom = found.idiom
         start, end = line.at, line.at + len(line.text)
-        help_ = filled(idiom.help, found.parts) or (_write(tried.text) if tried is not None else "")
+        help_ = filled(idiom.help, found.parts) or (
+            what_to_write(tried.text, line.text) if tried is not None else ""
+        )
         fix = None
         if idiom.drop:
             fix = self._without(line)
         elif tried is not None and idiom.sure:
-            begin, finish, instead = _changed(line.text, tried.text)
+            begin, finish, instead = smallest_change(line.text, tried.text)
             fix = self.problems.replace(start + begin, start + finish, instead)
-        first = _first_word(line.text)
+        first = first_word(line.text)
         title = self.problems.dialect.title
         says = filled(idiom.says, found.parts)
         notes = (idiom.note,) if idiom.note else ()
@@ -228,7 +255,7 @@ class Advice:
         elif first and look_up(first, self.problems.dialect).word is None and _is_word(idiom):
             label = f"a word of {of}" if of else ""
             rule, primary = OTHER_DIALECT, self.problems.label(start, start + len(first), label)
-            headline = f"{first.upper()} is not {_a(title)} instruction"
+            headline = f"{first.upper()} is not {with_article(title)} instruction"
             about = (*((says,) if says else ()), *notes, "VAL-II says *Unknown instruction*")
         self.problems.add(
             Diagnostic(
@@ -249,7 +276,7 @@ class Advice:
         self.problems.forget(mark)
         self.problems.error(
             OTHER_LANGUAGE,
-            "VAL-II has no ELSE IF",
+            f"VAL-II has no {else_word(line.text)}",
             line.at,
             line.at + len(line.text),
             help=("write ELSE, in the line below a new IF, and an END of its own for that",),
@@ -273,7 +300,7 @@ class Advice:
     def _word(self, line: Line, mark: int) -> Advised | None:
         """A first word with a slip in it: what is near and makes a step of the line."""
         told = self.problems.found[mark:]
-        first = _first_word(line.text)
+        first = first_word(line.text)
         if len(told) == 1 and told[0].rule == AMBIGUOUS_KEYWORD:
             return self._short(line, mark, first)
         if len(told) != 1 or told[0].rule != UNKNOWN_INSTRUCTION:
@@ -298,6 +325,32 @@ class Advice:
         )
         return Advised(self._word_of(tried.text))
 
+    def _qualifier(self, line: Line, mark: int) -> Advised | None:
+        """`IF x THNE`: a slip in a word that the instruction wants."""
+        told = self.problems.found[mark]
+        word = look_up(first_word(line.text), self.problems.dialect).word
+        if word is None or not word.qualifiers:
+            return None
+        for found in _LETTERS.finditer(line.text, len(first_word(line.text))):
+            for meant in slips(found.group().upper(), word.qualifiers):
+                text = f"{line.text[: found.start()]}{meant}{line.text[found.end() :]}"
+                tried = self.repair.steps(text)
+                if tried is None or tried.fixes:
+                    continue
+                self.problems.forget(mark)
+                start, end = line.at + found.start(), line.at + found.end()
+                self.problems.error(
+                    told.rule,
+                    f"`{found.group()}` is misspelt",
+                    start,
+                    end,
+                    notes=told.notes,
+                    help=(f"did you mean `{meant}`?",),
+                    fix=self.problems.replace(start, end, meant),
+                )
+                return Advised(self._word_of(tried.text))
+        return None
+
     def _short(self, line: Line, mark: int, first: str) -> Advised | None:
         """A word that several begin with: the one that begins all the others, or alone fits."""
         rest = line.text[len(first) :]
@@ -320,7 +373,7 @@ class Advice:
                 continue
             told = self.problems.found[mark]
             self.problems.forget(mark)
-            start, end, instead = _changed(line.text, tried.text)
+            start, end, instead = smallest_change(line.text, tried.text)
             primary = self.problems.label(line.at + start, line.at + max(end, start))
             precise = told.rule in _PRECISE or not found.says
             self.problems.add(
@@ -342,7 +395,7 @@ class Advice:
     def _word_of(self, text: str) -> str | None:
         """Return the structure word that steps begin with."""
         first = text.split("\n")[0].strip()
-        word = look_up(_first_word(first), self.problems.dialect).word if first else None
+        word = look_up(first_word(first), self.problems.dialect).word if first else None
         if word is None or word.text not in STRUCTURE:
             return word.text if word is not None else None
         if "\n" in text and text.rstrip().upper().endswith("END"):
@@ -372,46 +425,3 @@ def _habit(line: Line, idiom: Idiom, tried: Tried | None, first: str) -> str:
     if instead in ("CASE", "VALUE", "ANY") or (instead == "END" and ends_cases):
         return "cases"
     return f"idiom {idiom.pattern} {first}"
-
-
-def _same(one: str, other: str) -> bool:
-    return "".join(one.upper().split()) == "".join(other.upper().split())
-
-
-def _indented(steps: str, indent: str) -> str:
-    """Return steps of which all but the first are indented."""
-    return steps.replace("\n", f"\n{indent}")
-
-
-def _write(text: str) -> str:
-    rows = [row.strip() for row in text.split("\n")]
-    if len(rows) == 1:
-        return f"write `{rows[0]}`"
-    return "write " + ", ".join(f"`{row}`" for row in rows) + " in lines of their own"
-
-
-def _first_word(text: str) -> str:
-    end = 0
-    while end < len(text) and (text[end].isalnum() or text[end] in "._") and text[end].isascii():
-        end += 1
-    return text[:end] if text[:1].isalpha() else ""
-
-
-def _a(title: str) -> str:
-    return f"an {title}" if title == "AS" else f"a {title}"
-
-
-def _changed(before: str, after: str) -> tuple[int, int, str]:
-    """Return the smallest range of words that differs, and what stands there after."""
-    start = 0
-    while start < min(len(before), len(after)) and before[start] == after[start]:
-        start += 1
-    while start and before[start - 1].isalnum():
-        start -= 1
-    end = 0
-    most = min(len(before), len(after)) - start
-    while end < most and before[-1 - end] == after[-1 - end]:
-        end += 1
-    while end and before[len(before) - end].isalnum():
-        end -= 1
-    return start, len(before) - end, after[start : len(after) - end]

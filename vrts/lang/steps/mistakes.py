@@ -38,9 +38,11 @@ def explain(problems: Problems, tokens: list[Token], failure: Failure, word: Wor
 
 def _anything_else(step: BrokenStep) -> None:
     here, before = step.here, step.before
+    fix = None
     if here is not None and "EQUAL" in step.wanted:
         headline = f"`=` is missing before `{short(here.text)}`"
         where = (here.start, here.end)
+        fix = step.problems.replace(here.start, here.start, "= ")
     elif here is not None:
         headline = f"`{short(here.text)}` does not belong here"
         where = (here.start, here.end)
@@ -54,4 +56,5 @@ def _anything_else(step: BrokenStep) -> None:
         *where,
         notes=("VAL-II says *Illegal expression syntax*",),
         help=(f"write `{step.word.usage}`",) if step.word else (),
+        fix=fix,
     )

@@ -1,10 +1,10 @@
 """Words that may be meant by one with a slip in it, by what would be a step."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from vrts.lang.dialect import Dialect
-from vrts.lang.spelling import near
+from vrts.lang.spelling import edit_distance, near
 from vrts.lang.steps.repair import Repair, Tried
 from vrts.lang.vocabulary.lookup import look_up, spellings
 
@@ -31,6 +31,17 @@ def meant_by(first: str, rest: str, repair: Repair, dialect: Dialect) -> list[Ne
     for likelier in _LIKELIER:
         rivals = [rival for rival in rivals if likelier(rival.word, written)] or rivals
     return sorted(rivals, key=lambda rival: rival.word)
+
+
+def slips(written: str, words: Iterable[str]) -> list[str]:
+    """Return the words that one in the middle of a step may be a slip for."""
+    return [
+        word
+        for word in sorted(words)
+        if word != written
+        and edit_distance(written, word, 2) <= 1 + (len(word) > 4)
+        and (len(word) > 2 or written[0] == word[0])
+    ]
 
 
 def short_for(first: str, rest: str, repair: Repair, dialect: Dialect) -> str | None:

@@ -16,7 +16,11 @@ CONTROL_SAYS = "VAL-II says *Control structure error*"
 
 def report_faults(program: ProgramText, pairing: Pairing, problems: Problems) -> None:
     """Report words without their partner, but not what follows from a line that is no step."""
+    followed = False  # a group without its structure: the END that follows is of the same cause
     for fault in pairing.unmatched:
+        if followed and fault.mark.word in ("END", "UNTIL"):
+            continue
+        followed = followed or fault.mark.word not in ("END", "UNTIL")
         if not _explained(program, fault.mark.at):
             _unmatched(program, fault, problems)
     for late in pairing.late:
@@ -173,6 +177,11 @@ def _unmatched(program: ProgramText, fault: Unmatched, problems: Problems) -> No
     headline = f"{word} without {wanted}" if wanted else f"{word} ends nothing"
     help_ = "take it out, or write the line that opens the structure"
     fix: Fix | None = None
+    if wanted:
+        help_ = f"write the {wanted} that it belongs to above it, or take it out"
+    if word == "ELSE" and top is not None and top.word == "CASE":
+        help_ = "a CASE has ANY for all other values: write `ANY`"
+        fix = problems.replace(node.start, node.end, "ANY")
     if word == "END" and top is not None:
         headline, help_ = "a DO ends with UNTIL, not END", "write `UNTIL condition`"
     elif word == "END" and all(s.statement is None for s in program.steps[fault.mark.at + 1 :]):

@@ -57,8 +57,10 @@ BLOCKS = (
     Idiom("for {n} = {e}_to_{e2} <:|{>", "FOR {n} = {e} TO {e2}", says="a FOR ends its line behind the last value"),
     Idiom("for {n} = {e} , {e2} , {e3}", "FOR {n} = {e} TO {e2} STEP {e3}", "Fortran"),
     Idiom("for {n} = {e} , {e2}", "FOR {n} = {e} TO {e2}", says="FOR without TO"),
+    Idiom("for {n} = {e}_downto_{e2}", "FOR {n} = {e} TO {e2} STEP -1", says="DOWNTO is not a word of VAL-II"),
+    Idiom("for {n} == {e}_to_{e2}", "FOR {n} = {e} TO {e2}", says="`==` compares, `=` assigns"),
     Idiom("for {n} = {e} .. {e2}", "FOR {n} = {e} TO {e2}", "other languages"),
-    Idiom("for {n} = {e}_<until|till|upto|downto|thru>_{e2}", "FOR {n} = {e} TO {e2}", says="FOR without TO"),
+    Idiom("for {n} = {e}_<until|till|upto|thru>_{e2}", "FOR {n} = {e} TO {e2}", says="FOR without TO"),
     Idiom("for {n} = {e}_to_{e2}_<by|increment|inc|in_steps_of|steps>_{e3}", "FOR {n} = {e} TO {e2} STEP {e3}", says="the step of a FOR follows STEP"),
     Idiom("for {n} = {e}_to_{e2} , {e3}", "FOR {n} = {e} TO {e2} STEP {e3}", says="the step of a FOR follows STEP"),
     Idiom("for_{n}_to_{e}", "FOR {n} = 1 TO {e}", says="FOR without a first value", sure=False),
@@ -102,5 +104,5 @@ BLOCKS = (
     Idiom("do_{r}", "DO\n    {r}", says="DO ends its line"),
     # labels
     Idiom(":", says="a label stands without a colon", help="leave the colon out", drop=True),
-    Idiom("<:|)|->{r}", " {r}", says="a label stands without a colon"),
+    Idiom("<:|)|->{r}", " {r}", says="a label stands without a colon", help="take the colon out: after the label come a blank and the step"),
 )

@@ -44,4 +44,7 @@ MOVING = (
     Idiom("goto_{n}", "", help="labels are whole numbers; to move to a location write `MOVE {n}`"),
     Idiom("<go|goto>_<to|>_{n}", "MOVE {n}", "other languages", sure=False),
     Idiom("<home|go_home|gohome|move_home|movehome|move_to_home|movetohome|park|rest|origin|homing|zero|go_ready|move_ready|init> <(|> <)|>", "READY", "other robot languages"),
+    Idiom("move_{v} , {n}", "MOVE {v}\nMOVE {n}", says="MOVE takes one location", sure=False),
+    Idiom("moves_{v} , {n}", "MOVES {v}\nMOVES {n}", says="MOVES takes one location", sure=False),
+    Idiom("move_{v}_{n}", "MOVE {v}\nMOVE {n}", says="MOVE takes one location", sure=False),
 )

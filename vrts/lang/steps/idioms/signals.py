@@ -67,4 +67,7 @@ SIGNALS = (
     Idiom("delay = {d}", "DELAY {d}", says="DELAY takes no `=`"),
     Idiom("<g4|g04> p {d}", "DELAY {d}", "G-code", sure=False),
     Idiom("<usleep|msleep|delay_ms|delayms|wait_ms> ( {r} )", "", "C", help="DELAY takes seconds: 500 ms is `DELAY 0.5`"),
+    Idiom("react {e} , call_{n}", "REACT {e}, {n}", says="REACT takes the name of the program, without CALL"),
+    Idiom("reacti {e} , call_{n}", "REACTI {e}, {n}", says="REACTI takes the name of the program, without CALL"),
+    Idiom("pcexecute_call_{n}", "PCEXECUTE {n}", says="PCEXECUTE takes the name of the program, without CALL"),
 )

@@ -31,4 +31,8 @@ TERMINAL = (
     Idiom("cin >> {v}", 'PROMPT "{v}? ", {v}', "C++", sure=False),
     Idiom("prompt_{s}_{v}", "PROMPT {s}, {v}", says="a comma is missing behind the text"),
     Idiom("prompt ( {s} , {v} )", "PROMPT {s}, {v}", says="PROMPT takes no parentheses"),
+    Idiom("type ( {s} , {e} )", "TYPE {s}, {e}", says="TYPE takes no parentheses"),
+    Idiom('type ""{r}""', 'TYPE "{r}"', says="text stands between one pair of double quotes"),
+    Idiom("type_{n}_{n2}", 'TYPE "{n} {n2}"', says="text stands between double quotes", help='put the text between double quotes: `TYPE "{n} {n2}"`', sure=False),
+    Idiom("type_{n}_{n2}_{r}", 'TYPE "{n} {n2} {r}"', says="text stands between double quotes", help='put the text between double quotes: `TYPE "{n} {n2} {r}"`', sure=False),
 )

@@ -50,7 +50,7 @@ VALUES = (
     Idiom("<def|void|proc|sub|function|procedure|int|func|fun>_{n} ( {r} ) <{|:|>", "", "other languages", help="write each program between `.PROGRAM name` and `.END`"),
     Idiom("<def|void|proc|sub|function|procedure|func|program>_{n}", "", "other languages", help="write each program between `.PROGRAM name` and `.END`"),
     Idiom("<end_program|endproc|endsub|end_sub|end_proc|end_function|endfunction|endfct|end_main|end_def>", "", "other languages", help="a program ends with `.END`: leave this out", drop=True),
-    Idiom("<exit|quit|end_program|stop_program|terminate> <(|> <)|>", "HALT", "other languages", sure=False),
+    Idiom("<quit|end_program|stop_program|terminate> <(|> <)|>", "HALT", "other languages", sure=False),
     Idiom("<go_to|jump|jmp|goto_label|goto_line|branch|jump_to|go> {d}", "GOTO {d}", "other languages"),
     Idiom("goto_label_{d}", "GOTO {d}", says="GOTO takes the label alone"),
     Idiom("goto_{d} :", "GOTO {d}", says="GOTO takes the label alone"),
