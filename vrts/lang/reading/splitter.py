@@ -149,7 +149,11 @@ class _Splitter:
         """Return the section of `.PROGRAM` and its like; `.x = 1` is a step on a local name."""
         if text[:1] == "." and self.problems.dialect.has("a") and _LOCAL.match(text):
             return None
-        return section_head(text, strict=self.strict)
+        head = section_head(text, strict=self.strict)
+        inside = self.open is not None and self.open.kind == "program"
+        if inside and self.problems.dialect.is_as and head is not None and not head.kind:
+            return None  # `.x` that lost its step: AS stores no unknown section inside a program
+        return head
 
     def _keep(self, section: _Open, line: Line) -> None:
         section.count += 1

@@ -9,16 +9,18 @@ BLOCK_WORD = "block step"
 
 _NUMBER = r"[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?"
 _LIST = rf"(?:{_NUMBER}(?:[ \t]*,[ \t]*{_NUMBER})*)?"
-_CLAMP = r"\d+[ \t]*\([ \t]*(?:ON|OFF)[ \t]*,[ \t\d,.]*[A-Z]?[ \t]*\)"  # 1 (OFF,0,0,O)
+_CLAMP = r"\d+[ \t]*\((?:ON|OFF),\d+,\d+,(?:\d+|[A-Z])\)"  # 1 (OFF,0,0,O)
+_SIGNAL = r"-?(?:\^[BH])?[\dA-F.]+"
 # JOINT SPEED9 ACCU1 TIMER0 TOOL1 WORK0 CLAMP1 (OFF,0,0,O) OX= WX= #[0,10,-30,0,15,0]
 _BLOCK = re.compile(
     rf"""(?:A[CS][ \t]+)?[A-Z]\w*
     [ \t]+(?:SPEED)?[ \t]*\d[\d.]*
     [ \t]+ACCU\d+
-    (?:[ \t]+[A-Z]+\d*)*?                 # TIMER0 TOOL1 WORK0 GROUP0 MATHN0 END
+    [ \t]+TIMER\d+[ \t]+TOOL\d+[ \t]+WORK\d+(?:[ \t]+GROUP\d+)?(?:[ \t]+MATHN\d+)?
+    (?:[ \t]+(?:END|JUMP))?
     [ \t]+CLAMP[ \t]*(?:{_CLAMP}[ \t]*)*
-    (?:[ \t]*(?:OX|WX|YO|YI)=[ \t]*(?:-?\^?H?[\dA-F.]+(?:[ \t]*,[ \t]*-?\^?H?[\dA-F.]+)*)?)*
-    (?:[ \t]*\#\[[ \t]*{_LIST}[ \t]*\])*
+    (?:[ \t]*(?:OX|WX|YO|YI)=[ \t]*(?:{_SIGNAL}(?:[ \t]*,[ \t]*{_SIGNAL})*)?)*
+    [ \t]*(?:\#\[[ \t]*{_LIST}[ \t]*\])?
     [ \t]*$""",
     re.ASCII | re.IGNORECASE | re.VERBOSE,
 )
