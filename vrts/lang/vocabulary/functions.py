@@ -216,7 +216,6 @@ FOREIGN_FUNCTIONS = {
     "point": "use TRANS(x, y, z, o, a, t)",
     "pow": "multiply, or use SQR(x)",
     "sqrtf": "use SQRT",
-    "round": "use INT(x+0.5)",
     "floor": "use INT(x)",
     "ceil": "use INT(x)+1",
     "input": 'write `PROMPT "text", n`',
