@@ -6,23 +6,35 @@ padded; a distance library only proposes where to look. It says nothing about wh
 contacts push nothing and stop nothing.
 """
 
+from collections.abc import Sequence
 from types import MappingProxyType
 from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from vrts.check.collision.events import Teller, Told, apart_from, episodes
-from vrts.check.collision.near_misses import Within, near_misses
+from vrts.check.collision.closer_look import Within, closer_look
+from vrts.check.collision.near_misses import CERTAIN, near_misses
 from vrts.check.collision.of_run import motion_of, plan_of
 from vrts.check.collision.pairs.arm_state import Prober, RunRecord
-from vrts.check.collision.pairs.findings import BAND, GRAZE, Closest, Findings, Touch
+from vrts.check.collision.pairs.findings import (
+    BAND,
+    GRAZE,
+    Closest,
+    Findings,
+    Leaves,
+    Touch,
+    leaves,
+)
 from vrts.check.collision.pairs.grips import NEAR_MISS
 from vrts.check.collision.pairs.pair_rows import joined
 from vrts.check.collision.pairs.pairs import PAD_DEPTH, Plan
 from vrts.check.collision.search.search import search
 from vrts.check.collision.second_opinion import disagreements
-from vrts.check.verdict import CollisionReport, NearMiss
+from vrts.check.collision.telling.episodes import apart_from, episodes
+from vrts.check.collision.telling.sought import contact, doubtful, graze
+from vrts.check.collision.telling.teller import Teller, Told
+from vrts.check.verdict import CollisionReport, ContactEvent, NearMiss
 from vrts.geometry.proposing.choose import here
 from vrts.geometry.proposing.proposer import Proposer
 from vrts.geometry.proving.prover import Prover
@@ -62,30 +74,48 @@ def check_collisions(
     prober = Prober(scene.robot.arm, motion, todo.solids, Prover(todo.solids, by))
     pairs = joined(todo.pairs, todo.rigid)
     found = search(
-        scene.robot.arm, motion, todo.solids, todo.pairs, interval, by, clearance=clearance
+        *(scene.robot.arm, motion, todo.solids, todo.pairs, interval, by),
+        clearance=clearance,
+        near=threshold if clearance else None,
     )
     _look_once(todo, prober, found)
-    teller = Teller(run, motion, prober, pairs, todo.groups)
     contacts = episodes(found.contacts, pairs)
-    doubtful = apart_from(episodes(found.open, pairs), contacts)
-    grazes = apart_from(episodes(found.grazes, pairs), [*contacts, *doubtful])
-    hits = teller.contacts(contacts)
+    open_ = apart_from(episodes(found.open, pairs), contacts)
+    grazes = apart_from(episodes(found.grazes, pairs), [*contacts, *open_])
+    known = [contact(one, pairs) for one in contacts]
+    known += [doubtful(one, pairs) for one in open_]
+    known += [graze(one, pairs) for one in grazes]
+    look = Within(todo, pairs, prober, interval)
+    teller = Teller(run, prober, pairs, todo.groups)
+    told = teller.touches(closer_look(look, known))
+    hits = told[: len(contacts)]
+    doubts = told[len(contacts) : len(contacts) + len(open_)]
+    touched = told[len(contacts) + len(open_) :]
     misses: list[Told[NearMiss]] = []
-    touched = teller.touches(grazes)
     if clearance:
-        look = Within(run, todo, prober, interval)
-        misses, more = near_misses(look, found, [*contacts, *doubtful, *grazes], threshold)
-        touched = sorted([*touched, *more], key=lambda event: event.start_s)
-    witnesses = [told.witness for told in (*hits, *misses)]
-    closest = None if contacts else teller.closest(found.closest)
+        misses, more = teller.near_misses(near_misses(look, found, known, threshold))
+        # what the search gave up is among them, and need not be that near
+        misses = [miss for miss in misses if miss.event.distance_m < threshold]
+        touched = sorted([*touched, *more], key=lambda one: one.event.start_s)
+    witnesses = [one.witness for one in (*hits, *misses)]
+    closest = (
+        None
+        if contacts
+        else teller.closest(
+            found.closest,
+            leaves(found.leaves),
+            # all that is so near is a near miss, unless it touches
+            misses if not touched + doubts and found.closest.distance < threshold - CERTAIN else (),
+        )
+    )
     if closest is not None:
         witnesses.append(closest.witness)
     return CollisionReport(
-        contacts=tuple(told.event for told in hits),
-        grazes=tuple(touched),
-        undetermined=tuple(teller.touches(doubtful)),
+        contacts=_events(hits),
+        grazes=_events(touched),
+        undetermined=_events(doubts),
         clearance=None if closest is None else closest.event,
-        certified=not doubtful,
+        certified=not doubts,
         statistics=MappingProxyType(
             {
                 "levels": found.levels,
@@ -96,10 +126,14 @@ def check_collisions(
         ),
         engine=by.name,
         disagreements=() if second is None else disagreements(prober, second, witnesses),
-        near_misses=tuple(told.event for told in misses),
+        near_misses=tuple(miss.event for miss in misses),
         near_miss_m=threshold if clearance else None,
         near_miss_assumed=near_miss is None,
     )
+
+
+def _events(told: Sequence[Told[ContactEvent]]) -> tuple[ContactEvent, ...]:
+    return tuple(one.event for one in told)
 
 
 def _look_once(todo: Plan, prober: Prober, found: Findings) -> None:
@@ -120,5 +154,9 @@ def _look_once(todo: Plan, prober: Prober, found: Findings) -> None:
             found.open.append(touch)
         elif rigid.grazes[k] and upper < -GRAZE:
             found.grazes.append(touch)
-        if rigid.counts[k] and upper < found.closest.distance:
-            found.closest = Closest(upper, offset + k, start_s)
+        if rigid.counts[k]:
+            one = np.array([lower])
+            at = np.array([start_s])
+            found.leaves.append(Leaves(np.array([offset + k]), at, at, one))
+            if upper < found.closest.distance:
+                found.closest = Closest(upper, offset + k, start_s)

@@ -12,7 +12,7 @@ from tests.adversary.kinematics import frames
 from tests.adversary.liars import HONEST, LYING
 from tests.laws import first
 from vrts.base.pose import IDENTITY
-from vrts.check.collision import near_misses
+from vrts.check.collision import collision
 from vrts.check.collision.collision import check_collisions
 from vrts.check.collision.pairs.findings import Findings
 from vrts.check.collision.search.search import search
@@ -30,7 +30,7 @@ QUICK = 4
 def test_nothing_is_missed_or_made_up_and_nobody_who_proposes_changes_it(seed: int) -> None:
     found = looked_at(seed, whole=False)
     assert found.faults == {}
-    assert found.differ == []
+    assert found.differ == found.moments == []
 
 
 @pytest.mark.parametrize(("seed", "who"), [(59, "backward"), (202, "coal"), (202, "own")])
@@ -44,7 +44,7 @@ def test_bad_directions_make_near_misses_no_longer(
         rows.append(found.rows)
         return found
 
-    monkeypatch.setattr(near_misses, "search", counted)
+    monkeypatch.setattr(collision, "search", counted)
     it = case(seed)
     with (HONEST | LYING)[who](seed) as proposer:
         check_collisions(it.scene, it.record, proposer=proposer)

@@ -125,6 +125,12 @@ def test_a_graze_below_the_tolerance_and_a_contact_above(name: str, beyond: floa
     assert above.contacts[0].depth_m == pytest.approx(TOLERANCE + beyond, abs=5e-6)
 
 
+def test_a_depth_just_below_what_cannot_be_told_is_a_graze() -> None:
+    report = pressed(CASES["box on box"], TOLERANCE - 1.1e-5)
+    assert counts(report) == (0, 0, 1, 0)
+    assert report.certified
+
+
 @pytest.mark.parametrize("name", CASES)
 @pytest.mark.parametrize("beside", [-5e-6, 0.0, 5e-6])
 def test_within_a_hundredth_of_a_millimetre_it_cannot_be_told(name: str, beside: float) -> None:
@@ -161,8 +167,17 @@ def rounded(report: CollisionReport) -> object:
         counts(report),
         [(t.parts, *(round(s, 3) for s in (t.start_s, t.end_s, t.deepest_s))) for t in touches],
         [round(touch.depth_m, 5) for touch in touches],
-        [(m.parts, round(m.nearest_s, 3), round(m.distance_m, 5)) for m in report.near_misses],
-        report.clearance and (report.clearance.bodies, round(report.clearance.distance_m, 5)),
+        [
+            (m.parts, *(round(s, 3) for s in (m.start_s, m.end_s, m.nearest_s)))
+            for m in report.near_misses
+        ],
+        [round(miss.distance_m, 5) for miss in report.near_misses],
+        report.clearance
+        and (
+            report.clearance.bodies,
+            round(report.clearance.time_s, 3),
+            round(report.clearance.distance_m, 5),
+        ),
     )
 
 

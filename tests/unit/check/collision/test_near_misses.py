@@ -236,6 +236,17 @@ def test_a_near_miss_is_a_warning_that_says_what_is_near() -> None:
     assert "nearer than 6 mm is" in finding.primary.text
 
 
+@pytest.mark.parametrize("wait", [0.0, 0.5])
+@pytest.mark.parametrize("depth", [1.4e-5, 3e-5, 1e-4])
+def test_a_touch_too_light_to_count_is_a_graze_and_no_near_miss_of_nothing(
+    depth: float, wait: float
+) -> None:
+    report = checked(stooping(-depth, wait))
+    (touch,) = report.grazes
+    assert touch.depth_m == pytest.approx(depth, abs=2e-6)
+    assert report.contacts == report.undetermined == report.near_misses == ()
+
+
 def test_shapes_that_just_meet_are_a_near_miss_at_no_distance() -> None:
     (miss,) = checked(stooping(-5e-6)).near_misses
     assert miss.distance_m == 0.0

@@ -93,9 +93,12 @@ class Prober:
         """Return bounds, and points to tell people; the same bits whoever proposes."""
         return self.prover.told(*self._sides(first, second, time_s))
 
-    def outside(self, first: Indices, second: Indices, time_s: Array) -> Array:
-        """Return how far solids are apart at least, by their boxes [m]; arguments are (m,)."""
-        return outside(*self._placed(first, second, time_s))
+    def placed(
+        self, first: Indices, second: Indices, time_s: Array
+    ) -> tuple[Placed, Placed, Array]:
+        """Return where solids are, and how far apart at least, by their boxes [m]; all (m,)."""
+        places, a, b = self._placed(first, second, time_s)
+        return placed(places, first, a), placed(places, second, b), outside(places, a, b)
 
     def questions(self, first: Indices, second: Indices, time_s: Array) -> Questions:
         """Return what a proposer is asked about solids at times; all arguments are (m,)."""

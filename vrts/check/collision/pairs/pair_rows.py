@@ -1,8 +1,14 @@
 """Tables of pairs made of others."""
 
+from typing import TypeAlias
+
 import numpy as np
+import numpy.typing as npt
 
 from vrts.check.collision.pairs.pairs import Pairs
+
+Array: TypeAlias = npt.NDArray[np.float64]
+Indices: TypeAlias = npt.NDArray[np.int64]
 
 
 def joined(a: Pairs, b: Pairs) -> Pairs:
@@ -19,17 +25,22 @@ def joined(a: Pairs, b: Pairs) -> Pairs:
     )
 
 
-def grown(pairs: Pairs, distance: float) -> Pairs:
-    """Return the pairs that enter minimum clearance; they touch when nearer than a distance [m]."""
-    rows = np.flatnonzero(pairs.counts)
-    no = np.zeros(len(rows), dtype=np.bool_)
-    return Pairs(
-        pairs.first[rows],
-        pairs.second[rows],
-        pairs.start_s[rows],
-        pairs.end_s[rows],
-        np.full(len(rows), -distance),
-        no,
-        no,
-        pairs.group[rows],
-    )
+def narrowed(
+    pairs: Pairs, rows: Indices, interval: tuple[float, float], tolerance: Array, group: int
+) -> tuple[Pairs, Indices]:
+    """Return some pairs within an interval [s], with other tolerances, and which pairs they are.
+
+    Args:
+        pairs: All pairs.
+        rows: Which are wanted.
+        interval: From when to when.
+        tolerance: Their tolerances, of the same shape [m].
+        group: Their group.
+    """
+    start_s = np.maximum(pairs.start_s[rows], interval[0])
+    end_s = np.minimum(pairs.end_s[rows], interval[1])
+    lasts = np.flatnonzero(start_s < end_s)
+    rows, no = rows[lasts], np.zeros(len(lasts), dtype=np.bool_)
+    own = np.full(len(rows), group)
+    times = start_s[lasts], end_s[lasts]
+    return Pairs(pairs.first[rows], pairs.second[rows], *times, tolerance[lasts], no, no, own), rows

@@ -11,7 +11,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from vrts.check.collision.pairs.findings import BAND, COVERED, PAD, SLACK, Closest, Findings
+from vrts.check.collision.pairs.findings import BAND, COVERED, PAD, Closest, Findings
 from vrts.check.collision.search.broad import Sides
 from vrts.check.collision.search.nodes import Level
 from vrts.check.collision.search.normals import Rates
@@ -39,19 +39,16 @@ class Open(NamedTuple):
     gap: Array  # between the boxes [m]
     reach: Array  # how far the pair can come nearer in the node [m]
     way: Array  # (r, 3) direction that served before, outer to inner; NaN where there is none
-    matters: Array  # (r,) what stays so far apart adds nothing to an event; inf: in none [m]
+    floor: Array  # (r,) what stays so far apart is settled, the smallest distance apart [m]
+    slack: Array  # (r,) nor does it matter to that, if so much farther apart [m]
+    known: Flags  # (r,) whether it lies in an event of which the smallest distance is wanted
 
     def at(self, which: Indices) -> "Open":
         """Return some of the rows."""
         return Open(
-            self.row[which],
-            self.node[which],
-            self.outer[which],
-            self.inner[which],
-            self.gap[which],
-            self.reach[which],
-            self.way[which],
-            self.matters[which],
+            *(self.row[which], self.node[which], self.outer[which], self.inner[which]),
+            *(self.gap[which], self.reach[which], self.way[which]),
+            *(self.floor[which], self.slack[which], self.known[which]),
         )
 
 
@@ -78,7 +75,6 @@ class Measures:
         prover: Prover,
         sides: Sides,
         counts: Flags,
-        floor: Array,
         tolerance: Array,
         found: Findings,
     ) -> None:
@@ -88,26 +84,24 @@ class Measures:
             prover: Proves distances.
             sides: Which solid of each pair is the outer one.
             counts: Whether a pair enters minimum clearance, shape (p,).
-            floor: At this least distance a pair is settled, clearance apart, shape (p,), in m.
             tolerance: Deeper than this is a contact, shape (p,), in m.
             found: Where the smallest distance is kept.
         """
         self.prover = prover
         self.sides = sides
         self.counts = counts
-        self.floor = floor
         self.deep = -tolerance - 1.1 * BAND  # an upper bound below this shows a contact
         self.near = NEAR - np.minimum(tolerance, 0.0)
         self.found = found
 
-    def bar(self, row: Indices) -> Array:
+    def bar(self, row: Indices, floor: Array, slack: Array | float) -> Array:
         """Return what the least distance of pairs must reach for them to be settled."""
-        sought = self.found.closest.distance - SLACK
-        return np.where(self.counts[row], np.maximum(self.floor[row], sought), self.floor[row])
+        sought = self.found.closest.distance + slack
+        return np.where(self.counts[row], np.maximum(floor, sought), floor)
 
     def bar_of(self, rows: Open) -> Array:
-        """Return the same for rows: in an event, only what comes nearer may matter."""
-        return np.minimum(self.bar(rows.row), rows.matters)
+        """Return the same for rows."""
+        return self.bar(rows.row, rows.floor, rows.slack)
 
     def probe(self, level: Level, places: Places, rows: Open) -> None:
         """Look at the rows that promise the smallest distances."""
@@ -183,7 +177,7 @@ class Measures:
         """Search ourselves for what was proposed badly, or must be known for certain."""
         row, lower, upper = rows.row[left], found.lower[left], found.upper[left]
         # within an event a contact is no news, but how near it comes at least
-        deep = np.where(rows.matters < np.inf, -np.inf, self.deep[rows.row])
+        deep = np.where(rows.known, -np.inf, self.deep[rows.row])
         loose = ~(upper - lower <= TIGHT) & (upper >= deep[left])
         plain = np.abs(claim - lower) <= TIGHT  # a direction that does what the points claim
         plain &= (lower > self.near[row]) & (level.half[rows.node[left]] > 0.5 * COVERED)

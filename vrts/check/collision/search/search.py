@@ -24,18 +24,19 @@ from vrts.check.collision.pairs.findings import (
     BAND,
     COVERED,
     GRAZE,
+    LEAF,
     PAD,
     REPORTED,
     SLACK,
     Closest,
     Findings,
-    Spans,
+    Leaves,
     Touch,
-    spans,
 )
 from vrts.check.collision.pairs.outside import outside
 from vrts.check.collision.pairs.pairs import Pairs
 from vrts.check.collision.search.broad import gaps, sides_of
+from vrts.check.collision.search.known_events import KnownEvents, Times
 from vrts.check.collision.search.measures import PROBES, Measured, Measures, Open
 from vrts.check.collision.search.nodes import Level, first_nodes
 from vrts.check.collision.search.normals import Rows, rates
@@ -78,6 +79,7 @@ def search(
     clearance: bool = True,
     band: float = BAND,
     nearest: bool = False,
+    near: float | None = None,
 ) -> Findings:
     """Return every contact and graze, and the smallest distance.
 
@@ -93,8 +95,10 @@ def search(
             touches deeper than its tolerance by less than that may be missed.
         nearest: Whether, of each event, the smallest distance is wanted to `SLACK`, and not all
             of the time that it lasts.
+        near: Of pairs that enter the smallest distance, those nearer than this are noted too [m],
+            and of each such event the smallest distance is wanted; None: they are not.
     """
-    wanted = _Wanted(clearance=clearance, band=band, nearest=nearest)
+    wanted = _Wanted(clearance=clearance, band=band, nearest=nearest, near=near)
     return _Search(arm, curves, Prover(solids, proposer), pairs, interval, wanted).run()
 
 
@@ -104,6 +108,7 @@ class _Wanted(NamedTuple):
     clearance: bool
     band: float
     nearest: bool
+    near: float | None
 
 
 class _Search:
@@ -135,21 +140,22 @@ class _Search:
         self.falls = bool(solids.falls.any())
         # below this a row is not decided: a touch, or for pads what may be too deep
         floor = np.where(pairs.grazes, -GRAZE, band - pairs.tolerance)
-        self.measures = Measures(
-            prover, self.sides, self.counts, floor, pairs.tolerance, self.found
-        )
-        self.floor = floor
-        self.spans: dict[int, Spans] = {}
+        self.measures = Measures(prover, self.sides, self.counts, pairs.tolerance, self.found)
+        self.known = KnownEvents(pairs, floor, nearest=wanted.nearest)
+        self.threshold = -np.inf if wanted.near is None else wanted.near
+        self.known.look_near(self.counts, self.threshold)
         self.start, self.end = first_nodes(curves, pairs, interval, falls=self.falls)
         self.level = self._level()
         self.node, self.row = self._first_rows()
         self.way = np.full((len(self.row), 3), np.nan)
+        self.noted = np.zeros(len(self.row), dtype=np.bool_)  # lies within a leaf
 
     def _first_rows(self) -> tuple[Indices, Indices]:
         """Return the rows of the first nodes that boxes of whole bodies do not settle."""
         level, pairs, found = self.level, self.pairs, self.found
         nodes = (self.start, self.end)
-        reached = float(self.floor.max(initial=-np.inf))
+        floor = np.maximum(self.known.floor, self.known.near_floor)
+        reached = float(floor.max(initial=-np.inf))
         near = max(reached, WITHIN) if self.counts.any() else reached
         while True:
             blocks = gaps(
@@ -160,10 +166,10 @@ class _Search:
             if len(counts):
                 best = counts[np.argsort(blocks.middle[counts], kind="stable")[:PROBES]]
                 self._probe(*blocks.rows(best))
-            if found.closest.distance - SLACK <= near or near == np.inf:
+            if found.closest.distance + SLACK <= near or near == np.inf:
                 break
-            near = found.closest.distance
-        bar = self.measures.bar(blocks.first_row)
+            near = found.closest.distance + SLACK
+        bar = self.measures.bar(blocks.first_row, floor[blocks.first_row], SLACK)
         return blocks.rows(np.nonzero(blocks.least - PAD < bar)[0])
 
     def _probe(self, node: Indices, row: Indices) -> None:
@@ -172,7 +178,11 @@ class _Search:
         gap = outside(placed.places, placed.outer, placed.inner)
         unknown = np.full((len(row), 3), np.nan)
         nothing = np.zeros(len(row))
-        rows = Open(row, node, placed.outer, placed.inner, gap, nothing, unknown, nothing + np.inf)
+        never = np.zeros(len(row), dtype=np.bool_)
+        rows = Open(
+            *(row, node, placed.outer, placed.inner, gap),
+            *(nothing, unknown, nothing, nothing, never),
+        )
         self.measures.probe(self.level, placed.places, rows)
 
     def run(self) -> Findings:
@@ -199,11 +209,13 @@ class _Search:
             inner, outer = self.inner[row], self.outer[row]
             reach += self._drop(level, inner, node) + self._drop(level, outer, node)
         gap = outside(places, at_outer, at_inner)
-        matters = self._covered(row, node) if self.nearest else np.full(len(row), np.inf)
-        rows = Open(row, node, at_outer, at_inner, gap, reach, self.way, matters)
+        slack = np.where(self.noted, -SLACK, SLACK)
+        floor, known = self.known.floors(self._times(row, node), slack)
+        rows = Open(row, node, at_outer, at_inner, gap, reach, self.way, floor, slack, known)
         if self.found.closest.distance > -np.inf:
             self.measures.probe(level, places, rows)
-        rows = rows.at(np.flatnonzero(gap - reach < self.measures.bar_of(rows)))
+        alive = np.flatnonzero(gap - reach < self.measures.bar_of(rows))
+        rows, self.noted = rows.at(alive), self.noted[alive]
         least = rows.gap - rows.reach
         found = Measured(least, rows.gap.copy(), np.full(len(least), np.inf), rows.way)
         near = np.flatnonzero(rows.reach <= CAP)
@@ -258,6 +270,7 @@ class _Search:
         alive = np.flatnonzero(measured.least < self.measures.bar_of(rows))
         row, node, reach = rows.row[alive], rows.node[alive], rows.reach[alive]
         least, lower, upper, way = (column[alive] for column in measured)
+        noted = self.noted[alive]
         length = 2.0 * level.half[node]
         tolerance = pairs.tolerance[row]
         known = upper < np.inf
@@ -274,8 +287,13 @@ class _Search:
                 found.contacts.append(Touch(int(row[k]), t, t, t, d, low))
         if deep.any():
             found.closest = Closest(-np.inf, -1, 0.0)
-            self.spans = spans(found.contacts, pairs.group)
-        done = self._known(row, node, least, whole)
+            self.known.touched(found.contacts)
+        hit = np.flatnonzero(self.counts[row] & (upper < self.threshold - BAND))
+        if len(hit):
+            found.near += self._touches(hit, row, node, upper, lower)
+            self.known.neared(found.near)
+        times, slack = self._times(row, node), np.where(noted, -SLACK, SLACK)
+        done = self._known(times, least, whole, slack)
         harmless = least > self.band - tolerance  # cannot be a contact any more
         short = harmless & (length <= REPORTED) & (least >= self._sought(row))
         grazing = harmless & (upper + reach < -GRAZE) & pairs.grazes[row]
@@ -291,6 +309,11 @@ class _Search:
         found.grazes += self._touches(np.nonzero(grazed)[0], row, node, upper, lower)
         found.open += self._touches(np.nonzero(finest & ~shallow)[0], row, node, upper, lower)
         done |= finest
+        far = (least >= self.known.nears(times, slack)) | (length <= FINEST)
+        done &= far | (resolved & sharp)
+        wanted = ~noted & (done | (length <= LEAF) | (reach <= PAD + STILL))
+        self._note(times, least, wanted)
+        self.noted = (noted | wanted)[~done]
         self._halve(row[~done], node[~done], way[~done])
 
     def _touches(
@@ -302,39 +325,31 @@ class _Search:
             Touch(*values) for values in zip(*(c[which].tolist() for c in columns), strict=True)
         ]
 
+    def _times(self, row: Indices, node: Indices) -> Times:
+        return Times(row, self.start[node], self.end[node])
+
+    def _note(self, times: Times, least: Array, wanted: Flags) -> None:
+        """Keep intervals that may hold a smallest distance."""
+        which = np.flatnonzero(wanted)
+        some, slack = times.at(which), np.full(len(which), SLACK)
+        if self.nearest:
+            near = least[which] < self.known.matters(some, slack)
+        else:
+            bar = np.maximum(self.known.nears(some, slack), self.found.closest.distance + SLACK)
+            near = self.counts[some.row] & (least[which] < bar)
+        if near.any():
+            self.found.leaves.append(Leaves(*some.at(np.flatnonzero(near)), least[which[near]]))
+
     def _sought(self, row: Indices) -> Array:
         sought = self.found.closest.distance - SLACK
         return np.where(self.pairs.counts[row], sought, -np.inf)
 
-    def _known(self, row: Indices, node: Indices, least: Array, whole: Flags) -> Flags:
+    def _known(self, times: Times, least: Array, whole: Flags, slack: Array) -> Flags:
         """Return which rows can add nothing to the events that are known."""
-        length = self.end[node] - self.start[node]
-        if not self.nearest:
-            known = whole
-            if self.spans:
-                known = known | ((length <= COVERED) & (least >= self._covered(row, node)))
-            return known
-        if not self.spans:
-            return np.zeros(len(row), dtype=np.bool_)
-        return (least >= self._covered(row, node)) | (length <= FINEST)
-
-    def _covered(self, row: Indices, node: Indices) -> Array:
-        """Return how near rows must come to matter between two contacts of one event, (r,) [m].
-
-        Inf is for rows that lie in none. Where the smallest distance of an event is wanted, what
-        may be nearer than the smallest known matters; else nothing does.
-        """
-        matters = np.full(len(row), np.inf)
-        group = self.pairs.group[row]
-        for number, (starts, ends, least) in self.spans.items():
-            mine = np.nonzero(group == number)[0]
-            if not len(mine):
-                continue
-            at = np.searchsorted(starts, self.start[node[mine]] + REPORTED, side="right") - 1
-            inside = (at >= 0) & (self.end[node[mine]] - REPORTED <= ends[np.maximum(at, 0)])
-            wanted = least[at[inside]] - SLACK if self.nearest else -np.inf
-            matters[mine[inside]] = wanted
-        return matters
+        length, matters = times.end_s - times.start_s, self.known.matters(times, slack)
+        if self.nearest:
+            return (least >= matters) | (length <= FINEST)
+        return whole | ((length <= COVERED) & (least >= matters))
 
     def _halve(self, row: Indices, node: Indices, way: Array) -> None:
         used, again = np.unique(node, return_inverse=True)
@@ -344,6 +359,7 @@ class _Search:
         self.end = np.concatenate([middle, end])
         self.row = np.concatenate([row, row])
         self.way = np.concatenate([way, way])  # what served for the whole serves its halves
+        self.noted = np.concatenate([self.noted, self.noted])
         self.node = np.concatenate([again, again + len(used)])
         if len(row):
             self.level = self._level()

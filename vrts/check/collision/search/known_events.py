@@ -1,0 +1,101 @@
+"""What a search knows of events already, and so what can add nothing to them.
+
+Between the first and the last touch of a contact shorter intervals need no look. Of near misses,
+and of events whose smallest distance is wanted, only what may be nearer than the smallest known
+matters.
+"""
+
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+
+from vrts.check.collision.pairs.findings import BAND, REPORTED, SLACK, Touch, spans
+from vrts.check.collision.pairs.pairs import Pairs
+
+Array: TypeAlias = npt.NDArray[np.float64]
+Flags: TypeAlias = npt.NDArray[np.bool_]
+Indices: TypeAlias = npt.NDArray[np.int64]
+
+NEARBY = 0.008  # [s] what is so near to an event belongs to it, where its times are not wanted
+
+
+class Times(NamedTuple):
+    """Rows of pairs, each in an interval; all of shape (r,)."""
+
+    row: Indices
+    start_s: Array
+    end_s: Array
+
+    def at(self, which: Indices) -> "Times":
+        """Return some of the rows."""
+        return Times(self.row[which], self.start_s[which], self.end_s[which])
+
+
+class KnownEvents:
+    """The events of a search under way."""
+
+    def __init__(self, pairs: Pairs, floor: Array, *, nearest: bool) -> None:
+        """Know none.
+
+        Args:
+            pairs: The pairs.
+            floor: What a pair must reach to be no touch, shape (p,), in m.
+            nearest: Whether the smallest distance of each event is wanted.
+        """
+        self.group = pairs.group
+        self.floor = floor
+        self.nearest = nearest
+        self.margin = NEARBY if nearest else REPORTED
+        self.near_floor = np.full(len(floor), -np.inf)
+        self.contacts = self.near = spans([], pairs.group)
+
+    def look_near(self, counts: Flags, threshold: float) -> None:
+        """Want near misses of some pairs too, nearer than a threshold [m]."""
+        self.near_floor = np.where(counts, threshold - SLACK - BAND, -np.inf)
+
+    def touched(self, contacts: list[Touch]) -> None:
+        """Take over all contacts found so far."""
+        self.contacts = spans(contacts, self.group)
+
+    def neared(self, near: list[Touch]) -> None:
+        """Take over all near misses found so far."""
+        self.near = spans(near, self.group)
+
+    def floors(self, of: Times, slack: Array) -> tuple[Array, Flags]:
+        """Return what rows must reach to be settled, and which lie in events like those.
+
+        Args:
+            of: The rows.
+            slack: From this above the smallest distance on, nothing matters to an event, (r,) [m].
+        """
+        floor = self.floor[of.row]
+        if self.nearest:
+            matters = self.matters(of, slack)
+            return np.minimum(floor, matters), matters < np.inf
+        near = self.nears(of, slack)
+        known = (-np.inf < near) & (near < self.near_floor[of.row])
+        return np.maximum(floor, near), known
+
+    def nears(self, of: Times, slack: Array) -> Array:
+        """Return what rows must reach to be no near miss, or none that matters to its event."""
+        floor, group = self.near_floor[of.row], self.group[of.row]
+        at = self.near.over(group, of.start_s + NEARBY, of.end_s - NEARBY)
+        if (at >= 0).any():
+            floor = np.where(at >= 0, np.minimum(floor, self.near.least[at] + slack), floor)
+        # in a contact there are none
+        touching = self.contacts.over(group, of.start_s + REPORTED, of.end_s - REPORTED) >= 0
+        return np.where(touching, -np.inf, floor)
+
+    def matters(self, of: Times, slack: Array) -> Array:
+        """Return how near rows must come to matter between two contacts of one event, (r,) [m].
+
+        Inf is for rows that lie in none. Where the smallest distance of an event is wanted, what
+        may be nearer than the smallest known matters; else nothing does.
+        """
+        start_s, end_s = of.start_s + self.margin, of.end_s - self.margin
+        at = self.contacts.over(self.group[of.row], start_s, end_s)
+        if not (at >= 0).any():
+            return np.full(len(of.row), np.inf)
+        wanted = self.contacts.least[at] + slack if self.nearest else -np.inf
+        return np.where(at >= 0, wanted, np.inf)
