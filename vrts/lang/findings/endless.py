@@ -21,6 +21,7 @@ from vrts.lang.syntax.expressions import (
 )
 from vrts.lang.syntax.program import ProgramText, Step
 from vrts.lang.syntax.statements import (
+    Bad,
     CallNamed,
     CallStatement,
     Device,
@@ -70,6 +71,9 @@ class LoopCheck:
             return
         if block.end - block.opener > MOST_STEPS:
             return
+        body = program.steps[block.opener : block.end]
+        if any(isinstance(step.statement, Bad) for step in body):
+            return  # nobody knows what that changes
         changed = self._changed(program.steps[block.opener : block.end + 1])
         if changed is None:
             return

@@ -94,6 +94,8 @@ class Advice:
         if mark >= LIMIT:
             return None  # it would not be shown
         told = problems.found[mark:]
+        if line.text.upper() == "THEN" and self._then(line, mark):
+            return Advised(None)
         for better in (
             self._quoted,
             self._comment,
@@ -108,6 +110,21 @@ class Advice:
         if len(told) == 1 and told[0].fix is not None:
             return None
         return self._signs(line, mark) or self._comment_behind(line, mark, alone=False)
+
+    def _then(self, line: Line, mark: int) -> bool:
+        """`THEN` below its IF, which was told to have none: one mistake, mended in both lines."""
+        before = self.problems.found[mark - 1] if mark else None
+        if before is None or before.rule != MISSING_KEYWORD or before.fix is None:
+            return False
+        place, source = before.fix.span, self.problems.source
+        between = source.text[place.end : line.at]
+        if place.source is not source or between.strip() or between.count("\n") != 1:
+            return False
+        self.problems.forget(mark)
+        fix = Fix.from_edits((*before.fix.edits, *self._without(line).edits))
+        help_ = "write THEN at the end of the line of its IF"
+        self.problems.found[mark - 1] = replace(before, help=(help_,), fix=fix)
+        return True
 
     def _quoted(self, line: Line, mark: int) -> Advised | None:
         """Quotes and per cent before they are taken for comments; comments before idioms."""
@@ -201,6 +218,9 @@ class Advice:
         tried = self.repair.steps(indented(found.instead, self._indent(line)))
         if idiom.instead and tried is None:
             return None
+        named = look_up(first_word(line.text), self.problems.dialect).word is not None
+        if named and idiom.pattern.startswith("{n} :"):
+            return None  # `READY:` is no label
         if not idiom.sure and self.problems.found[mark].rule == INVALID_EXPRESSION:
             return None
         if tried is not None and self._mends(line, mark, tried):
@@ -418,6 +438,8 @@ def _is_word(idiom: Idiom) -> bool:
 
 def _habit(line: Line, idiom: Idiom, tried: Tried | None, first: str) -> str:
     """Return what an idiom is a habit of: braces, cases, or itself."""
+    if idiom.habit:
+        return idiom.habit
     if "{" in line.raw or "}" in line.raw:
         return "braces"
     instead = tried.text.split()[0] if tried is not None else ""

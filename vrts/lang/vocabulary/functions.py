@@ -210,7 +210,6 @@ FOREIGN_FUNCTIONS = {
     "maxval": "use MAX",
     "minval": "use MIN",
     "instr": "use POS($s, $part, start)",
-    "round": "use INT(x+0.5)",
     "$left": "use $MID($s, 1, count)",
     "$right": "use $MID($s, first)",
     "point": "use TRANS(x, y, z, o, a, t)",

@@ -24,6 +24,7 @@ BLOCKS = (
     Idiom("else {", "ELSE", "C"),
     Idiom("} else", "ELSE", "C"),
     Idiom("else :", "ELSE", "Python"),
+    Idiom("else : {r}", "ELSE\n    {r}", says="ELSE ends its line"),
     Idiom("else begin", "ELSE", "Pascal"),
     Idiom("else then", "ELSE", says="ELSE stands alone"),
     Idiom("<otherwise|default> <:|>", "ANY", "C and MATLAB"),

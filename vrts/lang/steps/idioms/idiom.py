@@ -23,6 +23,7 @@ class Idiom(NamedTuple):
     word: str = ""  # the structure word that the step stands for, where `instead` does not tell
     sure: bool = True  # whether `instead` is surely meant
     drop: bool = False  # whether the step is to be taken out
+    habit: str = ""  # what else it is told together with
 
 
 class Matched(NamedTuple):

@@ -41,7 +41,7 @@ MOVING = (
     Idiom("<m2|m02|m30>", "", "G-code", help="leave it out: the program ends at `.END`", drop=True),
     Idiom("<g20|g21|g90|g91|m3|m03|m4|m5|m05|m6>_{r}", "", "G-code", help="VAL-II has no such word: leave it out"),
     Idiom("<g20|g21|g90|g91|m3|m03|m4|m5|m05|m6>", "", "G-code", help="VAL-II has no such word: leave it out"),
-    Idiom("goto_{n}", "", help="labels are whole numbers; to move to a location write `MOVE {n}`"),
+    Idiom("goto_{n}", "", habit="names of labels", help="labels are whole numbers; to move to a location write `MOVE {n}`"),
     Idiom("<go|goto>_<to|>_{n}", "MOVE {n}", "other languages", sure=False),
     Idiom("<home|go_home|gohome|move_home|movehome|move_to_home|movetohome|park|rest|origin|homing|zero|go_ready|move_ready|init> <(|> <)|>", "READY", "other robot languages"),
     Idiom("move_{v} , {n}", "MOVE {v}\nMOVE {n}", says="MOVE takes one location", sure=False),

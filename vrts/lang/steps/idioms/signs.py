@@ -34,13 +34,13 @@ SIGNS = (
         re.compile(r"\b0[xX]([0-9A-Fa-f]+)\b"),
         r"^H\1",
         "`0x` begins no number of VAL-II",
-        "write hexadecimal numbers as `^HFF`",
+        "begin hexadecimal numbers with `^H`, as in `^HFF`",
     ),
     Signs(
         re.compile(r"\b0[bB]([01]+)\b"),
         r"^B\1",
         "`0b` begins no number of VAL-II",
-        "write binary numbers as `^B1010`",
+        "begin binary numbers with `^B`, as in `^B1010`",
     ),
     Signs(
         re.compile(r"(?<![\w.^])(\d+(?:\.\d+)?)(?![eE](?:[-+\d]|\b))([A-Za-z][\w.]*)"),
@@ -124,7 +124,7 @@ SIGNS = (
     Signs(
         re.compile(rf"({_OPERAND})[ \t]*(?://|\\|\bdiv\b)[ \t]*({_OPERAND})", re.I),
         r"INT(\1/\2)",
-        "VAL-II has no whole division",
+        "`//`, `\\` and `DIV` are no operators of VAL-II",
         "write `INT(a/b)`",
     ),
     Signs(

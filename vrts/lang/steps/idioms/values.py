@@ -62,4 +62,8 @@ VALUES = (
     Idiom("if {e} <jump|go_to|jmp|then_go_to|then_jump> {d}", "IF {e} GOTO {d}", "BASIC"),
     Idiom("if {e} , goto_{d}", "IF {e} GOTO {d}", says="IF takes no comma before GOTO"),
     Idiom("if_not {e} goto_{d}", "IF NOT {e} GOTO {d}", "BASIC"),
+    Idiom("{n} :", says="labels are whole numbers, not names", help="write a number instead: `10 READY`, then `GOTO 10`", habit="names of labels"),
+    Idiom("{n} :_{n2}", says="labels are whole numbers, not names", help="write a number instead: `10 READY`, then `GOTO 10`", habit="names of labels"),
+    Idiom("{n} :_{n2}_{r}", says="labels are whole numbers, not names", help="write a number instead: `10 READY`, then `GOTO 10`", habit="names of labels"),
+    Idiom("label_{n} <:|>", says="labels are whole numbers, not names", help="write a number instead: `10 READY`, then `GOTO 10`", habit="names of labels"),
 )
