@@ -1,6 +1,7 @@
 """What is said of an expression of a wrong type, and of a function that is not as it has to be."""
 
 from collections.abc import Collection
+from itertools import pairwise
 
 from vrts.base.diagnostic import Fix, Rule
 from vrts.ir.values import Type
@@ -15,6 +16,7 @@ from vrts.lang.syntax.expressions import (
     Infix,
     Item,
     Name,
+    Number,
 )
 from vrts.lang.vocabulary.functions import FOREIGN_FUNCTIONS, Signature
 
@@ -146,7 +148,15 @@ def arguments_fit(problems: Problems, node: Application, signature: Signature) -
         help_ = ""
     elif most is not None and given > most:
         headline = f"{name} takes {_arguments(most)}, {given} given"
+        commas = _decimal_commas(problems, node)
         help_ = ""
+        if commas:
+            left, right = commas[0]
+            written = problems.source.text[left.start : left.end]
+            behind = problems.source.text[right.start : right.end]
+            help_ = f"a comma is no decimal sign: write a point, as in `{written}.{behind}`"
+            if len(commas) == given - most == 1:
+                fix = problems.replace(left.end, right.start, ".")
     else:
         return True
     problems.error(
@@ -167,6 +177,19 @@ def _with_by(problems: Problems, node: Application) -> Fix | None:
         return None
     comma = problems.source.text.find(",", node.arguments[0].end, node.end)
     return problems.replace(comma, comma + 1, " BY") if comma >= 0 else None
+
+
+def _decimal_commas(problems: Problems, node: Application) -> list[tuple[Number, Number]]:
+    """Return the arguments that may be one number written as in German: `2,25`."""
+    text = problems.source.text
+    return [
+        (left, right)
+        for left, right in pairwise(node.arguments)
+        if isinstance(left, Number) and isinstance(right, Number)
+        if text[left.end : right.start] == ","
+        and text[left.start : left.end].isdecimal()
+        and text[right.start : right.end].isdecimal()
+    ]
 
 
 def no_variable(problems: Problems, node: Application, first: Item) -> None:
