@@ -40,7 +40,7 @@ _SWAPS = frozenset({"tas", "cas"})  # functions that give their variable a value
 
 Wanted: TypeAlias = Type | None  # None: any type; POSE also takes joints where `joints` is True
 _CODES = {"r": Type.REAL, "s": Type.STRING, "p": Type.POSE, "l": Type.POSE, "$": Type.STRING}
-_LOOKED_AT = frozenset({"/", "MOD", "OR"})  # operators whose operands matter
+_DIVISIONS = frozenset({"/", "MOD"})  # operators whose right operand matters
 _LOOKED_INTO = frozenset(  # functions whose arguments matter
     {"sig", "bits", "timer", "sqrt", "sin", "cos", "tan", "trans", "#ppoint", "rx", "ry", "rz"}
 )
@@ -117,9 +117,10 @@ class ExpressionTypes(NameUses):
             return Type.REAL
         for part in (node.left, node.right):
             self.check(part, Type.REAL, f"`{operator}` takes numbers")
-        if operator in _LOOKED_AT and not (
-            isinstance(node.right, Number) and node.right.value and operator != "OR"
-        ):
+        if operator in _DIVISIONS:
+            if not (isinstance(node.right, Number) and node.right.value):
+                self.asked.append(Asked(self.program, self.step, node))
+        elif operator == "OR" and (_may_be_true(node.left) or _may_be_true(node.right)):
             self.asked.append(Asked(self.program, self.step, node))
         return Type.REAL
 
@@ -354,6 +355,11 @@ class ExpressionTypes(NameUses):
             found = self.no_texts[at]
             self.no_texts[at] = found._replace(why=found.why or why)
             self.wrong_lines.add(self.problems.source.line_of(found.node.start))
+
+
+def _may_be_true(node: Expression) -> bool:
+    """Return whether an operand may be true by itself: a number, or the name of one."""
+    return isinstance(node, Number | Name)
 
 
 def _taken(code: str) -> str:

@@ -6,14 +6,14 @@ from vrts.ir.module import Datum, Program
 from vrts.ir.values import Type
 from vrts.lang.findings.endless import runs_beside
 from vrts.lang.findings.values.angles import check_angles
-from vrts.lang.findings.values.complaints import Complaint, root
+from vrts.lang.findings.values.complaints import Complaint, divisor, root
 from vrts.lang.findings.values.conditions import check_condition
 from vrts.lang.findings.values.evaluate import Known, evaluate, nothing_known
 from vrts.lang.findings.values.flow import Followed, State, states
 from vrts.lang.findings.values.intervals import ANY, Interval, point
 from vrts.lang.findings.values.lengths import MOTIONS, check_data, check_lengths, goals
 from vrts.lang.findings.values.loops import check_loop
-from vrts.lang.findings.values.questions import Question, questions
+from vrts.lang.findings.values.questions import DIVISIONS, Question, questions
 from vrts.lang.meaning.constants import constant
 from vrts.lang.meaning.name_uses import Asked, NameUses
 from vrts.lang.meaning.scope import Entry
@@ -83,6 +83,12 @@ class ValueCheck:
         if isinstance(node, For):
             self._loop(asked, node)
             return
+        if isinstance(node, Infix):
+            if node.operator not in DIVISIONS:
+                check_condition(self.types, asked, beside=self.beside)
+            elif asked.program is not None:
+                self._question(Question(asked.program, asked.step, node.right, divisor))
+            return
         if isinstance(node, SpeedStatement | SetLocation):
             check_lengths(self.types, asked, self.absolute)
             return
@@ -95,7 +101,7 @@ class ValueCheck:
                 return
             if isinstance(node, Application):
                 check_lengths(self.types, asked, self.absolute)
-        if isinstance(node, Infix | If | Simple):
+        if isinstance(node, If | Simple):
             check_condition(self.types, asked, beside=self.beside)
         for question in questions(asked, self.problems.dialect):
             self._question(question)

@@ -7,8 +7,11 @@ from vrts.lang.dialect import Dialect
 from vrts.lang.findings.values import complaints
 from vrts.lang.findings.values.complaints import Complain
 from vrts.lang.meaning.name_uses import Asked
-from vrts.lang.syntax.expressions import Application, Element, FormatItem, Infix, Item
+from vrts.lang.syntax.expressions import Application, Element, FormatItem, Item
 from vrts.lang.syntax.statements import Put, ReactStatement, Simple, Statement
+
+
+DIVISIONS = frozenset({"/", "MOD"})  # operators of which the right operand is divided by
 
 
 class Question(NamedTuple):
@@ -33,10 +36,7 @@ def questions(asked: Asked, dialect: Dialect) -> Iterator[Question]:
 
 
 def _about(node: Item | Statement, *, ours: bool) -> Iterator[tuple[Item | None, Complain]]:
-    if isinstance(node, Infix):
-        if node.operator in ("/", "MOD"):
-            yield node.right, complaints.divisor
-    elif isinstance(node, Element):
+    if isinstance(node, Element):
         for subscript in node.subscripts:
             yield subscript, complaints.subscript
     elif isinstance(node, Application):
