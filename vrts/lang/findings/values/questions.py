@@ -10,7 +10,6 @@ from vrts.lang.meaning.name_uses import Asked
 from vrts.lang.syntax.expressions import Application, Element, FormatItem, Item
 from vrts.lang.syntax.statements import Put, ReactStatement, Simple, Statement
 
-
 DIVISIONS = frozenset({"/", "MOD"})  # operators of which the right operand is divided by
 
 
