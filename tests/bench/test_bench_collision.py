@@ -28,7 +28,7 @@ SHARES = {  # function that stands for a part of the work: what that is
     ("pairs.py", "plan"): "pairs and their rules (Python, distances)",
     ("broad.py", "gaps"): "bounds of all first intervals (numpy)",
     ("search.py", "_step"): "halving (numpy, proofs)",
-    ("events.py", "contacts"): "edges of contacts",
+    ("teller.py", "touches"): "times and depths of contacts",
     ("prover.py", "proposed"): "of all that: proposals, and what they prove",
     ("prover.py", "searched_for"): "of all that: our own search for directions and points",
 }

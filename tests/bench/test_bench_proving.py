@@ -7,6 +7,8 @@ processor time of one core, medians of rounds in which every contender has its t
 import statistics
 import time
 
+import pytest
+
 from tests.places import ROOT
 from tests.proposers import PROPOSERS
 from tests.support_forty import forty_objects
@@ -46,12 +48,13 @@ def test_what_proofs_cost_by_proposer() -> None:
         print(f"  {name:24s}{usual:7.1f} ms, {asked:5d} questions; of that: {', '.join(shares)}")
 
 
-def test_what_near_misses_cost_beside_the_proof() -> None:
-    run = passing(2.0)
+@pytest.mark.parametrize("posts", [20, 39])
+def test_what_near_misses_cost_beside_the_proof(posts: int) -> None:
+    run = passing(2.0, posts)
     spent: dict[float, list[float]] = {WITHIN: [], HARDLY: []}
     for _ in range(ROUNDS):
         for threshold, own in spent.items():
             own.append(cost(run, "coal", near_miss=threshold))
     proof, both = statistics.median(spent[HARDLY]), statistics.median(spent[WITHIN])
     found = len(check_collisions(run.scene, run, near_miss=WITHIN).near_misses)
-    print(f"\n  20 posts: {proof:.1f} ms; with {found} near misses {both / proof:.1f} times")
+    print(f"\n  {posts} posts: {proof:.1f} ms; with {found} near misses {both / proof:.1f} times")
