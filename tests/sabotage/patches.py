@@ -11,6 +11,7 @@ REASONS = "tests/unit/check/mark/test_reasons.py"
 SETTINGS = "tests/unit/check/rules/test_settings.py"
 RUNS = "tests/spec/test_spec_run.py"
 LANG = "tests/spec/test_spec_lang.py"
+IDIOMS = "tests/spec/test_spec_idioms.py"
 VOCABULARY = "tests/unit/lang/vocabulary/test_vocabulary.py"
 COLLISION = "tests/unit/check/collision/test_collision.py"
 NEAR_MISSES = "tests/unit/check/collision/test_near_misses.py"
@@ -32,6 +33,27 @@ DISPATCH_PLAN = "tests/unit/dispatch/planning/test_plan.py"
 __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
+    Patch(
+        "a range of Python is counted one too far",
+        "vrts/lang/steps/idioms/idiom.py",
+        "return str(int(part) - 1) if part.isdecimal() else",
+        "return part if part.isdecimal() else",
+        (IDIOMS,),
+    ),
+    Patch(
+        "an ELSE IF gets no END",
+        "vrts/lang/meaning/blocks/borrowed_forms.py",
+        "if block is not None and not reading.else_if_opens:",
+        "if block is None:",
+        (IDIOMS,),
+    ),
+    Patch(
+        "indentation never tells where an END is missing",
+        "vrts/lang/meaning/blocks/indentation.py",
+        "return found if len(found) == wanted and bodies else []",
+        "return []",
+        (IDIOMS,),
+    ),
     Patch(
         "APPRO goes beyond the target",
         "vrts/engine/motion/requests.py",

@@ -99,6 +99,11 @@ def test_what_was_quadratic_once_is_answered(body: str) -> None:
     assert codes(body)  # would take minutes
 
 
+def test_long_lists_are_no_riddle() -> None:
+    for body in ("q = [" + "1," * 120, "for (" + "; " * 120, "MOVE (" + "1," * 120):
+        assert codes(body)  # would take minutes
+
+
 def test_lines_of_a_file() -> None:
     section = ".REALS\n" + "a 1\n" * 49_999 + ".END\n"
     for more, expected in ("", set[str]()), (".REALS\n.END\n", {"V115"}):

@@ -16,11 +16,12 @@ from vrts.lang.steps.idioms.values import VALUES
 
 IDIOMS = (*BLOCKS, *TERMINAL, *SIGNALS, *PLACES, *MOVING, *APPROACHING, *SPEEDS, *HAND, *VALUES)
 MOST_CHARACTERS = 300  # of a step that is looked at
+MOST_PARTS = 12  # of a list in it: to try all ways to part more would take long
 
 
 def matches(text: str) -> Iterator[Matched]:
     """Return the idioms that a step is, the likeliest first."""
-    if len(text) > MOST_CHARACTERS:
+    if len(text) > MOST_CHARACTERS or max(map(text.count, ",;")) > MOST_PARTS:
         return
     word = ""
     for sign in text:
