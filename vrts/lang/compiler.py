@@ -140,7 +140,8 @@ def _told_apart(found: Resolved) -> tuple[Datum, ...]:
 def _resolved(problems: Problems, options: Options) -> Resolved | None:
     """Parse and resolve; None for a stranger, which is then all that is reported."""
     dialect = problems.dialect
-    sections = [s for s in split(problems) if not is_remarks(s, dialect)]
+    written = split(problems)
+    sections = [s for s in written if not is_remarks(s, dialect)]
     headed = [s for s in sections if s.kind == "program"]
     headers: list[tuple[str, tuple[Formal, ...]]] = []
     unsound: set[int] = set()  # where the headers begin of which something was reported
@@ -205,7 +206,8 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
     values.written(data)
     check_habits(problems, scope, programs, {n: found for n, (found, _) in structures.items()})
     by_start = {section.header.start: section for section in headed}
-    stored = bool(data) and (dialect.is_as or problems.source.name.lower().endswith(DATA_SUFFIXES))
+    held = bool(data) or len(sections) < len(written)  # values, or remarks kept as a program
+    stored = held and (dialect.is_as or problems.source.name.lower().endswith(DATA_SUFFIXES))
     kept = [by_start[program.start] for program in programs]
     return Resolved(programs, kept, resolver, structures, data, stored, values)
 
