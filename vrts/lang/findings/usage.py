@@ -1,16 +1,25 @@
 """Questions about names that only the whole compilation answers."""
 
+import re
 from bisect import bisect_right
 from collections.abc import Callable
 
-from vrts.base.diagnostic import Rule, Severity
+from vrts.base.diagnostic import Fix, Rule, Severity
 from vrts.ir.values import Type
+from vrts.lang.findings.calls import (
+    ARGUMENT_COUNT,
+    as_header,
+    check_error_returns,
+    named_as_word,
+    swapped,
+    too_few,
+)
 from vrts.lang.meaning.agreement import settle_types, type_of_argument
 from vrts.lang.meaning.no_texts import report_no_texts
 from vrts.lang.meaning.resolve import Resolver
 from vrts.lang.meaning.scope import Entry, Place
 from vrts.lang.names import NAME_TRUNCATED, SIGNIFICANT, is_truncated, key
-from vrts.lang.problems import LIMIT
+from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.spelling import nearest
 from vrts.lang.syntax.expressions import Element, Item, Name
 from vrts.lang.syntax.program import ProgramText
@@ -21,7 +30,6 @@ REAL_AND_LOCATION = Rule("V201", "real-and-location")
 UNDEFINED_LOCATION = Rule("V204", "undefined-location")
 UNDEFINED_VARIABLE = Rule("V205", "undefined-variable")
 UNDEFINED_PROGRAM = Rule("V206", "undefined-program")
-ARGUMENT_COUNT = Rule("V207", "argument-count")
 ARGUMENT_TYPE = Rule("V208", "argument-type")
 UNUSED_NAME = Rule("V225", "unused-name")
 ARRAY_AND_SCALAR = Rule("V213", "array-and-scalar")
@@ -50,6 +58,8 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
         for step in program.steps:
             if isinstance(step.statement, CallStatement):
                 _call(resolver, program, step.statement, suggestions, decided)
+        named_as_word(resolver, program)
+    check_error_returns(resolver.problems, programs)
     for name in resolver.called:
         if key(name.text) not in resolver.scope.programs:
             _undefined_program(resolver, name, suggestions)
@@ -102,34 +112,50 @@ def _clash(resolver: Resolver, entry: Entry) -> bool:
         )
         return True
     if entry.array is not None and entry.scalar is not None:
-        first, second = sorted((entry.array, entry.scalar))
+        first, second = sorted(
+            (entry.array, entry.scalar), key=lambda place: (_in_program(resolver, place), place)
+        )
+        help_ = f"write an index, as in `{entry.name}[1]`, or give one of them another name"
+        if entry.type is Type.STRING:
+            help_ = f"`$MID({entry.name}, 1, 1)` takes a character out of a string; "
+            help_ += "give an array of strings another name"
         problems.error(
             ARRAY_AND_SCALAR,
             f"`{entry.name}` is used both with and without an index",
             *second,
             secondary=(problems.label(*first, "first used here"),),
-            help=("give the array or the single variable another name",),
+            help=(help_,),
             data={"name": entry.name},
         )
         return True
     return False
 
 
+def _in_program(resolver: Resolver, place: Place) -> bool:
+    programs = resolver.scope.programs.values()
+    return any(program.start <= place[0] < program.finish[1] for program in programs)
+
+
 def _truncated(resolver: Resolver, entry: Entry) -> None:
-    long = [(at, name) for name, at in entry.spellings.items() if is_truncated(name)]
+    text = resolver.problems.source.text
+    used: dict[str, Place] = {}  # where a program uses each spelling first
+    for place in sorted(entry.reads):
+        used.setdefault(text[place[0] : place[1]].lower(), place)
+    spelled = {**entry.spellings, **used}
+    long = [(at, name) for name, at in spelled.items() if is_truncated(name)]
     if not long:
         return
     long.sort()
-    at, name = long[-1]
+    at, name = long[0]
     problems = resolver.problems
     if len(long) > 1:
         problems.warning(
             NAME_TRUNCATED,
-            f"`{name}` and `{long[0][1]}` are the same variable",
+            f"`{name}` and `{long[1][1]}` are the same variable",
             *at,
-            secondary=(problems.label(*long[0][0], "first here"),),
+            secondary=(problems.label(*long[1][0], "the other name"),),
             notes=(f"only the first {SIGNIFICANT} characters of a name count",),
-            help=("make them differ in their first characters",),
+            help=(f"make them differ in their first {SIGNIFICANT} characters",),
         )
     else:
         problems.warning(
@@ -148,10 +174,18 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
     if {problems.source.line_of(start) for start, _ in entry.reads} <= resolver.wrong_lines:
         return  # the lines were reported
     location = entry.type in (Type.POSE, Type.JOINTS)
+    at = min(entry.reads)
     kind = "location" if location else "string" if entry.type is Type.STRING else "variable"
     meant = suggestions.name(entry, lambda other: _could_be(other, entry))
     upper = entry.name.upper()
-    if meant is not None:
+    other = _other_sign(resolver, entry)
+    if other:
+        meant = other
+        help_ = f"did you mean `{meant}`? `{entry.name}` and `{meant}` are two locations"
+    elif entry.name in resolver.scope.programs:
+        meant = None
+        help_ = f"`{entry.name}` is a program: write `CALL {entry.name}` on a line of its own"
+    elif meant is not None:
         help_ = f"did you mean `{meant}`?"
     elif (
         location and upper in INSTRUCTIONS and INSTRUCTIONS[upper].terminal in ("WORD0", "SETTING0")
@@ -159,9 +193,11 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
         help_ = f"{upper} is an instruction: write it alone"
     elif location:
         help_ = "give it a value in a .LOCATIONS section, or by SET or HERE"
+    elif _is_typed(problems, at) and entry.type is not Type.STRING:
+        help_ = f'for text write `"{entry.name}"`, between double quotes; '
+        help_ += "else give it a value before it is used"
     else:
         help_ = "give it a value before it is used"
-    at = min(entry.reads)
     more = len(entry.reads) - 1
     problems.warning(
         UNDEFINED_LOCATION if location else UNDEFINED_VARIABLE,
@@ -204,6 +240,21 @@ def _inside(bodies: list[tuple[int, int]], at: int) -> bool:
     return number >= 0 and bodies[number][0] <= at < bodies[number][1]
 
 
+def _other_sign(resolver: Resolver, entry: Entry) -> str:
+    """Return `#safe` for `safe`, or the other way round, where only that has a value."""
+    name = entry.name[1:] if entry.name[0] == "#" else f"#{entry.name}"
+    found = resolver.scope.entries.get(name)
+    location = entry.type in (Type.POSE, Type.JOINTS)
+    fits = found is not None and found.writes and found.type in (Type.POSE, Type.JOINTS)
+    return name if location and fits else ""
+
+
+def _is_typed(problems: Problems, place: Place) -> bool:
+    """Return whether a name stands alone among what TYPE writes, as a word of a text would."""
+    line = problems.source.line_text(problems.source.line_of(place[0]))
+    return re.match(r"[ \t]*(\d+[ \t]+)?TYPE[ \t]", line, re.IGNORECASE) is not None
+
+
 def _could_be(other: Entry, entry: Entry) -> bool:
     if other is entry or not (other.writes or other.slot is not None):
         return False
@@ -236,18 +287,26 @@ def _call(
             node.end,
             secondary=(header,),
             notes=(_MISMATCH,),
+            help=(f"leave {given - taken} of them out: write `CALL {as_header(program)}`",),
             severity=_at_the_call(resolver),
         )
         return
+    before = len(problems.found)
     for i, argument in enumerate(node.arguments):
+        if len(problems.found) > before:
+            break  # the call was told to be wrong
         formal = program.formals[i]
         if argument is None or not formal.name.text:
             continue
         secondary = (header,)
+        fix: Fix | None = None
         whole = isinstance(argument, Element) and not argument.subscripts
         if formal.array and not isinstance(argument, Element):
             problem = f"argument {i + 1} of `{program.name}` is a whole array"
-            help_ = "write the name of an array with empty brackets: `a[]`"
+            shown = argument.text if isinstance(argument, Name) else "a"
+            help_ = f"write the name of an array with empty brackets: `{shown}[]`"
+            if isinstance(argument, Name):
+                fix = problems.replace(argument.end, argument.end, "[]")
         elif whole and not formal.array:
             problem = f"argument {i + 1} of `{program.name}` is not an array"
             help_ = "name one element: `a[1]`"
@@ -257,7 +316,12 @@ def _call(
             if wanted is found or not _differ(wanted, found, argument):
                 continue
             problem = f"argument {i + 1} of `{program.name}` is {_WORDS[wanted]}"
-            help_ = f"this is {_WORDS[found]}"
+            help_ = f"this argument is {_WORDS[found]}; write the arguments in the order of "
+            help_ += f"`{as_header(program)}`"
+            other = swapped(resolver, caller, node, program)
+            if other:
+                help_ = f"write the arguments in the order of the program: `{other}`"
+                fix = problems.replace(node.start, node.end, other)
             if id(entry) in decided:
                 first = problems.label(*decided[id(entry)], f"{_WORDS[wanted]} here")
                 header = problems.label(program.start, program.end, "it is open here")
@@ -270,7 +334,11 @@ def _call(
             secondary=secondary,
             notes=(_MISMATCH,),
             help=(help_,),
+            fix=fix,
         )
+    few = len(node.arguments) < len(program.formals) and not problems.dialect.tolerant
+    if few and len(problems.found) == before:
+        too_few(resolver, node, program)
 
 
 def _differ(wanted: Type, found: Type, argument: Item) -> bool:
@@ -295,13 +363,17 @@ def _undefined_program(resolver: Resolver, name: Name, suggestions: _Suggestions
     if "" in resolver.scope.programs:
         return  # it may be the one whose header has no name
     meant = suggestions.program(key(name.text))
+    entry = resolver.scope.entries.get(key(name.text))
+    help_ = f"did you mean `{meant}`?" if meant else f"write `.PROGRAM {name.text}`"
+    if entry is not None and entry.writes and entry.type is Type.POSE:
+        meant, help_ = None, f"`{name.text}` is a location: write `MOVE {name.text}`"
     problems.warning(
         UNDEFINED_PROGRAM,
         f"there is no program `{name.text}` in this file",
         name.start,
         name.end,
         notes=("the controller says *Undefined program or variable name* when it gets here",),
-        help=(f"did you mean `{meant}`?" if meant else f"write `.PROGRAM {name.text}`",),
+        help=(help_,),
         fix=problems.replace(name.start, name.end, meant) if meant else None,
         data={"name": name.text.lower()},
     )

@@ -315,7 +315,7 @@ def report_replaced(problems: Problems, data: list[Datum]) -> None:
     for datum in data:
         before = seen.get((datum.name, datum.subscripts))
         seen[datum.name, datum.subscripts] = datum
-        if before is not None:
+        if before is not None and _name_written(before) == _name_written(datum):
             problems.warning(
                 VALUE_REPLACED,
                 f"`{datum.name}` is given a value twice; the last one holds",
@@ -324,3 +324,8 @@ def report_replaced(problems: Problems, data: list[Datum]) -> None:
                 secondary=(problems.label(before.span.start, before.span.end, "first here"),),
                 help=("take one of the lines out",),
             )
+
+
+def _name_written(datum: Datum) -> str:
+    """Return the name in full: of names that are the same when cut off, other messages tell."""
+    return re.split(r"[^$#\w.]", datum.span.text.lower(), maxsplit=1)[0]

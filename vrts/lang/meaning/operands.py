@@ -1,12 +1,12 @@
 """Operands of the instructions that are a word and a list: which types they want."""
 
-from vrts.base.diagnostic import Rule
+from vrts.base.diagnostic import Fix, Rule
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
 from vrts.lang.meaning.expression_types import ExpressionTypes
 from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
 from vrts.lang.meaning.type_mistakes import FUNCTION_ARGUMENTS, TYPES_SAY, WRONG_TYPE
-from vrts.lang.syntax.expressions import Element, Item, Name, Number
+from vrts.lang.syntax.expressions import Application, Element, Item, Name, Number, Text
 from vrts.lang.syntax.statements import Device, Give, ReactStatement, Simple, SpeedStatement
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
@@ -155,13 +155,26 @@ class OperandTypes(ExpressionTypes):
         if isinstance(node, Name) and node.text[0] not in "$#":
             self.called.append(node)
             return
+        headline, help_ = (
+            f"{word} takes the name of a program",
+            f"write `{INSTRUCTIONS[word].usage}`",
+        )
+        fix: Fix | None = None
+        if isinstance(node, Application):
+            headline += ", without arguments"
+            help_ = f"leave the parentheses out: write `{node.name.text}`"
+            fix = self.problems.replace(node.name.end, node.end, "")
+        elif isinstance(node, Text):
+            headline += ", without quotes"
+            help_ = f"write the name alone: `{node.value}`"
         self.problems.error(
             WRONG_TYPE,
-            f"{word} takes the name of a program",
+            headline,
             node.start,
             node.end,
             notes=("VAL-II says *Invalid program or variable name*",),
-            help=(f"write `{INSTRUCTIONS[word].usage}`",),
+            help=(help_,),
+            fix=fix,
         )
 
     def device(self, node: Device) -> None:

@@ -17,6 +17,7 @@ from vrts.lang.syntax.expressions import (
     Item,
     Name,
     Number,
+    Prefix,
     Variable,
 )
 from vrts.lang.syntax.statements import (
@@ -156,6 +157,10 @@ class Resolver(OperandTypes):
             self._write(target, Type.STRING, "`=` keeps the type", value)
             self.check(value, Type.STRING, f"`{name.text}` holds a string")
             return
+        if name.text[0] == "#" and not self.dialect.tolerant and _is_number(value):
+            self._number_with_sign(name)
+            self.check(value, Type.REAL, f"`{name.text[1:]}` holds a number")
+            return
         if name.text[0] == "#" or self.is_location(value):
             self.assigned_location(node)
             if self.dialect.tolerant:
@@ -176,6 +181,19 @@ class Resolver(OperandTypes):
             return
         self._write(target, Type.REAL, "`=` gives a value to a number", value)
         self.check(value, Type.REAL, f"`{name.text}` holds a number")
+
+    def _number_with_sign(self, name: Name) -> None:
+        """Report `#n = 3`."""
+        self.bad_names |= {key(name.text), key(name.text[1:])}
+        self.problems.error(
+            ASSIGNED_LOCATION,
+            f"`{name.text}` is a precision point, and a number is given to it",
+            name.start,
+            name.end,
+            notes=("`#` begins the name of a precision point", "VAL-II says *Illegal assignment*"),
+            help=(f"leave the `#` out: write `{name.text[1:]} = ...`",),
+            fix=self.problems.replace(name.start, name.end, name.text[1:]),
+        )
 
     def _open_type(self, node: Name | Element) -> bool:
         name = node if isinstance(node, Name) else node.name
@@ -226,6 +244,8 @@ class Resolver(OperandTypes):
                 entry = self._use(argument.name, None)
                 self._once(entry, argument.name, array=True)
                 entry.passed.append(Passed(callee, i, True))
+            elif isinstance(argument, Name) and self._takes_array(callee, i):
+                self._use(argument, None).passed.append(Passed(callee, i, True))  # told at the call
             elif isinstance(argument, Name | Element):
                 name = argument if isinstance(argument, Name) else argument.name
                 self._type(argument, None)
@@ -236,3 +256,15 @@ class Resolver(OperandTypes):
                     entry.reads.pop()
             elif argument is not None:
                 self.argument_types[id(argument)] = self._type(argument, None)
+
+    def _takes_array(self, callee: str, place: int) -> bool:
+        program = self.scope.programs.get(callee)
+        formals = program.formals[place : place + 1] if program is not None else ()
+        return any(formal.array for formal in formals)
+
+
+def _is_number(node: Expression) -> bool:
+    """Return whether an expression is a number by its form alone."""
+    if isinstance(node, Infix):
+        return node.operator != ":" and _is_number(node.left) and _is_number(node.right)
+    return isinstance(node, Number) or (isinstance(node, Prefix) and _is_number(node.operand))

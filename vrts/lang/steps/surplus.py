@@ -3,10 +3,11 @@
 Each function reports its mistake where a step has it, and returns whether it does.
 """
 
+from vrts.base.diagnostic import Fix
 from vrts.lang.grammar.lalr import END
 from vrts.lang.grammar.shapes import UNEXPECTED_TEXT
 from vrts.lang.problems import short
-from vrts.lang.steps.broken_step import TEXT_SAYS, BrokenStep
+from vrts.lang.steps.broken_step import OPERANDS, TEXT_SAYS, BrokenStep
 from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.words import QUALIFIERS
 
@@ -62,6 +63,7 @@ def too_many(step: BrokenStep) -> bool:
     if here is None or END not in step.wanted:
         return False
     help_ = ""
+    fix: Fix | None = None
     name = step.word.text if step.word else ""
     if name in ("MOVE", "MOVES") and here.kind == "COMMA":
         other = "APPRO" if name == "MOVE" else "APPROS"
@@ -70,15 +72,35 @@ def too_many(step: BrokenStep) -> bool:
         help_ = "write MMPS for millimetres a second"
     elif name == "CALL":
         help_ = "write the arguments between parentheses: `CALL program(a, b)`"
+        fix = _in_parentheses(step, here)
+    elif here.kind == "NAME" and step.before is not None and step.before.kind == "NAME":
+        one = f"{step.before.text}.{here.text}"
+        help_ = f"a name is one word, as `{one}` or `{one.replace('.', '_')}`"
+        help_ += "; between two names belongs a comma"
     elif here.text.upper() in QUALIFIERS:
         help_ = f"{here.text.upper()} does not belong to {name or 'an assignment'}"
     elif step.word is not None:
         help_ = f"write `{step.word.usage}`"
-    _report_extra(step, here, f"the step ends before `{short(here.text)}`", help_)
+    _report_extra(step, here, f"the step ends before `{short(here.text)}`", help_, fix)
     return True
 
 
-def _report_extra(step: BrokenStep, here: Token, headline: str, help_: str) -> None:
+def _in_parentheses(step: BrokenStep, here: Token) -> Fix | None:
+    """`CALL fetch, a, 60`, `CALL show i`: the arguments as CALL takes them."""
+    before = step.before
+    if step.failure.at != 2 or before is None or here.kind not in ("COMMA", *OPERANDS):
+        return None
+    first = step.tokens[3] if here.kind == "COMMA" and len(step.tokens) > 3 else here
+    if first.kind == "COMMA" or any(t.kind == "UNITOPEN" for t in step.tokens):
+        return None
+    end = step.tokens[-1].end
+    arguments = step.problems.source.text[first.start : end]
+    return step.problems.replace(before.end, end, f"({arguments})")
+
+
+def _report_extra(
+    step: BrokenStep, here: Token, headline: str, help_: str, fix: Fix | None = None
+) -> None:
     step.problems.error(
         UNEXPECTED_TEXT,
         headline,
@@ -87,4 +109,5 @@ def _report_extra(step: BrokenStep, here: Token, headline: str, help_: str) -> N
         "this is too much",
         notes=(_QUALIFIER_SAYS if here.text.upper() in QUALIFIERS else TEXT_SAYS,),
         help=(help_,) if help_ else (),
+        fix=fix,
     )

@@ -70,6 +70,9 @@ def refuse(
             first.end,
             notes=("VAL-II says *Unknown instruction*",),
             help=(_instead_of_command(upper),),
+            fix=problems.replace(first.start, first.end, "CALL")
+            if upper == "EXECUTE" and len(tokens) == 2 and tokens[1].kind == "NAME"
+            else None,
         )
     elif upper in INSTRUCTIONS:
         _other_dialect(problems, first, upper)
@@ -178,7 +181,9 @@ def _other_dialect(problems: Problems, first: Token, upper: str) -> None:
 def _instead_of_command(upper: str) -> str:
     match upper:
         case "EXECUTE":
-            return "use CALL to run another program"
+            return "use CALL to run another program: `CALL name`"
+        case "WHERE":
+            return "use `HERE p`, and then `TYPE DX(p), DY(p), DZ(p)`"
         case "POINT" | "TEACH":
             return "use SET to give a location a value"
         case "ABORT":
