@@ -30,6 +30,11 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Take the folder of programs that `tests/bench/test_bench_strangers.py` measures."""
+    parser.addoption("--strangers", default=None, help="a folder of programs, one for a language")
+
+
 def group(nodeid: str) -> str:
     """Return what is not divided among workers: a file, so that what it makes is made once.
 

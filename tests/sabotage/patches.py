@@ -13,6 +13,7 @@ RUNS = "tests/spec/test_spec_run.py"
 LANG = "tests/spec/test_spec_lang.py"
 IDIOMS = "tests/spec/test_spec_idioms.py"
 VOCABULARY = "tests/unit/lang/vocabulary/test_vocabulary.py"
+VPLUS_STEPS = "tests/unit/lang/grammar/test_vplus_steps.py"
 COLLISION = "tests/unit/check/collision/test_collision.py"
 NEAR_MISSES = "tests/unit/check/collision/test_near_misses.py"
 FACTS = "tests/unit/check/collision/test_collision_facts.py"
@@ -358,6 +359,27 @@ PATCHES: tuple[Patch, ...] = (
         "if len(found) > 1 and dialect.takes_all:",
         "if len(found) > 1:",
         (VOCABULARY,),
+    ),
+    Patch(
+        "operands of what is never simulated are not counted",
+        "vrts/lang/grammar/shapes.py",
+        "_few_enough(problems, word, node.operands, room.operands)",
+        "_few_enough(problems, word, node.operands, None)",
+        (VPLUS_STEPS,),
+    ),
+    Patch(
+        "the second line of a location of V+ is not read",
+        "vrts/lang/meaning/data_sections.py",
+        'joins = section.kind == "locations" and dialect.has("+")',
+        "joins = False",
+        (VPLUS_STEPS,),
+    ),
+    Patch(
+        "a keyword that nothing gives a value is a variable of V+",
+        "vrts/lang/findings/usage.py",
+        "if resolver.dialect.is_vplus and not declared",
+        "if resolver.dialect.is_val and not declared",
+        (VPLUS_STEPS,),
     ),
     Patch(
         "AND binds after comparisons in VAL-II",

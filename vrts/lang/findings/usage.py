@@ -15,6 +15,7 @@ from vrts.lang.findings.calls import (
     too_few,
 )
 from vrts.lang.meaning.agreement import settle_types, type_of_argument
+from vrts.lang.meaning.name_uses import KEYWORD_AS_NAME
 from vrts.lang.meaning.no_texts import report_no_texts
 from vrts.lang.meaning.resolve import Resolver
 from vrts.lang.meaning.scope import Entry, Place
@@ -25,6 +26,7 @@ from vrts.lang.syntax.expressions import Element, Item, Name
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import CallStatement
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.vocabulary.lookup import never_names
 
 REAL_AND_LOCATION = Rule("V201", "real-and-location")
 UNDEFINED_LOCATION = Rule("V204", "undefined-location")
@@ -178,6 +180,11 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
     kind = "location" if location else "string" if entry.type is Type.STRING else "variable"
     meant = suggestions.name(entry, lambda other: _could_be(other, entry))
     upper = entry.name.upper()
+    declared = entry.automatic or bool(entry.stored)
+    if resolver.dialect.is_vplus and not declared and upper in never_names(resolver.dialect):
+        for at in entry.reads:
+            _keyword(resolver, at, upper, "a value")
+        return
     other = _other_sign(resolver, entry)
     if other:
         meant = other
@@ -210,6 +217,18 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
         help=(help_,),
         fix=problems.replace(*at, meant) if meant else None,
         data={"name": entry.name},
+    )
+
+
+def _keyword(resolver: Resolver, at: Place, upper: str, wanted: str) -> None:
+    """Report a keyword where a name belongs, and nothing says that it is one."""
+    resolver.problems.error(
+        KEYWORD_AS_NAME,
+        f"{upper} is a word of the language, and no name",
+        *at,
+        f"{wanted} belongs here",
+        notes=("VAL-II says *Illegal expression syntax*",),
+        help=(f"a step may begin with {upper}; variables and programs have other names",),
     )
 
 
@@ -362,6 +381,9 @@ def _undefined_program(resolver: Resolver, name: Name, suggestions: _Suggestions
     problems = resolver.problems
     if "" in resolver.scope.programs:
         return  # it may be the one whose header has no name
+    if resolver.dialect.is_vplus and name.text.upper() in never_names(resolver.dialect):
+        _keyword(resolver, (name.start, name.end), name.text.upper(), "the name of a program")
+        return
     meant = suggestions.program(key(name.text))
     entry = resolver.scope.entries.get(key(name.text))
     help_ = f"did you mean `{meant}`?" if meant else f"write `.PROGRAM {name.text}`"

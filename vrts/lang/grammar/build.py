@@ -183,6 +183,16 @@ def _device_put(v: Values) -> Device:
     return Device(v[0].text, unit, operands, given, v[0].start, _last(equal, *given))
 
 
+def _task_call(v: Values) -> Device:
+    """`EXECUTE task program(a, b), cycles` of V+: what it names, and what it passes."""
+    at = next(i for i in (1, 2) if getattr(v[i], "kind", "") == "PROGRAM")
+    program = Name(v[at].text, v[at].start, v[at].end)
+    passed = _list(v[at + 2]) if len(v) > at + 2 else ()
+    operands = (*v[1:at], program, *passed, *(v[-1] or ()))
+    closing = v[-2]
+    return Device(v[0].text, None, operands, None, v[0].start, _last(closing, *operands))
+
+
 def _declare(v: Values) -> Declare:
     kind = v[1].text if len(v) > 2 else None
     return Declare(v[0].text, kind, tuple(v[-1]), v[0].start, v[-1][-1].end)
@@ -296,6 +306,8 @@ _BUILDERS: dict[str, Build] = {
     "pack": lambda v: PackStatement(v[1], v[3], v[5], v[7], v[0].start, v[7].end),
     "device": _device,
     "device_put": _device_put,
+    "task_call": _task_call,
+    "tail": lambda v: _list(v[1]),
     "setting": _setting,
     "setting_value": _setting,
     "react": _react,

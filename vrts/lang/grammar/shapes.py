@@ -54,7 +54,7 @@ def fits(problems: Problems, node: Statement, word: Word | None) -> bool:
             return _named_label(problems, label)
         case Simple(operands=operands) | ReactStatement(operands=operands):
             return _few_enough(problems, word, operands, _most(node.word, dialect))
-        case Device() if word is not None:
+        case Device() if word is not None and word.terminal == "DEVICE":
             return _room_enough(problems, word, node)
         case SpeedStatement(profile=profile) if profile is not None and not (
             dialect.has("+") and node.word == "ACCEL"

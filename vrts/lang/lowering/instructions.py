@@ -263,7 +263,7 @@ class InstructionLowering(ValueLowering):
                 self._emit(i.SetAccuracy(i.Accuracy(word.lower()), scope, value))
             case "CPON" | "CPOFF" if node.always:
                 self._emit(i.Switch(("CP",), word == "CPON"))
-            case "CPON" | "CPOFF":
+            case "CPON" | "CPOFF" | "OVERLAP" | "NOOVERLAP":
                 self._emit(i.Opaque(self._text(node)))
             case "NULL" | "NONULL":
                 self._emit(i.SetNulling(word == "NULL", scope))

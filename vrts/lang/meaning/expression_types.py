@@ -32,7 +32,7 @@ from vrts.lang.syntax.expressions import (
     Variable,
 )
 from vrts.lang.vocabulary.functions import CONSTANTS, Signature
-from vrts.lang.vocabulary.lookup import instructions_of
+from vrts.lang.vocabulary.lookup import instructions_of, never_names
 
 FORMAT = re.compile(r"/[DFIGEHOCXUBSJKLN](\d{0,3}(\.\d{1,2})?)?", re.IGNORECASE)
 _OF_ARRAYS = frozenset({"last", "$unpack"})  # functions that a whole array is given to
@@ -221,10 +221,13 @@ class ExpressionTypes(NameUses):
     def loosely(self, node: Item | None) -> None:
         """Check an operand of any type; a variable may be given a value, so all is right of it."""
         if isinstance(node, Element):
-            self.bad_names.add(key(node.name.text))
             self._items(node.subscripts, Type.REAL)
-        elif isinstance(node, Name):
-            self.bad_names.add(key(node.text))
+            node = node.name
+        if isinstance(node, Name):
+            if self.dialect.is_vplus and node.text.upper() in never_names(self.dialect):
+                self._use(node, None).reads.append((node.start, node.end))
+            else:
+                self.bad_names.add(key(node.text))
         elif node is not None and not isinstance(node, FormatItem):
             self.check(node, None, "")
 

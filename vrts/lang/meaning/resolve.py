@@ -48,6 +48,7 @@ from vrts.lang.syntax.statements import (
     ValueGroup,
     While,
 )
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 ASSIGNED_LOCATION = Rule("V203", "assigned-location")
 
@@ -87,6 +88,8 @@ class Resolver(OperandTypes):
                 if profile is not None:
                     self.profile(node, profile)
             case Setting(("CPON" | "CPOFF") as word, _, False):
+                self.warn_not_simulated(word, node.start, node.end)
+            case Setting(word) if INSTRUCTIONS[word].opaque:
                 self.warn_not_simulated(word, node.start, node.end)
             case Setting(word, value):
                 if value is not None:
@@ -142,7 +145,9 @@ class Resolver(OperandTypes):
                 self._call(Name("", node.start, node.start), arguments)
             case Bad(_, names):
                 self.bad_names.update(names)
-            case Structure() | Declare():
+            case Declare(word, _, names):
+                self._declared(word, names)
+            case Structure():
                 pass
 
     def _ask(self, node: Statement) -> None:
@@ -150,6 +155,18 @@ class Resolver(OperandTypes):
         self.asked.append(Asked(self.program, node.start, node))
 
     # --- statements -----------------------------------------------------------------------------
+
+    def _declared(self, word: str, names: tuple[Expression, ...]) -> None:
+        for name in names:
+            if not isinstance(name, Name | Element):
+                self.problems.error(
+                    WRONG_TYPE,
+                    f"{word} declares variables",
+                    name.start,
+                    name.end,
+                    "this is none",
+                    help=(f"write `{word} a, b`",),
+                )
 
     def _assignment(self, node: Assignment, target: Variable, value: Expression) -> None:
         name = target if isinstance(target, Name) else target.name

@@ -134,8 +134,7 @@ def arguments_fit(problems: Problems, node: Application, signature: Signature) -
     omitted = [
         i
         for i, argument in enumerate(node.arguments)
-        if argument is None and i < len(signature.parameters)
-        if signature.parameters[i][-1] not in "?*"
+        if argument is None and (signature.name == "$encode" or _is_wanted(signature.parameters, i))
     ]
     name = node.name.text.upper()
     fix: Fix | None = None
@@ -190,6 +189,10 @@ def _decimal_commas(problems: Problems, node: Application) -> list[tuple[Number,
         and text[left.start : left.end].isdecimal()
         and text[right.start : right.end].isdecimal()
     ]
+
+
+def _is_wanted(parameters: tuple[str, ...], i: int) -> bool:
+    return i < len(parameters) and parameters[i][-1] not in "?*"
 
 
 def no_variable(problems: Problems, node: Application, first: Item) -> None:

@@ -28,6 +28,7 @@ _OPERAND_STARTS = frozenset({"NUMBER", "NAME", "LPAREN"})
 # AS puts a number and a colon before operands
 _DEVICE_WORDS = frozenset({"TYPE", "PROMPT", "PCEXECUTE", "PCABORT", "PCEND"})
 _MODES = frozenset({"/ERR", "/LVL"})  # of ON and ONI: what becomes of a signal that is on
+_NO_VARIABLES = frozenset({"IF", "FOR", "WHILE", "UNTIL", "CASE", "VALUE", "SET", "GIVE", "CALL"})
 
 
 class Head(NamedTuple):
@@ -44,9 +45,11 @@ def classify(tokens: list[Token], dialect: Dialect = VAL2) -> tuple[list[Token],
     """Return the tokens with the kinds that the grammar wants, and the instruction of the step."""
     first = tokens[0]
     head = NO_HEAD
-    if first.kind == "WORD" and not is_assigned(tokens):
+    if first.kind == "WORD":
+        assigned = is_assigned(tokens)
         match = look_up(first.text, dialect)
-        head = Head(match.word, match.candidates)
+        if not assigned or (dialect.is_vplus and _takes_no_value(match.word, first)):
+            head = Head(match.word, match.candidates)
     word = head.word
     if word is not None and dialect.has("a"):
         tokens = _without_device(_with_units(tokens, word), word)
@@ -75,11 +78,20 @@ def classify(tokens: list[Token], dialect: Dialect = VAL2) -> tuple[list[Token],
             depth -= 1
         result.append(token)
     if word is not None:
+        if word.terminal == "TASKCALL":
+            _mark_program(result)
         if word.terminal in ("VALUE", "ANY") and result[-1].text == ":":
             result[-1] = result[-1]._replace(kind="ENDCOLON")
         if len(result) > 1 and result[1].kind == "LPAREN" and _has_unit(word, result, dialect):
             _open_unit(result)
     return result, head
+
+
+def _takes_no_value(word: Word | None, first: Token) -> bool:
+    """Whether a word is none that a variable of V+ is ever called: FOR, SET, PARAMETER."""
+    if word is None or word.text != first.text.upper():
+        return False
+    return word.terminal in _NO_VARIABLES
 
 
 def is_assigned(tokens: list[Token]) -> bool:
@@ -143,6 +155,22 @@ def _without_device(tokens: list[Token], word: Word) -> list[Token]:
     if word.terminal == "ONCALL" and len(tokens) > 1 and tokens[1].text.upper() in _MODES:
         return [tokens[0], *tokens[2:]]
     return tokens
+
+
+def _mark_program(tokens: list[Token]) -> None:
+    """Mark the program that EXECUTE names: the first name, or one behind the number of a task."""
+    while len(tokens) > 1 and tokens[1].kind == "FORMAT":
+        del tokens[1]  # `EXECUTE /C 1 program()`
+    depth, found = 0, 0
+    for i in range(1, len(tokens)):
+        kind = tokens[i].kind
+        depth += (kind in ("LPAREN", "LBRACKET")) - (kind in ("RPAREN", "RBRACKET"))
+        if kind == "COMMA" and not depth:
+            break
+        if kind == "NAME" and not depth and (i == 1 or tokens[i - 1].kind in _OPERAND_ENDS):
+            found = i
+    if found:
+        tokens[found] = tokens[found]._replace(kind="PROGRAM")
 
 
 def _open_unit(tokens: list[Token]) -> None:

@@ -43,6 +43,8 @@ def completed(
     last, first = tokens[-1], tokens[0]
     kinds = {token.kind for token in tokens}
     missing = ""
+    if dialect.is_vplus:
+        return tokens, head, ""  # files of V+ leave nothing out
     if word is not None and word.terminal == "IF" and kinds.isdisjoint({"THEN", "GOTO"}):
         missing = "THEN"
     elif word is not None and word.terminal == "WHILE" and "DO" not in kinds:

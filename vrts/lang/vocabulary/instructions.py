@@ -738,11 +738,18 @@ _VPLUS = (
             ("CPOFF", "do not blend motions; DISABLE CP with ALWAYS"),
         )
     ),
+    *(
+        _i(word, "+", "SETTING0", f"{word} ALWAYS", about, "", "ALWAYS", full=True, flags="RO")
+        for word, about in (
+            ("NOOVERLAP", "refuse motions that turn a joint the long way round"),
+            ("OVERLAP", "take motions that turn a joint the long way round"),
+        )
+    ),
     _i(
         "SWITCH",
         "+",
         "GIVE",
-        "SWITCH CP = value",
+        "SWITCH CP = state",
         "turn a system switch on or off",
         "the name of a switch",
         full=True,
@@ -771,9 +778,14 @@ _VPLUS = (
         _i(word, "+", "REST", usage, about, flags="O", full=True)
         for word, usage, about in (
             ("CALLP", "CALLP pointer(a, b)", "run the program that a pointer stands for"),
-            ("EXECUTE", "EXECUTE task program(a), cycles, step, priority", "run a task"),
-            ("PRIME", "PRIME task program(a), cycles, step, priority", "make a task ready to run"),
             ("SEE", "SEE (unit) program, step", "edit a program"),
+        )
+    ),
+    *(
+        _i(word, "+", "TASKCALL", usage, about, flags="O", full=True)
+        for word, usage, about in (
+            ("EXECUTE", "EXECUTE task program(a), cycles, first, priority", "run a task"),
+            ("PRIME", "PRIME task program(a), cycles, first, priority", "make a task ready to run"),
         )
     ),
     *OPAQUE_VPLUS,

@@ -3,7 +3,7 @@
 from functools import cache, lru_cache
 
 from vrts.lang.dialect import VAL2, Dialect
-from vrts.lang.vocabulary.functions import applied_functions
+from vrts.lang.vocabulary.functions import applied_functions, bare_functions
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS, VPLUS_FORMS
 from vrts.lang.vocabulary.word import Match, Word
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
@@ -30,6 +30,14 @@ def reserved_words(dialect: Dialect) -> frozenset[str]:
     return spellings(dialect) | qualifiers | OPERATORS.keys() | functions
 
 
+@cache
+def never_names(dialect: Dialect) -> frozenset[str]:
+    """Return keywords that are hardly meant for a variable which nothing gives a value."""
+    words = instructions_of(dialect).values()
+    keywords = {word.text for word in words if not word.opaque} | QUALIFIERS.keys()
+    return frozenset(keywords - {name.upper() for name in bare_functions(dialect)})
+
+
 def look_up(text: str, dialect: Dialect = VAL2) -> Match:
     """Return the instruction a first word stands for.
 
@@ -44,6 +52,8 @@ def look_up(text: str, dialect: Dialect = VAL2) -> Match:
 
 @lru_cache(4096)
 def _abbreviated(text: str, dialect: Dialect) -> Match:
+    if dialect.is_vplus and len(text) == 1:
+        return Match(None)  # `i 0` of a file is `i = 0`, not IGNORE
     found = [
         word
         for word in instructions_of(dialect).values()

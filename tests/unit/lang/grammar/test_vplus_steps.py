@@ -137,3 +137,25 @@ def test_belts() -> None:
     assert codes(steps) == []
     assert codes("x = x %b") == ["V107"]
     assert codes("MOVE %b:HERE", dialect=VAL2) == ["V107"]
+
+
+@pytest.mark.parametrize(
+    ("step", "code"),
+    [
+        ("MOVE BREAK", "V160"),
+        ("CALL SIGNAL()", "V160"),
+        ("EXECUTE END main()", "V160"),
+        ("AUTO b:c", "V202"),
+        ("EXECUTE 1 main 2", "V131"),
+        ("SET = NULL", "V124"),
+        ("IF x\nEND", "V130"),
+        ('$s = $ENCODE(x, , "a")', "V210"),
+    ],
+)
+def test_words_of_the_language_are_no_names(step: str, code: str) -> None:
+    assert code in codes(step)
+
+
+def test_a_variable_that_is_declared_may_have_the_name_of_an_instruction() -> None:
+    assert codes("LOCAL stop\nREAD (lun) stop\nIF stop THEN\nEND") == []
+    assert codes("delay = 3\nDELAY delay") == []

@@ -1,0 +1,75 @@
+"""Programs of strangers: how many are accepted, and how much damage of one token is noticed.
+
+    python -m pytest tests/bench/test_bench_strangers.py -s -p no:xdist --strangers FOLDER
+
+The folder has a folder of files for each language, named as `--dialect` takes it. Only hashes and
+counts of what was measured are kept, in `tests/data/strangers.json`.
+"""
+
+import json
+import random
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from tests.places import TESTS
+from tests.strangers.damage import KINDS
+from tests.strangers.figures import errors_of, noticed, programs, strangers
+from vrts.lang.dialect import DIALECTS, Dialect
+
+NOTICED = 0.95  # of the damages that leave a wrong step
+DAMAGES = 6  # of each program
+KEPT = TESTS / "data" / "strangers.json"
+
+
+@pytest.fixture(params=sorted(DIALECTS))
+def folder(request: pytest.FixtureRequest) -> tuple[Path, Dialect]:
+    given = request.config.getoption("--strangers")
+    if given is None:
+        pytest.skip("no folder of programs was given")
+    place = Path(str(given)) / str(request.param)
+    if not place.is_dir():
+        pytest.skip(f"the folder has no {request.param}")
+    return place, DIALECTS[str(request.param)]
+
+
+def test_programs_of_strangers_are_accepted(folder: tuple[Path, Dialect]) -> None:
+    """Prints what was accepted; files that are known by their hash are accepted as before."""
+    place, dialect = folder
+    found = list(strangers(place, dialect))
+    accepted = {stranger.hash[:16] for stranger in found if not stranger.errors}
+    causes = Counter(error.rule.code for stranger in found for error in stranger.errors)
+    print(f"\n{dialect.name}: {len(accepted)} of {len(found)} files; {causes.most_common(8)}")
+    known = json.loads(KEPT.read_text("utf-8")).get(dialect.name, {"accepted": []})
+    here = {stranger.hash[:16] for stranger in found}
+    assert here.intersection(known["accepted"]) - accepted == set()
+
+
+def test_damage_is_noticed_where_it_is(folder: tuple[Path, Dialect]) -> None:
+    """Prints how many damages have an error at their place, by kind; few may go unnoticed."""
+    place, dialect = folder
+    counted: Counter[tuple[str, bool, bool]] = Counter()
+    seen: set[str] = set()
+    for stranger in strangers(place, dialect):
+        for text in programs(stranger.text, dialect):
+            words = " ".join(text.split())
+            if words in seen or errors_of(text, dialect):
+                continue
+            seen.add(words)
+            for damage, there in noticed(text, dialect, random.Random(words), DAMAGES):
+                counted[damage.kind, damage.right, there] += 1
+    print(f"\n{dialect.name}: {len(seen)} programs")
+    for kind in KINDS:
+        wrong, all_ = (_share(counted, kind, right=right) for right in ((False,), (False, True)))
+        print(f"  {kind:9} {wrong} of wrong steps, {all_} of all")
+    there = sum(n for (_, right, noted), n in counted.items() if noted and not right)
+    total = sum(n for (_, right, _), n in counted.items() if not right)
+    print(f"  {100 * there / total:.1f} % of {total} damages that leave a wrong step")
+    assert there >= NOTICED * total
+
+
+def _share(counted: Counter[tuple[str, bool, bool]], kind: str, *, right: tuple[bool, ...]) -> str:
+    there = sum(counted[kind, r, True] for r in right)
+    total = there + sum(counted[kind, r, False] for r in right)
+    return f"{there}/{total} ({100 * there / max(total, 1):.1f} %)"
