@@ -9,7 +9,7 @@ from vrts.lang.meaning.name_uses import NameUses, NoText
 from vrts.lang.meaning.scope import Entry
 from vrts.lang.meaning.type_mistakes import IN_WORDS, TYPES_SAY, WRONG_TYPE
 from vrts.lang.names import key
-from vrts.lang.syntax.expressions import Expression, Infix, Item, Parenthesised
+from vrts.lang.syntax.expressions import Expression, Infix, Item, Name, Parenthesised
 
 
 def report_no_texts(types: NameUses) -> None:
@@ -39,7 +39,7 @@ def _report(types: NameUses, found: NoText) -> None:
         fix = problems.replace(name.start, name.start, "$")
     elif kind is Type.POSE:
         help_ = "DX(l), DY(l) and DZ(l) are the coordinates of a location"
-    elif entry is not None and not (entry.writes or entry.passed or entry.slot is not None):
+    elif name is not None and entry is not None and not _has_value(types, name, entry):
         help_ = "put text between double quotes; the name of a string begins with `$`"
     elif found.item is not None:
         items = _apart(text, found.item)
@@ -59,6 +59,12 @@ def _report(types: NameUses, found: NoText) -> None:
         help=(help_,),
         fix=fix,
     )
+
+
+def _has_value(types: NameUses, name: Name, entry: Entry) -> bool:
+    """Return whether a name is given a value, or may be, in a line that could not be read."""
+    given = bool(entry.writes or entry.passed) or entry.slot is not None
+    return given or key(name.text) in types.bad_names
 
 
 def _means_string(types: NameUses, found: NoText, entry: Entry) -> bool:
