@@ -5,7 +5,7 @@ import unicodedata
 
 from hypothesis import strategies as st
 
-from vrts.base.diagnostic import Diagnostic, Fix, Label, Moment, Rule, Severity
+from vrts.base.diagnostic import Diagnostic, Edit, Fix, Label, Moment, Rule, Severity
 from vrts.base.source import SourceFile, Span
 
 ATTACKS = [
@@ -70,7 +70,8 @@ def diagnostics(draw: st.DrawFn) -> Diagnostic:
     source = SourceFile(draw(names), draw(texts))
     other = SourceFile(draw(names), draw(texts))
     some = st.lists(texts, max_size=2).map(tuple)
-    fix = st.builds(Fix, labels(source).map(lambda label: label.span), texts)
+    edits = st.builds(Edit, labels(source).map(lambda label: label.span), texts)
+    fix = st.lists(edits, min_size=1, max_size=3).map(Fix.from_edits)
     moment = st.builds(Moment, st.just(1.5), st.just((0.0,) * 7), some)
     return Diagnostic(
         draw(st.sampled_from([Rule("V131", "missing-comma"), Rule("V102", "not-text")])),

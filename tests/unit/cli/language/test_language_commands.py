@@ -137,7 +137,7 @@ def test_replace_takes_the_last_program(tmp_path: Path) -> None:
 
 def test_dialect_and_precedence(tmp_path: Path) -> None:
     path = tmp_path / "a.v2"
-    path.write_text(".PROGRAM main\n        TYPE /I0, 1 OR 0 == 1\n        EXECUTE 2\n.END\n")
+    path.write_text(".PROGRAM main\n        TYPE /I0, 1 OR 0 == 1\n        EXECUTE 2 main\n.END\n")
     assert vrts("compile", path).returncode == 1
     assert vrts("compile", path, "--dialect", "val2+").returncode == 0
     path.write_text(".PROGRAM main\n        TYPE /I0, 1 OR 0 == 1\n.END\n")
