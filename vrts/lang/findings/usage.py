@@ -14,6 +14,7 @@ from vrts.lang.findings.calls import (
     swapped,
     too_few,
 )
+from vrts.lang.findings.clashes import clash
 from vrts.lang.meaning.agreement import settle_types, type_of_argument
 from vrts.lang.meaning.name_uses import KEYWORD_AS_NAME
 from vrts.lang.meaning.no_texts import report_no_texts
@@ -28,15 +29,16 @@ from vrts.lang.syntax.statements import CallStatement
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.lookup import never_names
 
-REAL_AND_LOCATION = Rule("V201", "real-and-location")
 UNDEFINED_LOCATION = Rule("V204", "undefined-location")
 UNDEFINED_VARIABLE = Rule("V205", "undefined-variable")
 UNDEFINED_PROGRAM = Rule("V206", "undefined-program")
 ARGUMENT_TYPE = Rule("V208", "argument-type")
 UNUSED_NAME = Rule("V225", "unused-name")
-ARRAY_AND_SCALAR = Rule("V213", "array-and-scalar")
 
 MOST_NAMES = 2000  # with more names than this none is suggested
+_HAND = re.compile(
+    r"[ \t]*(?:\d+[ \t]+)?(?P<word>OPEN|CLOSE|RELAX)[ \t]+I[ \t]*(?:;.*)?", re.IGNORECASE
+)
 _MISMATCH = "VAL-II says *Program argument mismatch*"
 
 
@@ -48,7 +50,7 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
     bodies = sorted((p.start, p.finish[1]) for p in programs)
     clashes: set[int] = set()
     for entry in resolver.scope.all_entries():
-        if _clash(resolver, entry):
+        if clash(resolver, entry):
             clashes.add(id(entry))
         _truncated(resolver, entry)
     for entry in resolver.scope.all_entries():
@@ -88,54 +90,6 @@ class _Suggestions:
     def _may_ask(self, count: int) -> bool:
         self.left -= 1
         return self.left >= 0 and count <= MOST_NAMES
-
-
-def _clash(resolver: Resolver, entry: Entry) -> bool:
-    problems = resolver.problems
-    if Type.REAL in entry.types and Type.POSE in entry.types:
-        if resolver.dialect.is_as and entry.slot is None:
-            entry.both = True  # numbers and locations of AS have names of their own
-            return False
-        lines = {problems.source.line_of(place[0]) for place in entry.types.values()}
-        if lines & resolver.wrong_lines:
-            return True  # said there
-        (first_type, first), (_, second) = sorted(entry.types.items(), key=lambda item: item[1])[:2]
-        words = {Type.REAL: "a number", Type.POSE: "a location"}
-        other = words[Type.POSE if first_type is Type.REAL else Type.REAL]
-        problems.error(
-            REAL_AND_LOCATION,
-            f"`{entry.name}` is used both as a number and as a location",
-            *second,
-            f"{other} here",
-            secondary=(problems.label(*first, f"{words[first_type]} here"),),
-            notes=("numbers and locations share their names", "VAL-II says *Mixing of types*"),
-            help=("give one of them another name",),
-            data={"name": entry.name},
-        )
-        return True
-    if entry.array is not None and entry.scalar is not None:
-        first, second = sorted(
-            (entry.array, entry.scalar), key=lambda place: (_in_program(resolver, place), place)
-        )
-        help_ = f"write an index, as in `{entry.name}[1]`, or give one of them another name"
-        if entry.type is Type.STRING:
-            help_ = f"`$MID({entry.name}, 1, 1)` takes a character out of a string; "
-            help_ += "give an array of strings another name"
-        problems.error(
-            ARRAY_AND_SCALAR,
-            f"`{entry.name}` is used both with and without an index",
-            *second,
-            secondary=(problems.label(*first, "first used here"),),
-            help=(help_,),
-            data={"name": entry.name},
-        )
-        return True
-    return False
-
-
-def _in_program(resolver: Resolver, place: Place) -> bool:
-    programs = resolver.scope.programs.values()
-    return any(program.start <= place[0] < program.finish[1] for program in programs)
 
 
 def _truncated(resolver: Resolver, entry: Entry) -> None:
@@ -186,7 +140,13 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
             _keyword(resolver, at, upper, "a value")
         return
     other = _other_sign(resolver, entry)
-    if other:
+    hand = _HAND.fullmatch(problems.source.line_text(problems.source.line_of(at[0])))
+    if hand is not None:
+        start, end = _span_of(problems, hand, at)
+        word = hand["word"].upper() + "I"
+        meant, at = word, (start, end)
+        help_ = f"did you mean `{word}`? It is one word, and acts at once"
+    elif other:
         meant = other
         help_ = f"did you mean `{meant}`? `{entry.name}` and `{meant}` are two locations"
     elif entry.name in resolver.scope.programs:
@@ -218,6 +178,13 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
         fix=problems.replace(*at, meant) if meant else None,
         data={"name": entry.name},
     )
+
+
+def _span_of(problems: Problems, hand: re.Match[str], at: Place) -> Place:
+    """Return where a word of the hand and the `I` behind it stand."""
+    source = problems.source
+    begin = source.line_starts[source.line_of(at[0]) - 1]
+    return begin + hand.start("word"), at[1]
 
 
 def _keyword(resolver: Resolver, at: Place, upper: str, wanted: str) -> None:
