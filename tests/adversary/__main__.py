@@ -10,6 +10,7 @@ from tests.adversary.cases import Case, case
 from tests.adversary.judge import Judge, Nearest, faults
 from tests.adversary.liars import HONEST, LYING, Made
 from vrts.check.collision.collision import check_collisions
+from vrts.check.collision.near_misses import CERTAIN
 from vrts.check.rounding import exact_mm, exact_s
 from vrts.check.verdict import CollisionReport, ContactEvent, NearMiss
 from vrts.geometry.proposing.proposer import Proposer
@@ -78,6 +79,8 @@ def looked_at(seed: int, *, whole: bool = True) -> Found:
 def rounded(report: CollisionReport, *, moments: bool = True) -> Told:
     """Return everything that is told, rounded as it is before anything is scored or written.
 
+    Near misses within 0.12 mm of their threshold are left out: nobody promises to tell them.
+
     Args:
         report: What is told.
         moments: With the moments at which it is deepest or nearest: while the arm stands still
@@ -94,7 +97,8 @@ def rounded(report: CollisionReport, *, moments: bool = True) -> Told:
 
     touches = report.contacts, report.grazes, report.undetermined
     told: list[Told] = [tuple(map(touch, events)) for events in touches]
-    told.append(tuple(map(miss, report.near_misses)))
+    certain = (report.near_miss_m or 0.0) - CERTAIN  # what is hardly a near miss may be told or not
+    told.append(tuple(miss(e) for e in report.near_misses if e.distance_m < certain))
     if report.clearance is not None:
         nearest = report.clearance
         when = (exact_s(nearest.time_s),) if moments else ()
