@@ -1694,13 +1694,6 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/engine/memory/test_event_order.py",),
     ),
     Patch(
-        "a motion ends a last digit before it begins",
-        "vrts/engine/motion/planner.py",
-        "end = max(round(end / tick) * tick, start)",
-        "end = round(end / tick) * tick",
-        (SAVED,),
-    ),
-    Patch(
         "events that another program came before are told while a log grows",
         "vrts/engine/memory/event_order.py",
         "            if begins(one.event):\n                self._give_up(one)\n",
@@ -1824,13 +1817,6 @@ PATCHES: tuple[Patch, ...] = (
         "vrts/engine/motion/passage.py",
         "caused = far or _by_singularity(arm, at, Stand(goal, q, branch), joint)",
         "caused = True",
-        ("tests/unit/engine/motion/test_feasible_lines.py",),
-    ),
-    Patch(
-        "a singularity between two set points is not looked for",
-        "vrts/engine/motion/passage.py",
-        "far = found is None or turned(at.q, found[0]) > LITTLE",
-        "far = found is None",
         ("tests/unit/engine/motion/test_feasible_lines.py",),
     ),
     Patch(
