@@ -78,14 +78,15 @@ def _reached(program: Program) -> set[int]:
             instruction = program.instructions[at]
             kind = type(instruction)
             if kind in _LEADING:
-                waiting += _jumps(instruction)
+                waiting += jumps_of(instruction)
             if kind in _ENDING:
                 break
             at += 1
     return reached
 
 
-def _jumps(instruction: i.Instruction) -> tuple[int, ...]:
+def jumps_of(instruction: i.Instruction) -> tuple[int, ...]:
+    """Return where an instruction may go on but behind itself."""
     match instruction:
         case i.Jump(target) | i.JumpIf(_, _, target):
             return (target,)

@@ -13,6 +13,7 @@ from typing import NamedTuple, TypeAlias
 
 from vrts.ir import instructions as i
 from vrts.ir.module import Program
+from vrts.lang.findings.flow import jumps_of
 from vrts.lang.findings.values import intervals
 from vrts.lang.findings.values.evaluate import evaluate
 from vrts.lang.findings.values.intervals import ANY, Interval, point
@@ -69,7 +70,7 @@ class _Flow:
         self.entries: dict[int, State] = {}  # of instructions that jumps or joins lead to
         self.visits: dict[int, int] = {}
         self.waiting: list[int] = [0]
-        jumps = [(t, at) for at, c in enumerate(program.instructions) for t in _targets(c)]
+        jumps = [(t, at) for at, c in enumerate(program.instructions) for t in jumps_of(c)]
         self.joins = {0} | {target for target, _ in jumps}
         self.heads = {target for target, at in jumps if target <= at}  # of loops
         code = program.instructions
@@ -328,19 +329,3 @@ def _forget_all(state: State, names: frozenset[str]) -> None:
 
 def _condition_of(node: Statement | None) -> Expression | None:
     return node.condition if isinstance(node, If | While | Until | Goto) else None
-
-
-def _targets(code: i.Instruction) -> tuple[int, ...]:
-    match code:
-        case i.Jump(target) | i.JumpIf(_, _, target):
-            return (target,)
-        case i.TestFor(_, _, leave):
-            return (leave,)
-        case i.NextFor(_, _, test):
-            return (test,)
-        case i.TestCase(_, _, otherwise):
-            return (otherwise,)
-        case i.Grasp(_, int(missing)):
-            return (missing,)
-        case _:
-            return ()
