@@ -220,3 +220,20 @@ Instruction: TypeAlias = (
     | SetTimer
     | Opaque
 )
+
+
+def jumps_of(instruction: object) -> tuple[int, ...]:
+    """Return where an instruction may go on but behind itself."""
+    match instruction:
+        case Jump(target) | JumpIf(_, _, target):
+            return (target,)
+        case TestFor(_, _, leave):
+            return (leave,)
+        case NextFor(_, _, test):
+            return (test,)
+        case TestCase(_, _, otherwise):
+            return (otherwise,)
+        case Grasp(_, int(missing)):
+            return (missing,)
+        case _:
+            return ()

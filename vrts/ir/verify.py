@@ -3,13 +3,11 @@
 from vrts.ir.instructions import (
     BeginCase,
     BeginFor,
-    Grasp,
-    Jump,
-    JumpIf,
     NextFor,
     Return,
     TestCase,
     TestFor,
+    jumps_of,
 )
 from vrts.ir.module import Module, Program
 
@@ -41,7 +39,7 @@ def _faults(program: Program) -> list[str]:
             wrong.append(f"step {k + 1} does not begin at its first instruction")
     loops, cases = set[int](), set[int]()
     for i, instruction in enumerate(program.instructions):
-        for target in _targets(instruction):
+        for target in jumps_of(instruction):
             if not 0 <= target < count:
                 wrong.append(f"instruction {i} jumps outside the program")
         if isinstance(instruction, BeginFor):
@@ -61,19 +59,3 @@ def _faults(program: Program) -> list[str]:
     if [slot.number for slot in slots] != list(range(len(slots))):
         wrong.append("formals are not numbered in their order")
     return wrong
-
-
-def _targets(instruction: object) -> tuple[int, ...]:
-    match instruction:
-        case Jump(target) | JumpIf(_, _, target):
-            return (target,)
-        case TestFor(_, _, leave):
-            return (leave,)
-        case NextFor(_, _, test):
-            return (test,)
-        case TestCase(_, _, otherwise):
-            return (otherwise,)
-        case Grasp(_, int(missing)):
-            return (missing,)
-        case _:
-            return ()

@@ -16,6 +16,9 @@ from vrts.lang.findings.habits import check_habits
 from vrts.lang.findings.remarks import check_remarks
 from vrts.lang.findings.usage import check_usage
 from vrts.lang.findings.values.check import ValueCheck
+from vrts.lang.findings.ways.loops_left import LeavingCheck
+from vrts.lang.findings.ways.reached import reached
+from vrts.lang.findings.ways.recursion import CallCheck
 from vrts.lang.joined import Joined
 from vrts.lang.lowering.programs import Lowering
 from vrts.lang.meaning.data_sections import read_data, report_replaced
@@ -68,6 +71,7 @@ class Options(NamedTuple):
     dialect: Dialect | None = None  # None: as file name and content tell
     precedence: Precedence | None = None  # None: as the dialect has it
     replace: bool = False  # a program that comes again takes the place of the first
+    typed: bool = False  # at a controller, which takes any number and refuses it in a run
 
 
 STRICT = Options(VAL2)
@@ -81,9 +85,19 @@ def compile_source(source: SourceFile, options: Options = STRICT) -> Compilation
         dialect, found = detect(source)
     with uncollected():
         compilation = _compile(Problems(source, dialect), options)
-    if found is None:
+    if found is None or _told_as_error(found, compilation.diagnostics):
         return compilation
     return replace(compilation, diagnostics=(found, *compilation.diagnostics))
+
+
+def _told_as_error(doubt: Diagnostic, found: Sequence[Diagnostic]) -> bool:
+    """Whether an error says of a word that it is of another language, so that no doubt need."""
+    if doubt.primary is None or doubt.data.get("dialect") != VAL2.name:
+        return False
+    start, end = doubt.primary.span.start, doubt.primary.span.end
+    return any(
+        d.is_error and d.primary is not None and start <= d.primary.span.start < end for d in found
+    )
 
 
 def compile_sources(sources: Sequence[SourceFile], options: Options = STRICT) -> Compilation:
@@ -115,11 +129,16 @@ def _compile(problems: Problems, options: Options) -> Compilation:
         return Compilation(None, problems.in_order(), dialect, problems.source)
     lowered: dict[str, Program] = {}
     resolver = found.resolver
+    alone = not found.values.beside
     for program in found.programs:
         structure = found.structures[program.name]
         lowering = Lowering(problems.source, resolver.scope, resolver, program, *structure)
         lowered[program.name] = lowering.run()
-        check_reachable(problems, program, lowered[program.name])
+        reach = reached(program, lowered[program.name], structure[0])
+        leaving = LeavingCheck(problems, program, lowered[program.name], reach)
+        told = leaving.check(structure[0], alone=alone)
+        check_reachable(problems, program, lowered[program.name], reach.instructions, told)
+    CallCheck(problems, lowered).check(found.programs)
     found.values.followed(lowered)
     module = Module(MappingProxyType(lowered), _told_apart(found))
     return Compilation(module, problems.in_order(), dialect, problems.source)
@@ -184,7 +203,8 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
     report_replaced(problems, data)
     resolver = Resolver(problems, scope)
     for section in headed:
-        if section.header.start in unsound:  # a formal of it may be any name in it
+        left = not section.header.text and section.header.start not in {p.start for p in programs}
+        if left or section.header.start in unsound:  # a formal of it may be any name in it
             resolver.bad_names.update(n for line in section.lines for n in names_in(line.text))
     structures: dict[str, tuple[list[Block], dict[int | str, int]]] = {}
     for program in programs:
@@ -196,15 +216,16 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
         found = blocks(program, problems)
         if len(problems.found) == before:
             check_exits(program, found, problems)
-        structures[program.name] = (found, labels(program, problems))
+        structures[program.name] = (found, labels(program, problems, programs))
         check_jumps(problems, program, *structures[program.name])
     parser.habits.report(problems)
     check_process_programs(problems, scope.programs)
     check_usage(resolver, programs)
     check_remarks(problems, scope, programs)
-    values = ValueCheck(resolver, programs)
+    values = ValueCheck(resolver, programs, refuses=not options.typed)
     values.written(data)
-    check_habits(problems, scope, programs, {n: found for n, (found, _) in structures.items()})
+    blocks_of = {name: found for name, (found, _) in structures.items()}
+    check_habits(problems, scope, programs, blocks_of, values.changed_by, alone=not values.beside)
     by_start = {section.header.start: section for section in headed}
     held = bool(data) or len(sections) < len(written)  # values, or remarks kept as a program
     stored = held and (dialect.is_as or problems.source.name.lower().endswith(DATA_SUFFIXES))

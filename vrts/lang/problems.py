@@ -120,9 +120,9 @@ class Problems:
         """Whether further errors would not even be kept."""
         return self._room[True] < 0
 
-    def replace(self, start: int, end: int, replacement: str) -> Fix:
+    def replace(self, start: int, end: int, replacement: str, *, sure: bool = True) -> Fix:
         """Return a fix that replaces a range of the source."""
-        return Fix(span_in(self.source, start, end), replacement)
+        return Fix(span_in(self.source, start, end), replacement, sure=sure)
 
     def in_order(self) -> tuple[Diagnostic, ...]:
         """Return the diagnostics by place, errors first on one place, at most `LIMIT` of them."""

@@ -1,8 +1,10 @@
 """Did you mean: the nearest of the names that exist."""
 
 from collections.abc import Iterable
+from functools import lru_cache
 
 
+@lru_cache(maxsize=20_000)  # the same slip comes again and again
 def edit_distance(a: str, b: str, limit: int) -> int:
     """Return the Damerau-Levenshtein distance (optimal string alignment), or limit + 1 if above."""
     if abs(len(a) - len(b)) > limit:
@@ -23,13 +25,21 @@ def edit_distance(a: str, b: str, limit: int) -> int:
 
 
 def nearest(word: str, names: Iterable[str]) -> str | None:
-    """Return the name a writer most likely meant, or None. Ties go to the first in the alphabet.
+    """Return the name a writer most likely meant, or None.
+
+    Of names as near, swapped letters are likelier than one left out (`SQTR` is SQRT, not SQR);
+    other ties go to the first in the alphabet.
 
     One slip is allowed in a word of up to five letters, two in longer ones; a word of two letters
     or fewer only for letters swapped or one letter added.
     """
     found = near(word, names)
-    return min(found)[1] if found else None
+    letters = sorted(word)
+    return (
+        min(found, key=lambda one: (one[0], sorted(one[1]) != letters, one[1]))[1]
+        if found
+        else None
+    )
 
 
 def near(word: str, names: Iterable[str]) -> list[tuple[int, str]]:

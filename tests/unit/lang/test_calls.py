@@ -57,7 +57,7 @@ def test_a_step_that_is_almost_right_is_mended(step: str, meant: str) -> None:
 @pytest.mark.parametrize(
     ("step", "says"),
     [
-        ("CALL fetch(feeder, 60, 2)", "fetch(where, high)"),
+        ("CALL fetch(feeder, 60, 2)", "fetch(feeder, 60)"),
         ("CALL fetch(feeder)", "fetch(where, high)"),
         ("CALL fetch", "fetch(where, high)"),
         ("CALL feeder", "MOVE feeder"),

@@ -75,7 +75,7 @@ def test_name_of_two_kinds_shows_both_places() -> None:
     found = only("part = 5\nMOVE part")
     assert found.headline == "`part` is used both as a number and as a location"
     assert found.primary is not None
-    assert (found.primary.span.line, found.primary.text) == (3, "a location here")
+    assert (found.primary.span.line, found.primary.text) == (3, "MOVE goes to a location")
     assert [(s.span.line, s.text) for s in found.secondary] == [(2, "a number here")]
 
 
@@ -144,7 +144,7 @@ def test_every_label_lies_in_one_line() -> None:
     [
         ("OPENI()", "OPENI has no parentheses", "write `OPENI`"),
         ("// note", "`//` begins no comment", "begin comments with `;`"),
-        ("WAIT SIG 1001", "SIG without parentheses", "write `WAIT SIG(1001)`"),
+        ("WAIT SIG 1001", "SIG without parentheses", "write `SIG(1001)`"),
         ("APPRO 50, part", "the location comes first in APPRO", "write `APPRO part, 50`"),
         ("MOVESpart", "`MOVESpart` is not an instruction", "write a blank: `MOVES part`"),
         ("SPEED 50%", "SPEED takes percent, without a sign", "take `%` out: write `SPEED 50`"),

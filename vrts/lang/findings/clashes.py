@@ -2,8 +2,13 @@
 
 from vrts.base.diagnostic import Rule
 from vrts.ir.values import Type
+from vrts.lang.findings.mixed_kinds import Remedy, a_location_is_wanted, a_number_is_wanted
+from vrts.lang.meaning.agreement import type_of_argument
 from vrts.lang.meaning.resolve import Resolver
+from vrts.lang.meaning.roles import role_of
 from vrts.lang.meaning.scope import Entry, Place
+from vrts.lang.names import key
+from vrts.lang.syntax.expressions import Expression, FormatItem, Infix, Item, Name
 
 REAL_AND_LOCATION = Rule("V201", "real-and-location")
 ARRAY_AND_SCALAR = Rule("V213", "array-and-scalar")
@@ -29,32 +34,83 @@ def _real_and_location(resolver: Resolver, entry: Entry) -> bool:
     lines = {problems.source.line_of(place[0]) for place in entry.types.values()}
     if lines & resolver.wrong_lines:
         return True  # said there
-    wrong, help_ = _wrong_one(entry)
+    wrong, at, known = _wrong_one(resolver, entry)
     right = Type.POSE if wrong is Type.REAL else Type.REAL
+    remedy = _remedy(resolver, wrong, at, known)
+    if entry.given.get(Type.POSE) is None and any(_counts(entry, v) for v in entry.values):
+        count = f"{entry.name}.count"
+        help_ = f"give the number another name, as in `{count} = {count}+1`, wherever it is meant"
+        remedy = remedy._replace(help=(help_,), fix=None)
+    later = entry.given.get(Type.REAL)
+    if later is not None and _was_location_before(resolver, entry, later):
+        wrong, at, right = Type.REAL, later, Type.POSE
+        help_ = f"give the number another name: `{entry.name}` is a location above"
+        remedy = Remedy("a number here", (help_,))
     problems.error(
         REAL_AND_LOCATION,
         f"`{entry.name}` is used both as a number and as a location",
-        *entry.types[wrong],
-        f"{_WORDS[wrong]} here",
+        *at,
+        remedy.label,
         secondary=(problems.label(*entry.types[right], f"{_WORDS[right]} here"),),
         notes=("numbers and locations share their names", "VAL-II says *Mixing of types*"),
-        help=(help_,),
+        help=remedy.help,
+        fix=remedy.fix,
         data={"name": entry.name},
     )
+    resolver.wrong_lines.add(problems.source.line_of(at[0]))
     return True
 
 
-def _wrong_one(entry: Entry) -> tuple[Type, str]:
-    """Return as what a name should not be used, by what it is given, and what helps."""
+def _was_location_before(resolver: Resolver, entry: Entry, given: Place) -> bool:
+    """Whether a name is only a location above the step that first gives it a number."""
+    if entry.given.get(Type.POSE) is not None or len(entry.values) != len(entry.writes):
+        return False
+    if any(_counts(entry, value) for value in entry.values):
+        return False  # a count of what stands there, which is told so
+    location = entry.types[Type.POSE]
+    programs = resolver.scope.programs.values()
+    return entry.types[Type.REAL] == given and any(
+        p.start <= location[0] < given[0] < p.finish[1] for p in programs
+    )
+
+
+def _counts(entry: Entry, value: Expression) -> bool:
+    """Whether a value adds to what a name holds: `part+1` for `part`."""
+    if not isinstance(value, Infix) or value.operator not in ("+", "-"):
+        return False
+    return isinstance(value.left, Name) and key(value.left.text) == entry.name
+
+
+def _wrong_one(resolver: Resolver, entry: Entry) -> tuple[Type, Place, bool]:
+    """Return as what a name should not be used, where it is, and whether that is known."""
     number, location = entry.types[Type.REAL], entry.types[Type.POSE]
-    given_number = bool(entry.values) or number in entry.writes
-    if number in entry.reads and entry.writes and not given_number:
-        name = entry.name
-        return Type.REAL, f"`DX({name})`, `DY({name})` and `DZ({name})` are its coordinates"
-    if location in entry.reads and number in entry.writes:
-        return Type.POSE, "name a location, or write `TRANS(x, y, z, o, a, t)`"
+    given_number, given_location = (entry.given.get(kind) for kind in (Type.REAL, Type.POSE))
+    if given_location is not None and given_number is None:
+        return Type.REAL, number, True
+    if given_number is not None and given_location is None:
+        return Type.POSE, location, True
+    if given_number is not None and given_location is not None:
+        if not _in_program(resolver, given_location):
+            return Type.REAL, given_number, True  # a location that stands ready
+        if not _in_program(resolver, given_number):
+            return Type.POSE, given_location, True
     later = Type.REAL if number > location else Type.POSE
-    return later, "give one of them another name"
+    return later, entry.types[later], False
+
+
+def _remedy(resolver: Resolver, wrong: Type, at: Place, known: bool) -> Remedy:
+    """Return what helps at a place; where neither use is known to be right, another name."""
+    role = role_of(resolver.scope.programs.values(), at) if known else None
+    if role is None:
+        return Remedy(f"{_WORDS[wrong]} here", ("give one of them another name",))
+
+    def type_of(node: Item) -> Type:
+        if not isinstance(node, FormatItem) and resolver.is_location(node):
+            return Type.POSE
+        return type_of_argument(resolver, role.program, node)
+
+    wanted = a_number_is_wanted if wrong is Type.REAL else a_location_is_wanted
+    return wanted(resolver.problems, role, type_of)
 
 
 def _array_and_scalar(resolver: Resolver, entry: Entry, array: Place, scalar: Place) -> None:

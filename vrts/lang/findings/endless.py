@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from vrts.base.diagnostic import Rule
 from vrts.ir.values import Type
+from vrts.lang.findings.remarks import STEP_IN_REMARK
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.meaning.structure import Block
 from vrts.lang.names import key
@@ -81,6 +82,8 @@ class LoopCheck:
         types = {self.scope.entry(program.name, name).type for name in keys}
         if changed & keys or types != {Type.REAL}:
             return
+        if self._told(body):
+            return
         ordered = list(dict.fromkeys(key(name.text) for name in names))
         shown = " or ".join(f"`{name}`" for name in ordered)
         first = ordered[0]
@@ -93,6 +96,19 @@ class LoopCheck:
             node.condition.end,
             f"nothing in the loop changes {shown}",
             help=(f"change {shown} in the loop, as in `{first} = {first}+1`",),
+        )
+
+    def _told(self, body: Sequence[Step]) -> bool:
+        """Whether a step of a loop stands in a remark, which was told: it may be the change."""
+        places = [step.statement for step in body if step.statement is not None]
+        first, last = places[0].start, places[-1].end
+        end = self.problems.source.text.find("\n", last)
+        span = self.problems.span(first, end if end >= 0 else last)
+        return any(
+            told.rule == STEP_IN_REMARK
+            and told.primary is not None
+            and span.start <= told.primary.span.start < span.end
+            for told in self.problems.found
         )
 
     def _changed(self, inside: Sequence[Step]) -> set[str] | None:

@@ -28,20 +28,22 @@ UNREACHABLE = Rule("V223", "unreachable-step")
 INTO_LOOP = Rule("V224", "jump-into-loop")
 ROBOT_IN_PROCESS = Rule("V227", "robot-in-process")
 
-_LEADING = frozenset({i.Jump, i.JumpIf, i.TestFor, i.NextFor, i.TestCase, i.Grasp})
-_ENDING = frozenset({i.Jump, i.NextFor, i.Stop, i.Halt, i.ReturnError, i.Return})
 _MARKS = (i.Jump, i.NextFor, i.TestFor, i.TestCase, i.Return)  # what END, ELSE, VALUE leave behind
 
 
-def check_reachable(problems: Problems, text: ProgramText, program: Program) -> None:
-    """Warn of steps that no way through a program leads to, once for each stretch."""
-    reached = _reached(program)
+def check_reachable(
+    problems: Problems, text: ProgramText, program: Program, reached: set[int], told: set[int]
+) -> None:
+    """Warn of steps that no way through a program leads to, once for each stretch.
+
+    `told` are instructions of which something else said so.
+    """
     spans = {step.number: step.statement for step in text.steps}
     stretch: list[int] = []
     for at, (instruction, origin) in enumerate(
         zip(program.instructions, program.origins, strict=True)
     ):
-        if at in reached:
+        if at in reached or at in told:
             _report_stretch(problems, stretch, spans)
             stretch = []
         elif not isinstance(instruction, _MARKS) and origin.step in spans:
@@ -65,41 +67,6 @@ def _report_stretch(
         help=("give it a label and jump to it, or take it out",),
         data={"steps": more + 1},
     )
-
-
-def _reached(program: Program) -> set[int]:
-    """Return the instructions that some way from the first leads to."""
-    reached: set[int] = set()
-    waiting = [0]
-    while waiting:
-        at = waiting.pop()
-        while at not in reached and at < len(program.instructions):
-            reached.add(at)
-            instruction = program.instructions[at]
-            kind = type(instruction)
-            if kind in _LEADING:
-                waiting += jumps_of(instruction)
-            if kind in _ENDING:
-                break
-            at += 1
-    return reached
-
-
-def jumps_of(instruction: i.Instruction) -> tuple[int, ...]:
-    """Return where an instruction may go on but behind itself."""
-    match instruction:
-        case i.Jump(target) | i.JumpIf(_, _, target):
-            return (target,)
-        case i.TestFor(_, _, leave):
-            return (leave,)
-        case i.NextFor(_, _, test):
-            return (test,)
-        case i.TestCase(_, _, otherwise):
-            return (otherwise,)
-        case i.Grasp(_, int(missing)):
-            return (missing,)
-        case _:
-            return ()
 
 
 def check_jumps(
@@ -180,9 +147,17 @@ def check_process_programs(problems: Problems, programs: dict[str, ProgramText])
                     node.end,
                     secondary=(problems.label(by.start, by.end, "started beside the robot here"),),
                     notes=("VAL-II says *Illegal in process control program*",),
-                    help=("signal to the robot program, and let it move the arm",),
+                    help=(_instead(problems, node, word),),
                 )
                 break
+
+
+def _instead(problems: Problems, node: Statement, word: str) -> str:
+    """Return what to write in a process control program instead of a robot instruction."""
+    if word == "DELAY" and isinstance(node, Simple) and node.operands and node.operands[0]:
+        time = problems.source.text[node.operands[0].start : node.operands[0].end]
+        return f"wait by a timer: `TIMER 2 = 0`, then `WAIT TIMER(2) > {time}`"
+    return "signal to the robot program, and let it move the arm"
 
 
 def _statements(program: ProgramText) -> Iterator[Statement]:

@@ -1,13 +1,22 @@
 """Legal steps that beginners regret: each warning needs no run to be seen."""
 
+from collections.abc import Callable
+
 from vrts.base.diagnostic import Rule
-from vrts.lang.findings.endless import LoopCheck, runs_beside
+from vrts.ir.ranges import INPUTS, INTERNAL
+from vrts.lang.findings.endless import LoopCheck
+from vrts.lang.findings.lost_speeds import check_speeds
 from vrts.lang.findings.motion_habits import check_motion
-from vrts.lang.meaning.constants import constant
+from vrts.lang.findings.terminal_habits import check_terminal
+from vrts.lang.findings.ways.branches import check_branches
+from vrts.lang.findings.ways.breaks import check_breaks
+from vrts.lang.findings.ways.counting import CountingCheck
+from vrts.lang.findings.ways.repeated_values import check_values
+from vrts.lang.meaning.constants import constant, number_of
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.meaning.structure import Block
 from vrts.lang.problems import Problems
-from vrts.lang.syntax.expressions import Number
+from vrts.lang.syntax.expressions import Name
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import Simple, SpeedStatement, Statement
 
@@ -26,10 +35,17 @@ def check_habits(
     scope: Scope,
     programs: list[ProgramText],
     structures: dict[str, list[Block]],
+    changed_by: Callable[[str], frozenset[str] | None],
+    *,
+    alone: bool,
 ) -> None:
-    """Warn of what the language allows and the writer hardly means."""
-    alone = not runs_beside(programs)
+    """Warn of what the language allows and the writer hardly means.
+
+    `changed_by` tells which variables the CALL of a program may change; None: it is not known.
+    `alone`: no other program may run between two steps.
+    """
     loops = LoopCheck(problems, scope)
+    counting = CountingCheck(problems, scope, changed_by)
     for program in programs:
         steps = [s.statement for s in program.steps]
         for at, node in enumerate(steps):
@@ -38,29 +54,42 @@ def check_habits(
                 _approach(problems, scope, program, node)
                 _hand(problems, steps, at, node)
         check_motion(problems, scope, program)
+        found = structures[program.name]
+        empty: list[Block] = []
+        if not problems.any_error:  # else the structures may be others
+            check_speeds(problems, program)
+            check_terminal(problems, program)
+            empty = check_branches(problems, program, found)
+            counting.check(program, found)
+            check_values(problems, program, found)
+            check_breaks(problems, program, found)
         if alone:
-            loops.check(program, structures[program.name])
+            loops.check(program, [block for block in found if block not in empty])
 
 
 def _waiting(problems: Problems, node: Simple) -> None:
     if problems.dialect.is_val:
         return  # there a number is a signal
-    if node.word != "WAIT" or not isinstance(node.operands[0] if node.operands else None, Number):
+    operand = node.operands[0] if node.word == "WAIT" and node.operands else None
+    value = number_of(operand)
+    if operand is None or value is None:
         return
-    value = node.operands[0]
-    assert isinstance(value, Number)
-    waits = "at once" if value.value else "never"
+    signal, asked = abs(value), problems.source.text[operand.start : operand.end].strip("()")
+    by_signal = f"to wait for a signal write `WAIT SIG({asked})`"
+    by_time = f"to wait {value:g} s write `DELAY {value:g}`"
+    is_signal = signal in INPUTS or signal in INTERNAL
+    both = value > 0.0 and value == round(value)
     problems.warning(
         CONSTANT_WAIT,
-        f"this WAIT goes on {waits}",
-        value.start,
-        value.end,
+        f"this WAIT goes on {'at once' if value else 'never'}",
+        operand.start,
+        operand.end,
         "a constant condition",
         notes=("WAIT takes a condition, not a time; any number but 0 is true",),
-        help=(
-            f"to wait {value.value:g} s write `DELAY {value.value:g}`",
-            f"to wait for a signal write `WAIT SIG({value.value:g})`",
-        ),
+        help=(by_signal,) if is_signal else (by_time, by_signal) if both else (by_time,),
+        fix=problems.replace(operand.start, operand.end, f"SIG({asked})", sure=False)
+        if is_signal
+        else None,
     )
 
 
@@ -91,7 +120,7 @@ def _approach(problems: Problems, scope: Scope, program: ProgramText, node: Simp
 
 def _hand(problems: Problems, steps: list[Statement | None], at: int, node: Simple) -> None:
     """`MOVES part / CLOSE / DEPARTS 50`: the hand closes while it leaves."""
-    if node.word not in ("OPEN", "CLOSE"):
+    if node.word not in ("OPEN", "CLOSE") or _is_i(node):
         return
     following = next((s for s in steps[at + 1 : at + 1 + NEAR] if _counts(s)), None)
     before = next((s for s in reversed(steps[max(at - NEAR, 0) : at]) if _counts(s)), None)
@@ -117,6 +146,12 @@ def _hand(problems: Problems, steps: list[Statement | None], at: int, node: Simp
         if problems.source.text[node.start : node.end].upper() == node.word
         else None,
     )
+
+
+def _is_i(node: Simple) -> bool:
+    """Whether this is `CLOSE I`, of which the variable that has no value is told."""
+    operand = node.operands[0] if node.operands else None
+    return isinstance(operand, Name) and operand.text.upper() == "I"
 
 
 def _counts(node: Statement | None) -> bool:

@@ -15,6 +15,7 @@ from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax.expressions import Name
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import (
+    Assignment,
     CallStatement,
     Give,
     HereStatement,
@@ -32,7 +33,15 @@ from vrts.lang.vocabulary.lookup import spellings
 STEP_IN_REMARK = Rule("V238", "step-in-remark")
 
 _REMARK = re.compile(r";[ \t]*([A-Za-z][\w.]*)")
+_EQUALS = re.compile(r"[ \t]*=(?!=)")
+_JOINED = re.compile(  # a blank nowhere round the `;`, and nothing behind the name
+    r"^[ \t\d]*SET[ \t]+[\w.]+[ \t]*=[ \t]*(?P<frame>[A-Za-z][\w.]*)(?P<sign>;)"
+    r"(?P<part>[A-Za-z][\w.]*)[ \t]*$",
+    re.IGNORECASE | re.MULTILINE,
+)
+_GLUED_PROSE = re.compile(r"[^\s;];[A-Za-z][\w.]*[ \t]+[A-Za-z]")
 _STEPS = (
+    Assignment,
     CallStatement,
     Give,
     HereStatement,
@@ -55,9 +64,11 @@ def check_remarks(problems: Problems, scope: Scope, programs: list[ProgramText])
     """Warn of steps that stand behind the `;` of another: nobody carries them out."""
     text = problems.source.text
     words = spellings(problems.dialect)
+    if not problems.dialect.is_as:
+        _joined(problems)
     bodies = sorted((p.start, p.finish[1], p.name) for p in programs)
     for match in _REMARK.finditer(text):
-        if match[1].upper() not in words:
+        if match[1].upper() not in words and not _EQUALS.match(text, match.end()):
             continue
         start = text.rfind("\n", 0, match.start()) + 1
         end = text.find("\n", start)
@@ -71,6 +82,23 @@ def check_remarks(problems: Problems, scope: Scope, programs: list[ProgramText])
         _line(problems, scope, bodies[number][2], before, match.start(), start + len(line))
 
 
+def _joined(problems: Problems) -> None:
+    """`SET goal = tray;cell`: a `;` for the `:` of two locations, unless remarks stand so here."""
+    text = problems.source.text
+    found = list(_JOINED.finditer(text))
+    if not found or _GLUED_PROSE.search(text):
+        return
+    for match in found:
+        problems.warning(
+            STEP_IN_REMARK,
+            f"what stands behind `;` is a remark: `{match['part']}` is not part of this SET",
+            *match.span("part"),
+            "a remark to the controller",
+            help=(f"to join two locations write `{match['frame']}:{match['part']}`",),
+            fix=problems.replace(*match.span("sign"), ":", sure=False),
+        )
+
+
 def _line(
     problems: Problems, scope: Scope, program: str, before: str, semicolon: int, end: int
 ) -> None:
@@ -81,8 +109,16 @@ def _line(
         pieces.append((piece.strip(), at + len(piece) - len(piece.lstrip())))
         at += len(piece) + 1
     steps = list(_steps(problems, scope, program, pieces))
-    if not steps or not _meant(before, steps):
+    glued = text[semicolon - 1] not in " \t"
+    if not steps:
         return
+    if isinstance(steps[0][1], Assignment):
+        if not glued or not _assigned(steps[0][1], joined=pieces[0][1] == semicolon + 1):
+            return
+    elif not _meant(before, steps):
+        return
+    first = steps[0][1]  # an assignment may be an old one, kept as a remark
+    sure = not isinstance(first, Assignment) or _assigned(first, joined=False)
     start = pieces[0][1]
     line = text.rfind("\n", 0, semicolon) + 1
     indent = re.match(r"[ \t\d]*", text[line:semicolon])
@@ -102,7 +138,9 @@ def _line(
         last_start + len(last),
         "a remark to the controller",
         help=("write each step on a line of its own",),
-        fix=problems.replace(stop, end, "".join(f"\n{margin}{piece}" for piece in lines)),
+        fix=problems.replace(
+            stop, end, "".join(f"\n{margin}{piece}" for piece in lines), sure=sure
+        ),
     )
 
 
@@ -135,6 +173,14 @@ def _meant(before: str, steps: list[tuple[str, Statement]]) -> bool:
         return True
     known = word.isupper() or word.upper() in _NO_WORDS
     return known and _HAND_AND_ARM.match(before) is not None
+
+
+def _assigned(node: Statement, *, joined: bool) -> bool:
+    """Return whether this is `n = n+1`, or any assignment without a blank round the `;`."""
+    if not isinstance(node, Assignment) or not isinstance(node.target, Name):
+        return False
+    counts = key(node.target.text) in {key(name) for name in _names(node.value)}
+    return counts or joined
 
 
 def _exists(scope: Scope, program: str, name: str) -> bool:

@@ -8,7 +8,7 @@ from typing import Any, cast
 from vrts.base.diagnostic import Rule
 from vrts.lang.dialect import Precedence
 from vrts.lang.grammar.lalr import Build
-from vrts.lang.grammar.operators import TABLE_A, TABLE_B, ambiguous, tree, written
+from vrts.lang.grammar.operators import TABLE_A, TABLE_B, ambiguous, compares_twice, tree, written
 from vrts.lang.problems import Problems
 from vrts.lang.syntax.expressions import (
     Application,
@@ -69,15 +69,22 @@ def builders(problems: Problems, table: Precedence = Precedence.A) -> dict[str, 
         if len(chain) == 1:
             return chain[0]
         result = tree(chain, levels)
-        if len(chain) > 3 and warns and ambiguous(chain):
-            _read_otherwise(problems, result, tree(chain, other), table)
+        if len(chain) > 3 and warns and ambiguous(chain) and not compares_twice(chain):
+            _read_otherwise(problems, result, tree(chain, other), table, _half_said(chain))
         return result
 
     return {**_BUILDERS, "expression": expression}
 
 
+def _half_said(chain: Any) -> bool:
+    """Return whether a number alone is joined by AND or OR, as in `x == 1 OR 2`."""
+    joins = [k for k in range(1, len(chain), 2) if chain[k].text.upper() in ("AND", "OR")]
+    parts = zip([-1, *joins], [*joins, len(chain)], strict=True)
+    return any(b - a == 2 and isinstance(chain[a + 1], Number) for a, b in parts if joins)
+
+
 def _read_otherwise(
-    problems: Problems, result: Expression, other: Expression, table: Precedence
+    problems: Problems, result: Expression, other: Expression, table: Precedence, half_said: bool
 ) -> None:
     """Warn of an expression that the two tables read differently [W-PREC]."""
     text = problems.source.text
@@ -97,8 +104,12 @@ def _read_otherwise(
         result.end,
         f"VAL-II reads {read}" if table is Precedence.A else f"this is read {read}",
         notes=(note,),
-        help=(f"write parentheses: {meant}",),
-        fix=problems.replace(result.start, result.end, meant),
+        help=(
+            ("name what is compared on both sides: `(x == 1) OR (x == 2)`",)
+            if half_said
+            else (f"write parentheses: {meant}",)
+        ),
+        fix=None if half_said else problems.replace(result.start, result.end, meant),
     )
 
 
@@ -313,7 +324,7 @@ _BUILDERS: dict[str, Build] = {
     "react": _react,
     "on_call": _on_call,
     "on_goto": _opaque,
-    "opaque": _opaque,
+    "until_signal": lambda v: Device(v[0].text, None, (v[1], v[3]), None, v[0].start, v[3].end),
     "level": _level,
     "speed": _speed,
     "profile": _profile,

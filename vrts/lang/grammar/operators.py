@@ -41,6 +41,7 @@ TABLE_B = _levels(
 )
 
 _LOGICAL = frozenset({"AND", "OR", "XOR", "BAND", "BOR", "BXOR"})
+_ORDERS = frozenset({"<", "<=", ">", ">="})
 _QUOTIENTS = frozenset({"*", "/"})
 
 
@@ -69,6 +70,20 @@ def ambiguous(chain: Sequence[Expression | Token]) -> bool:
     comparing = not _LOGICAL.isdisjoint(words) and not words.isdisjoint(_COMPARISONS)
     dividing = "MOD" in words and not _QUOTIENTS.isdisjoint(words)
     return (comparing or dividing) and _shape(chain, TABLE_A) != _shape(chain, TABLE_B)
+
+
+def compares_twice(chain: Sequence[Expression | Token]) -> bool:
+    """Return whether a chain compares what a comparison yields: `1 <= s <= 100`."""
+    before = ""
+    for item in chain[1::2]:
+        sign = item.text if isinstance(item, Token) else ""
+        if sign in _LOGICAL:
+            before = ""
+        elif sign in _ORDERS:
+            if before:
+                return True
+            before = sign
+    return False
 
 
 def written(expression: Expression, source: str, *, outermost: bool = True) -> str:

@@ -1,15 +1,18 @@
 """What the grammar takes in common and one dialect refuses: operands too many, labels by name."""
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.dialect import Dialect
 from vrts.lang.problems import Problems
-from vrts.lang.syntax.expressions import Item, Name, Number
+from vrts.lang.syntax.expressions import Infix, Item, Name, Number
 from vrts.lang.syntax.statements import (
+    CallStatement,
     Device,
     Goto,
+    Level,
     ReactStatement,
     Setting,
     Simple,
@@ -23,6 +26,7 @@ UNEXPECTED_TEXT = Rule("V125", "unexpected-text")
 LABEL_EXPECTED = Rule("V136", "label-expected")
 TOO_MANY_OPERANDS = Rule("V156", "too-many-operands")
 MISSING_KEYWORD = Rule("V130", "missing-keyword")
+MISSING_OPERAND = Rule("V124", "missing-operand")
 
 _DRAW = 3
 _DRAW_OF_AS = 7  # three rotations and a speed more
@@ -49,6 +53,12 @@ def fits(problems: Problems, node: Statement, word: Word | None) -> bool:
             return _named_label(problems, label)
         case Goto(label=Number(value=value) as label) if value != int(value):
             return _named_label(problems, label)
+        case CallStatement(program=program) if dialect.is_as and program.text.startswith("."):
+            return _local_program(problems, program)
+        case SpeedStatement(word="SPEED", levels=levels) if dialect.is_as and any(
+            map(_half_unit, levels)
+        ):
+            return _whole_unit(problems, next(filter(_half_unit, levels)))
         case Simple(word="GRASP", operands=(_, label)) if not isinstance(label, Number):
             assert label is not None
             return _named_label(problems, label)
@@ -69,11 +79,45 @@ def fits(problems: Problems, node: Statement, word: Word | None) -> bool:
             return True
 
 
+def _local_program(problems: Problems, program: Name) -> bool:
+    """`CALL .x`."""
+    problems.error(
+        MISSING_OPERAND,
+        f"`{program.text}` is a local variable, not a program",
+        program.start,
+        program.end,
+        "the name of a program belongs here",
+        help=("names of programs begin with a letter; SCALL takes a name from a string",),
+    )
+    return False
+
+
+def _half_unit(level: Level) -> bool:
+    """Whether the unit of a speed in AS lacks its length, as in `SPEED 100 /S`."""
+    value = level.value
+    right = value.right if isinstance(value, Infix) and value.operator == "/" else None
+    return level.unit is None and isinstance(right, Name) and right.text.upper() in ("S", "MIN")
+
+
+def _whole_unit(problems: Problems, level: Level) -> bool:
+    assert isinstance(level.value, Infix)
+    unit, start = level.value.right, level.value.operator_start
+    problems.error(
+        MISSING_KEYWORD,
+        f"`/{problems.source.text[unit.start : unit.end]}` is only a part of a unit",
+        start,
+        unit.end,
+        help=("write `MM/S` for millimetres a second, or `DEG/S` for degrees",),
+    )
+    return False
+
+
 def _room_enough(problems: Problems, word: Word, node: Device) -> bool:
     """Whether the operands of an instruction with a device are not more than its usage shows."""
     room = room_of(word)
     given = node.given
-    if room.equal is not (given is not None):
+    optional = room.equal is None or (room.equal and problems.dialect.is_as)
+    if room.equal is not (given is not None) and not optional:
         at = node.start + len(word.text) if given is None else _equal_sign(problems, node)
         problems.error(
             UNEXPECTED_TEXT if given is not None else MISSING_KEYWORD,
@@ -135,6 +179,9 @@ def _few_enough(
 
 def _named_label(problems: Problems, label: Item) -> bool:
     text = problems.source.text[label.start : label.end]
+    line = rf"^[ \t]*{re.escape(text)}[ \t]"
+    if isinstance(label, Number) and re.search(line, problems.source.text, re.MULTILINE):
+        return False  # said there
     problems.error(
         LABEL_EXPECTED,
         f"`{text[:40]}` is not a label",

@@ -115,6 +115,7 @@ def _note(found: _Read, scope: Scope) -> None:
     entry.writes.append(where)
     if found.type in (Type.REAL, Type.POSE):
         entry.types.setdefault(found.type, where)
+        entry.given.setdefault(found.type, where)
     if found.subscripts and entry.array is None:
         entry.array = where
     elif not found.subscripts and entry.scalar is None:

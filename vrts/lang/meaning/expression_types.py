@@ -32,7 +32,7 @@ from vrts.lang.syntax.expressions import (
     Variable,
 )
 from vrts.lang.vocabulary.functions import CONSTANTS, Signature
-from vrts.lang.vocabulary.lookup import instructions_of, never_names
+from vrts.lang.vocabulary.lookup import hardly_a_name, instructions_of
 
 FORMAT = re.compile(r"/[DFIGEHOCXUBSJKLN](\d{0,3}(\.\d{1,2})?)?", re.IGNORECASE)
 _OF_ARRAYS = frozenset({"last", "$unpack"})  # functions that a whole array is given to
@@ -110,17 +110,24 @@ class ExpressionTypes(NameUses):
             text = is_text(node.left) or is_text(node.right)
             kind = Type.STRING if text else Type.REAL
             why = f"`{operator}` takes two strings or two numbers"
-            if isinstance(node.left, Application) and operator in ("==", "<>"):
-                self.asked.append(Asked(self.program, self.step, node))
+            self.asked.append(Asked(self.program, self.step, node))
             self.check(node.left, kind, why)
             self.check(node.right, kind, why)
             return Type.REAL
+        if is_text(node.left) and is_text(node.right):
+            for part in (node.left, node.right):
+                self.check(part, Type.STRING, "")
+            type_mistakes.computed_strings(self.problems, node)
+            self.wrong_lines.add(self.problems.source.line_of(node.start))
+            return Type.DYNAMIC
+        before = len(self.problems.found)
+        if operator in ("AND", "OR"):
+            self.asked.append(Asked(self.program, self.step, node))
         for part in (node.left, node.right):
             self.check(part, Type.REAL, f"`{operator}` takes numbers")
-        if operator in _DIVISIONS:
-            if not (isinstance(node.right, Number) and node.right.value):
-                self.asked.append(Asked(self.program, self.step, node))
-        elif operator == "OR" and (_may_be_true(node.left) or _may_be_true(node.right)):
+        if len(self.problems.found) > before:
+            return Type.DYNAMIC  # said there
+        if operator in _DIVISIONS and not (isinstance(node.right, Number) and node.right.value):
             self.asked.append(Asked(self.program, self.step, node))
         return Type.REAL
 
@@ -186,6 +193,10 @@ class ExpressionTypes(NameUses):
     def _application(self, node: Application, wanted: Wanted) -> Type:
         lower = node.name.text.lower()
         signature = self.functions.get(lower)
+        if lower == "ppoint" and self.dialect.has("12") and not self.dialect.tolerant:
+            type_mistakes.joints_without_sign(self.problems, node)
+            self._loose(node)
+            return Type.DYNAMIC
         if signature is None:
             type_mistakes.unknown_function(self.problems, node, self.functions, self.scope.programs)
             self._loose(node)
@@ -195,7 +206,8 @@ class ExpressionTypes(NameUses):
         if signature.opaque:
             self.warn_not_simulated(node.name.text.upper(), node.name.start, node.name.end)
             if self._count(node, signature):
-                for argument in node.arguments:
+                named = signature.parameters[:1] == ("n",)  # a word of the controller
+                for argument in node.arguments[named:]:
                     self.loosely(argument)
         elif signature.parameters and signature.parameters[0][0] == "v":
             self._defined(node, signature)
@@ -224,7 +236,7 @@ class ExpressionTypes(NameUses):
             self._items(node.subscripts, Type.REAL)
             node = node.name
         if isinstance(node, Name):
-            if self.dialect.is_vplus and node.text.upper() in never_names(self.dialect):
+            if hardly_a_name(node.text, self.dialect):
                 self._use(node, None).reads.append((node.start, node.end))
             else:
                 self.bad_names.add(key(node.text))
@@ -262,6 +274,11 @@ class ExpressionTypes(NameUses):
 
     def _named(self, node: Application, signature: Signature) -> None:
         """SWITCH and PARAMETER take the name of something of the controller."""
+        if self.dialect.is_as and signature.name == "switch" and len(node.arguments) == 2:
+            robot = node.arguments[1]
+            if robot is not None:
+                self.check(robot, Type.REAL, "the number of a robot belongs here")
+            node = node._replace(arguments=node.arguments[:1])  # `SWITCH(CS, 2)`
         if not self._count(node, signature):
             return
         first = node.arguments[0]
@@ -312,6 +329,9 @@ class ExpressionTypes(NameUses):
         if name.text.lower() in self.predefined:
             type_mistakes.predefined_name(self.problems, name, instructions_of(self.dialect))
             return
+        if self.dialect.is_as and hardly_a_name(name.text, self.dialect):
+            type_mistakes.reserved_name(self.problems, name)
+            return
         sigil = {"$": Type.STRING, "#": Type.JOINTS}.get(name.text[0])
         location = kind is Type.POSE and sigil is Type.JOINTS
         if sigil is not None and sigil is not kind and not location:
@@ -319,6 +339,7 @@ class ExpressionTypes(NameUses):
             return
         entry = self._use(name, None if sigil else kind)
         entry.writes.append((name.start, name.end))
+        entry.given.setdefault(kind, (name.start, name.end))
         entry.written_in.add(self.program)
         if value is not None and isinstance(target, Name):
             entry.values.append(value)
@@ -358,11 +379,6 @@ class ExpressionTypes(NameUses):
             found = self.no_texts[at]
             self.no_texts[at] = found._replace(why=found.why or why)
             self.wrong_lines.add(self.problems.source.line_of(found.node.start))
-
-
-def _may_be_true(node: Expression) -> bool:
-    """Return whether an operand may be true by itself: a number, or the name of one."""
-    return isinstance(node, Number | Name)
 
 
 def _taken(code: str) -> str:

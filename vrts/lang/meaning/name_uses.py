@@ -9,6 +9,7 @@ from vrts.ir.values import Type
 from vrts.lang.meaning.scope import Entry, Scope
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
+from vrts.lang.steps.unknown_words import KEYWORD_AS_NAME
 from vrts.lang.syntax.expressions import (
     Application,
     Element,
@@ -17,12 +18,12 @@ from vrts.lang.syntax.expressions import (
     Item,
     Name,
     Parenthesised,
+    Variable,
 )
 from vrts.lang.syntax.statements import Assignment, Statement
 from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions, bare_functions
 from vrts.lang.vocabulary.lookup import look_up, reserved_words
 
-KEYWORD_AS_NAME = Rule("V160", "keyword-as-name")
 NOT_SIMULATED = Rule("V161", "not-simulated")
 MONITOR_COMMAND = Rule("V199", "monitor-command")
 
@@ -42,6 +43,15 @@ class NoText(NamedTuple):
     program: str | None
     why: str  # a string belongs there
     item: Item | None  # of TYPE, that it stands in
+
+
+class TextGiven(NamedTuple):
+    """A name without `$` that is given a string."""
+
+    program: str | None
+    target: Variable
+    name: Name
+    value: Expression
 
 
 class Asked(NamedTuple):
@@ -74,6 +84,8 @@ class NameUses:
         self.bad_names: set[str] = set()
         self.wrong_lines: set[int] = set()  # lines where a type did not fit
         self.no_texts: list[NoText] = []  # names without `$` where a string belongs
+        self.text_case = False  # whether the CASE above compares strings
+        self.texts_given: list[TextGiven] = []
         self.asked: list[Asked] = []
         self.parts: set[str] = set()  # locations behind `:`, by their keys
         self.step = 0  # offset of the step that is looked at

@@ -3,10 +3,22 @@
 from vrts.base.diagnostic import Fix, Rule
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
+from vrts.lang.grammar.shapes import UNEXPECTED_TEXT
 from vrts.lang.meaning.expression_types import ExpressionTypes
 from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
-from vrts.lang.meaning.type_mistakes import FUNCTION_ARGUMENTS, TYPES_SAY, WRONG_TYPE
-from vrts.lang.syntax.expressions import Application, Element, Item, Name, Number, Text
+from vrts.lang.meaning.instead.numbers_of_base import base_of_location
+from vrts.lang.meaning.type_mistakes import FUNCTION_ARGUMENTS, TYPES_SAY, WRONG_TYPE, not_read_into
+from vrts.lang.names import key
+from vrts.lang.syntax.expressions import (
+    Application,
+    Element,
+    FormatItem,
+    Item,
+    Name,
+    Number,
+    Prefix,
+    Text,
+)
 from vrts.lang.syntax.statements import Device, Give, ReactStatement, Simple, SpeedStatement
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
@@ -17,6 +29,7 @@ _LOCATION_WORDS = frozenset(
 )
 _TEXT_WORDS = frozenset({"STOP", "HALT", "PAUSE"})
 _PROGRAM_WORDS = frozenset({"REACTE", "PCEXECUTE"})  # their first operand names a program
+_HAND_WORDS = frozenset({"OPEN", "CLOSE", "RELAX", "OPENI", "CLOSEI", "RELAXI"})
 _FRAME_POINTS = 4  # FRAME f = a, b, c, d
 
 
@@ -39,6 +52,9 @@ class OperandTypes(ExpressionTypes):
             for operand in operands:
                 if operand is not None:
                     self.check(operand, Type.POSE, f"{word} takes a location")
+        elif word == "BASE":
+            given = base_of_location(self.problems, WRONG_TYPE, node, self._is_located)
+            self._items(operands if given is None else given, Type.REAL)
         elif word in _TEXT_WORDS:
             self._items(operands, Type.STRING)
         elif word == "TYPE":
@@ -57,8 +73,37 @@ class OperandTypes(ExpressionTypes):
             self._items(operands[1:], Type.REAL)
         elif word == "GRASP":
             self._items(operands[:1], Type.REAL)
+        elif word in _HAND_WORDS and self._is_step_behind(node, operands):
+            pass
         else:
             self._items(operands, Type.REAL)
+
+    def _is_located(self, node: Item) -> bool:
+        return not isinstance(node, FormatItem) and self.is_location(node)
+
+    def _is_step_behind(self, node: Simple, operands: tuple[Item | None, ...]) -> bool:
+        """Report `OPENI READY`, two steps on a line; return whether it is that."""
+        name = operands[0] if len(operands) == 1 else None
+        if not isinstance(name, Name) or self.dialect.tolerant:
+            return False
+        word = INSTRUCTIONS.get(name.text.upper())
+        if word is None or word.terminal != "WORD0":
+            return False
+        text = self.problems.source.text
+        start = text.rfind("\n", 0, node.start) + 1
+        before = text[start : node.start]
+        margin = before if not before.strip() else " " * len(before)
+        self.problems.error(
+            UNEXPECTED_TEXT,
+            "each step stands on a line of its own",
+            name.start,
+            name.end,
+            "another step begins here",
+            notes=("VAL-II says *Unexpected text at end of line*",),
+            help=(f"give each a line of its own: `{node.word}`, `{word.text}`",),
+            fix=self.problems.replace(node.start + len(node.word), name.start, f"\n{margin}"),
+        )
+        return True
 
     def _prompt(self, operands: tuple[Item | None, ...]) -> None:
         text, variables = prompt_parts(operands)
@@ -70,14 +115,8 @@ class OperandTypes(ExpressionTypes):
                 kind = Type.STRING if name.text[0] == "$" else Type.REAL
                 self._write(variable, kind, "PROMPT reads numbers and strings", None)
             elif variable is not None:
-                self.problems.error(
-                    WRONG_TYPE,
-                    "PROMPT reads into variables",
-                    variable.start,
-                    variable.end,
-                    notes=(TYPES_SAY,),
-                    help=('write `PROMPT "text", variable`',),
-                )
+                not_read_into(self.problems, operands, variable)
+                break
 
     def give(self, node: Give) -> None:
         """Check PARAMETER, DECOMPOSE and the assignments of VAL."""
@@ -125,6 +164,9 @@ class OperandTypes(ExpressionTypes):
     def react(self, node: ReactStatement) -> None:
         """Check REACT, REACTI, IGNORE, ON and ONI."""
         signal, program, priority = (*node.operands, None, None, None)[:3]
+        if isinstance(signal, Name) and isinstance(program, Number | Prefix):
+            self._swapped_program(node, signal, program)
+            return
         if signal is None:
             self.problems.error(
                 FUNCTION_ARGUMENTS,
@@ -149,6 +191,23 @@ class OperandTypes(ExpressionTypes):
             )
         if priority is not None:
             self.check(priority, Type.REAL, "a priority is a number")
+
+    def _swapped_program(self, node: ReactStatement, name: Name, signal: Number | Prefix) -> None:
+        """`REACTI intruder, 1003`."""
+        text = self.problems.source.text
+        self.called.append(name)
+        written = f"{text[signal.start : signal.end]}, {name.text}"
+        self.problems.error(
+            WRONG_TYPE,
+            f"the signal comes first in {node.word}, then the program",
+            name.start,
+            signal.end,
+            notes=("VAL-II says *Invalid program or variable name*",),
+            help=(f"write `{node.word} {written}`",),
+            fix=self.problems.replace(
+                name.start, signal.end, written, sure=key(name.text) in self.scope.programs
+            ),
+        )
 
     def program_name(self, node: Item, word: str) -> None:
         """Note that an operand names a program; report what cannot."""

@@ -3,11 +3,14 @@
 from vrts.base.diagnostic import Rule, Severity
 from vrts.ir.values import Type
 from vrts.lang.meaning.forms import is_text
-from vrts.lang.meaning.name_uses import Asked
+from vrts.lang.meaning.instead.outputs_by_index import switched_output
+from vrts.lang.meaning.name_uses import Asked, TextGiven
 from vrts.lang.meaning.operands import OperandTypes
 from vrts.lang.meaning.scope import Passed
+from vrts.lang.meaning.set_or_equals import equals_behind_word, set_of_no_location
 from vrts.lang.meaning.type_mistakes import WRONG_TYPE
 from vrts.lang.names import key
+from vrts.lang.steps.advice import OTHER_LANGUAGE
 from vrts.lang.steps.kawasaki_forms import BLOCK_WORD
 from vrts.lang.syntax.expressions import (
     Application,
@@ -49,12 +52,25 @@ from vrts.lang.syntax.statements import (
     While,
 )
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.vocabulary.lookup import hardly_a_name
 
 ASSIGNED_LOCATION = Rule("V203", "assigned-location")
 
 
 _LOOKED_AT = frozenset(  # instructions whose operands matter
-    {"SIGNAL", "WAIT", "DRIVE", "LOCK", "APPRO", "APPROS", "DEPART", "DEPARTS", "MOVE", "MOVES"}
+    {
+        "SIGNAL",
+        "WAIT",
+        "DELAY",
+        "DRIVE",
+        "LOCK",
+        "APPRO",
+        "APPROS",
+        "DEPART",
+        "DEPARTS",
+        "MOVE",
+        "MOVES",
+    }
 )
 
 
@@ -67,6 +83,10 @@ class Resolver(OperandTypes):
         match node:
             case Assignment(target, value):
                 self._assignment(node, target, value)
+            case SetLocation() if not self.dialect.is_as and set_of_no_location(
+                self.problems, node, self.functions
+            ):
+                self._plain(node)
             case SetLocation(target, value):
                 self._write(target, Type.POSE, "SET gives a value to a location", value)
                 self._location(value, "SET gives a value to a location")
@@ -123,14 +143,20 @@ class Resolver(OperandTypes):
                 if condition is not None:
                     self.check(condition, Type.REAL, "IF takes a condition")
             case If(condition) | While(condition) | Until(condition):
-                if isinstance(node, If) and isinstance(condition, Number):
+                if isinstance(condition, Number | Prefix):
                     self._ask(node)
                 self.check(condition, Type.REAL, "a condition is a number")
             case Case(selector):
-                self._selector(selector)
+                self.text_case = not self.dialect.tolerant and is_text(selector)
+                if self.text_case:
+                    self._case_of_text(selector)
+                else:
+                    self._selector(selector)
             case ValueGroup(values):
                 for value in values:
-                    if value is not None:
+                    if value is not None and self.text_case and is_text(value):
+                        self._type(value, Type.STRING)  # told at its CASE
+                    elif value is not None:
                         self._selector(value)
             case For(target, first, last, increment):
                 self._ask(node)
@@ -156,6 +182,17 @@ class Resolver(OperandTypes):
 
     # --- statements -----------------------------------------------------------------------------
 
+    def _plain(self, node: SetLocation) -> None:
+        """Take `SET n = 5`, which was reported, for `n = 5`."""
+        self.wrong_lines.add(self.problems.source.line_of(node.start))
+        name = node.target if isinstance(node.target, Name) else node.target.name
+        kind = Type.STRING if name.text[0] == "$" or is_text(node.value) else Type.REAL
+        if (name.text[0] == "$") is (kind is Type.STRING):
+            self._write(node.target, kind, "", node.value)
+        else:
+            self.bad_names |= {key(name.text), f"${key(name.text)}"}
+        self.check(node.value, kind, "")
+
     def _declared(self, word: str, names: tuple[Expression, ...]) -> None:
         for name in names:
             if not isinstance(name, Name | Element):
@@ -170,7 +207,14 @@ class Resolver(OperandTypes):
 
     def _assignment(self, node: Assignment, target: Variable, value: Expression) -> None:
         name = target if isinstance(target, Name) else target.name
+        if equals_behind_word(self.problems, node):
+            self._type(value, Type.POSE)
+            if isinstance(value, Name | Element):  # HERE gives it a value, so it has one
+                self._write(value, Type.POSE, "", None)
+            return
         if name.text[0] == "$":
+            if switched_output(self.problems, OTHER_LANGUAGE, node):
+                return
             self._write(target, Type.STRING, "`=` keeps the type", value)
             self.check(value, Type.STRING, f"`{name.text}` holds a string")
             return
@@ -192,12 +236,31 @@ class Resolver(OperandTypes):
             self.program_of[node.start] = self.program
             self._write(target, Type.REAL, "", value)
             entry = self.scope.entry(self.program, key(name.text))
-            if entry.types.get(Type.REAL) == (name.start, name.end):
-                del entry.types[Type.REAL]
+            for noted in (entry.types, entry.given):
+                if noted.get(Type.REAL) == (name.start, name.end):
+                    del noted[Type.REAL]
             self._type(value, None)
+            return
+        if is_text(value) and self._open_type(target):
+            self._text_given(target, name, value)
             return
         self._write(target, Type.REAL, "`=` gives a value to a number", value)
         self.check(value, Type.REAL, f"`{name.text}` holds a number")
+
+    def _text_given(self, target: Variable, name: Name, value: Expression) -> None:
+        """Keep `name = "Ada"` for when it is known what else the name holds."""
+        before = len(self.no_texts)
+        found = self._type(value, Type.STRING)
+        self.wrong_lines.add(self.problems.source.line_of(target.start))
+        del self.no_texts[before:]  # told together with the name
+        entry = self._use(name, None)
+        entry.writes.append((name.start, name.end))
+        if isinstance(target, Element):
+            self._subscripts(entry, target, target.subscripts)
+        else:
+            self._once(entry, name, array=False)
+        if found is Type.STRING:
+            self.texts_given.append(TextGiven(self.program, target, name, value))
 
     def _number_with_sign(self, name: Name) -> None:
         """Report `#n = 3`."""
@@ -222,6 +285,23 @@ class Resolver(OperandTypes):
             self._type(node, Type.STRING)
         else:
             self.check(node, Type.REAL, "CASE compares numbers")
+
+    def _case_of_text(self, selector: Expression) -> None:
+        """Report `CASE $a OF`, once with its values."""
+        written = self.problems.source.text[selector.start : selector.end]
+        self._type(selector, Type.STRING)
+        self.problems.error(
+            WRONG_TYPE,
+            "CASE compares numbers, not a string",
+            selector.start,
+            selector.end,
+            "this is a string",
+            notes=("VAL-II says *Illegal operator*",),
+            help=(
+                f'compare strings by IF, one after the other: `IF {written} == "text" THEN`',
+                f"if they are numbers, write `CASE VAL({written}) OF`, and values without quotes",
+            ),
+        )
 
     def assigned_location(self, node: Assignment) -> None:
         """Report `a = b` between locations."""
@@ -266,7 +346,8 @@ class Resolver(OperandTypes):
             elif isinstance(argument, Name | Element):
                 name = argument if isinstance(argument, Name) else argument.name
                 self._type(argument, None)
-                if name.text.lower() not in self.predefined:
+                reserved = self.dialect.is_as and hardly_a_name(name.text, self.dialect)
+                if name.text.lower() not in self.predefined and not reserved:
                     entry = self.scope.entry(self.program, key(name.text))
                     entry.passed.append(Passed(callee, i, False))
                     entry.written_in.add(self.program)

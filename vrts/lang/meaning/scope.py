@@ -7,7 +7,7 @@ from vrts.ir.values import Type
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Element, Expression, Name
 from vrts.lang.syntax.program import ProgramText
-from vrts.lang.syntax.statements import Declare
+from vrts.lang.syntax.statements import Bad, Declare
 
 Place = tuple[int, int]  # range of offsets
 
@@ -40,6 +40,7 @@ class Entry:
     changed: bool = False  # given a value by something else than `=`
     written_in: set[str | None] = field(default_factory=set[str | None])  # programs, by CALL too
     values: list[Expression] = field(default_factory=list[Expression])  # all that is assigned
+    given: dict[Type, Place] = field(default_factory=dict[Type, Place])  # first value of each type
 
     @property
     def type(self) -> Type:
@@ -58,6 +59,7 @@ class Scope:
         self.programs = {program.name: program for program in programs}
         self.entries: dict[str, Entry] = {}
         self.formals: dict[str, dict[str, Entry]] = {}
+        self.unread: set[str] = set()  # programs with steps that could not be read
         self.slots = {program.name: len(program.formals) for program in programs}  # the next ones
         for program in programs:
             slots: dict[str, Entry] = {}
@@ -69,6 +71,8 @@ class Scope:
             for step in program.steps:
                 if isinstance(step.statement, Declare):
                     self._declare(program, step.statement, slots)
+                elif isinstance(step.statement, Bad):
+                    self.unread.add(program.name)
 
     def entry(self, program: str | None, name: str) -> Entry:
         """Return what is known of a name as a program sees it."""
@@ -137,7 +141,7 @@ class Scope:
                 return True
             for passed in found.passed:
                 formal = self.formal(passed)
-                if formal is None:
+                if formal is None or passed.program in self.unread:
                     return True
                 if id(formal) not in seen:
                     seen.add(id(formal))

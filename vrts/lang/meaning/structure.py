@@ -1,14 +1,17 @@
 """Pairs the structure words and labels of a program."""
 
 import heapq
+from collections.abc import Iterable
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.meaning.blocks.borrowed_forms import mend_borrowed
 from vrts.lang.meaning.blocks.pairing import (
+    BARE_WHILE,
     ELSE_IF,
-    ONE_LINE_IF,
+    OPENED,
     READINGS,
     Block,
+    Reading,
     marks,
     pair,
     word_of,
@@ -37,7 +40,9 @@ def blocks(program: ProgramText, problems: Problems) -> list[Block]:
     """Return the structures of a program; report words without their partner."""
     found = marks(program.steps)
     pairing = pair(found)
-    if any(mark.word in (ELSE_IF, ONE_LINE_IF) for mark in found):
+    if any(f.mark.word in ("VALUE", "ANY") and f.top is not None for f in pairing.unmatched):
+        pairing = min(pairing, pair(found, Reading(group_closes=True)), key=lambda p: p.faults)
+    if any(mark.word in (ELSE_IF, BARE_WHILE, *OPENED) for mark in found):
         readings = [(pair(found, reading), reading) for reading in READINGS]
         pairing, reading = min(readings, key=lambda read: read[0].faults)
         mend_borrowed(program, pairing, reading, problems)
@@ -98,8 +103,13 @@ def check_exits(program: ProgramText, found: list[Block], problems: Problems) ->
         )
 
 
-def labels(program: ProgramText, problems: Problems) -> dict[int | str, int]:
-    """Return the step number of every label; report duplicates and jumps to labels not there."""
+def labels(
+    program: ProgramText, problems: Problems, others: Iterable[ProgramText] = ()
+) -> dict[int | str, int]:
+    """Return the step number of every label; report duplicates and jumps to labels not there.
+
+    `others` are the programs of the file, in which a label may stand instead.
+    """
     known: dict[int | str, int] = {}
     places: dict[int | str, tuple[int, int]] = {}
     for step in program.steps:
@@ -122,20 +132,46 @@ def labels(program: ProgramText, problems: Problems) -> dict[int | str, int]:
     shown = ", ".join(heapq.nsmallest(8, map(str, known), key=lambda text: (len(text), text)))
     for step in program.steps:
         wanted = _label_wanted(step.statement)
-        if wanted is not None and label_key(wanted) not in known:
-            problems.error(
-                UNDEFINED_LABEL,
-                f"there is no label {label_key(wanted)} in this program",
-                wanted.start,
-                wanted.end,
-                notes=("VAL-II says *Branch to undefined label*",),
-                help=(
-                    f"labels of `{program.name}`: {shown}"
-                    if known
-                    else "write the number at the start of the line to jump to",
-                ),
-            )
+        if wanted is None or label_key(wanted) in known or problems.full:
+            continue
+        if _in_broken_line(program, label_key(wanted), problems):
+            continue  # said there
+        elsewhere = _elsewhere(label_key(wanted), others)
+        here = "write the number at the start of the line to jump to"
+        if known:
+            here = f"labels of `{program.name}`: {shown}"
+        problems.error(
+            UNDEFINED_LABEL,
+            f"there is no label {label_key(wanted)} in this program",
+            wanted.start,
+            wanted.end,
+            f"it stands in `{elsewhere}`, and GOTO stays in its program" if elsewhere else "",
+            notes=("VAL-II says *Branch to undefined label*",),
+            help=(
+                here,
+                *(("RETURN goes back to the program that called this one",) if elsewhere else ()),
+            ),
+        )
     return known
+
+
+def _in_broken_line(program: ProgramText, label: int | str, problems: Problems) -> bool:
+    """Whether a line that nobody could read begins or ends with a label."""
+    for step in program.steps:
+        node = step.statement
+        if isinstance(node, Bad):
+            words = problems.source.text[node.start : node.end].split()
+            if words and str(label) in (words[0].rstrip(":.)"), words[-1]) and len(words) > 1:
+                return words[0].upper() not in ("GOTO", "IF")
+    return False
+
+
+def _elsewhere(label: int | str, others: Iterable[ProgramText]) -> str:
+    """Return a program that has a label."""
+    for program in others:
+        if any(s.label is not None and s.label.number == label for s in program.steps):
+            return program.name
+    return ""
 
 
 def _label_wanted(node: Statement | None) -> Number | Name | None:

@@ -1,13 +1,16 @@
 """What is said of an expression of a wrong type, and of a function that is not as it has to be."""
 
+import re
 from collections.abc import Collection
 from itertools import pairwise
 
 from vrts.base.diagnostic import Fix, Rule
 from vrts.ir.values import Type
+from vrts.lang.meaning.forms import is_text
 from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.spelling import nearest
 from vrts.lang.steps.other_forms import INVALID_FORMAT
+from vrts.lang.steps.unknown_words import KEYWORD_AS_NAME
 from vrts.lang.syntax.expressions import (
     Application,
     Element,
@@ -17,7 +20,10 @@ from vrts.lang.syntax.expressions import (
     Item,
     Name,
     Number,
+    Parenthesised,
+    Text,
 )
+from vrts.lang.vocabulary.function_forms import form_of
 from vrts.lang.vocabulary.functions import FOREIGN_FUNCTIONS, Signature
 
 WRONG_TYPE = Rule("V202", "wrong-type")
@@ -29,8 +35,43 @@ DEFAULT_ANGLES = Rule("V215", "default-angles")
 INVALID_SWITCH = Rule("V218", "invalid-switch")
 INVALID_PARAMETER = Rule("V219", "invalid-parameter")
 
+_GIVEN = re.compile(r"[ \t]*(\$?[A-Za-z][\w.]*)[ \t]*=[ \t]*")
 MAX_SUBSCRIPTS = 3  # [manual language/numbers#dimensions]
 _ANGLES = 3  # arguments of TRANS before its angles
+NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)")
+NAME = re.compile(r"#?[A-Za-z][\w.]*", re.ASCII)
+_RENAMED = {  # functions of other languages that take the same
+    "signal": "SIG",
+    "length": "LEN",
+    "strlen": "LEN",
+    "size": "LEN",
+    "ord": "ASC",
+    "chr": "$CHR",
+    "str": "$ENCODE",
+    "tostring": "$ENCODE",
+    "num2str": "$ENCODE",
+    "inttostr": "$ENCODE",
+    "float": "VAL",
+    "sgn": "SIGN",
+}
+_METHODS = {  # what other languages write behind the name of a string
+    "length": "LEN({})",
+    "len": "LEN({})",
+    "size": "LEN({})",
+    "count": "LEN({})",
+    "substring": "$MID({}, first, count)",
+    "substr": "$MID({}, first, count)",
+    "charat": "$MID({}, first, 1)",
+    "indexof": 'POS({}, "text")',
+    "find": 'POS({}, "text")',
+}
+_FOR_COMMA = {  # operators that may stand between two arguments by mistake
+    "atan2": ("/", ":"),
+    "distance": ("-", ":"),
+    "identical": ("==", "-", ":"),
+}
+_SHORTEST = 3  # letters of a name that may be a slip: `y(1)` hardly is one for DY
+_TARGET = re.compile(r"[ \t]*(?:\d+[ \t]+)?(?P<target>\$?[A-Za-z][\w.]*)[ \t]*=[ \t]*", re.ASCII)
 TYPES_SAY = "VAL-II says *Illegal operator*"
 IN_WORDS = {
     Type.REAL: "a number",
@@ -44,22 +85,30 @@ IN_WORDS = {
 def wrong_type(problems: Problems, node: Expression, found: Type, wanted: Type, why: str) -> None:
     """Report an expression of another type than its place wants."""
     help_: tuple[str, ...] = ()
-    if wanted is Type.POSE and isinstance(node, Infix) and node.operator == "-":
-        text = problems.source.text[node.start : node.end]
-        joined = text.replace(" ", "").replace("-", "_")
+    fix: Fix | None = None
+    written = problems.source.text[node.start : node.end]
+    if found is Type.STRING and wanted is not Type.STRING:
+        help_, fix = _no_string(problems, node, wanted)
+    elif wanted is Type.POSE and isinstance(node, Infix) and node.operator == "-":
+        joined = written.replace(" ", "").replace("-", "_")
         help_ = (f"`-` subtracts; if this is meant as one name, write `{joined}`",)
     elif wanted is Type.POSE and found is Type.JOINTS:
         help_ = ("a precision point cannot stand in a compound: `SET p = #point` first",)
     elif wanted is Type.POSE and found is Type.REAL:
         help_ = ("name a location, or write `TRANS(x, y, z, o, a, t)`",)
-        if why.startswith("SET"):
-            help_ = ("a number is given a value by `=`, without SET",)
-    elif wanted is Type.REAL and found is Type.STRING:
-        help_ = ("a string variable begins with `$`; VAL($s) turns a string into a number",)
+        if why.startswith("TOOL"):
+            tip = f"TOOL TRANS(0, 0, {written}, 90, -90, 0)"
+            help_ = (f"for a tool of {written} mm that is not turned write `{tip}`",)
+        if why.startswith("MOVE"):
+            help_ = (
+                "name a location, or write `TRANS(x, y, z, o, a, t)`",
+                f"to go {written} mm up from here write `DRAW 0, 0, {written}`",
+            )
     elif wanted is Type.STRING and found is Type.REAL:
         help_ = ("put text between double quotes; $ENCODE(x) turns a number into a string",)
     elif wanted is Type.REAL and found in (Type.POSE, Type.JOINTS):
-        help_ = ("DX(l), DY(l) and DZ(l) are the coordinates of a location",)
+        inner = written if found is Type.POSE else "l"
+        help_ = (f"`DX({inner})`, `DY({inner})` and `DZ({inner})` are its coordinates",)
     problems.error(
         WRONG_TYPE,
         f"{why}, not {IN_WORDS[found]}",
@@ -68,18 +117,70 @@ def wrong_type(problems: Problems, node: Expression, found: Type, wanted: Type, 
         f"this is {IN_WORDS[found]}",
         notes=(TYPES_SAY,),
         help=help_,
+        fix=fix,
+    )
+
+
+def _no_string(
+    problems: Problems, node: Expression, wanted: Type
+) -> tuple[tuple[str, ...], Fix | None]:
+    """Return what to write where a string stands for a number or a location, and its fix."""
+    written = problems.source.text[node.start : node.end]
+    while isinstance(node, Parenthesised):
+        node = node.inner
+    inner = node.value.strip() if isinstance(node, Text) else ""
+    if wanted is Type.REAL:
+        if NUMBER.fullmatch(inner):
+            fix = problems.replace(node.start, node.end, inner)
+            return (f"a number stands without quotes: write `{inner}`",), fix
+        if isinstance(node, Text):
+            return ("write a number here; text stands in TYPE and in names with `$`",), None
+        fix = problems.replace(node.start, node.end, f"VAL({written})")
+        return (f"VAL turns the text of a number into the number: `VAL({written})`",), fix
+    if NAME.fullmatch(inner):
+        fix = problems.replace(node.start, node.end, inner)
+        return (f"a location is named without quotes: write `{inner}`",), fix
+    return ("name a location, without `$` and without quotes",), None
+
+
+def computed_strings(problems: Problems, node: Infix) -> None:
+    """Report `$a - "X"` and `$a OR $b`: of strings, the language has only sums and comparisons."""
+    left = problems.source.text[node.left.start : node.left.end]
+    help_ = f"`+` joins strings; to take a part of one write `$MID({left}, first, count)`"
+    if node.operator in ("AND", "OR"):
+        help_ = f'compare each of them: `($s == "a") {node.operator} ($s == "b")`'
+    problems.error(
+        WRONG_TYPE,
+        f"`{node.operator}` takes numbers, and these are strings",
+        node.start,
+        node.end,
+        notes=(TYPES_SAY,),
+        help=(help_,),
     )
 
 
 def added_locations(problems: Problems, node: Infix) -> None:
-    """Report `+` between locations."""
+    """Report `+` between locations, and between a location and a number."""
+    text = problems.source.text
+    left, right = text[node.left.start : node.left.end], text[node.right.start : node.right.end]
+    fix: Fix | None = None
+    if isinstance(node.right, Number):
+        help_ = f"shift a location by `SHIFT({left} BY 0, 0, {right})`: the offsets along X, Y, Z"
+    else:
+        help_ = f"join a frame and a location in it by `:`, as in `{left}:{right}`"
+        help_ += f", or shift by `SHIFT({left} BY x, y, z)`"
+        if not isinstance(node.right, Infix) and not isinstance(node.left, Infix):
+            at = node.operator_start
+            blanks = text[at - 1 : at] == " " and text[at + 1 : at + 2] == " "
+            fix = problems.replace(at - blanks, at + 1 + blanks, ":")
     problems.error(
         WRONG_TYPE,
         "locations are not added",
         node.operator_start,
         node.operator_start + 1,
         notes=(TYPES_SAY,),
-        help=("join a frame and a location in it by `:`, or shift by `SHIFT(a BY x, y, z)`",),
+        help=(help_,),
+        fix=fix,
     )
 
 
@@ -140,21 +241,26 @@ def arguments_fit(problems: Problems, node: Application, signature: Signature) -
     fix: Fix | None = None
     if signature.by is not None and node.by != signature.by:
         headline = f"{name} without BY"
-        help_ = f"write `{name}(location BY ...)`"
+        help_ = f"write `{form_of(signature)}`"
         fix = _with_by(problems, node)
     elif given < signature.required or omitted:
         headline = f"{name} needs {_arguments(signature.required)}, {given} given"
-        help_ = ""
+        help_ = f"write `{form_of(signature)}`"
+        parted = _parted(problems, node)
+        if parted:
+            help_ = f"write a comma between them: `{parted}`"
+            fix = problems.replace(node.start, node.end, parted)
     elif most is not None and given > most:
         headline = f"{name} takes {_arguments(most)}, {given} given"
         commas = _decimal_commas(problems, node)
-        help_ = ""
-        if commas:
+        surplus = "one" if given - most == 1 else f"{given - most} of them"
+        help_ = f"leave {surplus} out: write `{form_of(signature)}`"
+        if len(commas) == given - most:
             left, right = commas[0]
             written = problems.source.text[left.start : left.end]
             behind = problems.source.text[right.start : right.end]
             help_ = f"a comma is no decimal sign: write a point, as in `{written}.{behind}`"
-            if len(commas) == given - most == 1:
+            if len(commas) == 1:
                 fix = problems.replace(left.end, right.start, ".")
     else:
         return True
@@ -170,12 +276,32 @@ def arguments_fit(problems: Problems, node: Application, signature: Signature) -
     return False
 
 
+def _parted(problems: Problems, node: Application) -> str:
+    """Return `ATAN2(y, x)` for `ATAN2(y/x)`: an operator that stands for the comma."""
+    argument = node.arguments[0] if len(node.arguments) == 1 else None
+    if not isinstance(argument, Infix):
+        return ""
+    if argument.operator not in _FOR_COMMA.get(node.name.text.lower(), ()):
+        return ""
+    text = problems.source.text
+    first = text[argument.left.start : argument.left.end]
+    second = text[argument.right.start : argument.right.end]
+    return f"{node.name.text}({first}, {second})"
+
+
 def _with_by(problems: Problems, node: Application) -> Fix | None:
     """Return what puts BY in the place of the first comma: `SHIFT(part, 0, 0, 50)`."""
     if len(node.arguments) < _ANGLES or node.arguments[0] is None or node.by is not None:
         return None
     comma = problems.source.text.find(",", node.arguments[0].end, node.end)
     return problems.replace(comma, comma + 1, " BY") if comma >= 0 else None
+
+
+def _is_number(text: str, name: str) -> bool:
+    """Whether a file gives a name one value, and never an element."""
+    name = re.escape(name)
+    given = re.search(rf"^[ \t\d]*(?:FOR[ \t]+)?{name}[ \t]*=(?!=)", text, re.I | re.M)
+    return given is not None and re.search(rf"(?<![\w.$#]){name}[ \t]*\[", text, re.I) is None
 
 
 def _decimal_commas(problems: Problems, node: Application) -> list[tuple[Number, Number]]:
@@ -203,6 +329,37 @@ def no_variable(problems: Problems, node: Application, first: Item) -> None:
         first.start,
         first.end,
         notes=("VAL-II says *Illegal assignment*",),
+    )
+
+
+def not_read_into(problems: Problems, operands: tuple[Item | None, ...], node: Item) -> None:
+    """Report an operand of PROMPT that cannot be read into, with the order that is meant."""
+    text = problems.source.text
+    written = text[node.start : node.end]
+    first = operands[0]
+    shown = f"{text[first.start : first.end]}, " if first is not None and is_text(first) else ""
+    help_ = ('write the text first, then the variables: `PROMPT "text", n`',)
+    fix: Fix | None = None
+    if is_text(node) and len(operands) == 2 and isinstance(first, Name | Element):
+        swapped = f"{written}, {text[first.start : first.end]}"
+        help_ = (f"the text comes first, then the variable: `PROMPT {swapped}`",)
+        fix = problems.replace(first.start, node.end, swapped)
+    elif is_text(node) and len(operands) > 2:
+        help_ = ("PROMPT shows one text: write a PROMPT of its own for each, on its own line",)
+    elif isinstance(node, Text) and node.value.isidentifier():
+        help_ = (f"the variable stands without quotes: `PROMPT {shown}{node.value}`",)
+        fix = problems.replace(node.start, node.end, node.value)
+    elif isinstance(node, Number | Infix):
+        help_ = (f"name a variable for the answer: `PROMPT {shown}n`",)
+    problems.error(
+        WRONG_TYPE,
+        "PROMPT reads into variables",
+        node.start,
+        node.end,
+        f"this is a {'text' if is_text(node) else 'value'}",
+        notes=(TYPES_SAY,),
+        help=help_,
+        fix=fix,
     )
 
 
@@ -243,11 +400,24 @@ def unknown_function(
     """Report a function that the language does not have."""
     lower = node.name.text.lower()
     shown = len(problems.found) < LIMIT  # what is not shown needs no suggestion
-    meant = nearest(lower, known) if shown else None
+    meant = nearest(lower, known) if shown and len(lower) >= _SHORTEST else None
     fix: Fix | None = None
     module, _, last = lower.rpartition(".")
-    if lower in FOREIGN_FUNCTIONS:
+    if module[:1] == "$" and last in _METHODS:
+        instead = _METHODS[last].format(node.name.text[: len(module)])
+        help_ = (f"functions take a string between their parentheses: write `{instead}`",)
+        if "," not in instead:
+            fix = problems.replace(node.start, node.end, instead)
+    elif lower in ("prompt", "input", "raw_input") and (prompt := _prompt(problems, node)):
+        help_ = (f"PROMPT is an instruction: write `{prompt}`",)
+        line = problems.source.text[: node.start].rpartition("\n")[2]
+        fix = problems.replace(node.start - len(line.lstrip()), node.end, prompt)
+    elif module[:1] == "$":
+        help_ = ("functions of strings are LEN, $MID, POS, VAL, ASC, as in `LEN($s)`",)
+    elif lower in FOREIGN_FUNCTIONS:
         help_ = (FOREIGN_FUNCTIONS[lower],)
+        if lower in _RENAMED:
+            fix = problems.replace(node.name.start, node.name.end, _RENAMED[lower])
     elif module in ("math", "np", "numpy") and last in known:
         help_ = (f"write `{last.upper()}` alone",)
         fix = problems.replace(node.name.start, node.name.end, last.upper())
@@ -255,9 +425,16 @@ def unknown_function(
         help_ = (f"did you mean `{meant.upper()}`?",)
         fix = problems.replace(node.name.start, node.name.end, meant.upper())
     elif lower in programs:
-        help_ = ("a program is called by CALL and yields no value",)
+        help_ = (f"a program gives no value back: write {_call(problems, node)}",)
+    elif _is_number(problems.source.text, node.name.text):
+        behind = problems.source.text[node.name.end : node.end].strip()
+        help_ = (f"`{node.name.text}` is a number: to multiply write `{node.name.text}*{behind}`",)
     else:
-        help_ = ("an element of an array is written with brackets: `a[1]`",)
+        written = problems.source.text[node.name.end : node.end].strip()[1:-1]
+        help_ = (
+            f"an element of an array is written with brackets: `{node.name.text}[{written}]`",
+            f"a program gives no value back: if it is one, write {_call(problems, node)}",
+        )
     problems.error(
         UNKNOWN_FUNCTION,
         f"there is no function `{node.name.text}`",
@@ -266,6 +443,43 @@ def unknown_function(
         notes=("VAL-II says *Illegal expression syntax*",),
         help=help_,
         fix=fix,
+    )
+
+
+def _prompt(problems: Problems, node: Application) -> str:
+    """Return the step for `n = PROMPT("How many? ")`."""
+    text = problems.source.text
+    line = text[text.rfind("\n", 0, node.start) + 1 : node.start]
+    target = _GIVEN.fullmatch(line)
+    asked = node.arguments[0] if len(node.arguments) == 1 else None
+    if target is None or not isinstance(asked, Text):
+        return ""
+    return f"PROMPT {text[asked.start : asked.end]}, {target[1]}"
+
+
+def _call(problems: Problems, node: Application) -> str:
+    """Return how a program is called that was taken for a function."""
+    text = problems.source.text
+    given = text[node.name.end : node.end].strip()[1:-1].strip()
+    begin = text.rfind("\n", 0, node.start) + 1
+    target = _TARGET.fullmatch(text[begin : node.start])
+    alone = text[node.end : text.find("\n", node.end)].partition(";")[0].strip() == ""
+    result = target["target"] if target is not None and alone else "result"
+    arguments = f"{given}, {result}" if given else result
+    return f"`CALL {node.name.text}({arguments})`, with the result in an argument"
+
+
+def joints_without_sign(problems: Problems, node: Application) -> None:
+    """Report `PPOINT(...)`."""
+    written = problems.source.text[node.name.start : node.end]
+    problems.error(
+        UNKNOWN_FUNCTION,
+        "the name of #PPOINT begins with `#`, as do all precision points",
+        node.name.start,
+        node.name.end,
+        notes=("VAL-II says *Illegal expression syntax*",),
+        help=(f"write `#{written}`",),
+        fix=problems.replace(node.name.start, node.name.start, "#"),
     )
 
 
@@ -282,6 +496,18 @@ def default_angles(problems: Problems, node: Application) -> None:
         "taken as 90, -90, 0: not turned",
         notes=("other controllers take omitted angles as 0, 0, 0: the hand level",),
         help=("write all six: `TRANS(x, y, z, 90, -90, 0)`",),
+    )
+
+
+def reserved_name(problems: Problems, name: Name) -> None:
+    """`HERE SIGNAL` and `FOR END = 1 TO 5` of AS: a keyword is given a value."""
+    problems.error(
+        KEYWORD_AS_NAME,
+        f"{name.text.upper()} is a word of the language, and no name",
+        name.start,
+        name.end,
+        "the name of a variable belongs here",
+        help=("choose another name",),
     )
 
 

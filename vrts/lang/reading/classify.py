@@ -25,8 +25,9 @@ _UNITS = {  # of AS, by the word before and after the slash
 }
 _OPERAND_ENDS = frozenset({"NUMBER", "NAME", "RPAREN", "RBRACKET"})
 _OPERAND_STARTS = frozenset({"NUMBER", "NAME", "LPAREN"})
-# AS puts a number and a colon before operands
-_DEVICE_WORDS = frozenset({"TYPE", "PROMPT", "PCEXECUTE", "PCABORT", "PCEND"})
+# AS puts a number and a colon before operands: of a terminal, a task, a robot
+_DEVICE_WORDS = frozenset({"TYPE", "PROMPT", "PCEXECUTE", "PCABORT", "PCEND", "DECOMPOSE", "SET"})
+_NUMBERS = frozenset({"NUMBER", "WORD", "NAME"})  # what such a number is written as
 _MODES = frozenset({"/ERR", "/LVL"})  # of ON and ONI: what becomes of a signal that is on
 _NO_VARIABLES = frozenset({"IF", "FOR", "WHILE", "UNTIL", "CASE", "VALUE", "SET", "GIVE", "CALL"})
 
@@ -150,9 +151,16 @@ def _with_units(tokens: list[Token], word: Word) -> list[Token]:
 
 def _without_device(tokens: list[Token], word: Word) -> list[Token]:
     """Drop `2:` before the operands of PRINT and PCEXECUTE of AS, and the mode of ON."""
-    if word.canonical in _DEVICE_WORDS and len(tokens) > 2 and tokens[2].text == ":":
+    numbered = word.canonical in _DEVICE_WORDS or word.terminal == "DEVICE"
+    if numbered and len(tokens) > 2 and tokens[2].text == ":" and tokens[1].kind in _NUMBERS:
         return [tokens[0], *tokens[3:]]
-    if word.terminal == "ONCALL" and len(tokens) > 1 and tokens[1].text.upper() in _MODES:
+    if word.terminal == "DEVICE" and len(tokens) > 2 and tokens[-1].text.upper() == "ALWAYS":
+        return tokens[:-1]  # nobody knows which of these settings hold for one motion
+    if (
+        word.terminal in ("ONCALL", "UNTILSIG")
+        and len(tokens) > 1
+        and tokens[1].text.upper() in _MODES
+    ):
         return [tokens[0], *tokens[2:]]
     return tokens
 

@@ -11,7 +11,7 @@ from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.source import SourceFile
 from vrts.lang.dialect import AS, VAL, VAL2, VPLUS, Dialect
 from vrts.lang.joined import span_in
-from vrts.lang.reading.evidence import Evidence, evidence
+from vrts.lang.reading.evidence import DECLARING, Evidence, evidence
 
 DIALECT_DETECTED = Rule("V157", "dialect-detected")
 
@@ -44,8 +44,10 @@ def detect(source: SourceFile) -> tuple[Dialect, Diagnostic | None]:
             return best, _note(source, best, None, f"files that end in `{suffix}` are {best.title}")
         return VAL2, None
     if ahead < _ENOUGH and named is not best:
-        return VAL2, _doubt(source, best, own) if ahead > _SLIP else None
-    return best, _note(source, best, own[0], f"only {best.title} has {_listed(own)}")
+        own = [e for e in own if e.weight >= _SLIP]  # all of them tolerate empty parentheses
+        return VAL2, _doubt(source, best, own) if own and ahead > _SLIP else None
+    declared = own[0].what if all(e.what in DECLARING for e in own) else ""
+    return best, _note(source, best, own[0], f"only {best.title} has {_listed(own)}", declared)
 
 
 def _weighed(text: str, named: Dialect | None) -> _Found:
@@ -73,14 +75,19 @@ def _listed(own: list[Evidence]) -> str:
     return " and ".join([", ".join(shown[:-1]), shown[-1]] if len(shown) > 1 else shown)
 
 
-def _note(source: SourceFile, dialect: Dialect, at: Evidence | None, why: str) -> Diagnostic:
+def _note(
+    source: SourceFile, dialect: Dialect, at: Evidence | None, why: str, declared: str = ""
+) -> Diagnostic:
+    help_ = ["`--dialect val2` reads it as VAL-II"]
+    if declared:
+        help_.append(f"VAL-II declares no variables: for VAL-II leave the line with {declared} out")
     return Diagnostic(
         DIALECT_DETECTED,
         Severity.NOTE,
         f"this is read as {dialect.title}",
         Label(span_in(source, at.start, at.end), "") if at is not None else None,
         notes=(why,),
-        help=("`--dialect val2` reads it as VAL-II",),
+        help=tuple(help_),
         data={"dialect": dialect.name},
     )
 

@@ -12,17 +12,21 @@ from vrts.ir.expressions import Function
 from vrts.lang.vocabulary.functions import FUNCTIONS
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
+NAMED_LABEL = "labels with a name"
 MOST_TIMES = 3  # that one word or sign counts
 MOST_TEXT = 40_000  # characters of a file that are looked at: what it is, shows there
 
-_DECLARING = frozenset({"AUTO", "GLOBAL", "LOCAL"})  # no slip: VAL-II declares nothing
+DECLARING = frozenset({"AUTO", "GLOBAL", "LOCAL"})  # no slip: VAL-II declares nothing
 _QUIET = re.compile(r'"[^"\n]*"|;[^\n]*')
 _FIRST_WORDS = re.compile(
     r"^[ \t]*(?:\d+[ \t]+|[A-Za-z]\w*:[ \t]*)?([A-Za-z][\w.]*)(?![\w.:]|[ \t]*[=\[:])",
     re.MULTILINE,
 )
 _APPLIED = re.compile(r"(?<![\w.$#])([$#]?[A-Za-z][\w.]*)[ \t]*\(")
-_LABEL = re.compile(r"^[ \t]*(?:\d+[ \t]+)?CALL[ \t][^\n]*", re.MULTILINE | re.IGNORECASE)
+_NAMES_PROGRAM = re.compile(
+    r"^[ \t]*(?:(?:\d+[ \t]+)?CALL[ \t][^\n]*|\.PROGRAM[ \t]+[A-Za-z][\w.]*)",
+    re.MULTILINE | re.IGNORECASE,
+)
 
 
 class Evidence(NamedTuple):
@@ -72,7 +76,7 @@ _SIGNS = (
     _sign(r"^[ \t]*FN\d+[ \t]*\[", "a", 4.0, "FN words", "FN"),
     _sign(r"[ \t]ACCU\d+[ \t]+TIMER\d", "a", 6.0, "block steps", " ACCU"),
     _sign(r"^[ \t]*(?:TYPE|PRINT|PCEXECUTE|PCABORT|PCEND)[ \t]+\w+:", "a", 3.0, "`PRINT 2:`"),
-    _sign(r"\bGOTO[ \t]+[a-z]", "a", 2.0, "labels with a name", "GOTO"),
+    _sign(r"\bGOTO[ \t]+[a-z]", "a", 2.0, NAMED_LABEL, "GOTO"),
     _sign(r"^[ \t]*\.PROGRAM[ \t]+[\w.]+[ \t]*\([ \t]*\)", "+a", 0.5, "empty parentheses"),
     _sign(
         r"\bIF[ \t][^\n]*?[ \t](?:EQ|NE|LT|GT|LE|GE)[ \t][^\n]*\bTHEN[ \t]+\d",
@@ -100,10 +104,19 @@ def evidence(text: str) -> Iterator[Evidence]:
         for times, match in enumerate(sign.pattern.finditer(quiet)):
             if times >= MOST_TIMES:
                 break
+            if sign.what == NAMED_LABEL and _is_assigned(quiet, match.end() - 1):
+                continue  # `GOTO k` of who takes a variable for a label
             written = " ".join(match.group().split()).upper()
             yield Evidence(
                 sign.what or written, sign.columns, sign.weight, match.start(), match.end()
             )
+
+
+def _is_assigned(text: str, at: int) -> bool:
+    """Whether the name at an offset is given a value anywhere."""
+    name = re.match(r"[\w.]+", text[at:])
+    assigned = rf"^[ \t]*(?:\d+[ \t]+)?{re.escape(name.group() if name else '')}[ \t]*=(?!=)"
+    return re.search(assigned, text, re.MULTILINE | re.IGNORECASE) is not None
 
 
 def _words(text: str) -> Iterator[Evidence]:
@@ -115,12 +128,12 @@ def _words(text: str) -> Iterator[Evidence]:
             continue
         times[upper] = times.get(upper, 0) + 1
         if times[upper] <= MOST_TIMES:
-            weight = 2.0 if upper in _DECLARING else 1.0
+            weight = 2.0 if upper in DECLARING else 1.0
             yield Evidence(word.text, word.dialects, weight, match.start(1), match.end(1))
 
 
 def _functions(text: str) -> Iterator[Evidence]:
-    text = _LABEL.sub(lambda match: " " * len(match.group()), text)  # names of programs
+    text = _NAMES_PROGRAM.sub(lambda match: " " * len(match.group()), text)  # names of programs
     times: dict[str, int] = {}
     for match in _APPLIED.finditer(text):
         lower = match.group(1).lower()

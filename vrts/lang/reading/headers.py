@@ -23,6 +23,9 @@ _SIGNED = re.compile(
     r"""(?P<before>["'“”„‘’`$\#:=<\[{]+)[ \t]*(?P<name>[A-Za-z][\w.]*)["'“”‘’`>\]}]*""", re.ASCII
 )
 _GLUED = re.compile(r"\.PROGRAM(?P<name>[A-Za-z]\w*)$", re.IGNORECASE | re.ASCII)
+_MORE_WORDS = re.compile(
+    r"(?P<words>(?:[ \t]+[A-Za-z][\w.]*)+)[ \t]*(?:\([^()]*\)[ \t]*)?$", re.ASCII
+)
 _FORMALS = re.compile(r"[ \t]*(?P<open>[(\[{<])(?P<formals>[^()]*?)(?P<close>[)\]}>]?)[ \t]*$")
 _ROUND = re.compile(r"[ \t]*\((?P<formals>[^()]*)\)")
 _LOOSE = re.compile(r"(?P<comma>[ \t]*,)?[ \t]*(?P<formals>[$#]?[A-Za-z][\w.\[\]]*(?:[ \t]*,.*)?)$")
@@ -57,6 +60,7 @@ def read_header(section: Section, problems: Problems) -> tuple[str, tuple[Formal
     if not line.text:
         return DEFAULT_PROGRAM, ()
     named = _name(section, problems)
+    named = _joined(section, problems, named)
     formals: tuple[Formal, ...] = ()
     if named.end < len(line.text):
         formals = _formals(section, problems, named)
@@ -99,6 +103,29 @@ def _name(section: Section, problems: Problems) -> _Named:
         headline, help_ = "a program needs a name", _WRITE
     problems.error(INVALID_HEADER, headline, *where, notes=(_SAYS,), help=(help_,), fix=fix)
     return found
+
+
+def _joined(section: Section, problems: Problems, named: _Named) -> _Named:
+    """Report `pick part(a)`, a name of two or more words, and return it as one."""
+    text, at = section.header.text, section.header.start
+    more = _MORE_WORDS.match(text, named.end)
+    if more is None or not named.name:
+        return named
+    words = [named.name, *more["words"].split()]
+    behind = text[more.end("words") :].strip()
+    if not behind and len(words) == len(("name", "argument")):
+        return named  # it may be an argument, too
+    start, end = named.end - len(named.name), more.end("words")
+    name = ".".join(words)
+    problems.error(
+        INVALID_HEADER,
+        "the name of a program is one word",
+        at + start,
+        at + end,
+        help=(f"write `.PROGRAM {name}{behind}`: names have letters, digits, `.` and `_`",),
+        fix=problems.replace(at + start, at + end, name, sure=bool(behind)),
+    )
+    return _Named(name, end)
 
 
 def _formals(section: Section, problems: Problems, named: _Named) -> tuple[Formal, ...]:

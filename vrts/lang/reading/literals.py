@@ -33,6 +33,13 @@ def number(text: str, start: int, problems: Problems) -> Token | None:
     return Token("NUMBER", text, start, start + len(text), value)
 
 
+_DIGITS_OF = {
+    "octal": "octal digits are 0 to 7; write `^H` before a hexadecimal number",
+    "hexadecimal": "hexadecimal digits are 0 to 9 and A to F, as in `^HFF`",
+    "binary": "binary digits are 0 and 1, at most 8 of them, as in `^B1001`",
+}
+
+
 def based(text: str, start: int, problems: Problems, dialect: Dialect) -> Token | None:
     """Return the token of `^17`, `^HFF` or `^B1001`, or None where it is none."""
     letter = text[1:2].upper()
@@ -57,6 +64,7 @@ def based(text: str, start: int, problems: Problems, dialect: Dialect) -> Token 
             "`^17` is octal, `^HFF` hexadecimal, `^B1001` binary with at most 8 digits",
             "VAL-II says *Invalid constant*",
         ),
+        help=(_DIGITS_OF[name],),
     )
     return None
 

@@ -22,15 +22,27 @@ _DATA = re.compile(
     re.ASCII,
 )
 _UNSIGNED = re.compile(r"\d[ \t]+[.\d]")  # no sum: a number behind another
+_HEADER = re.compile(  # of a program in another language
+    r"(?:def|void|proc|sub|func|fun|function|procedure|program)[ \t]+[A-Za-z]", re.IGNORECASE
+)
 _MANY = 3  # numbers: one or two may be a step with a slip in it
 _ONE_NUMBER = re.compile(rf"[A-Za-z][\w.]*(?:\[[ \t\d,]*\])?[ \t]+{_NUMBER}$", re.ASCII)
 _ENDS = re.compile(
-    r"END(?:[ \t]*(?:PROGRAM|PROG|SUB|LOCATIONS?|REALS?|STRINGS?))?[ \t]*[.;:]?$", re.IGNORECASE
+    r"END(?:[ \t_]*(?:PROGRAM|PROG|PROCEDURE|PROC|SUB|FUNCTION|FUNC|DEF|MAIN"
+    r"|LOCATIONS?|REALS?|STRINGS?))?[ \t]*[.;:]?$",
+    re.IGNORECASE,
 )
 _OPENS = re.compile(
     r"(?:\d+[ \t]+)?(?:IF\b(?!.*\bGOTO\b)|(?:FOR|WHILE|CASE)\b(?![ \t]*=))", re.IGNORECASE
 )
 _PLAIN_END = re.compile(r"(?:\d+[ \t]+)?END$", re.IGNORECASE)
+
+
+_NO_STEP = re.compile(  # comments and what other languages have above their programs
+    r"#|//|/\*|\(\*|--|'|%|!|.*\*/$|REM\b"
+    r"|(?:IMPORT|FROM|USING|INCLUDE|VAR|DIM|CONST|MODULE)\b(?![ \t]*=)",
+    re.IGNORECASE,
+)
 
 
 class Place(NamedTuple):
@@ -106,6 +118,8 @@ def report_steps_outside(problems: Problems, line: Place, programs: Sequence[str
 
     `programs` are the headers of those that the file has.
     """
+    if _HEADER.match(line.text):
+        return  # told where it is read as a step
     if not any(_names_main(header) for header in programs):
         problems.warning(
             MISSING_PROGRAM_LINE,
@@ -126,12 +140,25 @@ def report_steps_outside(problems: Problems, line: Place, programs: Sequence[str
     )
 
 
+def tells_itself(text: str) -> bool:
+    """Return whether a line outside of any program is told by what it is: a comment, an import."""
+    return _NO_STEP.match(text) is not None
+
+
 def _names_main(header: str) -> bool:
     return re.match(rf"\W*\w+[ \t]+{DEFAULT_PROGRAM}\b", header, re.IGNORECASE) is not None
 
 
-def is_end_without_dot(lines: Sequence[str], *, program: bool) -> bool:
-    """Return whether the last line of a section without `.END` was meant to be it."""
+def is_end_without_dot(lines: Sequence[str], *, program: bool, braces: bool = False) -> bool:
+    """Return whether the last line of a section without `.END` was meant to be it.
+
+    Args:
+        lines: What the section holds.
+        program: Whether it is a program.
+        braces: Whether `{` begins it, so that `}` ends it.
+    """
+    if braces and lines and lines[-1] == "}":
+        return True
     if not lines or _ENDS.match(lines[-1]) is None:
         return False
     if not program or _PLAIN_END.match(lines[-1]) is None:
@@ -162,7 +189,9 @@ def report_end_without_dot(problems: Problems, line: Place, what: str) -> None:
     """Report `END` where `.END` belongs."""
     problems.error(
         MISSING_END_LINE,
-        f"`{line.text}` ends a structure, not a {what}: its dot is missing",
+        f"`{line.text}` ends a structure, not a {what}: its dot is missing"
+        if line.text.upper().rstrip(" .:;") == "END"
+        else f"`{line.text}` ends no {what}: `.END` does",
         line.start,
         line.end,
         help=("write `.END`",),

@@ -1,5 +1,7 @@
 """Signs and names that the language does not have: what is said of them, and how they are read."""
 
+import re
+
 from vrts.base.diagnostic import Rule
 from vrts.lang.problems import Problems, short
 from vrts.lang.reading.characters import BLANKS, INVISIBLE, LOOK_ALIKES, STRANGERS
@@ -103,3 +105,50 @@ def name_after_digit(written: str, start: int, problems: Problems) -> None:
 def visible(character: str) -> str:
     """Return a character as a message shows it."""
     return character if character.isprintable() else f"U+{ord(character):04X}"
+
+
+def inner_quotes(text: str, start: int, at: int, problems: Problems) -> int:
+    """Report a text that holds double quotes; return where it ends, or 0 where it holds none.
+
+    Args:
+        text: The text of a statement.
+        start: Where the string begins in it.
+        at: Offset of the text in the source.
+        problems: Where it is reported.
+    """
+    of_c = _OF_C.match(text, start)
+    doubled = _DOUBLED.match(text, start)
+    inner = _INNER.match(text, start)
+    if of_c is not None and '\\"' in of_c.group():
+        end, meant = of_c.end(), of_c.group()[1:-1].replace('\\"', "'")
+    elif doubled is not None and doubled.group()[1:-1].count('""') > 1:
+        end, meant = doubled.end(), doubled.group()[1:-1].replace('""', "'")
+    elif inner is not None and _is_prose(inner["inner"], problems.source.text):
+        end, meant = inner.end(), f"{inner['first']}'{inner['inner']}'{inner['last']}"
+    else:
+        return 0
+    problems.error(
+        STRAY_CHARACTER,
+        "a text cannot hold double quotes: the second one ends it",
+        at + start,
+        at + end,
+        notes=("VAL-II says *Illegal expression syntax*",),
+        help=(f'write single quotes inside: `"{meant}"`', "$CHR(34) is a double quote"),
+        fix=problems.replace(at + start, at + end, f'"{meant}"'),
+    )
+    return end
+
+
+_OF_C = re.compile(r'"(?:[^"\\]|\\.)*"')
+_DOUBLED = re.compile(r'"(?:[^"]|"")*"')
+_INNER = re.compile(r'"(?P<first>[^"]*)"(?P<inner>\w(?:[^"]*[\w.!?])?)"(?P<last>[^"]*)"')
+_OPERATORS = frozenset({"AND", "OR", "XOR", "MOD", "THEN", "DO", "OF"})
+
+
+def _is_prose(inner: str, source: str) -> bool:
+    """Whether what stands between two texts is no name that the program knows."""
+    first = inner.split()[0]
+    if first.upper() in _OPERATORS:
+        return False
+    uses = re.findall(rf"(?<![\w.$#]){re.escape(inner)}(?![\w.])", source, re.IGNORECASE)
+    return " " in inner or len(uses) == 1

@@ -49,12 +49,21 @@ _DATA = re.compile(  # a section of data without its dot, or with another sign
 _SIGN = re.compile(r"[,:>!*/@-][ \t]*(?P<word>PROGRAM|END)\b", re.IGNORECASE)
 
 
+_FOREIGN = re.compile(  # how other languages begin a program
+    r"(?P<word>DEF|SUB|PROCEDURE|PROC|FUNCTION|FUNC|VOID|INT)[ \t]+"
+    r"[A-Za-z][\w.]*[ \t]*(?:\([^()]*\))?"
+    r"(?P<behind>[ \t]*(?:[:;{]|BEGIN|IS|AS)?)$",
+    re.IGNORECASE,
+)
+
+
 class SectionHead(NamedTuple):
     """The word of a line that begins or ends a section."""
 
     kind: str  # "program", "locations", "reals", "strings", "end"; "" where it is not known
     end: int  # of the word, in the line
     meant: str = ""  # the word, where another is written
+    behind: int = 0  # characters too much at the end of the line
 
 
 def section_head(text: str, *, strict: bool) -> SectionHead | None:
@@ -69,6 +78,14 @@ def section_head(text: str, *, strict: bool) -> SectionHead | None:
     if _PROGRAM.match(text):
         return SectionHead("program", len("PROGRAM"))
     return _undotted(text) if strict else None
+
+
+def foreign_head(text: str) -> SectionHead | None:
+    """Return what `def grip():` and its like begin, where no program is open."""
+    match = _FOREIGN.match(text)
+    if match is None:
+        return None
+    return SectionHead("program", match.end("word"), ".PROGRAM", len(match["behind"]))
 
 
 def _dotted(text: str, *, strict: bool) -> SectionHead | None:

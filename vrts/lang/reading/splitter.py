@@ -24,8 +24,9 @@ from vrts.lang.reading.misplaced_lines import (
     report_end_without_dot,
     report_steps_outside,
     report_values_outside,
+    tells_itself,
 )
-from vrts.lang.reading.section_heads import SectionHead, section_head
+from vrts.lang.reading.section_heads import SectionHead, foreign_head, section_head
 
 INVALID_HEADER = Rule("V142", "invalid-header")
 UNKNOWN_SECTION = Rule("V144", "unknown-section")
@@ -70,7 +71,14 @@ class _Open:
         self.lines: list[Line] = []
         self.count = 0
         self.last = header.end
+        self.foreign = False  # whether it begins as programs of other languages do
+        self.told = False  # of steps outside any program: whether they are to be told
         self.data: list[Line] = []  # of a program: values that stand among its steps
+
+    @property
+    def ends_unsaid(self) -> bool:
+        """Whether `def b():` may follow: what is open is such a program, or no step at all."""
+        return self.foreign or not (self.header.text or self.told or self.kind != "program")
 
 
 def split(problems: Problems) -> list[Section]:
@@ -150,6 +158,8 @@ class _Splitter:
         if text[:1] == "." and self.problems.dialect.has("a") and _LOCAL.match(text):
             return None
         head = section_head(text, strict=self.strict)
+        if head is None and self.strict and (self.open is None or self.open.ends_unsaid):
+            head = foreign_head(text)
         inside = self.open is not None and self.open.kind == "program"
         if inside and self.problems.dialect.is_as and head is not None and not head.kind:
             return None  # `.x` that lost its step: AS stores no unknown section inside a program
@@ -177,21 +187,29 @@ class _Splitter:
             if self.strict and is_data(line.text, self.problems):
                 section.data.append(line)
                 return
+            if not section.header.text and not section.told and not tells_itself(line.text):
+                section.told = True
+                self.outside.append(line)
         self.kept += 1
         section.lines.append(line._replace(number=section.count))
 
     def _section(self, line: Line, head: SectionHead) -> None:
         if head.meant:
             written = line.text[: head.end]
+            fix = self.problems.replace(line.start, line.start + head.end, head.meant)
+            if head.behind:
+                cut = self.problems.replace(line.end - head.behind, line.end, "")
+                fix = Fix.from_edits((*fix.edits, *cut.edits))
+                line = line._replace(text=line.text[: -head.behind], end=line.end - head.behind)
             self.problems.error(
                 UNKNOWN_SECTION,
-                f"`{written}` begins no section"
-                if head.kind != "end"
-                else f"`{written}` ends no section",
+                _instead(head, written),
                 line.start,
                 line.start + head.end,
-                help=(f"write `{head.meant}`",),
-                fix=self.problems.replace(line.start, line.start + head.end, head.meant),
+                help=(f"write `{head.meant}{line.text[head.end :]}`",)
+                if head.kind == "program"
+                else (f"write `{head.meant}`",),
+                fix=fix,
             )
         if head.kind == "end":
             self._end(line, head.end)
@@ -206,6 +224,7 @@ class _Splitter:
         self.skipping = False
         self.kept += 1 + header.text.count(",")  # formals take room as well
         self.open = _Open(kind, header)
+        self.open.foreign = header.text[:1] != "." and foreign_head(header.text) is not None
         if kind == "program":
             self.headers.append(header.text)
 
@@ -249,12 +268,10 @@ class _Splitter:
             kind = "locations"
         elif self.strict and is_value(line.text, self.problems):
             kind = "reals"
-        if kind == "program":
-            if self._reopened():
-                assert self.open is not None
-                self._keep(self.open, line)
-                return
-            self.outside.append(line)
+        if kind == "program" and self._reopened():
+            assert self.open is not None
+            self._keep(self.open, line)
+            return
         self.kept += 1
         self.open = _Open(kind, Line(0, "", line.start, line.start))
         self._keep(self.open, line)
@@ -283,7 +300,8 @@ class _Splitter:
         header = section.header
         texts = [line.text for line in section.lines]
         program = section.kind == "program"
-        if self.strict and is_end_without_dot(texts, program=program):
+        braces = self.problems.source.text[header.end : header.end + 3].lstrip()[:1] == "{"
+        if self.strict and is_end_without_dot(texts, program=program, braces=braces):
             end = section.lines.pop()
             report_end_without_dot(self.problems, _place(end), _named(section.kind))
             self._close((end.start, end.end))
@@ -372,6 +390,15 @@ def comment_start(line: str) -> int:
         if match.group(3):
             return match.start()
     return -1
+
+
+def _instead(head: SectionHead, written: str) -> str:
+    """Return the headline for a line that begins or ends a section in other words."""
+    if head.kind == "end":
+        return f"`{written}` ends no section"
+    if written[:1].isalpha() and head.kind == "program":
+        return f"`{written}` begins no program: `.PROGRAM` does"
+    return f"`{written}` begins no section"
 
 
 def _place(line: Line) -> Place:

@@ -15,6 +15,7 @@ from vrts.lang.reading.odd_signs import (
     INFIX,
     SIGNS,
     foreign_name,
+    inner_quotes,
     mistaken,
     name_after_digit,
     stranger,
@@ -39,7 +40,7 @@ _TOKEN = re.compile(
 )
 _FORMAT = re.compile(r"/[A-Za-z][A-Za-z0-9]*(?:\.\d+)?")
 _LOCAL = re.compile(
-    r"""\.&?(?P<sigil>[$#])?(?P<name>[A-Za-z][\w.]*)
+    r"""(?:\.&?(?P<sigil>[$#@])?|(?P<timer>@))(?P<name>[A-Za-z][\w.]*)
     |(?P<mark>&)(?=[ \t]*[A-Za-z.#$])
     |(?P<joints>\#)(?=\[)""",
     re.ASCII | re.VERBOSE,
@@ -104,6 +105,11 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
                     end = position = form.end()
                     token = Token("FORMAT", form.group(), at + start, at + end)
         elif kind == "STRING":
+            beyond = text[end : end + 1]
+            if beyond and (beyond.isalnum() or beyond == '"' or text[end - 2] == "\\"):
+                closed = inner_quotes(text, start, at, problems)
+                if closed:
+                    return None
             token = string(written[1:-1], at + start, at + end, problems)
         elif kind == "SIGIL":
             if written.isascii():
@@ -139,7 +145,7 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
         elif written == "%" and dialect.has("+") and (belt := _belt(text, start, tokens)):
             position = start + len(belt)
             token = Token("NAME", belt, at + start, at + position)
-        elif written in ".&#" and dialect.has("a") and (special := _LOCAL.match(text, start)):
+        elif written in ".&#@" and dialect.has("a") and (special := _LOCAL.match(text, start)):
             position = special.end()
             if special["mark"]:
                 continue  # `&a` says that a location is passed
@@ -181,12 +187,14 @@ def _belt(text: str, start: int, tokens: list[Token]) -> str | None:
 
 
 def _local(special: re.Match[str], at: int, problems: Problems) -> Token:
-    """Return a local name of AS, `.x`, with its sigil first, or the `#` of `#[...]`."""
+    """Return a local name of AS, `.x`, with its sigil first, a timer, or the `#` of `#[...]`."""
     start, end = at + special.start(), at + special.end()
     if special["joints"]:
         return Token("JOINTNAME", "#PPOINT", start, end)
     sigil, name = special["sigil"] or "", special["name"]
-    kind = {"$": "STRINGNAME", "#": "JOINTNAME", "": "NAME"}[sigil]
+    if special["timer"]:
+        return Token("NAME", f"@{name}", start, end)  # a timer of the user
+    kind = {"$": "STRINGNAME", "#": "JOINTNAME"}.get(sigil, "NAME")
     return Token(kind, f"{sigil}.{name}", start, end)
 
 

@@ -9,7 +9,7 @@ import re
 from dataclasses import replace
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Diagnostic, Fix, Rule, Severity
+from vrts.base.diagnostic import Diagnostic, Edit, Fix, Rule, Severity
 from vrts.lang.grammar.shapes import LABEL_EXPECTED, TOO_MANY_OPERANDS, UNEXPECTED_TEXT
 from vrts.lang.problems import LIMIT, Problems, short
 from vrts.lang.reading.odd_signs import STRAY_CHARACTER
@@ -26,8 +26,10 @@ from vrts.lang.steps.idioms.wording import (
     what_to_write,
     with_article,
 )
+from vrts.lang.steps.misread.table import meant_by_line
 from vrts.lang.steps.missing_parts import MISSING_KEYWORD
-from vrts.lang.steps.near_words import meant_by, short_for, slips
+from vrts.lang.steps.near_words import acting_at_once, meant_by, short_for, slips
+from vrts.lang.steps.one_line import INNER, ONE_LINE, Rows, rows_of
 from vrts.lang.steps.other_forms import INVALID_EXPRESSION
 from vrts.lang.steps.repair import Repair, Tried
 from vrts.lang.steps.unknown_words import (
@@ -36,20 +38,19 @@ from vrts.lang.steps.unknown_words import (
     OTHER_DIALECT,
     UNKNOWN_INSTRUCTION,
 )
-from vrts.lang.vocabulary.lookup import look_up
+from vrts.lang.vocabulary.lookup import look_up, spellings
 
 OTHER_LANGUAGE = Rule("V164", "other-language")
 
-ONE_LINE_IF = "IF THEN"  # `IF x THEN READY`, which stands for IF, the step and END
 ELSE_IF = "ELSEIF"  # `ELSEIF x THEN`, which stands for ELSE and IF
-_INNER = "    "
+_CASE_LABEL = re.compile(
+    r"(?P<margin>[ \t]*)(?P<value>\d+(?:[ \t]*,[ \t]*\d+)*)[ \t]*(?P<colon>:)(?P<rest>.*)"
+)
+_BLOCK_WORD = re.compile(
+    r"^[ \t]*(?:\d+[ \t]+)?(IF|FOR|WHILE|CASE|DO|END|UNTIL)\b(.*)$", re.I | re.M
+)
 _LETTERS = re.compile(r"[A-Za-z][A-Za-z0]*")
 _NUMBER = re.compile(r"[ \t]*[\d.]+[ \t]*")
-_ONE_LINE = re.compile(
-    r"IF[ \t]*(?P<e>.+?)[ \t]*THEN[ \t]*(?P<then>.+?)[ \t]*"
-    r"(?:(?<!\w)ELSE[ \t]+(?P<other>.+?)[ \t]*)?(?:(?<!\w)END(?:[ \t]*IF)?[ \t]*)?",
-    re.IGNORECASE,
-)
 _PRECISE = frozenset(
     {
         UNEXPECTED_TEXT,
@@ -99,8 +100,10 @@ class Advice:
         for better in (
             self._quoted,
             self._comment,
+            self._case_label,
+            self._misread,
             self._idiom,
-            self._one_line,
+            self._rows,
             self._word,
             self._qualifier,
         ):
@@ -132,21 +135,50 @@ class Advice:
         if found is None:
             return None
         divides = found.sign == "//" and _NUMBER.fullmatch(line.text[found.end :]) is not None
-        if found.sign in ("'", "%", "!") or (divides and found.before):
+        if found.sign == "'":  # `print('part')`
+            return self._idiom(line, mark) or self._signs(line, mark)
+        if found.sign in ("%", "!") or (divides and found.before):
             return self._signs(line, mark)
         return self._comment_behind(line, mark)
 
-    def _one_line(self, line: Line, mark: int) -> Advised | None:
-        """`IF x THEN READY`: where its END belongs is for the blocks to say."""
-        told = self.problems.found[mark:]
-        found = _ONE_LINE.fullmatch(line.text)
-        if found is None or len(told) != 1 or told[0].rule != UNEXPECTED_TEXT:
+    def _rows(self, line: Line, mark: int) -> Advised | None:
+        """Several steps on one line; where the END of an open one belongs, the blocks say."""
+        rows = self._apart(line.text)
+        if rows is None or self.problems.dialect.is_as:
             return None
-        rows = [f"IF {found['e']} THEN", f"{_INNER}{found['then']}"]
-        if found["other"] is not None:
-            rows += ["ELSE", f"{_INNER}{found['other']}"]
-        tried = self.repair.steps("\n".join(rows))
-        return Advised(ONE_LINE_IF, tried.text if tried is not None else None)
+        told = self.problems.found[mark:]
+        headline = "each step stands on a line of its own"
+        if rows.between:
+            headline = f"`{rows.between}` separates no steps: {headline}"
+        elif len(told) == 1 and told[0].headline.endswith("its line"):
+            headline = told[0].headline
+        elif rows.words[0] in STRUCTURE:
+            headline = f"{rows.words[0]} ends its line: {headline}"
+        self.problems.forget(mark)
+        shown = ", ".join(f"`{text}`" for text in rows.texts)
+        instead = indented(rows.indented(), self._indent(line))
+        ends = line.at + len(line.text)
+        self.problems.error(
+            UNEXPECTED_TEXT,
+            headline,
+            line.at + rows.second,
+            ends,
+            "another step begins here",
+            notes=("VAL-II says *Unexpected text at end of line*",),
+            help=(f"give each a line of its own: {shown}",),
+            fix=self.problems.replace(line.at, ends, instead)
+            if rows.word not in ONE_LINE.values()
+            else None,
+        )
+        self.habits.note(self.problems, "steps on one line")
+        return Advised(rows.word, rows.indented())
+
+    def _apart(self, text: str) -> Rows | None:
+        return rows_of(text, spellings(self.problems.dialect), self._is_step)
+
+    def _is_step(self, text: str) -> bool:
+        tried = self.repair.steps(text)
+        return tried is not None and not tried.fixes
 
     def comment(self, line: Line, mark: int) -> Advised | None:
         """Explain a line by the comment in it alone."""
@@ -175,13 +207,18 @@ class Advice:
     def _comment_told(self, line: Line, found: comments.Comment) -> None:
         start, end = line.at + found.start, line.at + found.end
         self.open_comment = found.goes_on and "*/" not in line.raw and "*)" not in line.raw
+        closing = found.closed_in(line.text)
+        fix = self.problems.replace(start, end, ";")
+        if closing is not None:
+            first, last = line.at + closing[0], line.at + closing[1]
+            fix = fix._replace(more=(Edit(self.problems.span(first, last), ""),))
         self.problems.error(
             OTHER_LANGUAGE,
             f"`{found.sign}` begins no comment",
             start,
             end,
             help=("begin comments with `;`",),
-            fix=self.problems.replace(start, end, ";"),
+            fix=fix,
         )
         self.habits.note(self.problems, f"comment {found.sign}")
 
@@ -198,11 +235,56 @@ class Advice:
         )
         self.habits.note(self.problems, "comment /*")
 
+    def _case_label(self, line: Line, mark: int) -> Advised | None:
+        """`1:` inside a CASE, where C has `case 1:`."""
+        text = self.problems.source.text
+        begin = text.rfind("\n", 0, line.at) + 1
+        found = _CASE_LABEL.fullmatch(text[begin : line.at] + line.text)
+        if found is None or not _in_case(text[:begin]):
+            return None
+        self.problems.forget(mark)
+        start, end = begin + found.start("value"), begin + found.end("colon")
+        rest = found["rest"].strip()
+        instead = f"VALUE {found['value'].strip()}:"
+        if rest:
+            instead += f"\n{found['margin']}{INNER}{rest}"
+        self.problems.error(
+            OTHER_LANGUAGE,
+            "a group of a CASE begins with VALUE",
+            start,
+            end,
+            help=(f"write `VALUE {found['value'].strip()}:`",),
+            fix=self.problems.replace(start, line.at + len(line.text) if rest else end, instead),
+        )
+        self.habits.note(self.problems, "cases")
+        return Advised("VALUE")
+
+    def _misread(self, line: Line, mark: int) -> Advised | None:
+        found = meant_by_line(line.text, self.repair, self.problems.dialect)
+        if found is None:
+            return None
+        told = self.problems.found[mark:]
+        if told and told[0].headline.endswith("is a program, not an instruction"):
+            return None
+        self.problems.forget(mark)
+        start, end = line.at + found.start, line.at + found.end
+        fix = None
+        if found.instead is not None:
+            instead = indented(found.instead, self._indent(line))
+            fix = self.problems.replace(start, end, instead, sure=found.sure)
+        self.problems.error(
+            found.rule, found.headline, start, end, notes=found.notes, help=found.help, fix=fix
+        )
+        self.habits.note(self.problems, f"misread {found.headline}")
+        return Advised(line.kept)
+
     # --- idioms ---------------------------------------------------------------------------------
 
     def _idiom(self, line: Line, mark: int) -> Advised | None:
         told = self.problems.found[mark:]
         if told and told[0].headline.endswith("is a program, not an instruction"):
+            return None
+        if self._parenthesised(line, told):
             return None
         for text in dict.fromkeys((line.text, line.raw)):
             for found in matches(text):
@@ -211,12 +293,30 @@ class Advice:
                     return advised
         return None
 
+    def _parenthesised(self, line: Line, told: list[Diagnostic]) -> bool:
+        """Whether a function lacks its parentheses, and is right with them."""
+        if len(told) != 1 or not told[0].headline.endswith("without parentheses"):
+            return False
+        if told[0].fix is None:
+            return False
+        edit = told[0].fix
+        shift = edit.span.start - self.problems.span(line.at, line.at).start
+        end = shift + edit.span.end - edit.span.start
+        return self._is_right(line.text[:shift] + edit.replacement + line.text[end:])
+
+    def _is_right(self, text: str) -> bool:
+        tried = self.repair.steps(text)
+        return tried is not None and not tried.fixes
+
     def _fits(self, found: Matched, line: Line, mark: int) -> Advised | None:
         idiom = found.idiom
         if idiom.word == ELSE_IF:
             return self._else_if(found, line, mark)
         tried = self.repair.steps(indented(found.instead, self._indent(line)))
         if idiom.instead and tried is None:
+            return None
+        guessed = tried is not None and (tried.fixes or not idiom.sure)
+        if guessed and self._apart(line.text) is not None:
             return None
         named = look_up(first_word(line.text), self.problems.dialect).word is not None
         if named and idiom.pattern.startswith("{n} :"):
@@ -237,10 +337,11 @@ class Advice:
         told = self.problems.found[mark:]
         if len(told) != 1 or told[0].fix is None or told[0].fix.more:
             return False
-        span, instead, _ = told[0].fix
-        shift = told[0].fix.span.start - self.problems.span(line.at, line.at).start
-        before, after = line.text[: max(shift, 0)], line.text[shift + span.end - span.start :]
-        found = self.repair.steps(before + instead + after)
+        fix = told[0].fix
+        shift = fix.span.start - self.problems.span(line.at, line.at).start
+        finish = shift + fix.span.end - fix.span.start
+        before, after = line.text[: max(shift, 0)], line.text[finish:]
+        found = self.repair.steps(before + fix.replacement + after)
         return found is not None and not found.fixes and same_steps(found.text, tried.text)
 
     def _told(
@@ -262,7 +363,12 @@ class Advice:
         title = self.problems.dialect.title
         says = filled(idiom.says, found.parts)
         notes = (idiom.note,) if idiom.note else ()
-        known = told is not None and (told.rule in _PRECISE or not (says or idiom.of))
+        first_known = look_up(first, self.problems.dialect).word is not None
+        foreign = bool(first) and not first_known and _is_word(idiom)
+        stray = told is not None and told.rule == STRAY_CHARACTER  # `print('part')`
+        group = idiom.instead in STRUCTURE  # `DEFAULT:` of a CASE is no command for the monitor
+        precise = told is not None and told.rule in _PRECISE and not (foreign and (stray or group))
+        known = told is not None and (precise or not (says or idiom.of))
         rule, primary, about = OTHER_LANGUAGE, self.problems.label(start, end), notes
         written = f"`{short(line.text)}`"
         of = idiom.of if "other" not in idiom.of else ""
@@ -272,7 +378,7 @@ class Advice:
             rule, about = told.rule, (*notes, *told.notes)
             primary = told.primary or primary
             headline = says or told.headline
-        elif first and look_up(first, self.problems.dialect).word is None and _is_word(idiom):
+        elif foreign:
             label = f"a word of {of}" if of else ""
             rule, primary = OTHER_DIALECT, self.problems.label(start, start + len(first), label)
             headline = f"{first.upper()} is not {with_article(title)} instruction"
@@ -333,6 +439,7 @@ class Advice:
         self.problems.forget(mark)
         start, end = line.at, line.at + len(first)
         names = " or ".join(f"`{rival}`" for rival, _ in rivals[:3])
+        names += acting_at_once(word) if len(rivals) == 1 else ""
         self.problems.error(
             UNKNOWN_INSTRUCTION,
             f"`{short(first)}` is not an instruction",
@@ -380,7 +487,7 @@ class Advice:
         told = self.problems.found[mark]
         self.problems.forget(mark)
         fix = self.problems.replace(line.at, line.at + len(first), meant)
-        help_ = f"did you mean `{meant}`? Write the word in full"
+        help_ = f"did you mean `{meant}`{acting_at_once(meant)}? Write the word in full"
         self.problems.add(replace(told, help=(help_,), fix=fix))
         return Advised(self._word_of(meant + rest))
 
@@ -429,6 +536,21 @@ class Advice:
         begin = text.rfind("\n", 0, line.at) + 1
         before = text[begin : line.at]
         return before if not before.strip() else " " * len(before.expandtabs(8))
+
+
+def _in_case(above: str) -> bool:
+    """Whether the innermost structure that lines leave open is a CASE, by their first words."""
+    begin = above.upper().rfind(".PROGRAM")
+    depth = 0
+    for word, rest in reversed(_BLOCK_WORD.findall(above[max(begin, 0) :])):
+        upper = word.upper()
+        if upper in ("END", "UNTIL"):
+            depth += 1
+        elif upper != "IF" or "GOTO" not in rest.upper():
+            if not depth:
+                return bool(upper == "CASE")
+            depth -= 1
+    return False
 
 
 def _is_word(idiom: Idiom) -> bool:

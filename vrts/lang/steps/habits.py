@@ -47,10 +47,11 @@ def _together(told: list[Diagnostic]) -> Diagnostic:
     more = len(others)
     where = f"in line{'s' if more > 1 else ''} {named}"
     note = f"{more} more {'place' if more == 1 else 'places'}, {where}"
-    edits = [edit for d in told if d.fix is not None for edit in d.fix.edits]
+    fixes = [d.fix for d in told if d.fix is not None]
+    edits = [edit for fix in fixes for edit in fix.edits]
     return replace(
         first,
         notes=(*first.notes, note),
-        fix=Fix.from_edits(edits) if edits else None,
+        fix=Fix.from_edits(edits, sure=all(fix.sure for fix in fixes)) if edits else None,
         data={**first.data, "places": len(told)},
     )

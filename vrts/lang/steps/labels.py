@@ -2,9 +2,9 @@
 
 import re
 
-from vrts.base.diagnostic import Rule
+from vrts.base.diagnostic import Edit, Fix, Rule
 from vrts.lang.names import key
-from vrts.lang.problems import Problems
+from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.reading.splitter import Line
 from vrts.lang.steps.tolerated import Tolerated
 from vrts.lang.syntax.program import Label
@@ -16,6 +16,8 @@ MAX_LABEL = 65535  # [manual language/programs#labels]
 MAX_VAL2_LABEL = 32767  # beyond it VAL-II may refuse what V+ takes [assumed]
 _DIGITS = re.compile(r"\d+")
 _LISTED = re.compile(r"\d+\.(?=[ \t]*\?)[ \t]*\?|\d+\.(?=[ \t]|$)")  # `12.  MOVE a` of a listing
+_DECIMAL = re.compile(r"(?P<whole>\d+)\.(?P<part>\d+)(?=[ \t]|$)")
+_ENDS = re.compile(r"^[ \t]*\.(?:PROGRAM|END)\b", re.IGNORECASE | re.MULTILINE)
 _NAMED_LABEL = re.compile(r"(?P<name>[A-Za-z][\w.]*):", re.ASCII)
 
 
@@ -45,7 +47,11 @@ def _numbered(
         return None, line.text, line.start  # `3x = 1`: the tokeniser says what is wrong
     start, end = line.start, line.start + digits.end()
     text = rest.lstrip()
-    if rest.startswith("."):
+    decimal = _DECIMAL.match(line.text)
+    if decimal is not None:
+        _broken(line, decimal, problems)
+        text = line.text[decimal.end() :].lstrip()
+    elif rest.startswith("."):
         listed = _LISTED.match(line.text)
         if listed is not None and problems.dialect.tolerant:
             tolerated.note("step numbers of a listing", start, line.start + listed.end())
@@ -84,3 +90,47 @@ def _numbered(
             )
         return Label(number, start, end), text, line.end - len(text)
     return None, text, line.end - len(text)
+
+
+def _broken(line: Line, decimal: re.Match[str], problems: Problems) -> None:
+    """`10.5 MOVE a`: told once, with the jumps that name it."""
+    written = decimal.group()
+    start, end = line.start, line.start + len(written)
+    edits: list[Edit] = []
+    if len(problems.found) < LIMIT:
+        first, last = _program_around(problems.source.text, start)
+        body = problems.source.text[first:last]
+        whole = next(
+            (n for n in (decimal["whole"], decimal["whole"] + decimal["part"]) if _free(n, body)),
+            None,
+        )
+        jumps = re.finditer(rf"\bGOTO[ \t]+({re.escape(written)})(?![\w.])", body, re.IGNORECASE)
+        places = [(start, end), *((first + j.start(1), first + j.end(1)) for j in jumps)]
+        edits = [Edit(problems.span(*place), whole) for place in places] if whole else []
+    instead = edits[0].replacement if edits else "10"
+    problems.error(
+        INVALID_LABEL,
+        f"the label {written} is no whole number",
+        start,
+        end,
+        notes=("VAL-II says *Invalid statement label*",),
+        help=(f"a label is a whole number: write `{instead}` here, and `GOTO {instead}`",),
+        fix=Fix.from_edits(edits) if edits else None,
+    )
+
+
+def _program_around(text: str, at: int) -> tuple[int, int]:
+    """Return where the program begins and ends that an offset lies in."""
+    first, last = 0, len(text)
+    for found in _ENDS.finditer(text):
+        if found.start() > at:
+            last = found.start()
+            break
+        first = found.end()
+    return first, last
+
+
+def _free(number: str, body: str) -> bool:
+    """Whether no line of a program has a label."""
+    taken = re.search(rf"^[ \t]*{number}(?![\w.])", body, re.MULTILINE)
+    return taken is None and int(number) <= MAX_VAL2_LABEL

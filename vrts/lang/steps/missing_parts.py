@@ -5,12 +5,12 @@ Each function reports its mistake where a step has it, and returns whether it do
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.grammar.lalr import END
-from vrts.lang.grammar.shapes import LABEL_EXPECTED, MISSING_KEYWORD
+from vrts.lang.grammar.shapes import LABEL_EXPECTED, MISSING_KEYWORD, MISSING_OPERAND
 from vrts.lang.problems import short
 from vrts.lang.steps.broken_step import ARGUMENT_SAYS, OPERANDS, TEXT_SAYS, BrokenStep, outside
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
+from vrts.lang.vocabulary.word import Word
 
-MISSING_OPERAND = Rule("V124", "missing-operand")
 MISSING_COMMA = Rule("V131", "missing-comma")
 
 _KEYWORDS = ("THEN", "DO", "OF", "TO", "BY")
@@ -114,7 +114,7 @@ def operand(step: BrokenStep) -> bool:
             *((first.start, first.end) if here is None else where),
             f"{what} belongs here" if here is not None else "nothing follows",
             notes=(ARGUMENT_SAYS,),
-            help=(f"write `{step.word.usage}`",),
+            help=(_forms(step.word),),
         )
         return True
     what = "a value"
@@ -136,6 +136,13 @@ def operand(step: BrokenStep) -> bool:
         help=(f"write `{step.word.usage}`",) if step.word and step.word.operands else (),
     )
     return True
+
+
+def _forms(word: Word) -> str:
+    """Return how an instruction is written, with one operand too where one is enough."""
+    shortest = word.usage.split(",")[0]
+    either = f"`{shortest}` or " if word.terminal == "WORD12" and shortest != word.usage else ""
+    return f"write {either}`{word.usage}`"
 
 
 def _next_operand(step: BrokenStep) -> bool:

@@ -33,6 +33,11 @@ def meant_by(first: str, rest: str, repair: Repair, dialect: Dialect) -> list[Ne
     return sorted(rivals, key=lambda rival: rival.word)
 
 
+def acting_at_once(word: str) -> str:
+    """Return what else may be meant where a word of the hand is: the one that acts at once."""
+    return f", or `{word}I`, which acts at once" if word in ("OPEN", "CLOSE", "RELAX") else ""
+
+
 def slips(written: str, words: Iterable[str]) -> list[str]:
     """Return the words that one in the middle of a step may be a slip for."""
     return [
@@ -52,6 +57,11 @@ def short_for(first: str, rest: str, repair: Repair, dialect: Dialect) -> str | 
     return meant[0] if meant else None
 
 
+def _slipped_i(word: str, written: str) -> bool:
+    """Whether only the I at the end is another letter: one that looks so, or lies beside it."""
+    return word[-1] == "I" and word[:-1] == written[:-1] and written[-1] in "1LJUOK"
+
+
 def _begins(word: str, written: str) -> bool:
     return written.startswith(word) or word.startswith(written)  # one letter more, or less
 
@@ -68,4 +78,10 @@ def _same_start(word: str, written: str) -> bool:
     return word[0] == written[0]
 
 
-_LIKELIER: tuple[Callable[[str, str], bool], ...] = (_begins, _swapped, _same_ends, _same_start)
+_LIKELIER: tuple[Callable[[str, str], bool], ...] = (
+    _slipped_i,
+    _begins,
+    _swapped,
+    _same_ends,
+    _same_start,
+)

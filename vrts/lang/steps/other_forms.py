@@ -7,7 +7,6 @@ from vrts.base.diagnostic import Rule
 from vrts.lang.grammar.lalr import END
 from vrts.lang.problems import short
 from vrts.lang.steps.broken_step import OPERANDS, BrokenStep
-from vrts.lang.vocabulary.functions import FUNCTIONS
 
 INVALID_EXPRESSION = Rule("V126", "invalid-expression")
 SINGLE_EQUALS = Rule("V127", "single-equals")
@@ -50,26 +49,6 @@ def compound_set(step: BrokenStep) -> bool:
     return True
 
 
-def function_without_parentheses(step: BrokenStep) -> bool:
-    """`WAIT SIG 1001`."""
-    here, before = step.here, step.before
-    if here is None or before is None or here.kind not in ("NUMBER", "NAME", "STRINGNAME"):
-        return False
-    signature = FUNCTIONS.get(before.text.lower())
-    if before.kind != "NAME" or signature is None or signature.bare:
-        return False
-    name = before.text.upper()
-    step.problems.error(
-        INVALID_EXPRESSION,
-        f"{name} without parentheses",
-        before.start,
-        here.end,
-        notes=("VAL-II says *Missing parenthesis*",),
-        help=(f"write `{name}({short(here.text)})`",),
-    )
-    return True
-
-
 def equals_for_compare(step: BrokenStep) -> bool:
     """`IF a = b THEN`."""
     here = step.here
@@ -85,9 +64,19 @@ def equals_for_compare(step: BrokenStep) -> bool:
             "VAL-II says *Illegal operator*",
         ),
         help=("write `==`",),
-        fix=step.problems.replace(here.start, here.end, "=="),
+        fix=step.problems.replace(here.start, here.end, "==", sure=not _goes_on(step)),
     )
     return True
+
+
+def _goes_on(step: BrokenStep) -> bool:
+    """Whether `= c` follows as in `a = b = c`, which compares nothing that is meant."""
+    for token in step.tokens[step.failure.at + 1 :]:
+        if token.text.upper() in ("AND", "OR", "XOR"):
+            return False
+        if token.kind == "EQUAL":
+            return True
+    return False
 
 
 def list_in_parentheses(step: BrokenStep) -> bool:

@@ -12,7 +12,7 @@ from vrts.lang.syntax.statements import Bad, Statement
 Parse: TypeAlias = Callable[[Problems, str], Statement | None]  # one step, tried out
 
 MOST_FIXES = 6  # of one step, one after the other
-MOST_LINES = 4
+MOST_LINES = 5
 
 
 class Tried(NamedTuple):

@@ -19,7 +19,12 @@ from vrts.lang.reading.tokeniser import tokenise
 from vrts.lang.steps.advice import Advice
 from vrts.lang.steps.advice import Line as AdvisedLine
 from vrts.lang.steps.habits import Habits
-from vrts.lang.steps.kawasaki_forms import BLOCK_WORD, untouched_word
+from vrts.lang.steps.kawasaki_forms import (
+    BLOCK_WORD,
+    monitor_step,
+    untouched_word,
+    without_component,
+)
 from vrts.lang.steps.labels import read_label
 from vrts.lang.steps.mistakes import explain
 from vrts.lang.steps.repair import Repair
@@ -150,6 +155,10 @@ class StepParser:
                 self.block_steps.append((at, at + len(text)))
             if untouched is not None:
                 return Rest(untouched, names_in(text), at, at + len(text))
+            plain = without_component(text)
+            if plain is not None:
+                node, end = self._read(plain, at), at + len(text)
+                return node if isinstance(node, Bad) else Rest("POINT", names_in(text), at, end)
         if first.upper() in self.whole_lines:
             whole = self._unparsed(text, at)
             if whole is not None:
@@ -221,7 +230,7 @@ class StepParser:
             self.seen[text] = (at, tuple(tokens), head)
         return tokens, head
 
-    def _unparsed(self, text: str, at: int) -> "Rest | Simple | _Comment | None":
+    def _unparsed(self, text: str, at: int) -> "Bad | Rest | Simple | _Comment | None":
         """Return a step whose operands are not expressions: opaque ones, REMARK, texts of VAL."""
         first = _FIRST_WORD.match(text)
         if first is None:
@@ -234,6 +243,9 @@ class StepParser:
         if word.terminal == "REST":
             if word.text == "REMARK":
                 return _COMMENT
+            given = word.text == "MC" and self.dialect.is_as
+            if given and not monitor_step(text, at, self.problems):
+                return Bad(word.text, names_in(rest), at, end)
             return Rest(word.text, names_in(rest), at, end)
         if self.dialect.is_val and word.text in _TEXT_WORDS and rest and rest[0] not in '"$/':
             start = end - len(rest)

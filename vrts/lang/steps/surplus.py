@@ -3,6 +3,8 @@
 Each function reports its mistake where a step has it, and returns whether it does.
 """
 
+import re
+
 from vrts.base.diagnostic import Fix
 from vrts.lang.grammar.lalr import END
 from vrts.lang.grammar.shapes import UNEXPECTED_TEXT
@@ -29,7 +31,9 @@ def empty_parentheses(step: BrokenStep) -> bool:
         "this is too much",
         notes=(TEXT_SAYS,),
         help=(f"write `{step.word.usage}`",),
-        fix=step.problems.replace(before.start, here.end, ""),
+        fix=step.problems.replace(before.start, here.end, "")
+        if step.word.terminal not in ("WORD12", "WORD1", "WORD2")
+        else None,
     )
     return True
 
@@ -62,6 +66,8 @@ def too_many(step: BrokenStep) -> bool:
     here = step.here
     if here is None or END not in step.wanted:
         return False
+    if _label_behind(step, here):
+        return True
     help_ = ""
     fix: Fix | None = None
     name = step.word.text if step.word else ""
@@ -77,6 +83,8 @@ def too_many(step: BrokenStep) -> bool:
         one = f"{step.before.text}.{here.text}"
         help_ = f"a name is one word, as `{one}` or `{one.replace('.', '_')}`"
         help_ += "; between two names belongs a comma"
+    elif _second_point(step, here):
+        help_ = "a number has one decimal point"
     elif here.text.upper() in QUALIFIERS:
         help_ = f"{here.text.upper()} does not belong to {name or 'an assignment'}"
     elif step.word is not None:
@@ -85,9 +93,45 @@ def too_many(step: BrokenStep) -> bool:
     return True
 
 
+def _second_point(step: BrokenStep, here: Token) -> bool:
+    """`50.0.5`."""
+    before = step.before
+    glued = before is not None and before.kind == "NUMBER" and before.end == here.start
+    return glued and here.kind == "NUMBER" and here.text[0] == "."
+
+
+def _label_behind(step: BrokenStep, here: Token) -> bool:
+    """`n = n+1 10`, where something jumps to 10."""
+    problems = step.problems
+    text = problems.source.text
+    if step.word is not None and step.word.text in ("GOTO", "IF"):
+        return False
+    if here is not step.tokens[-1] or not here.text.isdecimal() or step.before is None:
+        return False
+    if not re.search(rf"\bGOTO[ \t]+{here.text}(?![\w.])", text, re.IGNORECASE):
+        return False
+    start = step.tokens[0].start
+    line = text[text.rfind("\n", 0, start) + 1 : start]
+    moved = f"{here.text} {text[start : step.before.end]}"
+    problems.error(
+        UNEXPECTED_TEXT,
+        f"the label {here.text} stands behind its step",
+        here.start,
+        here.end,
+        "labels stand before",
+        notes=(TEXT_SAYS,),
+        help=(f"write the label at the start of the line: `{moved}`",),
+        fix=None if line.strip() else problems.replace(start, here.end, moved),
+    )
+    return True
+
+
 def _in_parentheses(step: BrokenStep, here: Token) -> Fix | None:
     """`CALL fetch, a, 60`, `CALL show i`: the arguments as CALL takes them."""
     before = step.before
+    if step.failure.at == 2 and here.kind == "LBRACKET" and step.tokens[-1].kind == "RBRACKET":
+        arguments = step.problems.source.text[here.end : step.tokens[-1].start]
+        return step.problems.replace(here.start, step.tokens[-1].end, f"({arguments})")
     if step.failure.at != 2 or before is None or here.kind not in ("COMMA", *OPERANDS):
         return None
     first = step.tokens[3] if here.kind == "COMMA" and len(step.tokens) > 3 else here

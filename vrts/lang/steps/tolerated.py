@@ -54,13 +54,20 @@ def completed(
         return [*tokens, added], head, f"{first.text} without {missing}"
     if first.kind != "NAME" or word is not None or head.abbreviates:
         return tokens, head, ""
-    switched = last.text.upper() in ("ON", "OFF") and len(tokens) == 2
-    if switched and dialect.has("a"):
+    if dialect.has("a") and _switches(tokens):
         verb = "ENABLE" if last.text.upper() == "ON" else "DISABLE"
         switch = Token("WORDITEMS", verb, first.start, first.start)
-        return [switch, first], Head(INSTRUCTIONS[verb]), ""
+        return [switch, *tokens[:-1]], Head(INSTRUCTIONS[verb]), ""
     bare = len(tokens) == 1 or (tokens[1].kind == "LPAREN" and last.kind == "RPAREN")
     if bare and key(first.text) in program_names:
         call = Token("CALL", "CALL", first.start, first.start)
         return [call, *tokens], head, "a program without CALL"
     return tokens, head, ""
+
+
+def _switches(tokens: list[Token]) -> bool:
+    """Whether a step of AS turns switches on or off: `CP, QTOOL OFF`."""
+    *names, state = tokens
+    kinds = ["NAME" if at % 2 == 0 else "COMMA" for at in range(len(names))]
+    named = len(names) % 2 == 1 and [token.kind for token in names] == kinds
+    return named and state.text.upper() in ("ON", "OFF")

@@ -10,13 +10,19 @@ from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.commands import COMMANDS
 from vrts.lang.vocabulary.foreign import FOREIGN
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
-from vrts.lang.vocabulary.lookup import spellings
+from vrts.lang.vocabulary.lookup import hardly_a_name, spellings
+from vrts.lang.vocabulary.relatives_commands import (
+    GIVEN_BY_PROGRAMS,
+    commands_of,
+    languages_of,
+)
 from vrts.lang.vocabulary.word import Word
 
 UNKNOWN_INSTRUCTION = Rule("V120", "unknown-instruction")
 AMBIGUOUS_KEYWORD = Rule("V121", "ambiguous-keyword")
 OTHER_DIALECT = Rule("V122", "not-val2")
 MONITOR_COMMAND = Rule("V149", "monitor-command")
+KEYWORD_AS_NAME = Rule("V160", "keyword-as-name")
 
 _ENDS = frozenset({"ENDIF", "ENDFOR", "ENDWHILE", "ENDCASE", "WEND", "LOOP"})
 
@@ -44,6 +50,8 @@ def refuse(
         if len(head.abbreviates) > 1:
             _guessed(problems, first, head.word)
         return False
+    if first.kind == "NAME" and is_assigned(tokens) and problems.dialect.is_as:
+        return _reserved(problems, first)
     if first.kind != "NAME" or is_assigned(tokens):
         return False
     upper = first.text.upper()
@@ -74,6 +82,8 @@ def refuse(
             if upper == "EXECUTE" and len(tokens) == 2 and tokens[1].kind == "NAME"
             else None,
         )
+    elif upper in commands_of(problems.dialect) and upper not in INSTRUCTIONS:
+        _other_monitor(problems, first, upper)
     elif upper in INSTRUCTIONS:
         _other_dialect(problems, first, upper)
     elif following is not None and following.text == "==":
@@ -88,6 +98,36 @@ def refuse(
         )
     else:
         _unknown(problems, first, following)
+    return True
+
+
+def _other_monitor(problems: Problems, first: Token, upper: str) -> None:
+    """`SAVE/P file`: report a command that only the monitors of relatives have."""
+    about = commands_of(problems.dialect)[upper]
+    whose = titles(languages_of(upper))
+    given = problems.dialect.is_as and upper in GIVEN_BY_PROGRAMS
+    problems.error(
+        MONITOR_COMMAND,
+        f"{upper} is a command for the monitor, not a step of a program",
+        first.start,
+        first.end,
+        f"a command of {whose}, to {about}",
+        help=(f"a program gives it by `MC {upper}`" if given else _instead_of_command(upper),),
+    )
+
+
+def _reserved(problems: Problems, first: Token) -> bool:
+    """`THEN = 1`: report a keyword of AS that is given a value."""
+    if not hardly_a_name(first.text, problems.dialect):
+        return False
+    problems.error(
+        KEYWORD_AS_NAME,
+        f"{first.text.upper()} is a word of the language, and no name",
+        first.start,
+        first.end,
+        "the name of a variable belongs here",
+        help=("choose another name",),
+    )
     return True
 
 

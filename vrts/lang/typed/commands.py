@@ -9,7 +9,7 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.source import SourceFile
 from vrts.base.stack import deep_stack
-from vrts.lang.dialect import VAL2, Dialect
+from vrts.lang.dialect import VAL2, Dialect, titles
 from vrts.lang.grammar.build import builders
 from vrts.lang.grammar.lalr import Failure, TableParser
 from vrts.lang.problems import Problems
@@ -24,6 +24,7 @@ from vrts.lang.syntax.expressions import Item
 from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.commands import COMMANDS, look_up_command
 from vrts.lang.vocabulary.lookup import spellings
+from vrts.lang.vocabulary.relatives_commands import commands_of, languages_of
 from vrts.lang.vocabulary.word import Word
 
 INVALID_COMMAND = Rule("V153", "invalid-command")
@@ -195,6 +196,9 @@ def _unknown(problems: Problems, start: int, end: int) -> None:
     written = problems.source.text[start:end][:40]
     upper = written.upper()
     close = nearest(upper, COMMANDS) if upper.isascii() else None
+    if upper in commands_of(problems.dialect):
+        _of_relatives(problems, start, end, upper)
+        return
     if upper in spellings(problems.dialect):
         whole = problems.source.text[start:].strip()
         help_ = (f"this is an instruction: `DO {whole[:60]}` carries it out",)
@@ -211,6 +215,20 @@ def _unknown(problems: Problems, start: int, end: int) -> None:
         help=help_,
         fix=problems.replace(start, end, close) if close is not None else None,
         data={"word": written},
+    )
+
+
+def _of_relatives(problems: Problems, start: int, end: int, upper: str) -> None:
+    """Report a command that only the monitors of V+ or AS have."""
+    problems.error(
+        UNKNOWN_COMMAND,
+        f"{upper} is a command of {titles(languages_of(upper))}, and not simulated",
+        start,
+        end,
+        f"there it serves to {commands_of(problems.dialect)[upper]}",
+        notes=(_ILLEGAL_SAYS,),
+        help=("`vrts support --kind command` lists the commands that are carried out",),
+        data={"word": upper},
     )
 
 

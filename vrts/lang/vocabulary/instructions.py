@@ -718,13 +718,24 @@ _AS = (
         means="VALUE",
         full=True,
     ),
+    _i(
+        "XMOVE",
+        "a",
+        "UNTILSIG",
+        "XMOVE location TILL signal",
+        "move straight until a signal comes",
+        _LOCATION,
+        "TILL",
+        flags="RO",
+        full=True,
+    ),
     *(
         _i(usage.split()[0], "a", terminal, usage, about, flags=flags, full=True)
         for terminal, flags, rows in (
-            ("OPAQUE", "O", kawasaki.LISTS),
-            ("OPAQUE", "RO", kawasaki.MOTIONS),
+            ("DEVICE", "O", kawasaki.LISTS),
+            ("DEVICE", "RO", kawasaki.MOTIONS),
+            ("DEVICE", "O", kawasaki.OPTIONS),
             ("REST", "O", kawasaki.LINES),
-            ("REST", "O", kawasaki.OPTIONS),
         )
         for usage, about in rows
     ),

@@ -5,19 +5,20 @@ operands, and in programs [ASPrograms]; the words of arc welding are remembered.
 written, what it does.
 """
 
-# written as a list of values, with or without `= values` behind it
+# written as a list of values; where `=` is shown, what is behind it may be left out
 LISTS: tuple[tuple[str, str], ...] = (
     ("BITS32 first, count = value", "write a number of 32 bits to outputs"),
     ("BSPEED percent", "set the speed of the block steps"),
     ("CLOSES clamp", "turn the closing signal of a clamp on"),
-    ("COLR value", "set the limit of collision detection when running"),
-    ("COLT value", "set the limit of collision detection when teaching"),
+    ("CLAMP number, ...", "switch clamps"),
+    ("COLR value, ...", "set the limits of collision detection when running"),
+    ("COLT value, ...", "set the limits of collision detection when teaching"),
     ("CURLIM axis, positive, negative", "set the limits of the current of an external axis"),
     ("ENA_TOOLSHAPE number = on", "let the shape of the tool limit the speed"),
     ("ENVCHKRATE axis, factor", "set the limit of the deviation of an external axis"),
     ("EXTCALL", "run the program that signals choose"),
     ("FFRESET", "reset the gains of acceleration"),
-    ("FFSET gain, gain", "set the gains of acceleration"),
+    ("FFSET gain, ...", "set the gains of acceleration"),
     ("GROUP number", "choose a group"),
     ("GUNOFF gun, distance", "turn the signal of a gun off on the way"),
     ("GUNOFFTIMER gun, seconds", "set when the signal of a gun goes off"),
@@ -25,10 +26,16 @@ LISTS: tuple[tuple[str, str], ...] = (
     ("GUNONTIMER gun, seconds", "set when the signal of a gun comes on"),
     ("HSENSE number, result, on, location, error, left", "read what HSENSESET watched"),
     ("HSENSESET number = input, output", "keep the place where a signal comes"),
-    ("IFPLABEL position, label", "label a switch of the panel"),
+    ("IFPLABEL position, label, label, label, label", "label a switch of the panel"),
     ("IFPTITLE page, title", "give a page of the panel a title"),
-    ("IFPWOVERWRITE window, row, column = text", "write over a window of the panel"),
-    ("IFPWPRINT window, row, column = text", "write to a window of the panel"),
+    (
+        "IFPWOVERWRITE window, row, column, background, colour = text, ...",
+        "write over a window of the panel",
+    ),
+    (
+        "IFPWPRINT window, row, column, background, colour = text, ...",
+        "write to a window of the panel",
+    ),
     ("LLIMIT location", "set the lower limits of the joints"),
     ("MON_SPEED percent", "set the operator's speed"),
     ("MON_TWAIT seconds", "wait for a time that the operator's speed stretches"),
@@ -47,8 +54,8 @@ LISTS: tuple[tuple[str, str], ...] = (
     ("SET2HOME mm, location", "say where the second home is"),
     ("SETHOME mm, location", "say where home is"),
     ("SETOUTDA channel = bit, bits, logic, high, low", "set up an analog output"),
-    ("SETPICK seconds", "set when clamps begin to close"),
-    ("SETPLACE seconds", "set when clamps begin to open"),
+    ("SETPICK seconds, ...", "set when clamps begin to close"),
+    ("SETPLACE seconds, ...", "set when clamps begin to open"),
     ("SETTIME year, month, day, hour, minute, second", "set the clock"),
     ("SET_TOOLSHAPE number = location, location", "say how the tool is shaped"),
     ("SFLK signal = seconds", "a signal that blinks"),
@@ -56,47 +63,54 @@ LISTS: tuple[tuple[str, str], ...] = (
     ("SJUMP $name, result", "go on in the program that a string names"),
     ("SOUT signal = condition", "an output that follows a condition"),
     ("STIM signal = input, seconds", "a signal that follows an input after a time"),
-    ("TCP_ACCEPT result, port", "take a connection of the network"),
+    ("TCP_ACCEPT result, port, seconds, address[0]", "take a connection of the network"),
     ("TCP_CLOSE result, socket", "close a connection of the network"),
-    ("TCP_CONNECT result, port, address[0]", "open a connection of the network"),
+    ("TCP_CONNECT result, port, address[0], seconds", "open a connection of the network"),
     ("TCP_END_LISTEN result, port", "stop listening on the network"),
     ("TCP_LISTEN result, port", "listen on the network"),
-    ("TCP_RECV result, socket, $text[0], number", "receive from a connection"),
-    ("TCP_SEND result, socket, $text[0], number", "send on a connection"),
-    ("TCP_STATUS number, port[0], socket[0]", "list the connections of the network"),
+    ("TCP_RECV result, socket, $text[0], number, seconds, length", "receive from a connection"),
+    ("TCP_SEND result, socket, $text[0], number, seconds", "send on a connection"),
+    (
+        "TCP_STATUS number, port[0], socket[0], error[0], more[0], $address[0]",
+        "list the connections of the network",
+    ),
     ("TOOLSHAPE number", "choose the shape of the tool that limits the speed"),
     ("TPLIGHT", "turn the light of the pendant on"),
-    ("UDP_RECVFROM result, port, $text[0], number", "receive a message of the network"),
-    ("UDP_SENDTO result, address[0], port, $text[0], number", "send a message on the network"),
+    (
+        "UDP_RECVFROM result, port, $text[0], number, seconds, address[0], length",
+        "receive a message of the network",
+    ),
+    (
+        "UDP_SENDTO result, address[0], port, $text[0], number, seconds",
+        "send a message on the network",
+    ),
     ("ULIMIT location", "set the upper limits of the joints"),
-    ("WEIGHT kg, x, y, z", "the mass in the hand"),
+    ("UTIMER @name = seconds", "set a timer of the user"),
+    ("WEIGHT kg, x, y, z, ix, iy, iz", "the mass in the hand"),
 )
 
 # written in a way of their own, taken as they stand
 LINES: tuple[tuple[str, str], ...] = (
-    ("CLAMP number", "switch clamps"),
     ("DELETE /P name", "delete programs or variables"),
     ("JUMP program", "go on in another program"),
     ("NLOAD unit = file + file, result", "read files"),
     ("PCKILL number:", "clear a stopped program beside this one"),
     ("SLOAD unit = file, result", "read a file"),
     ("TRACE number: ON", "note what a program does"),
-    ("UTIMER @name = seconds", "set a timer of the user"),
-    ("XMOVE location TILL signal", "move straight until a signal comes"),
 )
 
 # motions that no simulated arm makes
 MOTIONS: tuple[tuple[str, str], ...] = (
-    ("HMOVE location", "move straight, with the wrist turning by its joints"),
+    ("HMOVE location, clamp", "move straight, with the wrist turning by its joints"),
     *(
-        (f"{word} location", "a motion of a controller with more than one arm or axis")
+        (f"{word} location, ...", "a motion of a controller with more than one arm or axis")
         for word in (
-            *("L3LMOVE", "L3C1MOVE", "L3C2MOVE", "FJMOVE", "FLMOVE"),
+            *("L3LMOVE", "ZL3LMOVE", "L3C1MOVE", "L3C2MOVE", "FJMOVE", "FLMOVE"),
             *("MLJMOVE", "MLLMOVE", "MLC1MOVE", "MLC2MOVE", "MRLMOVE", "MRC1MOVE", "MRC2MOVE"),
         )
     ),
     *(
-        (f"{word} location", "a motion along with a conveyor")
+        (f"{word} location, ...", "a motion along with a conveyor")
         for word in (
             *("CVJMOVE", "CVLMOVE", "CVHMOVE", "CVC1MOVE", "CVC2MOVE", "CVLAPPRO", "CVLDEPART"),
             *("CVL3LMOVE", "CVMLJMOVE", "CVMLL3LMOVE"),
@@ -139,8 +153,8 @@ OPTIONS: tuple[tuple[str, str], ...] = tuple(
             (
                 "ABSDRIVE ALLERESET ALLROB_SPSET ALONE COOPSTATUS ERR_ALLROBSTOP L3ACCURACY "
                 "L3ARMSLOWMODE L3ARMSLOWRATE L3ARMSLOWSET L3JNT L3LINKSLOWMODE L3LINKSLOWRATE "
-                "L3LINKSLOWSET L3SPEED L3TOOL L3TRN MASTER SLAVE ROBNETID ROBNETROBOT ROBNETSIG "
-                "ROBNET_TCHMASTER"
+                "L3LINKSLOWSET L3SPEED L3TOOL L3TRN MASTER SLAVE ROBNETID ROBNETROBOT "
+                "ROBNETSIG ROBNET_TCHMASTER ZL3ACCURACY ZL3JNT ZL3TRN"
             ),
         ),
         (
@@ -153,12 +167,17 @@ OPTIONS: tuple[tuple[str, str], ...] = tuple(
         (
             "limits and other settings",
             (
-                "FTOOL GETLLMIT GETULIMIT MHERE S_HERE FHERE PALMODE SETENCTEMP_THRES "
-                "SET_MAXTOOLSHAPENUM ZAREASLOWMODE ZAREASLOWRATE ZAREASLOWSET ZPOWER ZZERO"
+                "ABS.SPEED FTOOL GETLLIMIT GETLLMIT GETULIMIT MHERE S_HERE FHERE PALMODE "
+                "SETENCTEMP_THRES SET_MAXTOOLSHAPENUM ZAREASLOWMODE ZAREASLOWRATE ZAREASLOWSET "
+                "ZPOWER ZZERO"
             ),
         ),
         ("a sequence that runs beside programs", "LSQ"),
-        ("memory of the controller", "ZIFPOKE"),
+        ("memory of the controller", "NOEXIST_SET_R ZCNTUP ZIFPOKE"),
+        (
+            "the controller itself",
+            "RTC_SW SAEND SAENVCHKOFF SAENVCHKON SAGAIN SASTART SETAPPLIVER ZMONEXE ZREBOOT",
+        ),
         ("a gun for spots, of which one electrode moves", "SGCLEARANS"),
         ("arc welding", "LWS LWC LWE C1WC C2WC C2WE W1SET W2SET"),
     )

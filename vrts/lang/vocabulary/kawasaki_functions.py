@@ -7,7 +7,7 @@ Each row: name, parameters as `functions.py` writes them, result (`r` number, `s
 _Row = tuple[str, str, str, str, str]
 
 _EXISTS: tuple[_Row, ...] = tuple(
-    (f"exist{kind}", "s", "r", f"whether {what} has a value", "")
+    (f"exist{kind}", "s x?" if kind == "data" else "s", "r", f"whether {what} has a value", "")
     for kind, what in (
         ("char", "a string"),
         ("data", "a variable"),
@@ -43,6 +43,12 @@ OF_KAWASAKI: tuple[_Row, ...] = (
     ("mspeed", "", "r", "the operator's speed", "a"),
     ("mspeed2", "", "r", "the operator's speed of the second robot", "a"),
     ("replace", "s s s", "s", "string with a part replaced", ""),
+    ("$replace", "s s s r?", "s", "string with a part replaced", ""),
+    ("s_here", "r?", "p", "present place of a robot", "a"),
+    ("#s_here", "r?", "j", "present joints of a robot", "a"),
+    ("coopstatus", "r", "r", "how a robot works with another", ""),
+    ("zoption", "r r", "r", "an option of the controller", ""),
+    ("zl3get", "n r?", "r", "a length of a robot", ""),
     ("sig2", "r r*", "r", "whether all signals are as given", ""),
     ("$str_id", "r", "s", "what robot this is", ""),
     ("$str_id2", "r", "s", "what the second robot is", ""),

@@ -3,10 +3,19 @@
 from functools import cache, lru_cache
 
 from vrts.lang.dialect import VAL2, Dialect
-from vrts.lang.vocabulary.functions import applied_functions, bare_functions
+from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions, bare_functions
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS, VPLUS_FORMS
 from vrts.lang.vocabulary.word import Match, Word
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
+
+_PLAIN_WORDS = frozenset(  # of AS, that people give to signals and numbers
+    {
+        *("ABOVE", "ALIGN", "ANY", "BASE", "BELOW", "BITS", "BREAK", "CASE", "CLOSE", "DELAY"),
+        *("DRAW", "DRIVE", "END", "HALT", "HERE", "HOME", "LOCK", "OPEN", "PAUSE", "POINT"),
+        *("PRINT", "PROMPT", "PULSE", "RELAX", "RESET", "RETURN", "SIGNAL", "SPEED", "STABLE"),
+        *("STEP", "STOP", "TIMER", "TOOL", "TYPE", "VALUE", "WAIT"),
+    }
+)
 
 
 @cache
@@ -33,9 +42,24 @@ def reserved_words(dialect: Dialect) -> frozenset[str]:
 @cache
 def never_names(dialect: Dialect) -> frozenset[str]:
     """Return keywords that are hardly meant for a variable which nothing gives a value."""
+    if not (dialect.is_vplus or dialect.is_as):
+        return frozenset()
     words = instructions_of(dialect).values()
     keywords = {word.text for word in words if not word.opaque} | QUALIFIERS.keys()
-    return frozenset(keywords - {name.upper() for name in bare_functions(dialect)})
+    predefined = bare_functions(dialect).keys() | CONSTANTS.keys()
+    return frozenset(keywords - {name.upper() for name in predefined})
+
+
+def hardly_a_name(written: str, dialect: Dialect) -> bool:
+    """Return whether a word is no name of anything that has no value in sight.
+
+    People who write AS call signals and numbers `open` and `type`; its controllers store keywords
+    in capitals and names in small letters.
+    """
+    upper = written.upper()
+    if upper not in never_names(dialect):
+        return False
+    return not dialect.is_as or written == upper or upper not in _PLAIN_WORDS
 
 
 def look_up(text: str, dialect: Dialect = VAL2) -> Match:

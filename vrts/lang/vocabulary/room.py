@@ -14,7 +14,7 @@ class Room(NamedTuple):
     unit: int | None  # in the parentheses behind the word
     operands: int | None
     given: int | None  # behind `=`
-    equal: bool  # whether `=` belongs there
+    equal: bool | None  # whether `=` belongs there; None: nobody knows
 
 
 @cache
@@ -22,6 +22,8 @@ def room_of(word: Word) -> Room:
     """Return the room that the usage of a word leaves."""
     rest = word.usage[len(word.text) :].strip()
     unit: int | None = 0
+    if not rest and word.dialects == "a":  # lists of AS name some words without their operands
+        return Room(0, None, None, None)
     if rest.startswith("("):
         inner, _, rest = rest[1:].partition(")")
         unit = _count(inner)

@@ -59,7 +59,7 @@ def test_where_the_tables_differ_a_warning_says_so(expression: str, tree: str) -
 
 
 def test_the_help_writes_the_parentheses() -> None:
-    text = ".PROGRAM main(a, b)\nIF a == 1 AND b == 2 THEN\nEND\n.END\n"
+    text = ".PROGRAM main(a, b)\nIF a == 1 AND b == 2 THEN\nREADY\nEND\n.END\n"
     (warning,) = compile_source(SourceFile("test.v2", text)).diagnostics
     assert warning.help == ("write parentheses: (a == 1) AND (b == 2)",)
     assert warning.fix is not None

@@ -90,7 +90,7 @@ def test_sixty_five_thousand_steps() -> None:
 
 
 def test_programs_that_call_each_other_compile() -> None:
-    text = ".PROGRAM a\nCALL b\n.END\n.PROGRAM b\nCALL a\n.END\n"
+    text = ".PROGRAM a\nIF SIG(1001) GOTO 10\nCALL b\n10\n.END\n.PROGRAM b\nCALL a\n.END\n"
     compilation = compile_text(text)
     assert compilation.diagnostics == ()
     assert compilation.module is not None

@@ -2,18 +2,26 @@
 
 from collections.abc import Iterator, Mapping
 
+from vrts.base.diagnostic import Severity
 from vrts.ir.module import Datum, Program
 from vrts.ir.values import Type
 from vrts.lang.findings.endless import runs_beside
-from vrts.lang.findings.values.angles import check_angles
-from vrts.lang.findings.values.complaints import Complaint, divisor, root
+from vrts.lang.findings.values.comparisons import check_comparison, inner_of
+from vrts.lang.findings.values.complaints import NO_SUCH_SIGNAL, Complaint, divisor, root
 from vrts.lang.findings.values.conditions import check_condition
 from vrts.lang.findings.values.evaluate import Known, evaluate, nothing_known
 from vrts.lang.findings.values.flow import Followed, State, states
 from vrts.lang.findings.values.intervals import ANY, Interval, point
-from vrts.lang.findings.values.lengths import MOTIONS, check_data, check_lengths, goals
+from vrts.lang.findings.values.joined import check_joined, check_same
 from vrts.lang.findings.values.loops import check_loop
 from vrts.lang.findings.values.questions import DIVISIONS, Question, questions
+from vrts.lang.findings.values.stretches import Stretches
+from vrts.lang.findings.values.switched import check_switched, says_off_by_zero
+from vrts.lang.findings.values.units.angles import check_angles, check_taught
+from vrts.lang.findings.values.units.lengths import MOTIONS, check_data, check_lengths, goals
+from vrts.lang.findings.values.units.times import check_times
+from vrts.lang.findings.values.units.turning import Turned, check_turning, turned
+from vrts.lang.grammar.build import PRECEDENCE
 from vrts.lang.meaning.constants import constant
 from vrts.lang.meaning.name_uses import Asked, NameUses
 from vrts.lang.meaning.scope import Entry
@@ -33,11 +41,14 @@ from vrts.lang.syntax.statements import (
     CallStatement,
     For,
     If,
+    Put,
     ReactStatement,
     SetLocation,
     Simple,
     SpeedStatement,
     Statement,
+    Until,
+    While,
 )
 
 MOST_NAMES = 60  # that are followed through one program
@@ -48,7 +59,11 @@ MOST_PROGRAMS = 300  # called from one; beyond, a call may change anything
 class ValueCheck:
     """Looks at the numbers of one compilation."""
 
-    def __init__(self, types: NameUses, programs: list[ProgramText]) -> None:
+    def __init__(
+        self, types: NameUses, programs: list[ProgramText], *, refuses: bool = True
+    ) -> None:
+        """Look at programs; `refuses`: numbers that no controller takes are errors."""
+        self.refuses = refuses
         self.types = types
         self.problems = types.problems
         self.scope = types.scope
@@ -59,6 +74,10 @@ class ValueCheck:
         self.absolute: frozenset[str] = frozenset()  # locations that the arm goes to as they are
         self.beside = False  # whether another program may run between two steps
         self.in_radians: set[int] = set()  # steps of which it was said
+        self.turned: Turned = {}
+        self.zeros = False  # whether `SIGNAL n, 0` stands for off in this file
+        self.misread = Stretches([])  # conditions that AND and OR take apart
+        self.within: set[tuple[int, int]] = set()  # parts of conditions that were looked at
         self.direct: dict[str, set[str]] = {}  # variables that a program itself changes
 
     def written(self, data: list[Datum]) -> None:
@@ -66,7 +85,15 @@ class ValueCheck:
         self.absolute = goals(self.types)
         self.beside = runs_beside(self.programs)
         check_data(self.types, data, self.absolute)
+        check_taught(self.types, data)
+        self.turned = turned(self.types)
+        self.zeros = says_off_by_zero(self.types)
         found = self.problems.found
+        self.misread = Stretches(
+            (d.primary.span.start, d.primary.span.end)
+            for d in found
+            if d.rule is PRECEDENCE and d.primary is not None
+        )
         for asked in self.types.asked:
             form = _literal(asked.node)
             if form is None:
@@ -81,11 +108,12 @@ class ValueCheck:
         """Ask what there is to ask about one place."""
         node = asked.node
         if isinstance(node, For):
-            self._loop(asked, node)
+            if not check_turning(self.types, asked, self.turned):
+                self._loop(asked, node)
             return
         if isinstance(node, Infix):
             if node.operator not in DIVISIONS:
-                check_condition(self.types, asked, beside=self.beside)
+                self._condition(asked, node)
             elif asked.program is not None:
                 self._question(Question(asked.program, asked.step, node.right, divisor))
             return
@@ -101,22 +129,68 @@ class ValueCheck:
                 return
             if isinstance(node, Application):
                 check_lengths(self.types, asked, self.absolute)
-        if isinstance(node, If | Simple):
+        if isinstance(node, Simple | Put) and check_times(self.types, asked):
+            return
+        if isinstance(node, Simple) and self._switches(node):
+            return
+        if isinstance(node, If | While | Until | Simple):
             check_condition(self.types, asked, beside=self.beside)
         for question in questions(asked, self.problems.dialect):
             self._question(question)
 
+    def _switches(self, node: Simple) -> bool:
+        return node.word == "SIGNAL" and check_switched(self.types, node, zeros=self.zeros)
+
+    def _condition(self, asked: Asked, node: Infix) -> None:
+        """Look at a comparison, or at what AND or OR joins; once, where several join each other."""
+        if (node.start, node.end) in self.within or self.misread.hold(node.start, node.end):
+            return
+        if node.operator in ("AND", "OR"):
+            for part in inner_of(node):
+                self.within.add((part.start, part.end))
+            if check_joined(self.types, node):
+                return
+        elif check_comparison(self.types, asked, node):
+            for part in inner_of(node):
+                self.within.add((part.start, part.end))
+            return
+        elif check_times(self.types, asked) or check_turning(self.types, asked, self.turned):
+            return
+        else:
+            check_same(self.types, node)
+        check_condition(self.types, asked, beside=self.beside)
+
     def _question(self, question: Question) -> None:
+        asks = question.node
+        if isinstance(asks, Application) and asks.name.text.lower() == "sig" and asks.arguments:
+            self._sig_for_number(asks)
+            return
         value = evaluate(question.node, nothing_known)
         complaint = question.complain(value)
         if complaint is not None:
-            self._warn(question.node, complaint, "")
+            certain = self.refuses and complaint.certain and value[0] == value[1]
+            self._warn(question.node, complaint, "", certain=certain)
         elif (
             question.complain is not root
             and value[0] != value[1]
             and self._may_be_known(question.program, question.node)
         ):
             self.open.setdefault(question.program, []).append(question)
+
+    def _sig_for_number(self, node: Application) -> None:
+        """`REACT SIG(1003), stop.it`: SIG tells whether it is on, and here its number belongs."""
+        first = node.arguments[0]
+        if first is None:
+            return
+        number = self.problems.source.text[first.start : first.end]
+        self.problems.warning(
+            NO_SUCH_SIGNAL,
+            "the number of a signal belongs here, and SIG yields -1 or 0",
+            node.start,
+            node.end,
+            help=(f"write the number alone: `{number}`",),
+            fix=self.problems.replace(node.start, node.end, number, sure=False),
+        )
 
     def _loop(self, asked: Asked, node: For) -> None:
         if asked.program is None or check_loop(self.problems, node, nothing_known):
@@ -142,7 +216,7 @@ class ValueCheck:
             for step in text.steps
             if isinstance(node := step.statement, CallStatement)
         }
-        changed_by = {name: self._changed_by(name) for name in sorted(called)}
+        changed_by = {name: self.changed_by(name) for name in sorted(called)}
         followed = Followed(names, changed_by, not self.problems.dialect.tolerant)
         known = states(text, program, followed, self._start(text.name, names))
         by_place = {s.statement.start: s.number for s in text.steps if s.statement is not None}
@@ -158,8 +232,8 @@ class ValueCheck:
             elif isinstance(what.node, For):
                 check_loop(self.problems, what.node, _lookup(state))
 
-    def _warn(self, node: Item, complaint: Complaint, text: str) -> None:
-        self.problems.warning(
+    def _warn(self, node: Item, complaint: Complaint, text: str, *, certain: bool = False) -> None:
+        self.problems.error(
             complaint.rule,
             complaint.headline,
             node.start,
@@ -167,6 +241,7 @@ class ValueCheck:
             text,
             notes=(complaint.note,),
             help=(complaint.help,),
+            severity=Severity.ERROR if certain else Severity.WARNING,
         )
 
     # --- which variables are followed -----------------------------------------------------------
@@ -220,7 +295,7 @@ class ValueCheck:
                     start[name] = point(value)
         return start
 
-    def _changed_by(self, name: str) -> frozenset[str] | None:
+    def changed_by(self, name: str) -> frozenset[str] | None:
         """Return the variables that a call of a program may change; None: any."""
         if name in self.changes:
             return self.changes[name]

@@ -22,6 +22,7 @@ OPERAND_RANGE = Rule("V231", "operand-range")
 DIVISION_BY_ZERO = Rule("V232", "certain-division-by-zero")
 
 JOINTS = 6
+_WITH_MORE = range(1, 513)  # signals of each kind of the largest controllers of the family
 _BEYOND = 1e9  # numbers from here on are not looked at
 
 _SIGNALS = "outputs are 1 to 32, inputs 1001 to 1032, internal signals 2001 to 2256"
@@ -34,6 +35,7 @@ class Complaint(NamedTuple):
     headline: str
     note: str
     help: str
+    certain: bool = False  # whether every controller refuses it, wherever it stands
 
 
 Complain: TypeAlias = Callable[[Interval], Complaint | None]
@@ -51,6 +53,7 @@ def set_signal(value: Interval) -> Complaint | None:
             f"signal {_shown(low, high)} is an input; a program cannot set it",
             _SIGNALS,
             f"set an output, 1 to 32; to wait for the input write `WAIT SIG({low})`",
+            certain=True,
         )
     return _no_signal(low, high, "set an output, 1 to 32, or an internal signal from 2001 on")
 
@@ -76,6 +79,7 @@ def watched_signal(value: Interval) -> Complaint | None:
             f"signal {_shown(low, high)} is an output; it cannot be watched",
             _SIGNALS,
             help_,
+            certain=True,
         )
     return _no_signal(low, high, help_)
 
@@ -145,7 +149,11 @@ def _outside(value: Interval, low: int, high: int, headline: str, help_: str) ->
     if first <= high and last >= low:
         return None
     return Complaint(
-        OPERAND_RANGE, headline.format(_shown(first, last)), "the controller stops here", help_
+        OPERAND_RANGE,
+        headline.format(_shown(first, last)),
+        "the controller stops here",
+        help_,
+        certain=True,
     )
 
 
@@ -164,7 +172,14 @@ def _any(numbers: tuple[int, int], *allowed: range) -> bool:
 
 
 def _no_signal(low: int, high: int, help_: str) -> Complaint:
-    return Complaint(NO_SUCH_SIGNAL, f"there is no signal {_shown(low, high)}", _SIGNALS, help_)
+    larger = any(low % 1000 in _WITH_MORE and low // 1000 == kind for kind in (0, 1, 2))
+    return Complaint(
+        NO_SUCH_SIGNAL,
+        f"there is no signal {_shown(low, high)}",
+        _SIGNALS,
+        help_,
+        certain=not larger,
+    )
 
 
 def _shown(low: int, high: int) -> str:

@@ -2,13 +2,14 @@
 
 from vrts.base.diagnostic import Fix, Rule
 from vrts.ir.ranges import INPUTS, INTERNAL, OUTPUTS
+from vrts.lang.findings.values.comparisons import operands_of
 from vrts.lang.findings.values.complaints import NO_SUCH_SIGNAL
 from vrts.lang.findings.values.evaluate import evaluate, nothing_known
 from vrts.lang.findings.values.intervals import ANY, TRUTH
 from vrts.lang.meaning.constants import number_of
 from vrts.lang.meaning.name_uses import Asked, NameUses
 from vrts.lang.syntax.expressions import Application, Expression, Infix, Item, Name, Number
-from vrts.lang.syntax.statements import If, Simple
+from vrts.lang.syntax.statements import If, Simple, Until, While
 
 ALWAYS_TRUE = Rule("V239", "always-true")
 SIGNAL_COMPARED = Rule("V240", "signal-compared")
@@ -22,15 +23,21 @@ def check_condition(types: NameUses, asked: Asked, *, beside: bool) -> None:
     """Warn of a condition that asks nothing, or something else."""
     match asked.node:
         case Infix("OR", left, right):
+            if _signals_by_number(types, asked.node):
+                return
             for operand, other in ((left, right), (right, left)):
                 if _surely_true(operand) and evaluate(other, nothing_known) in (ANY, TRUTH):
                     _always(types, operand, "with it the whole condition is always true")
                     return
+        case Infix("AND"):
+            _signals_by_number(types, asked.node)
         case Infix("==" | "<>", Application(name), Number(value)) if name.text.lower() == "sig":
             if value not in (-1.0, 0.0):
                 _compared(types, asked.node)
-        case If(Number(value) as condition) if value not in _LOGICAL:
-            _always(types, condition, "a number that is not 0 is true")
+        case If(condition) | While(condition) | Until(condition):
+            value = number_of(condition)
+            if value is not None and value not in _LOGICAL:
+                _always(types, condition, "a number that is not 0 is true")
         case Simple("WAIT", (Application(name, arguments) as condition,)):
             ours = not types.problems.dialect.tolerant and not beside
             if ours and name.text.lower() == "sig" and all(map(_is_output, arguments)):
@@ -41,6 +48,37 @@ def check_condition(types: NameUses, asked: Asked, *, beside: bool) -> None:
                     _nothing(types, operand)
         case _:
             return
+
+
+def _signals_by_number(types: NameUses, node: Infix) -> bool:
+    """`1001 OR SIG(1002)`: a number of a signal is true, whatever the signal is."""
+    problems = types.problems
+    text = problems.source.text
+    operands = operands_of(node)
+    bare = [part for part in operands if _is_signal(number_of(part))]
+    if not bare:
+        return False
+    written = [text[part.start : part.end] for part in operands]
+    instead = f" {node.operator} ".join(
+        f"SIG({part})" if number_of(operand) is not None else part
+        for operand, part in zip(operands, written, strict=True)
+    )
+    problems.warning(
+        ALWAYS_TRUE,
+        "this is a number, and does not ask for the signal",
+        bare[0].start,
+        bare[0].end,
+        "a number that is not 0 is true",
+        help=(f"write `{instead}`",),
+        fix=problems.replace(node.start, node.end, instead)
+        if len(bare) == sum(number_of(part) is not None for part in operands)
+        else None,
+    )
+    return True
+
+
+def _is_signal(number: float | None) -> bool:
+    return number is not None and (abs(number) in INPUTS or abs(number) in INTERNAL)
 
 
 def _surely_true(node: Expression) -> bool:
@@ -55,13 +93,22 @@ def _is_output(node: Item | None) -> bool:
 
 
 def _always(types: NameUses, node: Expression, text: str) -> None:
-    value = node.value if isinstance(node, Number) else 0.0
-    if value in INPUTS or value in INTERNAL:
+    problems = types.problems
+    value = number_of(node)
+    fix: Fix | None = None
+    if value is not None and _is_signal(value):
         help_ = f"to ask for a signal write `SIG({value:g})`"
+        fix = problems.replace(node.start, node.end, f"SIG({value:g})")
     else:
         help_ = "compare on both sides: `(x == 1) OR (x == 2)`"
-    types.problems.warning(
-        ALWAYS_TRUE, "this condition is always true", node.start, node.end, text, help=(help_,)
+    problems.warning(
+        ALWAYS_TRUE,
+        "this condition is always true",
+        node.start,
+        node.end,
+        text,
+        help=(help_,),
+        fix=fix,
     )
 
 

@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from typing import NamedTuple, TypeAlias
 
 from vrts.ir import instructions as i
+from vrts.ir.instructions import jumps_of
 from vrts.ir.module import Program
-from vrts.lang.findings.flow import jumps_of
 from vrts.lang.findings.values import intervals
 from vrts.lang.findings.values.evaluate import evaluate
 from vrts.lang.findings.values.intervals import ANY, Interval, point

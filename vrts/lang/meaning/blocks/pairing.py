@@ -1,8 +1,11 @@
 """Which structure words of a program belong together, and which have no partner."""
 
+from bisect import bisect_left
 from collections.abc import Sequence
+from itertools import product
 from typing import NamedTuple
 
+from vrts.lang.steps.one_line import ONE_LINE
 from vrts.lang.syntax.program import Step
 from vrts.lang.syntax.statements import (
     Bad,
@@ -16,7 +19,7 @@ from vrts.lang.syntax.statements import (
 )
 
 ELSE_IF = "ELSEIF"  # `ELSEIF x THEN`, which VAL-II does not have
-ONE_LINE_IF = "IF THEN"  # `IF x THEN READY`, which it does not have either
+OPENED = {line: word for word, line in ONE_LINE.items()}  # `IF x THEN READY` and its like
 OPENERS = frozenset({"IF", "WHILE", "FOR", "CASE", "DO"})
 _LAST = frozenset({"ELSE", "ANY"})  # nothing but the end follows their group
 _WORDS: dict[type, str] = {
@@ -59,6 +62,14 @@ class Late(NamedTuple):
     last: Mark
 
 
+class Crossed(NamedTuple):
+    """An UNTIL, a VALUE or an ANY of a structure while others inside it are open."""
+
+    mark: Mark
+    open: list[Block]  # the innermost first
+    end: Mark | None  # an END behind it
+
+
 class Pairing(NamedTuple):
     """Structures, and what is wrong with them."""
 
@@ -66,21 +77,25 @@ class Pairing(NamedTuple):
     unmatched: list[Unmatched]
     late: list[Late]
     open: list[Block]
+    crossed: list[Crossed]
 
     @property
     def faults(self) -> int:
         """How many words have no partner."""
-        return len(self.unmatched) + len(self.late) + len(self.open)
+        return len(self.unmatched) + len(self.late) + len(self.open) + len(self.crossed)
 
 
 class Reading(NamedTuple):
     """How the forms of other languages are taken."""
 
     else_if_opens: bool = False  # ELSEIF has an END of its own
-    one_line_opens: bool = False  # `IF x THEN step` has an END below
+    one_line_opens: bool = False  # `IF x THEN step` and its like have an END below
+    while_closes: bool = False  # `WHILE x` without DO ends a DO, as in C
+    group_closes: bool = False  # VALUE and ANY end what is open inside their CASE
 
 
-READINGS = (Reading(), Reading(True), Reading(False, True), Reading(True, True))
+READINGS = tuple(Reading(*ways) for ways in product((False, True), repeat=4))
+BARE_WHILE = "WHILE x"  # a WHILE without its DO
 
 
 def word_of(step: Step) -> str | None:
@@ -94,34 +109,65 @@ def word_of(step: Step) -> str | None:
 def marks(steps: Sequence[Step]) -> list[Mark]:
     """Return the structure words of a program in their order."""
     found = ((word_of(step), at) for at, step in enumerate(steps))
-    return [Mark(word, at) for word, at in found if word is not None]
+    return [Mark(_told_apart(word, steps[at]), at) for word, at in found if word is not None]
+
+
+def _told_apart(word: str, step: Step) -> str:
+    return BARE_WHILE if word == "WHILE" and isinstance(step.statement, Bad) else word
 
 
 def pair(found: Sequence[Mark], reading: Reading = READINGS[0]) -> Pairing:
     """Return which words belong together, each END to what was opened last."""
-    pairing = Pairing([], [], [], [])
+    pairing = Pairing([], [], [], [], [])
     open_ = pairing.open
-    for mark in found:
+    owed: Mark | None = None  # an UNTIL that left structures open
+    for number, mark in enumerate(found):
         word = mark.word
+        behind, owed = owed, None
+        if word == BARE_WHILE:
+            closes = reading.while_closes and bool(open_) and open_[-1].word == "DO"
+            word = "UNTIL" if closes else "WHILE"
         if word == ELSE_IF:
             if open_ and open_[-1].word == "IF":
                 if reading.else_if_opens:
                     open_.append(Block("IF", mark.at, [], -1))
             else:
                 pairing.unmatched.append(Unmatched(mark, open_[-1] if open_ else None))
-        elif word in OPENERS or (word == ONE_LINE_IF and reading.one_line_opens):
-            open_.append(Block("IF" if word == ONE_LINE_IF else word, mark.at, [], -1))
+        elif word in OPENERS or (word in OPENED and reading.one_line_opens):
+            open_.append(Block(OPENED.get(word, word), mark.at, [], -1))
         elif word in ("ELSE", "VALUE", "ANY"):
+            if reading.group_closes and word != "ELSE":
+                _end_inside(pairing, mark, "CASE")
             _group(pairing, mark, found)
         elif word in ("END", "UNTIL"):
             top = open_[-1] if open_ else None
-            if top is not None and (top.word == "DO") == (word == "UNTIL"):
+            if word == "END" and behind is not None and mark.at == behind.at + 1:
+                pairing.crossed[-1] = pairing.crossed[-1]._replace(end=mark)
+            elif top is not None and (top.word == "DO") == (word == "UNTIL"):
                 pairing.blocks.append(open_.pop()._replace(end=mark.at))
-                continue
-            pairing.unmatched.append(Unmatched(mark, top))
-            if top is not None and word == "END":
-                open_.pop()  # a DO closed by END: said once
+            elif word == "UNTIL" and any(block.word == "DO" for block in open_):
+                _end_inside(pairing, mark, "DO")
+                pairing.blocks.append(open_.pop()._replace(end=mark.at))
+                owed = mark
+            elif top is not None and found[number + 1 : number + 2] == [Mark("UNTIL", mark.at + 1)]:
+                pairing.unmatched.append(Unmatched(mark, None))  # `END` above the UNTIL of a DO
+            else:
+                pairing.unmatched.append(Unmatched(mark, top))
+                if top is not None:
+                    open_.pop()  # a DO closed by END, a FOR by UNTIL: said once
     return pairing
+
+
+def _end_inside(pairing: Pairing, mark: Mark, word: str) -> None:
+    """End what is open inside the innermost structure of a word, to which a mark belongs."""
+    open_ = pairing.open
+    if not any(block.word == word for block in open_):
+        return
+    inside: list[Block] = []
+    while open_[-1].word != word:
+        inside.append(open_.pop())
+    if inside:
+        pairing.crossed.append(Crossed(mark, inside, None))
 
 
 def _group(pairing: Pairing, mark: Mark, found: Sequence[Mark]) -> None:
@@ -129,8 +175,12 @@ def _group(pairing: Pairing, mark: Mark, found: Sequence[Mark]) -> None:
     if top is None or top.word != ("IF" if mark.word == "ELSE" else "CASE"):
         pairing.unmatched.append(Unmatched(mark, top))
         return
-    last = next((m for m in found if top.middles and m.at == top.middles[-1]), None)
+    last = found[bisect_left(found, top.middles[-1], key=_step_of)] if top.middles else None
     if last is not None and last.word in _LAST:
         pairing.late.append(Late(mark, last))
     else:
         top.middles.append(mark.at)
+
+
+def _step_of(mark: Mark) -> int:
+    return mark.at

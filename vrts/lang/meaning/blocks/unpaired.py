@@ -2,10 +2,19 @@
 
 from vrts.base.diagnostic import Fix, Label, Rule
 from vrts.lang.meaning.blocks.indentation import Missing, missing_ends
-from vrts.lang.meaning.blocks.pairing import Block, Late, Pairing, Unmatched
+from vrts.lang.meaning.blocks.pairing import (
+    Block,
+    Crossed,
+    Late,
+    Pairing,
+    Unmatched,
+    marks,
+    pair,
+    word_of,
+)
 from vrts.lang.problems import Problems
-from vrts.lang.syntax.program import ProgramText
-from vrts.lang.syntax.statements import Bad, Statement
+from vrts.lang.syntax.program import ProgramText, Step
+from vrts.lang.syntax.statements import Bad, Goto, Statement, Structure, Until
 
 MISSING_END = Rule("V137", "missing-end")
 UNMATCHED = Rule("V138", "unmatched-structure-word")
@@ -18,30 +27,43 @@ def report_faults(program: ProgramText, pairing: Pairing, problems: Problems) ->
     """Report words without their partner, but not what follows from a line that is no step."""
     followed = False  # a group without its structure: the END that follows is of the same cause
     for fault in pairing.unmatched:
+        early = _early_end(program, fault, problems)
+        if early is not None:
+            followed = True
+            _too_early(program, fault, early, problems)
+            continue
         if followed and fault.mark.word in ("END", "UNTIL"):
             continue
         followed = followed or fault.mark.word not in ("END", "UNTIL")
         if not _explained(program, fault.mark.at):
             _unmatched(program, fault, problems)
+    behind: set[int] = set()  # groups that are not the last of theirs: told once each
     for late in pairing.late:
-        _late(program, late, problems)
+        if late.last.at not in behind:
+            behind.add(late.last.at)
+            _late(program, late, problems)
+    inside = [block for crossed in pairing.crossed for block in crossed.open]
+    plain = not pairing.unmatched and not any(crossed.end for crossed in pairing.crossed)
     still = [
         block
-        for block in pairing.open
+        for block in (*inside, *pairing.open)
         if not isinstance(_node(program, block.opener), Bad) and not _unread_below(program, block)
     ]
-    if len(still) < len(pairing.open):
-        return
     columns = [
         _column(problems, step.statement) if step.statement is not None else 0
         for step in program.steps
     ]
-    told = () if pairing.unmatched else missing_ends(program.steps, columns, len(still))
+    known = len(still) == len(inside) + len(pairing.open)
+    told = missing_ends(program.steps, columns, len(still)) if plain and known else ()
     if told:
         for missing in told:
             _missing(program, missing, pairing, problems)
         return
-    for block in still:
+    for crossed in pairing.crossed:
+        _crossed(program, crossed, problems)
+    if not known:
+        return
+    for block in pairing.open:
         _open(program, block, pairing, problems)
 
 
@@ -93,11 +115,7 @@ def _missing(program: ProgramText, missing: Missing, pairing: Pairing, problems:
         labels.append(problems.label(*program.finish, "still open where the program ends"))
     fix: Fix | None = None
     if closer == "END":
-        text = problems.source.text
-        begin = text.rfind("\n", 0, opener.start) + 1
-        before = text[begin : opener.start]
-        indent = before if not before.strip() else " " * len(before.expandtabs(8))
-        fix = problems.replace(at, at, f"\n{indent}END")
+        fix = problems.replace(at, at, f"\n{_line_start(problems, opener)}END")
     number = problems.span(last.start, last.end).line
     problems.error(
         MISSING_END,
@@ -149,20 +167,124 @@ def _open(program: ProgramText, block: Block, pairing: Pairing, problems: Proble
         "opened here",
         secondary=tuple(labels),
         notes=(CONTROL_SAYS,),
-        help=(f"write {closer} after its last step",),
+        help=(f"write `{closer}` after its last step",)
+        if closer == "END"
+        else ("write `UNTIL condition` after its last step",),
+    )
+
+
+def _crossed(program: ProgramText, crossed: Crossed, problems: Problems) -> None:
+    """An UNTIL or a VALUE while an IF or a FOR inside its structure is open: its END is above."""
+    until = _node(program, crossed.mark.at)
+    text = problems.source.text
+    begin = text.rfind("\n", 0, until.start) + 1
+    line = problems.span(until.start, until.end).line
+    if crossed.end is not None:
+        end, block = _node(program, crossed.end.at), crossed.open[0]
+        opener = _node(program, block.opener)
+        where = _line_start(problems, opener)
+        without = _without_line(problems, end)
+        edits = problems.replace(begin, begin, f"{where}END\n").edits
+        problems.error(
+            UNMATCHED,
+            f"UNTIL ends the DO while the {block.word} inside it is still open",
+            until.start,
+            until.end,
+            secondary=(problems.label(opener.start, opener.end, f"this {block.word} is open"),),
+            notes=(CONTROL_SAYS,),
+            help=(f"write the END of the {block.word} above the UNTIL, not below it",),
+            fix=Fix.from_edits((*edits, *without.edits)) if without is not None else None,
+        )
+        return
+    for block in reversed(crossed.open):
+        opener = _node(program, block.opener)
+        if isinstance(opener, Bad):
+            continue
+        closer = "UNTIL" if block.word == "DO" else "END"
+        # where a line is less deep than the structure, its end may belong above that line
+        column = _column(problems, opener)
+        between = (s.statement for s in program.steps[block.opener + 1 : crossed.mark.at])
+        deeper = all(_column(problems, node) > column for node in between if node is not None)
+        problems.error(
+            MISSING_END,
+            f"this {block.word} has no {closer}",
+            opener.start,
+            opener.end,
+            "opened here",
+            secondary=(
+                problems.label(until.start, until.end, f"its {closer} belongs above this line"),
+            ),
+            notes=(CONTROL_SAYS,),
+            help=(f"write {closer} above line {line}, before the {crossed.mark.word}",),
+            fix=problems.replace(begin, begin, f"{_line_start(problems, opener)}END\n", sure=deeper)
+            if closer == "END"
+            else None,
+        )
+
+
+def _line_start(problems: Problems, node: Statement) -> str:
+    """Return the blanks that a line begins with, a label counted as such."""
+    text = problems.source.text
+    before = text[text.rfind("\n", 0, node.start) + 1 : node.start]
+    return before if not before.strip() else " " * len(before.expandtabs(8))
+
+
+def _early_end(program: ProgramText, fault: Unmatched, problems: Problems) -> Statement | None:
+    """Return the END right above an ELSE without which all words up to the next have partners."""
+    if fault.mark.word != "ELSE" or _explained(program, fault.mark.at):
+        return None
+    found = marks(program.steps)
+    at = found.index(fault.mark)
+    before = [s.statement for s in program.steps[: fault.mark.at] if s.statement is not None]
+    end = before[-1] if before else None
+    if at == 0 or end is None or found[at - 1].word != "END":
+        return None
+    if program.steps[found[at - 1].at].statement is not end:
+        return None
+    if _column(problems, end) < _column(problems, _node(program, fault.mark.at)):
+        return None
+    without = pair([*found[: at - 1], *found[at:]])
+    return end if without.faults + 1 < pair(found).faults else None
+
+
+def _too_early(program: ProgramText, fault: Unmatched, end: Statement, problems: Problems) -> None:
+    """An END between the steps of an IF and its ELSE."""
+    node = _node(program, fault.mark.at)
+    line = problems.span(end.start, end.end).line
+    problems.error(
+        UNMATCHED,
+        "ELSE without IF: the END above it closes the IF too early",
+        node.start,
+        node.end,
+        secondary=(problems.label(end.start, end.end, "this END closes the IF"),),
+        notes=(CONTROL_SAYS,),
+        help=(f"take out the END of line {line}: the one below the ELSE closes the IF",),
+        fix=_without_line(problems, end),
     )
 
 
 def _late(program: ProgramText, late: Late, problems: Problems) -> None:
+    """A group behind the one that is the last of its structure: told at ANY, or at the ELSE."""
     node, last = _node(program, late.mark.at), _node(program, late.last.at)
+    both = late.mark.word == late.last.word
+    if both:
+        headline, at, label = f"a second {late.mark.word}", node, "the first is here"
+        other = last
+        help_ = "an IF has one ELSE: for another condition write a new IF, with an END of its own"
+        if late.mark.word == "ANY":
+            help_ = "a CASE has one ANY: write a VALUE for what the other is for"
+    else:
+        headline, at, label = "ANY is not the last group of its CASE", last, "stands behind it"
+        other = node
+        help_ = "move ANY and its steps below the last VALUE, before END"
     problems.error(
         CASE_LAYOUT,
-        f"{late.mark.word} after {late.last.word}",
-        node.start,
-        node.end,
-        secondary=(problems.label(last.start, last.end, "the last group is here"),),
+        headline,
+        at.start,
+        at.end,
+        secondary=(problems.label(other.start, other.end, label),),
         notes=(CONTROL_SAYS,),
-        help=("an IF has one ELSE; ANY is the last group of a CASE",),
+        help=(help_,),
     )
 
 
@@ -184,8 +306,26 @@ def _unmatched(program: ProgramText, fault: Unmatched, problems: Problems) -> No
         fix = problems.replace(node.start, node.end, "ANY")
     if word == "END" and top is not None:
         headline, help_ = "a DO ends with UNTIL, not END", "write `UNTIL condition`"
+    elif word == "UNTIL" and top is not None:
+        headline = f"a {top.word} ends with END, not UNTIL"
+        help_ = "write `END`; a loop that ends with UNTIL begins with DO"
+        fix = problems.replace(node.start, node.end, "END", sure=False)
+    elif word == "ELSE" and top is None:
+        jump = _jump_above(program, fault.mark.at)
+        if jump is not None:
+            number = problems.span(jump.start, jump.end).line
+            help_ = f"`IF ... GOTO` of line {number} takes no ELSE: write `IF ... THEN`"
+            help_ += ", the GOTO on a line of its own, then ELSE"
     elif word == "END" and all(s.statement is None for s in program.steps[fault.mark.at + 1 :]):
         help_ = "take it out: `.END` alone ends a program"
+        fix = _without_line(problems, node)
+    elif word == "END" and isinstance(_following(program, fault.mark.at), Until):
+        help_ = "take it out: UNTIL alone ends a DO"
+        fix = _without_line(problems, node)
+    elif word == "END" and _is_surplus(program, fault.mark.at, problems):
+        help_ = "take it out: every structure above has its END"
+        if _jump_above(program, fault.mark.at) is not None:
+            help_ = "take it out: `IF ... GOTO` stands on one line and needs no END"
         fix = _without_line(problems, node)
     problems.error(
         UNMATCHED,
@@ -197,6 +337,33 @@ def _unmatched(program: ProgramText, fault: Unmatched, problems: Problems) -> No
         help=(help_,),
         fix=fix,
     )
+
+
+def _following(program: ProgramText, at: int) -> Statement | None:
+    below = (step.statement for step in program.steps[at + 1 :])
+    return next((node for node in below if node is not None), None)
+
+
+def _is_surplus(program: ProgramText, at: int, problems: Problems) -> bool:
+    """Whether what stands above an END belongs to no structure, as its indentation tells."""
+    above = [s.statement for s in program.steps[:at] if s.statement is not None]
+    if not above:
+        return True
+    last, column = above[-1], _column(problems, _node(program, at))
+    ends = isinstance(last, Structure | Until) and word_of(Step(0, None, last)) != "ELSE"
+    deep = _column(problems, last)
+    return deep <= column if not ends else deep >= column
+
+
+def _jump_above(program: ProgramText, at: int) -> Goto | None:
+    """Return the `IF ... GOTO` that the lines above a word belong to, as its writer thinks."""
+    for step in reversed(program.steps[:at]):
+        node = step.statement
+        if isinstance(node, Goto):
+            return node if node.condition is not None else None
+        if node is not None and word_of(step) is not None:
+            return None
+    return None
 
 
 def _without_line(problems: Problems, node: Statement) -> Fix | None:

@@ -38,6 +38,8 @@ APPROACHING = (
     Idiom("<retract|withdraw|departure|retreat|leave|back_off|lift|moveaway|move_up|raise>_{d}", "DEPART {d}", "other robot languages", sure=False),
     Idiom("drive_<j|joint|axis|joint_> {d} , {e} , {e2}", "DRIVE {d}, {e}, {e2}", says="DRIVE takes the number of the joint"),
     Idiom("drive_<j|joint|axis|joint_> {d} , {e}", "", says="DRIVE takes the number of the joint", help="write `DRIVE {d}, {e}, 100`: joint, change in degrees, speed in percent"),
+    Idiom("drive_{e} , {d} <deg|degs|degree|degrees|°|grad>", "DRIVE {e}, {d}", says="angles are in degrees, without a unit"),
+    Idiom("drive_{e} , {d} <deg|degs|degree|degrees|°|grad> , {e2}", "DRIVE {e}, {d}, {e2}", says="angles are in degrees, without a unit"),
     Idiom("drive_{d}_{d2}_{d3}", "DRIVE {d}, {d2}, {d3}", says="commas are missing between the operands"),
     Idiom("drive ( {e} , {e2} , {e3} )", "DRIVE {e}, {e2}, {e3}", says="DRIVE takes no parentheses"),
     Idiom("<movejoint|move_joint|rotate|turn>_{r}", "", "other robot languages", help="write `DRIVE joint, change, speed`, in degrees and percent"),

@@ -17,6 +17,14 @@ class Comment(NamedTuple):
         """Whether it may end in a later line."""
         return self.sign in ("/*", "(*")
 
+    def closed_in(self, text: str) -> tuple[int, int] | None:
+        """Return where the sign that ends it stands, if that is the end of the step."""
+        closing = _CLOSING.get(self.sign, "")
+        end = len(text.rstrip())
+        if not closing or not text[self.end : end].endswith(closing):
+            return None
+        return len(text[: end - len(closing)].rstrip()), end
+
 
 _FIRST = re.compile(
     r"(?P<sign>//+|#+|/\*|\(\*|--+|!+|%+|'|\\+|\*+|<!--|\{(?=[^{}]*\}[ \t]*$)|@+|~+"
@@ -28,6 +36,7 @@ _BEHIND = re.compile(
     r"|%+(?=\s)|'(?=\s|\w))"
 )
 _ASSIGNED = re.compile(r"#[A-Za-z][\w.]*[ \t]*=")  # a precision point
+_CLOSING = {"/*": "*/", "(*": "*)", "{": "}", "<!--": "-->"}
 _STRING = re.compile(r'"[^"]*"')
 
 

@@ -3,12 +3,15 @@
 In a pattern a blank stands for any blanks or none, `_` for at least one (among words also for
 itself), `<a|b>` for one of several words. `{e}` is an expression, `{n}` a name, `{v}` a
 variable, `{d}` a number, `{s}` a text in quotes, `{r}` anything; digits tell two of a kind apart.
-What is written instead names them again; `{e-1}` is one less.
+What is written instead names them again; `{e-1}` is one less,
+`{!e}` the opposite of a condition.
 """
 
 import re
 from functools import cache
 from typing import NamedTuple
+
+from vrts.lang.steps.idioms.wording import opposite
 
 
 class Idiom(NamedTuple):
@@ -38,7 +41,7 @@ class Matched(NamedTuple):
         return filled(self.idiom.instead, self.parts)
 
 
-_PLACES = re.compile(r"\{(?P<name>[a-z]\d?)(?P<less>-1)?\}")
+_PLACES = re.compile(r"\{(?P<not>!)?(?P<name>[a-z]\d?)(?P<less>-1)?\}")
 _PIECES = re.compile(
     r"\{(?P<place>[a-z]\d?)\}|<(?P<words>[^<>]*\|[^<>]*)>|(?P<blank>[ ])|(?P<blanks>_)|(?P<sign>.)"
 )
@@ -96,6 +99,8 @@ def filled(template: str, parts: dict[str, str]) -> str:
 
     def fill(place: re.Match[str]) -> str:
         part = parts[place["name"]]
+        if place["not"]:
+            return opposite(part)
         if not place["less"]:
             return part
         return str(int(part) - 1) if part.isdecimal() else f"{part}-1"

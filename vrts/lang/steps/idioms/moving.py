@@ -21,7 +21,7 @@ MOVING = (
     Idiom("move_{s}", "", says="a location is named without quotes", help="leave the quotes out"),
     Idiom("move , {e}", "MOVE {e}", says="MOVE takes no comma first"),
     Idiom("<moves|move> {v} , {d} %", "", says="MOVE takes the location alone", help="write `SPEED {d}` before it"),
-    Idiom("move_{v} , {d}", "APPRO {v}, {d}", says="MOVE takes the location alone", help="to stop short of a location use `APPRO {v}, {d}`; SPEED sets the speed", sure=False),
+    Idiom("move_{v} , {d}", "APPRO {v}, {d}", says="MOVE takes the location alone, and no distance", help="to stop short of a location use `APPRO {v}, {d}`; SPEED sets the speed", sure=False),
     Idiom("moves_{v} , {d}", "APPROS {v}, {d}", says="MOVES takes the location alone", help="to stop short of a location use `APPROS {v}, {d}`; SPEED sets the speed", sure=False),
     Idiom("move_{v} <at|with|speed|at_speed|with_speed> {r}", "", says="MOVE takes the location alone", help="set the speed in the line before: `SPEED 50`"),
     Idiom("moves_{v} <at|with|speed|at_speed|with_speed> {r}", "", says="MOVES takes the location alone", help="set the speed in the line before: `SPEED 50`"),

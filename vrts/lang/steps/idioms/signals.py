@@ -6,7 +6,7 @@
 from vrts.lang.steps.idioms.idiom import Idiom
 
 _ON = "a signal is switched on by its number and off by the number with a minus sign"
-_SAYS = "SIGNAL takes numbers only"
+_SAYS = "SIGNAL takes numbers only, and neither ON nor OFF"
 _OUT = "<set|setdo|set_do|do|dout|digitalwrite|digital_write|set_digital_out|set_standard_digital_out|set_output|setoutput|output|out|write_output|sig|sigon|setsig|setsignal|set_signal|setbit|set_bit>"
 
 SIGNALS = (
@@ -18,6 +18,8 @@ SIGNALS = (
     Idiom("signal ( {d} ) <=|,|> <off|false|0|low>", "SIGNAL -{d}", says=_SAYS, note=_ON),
     Idiom("signal ( {d} , <on|true|1|high> )", "SIGNAL {d}", says=_SAYS, note=_ON),
     Idiom("signal ( {d} , <off|false|0|low> )", "SIGNAL -{d}", says=_SAYS, note=_ON),
+    Idiom("signal {v} <=|:=> <on|true|high>", "SIGNAL {v}", says=_SAYS, note=_ON),
+    Idiom("signal {v} <=|:=> <off|false|low>", "SIGNAL -{v}", says=_SAYS, note=_ON),
     Idiom("signal ( {e} )", "SIGNAL {e}", says="SIGNAL takes no parentheses"),
     Idiom("signal_sig ( {e} )", "SIGNAL {e}", says=_SAYS),
     Idiom("signal = {d}", "SIGNAL {d}", says=_SAYS),
@@ -39,6 +41,9 @@ SIGNALS = (
     Idiom("do [ {d} ] = <true|on|1>", "SIGNAL {d}", "Karel", note=_ON),
     Idiom("do [ {d} ] = <false|off|0>", "SIGNAL -{d}", "Karel", note=_ON),
     Idiom("<reset|clear>_{d}", "SIGNAL -{d}", says="RESET takes no numbers: it switches all off"),
+    Idiom("signal <!|~> {d}", "SIGNAL -{d}", says="a minus switches a signal off", note=_ON),
+    Idiom("bits_{d} = {d2}", "", says="BITS takes a number of signals, too", help="write how many signals: `BITS {d}, 4 = {d2}`"),
+    Idiom("bits ( {e} , {e2} ) = {e3}", "BITS {e}, {e2} = {e3}", says="where BITS sets signals, it takes no parentheses"),
     # waiting for signals
     Idiom("wait_for_<$in|in|di> [ {d} ] <==true|=true|==on|=on|>", "WAIT SIG({d})", "KRL", sure=False),
     Idiom("wait_<$in|in|di> [ {d} ] <==true|=true|=on|==on|>", "WAIT SIG({d})", "KRL", sure=False),
@@ -54,6 +59,18 @@ SIGNALS = (
     Idiom("wait_<signal|input|in|di>_{d} <=|==|> <on|true|1|high|>", "WAIT SIG({d})", says="a signal is asked for by SIG"),
     Idiom("wait_<signal|input|in|di>_{d} <=|==> <off|false|0|low>", "WAIT SIG(-{d})", says="a signal is asked for by SIG"),
     Idiom("wait_{d} <=|==> <on|true|1|high>", "WAIT SIG({d})", says="a signal is asked for by SIG", sure=False),
+    Idiom("<wait|wait_for> sig ( {e} ) , sig ( {e2} )", "WAIT SIG({e}, {e2})", says="WAIT takes one condition", note="SIG asks for several signals at once"),
+    Idiom("<wait|wait_for> sig ( {e} ) , sig ( {e2} ) , sig ( {e3} )", "WAIT SIG({e}, {e2}, {e3})", says="WAIT takes one condition", note="SIG asks for several signals at once"),
+    Idiom("<wait|wait_for> {d} , {d2}", "WAIT SIG({d}, {d2})", says="WAIT takes one condition: a signal is asked for by SIG"),
+    Idiom("<wait|wait_for> {d} , {d2} , {d3}", "WAIT SIG({d}, {d2}, {d3})", says="WAIT takes one condition: a signal is asked for by SIG"),
+    Idiom("<wait|wait_for> {d} , {d2} , {d3} , {d4}", "WAIT SIG({d}, {d2}, {d3}, {d4})", says="WAIT takes one condition: a signal is asked for by SIG"),
+    Idiom("if sig ( {e} ) , sig ( {e2} ) then", "IF SIG({e}, {e2}) THEN", says="IF takes one condition", note="SIG asks for several signals at once"),
+    Idiom("while sig ( {e} ) , sig ( {e2} ) do", "WHILE SIG({e}, {e2}) DO", says="WHILE takes one condition", note="SIG asks for several signals at once"),
+    Idiom("if {d} , {d2} then", "IF SIG({d}, {d2}) THEN", says="IF takes one condition: a signal is asked for by SIG"),
+    Idiom("while {d} , {d2} do", "WHILE SIG({d}, {d2}) DO", says="WHILE takes one condition: a signal is asked for by SIG"),
+    Idiom("<wait|wait_for> {d} , sig ( {e} )", "WAIT SIG({d}, {e})", says="WAIT takes one condition: a signal is asked for by SIG"),
+    Idiom("<wait|wait_for> sig ( {e} ) , {d}", "WAIT SIG({e}, {d})", says="WAIT takes one condition: a signal is asked for by SIG"),
+    Idiom("wait {e} , {e2}", "WAIT ({e}) AND ({e2})", says="WAIT takes one condition", sure=False),
     # waiting for time
     Idiom("wait_for_{d} <s|sec|secs|seconds|second|>", "DELAY {d}", "other languages", note="WAIT takes a condition, DELAY a time in seconds"),
     Idiom("wait_{d} <s|sec|secs|seconds|second>", "DELAY {d}", "other languages", note="WAIT takes a condition, DELAY a time in seconds"),
@@ -67,7 +84,10 @@ SIGNALS = (
     Idiom("delay = {d}", "DELAY {d}", says="DELAY takes no `=`"),
     Idiom("<g4|g04> p {d}", "DELAY {d}", "G-code", sure=False),
     Idiom("<usleep|msleep|delay_ms|delayms|wait_ms> ( {r} )", "", "C", help="DELAY takes seconds: 500 ms is `DELAY 0.5`"),
-    Idiom("react {e} , call_{n}", "REACT {e}, {n}", says="REACT takes the name of the program, without CALL"),
-    Idiom("reacti {e} , call_{n}", "REACTI {e}, {n}", says="REACTI takes the name of the program, without CALL"),
+    Idiom("wait sig ( {e} ) on", "WAIT SIG({e})", says="SIG alone is true while the signal is on"),
+    Idiom("wait sig ( {d} ) off", "WAIT SIG(-{d})", says="a minus asks whether a signal is off"),
+    Idiom("wait sig ( {e} ) , {d}", "", says="WAIT has no time after which it goes on", help="to wait for a signal or a time: `TIMER 1 = 0`, then `WAIT SIG({e}) OR (TIMER(1) > {d})`"),
+    Idiom("react {e} <,|> call_{n} <()|>", "REACT {e}, {n}", says="REACT takes the name of the program, without CALL"),
+    Idiom("reacti {e} <,|> call_{n} <()|>", "REACTI {e}, {n}", says="REACTI takes the name of the program, without CALL"),
     Idiom("pcexecute_call_{n}", "PCEXECUTE {n}", says="PCEXECUTE takes the name of the program, without CALL"),
 )

@@ -43,6 +43,12 @@ SIGNS = (
         "begin binary numbers with `^B`, as in `^B1010`",
     ),
     Signs(
+        re.compile(r"(?<![\w.^$#])(\d+(?:\.\d*)?)[Oo](?![\w.])"),
+        r"\g<1>0",
+        "a letter stands in a number",
+        "write the digit 0 for the letter O",
+    ),
+    Signs(
         re.compile(r"(?<![\w.^])(\d+(?:\.\d+)?)(?![eE](?:[-+\d]|\b))([A-Za-z][\w.]*)"),
         r"\1*\2",
         "`*` is missing behind a number",
@@ -91,6 +97,18 @@ SIGNS = (
     Signs(re.compile(r"!=="), "<>", "`!==` is not an operator of VAL-II", "write `<>`"),
     Signs(re.compile(r"!(?!=)[ \t]*"), "NOT ", "`!` is not an operator of VAL-II", "write `NOT`"),
     Signs(re.compile(r"~(?!=)[ \t]*"), "NOT ", "`~` is not an operator of VAL-II", "write `NOT`"),
+    Signs(
+        re.compile(r"[ \t]*(?<!&)&(?!&)[ \t]*(?=\^[BH]|\d+[ \t]*\))", re.I),
+        " BAND ",
+        "`&` is not an operator of VAL-II",
+        "write `BAND` for the bits of numbers, `AND` for conditions",
+    ),
+    Signs(
+        re.compile(r"[ \t]*(?<!\|)\|(?!\|)[ \t]*(?=\^[BH]|\d+[ \t]*(?:\)|$))", re.I),
+        " BOR ",
+        "`|` is not an operator of VAL-II",
+        "write `BOR` for the bits of numbers, `OR` for conditions",
+    ),
     Signs(
         re.compile(r"[ \t]*(?<!&)&(?!&)[ \t]*"),
         " AND ",
@@ -173,16 +191,16 @@ SIGNS = (
         "write `<`",
     ),
     Signs(
-        re.compile(r"\b(?:equals|is|eq)\b", re.I),
-        "==",
-        "comparisons are signs in VAL-II",
-        "write `==`",
-    ),
-    Signs(
-        re.compile(r"\b(?:isnt|not[ \t]+equal|ne)\b", re.I),
+        re.compile(r"\b(?:is[ \t]+not|isnt|not[ \t]+equal|ne)\b", re.I),
         "<>",
         "comparisons are signs in VAL-II",
         "write `<>`",
+    ),
+    Signs(
+        re.compile(r"\b(?:equals|is|eq)\b", re.I),
+        "==",
+        "`is`, `equals` and `eq` are no operators: comparisons are signs in VAL-II",
+        "write `==`",
     ),
     Signs(
         re.compile(r"\band[ \t]+also\b|\bandalso\b", re.I), "AND", "VAL-II has AND", "write `AND`"

@@ -3,6 +3,12 @@
 import re
 
 _SHORT = 20  # characters that a help quotes beside the whole step
+_COMPARISON = re.compile(
+    r"(?P<left>(?:[^<>=()&|]|\([^<>=()]*\))+?)(?P<before>[ \t]*)(?P<sign>==|<>|<=|>=|<|>)"
+    r"(?P<right>(?!.*\b(?:AND|OR|XOR)\b)(?:[^<>=()&|]|\([^<>=()]*\))+)",
+    re.IGNORECASE,
+)
+_OPPOSITES = {"==": "<>", "<>": "==", "<": ">=", ">=": "<", ">": "<=", "<=": ">"}
 _PIECES = re.compile(r'"[^"]*"|[\w.]+|[-+*/<>=!&|]+|\S')
 
 
@@ -57,6 +63,15 @@ def else_word(text: str) -> str:
     """Return how a line begins that means ELSE IF."""
     first = first_word(text.lstrip("} \t")).upper()
     return "ELSE IF" if first == "ELSE" else first
+
+
+def opposite(condition: str) -> str:
+    """Return the condition that holds where another does not."""
+    found = _COMPARISON.fullmatch(condition)
+    if found is not None:
+        return f"{found['left']}{found['before']}{_OPPOSITES[found['sign']]}{found['right']}"
+    bare = re.fullmatch(r"NOT[ \t]+(\w+(?:\([^()]*\))?)", condition, re.IGNORECASE)
+    return bare[1] if bare is not None else f"NOT ({condition})"
 
 
 def first_word(text: str) -> str:

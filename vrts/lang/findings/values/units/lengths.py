@@ -20,6 +20,7 @@ HAND_UP = Rule("V236", "missing-angles")
 
 METRES = 2.0  # [mm] a location whose coordinates are all below is taken for one in metres
 TOO_NEAR = 60.0  # [mm] no arm reaches so near its middle: taken for inches
+ONE_PERCENT = 1.0  # [%] a speed below is hardly meant, unless others are given in percent
 SMALL = 0.5  # [mm, %] distances and speeds below are hardly meant; half of one now and then is
 _GOALS = frozenset({"MOVE", "MOVES", "APPRO", "APPROS"})
 _DISTANCE = {"APPRO": 1, "APPROS": 1, "DEPART": 0, "DEPARTS": 0}
@@ -51,7 +52,7 @@ def check_lengths(types: NameUses, asked: Asked, absolute: frozenset[str]) -> No
         if operand is not None and asked.program is not None:
             _distance(types, asked.program, node.word, operand)
     elif isinstance(node, SpeedStatement) and node.word == "SPEED":
-        _speed(types, node)
+        _speed(types, asked.program, node)
     elif isinstance(node, SetLocation):
         target = node.target if isinstance(node.target, Name) else node.target.name
         if key(target.text) in absolute:
@@ -82,7 +83,8 @@ def check_data(types: NameUses, data: list[Datum], absolute: frozenset[str]) -> 
 
 def _data(types: NameUses, datum: Datum, unit: str, factor: float, shown: str) -> None:
     problems = types.problems
-    start, end = _offsets(types, datum.span)
+    start = offset_of(types, datum.span)
+    end = start + len(datum.span.text)
     problems.warning(
         LENGTH_UNIT,
         f"`{datum.name}` looks like {unit}: lengths are in millimetres",
@@ -95,7 +97,8 @@ def _data(types: NameUses, datum: Datum, unit: str, factor: float, shown: str) -
 
 
 def _points_up(types: NameUses, datum: Datum) -> None:
-    start, end = _offsets(types, datum.span)
+    start = offset_of(types, datum.span)
+    end = start + len(datum.span.text)
     types.problems.warning(
         HAND_UP,
         f"`{datum.name}` has no angles: the hand points up",
@@ -107,13 +110,13 @@ def _points_up(types: NameUses, datum: Datum) -> None:
     )
 
 
-def _offsets(types: NameUses, span: Span) -> tuple[int, int]:
-    """Return where a span lies in what is compiled, which may be several files."""
+def offset_of(types: NameUses, span: Span) -> int:
+    """Return where a span begins in what is compiled, which may be several files."""
     source = types.problems.source
     base = 0
     if isinstance(source, Joined):
         base = source.starts[source.files.index(span.source)]
-    return base + span.start, base + span.end
+    return base + span.start
 
 
 def _distance(types: NameUses, program: str, word: str, operand: Item) -> None:
@@ -133,10 +136,14 @@ def _distance(types: NameUses, program: str, word: str, operand: Item) -> None:
     )
 
 
-def _speed(types: NameUses, node: SpeedStatement) -> None:
+def _speed(types: NameUses, program: str | None, node: SpeedStatement) -> None:
     level = node.levels[0]
-    low, high = evaluate(level.value, nothing_known)
-    if low != high or not 0.0 < low < SMALL or any(other.unit for other in node.levels):
+    if program is None or any(other.unit for other in node.levels):
+        return
+    low = _percent(types, program, level.value)
+    if low is None or not 0.0 < low < ONE_PERCENT:
+        return
+    if low >= SMALL and _knows_percent(types, program):
         return
     types.problems.warning(
         LENGTH_UNIT,
@@ -149,6 +156,22 @@ def _speed(types: NameUses, node: SpeedStatement) -> None:
             f"or `SPEED {1000.0 * low:g} MMPS` for {low:g} metres a second",
         ),
     )
+
+
+def _percent(types: NameUses, program: str, node: Item) -> float | None:
+    low, high = evaluate(node, nothing_known)
+    return low if low == high else constant(types.scope, program, node)
+
+
+def _knows_percent(types: NameUses, program: str) -> bool:
+    """Return whether a program sets another speed in percent: then half of one is meant, too."""
+    for asked in types.asked:
+        node = asked.node
+        if asked.program == program and isinstance(node, SpeedStatement) and node.word == "SPEED":
+            value = _percent(types, program, node.levels[0].value)
+            if node.levels[0].unit is None and value is not None and value >= ONE_PERCENT:
+                return True
+    return False
 
 
 def _trans(types: NameUses, node: Item | None) -> None:

@@ -1,0 +1,203 @@
+"""Variables that count a FOR loop and are changed in it: by hand, by another loop, by a CALL."""
+
+from collections.abc import Callable, Sequence
+
+from vrts.base.diagnostic import Fix, Rule
+from vrts.lang.meaning.scope import Scope
+from vrts.lang.meaning.structure import Block
+from vrts.lang.names import key
+from vrts.lang.problems import Problems
+from vrts.lang.syntax.expressions import Expression, Infix, Name, Number
+from vrts.lang.syntax.program import ProgramText
+from vrts.lang.syntax.statements import (
+    Assignment,
+    CallStatement,
+    For,
+    Simple,
+    Statement,
+)
+
+LOOP_VARIABLE = Rule("V246", "loop-variable-changed")
+
+_SPARE = ("i", "j", "k", "m", "n", "row", "column")  # names for another variable
+
+
+class CountingCheck:
+    """Looks at the FOR loops of a compilation.
+
+    `changed_by` tells which variables the CALL of a program may change; None: it is not known.
+    """
+
+    def __init__(
+        self,
+        problems: Problems,
+        scope: Scope,
+        changed_by: Callable[[str], frozenset[str] | None],
+    ) -> None:
+        self.problems = problems
+        self.scope = scope
+        self.changed_by = changed_by
+
+    def check(self, program: ProgramText, found: Sequence[Block]) -> None:
+        """Warn of what changes the variable of a FOR loop around it."""
+        loops = [block for block in found if block.word == "FOR"]
+        if not loops:
+            return
+        opened = {block.opener: block for block in found}
+        first = min(block.opener for block in loops)
+        last = max(block.end for block in loops)
+        open_: list[tuple[Block, str, For | None]] = []
+        for at in range(first, last):
+            while open_ and open_[-1][0].end <= at:
+                open_.pop()
+            node = program.steps[at].statement
+            if open_ and node is not None:
+                self._step(program, node, open_)
+            if at in opened:
+                loop = node if isinstance(node, For) and _name(node.target) else None
+                name = _name(loop.target) if loop is not None else ""
+                open_.append((opened[at], name, loop))
+
+    def _step(
+        self,
+        program: ProgramText,
+        node: Statement,
+        open_: Sequence[tuple[Block, str, For | None]],
+    ) -> None:
+        around = {name: loop for _, name, loop in open_ if loop is not None}
+        if isinstance(node, For):
+            name = _name(node.target)
+            if name in around:
+                self._inner(program, node, name, around[name])
+            return
+        if isinstance(node, CallStatement):
+            self._call(program, node, around)
+            return
+        name, loop = open_[-1][1:]
+        if loop is None:
+            return  # under a condition: it may well be meant
+        if isinstance(node, Assignment) and _name(node.target) == name:
+            self._by_hand(node, name, loop)
+        elif isinstance(node, Simple) and node.word == "PROMPT":
+            for operand in node.operands:
+                if isinstance(operand, Name) and key(operand.text) == name:
+                    self._prompted(operand, name, loop)
+
+    def _inner(self, program: ProgramText, node: For, name: str, loop: For) -> None:
+        spare = next(
+            (n for n in _SPARE if n not in self.scope.entries and n not in program_names(program)),
+            f"{name}2",
+        )
+        self.problems.warning(
+            LOOP_VARIABLE,
+            f"`{name}` counts the loop around this one, too",
+            node.target.start,
+            node.target.end,
+            "changes it",
+            secondary=(self.problems.label(loop.start, loop.end, f"`{name}` counts this loop"),),
+            notes=(
+                "the outer loop goes on from where the inner one ends: too few passes, or no end",
+            ),
+            help=(f"count with another variable here, as in `FOR {spare} = ...`",),
+        )
+
+    def _by_hand(self, node: Assignment, name: str, loop: For) -> None:
+        problems = self.problems
+        written = problems.source.text[node.start : node.end]
+        self.problems.warning(
+            LOOP_VARIABLE,
+            f"`{name}` counts this loop, and is changed in it",
+            node.start,
+            node.end,
+            "in each pass",
+            secondary=(problems.label(loop.start, loop.end, f"`{name}` counts this loop"),),
+            notes=("FOR changes its variable by itself at the end of each pass",),
+            help=(f"remove `{written}`, or give another variable the value",),
+            fix=_removed(problems, node) if _one_more(node.value, name, loop) else None,
+        )
+
+    def _prompted(self, node: Name, name: str, loop: For) -> None:
+        problems = self.problems
+        problems.warning(
+            LOOP_VARIABLE,
+            f"`{name}` counts this loop, and is changed in it",
+            node.start,
+            node.end,
+            "in each pass",
+            secondary=(problems.label(loop.start, loop.end, f"`{name}` counts this loop"),),
+            help=("read the answer into another variable",),
+        )
+
+    def _call(self, program: ProgramText, node: CallStatement, around: dict[str, For]) -> None:
+        called = key(node.program.text)
+        changed = self.changed_by(called)
+        if changed is None:
+            return
+        for name, loop in around.items():
+            if name in self.scope.formals[program.name]:
+                continue
+            secondary = (self.problems.label(loop.start, loop.end, f"`{name}` counts this loop"),)
+            passed = self._passed(node, name)
+            if passed is not None:
+                self.problems.warning(
+                    LOOP_VARIABLE,
+                    f"`{called}` changes its argument: here that is `{name}`, which counts a loop",
+                    passed.start,
+                    passed.end,
+                    secondary=secondary,
+                    help=(f"pass only the value: write `({passed.text})`",),
+                    fix=self.problems.replace(
+                        passed.start, passed.end, f"({passed.text})", sure=False
+                    ),
+                )
+                return
+            if name in changed:
+                self.problems.warning(
+                    LOOP_VARIABLE,
+                    f"`{called}` changes `{name}`, which counts this loop",
+                    node.start,
+                    node.end,
+                    secondary=secondary,
+                    notes=("all programs share their variables, but for their arguments",),
+                    help=(f"use another variable in `{called}`, or another one to count here",),
+                )
+                return
+
+    def _passed(self, node: CallStatement, name: str) -> Name | None:
+        """Return the argument that a program gets by its name, and changes."""
+        program = self.scope.programs.get(key(node.program.text))
+        if program is None:
+            return None
+        for argument, formal in zip(node.arguments, program.formals, strict=False):
+            if isinstance(argument, Name) and key(argument.text) == name and formal.name.text:
+                entry = self.scope.formals[program.name].get(key(formal.name.text))
+                if entry is not None and entry.writes:
+                    return argument
+        return None
+
+
+def program_names(program: ProgramText) -> set[str]:
+    """Return the names of the arguments of a program."""
+    return {key(formal.name.text) for formal in program.formals if formal.name.text}
+
+
+def _name(node: Expression) -> str:
+    return key(node.text) if isinstance(node, Name) else ""
+
+
+def _one_more(value: Expression, name: str, loop: For) -> bool:
+    """Whether this is the `i = i+1` that other languages want in their loops."""
+    match value:
+        case Infix("+", Name(text), Number(number)):
+            return key(text) == name and number == 1.0 and loop.increment is None
+        case _:
+            return False
+
+
+def _removed(problems: Problems, node: Statement) -> Fix | None:
+    """Return the edit that takes out a line on which a step stands alone."""
+    text = problems.source.text
+    start = text.rfind("\n", 0, node.start) + 1
+    finish = text.find("\n", node.end) + 1
+    alone = finish and not text[start : node.start].strip() and not text[node.end : finish].strip()
+    return problems.replace(start, finish, "", sure=False) if alone else None

@@ -1,0 +1,41 @@
+"""`10(i+1)` and `(1+2)(3+4)`: a product without its `*`."""
+
+import re
+
+from vrts.lang.grammar.shapes import UNEXPECTED_TEXT
+from vrts.lang.steps.misread.meant import VARIABLE, Meant
+from vrts.lang.steps.repair import Repair
+
+_STRING = re.compile(r'"[^"]*"')
+_NO_SIGN = re.compile(
+    r"(?<![\w.^$#\]])(?:\d+\.?\d*|\.\d+)[ \t]*(?=\()|\)(?=\w)|\)[ \t]*(?=\()",
+    re.ASCII,
+)
+_OF_NUMBERS = re.compile(  # steps that compute with numbers, not with locations
+    rf"{VARIABLE}[ \t]*=(?!=)|(?:IF|WHILE|UNTIL|FOR|CASE|TYPE|DRAW|DEPARTS?|DELAY|SPEED|DRIVE)\b",
+    re.ASCII | re.IGNORECASE,
+)
+
+
+def missing_times(text: str, repair: Repair) -> Meant | None:
+    """Return what is meant by a step that is right with `*` between two factors."""
+    bare = _STRING.sub(lambda string: '"' * len(string.group()), text)
+    places = [found.end() for found in _NO_SIGN.finditer(bare)]
+    if not places or not _OF_NUMBERS.match(text):
+        return None
+    meant = text
+    for place in reversed(places):
+        meant = f"{meant[:place].rstrip()}*{meant[place:]}"
+    tried = repair.steps(meant)
+    if tried is None or tried.fixes:
+        return None
+    start, end = len(text[: places[0]].rstrip()), places[-1]
+    return Meant(
+        UNEXPECTED_TEXT,
+        "`*` is missing between two factors",
+        start - 1,
+        end + 1,
+        (f"write `{meant}`",),
+        meant[start - 1 : len(meant) - (len(text) - end - 1)],
+        notes=("VAL-II says *Unexpected text at end of line*",),
+    )

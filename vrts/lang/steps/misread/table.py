@@ -1,0 +1,43 @@
+"""All of them, in the order in which they are tried."""
+
+from vrts.lang.dialect import Dialect
+from vrts.lang.steps.misread.called_values import called_value
+from vrts.lang.steps.misread.chains import chain
+from vrts.lang.steps.misread.digits_first import digit_first
+from vrts.lang.steps.misread.equals_behind import equals_behind
+from vrts.lang.steps.misread.f_strings import f_string
+from vrts.lang.steps.misread.format_letters import letter_behind
+from vrts.lang.steps.misread.functions_given import given_function
+from vrts.lang.steps.misread.hand_words import named_hand
+from vrts.lang.steps.misread.joined_strings import joined_strings
+from vrts.lang.steps.misread.left_out.blank import glued_number
+from vrts.lang.steps.misread.left_out.quotes import unquoted_text
+from vrts.lang.steps.misread.left_out.times import missing_times
+from vrts.lang.steps.misread.meant import Meant
+from vrts.lang.steps.misread.surplus_parenthesis import surplus_parenthesis
+from vrts.lang.steps.misread.units import unit_behind
+from vrts.lang.steps.misread.value_ranges import value_range
+from vrts.lang.steps.repair import Repair
+
+
+def meant_by_line(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
+    """Return what is meant by a line that is no step, where it is one of these."""
+    if not dialect.has("2"):
+        return None
+    return (
+        chain(text)
+        or f_string(text, repair)
+        or unit_behind(text, repair)
+        or letter_behind(text, repair)
+        or unquoted_text(text, repair)
+        or value_range(text)
+        or glued_number(text, repair, dialect)
+        or digit_first(text)
+        or given_function(text, dialect)
+        or called_value(text)
+        or named_hand(text)
+        or surplus_parenthesis(text, repair)
+        or equals_behind(text, repair, dialect)
+        or joined_strings(text, repair)
+        or missing_times(text, repair)
+    )
