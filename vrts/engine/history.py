@@ -112,6 +112,7 @@ def history_of(machine: Machine) -> History:
     """Return what a machine knows. Nobody may change the machine afterwards."""
     system = machine.system
     programs, planner, hand = system.programs, system.planner, system.hand
+    given = planner.given
     return History(
         module=machine.executable.module,
         code=Code(
@@ -132,7 +133,7 @@ def history_of(machine: Machine) -> History:
         counts=machine.counts,
         robot=_program(machine, machine.robot),
         process=_program(machine, machine.process),
-        arm=ArmHistory(planner.initial, planner.pieces, planner.motions, planner.scale),
+        arm=ArmHistory(given.initial, given.pieces, given.motions, planner.scale),
         hand=HandHistory(machine.initial_opening, hand.strokes, hand.placements),
         memory=MemoryHistory(
             system.memory.bound, system.held_tool, system.held_base, system.parameters

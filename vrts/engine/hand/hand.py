@@ -5,18 +5,15 @@ constant speed. Objects attach as they lie at the instant the opening equals the
 """
 
 import math
-from collections.abc import Callable
 from typing import NamedTuple, TypeAlias
 
-from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.pose import Pose
-from vrts.base.units import mm
-from vrts.engine.hand.grip import Between, between
+from vrts.engine.hand import told
+from vrts.engine.hand.meeting import Fingers, Lying, Met
 from vrts.engine.hand.resting import Standing
 from vrts.engine.memory.events import (
     Cause,
     Event,
-    Found,
     Grasped,
     HandCommanded,
     Landed,
@@ -31,15 +28,6 @@ from vrts.ir.instructions import HandAction
 from vrts.robots.kinematics.kinematics import forward
 from vrts.robots.model import Gripper
 from vrts.scene.model import Mobility, Scene
-
-CLOSED_ON_NOTHING = Rule("V310", "nothing-grasped")
-OFF_CENTRE = Rule("V311", "off-centre")
-DROPPED = Rule("V312", "dropped")
-TOPPLED = Rule("V313", "toppled")
-
-DROP_HEIGHT = 2e-3  # [m] letting go higher than this is a drop [assumed]
-LOOK = 7e-3  # [s] between looks at a closing hand that moves: a quarter tick [assumed]
-INSTANT = 1e-7  # [s] to which the instant of a grasp is found
 
 EventLog: TypeAlias = Log[Event]
 
@@ -169,119 +157,35 @@ class Hand:
     # --- closing ------------------------------------------------------------------------------
 
     def _close(self, start: float, time_s: float, cause: Cause, *, tested: bool) -> None:
-        stop = time_s + (start - self.gripper.opening_min) / self._speed
-        found = self._meeting(start, time_s, stop)
-        if isinstance(found, tuple):
-            instant, body, _ = found
+        gripper, moves = self.gripper, self.planner.motion_end > time_s
+        stop = time_s + (start - gripper.opening_min) / gripper.finger_speed
+        fingers = Fingers(gripper, start, time_s, stop, self._flange_at, moves)
+        found = fingers.first_met(self._lying_since(time_s))
+        if isinstance(found, Met):
+            instant, body = found
             X_FO = self._flange_at(instant).inverse() @ self.placements[body][-1].X
             self.closing = Closing(time_s, start, cause, instant, body, X_FO, tested)
-            end = start - self._speed * (instant - time_s)
-            self.strokes.append(Stroke(time_s, instant, start, end))
+            self.strokes.append(Stroke(time_s, instant, start, fingers.opening(instant)))
             return
         self.closing = Closing(time_s, start, cause, stop, found, None, tested)
-        self.strokes.append(Stroke(time_s, stop, start, self.gripper.opening_min))
+        self.strokes.append(Stroke(time_s, stop, start, gripper.opening_min))
+
+    def _lying_since(self, time_s: float) -> list[Lying]:
+        """Return what has lain still since a time, or longer."""
+        return [
+            Lying(name, self.scene.body(name).pieces, track[-1].X)
+            for name, track in self.placements.items()
+            if track[-1].start_s <= time_s and track[-1].lie in (Lie.RESTING, Lie.TOPPLED)
+        ]
 
     def _report_miss(self, closing: Closing, events: EventLog) -> None:
         stop, cause, found = closing.end_s, closing.cause, closing.body
         if found is not None:
             events.append(MissedOffCentre(stop, found, cause))
-            self._warn(
-                events,
-                stop,
-                OFF_CENTRE,
-                f"the hand closes beside `{found}`: the pads do not meet it from both sides",
-                cause,
-                help="bring the point between the pads over the middle of the object",
-                body=found,
-            )
-            return
-        if closing.tested:
-            return
-        already = closing.start_m <= self.gripper.opening_min
-        self._warn(
-            events,
-            stop,
-            CLOSED_ON_NOTHING,
-            "the hand is told to close but is closed already"
-            if already
-            else "the hand closes on nothing",
-            cause,
-            help="open the hand before the approach: `OPENI`"
-            if already
-            else "compare the location with the object's in `vrts scene show`",
-        )
-
-    def _meeting(
-        self, start: float, begin: float, stop: float
-    ) -> tuple[float, str, Between] | str | None:
-        """Return the first grasp of a closing hand, the name of a body missed, or None."""
-        missed: str | None = None
-        best: tuple[float, str, Between] | None = None
-        for name, track in self.placements.items():
-            last = track[-1]
-            if last.start_s > begin or last.lie not in (Lie.RESTING, Lie.TOPPLED):
-                continue
-            found = self._meets(name, last.X, start, begin, stop)
-            if isinstance(found, str):
-                missed = missed or found
-            elif found is not None and (best is None or found[0] < best[0]):
-                best = found
-        return best or missed
-
-    def _meets(
-        self,
-        name: str,
-        X_WO: Pose,
-        start: float,
-        begin: float,
-        stop: float,
-    ) -> tuple[float, str, Between] | str | None:
-        pieces = self.scene.body(name).pieces
-
-        def look(time_s: float) -> Between | None:
-            X_PO = (self._flange_at(time_s) @ self.gripper.X_FP).inverse() @ X_WO
-            return between(self.gripper, pieces, X_PO)
-
-        def excess(time_s: float, met: Between) -> float:
-            return start - self._speed * (time_s - begin) - met.width
-
-        first = look(begin)
-        if self.planner.motion_end <= begin:
-            if first is None or excess(begin, first) < 0.0:
-                return None
-            if not first.centred or first.overlap < self.gripper.overlap_min:
-                return name
-            return (begin + (start - first.width) / self._speed, name, first)
-        before, met = begin, first
-        while before < stop:
-            after = min(before + LOOK, stop)
-            now = look(after)
-            excesses = (met and excess(before, met), now and excess(after, now))
-            if excesses[0] is not None and excesses[1] is not None:  # noqa: SIM102
-                if excesses[0] >= 0.0 >= excesses[1]:
-                    return self._instant(name, before, after, look, excess)
-            before, met = after, now
-        return None
-
-    def _instant(
-        self,
-        name: str,
-        before: float,
-        after: float,
-        look: Callable[[float], Between | None],
-        excess: Callable[[float, Between], float],
-    ) -> tuple[float, str, Between] | str:
-        while after - before > INSTANT:
-            middle = 0.5 * (before + after)
-            met = look(middle)
-            if met is not None and excess(middle, met) > 0.0:
-                before = middle
-            else:
-                after = middle
-        met = look(before)
-        if met is None or not met.centred or met.overlap < self.gripper.overlap_min:
-            return name
-        return (before, name, met)
+            events.append(told.off_centre(stop, found, cause))
+        elif not closing.tested:
+            already = closing.start_m <= self.gripper.opening_min
+            events.append(told.closed_on_nothing(stop, cause, already=already))
 
     # --- opening ------------------------------------------------------------------------------
 
@@ -317,29 +221,13 @@ class Hand:
                 self._place(member, time_s, Lie.FALLING, X, None)
             X_end = X_WO @ X_OO @ X_WO.inverse() @ X
             self._place(member, landing, lie, X_end, support)
-        if rest.height_m > DROP_HEIGHT:
-            self._warn(
-                events,
-                time_s,
-                DROPPED,
-                f"`{name}` is let go {mm(rest.height_m):.0f} mm above `{rest.support}`",
-                cause,
-                help="open the hand only when the object stands on its support",
-                body=name,
-            )
+        if rest.height_m > told.DROP_HEIGHT:
+            events.append(told.dropped(time_s, name, rest.height_m, rest.support, cause))
         if rest.stands:
             events.append(Landed(landing, name, rest.support, cause))
             return
         events.append(Toppled(landing, name, rest.support, cause))
-        self._warn(
-            events,
-            landing,
-            TOPPLED,
-            f"`{name}` cannot stand on `{rest.support}` as it is let go",
-            cause,
-            help="hold the object upright and over the middle of its support",
-            body=name,
-        )
+        events.append(told.toppled(landing, name, rest.support, cause))
 
     def _supports(self, without: set[str]) -> list[Standing]:
         found: list[Standing] = []
@@ -353,18 +241,13 @@ class Hand:
 
     # --- records ------------------------------------------------------------------------------
 
-    @property
-    def _speed(self) -> float:
-        """Change of the opening while the fingers move [m/s]."""
-        gripper = self.gripper
-        return (gripper.opening_max - gripper.opening_min) / gripper.stroke_time
-
     def _stroke(self, time_s: float, start: float, end: float) -> None:
         if start == end:
             if self.strokes and self.strokes[-1].end_s > time_s:
                 self.strokes.append(Stroke(time_s, time_s, start, start))
             return
-        self.strokes.append(Stroke(time_s, time_s + abs(end - start) / self._speed, start, end))
+        needed = abs(end - start) / self.gripper.finger_speed
+        self.strokes.append(Stroke(time_s, time_s + needed, start, end))
 
     def _place(self, name: str, time_s: float, lie: Lie, X: Pose, support: str | None) -> None:
         track = self.placements[name]
@@ -379,24 +262,3 @@ class Hand:
             if last.lie is Lie.RESTING and last.support == name:
                 found += [(other, name), *self._stack_on(other)]
         return found
-
-    def _warn(
-        self,
-        events: EventLog,
-        time_s: float,
-        rule: Rule,
-        headline: str,
-        cause: Cause | None,
-        *,
-        help: str,  # noqa: A002 -- the diagnostic's own word
-        body: str = "",
-    ) -> None:
-        diagnostic = Diagnostic(
-            rule,
-            Severity.WARNING,
-            headline,
-            Label(cause.span) if cause else None,
-            help=(help,),
-            data={"time_s": round(time_s, 3), "body": body},
-        )
-        events.append(Found(time_s, diagnostic, cause))

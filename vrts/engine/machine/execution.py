@@ -8,32 +8,40 @@ from vrts.engine.faults import LimitReached, RuntimeFault
 from vrts.engine.machine.due import obey_due
 from vrts.engine.machine.ending import end
 from vrts.engine.machine.limits import check_limits
-from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.machine import Machine, MidTick
 from vrts.engine.machine.reacting import catch, react
 from vrts.engine.memory.events import Cause
 from vrts.engine.memory.records import INSTANT, Ending
 from vrts.engine.programs.context import Context
 from vrts.engine.programs.cycles import next_cycle, rest
+from vrts.engine.programs.outside import Undecided
 
 
-def execute(machine: Machine, c: Context, now: float) -> None:
-    """Let a program react, and go on for its share of a tick [manual language/processes#share]."""
+def execute(machine: Machine, c: Context, now: float, mid: MidTick) -> None:
+    """Let a program react, and go on for its share of a tick [manual language/processes#share].
+
+    Raises:
+        Undecided: A statement looks at something that is not decided; it has not begun, and the
+            rest of the share is left.
+    """
     try:
         if c.finishing:
             _finish(machine, c)
         else:
-            react(machine, c, look=True)
-            if c.wake == math.inf or c.wake <= now + INSTANT:
-                c.wake = now
-                _run_steps(machine, c, machine.scene.controller.programs.steps_a_tick)
+            if mid.steps is None:
+                react(machine, c, look=True)
+                if c.wake == math.inf or c.wake <= now + INSTANT:
+                    c.wake = now
+                    mid.steps = machine.scene.controller.programs.steps_a_tick
+            if mid.steps is not None:
+                _run_steps(machine, c, mid, mid.steps)
         check_limits(machine, c)
     except LimitReached as limit:
         end(machine, c, Ending.LIMIT, limit.diagnostic)
 
 
-def _run_steps(machine: Machine, c: Context, most: int) -> None:
+def _run_steps(machine: Machine, c: Context, mid: MidTick, left: int) -> None:
     """Execute statements until the program waits, ends, or has used its share of the tick."""
-    left = most
     while left > 0 and c.running:
         due = machine.due_after
         share = left if due is None else min(left, max(due - machine.finished, 0))
@@ -50,6 +58,9 @@ def _run_steps(machine: Machine, c: Context, most: int) -> None:
         except RuntimeFault as fault:
             left -= 1
             catch(machine, c, fault)
+        except Undecided:
+            mid.steps = left - (machine.finished - before)
+            raise
         if left > 0 and c.running:
             react(machine, c, look=False)
     rest(c, machine.finished)
@@ -96,6 +107,12 @@ def _run_frame(machine: Machine, c: Context, left: int) -> int:
                 return _left(machine, c, outcome, left)
         frame.index = index
     except RuntimeFault:
+        frame.index = index
+        raise
+    except Undecided:
+        trace.instructions.pop()
+        finished -= 1
+        c.finished = finished
         frame.index = index
         raise
     finally:

@@ -48,10 +48,15 @@ def forget_values(machines: Sequence[Machine], before_s: float) -> None:
         _forget_statements(machine, before_s, columns)
 
 
+def forget_arm_and_hand(machine: Machine, before_s: float) -> None:
+    """Forget where the arm and the hand were before a time [s] that is over for the programs."""
+    _forget_motions(machine.system.planner, before_s)
+    _forget_hand(machine.system.hand, before_s)
+
+
 def _forget(machine: Machine, before_s: float, columns: Columns, events: ShorterEvents) -> None:
     system = machine.system
-    _forget_motions(system.planner, before_s)
-    _forget_hand(system.hand, before_s)
+    forget_arm_and_hand(machine, before_s)
     if system.answers_read == len(system.answers):
         system.answers, system.answers_read = Log(), 0
     system.events = events.shortened(system.events)
@@ -72,11 +77,12 @@ def _forget_statements(machine: Machine, before_s: float, columns: Columns) -> N
 
 
 def _forget_motions(planner: Planner, before_s: float) -> None:
-    pieces, path_s = planner.pieces, planner.scale.path(before_s)
+    given, path_s = planner.given, planner.scale.path(before_s)
+    pieces = given.pieces
     del pieces[: max(bisect_right(pieces, path_s, key=lambda piece: piece.start_s) - 1, 0)]
     if pieces:
-        planner.motions.forget(pieces[0].motion)
-        first = planner.motions[planner.motions.first]
+        given.motions.forget(pieces[0].motion)
+        first = given.motions[given.motions.first]
         planner.scale.forget(min(path_s, first.start_s))
 
 

@@ -36,7 +36,7 @@ def check_limits(machine: Machine, c: Context) -> None:
             "it was stopped here, at the longest time it may take",
             "if no loop repeats for ever, the arm is too slow: look at SPEED",
         )
-    if len(system.planner.motions) > limits.motions:
+    if len(system.planner.given.motions) > limits.motions:
         raise _reached(
             c,
             MOTIONS,

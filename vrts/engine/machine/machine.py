@@ -33,6 +33,37 @@ class Lineage:
         self.writes = 0
 
 
+class MidTick:
+    """How far a tick has come: whose turn it is, and how much of the share is left.
+
+    A statement that looks at something undecided has not begun; the tick then goes on from here.
+    """
+
+    __slots__ = ("changes", "finished", "steps", "turn")
+
+    def __init__(self, finished: int, changes: int) -> None:
+        """Stand before both programs.
+
+        Args:
+            finished: Statements finished before the tick.
+            changes: How often signals had changed before the programs' turns.
+        """
+        self.finished = finished
+        self.changes = changes
+        self.turn = 0  # of the programs; after the last one the tick is over
+        self.steps: int | None = None  # left of the share; None: reactions come first
+
+    def again(self) -> None:
+        """Let both programs have another turn."""
+        self.turn, self.steps = 0, None
+
+    def copy(self) -> "MidTick":
+        """Return an independent copy."""
+        other = MidTick(self.finished, self.changes)
+        other.turn, other.steps = self.turn, self.steps
+        return other
+
+
 class Machine:
     """All state of a run in progress. Mutable; a Run holds one and never changes it again."""
 
@@ -78,6 +109,7 @@ class Machine:
         self.arrived = 0  # motions whose end was noted
         self.faults_done = 0
         self.stopped: Stopped | None = None  # the program that stopped before a DO
+        self.mid: MidTick | None = None  # a tick is under way
         self.watcher = Watcher()
         self.lineage = Lineage()
         self.written = 0
@@ -93,6 +125,8 @@ class Machine:
         other.robot = self.robot.copy(other.system, copies)
         other.process = self.process.copy(other.system, copies)
         other.watcher = self.watcher.copy()
+        if self.mid is not None:
+            other.mid = self.mid.copy()
         if self.stopped is not None:
             other.stopped = self.stopped.copy(copies)
         other._wire()
@@ -179,3 +213,8 @@ class Machine:
             return None
         timed = self.issued[self.obeyed]
         return timed.after if timed.time_s <= self.now + INSTANT else None
+
+
+def statement_under_way(machine: Machine) -> tuple[int, int] | None:
+    """Return whose turn it is in the tick under way, and how many statements are finished."""
+    return None if machine.mid is None else (machine.mid.turn, machine.finished)

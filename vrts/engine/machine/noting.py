@@ -9,9 +9,9 @@ from vrts.engine.motion.remarks import worded
 def note_motions(machine: Machine, until_s: float) -> None:
     """Note the motions that begin and end up to a time [s]."""
     planner, events = machine.system.planner, machine.system.events
-    committed = len(planner.motions) - (planner.pending is not None)
+    committed = len(planner.given.motions) - (planner.pending is not None)
     while machine.arrived < committed:
-        motion = planner.motions[machine.arrived]
+        motion = planner.given.motions[machine.arrived]
         if machine.moved == machine.arrived:
             start = planner.scale.time(motion.start_s)
             if start > until_s + INSTANT:

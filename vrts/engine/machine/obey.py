@@ -162,10 +162,10 @@ def _do(machine: Machine, module: Module, now: float) -> None:
     machine.stopped = robot.stop() if robot.frames else None
     robot.finished = machine.finished
     planner, next_hand = machine.system.planner, robot.next_hand
-    always, following = planner.always, planner.next
+    settings = planner.settings
     begin(robot, name, 1, 1, now)
     robot.at_once = True
-    planner.always, planner.next, robot.next_hand = always, following, next_hand
+    planner.settings, robot.next_hand = settings, next_hand
     machine.ended_s = None
 
 
@@ -215,10 +215,11 @@ def _panic(machine: Machine) -> None:
 def _repeat_motion(machine: Machine) -> None:
     """Give the motion that was cut once more, as RETRY does."""
     planner = machine.system.planner
-    if not planner.motions or not planner.motions[-1].cut:
+    motions = planner.given.motions
+    if not motions or not motions[-1].cut:
         return
-    cut = planner.motions[-1]
-    settings = planner.always
+    cut = motions[-1]
+    settings = planner.settings.always
     if cut.interpolation is Interpolation.LINEAR:
         intent = to_line(planner.stance, planner.destination, settings, cut.speed_fraction, None)
     else:

@@ -13,7 +13,7 @@ from vrts.engine.machine.ending import end
 from vrts.engine.machine.execution import execute
 from vrts.engine.machine.forever.findings import not_judged
 from vrts.engine.machine.forever.judge import judge, stopped, waits_in_vain
-from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.machine import Machine, MidTick
 from vrts.engine.machine.noting import note_motions
 from vrts.engine.machine.schedule import future_s, has_work, is_idle
 from vrts.engine.machine.surroundings import bring_faults_about, sample
@@ -39,6 +39,34 @@ def settle(machine: Machine, until_s: float) -> None:
 
 
 def _run_tick(machine: Machine, tick: int) -> None:
+    begin_tick(machine, tick)
+    go_on(machine)
+    progress, stirred = end_tick(machine)
+    if progress:
+        machine.ticks.append(tick)
+        machine.counts.append(machine.finished)
+    _look_for_loops(machine, machine.robot.now)
+    skip_ahead(machine, progress=progress, stirred=stirred)
+
+
+def skip_ahead(machine: Machine, *, progress: bool, stirred: bool) -> None:
+    """Choose the next tick that has to be run.
+
+    Args:
+        machine: The machine, at the end of a tick.
+        progress: Statements were finished in it.
+        stirred: Signals turned in it.
+    """
+    now = machine.robot.now
+    if machine.running:
+        _plan_next(machine, now, progress=progress, stirred=stirred)
+    else:
+        following = future_s(machine)
+        _skip_to(machine, following if following is not None else now)
+
+
+def begin_tick(machine: Machine, tick: int) -> None:
+    """Let happen what happens at a tick before the programs go on."""
     now = tick * machine.tick
     machine.last_tick, machine.next_tick = tick, tick + 1
     system = machine.system
@@ -48,32 +76,43 @@ def _run_tick(machine: Machine, tick: int) -> None:
     bring_faults_about(machine, now)
     sample(machine, now)
     system.hand.settle_until(now, system.events)
-    before = machine.finished
-    on = system.signals.changes
-    _execute(machine, now)
+    machine.mid = MidTick(machine.finished, system.signals.changes)
+
+
+def go_on(machine: Machine) -> None:
+    """Let the programs have what is left of their turns in the tick under way.
+
+    Raises:
+        Undecided: A statement looks at something that is not decided; the machine is as it was
+            before that statement.
+    """
+    mid = machine.mid
+    assert mid is not None
+    now = machine.robot.now
+    _turns(machine, mid, now)
     while is_due(machine):  # what a debugger does at the end of the tick
         obey_due(machine, now)
-        _execute(machine, now)
-    progress = machine.finished != before
-    if progress:
-        machine.ticks.append(tick)
-        machine.counts.append(machine.finished)
-    _look_for_loops(machine, now)
-    if machine.running:
-        _plan_next(machine, now, progress=progress, stirred=on != system.signals.changes)
-    else:
-        following = future_s(machine)
-        _skip_to(machine, following if following is not None else now)
+        mid.again()
+        _turns(machine, mid, now)
 
 
-def _execute(machine: Machine, now: float) -> None:
-    for c in (machine.robot, machine.process):
+def end_tick(machine: Machine) -> tuple[bool, bool]:
+    """End the tick under way; return whether statements were finished, and signals turned."""
+    mid, machine.mid = machine.mid, None
+    assert mid is not None
+    return machine.finished != mid.finished, machine.system.signals.changes != mid.changes
+
+
+def _turns(machine: Machine, mid: MidTick, now: float) -> None:
+    programs = (machine.robot, machine.process)
+    while mid.turn < len(programs):
+        c = programs[mid.turn]
         if c.running:
-            execute(machine, c, now)
+            execute(machine, c, now, mid)
+        mid.turn, mid.steps = mid.turn + 1, None
 
 
 def _plan_next(machine: Machine, now: float, *, progress: bool, stirred: bool) -> None:
-    """Choose the next tick that has to be run."""
     programs = [c for c in (machine.robot, machine.process) if c.running]
     if any(c.wake <= now for c in programs):
         return  # some program goes on at the next tick

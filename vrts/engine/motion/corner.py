@@ -9,14 +9,23 @@ space, and a joint motion and a line in the joints of both.
 from typing import NamedTuple
 
 from vrts.base.pose import Pose
-from vrts.controllers.model import CornerShape
+from vrts.controllers.model import Branches, CornerShape
 from vrts.engine.memory.records import INSTANT
-from vrts.engine.motion.paths import Course, JointPath, LinePath, Path, rounded
+from vrts.engine.motion.lines.path import Course, LinePath, rounded
+from vrts.engine.motion.lines.set_points import (
+    STILL,
+    Offset,
+    Piece,
+    SetPoints,
+    deviation,
+    follow,
+    joined,
+)
+from vrts.engine.motion.paths import JointPath, Path
 from vrts.engine.motion.plan import Intent, joint_pieces, parameter
 from vrts.engine.motion.polynomials import Row, added
 from vrts.engine.motion.profile import Profile, at
 from vrts.engine.motion.remarks import Remark, remarks_on
-from vrts.engine.motion.set_points import STILL, Offset, Piece, SetPoints, deviation, follow, joined
 from vrts.robots.kinematics.branch import branch_of
 from vrts.robots.model import Arm, ArmBranch, Configuration
 
@@ -145,7 +154,7 @@ def round_corner(
             (first.goal, STILL, intent.start_branch),
             leaving,
         )
-        return _into_line(arm, X_FT, points, following, zone)
+        return _into_line(arm, X_FT, points, following, zone, intent.model.branches)
     corner = first.X_BT1
 
     def course(t: float) -> Course:
@@ -154,7 +163,7 @@ def round_corner(
         return rounded(course_before(t), corner, course_after(t))
 
     points = follow(arm, X_FT, times, course, (*state, intent.start_branch))
-    return _into_line(arm, X_FT, points, following, zone)
+    return _into_line(arm, X_FT, points, following, zone, intent.model.branches)
 
 
 def _corner(start: float, pieces: list[Piece], leg: Leg, intent: Intent) -> Corner:
@@ -173,7 +182,9 @@ def _into_joints(points: SetPoints, leg: Leg, intent: Intent, rest: list[Piece])
     return _corner(points.times[0], [*joined(points), *rest], leg, intent)
 
 
-def _into_line(arm: Arm, X_FT: Pose, points: SetPoints, leg: Leg, zone: int) -> Corner | None:
+def _into_line(
+    arm: Arm, X_FT: Pose, points: SetPoints, leg: Leg, zone: int, rules: Branches
+) -> Corner | None:
     """Return a motion that goes over into a line."""
     if points.obstacle is not None:
         return None
@@ -184,7 +195,7 @@ def _into_line(arm: Arm, X_FT: Pose, points: SetPoints, leg: Leg, zone: int) -> 
         pieces,
         leg,
         goal,
-        branch_of(arm, goal, points.branch),
+        branch_of(arm, goal, points.branch, rules),
         deviation(arm, X_FT, leg.path, pieces[zone:]),
         remarks_on(leg.path, points),
     )

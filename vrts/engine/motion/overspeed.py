@@ -8,11 +8,11 @@ import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple, TypeAlias
 
+from vrts.engine.motion.lines.set_points import Piece
 from vrts.engine.motion.paths import JointPath
 from vrts.engine.motion.plan import Intent, joint_profile, line_profile
 from vrts.engine.motion.polynomials import Row, rate
 from vrts.engine.motion.remarks import Overspeed
-from vrts.engine.motion.set_points import Piece
 from vrts.robots.model import Arm, Configuration
 
 SPEED_TOLERANCE = 1e-6  # share of the limit; rounding of the polynomials

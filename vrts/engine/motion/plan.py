@@ -6,12 +6,13 @@ from vrts.base.pose import Pose
 from vrts.base.source import Span
 from vrts.controllers.model import ControllerModel, NoLength
 from vrts.engine.faults import RuntimeFault
-from vrts.engine.motion.faults import obstacle_fault
-from vrts.engine.motion.paths import Course, JointPath, LinePath, Path
+from vrts.engine.motion.lines.faults import obstacle_fault
+from vrts.engine.motion.lines.path import Course, LinePath
+from vrts.engine.motion.lines.set_points import STILL, Piece, SetPoints, deviation, follow, joined
+from vrts.engine.motion.paths import JointPath, Path
 from vrts.engine.motion.polynomials import Row
 from vrts.engine.motion.profile import Phase, Profile, at, profile
 from vrts.engine.motion.remarks import Remark, remarks_on
-from vrts.engine.motion.set_points import STILL, Piece, SetPoints, deviation, follow, joined
 from vrts.engine.motion.settings import Settings
 from vrts.ir.instructions import Interpolation
 from vrts.robots.kinematics.branch import branch_of
@@ -178,7 +179,7 @@ def from_rest(arm: Arm, X_FT: Pose, intent: Intent) -> Planned:
         scaling,
         pieces,
         goal,
-        branch_of(arm, goal, points.branch),
+        branch_of(arm, goal, points.branch, intent.model.branches),
         deviation(arm, X_FT, part, pieces),
         remarks_on(path, points),
         fault,

@@ -1,33 +1,28 @@
-"""Where the arm goes: the motions given so far, the one that waits its turn, and how they end.
+"""Where the arm goes: motions begun, joined and given up, and the one that waits its turn.
 
 Frames: VAL's world is the robot's base frame displaced by BASE, so a location X of a program is
-reached by the tool at X_BT = X_VB^-1 X, with X_VB the displacement of the robot. Pieces and motions
+reached by the tool at X_BT = X_VB^-1 X, with X_VB the displacement of the robot. The motions given
 are kept in path time; `scale` maps it to run time.
 """
 
 import math
-from bisect import bisect_right
-from collections.abc import Sequence
 from typing import NamedTuple
 
 from vrts.base.pose import IDENTITY, Pose
-from vrts.base.units import DEG
 from vrts.controllers.model import ControllerModel, NoLength, Settling
 from vrts.engine.faults import SINGULAR_JUMP, RuntimeFault
 from vrts.engine.memory.events import Cause
-from vrts.engine.memory.numbered import Numbered
-from vrts.engine.memory.records import INSTANT, ArmPiece, Motion
+from vrts.engine.memory.records import INSTANT, Motion
+from vrts.engine.motion.advice import Advice
 from vrts.engine.motion.corner import Corner, Leg, fits, half_width, round_corner
-from vrts.engine.motion.faults import advise
-from vrts.engine.motion.overspeed import Planning, overspeed, past_singularity
+from vrts.engine.motion.given import CutOff, Given
+from vrts.engine.motion.lines.faults import advise
+from vrts.engine.motion.lines.set_points import Piece
 from vrts.engine.motion.plan import Intent, Planned, from_rest
-from vrts.engine.motion.polynomials import rate as rate_of
-from vrts.engine.motion.polynomials import value
 from vrts.engine.motion.profile import TICK_TOLERANCE
-from vrts.engine.motion.remarks import Overspeed, Told
+from vrts.engine.motion.remarks import Overspeed, Remark, Told
 from vrts.engine.motion.requests import Stance, with_request
-from vrts.engine.motion.set_points import Piece
-from vrts.engine.motion.settings import Settings
+from vrts.engine.motion.settings import InForce, Settings
 from vrts.engine.motion.time_scale import TimeScale
 from vrts.ir.instructions import BranchRequest
 from vrts.robots.kinematics.branch import INITIAL_BRANCH, branch_of
@@ -39,8 +34,6 @@ from vrts.robots.model import (
     Configuration,
 )
 
-MOST_ADVISED = 50  # motions of a run for which slower ones are tried: each costs like several
-
 
 class Pending(NamedTuple):
     """A motion that is on the timeline already but may still be taken back."""
@@ -49,7 +42,7 @@ class Pending(NamedTuple):
     corner: Corner
     target: Pose | None  # X_VT
     intent: Intent
-    replaced: tuple[ArmPiece, ...]  # by its pieces
+    replaced: CutOff  # by its pieces
 
 
 class Planner:
@@ -67,25 +60,20 @@ class Planner:
         self.arm = arm
         self.model = model
         self.configuration = configuration  # at the end of the last motion
-        self.initial = configuration
-        self.branch = branch_of(arm, configuration, INITIAL_BRANCH)
+        self.branch = branch_of(arm, configuration, INITIAL_BRANCH, model.branches)
         self.request = NOTHING_REQUESTED
         self.tool = X_FT  # X_FT
         self.base: Pose = IDENTITY  # X_VB
-        self.always = Settings()
-        self.next: dict[str, object] = {}  # settings of the next motion only
+        self.settings = InForce()
         self.tool_at_dest: Pose = forward(arm, configuration) @ X_FT  # X_BT at the destination
         self.dest: Configuration = configuration
-        self.end_s = 0.0  # of the last motion, in path time
-        self.settling_s = 0.0  # after it
-        self.stayed: Configuration | None = None  # asked for last, by a motion that took no time
+        self.given = Given(configuration)
+        self.settling_s = 0.0  # after the last motion
         self.hold_until = 0.0  # end of a DELAY, in run time
-        self.pieces: list[ArmPiece] = []
-        self.motions: Numbered[Motion] = Numbered()  # in path time
         self.remarks: dict[int, tuple[Told, ...]] = {}  # by motion
         self.leg: Leg | None = None  # None: nothing can be joined to the last motion
         self.pending: Pending | None = None
-        self.advised = 0  # motions for which slower ones were tried
+        self.advice = Advice(arm)
         self.overdue = False  # a motion has begun before its instruction could see to it
         self.scale = TimeScale(rate)
         self.ghost: tuple[Configuration, ArmBranch] | None = None  # in a dry run: where it would be
@@ -95,28 +83,14 @@ class Planner:
         """Return an independent planner that shares the past."""
         other = Planner.__new__(Planner)
         other.__dict__.update(self.__dict__)
-        other.pieces = self.pieces.copy()
-        other.motions = self.motions.copy()
+        other.given = self.given.copy()
         other.remarks = self.remarks.copy()
-        other.next = self.next.copy()
+        other.settings = self.settings.copy()
+        other.advice = self.advice.copy()
         other.scale = self.scale.copy()
         return other
 
-    # --- settings -----------------------------------------------------------------------------
-
-    def reset_settings(self) -> None:
-        """Return to the settings of a fresh execution cycle."""
-        self.always = Settings()
-        self.next = {}
-
-    def take_settings(self, *, but_speed: bool = False) -> Settings:
-        """Return the settings of the motion now given; those for one motion are used up."""
-        kept: dict[str, object] = {}
-        if but_speed and "speed" in self.next:
-            kept = {"speed": self.next.pop("speed")}
-        settings = self.always._replace(**self.next)  # type: ignore[arg-type]
-        self.next = kept
-        return settings
+    # --- what is asked for ------------------------------------------------------------------------
 
     def ask(self, branch: BranchRequest) -> None:
         """Remember a requested branch until a joint-interpolated motion carries it out."""
@@ -158,13 +132,13 @@ class Planner:
     @property
     def motion_end(self) -> float:
         """Run time at which the path of the last motion ends [s]."""
-        end = self.scale.time(self.end_s)
+        end = self.scale.time(self.given.end_s)
         return max(end, self.hold_until)
 
     @property
     def settled_at(self) -> float:
         """Run time at which the arm counts as standing still [s]."""
-        return max(self.scale.time(self.end_s) + self.settling_s, self.hold_until)
+        return max(self.scale.time(self.given.end_s) + self.settling_s, self.hold_until)
 
     @property
     def free_at(self) -> float:
@@ -178,19 +152,7 @@ class Planner:
 
     def configuration_at(self, time_s: float) -> Configuration:
         """Return the joints at a run time, on the motions given so far."""
-        return self._at(self.scale.path(time_s))
-
-    def _at(self, path_s: float) -> Configuration:
-        pieces = self.pieces
-        if self.stayed is not None and path_s >= self.end_s:
-            return self.stayed
-        if not pieces or path_s <= pieces[0].start_s:
-            return next((motion.start for motion in self.motions), self.initial)
-        piece = pieces[-1]
-        if path_s < piece.start_s:
-            piece = pieces[bisect_right(pieces, path_s, key=_start) - 1]
-        t = min(path_s, piece.end_s) - piece.start_s
-        return tuple(value(row, t) for row in piece.rows)  # type: ignore[return-value]
+        return self.given.at(self.scale.path(time_s))
 
     # --- the timeline -------------------------------------------------------------------------
 
@@ -207,29 +169,32 @@ class Planner:
             dry: The arm stands still; everything else is as if it moved.
         """
         planned = from_rest(self.arm, self.tool, intent)
-        start = self._not_before_the_end(self.scale.path(time_s))
+        start = self.given.not_before_the_end(self.scale.path(time_s))
         pieces = [] if dry else planned.pieces
         tick = self.arm.tick
         end = start + (pieces[-1][1] if pieces else 0.0)
         if self.scale.plain:
             end = max(round(end / tick) * tick, start)  # which may be off by a last digit
-        number = len(self.motions)
-        for a, b, rows in pieces:
-            stop = end if b == pieces[-1][1] else start + b
-            self.pieces.append(ArmPiece(start + a, stop, rows, number))
+        last = pieces[-1][1] if pieces else 0.0
         goal = self.configuration if dry else planned.goal
         self.ghost = (planned.goal, planned.branch) if dry else None
-        self._record(intent, start, end, goal, planned.deviation_m, cause)
+        self.given.add(
+            self._motion(intent, start, end, goal, planned.deviation_m, cause),
+            [(start + a, end if b == last else start + b, rows) for a, b, rows in pieces],
+        )
         if planned.fault is not None:
-            self.motions[-1] = self.motions[-1]._replace(short=True)
+            self.given.change_last(short=True)
         if not dry:
-            again = self._from_rest if planned.fault is None else self._as_far_as_it_goes
-            fast = self._overspeed(intent, pieces, (again,))
-            if fast is not None and planned.fault is not None:
+            advice, rate = self.advice, self.scale.rate
+            whole = planned.fault is None
+            again = advice.whole(self.tool) if whole else advice.as_far_as_it_goes(self.tool)
+            fast = advice.on_overspeed(intent, pieces, rate, (again,))
+            if fast is not None and not whole:
                 fast = fast._replace(stopped=True)
-            self.remarks[number] = planned.remarks if fast is None else (fast, *planned.remarks)
+            self._remark(fast, planned.remarks)
         if planned.fault is not None and planned.fault.rule == SINGULAR_JUMP:
-            advise(planned.fault, self._past(intent, planned.fault))
+            past = self.advice.past(intent, planned.fault, self.scale.rate, self.tool)
+            advise(planned.fault, past)
         self.configuration = goal
         self.dest = planned.goal
         self.branch = self.branch if dry else planned.branch
@@ -237,7 +202,7 @@ class Planner:
         early = target is None or planned.fault is not None
         self.tool_at_dest = reached if early else self.base.inverse() @ target  # type: ignore[operator]
         no_time = self.model.pace.no_length is NoLength.NO_TIME
-        self.stayed = goal if no_time and intent.takes_no_time else None
+        self.given.stayed = goal if no_time and intent.takes_no_time else None
         still = dry or intent.takes_no_time
         if still and self.model.stops.settling is Settling.EVERY_STOP:
             self._stay(end)
@@ -263,16 +228,15 @@ class Planner:
         start = leg.arrival - half
         if self.scale.path(now) > start + INSTANT or not fits(leg, intent, half):
             return False
-        state = (self._at(start), self._rate(start))
+        state = (self.given.at(start), self.given.rate(start))
         corner = round_corner(self.arm, self.tool, leg, intent, state)
         if corner is None or corner.branch[:2] != intent.start_branch[:2]:
             return False
-        replaced = self._cut(start)
-        number = len(self.motions)
-        self.pieces += [ArmPiece(a, b, rows, number) for a, b, rows in corner.pieces]
-        self.motions[-1] = self.motions[-1]._replace(end_s=start, blended=True)
+        replaced = self.given.cut(start)
+        self.given.change_last(end_s=start, blended=True)
         end = corner.pieces[-1][1]
-        self._record(intent, start, end, corner.goal, corner.deviation_m, cause)
+        motion = self._motion(intent, start, end, corner.goal, corner.deviation_m, cause)
+        self.given.add(motion, corner.pieces)
 
         def again(slower: Intent) -> list[Piece] | None:
             if not fits(leg, slower, half):
@@ -280,8 +244,9 @@ class Planner:
             other = round_corner(self.arm, self.tool, leg, slower, state)
             return None if other is None else other.pieces
 
-        fast = self._overspeed(intent, corner.pieces, (again, self._from_rest))
-        self.remarks[number] = corner.remarks if fast is None else (fast, *corner.remarks)
+        plannings = (again, self.advice.whole(self.tool))
+        fast = self.advice.on_overspeed(intent, corner.pieces, self.scale.rate, plannings)
+        self._remark(fast, corner.remarks)
         self.pending = Pending(start, corner, target, intent, replaced)
         return True
 
@@ -296,7 +261,7 @@ class Planner:
         reached = forward(self.arm, corner.goal) @ self.tool
         target = pending.target
         self.tool_at_dest = reached if target is None else self.base.inverse() @ target
-        self.stayed = None
+        self.given.stayed = None
         self.leg = corner.leg
         self._end(corner.pieces[-1][1], pending.intent.settings)
         self._carry_out_request(pending.intent)
@@ -314,12 +279,9 @@ class Planner:
             self.overdue = True
             return
         self.pending = None
-        self._cut(pending.start_s)
-        if pending.replaced[0].start_s < pending.start_s - INSTANT:
-            self.pieces.pop()
-        self.pieces += pending.replaced
-        self.motions.pop()
-        self.motions[-1] = self.motions[-1]._replace(end_s=self.end_s, blended=False)
+        self.given.put_back(pending.replaced)
+        self.given.motions.pop()
+        self.given.change_last(end_s=self.given.end_s, blended=False)
 
     def hold(self, start_s: float, seconds: float) -> None:
         """Stand still for a time, as DELAY does: a motion to nowhere."""
@@ -331,26 +293,26 @@ class Planner:
         """Slow down to rest along the path and give the motion up; return whether one was cut."""
         self.take_back(now)
         self.hold_until = min(self.hold_until, now)
-        path_s = self.scale.path(now)
-        if path_s >= self.end_s - INSTANT or self.braking_until > now:
+        given, path_s = self.given, self.scale.path(now)
+        if path_s >= given.end_s - INSTANT or self.braking_until > now:
             return False
-        motion = self.motions[-1]
+        motion = given.motions[-1]
         if path_s < motion.start_s - INSTANT:  # it has not begun
-            self._cut(motion.start_s)
-            self.motions.pop()
+            given.cut(motion.start_s)
+            given.motions.pop()
             self._stop_at(path_s, motion.start)
             return True
         steady, rate = self.scale.rate, self.scale.rate_at(now)
         full = self.model.pace.brake_accelerations * self.arm.acceleration_time
         ramp = full * (rate / steady)
         stop_s = path_s + 0.5 * rate * ramp
-        if stop_s >= self.end_s:
+        if stop_s >= given.end_s:
             return False  # it comes to rest by itself within that time
         self.braking_until = self.scale.stop(now, ramp)
-        stopped = self._at(stop_s)
-        self._cut(stop_s)
+        stopped = given.at(stop_s)
+        given.cut(stop_s)
         X_WT = forward(self.arm, stopped) @ motion.X_FT
-        self.motions[-1] = motion._replace(end_s=stop_s, goal=stopped, X_WT=X_WT, cut=True)
+        given.change_last(end_s=stop_s, goal=stopped, X_WT=X_WT, cut=True)
         self._stop_at(stop_s, stopped)
         return True
 
@@ -364,59 +326,36 @@ class Planner:
 
     # --- parts --------------------------------------------------------------------------------
 
-    def _not_before_the_end(self, path_s: float) -> float:
-        """Return a path time that is not, by rounding alone, before the end of the last motion."""
-        return self.end_s if self.end_s - INSTANT < path_s < self.end_s else path_s
-
     def _carry_out_request(self, intent: Intent) -> None:
         if intent.goal is not None and not intent.keeps_request:
             self.request = NOTHING_REQUESTED
 
     def _stop_at(self, path_s: float, q: Configuration) -> None:
-        self.end_s = path_s
+        self.given.end_s, self.given.stayed = path_s, None
         self.configuration = q
-        self.stayed = None
-        self.branch = branch_of(self.arm, q, self.branch)
+        self.branch = branch_of(self.arm, q, self.branch, self.model.branches)
         self.leg = None
 
     def _end(self, path_s: float, settings: Settings) -> None:
-        self.end_s = path_s
+        self.given.end_s = path_s
         self.settling_s = settings.settling_ticks(self.model.stops) * self.arm.tick
         self.hold_until = 0.0
 
     def _stay(self, path_s: float) -> None:
         """End a motion that went nowhere: the arm has stopped, and settled, before."""
-        self.end_s, self.settling_s, self.hold_until = path_s, 0.0, 0.0
+        self.given.end_s, self.settling_s, self.hold_until = path_s, 0.0, 0.0
 
-    def _overspeed(
-        self, intent: Intent, pieces: Sequence[Piece], plannings: Sequence[Planning]
-    ) -> Overspeed | None:
-        tried = plannings if self.advised < MOST_ADVISED else ()
-        found = overspeed(self.arm, pieces, self.scale.rate, intent, tried)
-        self.advised += found is not None
-        return found
-
-    def _past(self, intent: Intent, fault: RuntimeFault) -> int | None:
-        needed = fault.data.get("needed_deg_s")
-        if not isinstance(needed, float) or self.advised >= MOST_ADVISED:
-            return None
-        self.advised += 1
-        share = needed * DEG / self.arm.speed[fault.joint - 1]
-        return past_singularity(self.arm, self.scale.rate, intent, self._from_rest, share)
-
-    def _from_rest(self, intent: Intent) -> list[Piece] | None:
-        planned = from_rest(self.arm, self.tool, intent)
-        return planned.pieces if planned.fault is None else None
-
-    def _as_far_as_it_goes(self, intent: Intent) -> list[Piece] | None:
-        return from_rest(self.arm, self.tool, intent).pieces
+    def _remark(self, fast: Overspeed | None, others: tuple[Remark, ...]) -> None:
+        """Keep what is told of the last motion."""
+        told = others if fast is None else (fast, *others)
+        self.remarks[len(self.given.motions) - 1] = told
 
     def _leg(self, planned: Planned, intent: Intent, start: float) -> Leg:
         deceleration = intent.settings.acceleration_times(self.arm)[1]
         departure = start + planned.profile.rise
         return Leg(planned.path, planned.profile, departure, deceleration)
 
-    def _record(
+    def _motion(
         self,
         intent: Intent,
         start: float,
@@ -424,43 +363,16 @@ class Planner:
         goal: Configuration,
         deviation_m: float,
         cause: Cause,
-    ) -> None:
-        self.motions.append(
-            Motion(
-                intent.interpolation,
-                start,
-                end,
-                intent.start,
-                goal,
-                forward(self.arm, goal) @ self.tool,
-                self.tool,
-                intent.fraction,
-                deviation_m,
-                cause,
-            )
+    ) -> Motion:
+        return Motion(
+            intent.interpolation,
+            start,
+            end,
+            intent.start,
+            goal,
+            forward(self.arm, goal) @ self.tool,
+            self.tool,
+            intent.fraction,
+            deviation_m,
+            cause,
         )
-
-    def _cut(self, path_s: float) -> tuple[ArmPiece, ...]:
-        """Take everything after a path time off; return the pieces as they were."""
-        pieces = self.pieces
-        first = bisect_right(pieces, path_s - INSTANT, key=_end_of)
-        removed = tuple(pieces[first:])
-        del pieces[first:]
-        if removed and removed[0].start_s < path_s - INSTANT:
-            pieces.append(removed[0]._replace(end_s=path_s))
-        return removed
-
-    def _rate(self, path_s: float) -> Configuration:
-        """Return the velocities in path time just before a path time [rad/s]."""
-        k = max(bisect_right(self.pieces, path_s - INSTANT, key=_start) - 1, 0)
-        piece = self.pieces[k]
-        t = path_s - piece.start_s
-        return tuple(rate_of(row, t) for row in piece.rows)  # type: ignore[return-value]
-
-
-def _start(piece: ArmPiece) -> float:
-    return piece.start_s
-
-
-def _end_of(piece: ArmPiece) -> float:
-    return piece.end_s

@@ -8,8 +8,8 @@ from typing import NamedTuple, TypeAlias
 from vrts.base.diagnostic import Datum, Diagnostic, Label, Rule, Severity
 from vrts.base.source import Span
 from vrts.base.units import deg
-from vrts.engine.motion.paths import LinePath
-from vrts.engine.motion.set_points import SetPoints
+from vrts.engine.motion.lines.path import LinePath
+from vrts.engine.motion.lines.set_points import SetPoints
 
 JOINT_SPEED = Rule("V302", "joint-speed")
 NEAR_SINGULARITY = Rule("V331", "near-singularity")

@@ -14,8 +14,8 @@ from vrts.base.units import MM
 from vrts.controllers.model import ControllerModel, WristChoice
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.motion.faults import limit_fault, reach_fault
-from vrts.engine.motion.line_end import end_out_of_reach
-from vrts.engine.motion.paths import line
+from vrts.engine.motion.lines.path import line
+from vrts.engine.motion.lines.reach import end_out_of_reach
 from vrts.engine.motion.plan import Intent, joint_intent, line_intent
 from vrts.engine.motion.settings import Settings
 from vrts.ir.instructions import BranchRequest
@@ -56,7 +56,7 @@ def to_joints(
     violations = limit_violations(stance.arm, goal)
     if violations:
         raise limit_fault(violations[0], span, "the location")
-    branches = (stance.branch, branch_of(stance.arm, goal, stance.branch))
+    branches = (stance.branch, branch_of(stance.arm, goal, stance.branch, stance.model.branches))
     start = stance.configuration
     return joint_intent(stance.arm, start, goal, branches, settings, fraction, stance.model)
 
@@ -109,7 +109,7 @@ def needs_branch_of(stance: Stance, joints: Configuration, span: Span | None) ->
         RuntimeFault: It lies on another arm branch.
     """
     present = stance.branch
-    wanted = branch_of(stance.arm, joints, present)
+    wanted = branch_of(stance.arm, joints, present, stance.model.branches)
     if wanted[:2] != present[:2]:
         raise _cannot_change([word.value.upper() for word in wanted[:2]], span)
 

@@ -58,5 +58,29 @@ class Settings(NamedTuple):
         return stops.fine_ticks if self.accuracy is Accuracy.FINE else stops.coarse_ticks
 
 
+class InForce:
+    """The settings that hold while a program is executed."""
+
+    def __init__(self) -> None:
+        """Start with those of a fresh execution cycle."""
+        self.always = Settings()
+        self.next: dict[str, object] = {}  # of the next motion only
+
+    def copy(self) -> "InForce":
+        """Return independent settings that are the same so far."""
+        other = InForce()
+        other.always, other.next = self.always, self.next.copy()
+        return other
+
+    def take(self, *, but_speed: bool = False) -> Settings:
+        """Return the settings of the motion now given; those for one motion are used up."""
+        kept: dict[str, object] = {}
+        if but_speed and "speed" in self.next:
+            kept = {"speed": self.next.pop("speed")}
+        settings = self.always._replace(**self.next)  # type: ignore[arg-type]
+        self.next = kept
+        return settings
+
+
 def _even(time_s: float, tick: float) -> float:
     return 2.0 * tick * max(math.ceil(0.5 * time_s / tick - 1e-9), 1)

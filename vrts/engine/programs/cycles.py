@@ -2,6 +2,7 @@
 
 from vrts.engine.memory.events import Cause, ProgramEnded, ProgramProgressed, ProgramStarted
 from vrts.engine.memory.records import Ending
+from vrts.engine.motion.settings import InForce
 from vrts.engine.programs.context import Context
 from vrts.ir.module import Program
 
@@ -132,4 +133,4 @@ def _begin_cycle(c: Context, step: int) -> None:
     c.priority, c.watches, c.error_program, c.last_error = 0, [], None, None
     c.kept_cycles = None
     if c.is_robot:
-        c.planner.reset_settings()
+        c.planner.settings = InForce()

@@ -71,7 +71,7 @@ class Signals:
     def copy(self) -> "Signals":
         """Return an independent copy."""
         other = Signals(self._inputs)
-        other.on = set(self.on)
+        other.on = self.on.copy()
         other._next, other._stuck, other.changes = self._next, self._stuck, self.changes
         return other
 

@@ -6,6 +6,7 @@ from vrts.engine.memory.event_log import EventLog
 from vrts.engine.memory.log import Log
 from vrts.engine.motion.planner import Planner
 from vrts.engine.programs.loaded import Programs
+from vrts.engine.programs.outside import Kind, Outside, Question, Undecided
 from vrts.engine.programs.signals import Signals
 from vrts.engine.programs.terminal import Terminal
 from vrts.ir.system import SWITCHES
@@ -26,6 +27,7 @@ class System:
         "held_tool",
         "locks",
         "memory",
+        "outside",
         "parameters",
         "planner",
         "powered",
@@ -73,6 +75,7 @@ class System:
         self.tracing = False  # the switch TRACE, for speed
         self.warned: frozenset[str] = frozenset()
         self.locks = Locks()  # what programs may not set
+        self.outside: Outside | None = None  # None: what is not known is waited for
 
     def copy(self, copies: dict[int, Bound]) -> "System":
         """Return an independent system that shares the past, still without its programs."""
@@ -96,7 +99,21 @@ class System:
         other.held_tool, other.held_base = self.held_tool.copy(), self.held_base.copy()
         other.powered, other.tracing, other.warned = self.powered, self.tracing, self.warned
         other.locks = self.locks
+        other.outside = None if self.outside is None else self.outside.copy()
         return other
+
+    def next_answer(self) -> str | None:
+        """Take the next line for PROMPT; None when there is none yet.
+
+        Raises:
+            Undecided: There is none, and answers are free.
+        """
+        if self.answers_read < len(self.answers):
+            self.answers_read += 1
+            return self.answers[self.answers_read - 1]
+        if self.outside is not None and self.outside.answers:
+            raise Undecided(Question(Kind.ANSWER))
+        return None
 
     def cells(self) -> list[Cell]:
         """Return the cells that are no variables of programs."""

@@ -13,8 +13,8 @@ RAISED = [
     (Kind.UNDEFINED_VALUE, "x = y", "val2"),
     (Kind.UNDEFINED_VALUE, "MOVE nowhere", "val2"),
     (Kind.ILLEGAL_VALUE, "SPEED 0", "val2"),
-    (Kind.ILLEGAL_ARRAY_INDEX, "a1[-1] = 0", "val2"),
-    (Kind.ILLEGAL_SIGNAL, "SIGNAL 1001", "val2"),
+    (Kind.ILLEGAL_ARRAY_INDEX, "n = -1\na1[n] = 0", "val2"),
+    (Kind.ILLEGAL_SIGNAL, "n = 1001\nSIGNAL n", "val2"),
     (Kind.UNDEFINED_PROGRAM, "CALL nosuch", "val2"),
     (Kind.INVALID_ARGUMENT, "TYPE PARAMETER(NOSUCH)", "vplus"),
     (Kind.ARGUMENT_MISMATCH, '$n = "p"\nCALLS $n(1,2,3)', "vplus"),
@@ -25,7 +25,7 @@ RAISED = [
     (Kind.DIVISION_BY_ZERO, "x = 1 MOD 0", "val2"),
     (Kind.STRING_OVERFLOW, '$s = "0123456789"\nDO\n$s = $s+$s\nUNTIL FALSE', "val2"),
     (Kind.CONTROL_STRUCTURE, "GOTO 5\nFOR i = 1 TO 2\n5 x = 1\nEND", "val2"),
-    (Kind.ILLEGAL_JOINT, "DRIVE 7, 10", "val2"),
+    (Kind.ILLEGAL_JOINT, "n = 7\nDRIVE n, 10", "val2"),
     (Kind.OUT_OF_RANGE, "SET #p = TRANS(3000,0,0,90,90,0)", "val2"),
     (Kind.CANNOT_ALTER_CONFIGURATION, "MOVE a\nRIGHTY\nMOVES b", "val2"),
     (Kind.ILLEGAL_MOTION_FROM_HERE, "MOVES a", "val2"),
@@ -87,5 +87,5 @@ def test_an_unknown_number_has_no_words() -> None:
 def test_nothing_of_a_step_that_fails_is_done() -> None:
     run = runs("x = 1\nx = 2+1/0")
     assert run.at(run.horizon_s).variables["x"] == 1.0
-    run = runs("SIGNAL 1, 1001")
+    run = runs("n = 1001\nSIGNAL 1, n")
     assert run.at(run.horizon_s).signals == {1}

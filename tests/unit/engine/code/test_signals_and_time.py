@@ -45,7 +45,7 @@ def test_timer_zero_counts_from_the_start_and_one_never_set_reads_the_same() -> 
 
 @pytest.mark.parametrize("number", [0, 16, -1])
 def test_timers_that_can_be_set_are_1_to_15(number: int) -> None:
-    assert words(runs(f"TIMER {number} = 0")) == ["Illegal value"]
+    assert words(runs(f"n = {number}\nTIMER n = 0")) == ["Illegal value"]
 
 
 def test_analog_outputs_are_events() -> None:

@@ -77,7 +77,7 @@ def test_internal_signals_can_be_watched_too() -> None:
 
 @pytest.mark.parametrize("number", [1, 0, 600, 1500])
 def test_other_signals_cannot(number: int) -> None:
-    assert words(runs(f"REACT {number}, sub", SUB)) == ["Illegal digital signal"]
+    assert words(runs(f"n = {number}\nREACT n, sub", SUB)) == ["Illegal digital signal"]
 
 
 def test_eight_signals_can_be_watched() -> None:

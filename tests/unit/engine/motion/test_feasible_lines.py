@@ -173,3 +173,33 @@ def test_too_fast_beside_a_singularity_that_is_not_the_cause() -> None:
     run = runs(ACROSS.format(""), scene=UR5)
     assert [d.rule.code for d in check_limits(run).findings] == ["V302"]
     assert codes(run) == ["V302", "V331"]
+
+
+@pytest.mark.parametrize(
+    ("robot", "start", "by", "way"),
+    [
+        (
+            "puma761",
+            "130.38,-58.61,-11.97,37.19,17.72,-19.09",
+            "-440.5,333.7,172.4",
+            "meets the wrist singularity after 269 of 579 mm",
+        ),
+        (
+            "ur5",
+            "-45,3.5,-121.44,119.49,-54.2,26.13",
+            "-287.3,437.5,259.4",
+            "meets a singularity after 292 of 584 mm",
+        ),
+    ],
+)
+def test_a_wrist_that_turns_round_between_two_set_points_is_noticed(
+    robot: str, start: str, by: str, way: str
+) -> None:
+    """No set point is singular: only halves of the way between two of them come near enough.
+
+    Followed from set point to set point the hand would leave the line there, of the UR by 52 mm.
+    """
+    body = f"MOVE #PPOINT({start})\nBREAK\nHERE p\nMOVES SHIFT(p BY {by})"
+    run = runs(body, scene=robot_alone(robot))
+    assert way in the(run, "V306").headline
+    assert run.motions[-1].deviation_m < 1e-5

@@ -103,7 +103,7 @@ REFUSED = [
     ("MOVES a", "V305"),
     ("MOVE TRANS(2000,0,0,90,90,0)", "V301"),
     ("DRIVE 3, 200, 50", "V303"),
-    ("DRIVE 7, 10, 50", "V307"),
+    ("n = 7\nDRIVE n, 10, 50", "V307"),
     ("MOVE a\nRIGHTY\nMOVES b", "V304"),
 ]
 

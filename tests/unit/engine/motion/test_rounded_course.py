@@ -8,7 +8,7 @@ import pytest
 from vrts.base.oat import pose_from_components
 from vrts.base.pose import multiply, transpose
 from vrts.controllers.model import LineTurn
-from vrts.engine.motion.paths import Course, line, rounded
+from vrts.engine.motion.lines.path import Course, line, rounded
 
 START = pose_from_components(900, -300, 100, 90, 90, 0)
 CORNER = pose_from_components(900, 0, 0, 60, 70, 20)

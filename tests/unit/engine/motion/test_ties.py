@@ -20,10 +20,10 @@ from vrts.base.pose import (
     rotation_angle,
     translation,
 )
-from vrts.controllers.model import LineTurn
+from vrts.controllers.model import AlignTurn, LineTurn
 from vrts.controllers.models import USUAL
 from vrts.engine.code.steps.targets import aligned
-from vrts.engine.motion.paths import line
+from vrts.engine.motion.lines.path import line
 from vrts.engine.motion.requests import Stance, to_pose
 from vrts.engine.motion.settings import Settings
 from vrts.robots.kinematics.branch import INITIAL_BRANCH, branch_of
@@ -93,12 +93,13 @@ def test_half_a_turn_of_joint_6_goes_one_way() -> None:
     assert max(ends) - min(ends) < 1e-5
 
 
-def test_align_between_two_axes_takes_the_same_one() -> None:
+@pytest.mark.parametrize("way", AlignTurn)
+def test_align_between_two_axes_takes_the_same_one(way: AlignTurn) -> None:
     numbers = random.Random(1)
     found: list[Rotation] = []
     for _ in range(30):
         between = multiply(rotation_about(Y_AXIS, 0.25 * math.pi), IDENTITY.rotation)
-        found.append(aligned(Pose(nudged(numbers, between), (0.0, 0.0, 0.0))).rotation)
+        found.append(aligned(Pose(nudged(numbers, between), (0.0, 0.0, 0.0)), way).rotation)
     assert max(rotation_angle(found[0], other) for other in found) < 1e-5
 
 

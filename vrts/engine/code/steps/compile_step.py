@@ -281,10 +281,15 @@ class StepCompiler:
                 by = e.real(increment) if increment is not None else None
 
                 def begin_for(c: Context) -> int:
-                    cell(c).assign(begin(c), c.finished)
+                    start, variable = begin(c), cell(c)
+                    before, variable.value = variable.value, start  # the limit may depend on it
+                    try:
+                        last, step = limit(c), 1.0 if by is None else by(c)
+                    finally:
+                        variable.value = before
+                    variable.assign(start, c.finished)
                     frame = c.frames[-1]
-                    frame.limits[loop] = limit(c)
-                    frame.increments[loop] = 1.0 if by is None else by(c)
+                    frame.limits[loop], frame.increments[loop] = last, step
                     return following
 
                 return begin_for

@@ -75,7 +75,7 @@ class MotionStepCompiler:
             c.fault = planner.begin(intent, start, target.pose, cause, dry=dry)
             if c.fault is not None:
                 c.phase, c.wake = CUT_SHORT, planner.settled_at
-                c.until = float(len(planner.motions) - 1)
+                c.until = float(len(planner.given.motions) - 1)
                 return BLOCKED
             return begun(c, start)
 
@@ -104,7 +104,7 @@ class MotionStepCompiler:
         def delay(c: Context) -> int:
             planner, counts = c.planner, c.planner.model.next_motion
             if counts.delay_uses_settings and c.phase == 0:
-                planner.take_settings()
+                planner.settings.take()
                 c.phase = WAITED
             if not reached(c, planner.free_at):
                 return BLOCKED
@@ -144,7 +144,7 @@ def _intent(c: Context, target: Target) -> Intent:
 
 def _given_up(c: Context, cause: Cause) -> bool:
     """Return whether the motion of a step, whose number `until` keeps, was given up on its way."""
-    motions, number = c.planner.motions, int(c.until)
+    motions, number = c.planner.given.motions, int(c.until)
     return number >= len(motions) or motions[number].cut or motions[number].cause != cause
 
 

@@ -46,11 +46,11 @@ class SettingStepCompiler:
         scope = instruction.scope
 
         def keep(c: Context) -> int:
-            found = values(c)
+            found, settings = values(c), c.planner.settings
             if scope is ir.Scope.ALWAYS:
-                c.planner.always = c.planner.always._replace(**found)  # type: ignore[arg-type]
+                settings.always = settings.always._replace(**found)  # type: ignore[arg-type]
             else:
-                c.planner.next.update(found)
+                settings.next.update(found)
             return following
 
         return keep

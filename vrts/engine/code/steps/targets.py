@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from vrts.base.numbers import round_half_away
+from vrts.base.oat import oat_from_rotation, rotation_from_oat
 from vrts.base.pose import (
     X_AXIS,
     Y_AXIS,
@@ -20,6 +21,7 @@ from vrts.base.pose import (
 )
 from vrts.base.source import Span
 from vrts.base.units import DEG, MM
+from vrts.controllers.model import AlignTurn
 from vrts.engine.code.values.compiler import Compiler
 from vrts.engine.code.values.operands import span_of
 from vrts.engine.faults import RuntimeFault
@@ -74,7 +76,10 @@ class TargetCompiler:
                 return self._draw(instruction, cause)
             case ir.Align():
                 return lambda c: _to_pose(
-                    c, ir.Interpolation.JOINT, aligned(c.planner.destination), cause.span
+                    c,
+                    ir.Interpolation.JOINT,
+                    aligned(c.planner.destination, c.planner.model.lines.align),
+                    cause.span,
                 )
             case ir.Ready():
                 return lambda c: _to_joints(c, c.planner.arm.ready, cause.span)
@@ -130,7 +135,7 @@ class TargetCompiler:
             percent = own(c) if own is not None else 100.0
             speed = positive(Speed(percent, ir.SpeedUnit.PERCENT), cause.span)
             keeps = not c.planner.model.next_motion.drive_uses_speed
-            settings = c.planner.take_settings(but_speed=keeps)
+            settings = c.planner.settings.take(but_speed=keeps)
             fraction = speed.fraction(c.planner.arm, speed_max(c))
             return Target(
                 ir.Interpolation.JOINT,
@@ -174,15 +179,20 @@ class TargetCompiler:
         return target
 
 
-def aligned(pose: Pose) -> Pose:
+def aligned(pose: Pose, way: AlignTurn) -> Pose:
     """Return a pose turned about its origin until z is parallel to the nearest world axis.
 
-    The turn is the smallest one, about z x axis [assumed, manual language/motion#align].
+    The turn is the smallest one, about z x axis; or, where the axis is level, the one that leaves
+    VAL's angle T as it was [manual language/motion#align].
     """
     z = pose.approach
     along = [dot(axis, z) for axis in WORLD_AXES]
     nearest = max(along) - TIE  # as near: the first
     axis = next(axis for axis, share in zip(WORLD_AXES, along, strict=True) if share > nearest)
+    if way is AlignTurn.KEEPS_T and axis[2] == 0.0:
+        o = math.atan2(axis[0], -axis[1]) / DEG
+        _, _, t = oat_from_rotation(pose.rotation)
+        return Pose(rotation_from_oat(o, 0.0, t), pose.translation)
     normal = cross(z, axis)
     sine = math.sqrt(dot(normal, normal))
     if sine < 1e-12:
@@ -209,12 +219,12 @@ def speed_max(c: Context) -> float:
 
 
 def _to_pose(c: Context, interpolation: ir.Interpolation, pose: Pose, span: Span) -> Target:
-    settings = c.planner.take_settings()
+    settings = c.planner.settings.take()
     fraction = settings.speed.fraction(c.planner.arm, speed_max(c))
     return Target(interpolation, pose, None, settings, fraction, span)
 
 
 def _to_joints(c: Context, joints: Configuration, span: Span) -> Target:
-    settings = c.planner.take_settings()
+    settings = c.planner.settings.take()
     fraction = settings.speed.fraction(c.planner.arm, speed_max(c))
     return Target(ir.Interpolation.JOINT, None, joints, settings, fraction, span)

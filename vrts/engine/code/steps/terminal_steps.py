@@ -63,17 +63,16 @@ class TerminalStepCompiler:
         cells = tuple((e.cell(place), place.variable.type) for place in prompt.places)
 
         def ask(c: Context) -> int:
-            system = c.system
             if c.phase == 0:
                 if text is not None:
                     put(c, text(c), cause)
                 c.phase = 1
                 c.events.append(Prompted(c.now, cause))
-            if system.answers_read >= len(system.answers):
+            answer = c.system.next_answer()
+            if answer is None:
                 c.wait_for_change()
                 return BLOCKED
-            line = system.answers[system.answers_read][:LONGEST_STRING]
-            system.answers_read += 1
+            line = answer[:LONGEST_STRING]
             c.phase = 0
             c.events.append(Answered(c.now, line, cause))
             put(c, line + "\r\n", cause)

@@ -118,9 +118,9 @@ def speed(c: Context, which: int) -> float:
     planner = c.planner
     if which == 1:
         return 100.0 * planner.scale.rate
-    settings = planner.always
-    if which == 3 and "speed" in planner.next:
-        settings = settings._replace(speed=planner.next["speed"])  # type: ignore[arg-type]
+    settings = planner.settings.always
+    if which == 3 and "speed" in planner.settings.next:
+        settings = settings._replace(speed=planner.settings.next["speed"])  # type: ignore[arg-type]
     return settings.speed.value
 
 

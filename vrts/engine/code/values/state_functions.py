@@ -169,6 +169,8 @@ def _tool_now(c: Context) -> Pose:
 def _random(c: Context) -> float:
     system = c.system
     system.clock_reads += 1
+    if system.outside is not None and system.outside.random:
+        return system.outside.draw()
     system.random_state = (RANDOM_MULTIPLIER * system.random_state + RANDOM_INCREMENT) & 0xFFFFFFFF
     return (system.random_state >> 8) / float(1 << 24)
 
@@ -184,7 +186,7 @@ def _in_range(c: Context, location: Value) -> float:
         joints = cast("Configuration", location)
         return float(sum(1 << (k - 1) for k, *_ in limit_violations(planner.arm, joints)))
     X_BF = planner.base.inverse() @ location @ planner.tool.inverse()
-    arm = planner.arm if planner.always.multiple else half_turns(planner.arm)
+    arm = planner.arm if planner.settings.always.multiple else half_turns(planner.arm)
     found = choose(arm, X_BF, planner.branch, planner.configuration, planner.request)
     if isinstance(found, OutOfReach):
         return TOO_FAR if found.kind == "too far" else TOO_CLOSE

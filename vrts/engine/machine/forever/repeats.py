@@ -11,10 +11,11 @@ from typing import NamedTuple
 from vrts.engine.machine.forever.idle import idle
 from vrts.engine.machine.forever.nodes import number_of, tops
 from vrts.engine.machine.forever.reach import ahead
-from vrts.engine.machine.forever.states import arm, contents, place, state
 from vrts.engine.machine.forever.touches import Looks, changes_of, looks_of, passed
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.schedule import changes_to_come
+from vrts.engine.machine.states.arm import arm
+from vrts.engine.machine.states.state import contents, place, state
 from vrts.engine.machine.watcher import Kept
 from vrts.engine.memory.cells import Cell, Content
 from vrts.engine.programs.context import Context

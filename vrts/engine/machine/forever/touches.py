@@ -94,7 +94,7 @@ def looks_of(nodes: Iterable[Node], aliases: frozenset[str]) -> Looks:
                 names |= _names(node, aliases)
             if not isinstance(node, Apply):
                 continue
-            found = _signals_of(node)
+            found = signals_looked_at(node)
             any_signal |= found is None
             signals |= found or set()
             clock |= node.function in CLOCKS
@@ -132,7 +132,7 @@ def _swapped(argument: object, aliases: frozenset[str]) -> frozenset[str]:
     return _names(place, aliases) if isinstance(place, Place) else frozenset()
 
 
-def _signals_of(node: Apply) -> set[int] | None:
+def signals_looked_at(node: Apply) -> set[int] | None:
     """Return the signals that a function looks at; None when they cannot be told."""
     if node.function is Function.SIG:
         numbers = [number_of(argument) for argument in node.arguments]

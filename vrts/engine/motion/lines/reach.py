@@ -1,7 +1,7 @@
 """Whether the end of a straight line can be reached at all, before the line is begun."""
 
 from vrts.base.pose import Pose
-from vrts.engine.motion.paths import LinePath
+from vrts.engine.motion.lines.path import LinePath
 from vrts.robots.kinematics.approach import approach
 from vrts.robots.kinematics.kinematics import reach_error
 from vrts.robots.kinematics.limits import unlimited

@@ -20,7 +20,7 @@ from vrts.base.pose import (
     scale,
     subtract,
 )
-from vrts.engine.motion.passage import (
+from vrts.engine.motion.lines.passage import (
     Flange,
     Passage,
     Stand,
@@ -30,7 +30,7 @@ from vrts.engine.motion.passage import (
     passage,
     turned,
 )
-from vrts.engine.motion.paths import Course, LinePath
+from vrts.engine.motion.lines.path import Course, LinePath
 from vrts.engine.motion.polynomials import Row
 from vrts.robots.kinematics.kinematics import (
     forward,

@@ -8,16 +8,16 @@ from typing import TypeAlias
 
 from vrts.engine.code.steps.motion_steps import CUT_SHORT
 from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.states.arm import arm
+from vrts.engine.machine.states.nearly import DIGITS, NEARLY, Nearly, from_now
 from vrts.engine.machine.watcher import Kept
 from vrts.engine.memory.cells import Bound, Cell, Content, cells_of
-from vrts.engine.memory.records import Lie, Motion, Placement
+from vrts.engine.memory.records import Lie, Placement
 from vrts.engine.programs.context import Context
 from vrts.engine.programs.frames import Frame
 from vrts.engine.programs.watches import Watch
 from vrts.ir import instructions as ir
 
-DIGITS = 7  # of times [s]: what rounding leaves of the same time is the same
-LEGS = 3  # motions that shape the one under way: a corner is made of the two before it
 MOVES = (ir.Move, ir.Depart, ir.Drive, ir.Draw, ir.Align, ir.Ready, ir.Nest)
 TIMED = (ir.WaitTime, ir.MoveHand, ir.Grasp)  # instructions that wait for `Context.until`
 
@@ -25,20 +25,24 @@ Numbers: TypeAlias = dict[int, tuple[int, int]]
 """Of cells, by id: what an argument stands for may be the same cell as something else."""
 
 
-def state(machine: Machine, now: float, idle: frozenset[int]) -> Kept:
-    """Return the state after a tick; variables of numbers in `idle` are left out."""
+def state(
+    machine: Machine, now: float, idle: frozenset[int] = frozenset(), named: Nearly = NEARLY
+) -> Kept:
+    """Return the state after a tick, or within one.
+
+    Args:
+        machine: The machine.
+        now: The time [s].
+        idle: Numbers of variables that are left out.
+        named: What stands for joints, poses and polynomials.
+    """
     system, robot, process = machine.system, machine.robot, machine.process
     bound = system.memory.bound
-    numbers: Numbers = {}
-    for k, item in enumerate(bound):
-        for n, cell in enumerate(cells_of(item)):
-            numbers[id(cell)] = (k, n)
     return Kept(
         (place(robot), place(process)),
-        _program(robot, now, numbers, len(system.planner.motions)),
-        _program(process, now, numbers, len(system.planner.motions)),
-        arm(machine, now),
-        _outside(machine, now),
+        *programs(machine, now, named),
+        arm(machine, now, named),
+        outside(machine, now, named),
         frozenset(system.signals.on),
         tuple(() if k in idle else contents(item) for k, item in enumerate(bound)),
         system.clock_reads,
@@ -57,16 +61,30 @@ def contents(bound: Bound) -> tuple[Content, ...]:
     return (bound.value,) if isinstance(bound, Cell) else tuple(c.value for c in cells_of(bound))
 
 
-def _program(c: Context, now: float, numbers: Numbers, motions: int) -> tuple[object, ...]:
+def programs(
+    machine: Machine, now: float, named: Nearly
+) -> tuple[tuple[object, ...], tuple[object, ...]]:
+    """Return where the two programs are, what they wait for, and what their own variables hold."""
+    robot, process = machine.robot, machine.process
+    numbers: Numbers = {}
+    if any(frame.slots for c in (robot, process) for frame in c.frames):
+        for k, item in enumerate(machine.system.memory.bound):
+            for n, cell in enumerate(cells_of(item)):
+                numbers[id(cell)] = (k, n)
+    return _program(robot, now, numbers, named), _program(process, now, numbers, named)
+
+
+def _program(c: Context, now: float, numbers: Numbers, named: Nearly) -> tuple[object, ...]:
+    motions = len(c.system.planner.given.motions)
     inner = len(c.frames) - 1
     waits = [*(frame.interrupted for frame in c.frames[1:]), None]
     return (
         place(c),
         c.running,
         c.finishing,
-        _from_now(c.wake, now),
+        from_now(c.wake, now),
         _wait(c, inner, c.phase, c.until, now, motions),
-        c.operands,
+        named(c.operands),
         c.fault.number if c.fault is not None else None,
         tuple(c.next_hand),
         tuple(_watch(watch) for watch in c.watches),
@@ -80,7 +98,7 @@ def _program(c: Context, now: float, numbers: Numbers, motions: int) -> tuple[ob
             wait
             and (
                 _wait(c, k, wait.phase, wait.until, now, motions),
-                (wait.phase, wait.operands, wait.priority),
+                (wait.phase, named(wait.operands), wait.priority),
                 wait.fault.number if wait.fault is not None else None,
             )
             for k, wait in enumerate(waits)
@@ -112,65 +130,29 @@ def _wait(c: Context, k: int, phase: int, until: float, now: float, motions: int
     program = c.system.programs.loaded[frame.program].program
     instruction = program.instructions[min(frame.index, len(program.instructions) - 1)]
     if isinstance(instruction, TIMED):
-        return _from_now(until, now)
+        return from_now(until, now)
     return until - motions if isinstance(instruction, MOVES) and phase == CUT_SHORT else None
 
 
-def _from_now(time_s: float, now: float) -> float:
-    return round(time_s - now, DIGITS) if time_s > now else 0.0
-
-
-# --- arm, hand, controller ------------------------------------------------------------------------
-
-
-def arm(machine: Machine, now: float) -> tuple[object, ...]:
-    """Return where the arm is, on its way to what, and all that is set for it."""
-    planner = machine.system.planner
-    motions, path_s = planner.motions, planner.scale.path(now)
-    under_way: tuple[object, ...] = ()
-    if planner.under_way(now):
-        first = max(len(motions) - LEGS, motions.first)
-        under_way = tuple(_motion(motions[k], path_s) for k in range(first, len(motions)))
-    pending = planner.pending
-    return (
-        under_way,
-        (pending.corner.goal, _from_now(pending.start_s, path_s)) if pending is not None else None,
-        _from_now(planner.settled_at, now),
-        _from_now(planner.motion_end, now),
-        _from_now(planner.braking_until, now),
-        (planner.configuration, planner.dest, planner.tool_at_dest, planner.branch, planner.ghost),
-        (planner.request, planner.always, tuple(sorted(planner.next.items(), key=_name))),
-        (planner.tool, planner.base, planner.overdue, planner.leg is None),
-        (planner.scale.rate, round(planner.scale.rate_at(now), DIGITS)),
-    )
-
-
-def _motion(motion: Motion, path_s: float) -> tuple[object, ...]:
-    shape = (motion.interpolation, motion.start, motion.goal, motion.X_WT, motion.speed_fraction)
-    times = (round(motion.start_s - path_s, DIGITS), round(motion.end_s - path_s, DIGITS))
-    return (shape, times, motion.cause, motion.cut)
-
-
-def _outside(machine: Machine, now: float) -> tuple[object, ...]:
+def outside(machine: Machine, now: float, named: Nearly) -> tuple[object, ...]:
+    """Return what the hand does, where objects are, and what is set for the controller."""
     system, hand = machine.system, machine.system.hand
     closing = hand.closing
     return (
-        hand.opening(now),
-        tuple((_from_now(s.end_s, now), s.end_m) for s in hand.strokes[-1:] if s.end_s > now),
-        (_from_now(closing.end_s, now), closing.body, closing.tested) if closing else None,
+        named(hand.opening(now)),
+        tuple((from_now(s.end_s, now), s.end_m) for s in hand.strokes[-1:] if s.end_s > now),
+        (from_now(closing.end_s, now), closing.body, closing.tested) if closing else None,
         (hand.held, hand.slips),
-        tuple(_lies(track[-1], now) for track in hand.placements.values()),
+        tuple([_lies(track[-1], now, named) for track in hand.placements.values()]),
         tuple(sorted(system.switches.items())),
-        tuple(cell.value for cell in system.cells()),
-        tuple((_from_now(time_s, now), *what) for time_s, *what in system.scheduled),
-        (system.answers_read, len(system.answers), system.powered, system.warned),
+        tuple([(cell.name, cell.value) for cell in system.cells()]),
+        tuple(sorted(system.analog.items())),
+        tuple((from_now(time_s, now), *what) for time_s, *what in system.scheduled),
+        (tuple(system.answers[system.answers_read :]), system.powered, system.warned),
     )
 
 
-def _lies(placement: Placement, now: float) -> tuple[object, ...]:
-    lies = (placement.lie, placement.X, placement.support, _from_now(placement.start_s, now))
-    return (*lies, placement.start_s) if placement.lie is Lie.FALLING else lies
-
-
-def _name(setting: tuple[str, object]) -> str:
-    return setting[0]
+def _lies(placement: Placement, now: float, named: Nearly) -> tuple[object, ...]:
+    lies = (placement.lie, named(placement.X), placement.support)
+    begins = placement.start_s - now  # what falls has fallen so far
+    return (*lies, round(begins, DIGITS) if placement.lie is Lie.FALLING or begins > 0.0 else 0.0)

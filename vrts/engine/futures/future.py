@@ -1,0 +1,130 @@
+"""One future: a machine that goes on until something from outside has to be decided.
+
+Decisions are taken late, at the statement that looks, within the tick; the machine is forked there
+and the tick goes on. A decision about an input holds for its tick.
+"""
+
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+from vrts.base.stack import deep_stack
+from vrts.engine.code.executable import Executable
+from vrts.engine.futures.bare import Fresh, without_past
+from vrts.engine.machine.forget import forget_arm_and_hand
+from vrts.engine.machine.machine import Machine, statement_under_way
+from vrts.engine.machine.tick import begin_tick, end_tick, go_on, skip_ahead
+from vrts.engine.memory.events import Event
+from vrts.engine.programs.outside import FreeSignals, Kind, Outside, Question, Undecided
+from vrts.ir.commands import Command, TimedCommand
+from vrts.ir.module import Module
+from vrts.scene.model import Scenario, Scene
+
+UNLIMITED: Final = {
+    "statements": sys.maxsize,
+    "time_s": sys.maxsize,
+    "motions": sys.maxsize,
+    "output_characters": sys.maxsize,
+}  # how long it took to come to a state is no part of it
+KEPT_S = 0.1  # [s] of motion behind the present tick: more than a tick
+
+
+@deep_stack()
+def begin(
+    module: Module,
+    scene: Scene,
+    scenario: Scenario,
+    free: frozenset[int] = frozenset(),
+    *,
+    answers: bool = False,
+    random: bool = False,
+) -> Machine:
+    """Return a machine at time 0 that keeps no past and in which nothing executes.
+
+    Args:
+        module: The programs.
+        scene: Where the robot stands.
+        scenario: What is not free.
+        free: Inputs that are decided whenever they are looked at.
+        answers: Whether answers to PROMPT are decided, once those of the scenario are used up.
+        random: Whether the numbers of RANDOM are decided.
+    """
+    executable = Executable(module, scenario.limits.call_depth)
+    endless = replace(scenario, limits=replace(scenario.limits, **UNLIMITED))
+    machine = without_past(Machine(executable, scene, endless))
+    signals = machine.system.signals
+    signals.on = FreeSignals(signals.on, free)
+    machine.system.outside = Outside(answers=answers, random=random)
+    return machine
+
+
+def command(machine: Machine, order: Command) -> None:
+    """Give a command that is obeyed in the next tick."""
+    machine.issue((TimedCommand((machine.last_tick + 1) * machine.tick, order),))
+
+
+def tick(machine: Machine) -> Question | None:
+    """Go on to the end of a tick, the one under way or the next that may matter.
+
+    Returns:
+        What has to be decided before it can go on; None once the tick is over.
+    """
+    on = _signals(machine)
+    if machine.mid is None:
+        on.decided.clear()
+        on.looked = False
+        _outside(machine).begin_again(None)
+        begin_tick(machine, machine.next_tick)
+    try:
+        go_on(machine)
+    except Undecided as undecided:
+        return undecided.question
+    progress, stirred = end_tick(machine)
+    machine.issued, machine.obeyed = machine.issued[machine.obeyed :], 0
+    if not _looks(machine, on):
+        skip_ahead(machine, progress=progress, stirred=stirred)
+    forget_arm_and_hand(machine, machine.now - KEPT_S)
+    return None
+
+
+def decide(machine: Machine, question: Question, value: bool | str | float) -> None:
+    """Answer a question of a machine, which then can go on."""
+    system = machine.system
+    _outside(machine).begin_again(statement_under_way(machine))
+    match question.kind, value:
+        case Kind.INPUT, bool():
+            _signals(machine).decided[question.number] = value
+        case Kind.ANSWER, str():
+            system.answers.append(value)
+        case Kind.RANDOM, float():
+            _outside(machine).draws.append(value)
+        case _:
+            raise TypeError(f"{value!r} is no answer to {question}")
+
+
+def happened(machine: Machine) -> Sequence[Event]:
+    """Return what has happened since this was asked last, and forget it."""
+    events = machine.system.events
+    assert isinstance(events, Fresh)
+    return events.take()
+
+
+def _outside(machine: Machine) -> Outside:
+    outside = machine.system.outside
+    assert outside is not None
+    return outside
+
+
+def _signals(machine: Machine) -> FreeSignals:
+    on = machine.system.signals.on
+    assert isinstance(on, FreeSignals)
+    return on
+
+
+def _looks(machine: Machine, on: FreeSignals) -> bool:
+    """Return whether a free input is looked at again in the very next tick."""
+    programs = [c for c in (machine.robot, machine.process) if c.running]
+    return (on.looked and bool(programs)) or any(
+        watch.signal in on.free for c in programs for watch in c.watches
+    )

@@ -1,0 +1,124 @@
+"""What state a future is in, as a short key: futures with the same key go on alike.
+
+Parts of a state come again far more often than states: each is kept once, under a number.
+"""
+
+from typing import Any, NamedTuple, TypeAlias, cast
+
+from vrts.engine.code.values.volatile import CLOCKS
+from vrts.engine.futures.ahead import Ahead
+from vrts.engine.futures.at_rest import AtRest
+from vrts.engine.futures.named import Named
+from vrts.engine.machine.forever.nodes import all_nodes, number_of, tops
+from vrts.engine.machine.machine import Machine, statement_under_way
+from vrts.engine.machine.states.nearly import DIGITS, from_now
+from vrts.engine.machine.states.state import programs
+from vrts.engine.memory.cells import UNDEFINED, Array, Bound
+from vrts.engine.programs.outside import FreeSignals
+from vrts.ir.expressions import Apply, Function
+from vrts.ir.module import Module
+
+Key: TypeAlias = tuple[Any, ...]
+
+
+class Clocks(NamedTuple):
+    """Which clocks the programs of a module read."""
+
+    timers: frozenset[int | None]  # None: one whose number is computed
+    day: bool  # TIME and the like: no two times are alike
+    random: bool
+
+    @classmethod
+    def of(cls, module: Module) -> "Clocks":
+        """Go through the programs."""
+        reads = [
+            node
+            for program in module.programs.values()
+            for instruction in program.instructions
+            for top in tops(instruction)
+            for node in all_nodes(top)
+            if isinstance(node, Apply) and node.function in CLOCKS
+        ]
+        read = {node.function for node in reads}
+        timers = [node for node in reads if node.function is Function.TIMER]
+        return cls(
+            frozenset(number_of(timer.arguments[0]) for timer in timers),
+            bool(read - {Function.TIMER, Function.RANDOM}),
+            Function.RANDOM in read,
+        )
+
+    def reads_since_start(self, machine: Machine) -> bool:
+        """Return whether something may be read that counts from the controller's start."""
+        return self.day or any(timer not in machine.system.timers for timer in self.timers)
+
+
+class Keys:
+    """Gives states their keys. Equal keys are of one explorer only."""
+
+    def __init__(self, module: Module) -> None:
+        """Read what decides about the state in the programs of a module."""
+        self._clocks = Clocks.of(module)
+        self._ahead = Ahead(module)
+        self._named = Named()
+        self._rest = AtRest(self._named)
+
+    def of(self, machine: Machine, *more: object) -> Key:
+        """Return the key of a state, at the end of a tick or within one.
+
+        Args:
+            machine: The machine.
+            more: What else tells states apart.
+        """
+        now, system, named = machine.now, machine.system, self._named
+        return (
+            named.number(programs(machine, now, named)),
+            self._rest.arm(machine, now),
+            self._rest.outside(machine, now),
+            named.number(tuple([self._content(item) for item in system.memory.bound])),
+            named.number(frozenset(system.signals.on)),
+            machine.next_tick - machine.last_tick,
+            named.number((self._times(machine, now), self._within(machine), more)),
+        )
+
+    def _times(self, machine: Machine, now: float) -> Key:
+        system, clocks = machine.system, self._clocks
+        timers = sorted(system.timers.items()) if clocks.timers else []
+        return (
+            tuple([(n, round(now - t, DIGITS)) for n, t in timers]),
+            machine.last_tick if clocks.reads_since_start(machine) else 0,
+            system.random_state if clocks.random else 0,
+            tuple([(from_now(at, now), repr(order)) for at, order, _ in machine.issued]),
+        )
+
+    def _within(self, machine: Machine) -> Key | None:
+        """Return how far a tick has come, and what was decided that may still be looked at."""
+        mid, on, outside = machine.mid, machine.system.signals.on, machine.system.outside
+        if mid is None:
+            return None
+        assert isinstance(on, FreeSignals)
+        assert outside is not None
+        ahead = self._ahead.of(machine)
+        decided = frozenset((n, value) for n, value in on.decided.items() if n in ahead)
+        draws = tuple(outside.draws) if outside.place == statement_under_way(machine) else ()
+        progress = machine.finished != mid.finished
+        stirred = machine.system.signals.changes != mid.changes
+        steps = mid.steps
+        if steps is not None:
+            c = (machine.robot, machine.process)[mid.turn]
+            steps = None if steps >= self._ahead.statements(c) else steps
+        begun = mid.steps is not None
+        return (mid.turn, begun, steps, progress, stirred, on.looked, decided, draws)
+
+    def _content(self, bound: Bound) -> object:
+        if isinstance(bound, Array):
+            held = bound.elements.items()
+            found = [(k, self._value(c.value)) for k, c in held if c.value is not UNDEFINED]
+            return tuple(sorted(found, key=_subscripts))
+        return self._value(bound.value)
+
+    def _value(self, value: object) -> object:
+        return self._named(cast("object", value)) if isinstance(value, tuple) else value
+
+
+def _subscripts(item: tuple[tuple[int, ...], object]) -> tuple[int, ...]:
+    return item[0]

@@ -1,0 +1,105 @@
+"""What comes from outside and was not decided yet: whoever looks at it has to be told first."""
+
+from collections.abc import Iterable
+from enum import Enum
+from typing import NamedTuple, Self
+
+
+class Kind(Enum):
+    """What may be looked at."""
+
+    INPUT = "input"
+    ANSWER = "answer"
+    RANDOM = "random"
+
+
+class Question(NamedTuple):
+    """Something outside that a statement looks at."""
+
+    kind: Kind
+    number: int = 0  # of the input
+
+
+class Undecided(Exception):  # noqa: N818 -- names the situation
+    """A statement looks at something that nobody has decided; the statement has not begun."""
+
+    def __init__(self, question: Question) -> None:
+        """Say what it looks at."""
+        super().__init__(question)
+        self.question = question
+
+
+class Outside:
+    """What may come from outside besides signals, and what of it was decided."""
+
+    __slots__ = ("answers", "drawn", "draws", "place", "random")
+
+    def __init__(self, *, answers: bool, random: bool) -> None:
+        """Say what is free: the answers to PROMPT, and what RANDOM draws."""
+        self.answers = answers
+        self.random = random
+        self.draws: list[float] = []  # decided for the statement under way
+        self.drawn = 0  # of them
+        self.place: tuple[int, int] | None = None  # of that statement: see `begin_again`
+
+    def draw(self) -> float:
+        """Return the random number that was decided.
+
+        Raises:
+            Undecided: None was.
+        """
+        if self.drawn == len(self.draws):
+            raise Undecided(Question(Kind.RANDOM))
+        self.drawn += 1
+        return self.draws[self.drawn - 1]
+
+    def begin_again(self, place: tuple[int, int] | None) -> None:
+        """Let a statement begin again: it draws the same numbers; another one draws its own.
+
+        Args:
+            place: Whose turn it is in this tick, and statements finished before; None: a new tick,
+                in which one that waited draws anew.
+        """
+        if self.place != place:
+            self.draws, self.place = [], place
+        self.drawn = 0
+
+    def copy(self) -> "Outside":
+        """Return an independent copy."""
+        other = Outside(answers=self.answers, random=self.random)
+        other.draws, other.drawn, other.place = self.draws.copy(), self.drawn, self.place
+        return other
+
+
+class FreeSignals(set[int]):
+    """The signals that are on. What a free input is, has to be decided in every tick anew."""
+
+    __slots__ = ("decided", "free", "looked")
+
+    def __init__(self, on: Iterable[int], free: frozenset[int]) -> None:
+        """Take the signals that are on, and the inputs that are free."""
+        super().__init__(on)
+        self.free = free
+        self.decided: dict[int, bool] = {}  # in the tick under way
+        self.looked = False  # a free input was looked at in the tick under way
+
+    def __contains__(self, number: object) -> bool:
+        """Return whether a signal is on.
+
+        Raises:
+            Undecided: It is a free input, and not decided in this tick.
+        """
+        if number not in self.free:
+            return super().__contains__(number)
+        assert isinstance(number, int)
+        self.looked = True
+        known = self.decided.get(number)
+        if known is None:
+            raise Undecided(Question(Kind.INPUT, number))
+        return known
+
+    def copy(self) -> Self:
+        """Return an independent copy."""
+        other = type(self)(self, self.free)
+        other.decided, other.looked = self.decided.copy(), self.looked
+        return other
