@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from tests.support_mistakes import Mistake, Right, mistakes, right
 from vrts.base.diagnostic import Diagnostic, Edit, Severity
-from vrts.base.mending import edits_of
+from vrts.base.mending import edits_of, mendable, with_edits
 from vrts.base.source import SourceFile
 from vrts.ir.dump import dump
 from vrts.lang.compiler import Compilation, compile_source
@@ -63,6 +63,15 @@ class Score(NamedTuple):
 def compiled(text: str) -> Compilation:
     """Return what compiling a text as VAL-II yields."""
     return compile_source(SourceFile("main.v2", text))
+
+
+def told_once(text: str) -> tuple[Diagnostic, str]:
+    """Return the one message about a file, and its first program's body after certain edits."""
+    compilation = compiled(text)
+    (found,) = said(compilation)
+    assert compilation.source is not None
+    edits = edits_of(mendable(compilation.source, [found]))
+    return found, with_edits(text, edits).split("\n.END")[0].partition("\n")[2]
 
 
 def said(found: Compilation) -> list[Diagnostic]:

@@ -1,4 +1,7 @@
-"""`python -m tests.adversary FIRST LAST`: figures of a shard of cases, five proposers on each."""
+"""`python -m tests.adversary FIRST LAST`: figures of a shard of cases, five proposers on each.
+
+With `--pads` these are grips: what is between the pads and beside them, held, set down and let go.
+"""
 
 import argparse
 import statistics
@@ -6,8 +9,9 @@ import time
 from collections import Counter
 from typing import NamedTuple, TypeAlias
 
+from tests.adversary import grip_rules, grips
 from tests.adversary.cases import Case, case
-from tests.adversary.judge import Judge, Nearest, faults
+from tests.adversary.judge import Group, Judge, Nearest, faults, judge_of
 from tests.adversary.liars import HONEST, LYING, Made
 from vrts.check.collision.collision import check_collisions
 from vrts.check.collision.near_misses import CERTAIN
@@ -42,9 +46,9 @@ def asked_of(seed: int, *, whole: bool) -> dict[str, Made]:
     return {name: every[name] for name in ("coal", "own", *turn)}
 
 
-def looked_at(seed: int, *, whole: bool = True) -> Found:
+def looked_at(seed: int, *, whole: bool = True, pads: bool = False) -> Found:
     """Check a case with proposers of all kinds, and judge what is reported."""
-    it: Case = case(seed)
+    it: Case = grips.case(seed) if pads else case(seed)
     made = asked_of(seed, whole=whole)
     reports: dict[str, CollisionReport] = {}
     seconds: dict[str, float] = {}
@@ -52,8 +56,8 @@ def looked_at(seed: int, *, whole: bool = True) -> Found:
         with make(seed) as proposer:
             reports[name], seconds[name] = _checked(it, proposer)
     before = time.process_time()
-    judge = Judge(it)
-    truth: dict[str, Nearest] = {group: judge.nearest(group) for group in judge.groups}
+    judge = grip_rules.judge_of(it) if pads else judge_of(it)
+    truth: dict[Group, Nearest] = {group: judge.nearest(group) for group in judge.groups}
     known: dict[Told, list[str]] = {}
     told = {name: rounded(report) for name, report in reports.items()}
     wrong: dict[str, list[str]] = {}
@@ -79,7 +83,7 @@ def looked_at(seed: int, *, whole: bool = True) -> Found:
 def rounded(report: CollisionReport, *, moments: bool = True) -> Told:
     """Return everything that is told, rounded as it is before anything is scored or written.
 
-    Near misses within 0.12 mm of their threshold are left out: nobody promises to tell them.
+    Near misses within 0.01 mm of their threshold are left out: nobody promises to tell them.
 
     Args:
         report: What is told.
@@ -113,7 +117,7 @@ def _checked(it: Case, proposer: Proposer) -> tuple[CollisionReport, float]:
 
 
 def _open(judge: Judge, report: CollisionReport) -> bool:
-    return any(judge.name in (e.first, e.second) for e in report.undetermined)
+    return any((e.first, e.second) in judge.groups for e in report.undetermined)
 
 
 def figures(found: list[Found]) -> str:
@@ -148,10 +152,11 @@ def main() -> None:
     parser.add_argument("first", type=int)
     parser.add_argument("last", type=int)
     parser.add_argument("--whole", action="store_true", help="ask all proposers about each case")
+    parser.add_argument("--pads", action="store_true", help="look at grips")
     asked = parser.parse_args()
     found: list[Found] = []
     for seed in range(asked.first, asked.last):
-        one = looked_at(seed, whole=asked.whole)
+        one = looked_at(seed, whole=asked.whole, pads=asked.pads)
         found.append(one)
         for name, words in one.faults.items():
             print(f"{seed} {one.name}, {name}: {'; '.join(words)}", flush=True)

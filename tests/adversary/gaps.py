@@ -18,6 +18,8 @@ from vrts.geometry.shapes import Box, Cylinder, Shape
 Array: TypeAlias = npt.NDArray[np.float64]
 
 STARTS = 4  # of each question are moved about
+MORE = 32  # of one that has to be right: shapes that overlap have many best directions
+DENSE = 2000  # directions all round, to begin with then
 WAYS = 10  # of moving, tried together
 ROUNDS = 100  # of moving
 SHRINK = 0.83  # of a move when none was better
@@ -64,7 +66,22 @@ def rough(a: Posed, b: Posed) -> tuple[Array, Array]:
 def distance(a: Posed, b: Posed, seed: int = 0) -> tuple[Array, Array]:
     """Return signed distances, (n,) [m], from below and usually to a micrometre, and directions."""
     gaps, ways = rough(a, b)
-    count, starts = len(gaps), min(STARTS, gaps.shape[1])
+    return _moved(a, b, gaps, ways, min(STARTS, gaps.shape[1]), seed)
+
+
+def surely(a: Posed, b: Posed) -> tuple[Array, Array]:
+    """Return the same from many more directions, all round: that of overlaps is the best of all."""
+    gaps, ways = rough(a, b)
+    round_ = np.tile(_ALL_ROUND, (len(gaps), 1, 1))
+    gaps = np.concatenate([gaps, gap(a, b, round_)], axis=1)
+    return _moved(a, b, gaps, np.concatenate([ways, round_], axis=1), MORE, 0)
+
+
+def _moved(
+    a: Posed, b: Posed, gaps: Array, ways: Array, starts: int, seed: int
+) -> tuple[Array, Array]:
+    """Return the widest gaps that are found by moving the best directions about, and where."""
+    count = len(gaps)
     best = np.argsort(-gaps, axis=1)[:, :starts]
     way = np.take_along_axis(ways, best[..., None], axis=1).reshape(-1, 3)
     rows = np.repeat(np.arange(count), starts)
@@ -185,3 +202,14 @@ _SPHERE = _unit(
         [v for v in product((-1.0, -0.5, 0.0, 0.5, 1.0), repeat=3) if any(v) and v > (0, 0, 0)]
     )
 )
+
+
+def _spread(count: int) -> Array:
+    """Return unit vectors all round, evenly spread along a spiral, (count, 3)."""
+    height = 1.0 - (2.0 * np.arange(count) + 1.0) / count
+    angle = np.pi * (1.0 + np.sqrt(5.0)) * np.arange(count)
+    out = np.sqrt(1.0 - height**2)
+    return np.column_stack([out * np.cos(angle), out * np.sin(angle), height])
+
+
+_ALL_ROUND = _spread(DENSE)

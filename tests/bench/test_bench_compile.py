@@ -221,3 +221,29 @@ print(re.search(r"VmHWM:\s*(\d+)", Path("/proc/self/status").read_text())[1])
     peak = float(done.stdout) / 1024  # [MB]
     print(f"\npeak memory of a process that compiles 10,000 lines: {peak:.0f} MB")
     assert peak <= 200
+
+
+REPEATED = (
+    "IF n == 1 AND n == 2 THEN\nREADY\nEND\n",
+    "IF n > 1 THEN\nREADY\nELSE\nREADY\nEND\n",
+    "CASE n OF\nVALUE 1:\nREADY\nVALUE 1:\nREADY\nEND\n",
+    "WHILE TRUE DO\nn = n+1\nEND\n",
+    "FOR i = 1 TO 5\ni = 2\nEND\n",
+    "x = 1 < n < 3\n",
+    "MOVE p; MOVES q\n",
+    'TYPE "%d", n\n',
+    "c = $s+1\n",
+    "FRO i = 1 TO 3\nREADY\nEND\n",
+)  # each with a mistake, or with what looks like one
+
+
+@pytest.mark.parametrize("body", REPEATED)
+def test_the_same_mistake_many_times_costs_no_more_than_its_number(body: str) -> None:
+    took: list[float] = []
+    for count in (1000, 4000):
+        source = SourceFile("main.v2", f".PROGRAM main\nn = 1\n{body * count}.END\n")
+        began = time.process_time()
+        compile_source(source)
+        took.append(time.process_time() - began)
+    print(f"\n{body.splitlines()[0]:24s} 1,000: {took[0]:.2f} s, 4,000: {took[1]:.2f} s")
+    assert took[1] < 7.0 * took[0]

@@ -110,7 +110,7 @@ def test_more_than_an_hour(tmp_path: Path, kind: str) -> None:
                 f"  {minute + 1:2d} min: beat of {statistics.median(recent) * 1e3:.3f} ms median,"
                 f" {recent[-30] * 1e3:.3f} ms p99, {recent[-1] * 1e3:.1f} ms most;"
                 f" {sizes[-1]:.1f} MB, {len(machine.system.events):,} events,"
-                f" {len(machine.system.planner.pieces):,} pieces, {kept:.2f} MB of history"
+                f" {len(machine.system.planner.given.pieces):,} pieces, {kept:.2f} MB of history"
             )
             if where:
                 print(f"          WHERE takes {statistics.median(where) * 1e3:.1f} ms")

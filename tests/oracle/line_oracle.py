@@ -10,7 +10,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from vrts.engine.motion.paths import LinePath
+from vrts.engine.motion.lines.path import LinePath
 from vrts.robots.model import Configuration
 from vrts.robots.pinocchio_model import PinocchioArm, flange_pose, jacobian
 

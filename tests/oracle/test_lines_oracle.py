@@ -13,8 +13,8 @@ from tests.oracle.test_kinematics_oracle import arm_named, other_opinion
 from vrts.base.pose import IDENTITY, Pose, translation
 from vrts.controllers.models import USUAL
 from vrts.engine.faults import SINGULAR_JUMP, RuntimeFault
+from vrts.engine.motion.lines.path import LinePath, line
 from vrts.engine.motion.overspeed import fastest, slower
-from vrts.engine.motion.paths import LinePath, line
 from vrts.engine.motion.plan import Intent, Planned, from_rest, parameter
 from vrts.engine.motion.requests import Stance, to_line
 from vrts.engine.motion.settings import Settings

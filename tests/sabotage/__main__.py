@@ -1,8 +1,9 @@
 """Apply each patch to a copy of the tree and demand that the named tests fail.
 
 A patch that no test notices, or that no longer applies, fails this stage. Before anything is
-patched the named tests must pass, so that a failure is the patch's doing. Tests are those of the
-usual run, with its few examples, but for patches that say that only a `thorough` test notices.
+patched the named tests must pass, so that a failure is the patch's doing; `--passed` says that they
+did just now, in the stages before this one. Tests are those of the usual run, with its few
+examples, but for patches that say that only a `thorough` test notices.
 `--list` says which those are; `--chosen` asks what `python -m tests --changed` would have run.
 """
 
@@ -15,7 +16,7 @@ from pathlib import Path
 from tests.places import ROOT
 from tests.sabotage import chosen
 from tests.sabotage.patches import PATCHES, Patch
-from tests.sabotage.trees import SECONDS, PatchError, copy_tree, patched, run_tests
+from tests.sabotage.trees import ALL_SECONDS, SECONDS, PatchError, copy_tree, patched, run_tests
 
 
 def main(words: list[str]) -> int:
@@ -30,10 +31,10 @@ def main(words: list[str]) -> int:
         return chosen.main(wanted)
     with tempfile.TemporaryDirectory() as folder:
         untouched = copy_tree(ROOT, Path(folder) / "untouched")
-        for thorough in {patch.thorough for patch in wanted}:
+        for thorough in {patch.thorough for patch in wanted if "--passed" not in words}:
             these = [patch for patch in wanted if patch.thorough is thorough]
             targets = sorted({test for patch in these for test in patch.tests})
-            if run_tests(untouched, targets, *selection(thorough), "-n", "2"):
+            if run_tests(untouched, targets, *selection(thorough), "-n", "2", seconds=ALL_SECONDS):
                 print("the named tests fail without any patch")
                 return 1
         with ThreadPoolExecutor(max_workers=2) as pool:

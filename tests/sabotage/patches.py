@@ -85,7 +85,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "objects fall through the air unnoticed",
-        "vrts/engine/hand/hand.py",
+        "vrts/engine/hand/told.py",
         "DROP_HEIGHT = 2e-3",
         "DROP_HEIGHT = 2e3",
         (EXAMPLE,),
@@ -306,7 +306,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "the limit of turning is for the larger of two turns",
-        "vrts/engine/motion/paths.py",
+        "vrts/engine/motion/lines/turning.py",
         "return math.hypot(theta, phi)",
         "return max(theta, phi)",
         ("tests/unit/controllers",),
@@ -377,9 +377,23 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "a keyword that nothing gives a value is a variable of V+",
         "vrts/lang/findings/usage.py",
-        "if resolver.dialect.is_vplus and not declared",
-        "if resolver.dialect.is_val and not declared",
+        "    if not declared and hardly_a_name(",
+        "    if declared and hardly_a_name(",
         (VPLUS_STEPS,),
+    ),
+    Patch(
+        "a keyword of AS may be given a value",
+        "vrts/lang/steps/unknown_words.py",
+        "and is_assigned(tokens) and problems.dialect.is_as:",
+        "and is_assigned(tokens) and problems.dialect.is_val:",
+        ("tests/unit/lang/grammar/test_as_steps.py",),
+    ),
+    Patch(
+        "MC of AS takes whatever follows",
+        "vrts/lang/steps/step_parser.py",
+        'given = word.text == "MC" and self.dialect.is_as',
+        'given = word.text == "MC" and self.dialect.is_val',
+        ("tests/unit/lang/grammar/test_as_steps.py",),
     ),
     Patch(
         "AND binds after comparisons in VAL-II",
@@ -474,8 +488,8 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "unreachable steps are not seen",
-        "vrts/lang/findings/flow.py",
-        "            if kind in _ENDING:",
+        "vrts/lang/findings/ways/reached.py",
+        "            if kind in ENDING:",
         "            if kind is i.NextFor:",
         (LANG,),
     ),
@@ -691,7 +705,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "a corner of two lines forgets to turn the hand",
-        "vrts/engine/motion/paths.py",
+        "vrts/engine/motion/lines/path.py",
         "add(before.w, rotate(turned, after.w))",
         "before.w",
         (ENGINE,),
@@ -768,7 +782,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "cycles that are left are no part of the state",
-        "vrts/engine/machine/forever/states.py",
+        "vrts/engine/machine/states/state.py",
         "(c.program, c.cycles_left, c.kept_cycles)",
         "(c.program, c.kept_cycles)",
         (FOREVER,),
@@ -1703,8 +1717,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "motions are kept for good",
         "vrts/engine/machine/forget.py",
-        "planner.motions.forget(pieces[0].motion)",
-        "planner.motions.forget(0)",
+        "given.motions.forget(pieces[0].motion)",
+        "given.motions.forget(0)",
         ("tests/unit/engine/machine/test_forgetting.py",),
     ),
     Patch(
@@ -1814,9 +1828,37 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "a line that is merely too fast is stopped near a singularity that is not the cause",
-        "vrts/engine/motion/passage.py",
+        "vrts/engine/motion/lines/passage.py",
         "caused = far or _by_singularity(arm, at, Stand(goal, q, branch), joint)",
         "caused = True",
+        ("tests/unit/engine/motion/test_feasible_lines.py",),
+    ),
+    Patch(
+        "pads that came free may press again",
+        "vrts/check/collision/pairs/grips.py",
+        "windows.append(Window(apart, away, allowed=False, counts=False))",
+        "windows.append(Window(apart, away, allowed=True, counts=False))",
+        ("tests/unit/check/collision/test_adversary.py",),
+    ),
+    Patch(
+        "pads count again from the release, before they came free",
+        "vrts/check/collision/pairs/grips.py",
+        "SEPARATED = 2e-4",
+        "SEPARATED = -1.0",
+        ("tests/unit/check/collision/test_adversary.py",),
+    ),
+    Patch(
+        "a support is not lowered under what it held up",
+        "vrts/check/collision/pairs/pairs.py",
+        "table.add(group, stay.members, other.lowered, interval, NEAR)",
+        "table.add(group, stay.members, other.members, interval, NEAR)",
+        ("tests/unit/check/collision/test_adversary.py",),
+    ),
+    Patch(
+        "a wrist that turns round between two set points is not looked for",
+        "vrts/engine/motion/lines/passage.py",
+        "far = found is None or turned(at.q, found[0]) > LITTLE",
+        "far = found is None",
         ("tests/unit/engine/motion/test_feasible_lines.py",),
     ),
     Patch(
@@ -1828,7 +1870,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "a joint comes round from the other side within a line",
-        "vrts/engine/motion/set_points.py",
+        "vrts/engine/motion/lines/set_points.py",
         "free = unlimited(arm)",
         "free = arm",
         ("tests/unit/engine/motion/test_feasible_lines.py",),
@@ -1905,7 +1947,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "what calls a program with a broken header is blamed, too",
-        "vrts/lang/findings/usage.py",
+        "vrts/lang/findings/arguments.py",
         "    if not program.sound:",
         "    if program.sound and not program.sound:",
         ("tests/unit/lang/reading/test_sections.py",),

@@ -167,16 +167,54 @@ PROOFS: tuple[Patch, ...] = (
     Patch(
         "a certificate's pads may let go whenever they like",
         CHECKER,
-        "if not shown.any():",
-        "if shown is None:",
+        "if not (pair & near).any():",
+        "if near is None:",
         (BOUNDS + "test_fingers_let_go_when_they_do",),
     ),
     Patch(
         "a certificate's pads may be apart and not let go",
         CHECKER,
-        "near = (apart <= APART) &",
+        "near = (apart <= most_m) &",
         "near = (apart <= 1.0) &",
         (BOUNDS + "test_fingers_that_are_apart_have_let_go",),
+    ),
+    Patch(
+        "a certificate's things are near whatever shows it",
+        CHECKER,
+        "if not (pair & near).any():",
+        "if not near.any():",
+        (BOUNDS + "test_points_of_other_things_show_nothing",),
+    ),
+    Patch(
+        "a certificate's fingers count again whenever they like",
+        COVERED,
+        "if window.depth_m > DEEP else (COARSE, AWAY)",
+        "if window.depth_m > DEEP else (COARSE, 1.0)",
+        (BOUNDS + "test_what_is_far_apart_counts_again",),
+    ),
+    Patch(
+        "a certificate's carried things count whenever they like",
+        COVERED,
+        "given.Near(stay.solids, [other], times, AWAY)",
+        "given.Near(stay.solids, [other], times, 1.0)",
+        (BOUNDS + "test_what_is_far_apart_counts_again",),
+    ),
+    Patch(
+        "a certificate's carried things cease to count whenever they like",
+        COVERED,
+        "given.steps(both[0], low, COARSE) + given.steps(both[1], high, COARSE)",
+        "given.steps(both[0], low, COARSE)",
+        (BOUNDS + "test_the_end_of_carrying_is_looked_at_as_its_beginning",),
+    ),
+    Patch(
+        "a certificate lets what is carried be near what it comes to from the start",
+        COVERED,
+        "both[1]) if other.body == stay.before else both[0]",
+        "both[1])",
+        (
+            BOUNDS
+            + "test_only_what_it_stood_on_is_near_at_first_and_what_it_will_stand_on_in_the_end",
+        ),
     ),
     Patch(
         "a certificate's points may lie anywhere",

@@ -11,7 +11,8 @@ from pathlib import Path
 from tests.sabotage.patches import Patch
 
 COPIED = ("vrts", "tests", "examples", "scenes", "pyproject.toml", "README.md")
-SECONDS = 300
+SECONDS = 300  # for the tests of a patch
+ALL_SECONDS = 1800  # for those of all patches
 
 
 class PatchError(ValueError):
@@ -53,7 +54,7 @@ def patched(patch: Patch, untouched: Path) -> Generator[Path]:
     shutil.rmtree(tree)
 
 
-def run_tests(tree: Path, tests: Sequence[str], *options: str) -> bool:
+def run_tests(tree: Path, tests: Sequence[str], *options: str, seconds: float = SECONDS) -> bool:
     """Run tests in a tree; return whether any failed. A run that collects nothing raises."""
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", PYTHONPATH=str(tree))
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:randomly", *options, *tests]
@@ -63,7 +64,7 @@ def run_tests(tree: Path, tests: Sequence[str], *options: str) -> bool:
         env=environment,
         capture_output=True,
         text=True,
-        timeout=SECONDS,
+        timeout=seconds,
         check=False,
     )
     if result.returncode not in (0, 1, 2):

@@ -15,7 +15,7 @@ from vrts.lang.vocabulary.words import OPERATORS
 
 DROPPED, DOUBLED, REPLACED = KINDS = ("dropped", "doubled", "replaced")
 
-_OPERANDS = frozenset({"NUMBER", "STRING", "STRINGNAME", "JOINTNAME", "FORMAT"})
+_OPERANDS = frozenset({"NUMBER", "STRING", "NAME", "STRINGNAME", "JOINTNAME", "FORMAT"})
 _SIGNS = frozenset({"+", "-", "NOT", "COM"})
 _MAY_BE_MISSING = frozenset({"ALWAYS", "MMPS", "IPS", "MONITOR", "REAL", "DOUBLE", "LOC"})
 _JOINS = frozenset({"operator", *_SIGNS, "*", "/", "MOD", "AND", "OR", "==", "<>", "<", ">", ":"})
@@ -90,8 +90,8 @@ def _role(line: list[Token], index: int, dialect: Dialect) -> str:
     upper = token.text.upper()
     if token.kind != "WORD":
         return "operator" if token.kind == "INFIX" and upper not in _SIGNS else token.text
-    if upper in OPERATORS and token.text not in _SIGNS:
-        return "operator"
+    if upper in OPERATORS:
+        return upper if upper in _SIGNS else "operator"
     after = _text(line, index + 1)
     if index == 0 and upper in spellings(dialect) and after not in ("=", "["):
         return "instruction"

@@ -62,6 +62,7 @@ class Fix(NamedTuple):
     span: Span
     replacement: str
     more: tuple[Edit, ...] = ()  # further places, none overlapping another
+    sure: bool = True  # whether it may be applied unasked: it is surely what was meant
 
     @property
     def edits(self) -> tuple[Edit, ...]:
@@ -69,9 +70,9 @@ class Fix(NamedTuple):
         return (Edit(self.span, self.replacement), *self.more)
 
     @classmethod
-    def from_edits(cls, edits: Sequence[Edit]) -> "Fix":
+    def from_edits(cls, edits: Sequence[Edit], *, sure: bool = True) -> "Fix":
         """Return a fix of one or more replacements."""
-        return cls(*edits[0], tuple(edits[1:]))
+        return cls(*edits[0], tuple(edits[1:]), sure)
 
 
 @dataclass(frozen=True, slots=True)

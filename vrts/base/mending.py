@@ -7,14 +7,14 @@ from vrts.base.source import SourceFile
 
 
 def mendable(source: SourceFile, found: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """Return the diagnostics whose fixes can be applied at once, each of them whole.
+    """Return the diagnostics whose fixes are sure and can be applied at once, each of them whole.
 
     A fix waits for another pass where it changes what one before it changes, too.
     """
     taken: list[Edit] = []
     chosen: list[Diagnostic] = []
     for diagnostic in found:
-        if diagnostic.fix is None:
+        if diagnostic.fix is None or not diagnostic.fix.sure:
             continue
         edits = diagnostic.fix.edits
         if all(edit.span.source is source for edit in edits) and not _clash(edits, taken):

@@ -55,6 +55,13 @@ class WristChoice(Enum):
     KEPT = "kept"  # the present one while it is within limits
 
 
+class AlignTurn(Enum):
+    """How ALIGN turns the hand about the tool's own axis."""
+
+    SMALLEST = "smallest turn"  # whatever comes of the smallest turn to the axis of the world
+    KEEPS_T = "keeps T"  # along a level axis T stays as it was
+
+
 class Pace(NamedTuple):
     """How long motions take."""
 
@@ -81,10 +88,11 @@ class Corners(NamedTuple):
 
 
 class Lines(NamedTuple):
-    """How the tool turns along straight lines."""
+    """How the tool turns along straight lines, and to the axis that ALIGN finds."""
 
     turn: LineTurn
     measure: TurnMeasure
+    align: AlignTurn
 
 
 class Stops(NamedTuple):
@@ -113,9 +121,12 @@ class Programs(NamedTuple):
 
 
 class Branches(NamedTuple):
-    """Which arm branch motions take."""
+    """Which arm branch motions take, and how near a boundary the arm keeps the one it had."""
 
     wrist: WristChoice
+    shoulder_boundary_m: float  # of the wrist's signed reach in the arm plane
+    elbow_boundary_m: float  # of the elbow's signed bend
+    wrist_boundary_deg: float  # of joint 5
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ same answer.
 from dataclasses import replace
 
 from vrts.controllers.model import (
+    AlignTurn,
     Branches,
     ControllerModel,
     Corners,
@@ -40,7 +41,7 @@ VRTS_1 = ControllerModel(
         pendant_percent=25.0,
     ),
     corners=Corners(shape=CornerShape.QUARTIC, half_accelerations=1.0, whole_s=None),
-    lines=Lines(turn=LineTurn.TWO_TURNS, measure=TurnMeasure.LARGER),
+    lines=Lines(turn=LineTurn.TWO_TURNS, measure=TurnMeasure.LARGER, align=AlignTurn.SMALLEST),
     stops=Stops(
         settling=Settling.WAITS,
         fine_ticks=3,
@@ -53,7 +54,12 @@ VRTS_1 = ControllerModel(
         drive_uses_speed=False,
     ),
     programs=Programs(steps_a_tick=100, hand_s=None, pulse_s=0.2),
-    branches=Branches(wrist=WristChoice.NEAREST),
+    branches=Branches(
+        wrist=WristChoice.NEAREST,
+        shoulder_boundary_m=25e-3,
+        elbow_boundary_m=25e-3,
+        wrist_boundary_deg=0.01,
+    ),
 )
 
 VAL2 = replace(

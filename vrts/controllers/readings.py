@@ -155,6 +155,13 @@ READINGS = (
         _FIRST,
     ),
     Reading(
+        "lines.align",
+        "",
+        "how ALIGN turns the hand about the tool's own axis",
+        "language/motion#align",
+        _assumed("the instruction: [VALIISlides]; which turn: no document"),
+    ),
+    Reading(
         "stops.settling",
         "",
         "when the controller waits until the joints are near enough",
@@ -233,6 +240,27 @@ READINGS = (
         "",
         "which wrist a MOVE takes when none was asked for",
         "robots/branches#wrist",
+        _assumed("no document"),
+    ),
+    Reading(
+        "branches.shoulder_boundary_m",
+        "m",
+        "so near the shoulder's boundary the arm keeps the branch that it had",
+        "robots/branches#boundary",
+        _assumed("no document"),
+    ),
+    Reading(
+        "branches.elbow_boundary_m",
+        "m",
+        "the same at the elbow's boundary",
+        "robots/branches#boundary",
+        _assumed("no document"),
+    ),
+    Reading(
+        "branches.wrist_boundary_deg",
+        "deg",
+        "the same at the wrist's boundary, by joint 5",
+        "robots/branches#boundary",
         _assumed("no document"),
     ),
 )

@@ -2,14 +2,26 @@
 
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from enum import Enum
+from types import MappingProxyType
 from typing import TypeAlias
 
-from vrts.controllers.model import ControllerModel
+from vrts.controllers.model import AlignTurn, ControllerModel
 
 Value: TypeAlias = float | bool | Enum | None
+
+# Fields that came after files held digests, and what was done before. A model that says the same
+# is the same model, so what was saved then is still known again.
+LATER: Mapping[str, Value] = MappingProxyType(
+    {
+        "lines.align": AlignTurn.SMALLEST,
+        "branches.shoulder_boundary_m": 25e-3,
+        "branches.elbow_boundary_m": 25e-3,
+        "branches.wrist_boundary_deg": 0.01,
+    }
+)
 
 
 def values(model: ControllerModel) -> Iterator[tuple[str, Value]]:
@@ -44,6 +56,10 @@ def differing(model: ControllerModel, from_: ControllerModel) -> Iterator[str]:
 
 def digest(model: ControllerModel) -> str:
     """Return the hash of what a model says; its name and title are no part of it."""
-    said = {name: v.value if isinstance(v, Enum) else v for name, v in values(model)}
+    said = {
+        name: v.value if isinstance(v, Enum) else v
+        for name, v in values(model)
+        if name not in LATER or v != LATER[name]
+    }
     whole = json.dumps([said, model.fitted_from], sort_keys=True, separators=(",", ":"))
     return hashlib.sha256(whole.encode()).hexdigest()

@@ -9,7 +9,7 @@ from vrts.check.collision.collision import check_collisions
 from vrts.check.verdict import CollisionReport, ContactEvent, NearMiss
 from vrts.check.verdicts.limits import JOINT_SPEED, check_limits
 from vrts.debug.passages import Instant, at_time
-from vrts.engine.hand.hand import DROP_HEIGHT
+from vrts.engine.hand.told import DROP_HEIGHT
 from vrts.engine.memory.events import Found, Released, Toppled
 from vrts.engine.run import Run
 

@@ -15,6 +15,7 @@ from vrts.pipeline.refused import Refused
 from vrts.run_files.proving import OTHER, Proof, base_name, proof_of, scenario_digest
 
 HUNDREDTH = 0.011  # [mm] by which two numbers that are rounded may differ
+PLAN_AGAIN = "plan the bundle again with `vrts dispatch plan`: nothing was sent"
 
 
 def check_proofs(bundle: Bundle) -> tuple[str, ...]:
@@ -35,7 +36,7 @@ def _notes(bundle: Bundle) -> Iterator[str]:
         if said.file is None:
             yield f"scenario {one.scenario}: no certificate of its run ({said.summary})"
             continue
-        proof = proof_of(bundle.proofs[said.file], said.file)
+        proof = proof_of(bundle.proofs[said.file], said.file, PLAN_AGAIN)
         what = _differs(bundle, one, said, proof)
         if what is not None:
             headline = f"the certificate `{said.file}` holds, but {what}"

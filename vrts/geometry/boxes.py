@@ -60,7 +60,7 @@ def travels(solids: Solids, which: Indices, instants: Instants, motion: Motion, 
     Returns:
         Bound against each frame L_l, shape (7, m, n), in m; see `Solids.travel`.
     """
-    frame = solids.frame[which]
+    moves = solids.frame[which] - solids.spins[which]  # the last joint that moves it
     ball = solids.ball[which][:, None]
     moved = solids.slides[which][:, None] * motion.slide
     bound = np.empty((JOINTS + 1, *moved.shape))
@@ -81,7 +81,7 @@ def travels(solids: Solids, which: Indices, instants: Instants, motion: Motion, 
         arm += ball
         arm += moved
         arm *= motion.turn[:, joint - 1]
-        arm[frame < joint] = 0.0
+        arm[moves < joint] = 0.0
         moved = moved + arm
         bound[joint - 1] = moved
     return bound

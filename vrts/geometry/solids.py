@@ -2,9 +2,11 @@
 
 Frames L_0 .. L_6 follow the joints; the z axis of L_k is the axis of joint k. Solids hang on one of
 them, fingers slide along a direction of L_6 as well, falling bodies sink in L_0. For a solid on L_k
-and another on L_l, l < k, only the joints l + 1 .. k move one against the other.
+and another on L_l, l < k, only the joints l + 1 .. k move one against the other; and joint k does
+not, where it turns a cylinder round its own axis.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -20,6 +22,7 @@ Array: TypeAlias = npt.NDArray[np.float64]
 Indices: TypeAlias = npt.NDArray[np.int64]
 
 JOINTS = 6
+COAXIAL = 1e-7  # [m, 1] between the axes of a cylinder and of its joint: rounding allows for more
 
 
 class Solid(NamedTuple):
@@ -92,6 +95,7 @@ class Solids:
     ball: Array  # (g,) radius of the ball round `middle` that holds the shape [m]
     corners: Array  # (hulls, n, 3) points of the hulls, the last repeated to fill up [m]
     hull: Indices  # (g,) index into `corners`; -1 for others
+    spins: npt.NDArray[np.bool_]  # (g,) whether its own joint turns it round its own axis only
 
     def places(
         self, instants: Instants, solid: Indices, instant: Indices, gravity: float
@@ -119,7 +123,8 @@ class Solids:
 
         The bound over joints l + 1 .. k adds, from the hand inwards, the turn of each joint times
         the largest distance from its axis that a point of the solid can have: that of the centre,
-        plus the radius of the ball, plus what the joints further out have added.
+        plus the radius of the ball, plus what the joints further out have added. What spins is
+        where it was: its own joint adds nothing.
 
         Args:
             instants: The middles.
@@ -130,7 +135,7 @@ class Solids:
 
         Returns:
             Bound against each frame L_l, shape (7, m), in m; largest distance from the axis of
-            each joint, shape (6, m), in m.
+            each joint, shape (6, m), in m; 0 for joints that do not move it.
         """
         count = len(solid)
         bound = np.zeros((JOINTS + 1, count))
@@ -145,10 +150,10 @@ class Solids:
         along = np.einsum("jmi,jmi->jm", offset, axis)
         square = np.einsum("jmi,jmi->jm", offset, offset) - along * along
         away = np.sqrt(np.maximum(square, 0.0)) + ball
-        further_in = frame < np.arange(1, JOINTS + 1)[:, None]  # joints that do not move it
+        idle = frame - self.spins[solid] < np.arange(1, JOINTS + 1)[:, None]
         for joint in range(JOINTS, 0, -1):
             arm = away[joint - 1] + moved
-            arm[further_in[joint - 1]] = 0.0
+            arm[idle[joint - 1]] = 0.0
             arms[joint - 1] = arm
             moved = moved + arm * turn[:, joint - 1]
             bound[joint - 1] = moved
@@ -218,7 +223,16 @@ def solids(members: Sequence[Solid]) -> Solids:
         ball=np.array(balls),
         corners=np.array(corners).reshape(-1, most, 3),
         hull=np.where(is_hull, np.cumsum(is_hull) - 1, -1),
+        spins=np.array([_spins(member) for member in members], dtype=np.bool_),
     )
+
+
+def _spins(solid: Solid) -> bool:
+    """Return whether a solid is a cylinder round the z axis of its frame, that of its joint."""
+    x, y, _ = solid.X_LP.translation
+    tilt = math.hypot(solid.X_LP.rotation[2], solid.X_LP.rotation[5])
+    round_ = isinstance(solid.shape, Cylinder) and max(math.hypot(x, y), tilt) < COAXIAL
+    return round_ and solid.frame > 0 and not any(solid.slide)
 
 
 @lru_cache(maxsize=4096)

@@ -1,7 +1,7 @@
 """What the commands of the monitor share: the text in memory, the present state, their answers."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple, Protocol
 
 from vrts.base.numbers import round_half_away
@@ -229,7 +229,11 @@ def one_step(text: str, desk: Desk, now: Situation) -> Module:
     """Return an instruction as a program of its own, or refuse."""
     source = SourceFile("DO", f".PROGRAM {ALONE}\n{text}\n.END\n")
     found = in_view(source, (text,), desk.programs, now.state.variables, desk.dialect)
-    refused = words.first_refusal(found.diagnostics)
+    told = [
+        replace(d, help=tuple(line for line in d.help if ANSWER not in line))  # nobody wrote that
+        for d in found.diagnostics
+    ]
+    refused = words.first_refusal(told)
     if refused is not None or found.module is None:
         raise Refused(refused or words.starred(words.ILLEGAL_COMMAND))
     return Module({ALONE: found.module.programs[ALONE]}, ())

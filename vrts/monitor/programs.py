@@ -65,7 +65,7 @@ def in_view(
     dialect: Dialect,
 ) -> Compilation:
     """Return a source compiled with what its lines refer to, or alone if that disagrees."""
-    options = Options(dialect)
+    options = Options(dialect, typed=True)
     called = reachable(references(lines, dialect).programs, programs, dialect)
     others = [programs[name] for name in sorted(called) if name != source.name]
     beside = [SourceFile(other.name, other.text) for other in others if other.program is not None]

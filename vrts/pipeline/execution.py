@@ -106,4 +106,6 @@ def without_repeats(
 ) -> tuple[Diagnostic, ...]:
     """Drop warnings of the compiler about a name whose run-time error says the same."""
     named = {d.data["name"] for d in run if d.is_error and "name" in d.data}
-    return tuple(d for d in compiled if d.is_error or d.data.get("name") not in named)
+    return tuple(
+        d for d in compiled if d.is_error or "names" in d.data or d.data.get("name") not in named
+    )

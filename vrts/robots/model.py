@@ -71,6 +71,11 @@ class Gripper:
     pad_length: float  # extent of a pad along z of P [m]
     overlap_min: float  # a grasp needs this much overlap of object and pad [m]
 
+    @property
+    def finger_speed(self) -> float:
+        """Change of the opening while the fingers move [m/s]."""
+        return (self.opening_max - self.opening_min) / self.stroke_time
+
 
 @dataclass(frozen=True)
 class Named:

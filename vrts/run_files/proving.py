@@ -8,7 +8,13 @@ from typing import NamedTuple
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.source import SourceFile
-from vrts.check.proof.certificate import MOST_FILES, certificate_bytes, digest, read_certificate
+from vrts.check.proof.certificate import (
+    MOST_FILES,
+    OtherFormat,
+    certificate_bytes,
+    digest,
+    read_certificate,
+)
 from vrts.check.proof.checker import check
 from vrts.check.proof.given import Claims, Proven, Wrong
 from vrts.check.proof.record import certified
@@ -34,6 +40,7 @@ DAMAGED = Rule("V546", "damaged-certificate")
 NOT_PROVEN = Rule("V547", "certificate-does-not-prove")
 NOT_CERTIFIED = Rule("V548", "not-certified")
 OTHER = Rule("V549", "other-certificate")
+OTHER_FORMAT = Rule("V550", "certificate-format")
 
 WRITE_AGAIN = "write it again with `vrts verify PROGRAM --certificate FILE`"
 
@@ -95,28 +102,32 @@ def _placeless(origin: Origin, scene: Scene) -> Origin:
     return Origin(programs._replace(sources=tuple(sources)), named)
 
 
-def proof_of(data: bytes, name: str) -> Proof:
+def proof_of(data: bytes, name: str, again: str = WRITE_AGAIN) -> Proof:
     """Return what a certificate proves.
 
     Args:
         data: The bytes of the file.
         name: As shown.
+        again: How to write it anew, as a help.
 
     Raises:
-        Refused: The file is not sound, its run cannot be made again, or it proves nothing.
+        Refused: The file is of another format or not sound, its run cannot be made again, or it
+            proves nothing.
     """
     try:
         read = read_certificate(data)
         origin, wanted = read_origin(read.said.get("origin"))
         saved = SavedRun(name, None, read.said, origin, wanted)
-        run = _run(saved, read.files)
+        run = _run(saved, read.files, again)
+    except OtherFormat as other:
+        raise Refused((_other_format(name, other, again),)) from other
     except Damaged as damage:
         headline = f"the certificate `{name}` is damaged: {damage.reason}"
-        raise Refused((error(DAMAGED, headline, help=(WRITE_AGAIN,)),)) from damage
+        raise Refused((error(DAMAGED, headline, help=(again,)),)) from damage
     try:
         proven = check(run.scene, run, read.claims, read.evidence)
     except Wrong as wrong:
-        raise Refused((_refusal(name, wrong),)) from wrong
+        raise Refused((_refusal(name, wrong, again),)) from wrong
     made_by = str(read.said.get("vrts"))
     return Proof(
         name, Simulated(run, origin, run.findings), made_by, read.claims, proven, len(data)
@@ -164,7 +175,7 @@ def scenario_digest(run: Run, origin: Origin) -> str:
     return digest(Plain(origin.programs.sources).write(Scenario, run.history.scenario))
 
 
-def _run(saved: SavedRun, files: Mapping[str, bytes]) -> Run:
+def _run(saved: SavedRun, files: Mapping[str, bytes], again: str) -> Run:
     """Return the run that a certificate is about, executed again."""
     said, name = saved.manifest, saved.name
     try:
@@ -172,7 +183,7 @@ def _run(saved: SavedRun, files: Mapping[str, bytes]) -> Run:
     except Refused as refused:
         notes = tuple(found.headline for found in refused.diagnostics)
         headline = f"the certificate `{name}` cannot be checked: its run cannot be made again"
-        raise Refused((error(OTHER, headline, notes=notes, help=(WRITE_AGAIN,)),)) from refused
+        raise Refused((error(OTHER, headline, notes=notes, help=(again,)),)) from refused
     for what, same in (
         (
             "its programs compile to something else now",
@@ -182,7 +193,7 @@ def _run(saved: SavedRun, files: Mapping[str, bytes]) -> Run:
     ):
         if not same:
             headline = f"the certificate `{name}` cannot be checked: {what}"
-            raise Refused((error(OTHER, headline, help=(WRITE_AGAIN,)),))
+            raise Refused((error(OTHER, headline, help=(again,)),))
     plain = Plain(saved.origin.programs.sources)
     scenario: Scenario = plain.read(Scenario, said.get("scenario"))
     check_scenario(scenario, scene)
@@ -214,11 +225,18 @@ def _other_model(proof: Proof, theirs: str, whose: str) -> Diagnostic:
     return error(OTHER, headline, help=remedy, data={"model": ours, "other": theirs})
 
 
-def _refusal(name: str, wrong: Wrong) -> Diagnostic:
+def _other_format(name: str, other: OtherFormat, again: str) -> Diagnostic:
+    which = "an older" if other.older else "a newer"
+    headline = f"the certificate `{name}` was written by {which} vrts, so this one cannot check it"
+    notes = (f"{other.reason}; this is vrts {__version__}",)
+    return error(OTHER_FORMAT, headline, notes=notes, help=(again,))
+
+
+def _refusal(name: str, wrong: Wrong, again: str) -> Diagnostic:
     """Return what to tell of a certificate that does not hold: the first thing that does not."""
     data = {} if wrong.time_s is None else {"time_s": round(wrong.time_s, 4)}
     headline = f"the certificate `{name}` does not prove what it claims: {_words(wrong)}"
-    return error(NOT_PROVEN, headline, help=(WRITE_AGAIN,), data=data)
+    return error(NOT_PROVEN, headline, help=(again,), data=data)
 
 
 def _words(wrong: Wrong) -> str:

@@ -6,10 +6,12 @@ from collections.abc import Mapping
 import pytest
 
 from tests.support_engine import main
-from tests.support_programs import compiled, ended, happened, started, switched
+from tests.support_programs import codes, compiled, ended, happened, started, switched
+from vrts.base.oat import components
 from vrts.base.pose import IDENTITY, multiply, transpose
 from vrts.base.units import deg
 from vrts.controllers.model import (
+    AlignTurn,
     CornerShape,
     LineTurn,
     NoLength,
@@ -48,6 +50,7 @@ OTHER: Mapping[str, Value] = {  # what a field may be instead
     "corners.whole_s": 0.616,
     "lines.turn": LineTurn.ONE_AXIS,
     "lines.measure": TurnMeasure.SUM,
+    "lines.align": AlignTurn.KEEPS_T,
     "stops.settling": Settling.WAITS,
     "stops.fine_ticks": 5,
     "stops.coarse_ticks": 4,
@@ -59,6 +62,9 @@ OTHER: Mapping[str, Value] = {  # what a field may be instead
     "programs.hand_s": 1.12,
     "programs.pulse_s": 0.56,
     "branches.wrist": WristChoice.KEPT,
+    "branches.shoulder_boundary_m": 0.1,
+    "branches.elbow_boundary_m": 0.1,
+    "branches.wrist_boundary_deg": 5.0,
 }
 CALM_DIFFERS = {  # fields that every program meets
     "pace.tick_s",
@@ -282,6 +288,19 @@ def test_the_tool_turns_about_one_axis_or_by_two_turns() -> None:
     assert spread[LineTurn.ONE_AXIS] < 1e-3 < 0.2 < spread[LineTurn.TWO_TURNS]
 
 
+def test_align_turns_as_little_as_it_can_or_keeps_the_angle_t() -> None:
+    body = "MOVE TRANS(900,100,100,70,20,35)\nALIGN"
+    ends = {
+        rule: components(runs(body, lines__align=rule).motions[-1].X_WT)[3:] for rule in AlignTurn
+    }
+    assert ends[AlignTurn.KEEPS_T] == pytest.approx((90.0, 0.0, 35.0), abs=1e-4)
+    assert ends[AlignTurn.SMALLEST][:2] == pytest.approx((90.0, 0.0), abs=1e-4)
+    assert abs(ends[AlignTurn.SMALLEST][2] - 35.0) > 1.0
+    down = "MOVE TRANS(900,100,100,70,80,35)\nALIGN"  # no axis that is level: no other turn
+    both = [runs(down, lines__align=rule).motions[-1].goal for rule in AlignTurn]
+    assert both[0] == both[1]
+
+
 # --- stops ----------------------------------------------------------------------------------------
 
 
@@ -367,3 +386,24 @@ def test_the_wrist_that_turns_less_or_the_present_one() -> None:
     body += "SET goal = #g\nMOVE goal"
     ends = {rule: deg(runs(body, branches__wrist=rule).motions[-1].goal[4]) for rule in WristChoice}
     assert ends == {WristChoice.NEAREST: pytest.approx(-40), WristChoice.KEPT: pytest.approx(40)}
+
+
+@pytest.mark.parametrize(
+    ("joints", "field"),
+    [
+        ("0,-92,90,0,30,0", "branches__shoulder_boundary_m"),
+        ("0,-60,86,0,30,0", "branches__elbow_boundary_m"),
+    ],
+)
+def test_near_a_boundary_the_arm_keeps_its_branch(joints: str, field: str) -> None:
+    """Both points are 52 and 59 mm beyond it, on the other side than the arm was before."""
+    body = f"MOVE #PPOINT({joints})\nMOVE a"
+    wide, usual = runs(body, **{field: 0.1}), runs(body)
+    assert wide.motions[-1].goal == runs("MOVE a").motions[-1].goal
+    assert usual.motions[-1].goal != wide.motions[-1].goal
+
+
+def test_with_joint_5_near_zero_the_arm_keeps_its_wrist() -> None:
+    body = "MOVE #PPOINT(0,-60,100,0,-2,0)\nBREAK\nNOFLIP\nMOVES HERE:TRANS(0,0,5)"
+    assert "V304" in codes(runs(body))
+    assert "V304" not in codes(runs(body, branches__wrist_boundary_deg=5.0))

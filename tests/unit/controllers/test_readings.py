@@ -13,7 +13,7 @@ from vrts.controllers.readings import BEFORE, READINGS, Reading, readings_text, 
 from vrts.controllers.values import differing, digest, values, with_value
 
 MANUAL = ROOT / "vrts" / "manual"
-MOTION = sorted((ROOT / "vrts" / "engine" / "motion").glob("*.py"))
+MOTION = sorted((ROOT / "vrts" / "engine" / "motion").rglob("*.py"))
 STEPS = sorted((ROOT / "vrts" / "engine" / "code" / "steps").glob("*.py"))
 PLAIN = {0.0, 0.5, 1.0, 2.0, 3.0, 4.0, 100.0}  # of formulas and of percent
 ROUNDING = 1e-6  # less is a matter of rounding

@@ -10,6 +10,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from tests.places import ROOT
+from tests.unit.check.proof.test_certificate import formatted
 from tests.unit.dispatch.test_bundle import consistent, members, zipped
 from vrts.check.proof.certificate import certificate_bytes, read_certificate
 from vrts.cli.main import vrts
@@ -183,7 +184,13 @@ def test_an_altered_certificate_is_refused_and_nothing_is_sent(
     damaged = send(tmp_path, zipped(consistent(parts)))
     assert damaged.exit_code == 1
     assert "V546 damaged-certificate" in damaged.output
-    for found in (changed, forged, damaged):
+    parts[PROOF] = formatted(certificate, 2)
+    old = send(tmp_path, zipped(consistent(parts)))
+    assert old.exit_code == 1
+    assert "V550 certificate-format" in old.output
+    assert "was written by an older vrts" in old.output
+    assert "help: plan the bundle again with `vrts dispatch plan`" in old.output
+    for found in (changed, forged, damaged, old):
         assert "EDIT" not in found.output, "not a line is shown as one to be sent"
 
 

@@ -29,7 +29,7 @@ from vrts.check.verdict import Answer, ContactEvent
 from vrts.check.verdicts.limits import LIMITS
 from vrts.check.verdicts.targets import describe
 from vrts.check.verdicts.vias import Lack, Passed
-from vrts.engine.hand.hand import DROP_HEIGHT
+from vrts.engine.hand.told import DROP_HEIGHT
 from vrts.engine.memory.events import Cause, Found, Released
 from vrts.engine.motion.remarks import JOINT_SPEED
 from vrts.engine.programs.locks import LOCKED_SETTING

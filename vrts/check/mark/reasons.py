@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from vrts.base.pose import Vector, distance
 from vrts.base.units import MM
-from vrts.engine.hand.hand import CLOSED_ON_NOTHING, DROPPED, OFF_CENTRE, TOPPLED
+from vrts.engine.hand.told import CLOSED_ON_NOTHING, DROPPED, OFF_CENTRE, TOPPLED
 from vrts.engine.memory.events import Found, Grasped
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run, pose_of

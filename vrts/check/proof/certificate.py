@@ -8,6 +8,7 @@ mean is for the checker to say.
 
 import hashlib
 import json
+import re
 from collections.abc import Mapping
 from typing import Any, NamedTuple, TypeAlias
 
@@ -31,8 +32,9 @@ from vrts.engine.storage.plain import Json, listed, named, number, text
 from vrts.engine.storage.plain import whole as count
 from vrts.scene.model import NO_FILES
 
-FORMAT = "vrts.proof/2"
-BEFORE = "vrts.proof/1"  # the same without files of the scene
+# 1 had no files of the scene, 2 did not show until when things that part are near each other
+NUMBER = 3
+FORMAT = f"vrts.proof/{NUMBER}"
 MANIFEST, FILES = "proof.json", "files"
 COLUMNS = {  # kind of number, and how many in a row; 0: no rows
     "edges": ("<f8", 0),
@@ -70,6 +72,20 @@ class Read(NamedTuple):
     claims: Claims
     evidence: Evidence
     files: Mapping[str, bytes]  # that the scene names, by name
+
+
+class OtherFormat(Damaged):
+    """It was written by an older or a newer vrts."""
+
+    def __init__(self, said: str, *, older: bool) -> None:
+        """Say which.
+
+        Args:
+            said: The format that it names.
+            older: Than the one that is read here.
+        """
+        super().__init__(f"its format is `{said}`, not `{FORMAT}`")
+        self.older = older
 
 
 def digest(said: Json) -> str:
@@ -144,29 +160,39 @@ def read_certificate(data: bytes) -> Read:
     """Return what a certificate says.
 
     Raises:
+        OtherFormat: It was written by an older or a newer vrts.
         Damaged: It is not sound.
     """
+    require(data.startswith(b"PK\x03\x04"), "it is none, or its beginning was changed")
     try:
         archive = Unpacker(data)
         sizes = archive.sizes
-        known = sizes.keys() - {FILES} == {MANIFEST, *COLUMNS}
-        require(known, "it has other members than certificates have")
+        strange = "it has other members than certificates have"
+        require(MANIFEST in sizes, strange)
         require(sizes[MANIFEST] <= MOST_MANIFEST, "what it says about itself is too long")
         require(sum(sizes.values()) <= MOST_BYTES, "it is too large")
-        require(sizes.get(FILES, 0) <= MOST_FILES, "the files of its scene are too large")
         said = _manifest(archive.read(MANIFEST))
+        _require_format(said.get("format"))
+        require(sizes.keys() == {MANIFEST, FILES, *COLUMNS}, strange)
+        require(sizes[FILES] <= MOST_FILES, "the files of its scene are too large")
         tables = {name: _table(archive.read(name), *COLUMNS[name]) for name in COLUMNS}
-        joined = archive.read(FILES) if FILES in sizes else None
+        joined = archive.read(FILES)
     except BadZip as problem:
         raise Damaged("it is incomplete, or was changed") from problem
-    wanted = FORMAT if joined is not None else BEFORE
-    require(said.get("format") == wanted, f"its format is not `{FORMAT}`")
     hashes = named(said.get("sha256"))
     for name in said.keys() - {"format", "sha256", "claims"}:
         good = hashes.get(name) == digest(said[name])
         require(good, f"what it says of `{name}` does not have the hash that it names")
-    files = NO_FILES if joined is None else _files(joined, said.get(FILES))
+    files = _files(joined, said.get(FILES))
     return Read(said, _claims(named(said.get("claims"))), _evidence(tables), files)
+
+
+def _require_format(said: Json) -> None:
+    numbered = re.fullmatch(r"vrts\.proof/([1-9][0-9]{0,3})", said if isinstance(said, str) else "")
+    if numbered is None:
+        raise Damaged(f"its format is not `{FORMAT}`")
+    if int(numbered[1]) != NUMBER:
+        raise OtherFormat(numbered[0], older=int(numbered[1]) < NUMBER)
 
 
 def _manifest(data: bytes) -> dict[str, Json]:

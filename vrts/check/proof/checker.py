@@ -23,8 +23,6 @@ from vrts.scene.model import Scene
 
 GRAVITY = 9.81  # [m/s^2]
 ROUNDING = 1e-6  # [m] of double precision, taken from every bound
-APART = 2e-4  # [m] a finger farther than this has let go
-FINE = 14e-3  # [s] between instants at which that is looked at
 EVENT_GAP = 0.5  # [s] contacts less than this apart are one event
 UNSHOWN = "nothing shows that they keep apart"
 SLACK = 3e-4  # [m] by which two points may be farther apart than the smallest distance claimed
@@ -164,7 +162,7 @@ def check(scene: Scene, run: Records, claims: Claims, by: Evidence) -> Proven:
     it = Check(scene, run, claims, by)
     listed, margin_m = it.leaves()
     it.rest(listed)
-    it.releases()
+    it.near()
     it.meetings()
     return Proven(len(it.a), len(by.leaves.row), margin_m, it.nearest())
 
@@ -256,17 +254,16 @@ class Check:
             far = least(self.all_of, at, self.a[row], self.b[row], k, np.zeros((len(k), 3)))
             self.require(far > self.rows.least[row], UNSHOWN, row, edges[k])
 
-    def releases(self) -> None:
-        """At every instant before a finger is said to have let go, two points are not yet apart."""
+    def near(self) -> None:
+        """At every instant before things are said to be apart, two points are not, by so much."""
         p, apart = self.by.points, np.linalg.norm(self.spots[:, 0] - self.spots[:, 1], axis=1)
-        near = (apart <= APART) & (p.use == given.PADS)
-        for finger, stays, window, _ in self.todo.releases:
-            for t in window.closed(FINE):
+        for first, stays, times, most_m in self.todo.near:
+            for t in times:
                 there = [s for x in stays if x.span[0] <= t <= x.span[1] for s in x.solids]
-                pair = np.isin(p.solids[:, 0], finger) & np.isin(p.solids[:, 1], there)
-                shown = pair & near & (np.abs(p.time_s - t) < 1e-9)
-                if not shown.any():
-                    parts = (self.all_of.parts[finger[0]], stays[0].body)
+                pair = np.isin(p.solids[:, 0], first) & np.isin(p.solids[:, 1], there)
+                near = (apart <= most_m) & (p.use == given.NEAR) & (np.abs(p.time_s - t) < 1e-9)
+                if not (pair & near).any():
+                    parts = (self.all_of.parts[first[0]], stays[0].body)
                     raise Wrong("nothing shows that they are not yet apart", t, parts)
 
     def meetings(self) -> None:

@@ -7,30 +7,22 @@ from collections.abc import Iterator, Sequence
 from math import inf, isfinite
 
 from vrts.base.pose import rotate, translation
-from vrts.check.proof.given import (
-    Claims,
-    Covered,
-    Records,
-    Release,
-    Span,
-    Stay,
-    Told,
-    Window,
-    common,
-    grips_of,
-)
+from vrts.check.proof import given
+from vrts.check.proof.given import Claims, Covered, Records, Span, Stay, Told, Window, common
 from vrts.engine.memory.records import Lie, Placement
 from vrts.scene.model import Mobility, Scene
 
 HAND = 6  # frame of the flange
 DEEP, PRESSED = 2e-4, 1e-3  # [m] deeper is a contact: of all things; of pads in what they hold
 HERE, LOWERED = translation(0.0, 0.0, 0.0), translation(0.0, 0.0, -1e-3)  # of what stands under it
+APART, FINE = 2e-4, 14e-3  # [m] a finger farther off has let go; [s] between looks at that
+AWAY, COARSE = 50e-3, 56e-3  # [m] what is farther off counts again; [s] between looks at that
 ROBOT, STILL = ("robot", "robot"), (Lie.RESTING, Lie.TOPPLED)
 
 
 def covered(scene: Scene, run: Records, moves: Span, claims: Claims) -> Covered:
     """Return what must be shown of a run whose arm moves within a span of time."""
-    todo, arm, hand = Covered([], [], [], []), scene.robot.arm, scene.robot.gripper
+    todo, arm, hand = Covered([], [], [], [], []), scene.robot.arm, scene.robot.gripper
     ends = [p.end_s for own in run.placements.values() for p in own if isfinite(p.end_s)]
     whole = (moves[0], max([moves[1], *ends]))
     links = [(x.joint, x.name, todo.add(x.pieces, x.joint, HERE, x.name)) for x in arm.links]
@@ -54,11 +46,15 @@ def covered(scene: Scene, run: Records, moves: Span, claims: Claims) -> Covered:
             for joint, _, part in (*links, (HAND, "palm", palm)):
                 if joint > 0 or stay.lie in (Lie.HELD, Lie.FALLING):
                     todo.keep(sides, part, stay.solids, stay.span, DEEP)
-        grips, during = grips_of(body.name, run.events), (own[0].span[0], own[-1].span[1])
+        grips, during = given.grips_of(body.name, run.events), (own[0].span[0], own[-1].span[1])
         for number, finger in enumerate(fingers):
             told = {x.grip: x for x in claims.let_go if (x.body, x.finger) == (body.name, number)}
             for window in _windows(during, grips, told):
-                todo.releases.append(Release(finger, own, window, number))
+                todo.releases.append(given.Release(finger, own, window, number))
+                if window.open_s < window.until_s:
+                    step_s, far = (FINE, APART) if window.depth_m > DEEP else (COARSE, AWAY)
+                    times = given.steps(window.open_s, window.span[1], step_s)
+                    todo.near.append(given.Near(finger, own, times, far))
                 for stay in own:
                     span = common(window.span, stay.span)
                     todo.keep(sides, finger, stay.solids, span, window.depth_m, window.counts)
@@ -77,8 +73,13 @@ def covered(scene: Scene, run: Records, moves: Span, claims: Claims) -> Covered:
         else:
             todo.keep(sides, stay.solids, other.lowered, both, DEEP, False)
             if held and claims.clearance_m is not None:
-                span = common(both, parted.get((stay.body, stay.number, other.body), both))
-                todo.keep(sides, stay.solids, other.solids, span, inf)
+                # near on purpose: first what it stood on, in the end what it will stand on
+                from_s, to_s = parted.get((stay.body, stay.number, other.body), both)
+                low = min(max(from_s, both[0]), both[1]) if other.body == stay.before else both[0]
+                high = max(min(to_s, both[1]), both[0]) if other.body == stay.after else both[1]
+                todo.keep(sides, stay.solids, other.solids, (low, high), inf)
+                times = given.steps(both[0], low, COARSE) + given.steps(both[1], high, COARSE)
+                todo.near.append(given.Near(stay.solids, [other], times, AWAY))
     return todo
 
 
@@ -98,8 +99,7 @@ def _stays(todo: Covered, scene: Scene, run: Records, whole: Span) -> Iterator[S
                 solids = todo.add(body.pieces, HAND if held else 0, X, body.name, falls=falls)
                 if body.name in supports and p.lie in STILL:
                     lowered = todo.add(body.pieces, 0, LOWERED @ X, body.name)
-                later = (q.support for q in own[number + 1 :] if q.lie is not Lie.FALLING)
-                after = next(later, None)
+                after = given.next_support(own[number + 1 :])
                 yield Stay(body.name, number, span, p.lie, before, after, solids, lowered)
             before = p.support
 
@@ -115,6 +115,6 @@ def _windows(whole: Span, grips: Sequence[Span], told: Told) -> Iterator[Window]
             away_s = min(max(told[k].away_s, apart_s), until_s)
         yield Window((at, max(close_s, at)), DEEP, True)
         yield Window((max(close_s, at), apart_s), PRESSED, False, open_s, until_s, k)
-        yield Window((apart_s, away_s), DEEP, False)
+        yield Window((apart_s, away_s), DEEP, False, open_s, until_s)
         at = away_s
     yield Window((at, whole[1]), DEEP, True)

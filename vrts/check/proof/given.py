@@ -22,7 +22,7 @@ Span: TypeAlias = tuple[float, float]  # start and end [s]
 EXACT = 1e-9  # [m, 1] so exactly points lie in solids, and weights sum up
 DEEPEST = 30  # halvings of a root interval
 BOXES, DIRECTION, EXCUSED = range(3)  # what settles a leaf
-PADS, WITNESS, NEAREST = range(3)  # what points show
+NEAR, WITNESS, NEAREST = range(3)  # what points show
 
 
 class Motions(Protocol):
@@ -163,12 +163,6 @@ class Window(NamedTuple):
     until_s: float = inf  # the next grip begins, or the run ends
     grip: int = -1  # number of the grip that ends so; else -1
 
-    def closed(self, step_s: float) -> list[float]:
-        """Return the instants from opening on, before the window ends, a step apart."""
-        if self.open_s >= self.until_s:
-            return []
-        return np.arange(self.open_s, self.span[1] - 1e-9, step_s).tolist()
-
 
 class Release(NamedTuple):
     """A window in which a finger may press: it ends when the finger is first seen to be apart."""
@@ -179,6 +173,15 @@ class Release(NamedTuple):
     number: int  # of the finger
 
 
+class Near(NamedTuple):
+    """Two unions that are near each other at some instants, as the certificate has to show."""
+
+    first: Sequence[int]  # solids
+    stays: Sequence[Stay]
+    times: Sequence[float]
+    most_m: float  # no farther apart
+
+
 class Covered(NamedTuple):
     """What has to be shown; rows are the pairs of solids of the demands, one after the other."""
 
@@ -186,6 +189,7 @@ class Covered(NamedTuple):
     demands: list[Demand]
     releases: list[Release]
     stays: list[Stay]
+    near: list[Near]
 
     def keep(
         self,
@@ -218,6 +222,17 @@ class Covered(NamedTuple):
 def common(a: Span, b: Span) -> Span:
     """Return the time that two intervals have in common; it may end before it starts."""
     return max(a[0], b[0]), min(a[1], b[1])
+
+
+def next_support(later: Sequence[Placement]) -> str | None:
+    """Return what a body will stand on next, by its later placements; None: on nothing."""
+    return next((p.support for p in later if p.lie is not Lie.FALLING), None)
+
+
+def steps(from_s: float, to_s: float, step_s: float) -> list[float]:
+    """Return the instants from one time on, a step apart, before another; or after it, backward."""
+    count = int(np.ceil(max(abs(to_s - from_s) - 1e-9, 0.0) / step_s))
+    return [from_s + number * (step_s if from_s < to_s else -step_s) for number in range(count)]
 
 
 def grips_of(body: str, events: Sequence[Event]) -> list[Span]:

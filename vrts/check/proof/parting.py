@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vrts.check.proof.given import (
-    PADS,
+    NEAR,
     Array,
     Covered,
     LetGo,
@@ -45,8 +45,8 @@ class _Sides(NamedTuple):
         return [np.inf if one is None else one.distance for one in seen]
 
 
-def let_go(look: Look, todo: Covered, near_miss: float | None) -> tuple[tuple[LetGo, ...], Points]:
-    """Return when each finger has let go of each body, and points that show that not before.
+def let_go(look: Look, todo: Covered, near_miss: float | None) -> tuple[LetGo, ...]:
+    """Return when each finger has let go of each body.
 
     Args:
         look: At the run.
@@ -54,18 +54,24 @@ def let_go(look: Look, todo: Covered, near_miss: float | None) -> tuple[tuple[Le
         near_miss: Nearer than this is a near miss [m]; None: distances are not wanted.
     """
     found: list[LetGo] = []
-    shown: list[tuple[float, int, int, Met]] = []
     for finger, stays, window, number in todo.releases:
-        if window.open_s >= window.until_s:
+        if window.grip < 0 or window.open_s >= window.until_s:
             continue
         sides = _Sides(look, [(finger, stay.solids, stay.span) for stay in stays])
         apart_s, away_s = _parting(sides, window.open_s, window.until_s, APART, near_miss)
         found.append(LetGo(stays[0].body, number, window.grip, apart_s, away_s))
-        before = window._replace(span=(window.open_s, apart_s)).closed(FINE)
-        for t, seen in zip(before, look.nearest(np.array(before), sides.rows), strict=True):
+    return tuple(found)
+
+
+def near_points(look: Look, todo: Covered) -> Points:
+    """Return points that show what is to be shown of things that are near each other."""
+    shown: list[tuple[float, int, int, Met]] = []
+    for first, stays, times, _ in todo.near:
+        sides = [(first, stay.solids, stay.span) for stay in stays]
+        for t, seen in zip(times, look.nearest(np.array(times), sides), strict=True):
             if seen is not None:
                 shown.append((t, seen.first, seen.second, seen.met))
-    return tuple(found), points_of(PADS, shown)
+    return points_of(NEAR, shown)
 
 
 def near_on_purpose(look: Look, stays: Sequence[Stay], near_miss: float) -> tuple[Parted, ...]:

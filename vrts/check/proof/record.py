@@ -32,7 +32,7 @@ from vrts.check.proof.given import (
 )
 from vrts.check.proof.look import Look, points_of
 from vrts.check.proof.meeting_points import parted
-from vrts.check.proof.parting import let_go, near_on_purpose
+from vrts.check.proof.parting import let_go, near_on_purpose, near_points
 from vrts.check.proof.tables import rows_of, spans_of, within
 from vrts.check.proof.witnesses import nearest_points, witnesses
 from vrts.check.verdict import CollisionReport
@@ -67,7 +67,7 @@ def certified(scene: Scene, run: Records, report: CollisionReport) -> Certified:
     if not any(s.end_s > s.start_s for s in run.timeline.segments):
         raise Wrong("the run lasts for no time, so there is nothing to prove")
     move = curves(run.timeline.segments)
-    claims, pads = _claims(scene, run, move, report)
+    claims = _claims(scene, run, move, report)
     todo = covered(scene, run, (move.start_s, move.end_s), claims)
     edges = _edges(
         move, rows_of(todo, claims), falls=any(s.falls_from_s is not None for s in todo.solids)
@@ -77,7 +77,7 @@ def certified(scene: Scene, run: Records, report: CollisionReport) -> Certified:
     )
     claims = claims._replace(meetings=meetings)
     look = Look(scene.robot.arm, move, solids(todo.solids))
-    shown = [pads, nearest_points(look, todo, report.clearance)]
+    shown = [near_points(look, todo), nearest_points(look, todo, report.clearance)]
     shown += [
         witnesses(look, todo, meeting, event.deepest_s)
         for meeting in meetings
@@ -90,10 +90,8 @@ def certified(scene: Scene, run: Records, report: CollisionReport) -> Certified:
     return Certified(claims, evidence, check(scene, run, claims, evidence))
 
 
-def _claims(
-    scene: Scene, run: Records, move: Curves, report: CollisionReport
-) -> tuple[Claims, Points]:
-    """Return what is claimed, and the points that show that fingers have not let go before."""
+def _claims(scene: Scene, run: Records, move: Curves, report: CollisionReport) -> Claims:
+    """Return what is claimed."""
     clearance = report.clearance
     floor = None if clearance is None else clearance.distance_m - clearance.tolerance_m
     meetings = tuple(
@@ -103,9 +101,9 @@ def _claims(
     todo = covered(scene, run, (move.start_s, move.end_s), claims)
     look = Look(scene.robot.arm, move, solids(todo.solids))
     near_miss = None if floor is None else report.near_miss_m
-    go, pads = let_go(look, todo, near_miss)
+    go = let_go(look, todo, near_miss)
     near = () if near_miss is None else near_on_purpose(look, todo.stays, near_miss)
-    return claims._replace(let_go=go, parted=near), pads
+    return claims._replace(let_go=go, parted=near)
 
 
 def _edges(move: Curves, rows: Rows, *, falls: bool) -> Array:

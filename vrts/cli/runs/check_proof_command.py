@@ -70,23 +70,28 @@ def command(
 
     if program is None and any(where._replace(controller=None)):
         fail("a scene or a task is compared with the help of a program", ("give the program too",))
-    proof = proof_of(read_bytes(certificate), shown(certificate))
+    data = read_bytes(certificate)
+    # what cannot be read or found is told before anything is said to hold
+    model = None
+    if program is None and where.controller is not None:
+        model = model_named(where.controller)
+    others: list[Simulated] = []
+    if program is not None:
+        others.append(_simulated(program, where, language))
+    if run is not None:
+        others.append(_loaded(run))
+    proof = proof_of(data, shown(certificate))
     assert proof.made.run is not None
     assert proof.made.origin is not None
     origin, made = proof.made.origin, proof.made.run
     hashed = scenario_digest(made, origin)
     about = About(proof.name, proof.size, made, origin, hashed)
     out(proof_text(about, proof.claims, proof.proven))
-    if program is None and where.controller is not None:
-        found = under_another(proof, model_named(where.controller))
+    if model is not None:
+        found = under_another(proof, model)
         if found is not None:
             show_diagnostics((found,), color)
             sys.exit(WRONG)
-    others: list[Simulated] = []
-    if program is not None:
-        others.append(_simulated(program, where, language))
-    if run is not None:
-        others.append(_loaded(run))
     for other in others:
         found = differing(proof, other)
         if found is not None:

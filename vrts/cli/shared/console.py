@@ -128,6 +128,9 @@ def write_file(path: Path, data: bytes) -> None:
             draft.replace(file)
         else:
             file.write_bytes(data)  # somebody else's file that we may write to stays theirs
+    except OSError as problem:
+        problem.filename = str(path)  # of the draft nobody has heard
+        raise
     finally:
         draft.unlink(missing_ok=True)
 

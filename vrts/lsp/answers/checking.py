@@ -5,7 +5,8 @@ from dataclasses import replace
 
 from vrts.base.diagnostic import Diagnostic, Severity
 from vrts.lang.compiler import Options, compile_source
-from vrts.lang.findings.usage import UNDEFINED_LOCATION, UNDEFINED_PROGRAM, UNDEFINED_VARIABLE
+from vrts.lang.findings.names.untaught import UNDEFINED_LOCATION, names_of, told_of
+from vrts.lang.findings.usage import UNDEFINED_PROGRAM, UNDEFINED_VARIABLE
 from vrts.lsp.documents.documents import Document
 
 _FAMILIES = {
@@ -38,11 +39,15 @@ def _linked(
     diagnostic: Diagnostic, document: Document, group: Sequence[Document], *, is_whole: bool
 ) -> Diagnostic:
     family = _FAMILIES.get(diagnostic.rule)
-    name = diagnostic.data.get("name")
-    if family is None or not isinstance(name, str):
+    names = names_of(diagnostic)
+    if family is None or not names:
         return diagnostic
-    for other in group:
-        if other is not document and name in _defined(other, family):
+    others = [other for other in group if other is not document]
+    left = [n for n in names if not any(n in _defined(other, family) for other in others)]
+    if left and len(left) < len(names):
+        diagnostic = replace(diagnostic, headline=told_of(left))
+    for other in others:
+        if not left and names[0] in _defined(other, family):
             return replace(
                 diagnostic,
                 severity=Severity.NOTE,

@@ -25,7 +25,7 @@ def remedies(document: Document, diagnostic: Diagnostic) -> Iterator[Remedy]:
     if fix is not None:
         missing = diagnostic.rule == MISSING_END_LINE and not fix.span.text
         title = "Write the missing .END" if missing else _title(fix)
-        yield Remedy(title, tuple(Edit(*e.span[1:], e.replacement) for e in fix.edits))
+        yield Remedy(title, tuple(Edit(*e.span[1:], e.replacement) for e in fix.edits), fix.sure)
     if diagnostic.rule == MISSING_END:
         yield from _end(document, diagnostic)
     elif diagnostic.rule == UNDEFINED_PROGRAM:

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from vrts.base.diagnostic import Diagnostic, Severity
 from vrts.engine.faults import MOTIONS, STATEMENTS
-from vrts.engine.hand.hand import CLOSED_ON_NOTHING
+from vrts.engine.hand.told import CLOSED_ON_NOTHING
 from vrts.engine.motion.remarks import without_forecasts
 from vrts.engine.run import Run
 from vrts.lsp.channel.verification import STOPPED

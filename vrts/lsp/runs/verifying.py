@@ -15,6 +15,7 @@ from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
 from vrts.base.source import SourceFile
 from vrts.check.judge import judge
 from vrts.engine.run import Run
+from vrts.lang.findings.names.untaught import names_of
 from vrts.lsp.channel.findings import Finding, Found, told
 from vrts.lsp.channel.verification import CPU_S, Answer, Asked, asked_of, header_of, line_of
 from vrts.lsp.documents.documents import Document
@@ -59,7 +60,7 @@ def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Ans
         return Answer(is_whole=True)
     entry, chosen = entry_in(module, request)
     said = [Found(d) for d in chosen]
-    known = {d.data["name"] for d in compiled.diagnostics if "name" in d.data}
+    known = {name for d in compiled.diagnostics for name in names_of(d)}
     where = f"in the scene `{setting.scene.name}`" if setting.task else "with the robot alone"
     is_here = any(p.name == entry for p in Document(path, asked.text).names.programs)
     header = header_of(asked, entry) if is_here or entry is None else None

@@ -9,6 +9,7 @@ from vrts.run_files.proving import Proof, certificate_of, differing, proof_of
 from vrts.run_files.simulated import Simulated, simulate
 
 PROOF = "proof.cert"
+PACK_AGAIN = "pack the evidence again with `vrts grade evidence`"
 
 
 def certificate_for(setting: Setting, title: str, data: bytes) -> bytes | None:
@@ -42,7 +43,7 @@ def checked_proof(certificate: bytes, setting: Setting, title: str, data: bytes)
     Raises:
         Refused: It is damaged, does not hold, or is about something else.
     """
-    proof = proof_of(certificate, PROOF)
+    proof = proof_of(certificate, PROOF, PACK_AGAIN)
     other = differing(proof, _made(setting, title, data))
     if other is not None:
         raise Refused((other,))

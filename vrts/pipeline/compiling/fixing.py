@@ -10,14 +10,11 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic, Edit
 from vrts.base.mending import edits_of, mendable, with_edits
 from vrts.lang.dialect import Dialect
-from vrts.lang.findings.usage import UNDEFINED_LOCATION, UNDEFINED_VARIABLE
 from vrts.lang.reading.decoding import DROPPED
 from vrts.lang.reading.encodings import Characters, characters, shown
 from vrts.pipeline.compiling.programs import Compiled, compile_bytes
 from vrts.pipeline.compiling.reading import STRICT, Reading
 
-# a name without a value in its file may have one in the controller's memory
-GUESSED = frozenset({UNDEFINED_LOCATION, UNDEFINED_VARIABLE})
 MOST_PASSES = 12  # one fix may uncover what the next one mends
 
 
@@ -45,8 +42,7 @@ def fix_bytes(
     applied: list[Diagnostic] = []
     for _ in range(passes):
         assert compiled.source is not None
-        certain = [d for d in compiled.diagnostics if d.rule not in GUESSED]
-        chosen = mendable(compiled.source, certain)
+        chosen = mendable(compiled.source, compiled.diagnostics)
         found = _applied(data, chosen, name, reading, _errors(compiled))
         if found is None:
             break

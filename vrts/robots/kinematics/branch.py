@@ -7,6 +7,8 @@ counts.
 
 import math
 
+from vrts.controllers.model import Branches
+from vrts.controllers.models import USUAL
 from vrts.robots.model import (
     Arm,
     ArmBranch,
@@ -16,10 +18,6 @@ from vrts.robots.model import (
     SphericalWristArm,
     Wrist,
 )
-
-SHOULDER_BOUNDARY = 25e-3  # [m] of signed reach [assumed, manual robots/branches#boundary]
-ELBOW_BOUNDARY = 25e-3  # [m] of signed bend [assumed, manual robots/branches#boundary]
-WRIST_BOUNDARY = math.radians(0.01)  # [rad] of joint 5 [assumed]
 
 INITIAL_BRANCH = ArmBranch(Shoulder.LEFTY, Elbow.ABOVE, Wrist.NOFLIP)  # [assumed]
 
@@ -47,23 +45,34 @@ def elbow_reach(arm: SphericalWristArm, q: Configuration) -> float:
     return arm.d4 * math.cos(q[2]) - arm.a3 * math.sin(q[2])
 
 
-def branch_of(arm: Arm, q: Configuration, previous: ArmBranch | None = None) -> ArmBranch:
+def branch_of(
+    arm: Arm,
+    q: Configuration,
+    previous: ArmBranch | None = None,
+    rules: Branches = USUAL.branches,
+) -> ArmBranch:
     """Return the arm branch of a configuration.
 
     On a boundary the branch remembered from before counts; without one the bare sign does. READY
     lies on all three boundaries. Arms without branches keep what they have.
+
+    Args:
+        arm: The arm.
+        q: The configuration [rad].
+        previous: The branch remembered from before.
+        rules: How wide the boundaries are [manual robots/branches#boundary].
     """
     if not isinstance(arm, SphericalWristArm):
         return previous or INITIAL_BRANCH
     reach, bend = shoulder_reach(arm, q), elbow_reach(arm, q)
     shoulder = Shoulder.RIGHTY if reach < 0.0 else Shoulder.LEFTY
-    if previous is not None and abs(reach) < SHOULDER_BOUNDARY:
+    if previous is not None and abs(reach) < rules.shoulder_boundary_m:
         shoulder = previous.shoulder
     above = bend > 0.0 if shoulder is Shoulder.RIGHTY else bend < 0.0
     elbow = Elbow.ABOVE if above else Elbow.BELOW
-    if previous is not None and abs(bend) < ELBOW_BOUNDARY:
+    if previous is not None and abs(bend) < rules.elbow_boundary_m:
         elbow = previous.elbow
     wrist = Wrist.FLIP if q[4] < 0.0 else Wrist.NOFLIP
-    if previous is not None and abs(q[4]) < WRIST_BOUNDARY:
+    if previous is not None and abs(q[4]) < math.radians(rules.wrist_boundary_deg):
         wrist = previous.wrist
     return ArmBranch(shoulder, elbow, wrist)

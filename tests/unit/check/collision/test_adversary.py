@@ -7,7 +7,8 @@ import pytest
 
 from tests.adversary.__main__ import looked_at
 from tests.adversary.cases import case
-from tests.adversary.gaps import Posed, distance, sharpened
+from tests.adversary.gaps import Posed, distance, sharpened, surely
+from tests.adversary.judge import faults, judge_of
 from tests.adversary.kinematics import frames
 from tests.adversary.liars import HONEST, LYING
 from tests.laws import first
@@ -24,11 +25,21 @@ from vrts.robots.kinematics.batch import link_frames
 HULL = Hull(((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, 0.0, 0.1)))
 SHAPES = Box((0.05, 0.02, 0.07)), Cylinder(0.03, 0.05), Cylinder(0.001, 0.1), HULL
 QUICK = 4
+# pads too deep before the grip, in it and after they came free; what is held on its support;
+# a pad deeper than the rest of its finger, but less far beyond what it may
+GRIPS = (1, 10, 36, 39, 23)
 
 
 @pytest.mark.parametrize("seed", first(QUICK, range(1, 161)))
 def test_nothing_is_missed_or_made_up_and_nobody_who_proposes_changes_it(seed: int) -> None:
     found = looked_at(seed, whole=False)
+    assert found.faults == {}
+    assert found.differ == found.moments == []
+
+
+@pytest.mark.parametrize("seed", first(len(GRIPS), GRIPS))
+def test_what_pads_and_supports_may_touch_and_when_is_judged_alike(seed: int) -> None:
+    found = looked_at(seed, whole=False, pads=True)
     assert found.faults == {}
     assert found.differ == found.moments == []
 
@@ -52,6 +63,15 @@ def test_bad_directions_make_near_misses_no_longer(
     assert looked < 1000
 
 
+@pytest.mark.parametrize("seed", [10572, 10596, 20804, 21331])
+def test_the_judge_is_not_stuck_where_thin_things_overlap(seed: int) -> None:
+    # it took 0.42 mm for the depth of two cylinders that are 0.13 mm deep in each other
+    it = case(seed)
+    judge = judge_of(it)
+    truth = {group: judge.nearest(group) for group in judge.groups}
+    assert faults(judge, check_collisions(it.scene, it.record), truth) == []
+
+
 def test_the_judge_knows_where_the_links_are() -> None:
     q = np.random.default_rng(0).uniform(-3.0, 3.0, (50, 6))
     ours = frames(q)
@@ -71,5 +91,6 @@ def test_the_judge_and_the_prover_measure_alike() -> None:
             continue
         still = np.eye(3)[None]
         pair = Posed(a, still, np.zeros((1, 3))), Posed(b, still, origin[None])
-        _, way = distance(*pair)
+        value, way = distance(*pair)
+        assert value[0] <= surely(*pair)[0][0] + 1e-6
         assert sharpened(*pair, 0, way[0]) == pytest.approx(ours.distance, abs=2e-8)

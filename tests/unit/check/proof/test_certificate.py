@@ -18,6 +18,7 @@ from vrts.check.proof import certificate
 from vrts.check.proof.certificate import (
     COLUMNS,
     MANIFEST,
+    OtherFormat,
     certificate_bytes,
     is_certificate,
     read_certificate,
@@ -94,19 +95,17 @@ def test_members_are_those_of_certificates() -> None:
         read_certificate(b"no zip at all")
 
 
-def test_a_certificate_of_the_format_before_is_read_too() -> None:
-    def earlier(said: dict[str, Any]) -> None:
-        said["format"] = "vrts.proof/1"
-        del said["files"]
-        del said["sha256"]["files"]
+def formatted(data: bytes, number: int) -> bytes:
+    return retold(data, lambda said: said.update(format=f"vrts.proof/{number}"))
 
-    parts = members(retold(written(), earlier))
-    with pytest.raises(Damaged, match="format"):
-        read_certificate(packed(parts, 0o600))
-    del parts["files"]
-    read = read_certificate(packed(parts, 0o600))
-    assert read.files == {}
-    assert read.claims == case("free").certified.claims
+
+@pytest.mark.parametrize(("number", "older"), [(1, True), (2, True), (4, False), (20, False)])
+def test_another_format_is_named_before_anything_else_is_read(number: int, older: bool) -> None:
+    parts = members(formatted(written(), number))
+    del parts["files"], parts["edges"]
+    with pytest.raises(OtherFormat, match=f"`vrts.proof/{number}`") as found:
+        read_certificate(packed({**parts, "more": b""}, 0o600))
+    assert found.value.older is older
 
 
 @pytest.mark.parametrize("name", list(COLUMNS))

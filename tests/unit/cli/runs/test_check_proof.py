@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from tests.places import ROOT
-from tests.unit.check.proof.test_certificate import members, retold
+from tests.unit.check.proof.test_certificate import formatted, members, retold
 from tests.unit.cli.test_commands import EXAMPLE, HITS, SOLUTION, vrts
 from vrts.base.zips import packed
 from vrts.check.proof.certificate import digest
@@ -157,6 +157,36 @@ def test_a_damaged_certificate_is_one_diagnostic(proofs: Path, tmp_path: Path) -
         assert result.returncode == 1
         assert result.stderr.decode().splitlines()[-1] == "1 error"
         assert b"error[V546 damaged-certificate]" in result.stderr
+    assert b"is damaged: it is none, or its beginning was changed" in result.stderr
+
+
+def test_a_certificate_of_another_format_is_told_as_such_and_how_to_write_it_anew(
+    proofs: Path, tmp_path: Path
+) -> None:
+    old = tmp_path / "old.cert"
+    for number, which in ((1, "an older"), (2, "an older"), (4, "a newer")):
+        old.write_bytes(formatted((proofs / "run.cert").read_bytes(), number))
+        result = vrts("check-proof", old, SOLUTION, *COLOR)
+        assert result.returncode == 1
+        assert not result.stdout
+        text = result.stderr.decode()
+        assert "error[V550 certificate-format]" in text
+        assert f"old.cert` was written by {which} vrts" in text
+        assert f"its format is `vrts.proof/{number}`, not `vrts.proof/3`" in text
+        assert "help: write it again with `vrts verify PROGRAM --certificate FILE`" in text
+
+
+@pytest.mark.parametrize(
+    ("words", "exit_status"),
+    [(("missing.v2",), 2), (("--run", "missing.vrun"), 2), (("--controller", "none"), 2)],
+)
+def test_what_is_missing_is_told_and_nothing_else(
+    proofs: Path, words: tuple[str, ...], exit_status: int
+) -> None:
+    result = vrts("check-proof", proofs / "run.cert", *words, *COLOR)
+    assert result.returncode == exit_status
+    assert not result.stdout
+    assert words[-1] in result.stderr.decode()
 
 
 def test_a_false_certificate_names_the_first_thing_that_does_not_hold(

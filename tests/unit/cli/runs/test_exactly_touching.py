@@ -1,12 +1,17 @@
 """A program that comes to rest where shapes touch exactly: python-fcl ends its process there.
 
-The command goes on without it, and says what it says whoever proposes.
+The command goes on without it, and says what it says whoever proposes, and whether or not whoever
+gives the second opinion lives to give it.
 """
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
+from tests.places import ROOT
 from tests.unit.cli.test_commands import vrts
 from vrts.check.collision.collision import check_collisions
 from vrts.marking.proposer.by_fcl import ByFcl
@@ -28,6 +33,22 @@ PROGRAM = """.PROGRAM main()
         DELAY 1
 .END
 """
+
+# the library as it is installed, but for one function: it ends the process as a throw through C++
+ABORTING = """import importlib.machinery, importlib.util, os, sys
+here = os.path.dirname(os.path.abspath(__file__))
+elsewhere = [path for path in sys.path if os.path.abspath(path) != here]
+spec = importlib.machinery.PathFinder.find_spec("fcl", elsewhere)
+sys.modules["fcl"] = real = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(real)
+def distance(*_):
+    with open(os.path.join(here, "deaths"), "ab", buffering=0) as deaths:
+        deaths.write(b"x")
+    os.abort()
+real.distance = distance
+"""
+MISSING = 'raise ImportError("no fcl")\n'
+CANS = ROOT / "examples" / "01-cans-on-bases"
 
 
 @pytest.fixture(scope="module", name="folder")
@@ -59,3 +80,32 @@ def test_the_command_says_the_same_whoever_proposes(folder: Path) -> None:
         other = vrts(*words, "--engine", engine, cwd=folder)
         assert (other.returncode, other.stdout) == (usual.returncode, usual.stdout), engine
         assert other.stderr == usual.stderr, "nothing is told of a process that has ended"
+
+
+def started(*words: str | Path, path: str) -> "subprocess.CompletedProcess[bytes]":
+    """Start Python anew: where libraries are looked for is settled when it starts."""
+    command = [sys.executable, "-m", "vrts.cli.main", *map(str, words)]
+    return subprocess.run(
+        command, env={**os.environ, "PYTHONPATH": path}, capture_output=True, check=False
+    )
+
+
+@pytest.mark.parametrize(
+    ("program", "status"), [("solution.v2", 0), ("submissions/hits-base.v2", 1)]
+)
+def test_a_second_opinion_that_dies_changes_neither_verdict_nor_mark_nor_status(
+    tmp_path: Path, program: str, status: int
+) -> None:
+    words = ("verify", CANS / program, "--task", CANS / "task.toml", "--color", "never")
+    said = {"installed": started(*words, path=str(ROOT))}
+    for name, library in (("aborting", ABORTING), ("missing", MISSING)):
+        place = tmp_path / name
+        place.mkdir()
+        (place / "fcl.py").write_text(library)
+        said[name] = started(*words, path=f"{place}{os.pathsep}{ROOT}")
+    deaths = (tmp_path / "aborting" / "deaths").read_bytes()
+    assert deaths, "nobody was asked for a second opinion"
+    assert b" / 10 " in said["installed"].stdout, "no mark"
+    for name, found in said.items():
+        assert found.returncode == status, name
+        assert (found.stdout, found.stderr) == (said["installed"].stdout, b""), name

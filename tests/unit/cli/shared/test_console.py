@@ -40,3 +40,10 @@ def test_a_pipe_stays_a_pipe(tmp_path: Path) -> None:
 def test_a_folder_is_no_file(tmp_path: Path) -> None:
     with pytest.raises(IsADirectoryError):
         write_file(tmp_path, b"nothing")
+
+
+def test_what_cannot_be_written_is_called_by_its_own_name(tmp_path: Path) -> None:
+    wanted = tmp_path / "nowhere" / "file"
+    with pytest.raises(FileNotFoundError) as problem:
+        write_file(wanted, b"something")
+    assert problem.value.filename == str(wanted)

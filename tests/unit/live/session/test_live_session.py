@@ -54,7 +54,7 @@ def test_pointer_goes_where_it_points_from_the_tick_after_its_stamp(driven: Driv
     moving = next(f for f in driven.frames if f.flags & MOVING)
     assert stamp_s <= driven.done(ref).at_s < stamp_s + 1e-6
     assert moving.time_s - stamp_s <= TICK + 0.02
-    began_s = driven.session.growing.machine.system.planner.motions[-1].start_s
+    began_s = driven.session.growing.machine.system.planner.given.motions[-1].start_s
     assert began_s == pytest.approx(math.ceil(stamp_s / TICK) * TICK)
     driven.run(4.0)
     status = driven.said(Status)[-1]

@@ -12,6 +12,7 @@ import msgspec
 import pytest
 from click.testing import CliRunner, Result
 
+from tests.unit.check.proof.test_certificate import formatted
 from tests.unit.marking.appeals.support import BAD, EXAMPLE, GOOD, SECRET, marked_class, submissions
 from vrts.assignments.pack import staff_zip
 from vrts.assignments.task_folder import read_folder
@@ -145,6 +146,12 @@ def test_the_contacts_of_a_mark_are_proven_by_a_certificate(
     found = reproduce(tmp_path, sealed(files))
     assert found.exit_code == 1
     assert "V547 certificate-does-not-prove" in found.output
+    files["proof.cert"] = formatted(members(evidence)["proof.cert"], 2)
+    found = reproduce(tmp_path, sealed(files))
+    assert found.exit_code == 1
+    assert "V550 certificate-format" in found.output
+    assert "was written by an older vrts" in found.output
+    assert "help: pack the evidence again with `vrts grade evidence`" in found.output
 
 
 def test_the_same_result_comes_again(marked: Marked, evidence: bytes, tmp_path: Path) -> None:

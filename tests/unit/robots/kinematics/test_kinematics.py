@@ -13,13 +13,11 @@ from tests.places import TESTS
 from vrts.base.oat import components, pose_from_components
 from vrts.base.pose import IDENTITY, distance, rotation_angle, translation
 from vrts.base.units import DEG, MM
+from vrts.controllers.models import USUAL
 from vrts.robots.catalog import puma as arm_named
 from vrts.robots.kinematics.batch import flange_frames, link_frames
 from vrts.robots.kinematics.branch import (
     ALL_BRANCHES,
-    ELBOW_BOUNDARY,
-    SHOULDER_BOUNDARY,
-    WRIST_BOUNDARY,
     branch_of,
     elbow_reach,
     shoulder_reach,
@@ -33,6 +31,7 @@ from vrts.robots.kinematics.kinematics import (
 )
 from vrts.robots.model import Configuration, SphericalWristArm
 
+RULES = USUAL.branches
 DATA = TESTS / "data" / "puma_check_values.json"
 ARMS = ("puma761", "puma762", "puma560")
 
@@ -79,7 +78,7 @@ def test_branch_is_that_of_the_check_values(name: str, row: Row) -> None:
     if abs(shoulder_reach(arm, q)) < 1e-9 or abs(elbow_reach(arm, q)) < 1e-9:
         return  # on the boundary itself the sign is noise
     words = " ".join(part.value.upper() for part in branch_of(arm, q))
-    if abs(shoulder_reach(arm, q)) > SHOULDER_BOUNDARY and abs(elbow_reach(arm, q)) > 0.02:
+    if abs(shoulder_reach(arm, q)) > RULES.shoulder_boundary_m and abs(elbow_reach(arm, q)) > 0.02:
         assert words == row["config"]
 
 
@@ -97,7 +96,7 @@ def test_every_branch_leads_back_to_the_pose(name: str) -> None:
             near_a_boundary = (
                 abs(shoulder_reach(arm, found)) < 1e-6
                 or abs(elbow_reach(arm, found)) < 1e-6
-                or abs(math.sin(found[4])) < WRIST_BOUNDARY
+                or abs(math.sin(found[4])) < math.radians(RULES.wrist_boundary_deg)
             )
             if not near_a_boundary and abs(found[4]) < math.pi:
                 assert branch_of(arm, found) == branch
@@ -108,9 +107,9 @@ def test_the_branch_of_a_configuration_leads_back_to_it(name: str) -> None:
     arm = arm_named(name)
     compared = 0
     for q in some(arm, 300):
-        if abs(math.sin(q[4])) < 0.01 or abs(elbow_reach(arm, q)) < ELBOW_BOUNDARY:
+        if abs(math.sin(q[4])) < 0.01 or abs(elbow_reach(arm, q)) < RULES.elbow_boundary_m:
             continue
-        if abs(shoulder_reach(arm, q)) < SHOULDER_BOUNDARY:
+        if abs(shoulder_reach(arm, q)) < RULES.shoulder_boundary_m:
             continue
         found = solve(arm, forward(arm, q), branch_of(arm, q), q)
         assert found is not None

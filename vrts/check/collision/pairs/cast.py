@@ -1,6 +1,5 @@
 """The convex pieces that take part in a check: of the robot, and of every body wherever it is."""
 
-import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple, TypeAlias
@@ -11,17 +10,15 @@ import numpy.typing as npt
 from vrts.base.pose import Pose, Vector, rotate, translation
 from vrts.check.collision.pairs.arm_state import RunRecord
 from vrts.engine.memory.records import Lie, Placement
-from vrts.geometry.shapes import Cylinder, Piece
+from vrts.geometry.shapes import Piece
 from vrts.geometry.solids import Solid
-from vrts.robots.kinematics.batch import link_frames
-from vrts.robots.model import Arm, Robot
+from vrts.robots.model import Robot
 from vrts.scene.model import Body, Mobility
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
 PALM = "palm"  # the gripper without its fingers
 HAND = 6  # frame of flange and gripper
-COAXIAL = 1e-9  # [m] between the axes of a cylinder and of its joint; less than rounding allows for
 SUPPORT_LOWERED = 1e-3  # [m] a support is tested this much lower against what stands on it
 LOWERED = translation(0.0, 0.0, -SUPPORT_LOWERED)
 
@@ -89,7 +86,6 @@ def robot_solids(cast: Cast, robot: Robot) -> RobotSolids:
         (link.name, link.joint, cast.add(link.pieces, link.joint, translation(0, 0, 0), link.name))
         for link in robot.arm.links
     )
-    _hang_further_in(cast, robot.arm)
     palm = cast.add(robot.gripper.body, HAND, cast.X_LF, PALM)
     fingers = tuple(
         cast.add(
@@ -102,41 +98,6 @@ def robot_solids(cast: Cast, robot: Robot) -> RobotSolids:
         for finger in robot.gripper.fingers
     )
     return RobotSolids(links, palm, fingers)
-
-
-def _hang_further_in(cast: Cast, arm: Arm) -> None:
-    """Hang cylinders round the axis of their joint on the frame before it.
-
-    Their joint turns them about themselves, which moves nothing. With a disc that turns beside a
-    thing there is then nothing to look into. On frame 1 they stay: frame 0 is for what stands.
-    """
-    rotations, origins = link_frames(arm, np.zeros((1, 6)))
-    for number, solid in enumerate(cast.members):
-        if solid.frame < 2 or not _turns_about_itself(solid):
-            continue
-        before = solid.frame - 1
-        R, o = rotations[:, 0], origins[:, 0]
-        turn = R[before].T @ R[solid.frame] @ np.array(solid.X_LP.rotation).reshape(3, 3)
-        across = R[solid.frame] @ np.array(solid.X_LP.translation) + o[solid.frame] - o[before]
-        X_LP = _pose(turn, R[before].T @ across)
-        cast.members[number] = solid._replace(frame=before, X_LP=X_LP)
-
-
-def _turns_about_itself(solid: Solid) -> bool:
-    """Return whether a solid is a cylinder round the z axis of its frame."""
-    x, y, _ = solid.X_LP.translation
-    return (
-        isinstance(solid.shape, Cylinder)
-        and abs(abs(solid.X_LP.rotation[8]) - 1.0) < 1e-15
-        and math.hypot(x, y) < COAXIAL
-        and not any(solid.slide)
-    )
-
-
-def _pose(rotation: Array, origin: Array) -> Pose:
-    a, b, c, d, e, f, g, h, i = rotation.ravel().tolist()
-    x, y, z = origin.tolist()
-    return Pose((a, b, c, d, e, f, g, h, i), (x, y, z))
 
 
 def stays_of(

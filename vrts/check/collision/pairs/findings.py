@@ -18,6 +18,7 @@ REPORTED = 1e-3  # [s] times of contact
 COVERED = 0.016  # [s] inside a contact event shorter intervals are not looked into
 EVENT_GAP = 0.5  # [s] contacts of one pair of names less than this apart are one event
 SLACK = 1e-4  # [m] how exactly the smallest distance is certified
+HARDLY = 5e-6  # [m] what is not nearer than a threshold by so much is no near miss
 LEAF = 0.02  # [s] no longer than this are intervals that may hold a smallest distance
 PAD = ROUNDING  # [m] added to every bound on an approach
 
@@ -93,7 +94,7 @@ class Spans(NamedTuple):
     group: Indices
     starts: Array  # [s]
     ends: Array
-    least: Array  # smallest distance known of each [m]
+    least: Array  # smallest distance known of each, with what is added [m]
 
     def over(self, group: Indices, start_s: Array, end_s: Array) -> Indices:
         """Return the event of a group in which an interval lies; -1: in none; all (m,)."""
@@ -110,10 +111,17 @@ class Spans(NamedTuple):
         return np.where(inside, at, -1)
 
 
-def spans(contacts: Sequence[Touch], group: Indices) -> Spans:
-    """Return the intervals that one event covers, of each group."""
-    pair = np.array([touch.pair for touch in contacts], dtype=np.int64)
-    table = np.array([(t.start_s, t.end_s, t.distance) for t in contacts]).reshape(-1, 3)
+def spans(touches: Sequence[Touch], group: Indices, above: Array) -> Spans:
+    """Return the intervals that one event covers, of each group.
+
+    Args:
+        touches: Of any pairs.
+        group: The group of each pair, shape (p,).
+        above: Added to distances before they are compared: what each pair is allowed, (p,) [m].
+    """
+    pair = np.array([touch.pair for touch in touches], dtype=np.int64)
+    table = np.array([(t.start_s, t.end_s, t.distance) for t in touches]).reshape(-1, 3)
+    table[:, 2] += above[pair]
     order = np.lexsort((table[:, 0], group[pair]))
     own, (starts, ends, distances) = group[pair][order], table[order].T
     new = np.ones(len(order), dtype=np.bool_)

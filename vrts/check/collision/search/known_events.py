@@ -2,7 +2,7 @@
 
 Between the first and the last touch of a contact shorter intervals need no look. Of near misses,
 and of events whose smallest distance is wanted, only what may be nearer than the smallest known
-matters.
+matters: of contacts, each with what its pair is allowed added.
 """
 
 from typing import NamedTuple, TypeAlias
@@ -10,7 +10,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from vrts.check.collision.pairs.findings import BAND, REPORTED, SLACK, Touch, spans
+from vrts.check.collision.pairs.findings import HARDLY, REPORTED, Touch, spans
 from vrts.check.collision.pairs.pairs import Pairs
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -44,23 +44,25 @@ class KnownEvents:
             nearest: Whether the smallest distance of each event is wanted.
         """
         self.group = pairs.group
+        self.tolerance = pairs.tolerance
         self.floor = floor
         self.nearest = nearest
         self.margin = NEARBY if nearest else REPORTED
         self.near_floor = np.full(len(floor), -np.inf)
-        self.contacts = self.near = spans([], pairs.group)
+        self.as_it_is = np.zeros(len(floor))
+        self.contacts = self.near = spans([], pairs.group, self.as_it_is)
 
     def look_near(self, counts: Flags, threshold: float) -> None:
         """Want near misses of some pairs too, nearer than a threshold [m]."""
-        self.near_floor = np.where(counts, threshold - SLACK - BAND, -np.inf)
+        self.near_floor = np.where(counts, threshold - 2.0 * HARDLY, -np.inf)
 
     def touched(self, contacts: list[Touch]) -> None:
         """Take over all contacts found so far."""
-        self.contacts = spans(contacts, self.group)
+        self.contacts = spans(contacts, self.group, self.tolerance)
 
     def neared(self, near: list[Touch]) -> None:
         """Take over all near misses found so far."""
-        self.near = spans(near, self.group)
+        self.near = spans(near, self.group, self.as_it_is)
 
     def floors(self, of: Times, slack: Array) -> tuple[Array, Flags]:
         """Return what rows must reach to be settled, and which lie in events like those.
@@ -91,11 +93,13 @@ class KnownEvents:
         """Return how near rows must come to matter between two contacts of one event, (r,) [m].
 
         Inf is for rows that lie in none. Where the smallest distance of an event is wanted, what
-        may be nearer than the smallest known matters; else nothing does.
+        may be nearer than the smallest known matters; else nothing does. Of parts that may press
+        differently deep, what is compared is how far they go beyond what they may.
         """
         start_s, end_s = of.start_s + self.margin, of.end_s - self.margin
         at = self.contacts.over(self.group[of.row], start_s, end_s)
         if not (at >= 0).any():
             return np.full(len(of.row), np.inf)
-        wanted = self.contacts.least[at] + slack if self.nearest else -np.inf
+        beyond = self.contacts.least[at] + slack
+        wanted = beyond - self.tolerance[of.row] if self.nearest else -np.inf
         return np.where(at >= 0, wanted, np.inf)

@@ -24,6 +24,7 @@ from vrts.check.collision.pairs.findings import (
     BAND,
     COVERED,
     GRAZE,
+    HARDLY,
     LEAF,
     PAD,
     REPORTED,
@@ -288,7 +289,7 @@ class _Search:
         if deep.any():
             found.closest = Closest(-np.inf, -1, 0.0)
             self.known.touched(found.contacts)
-        hit = np.flatnonzero(self.counts[row] & (upper < self.threshold - BAND))
+        hit = np.flatnonzero(self.counts[row] & (upper < self.threshold - HARDLY))
         if len(hit):
             found.near += self._touches(hit, row, node, upper, lower)
             self.known.neared(found.near)

@@ -185,7 +185,7 @@ class GrowingRun:
             self._past.cut(kept_s)
             self._kept = [(kept_s, kept)]
             self.known_from_s, self._handed_on = kept_s, len(kept.issued)
-            self._done = (kept.system.planner.motions.first, kept_s)
+            self._done = (kept.system.planner.given.motions.first, kept_s)
         else:
             self._kept = [entry for entry in self._kept if entry[0] <= time_s]
             kept_s, kept = self._kept[-1]
@@ -299,7 +299,7 @@ class GrowingRun:
         """Put what was done before a time into the file that a machine has forgotten of it."""
         if self._past is None:
             return
-        first = machine.system.planner.motions.first
+        first = machine.system.planner.given.motions.first
         motions = run.motions[max(self._done[0], run.motions.first) : first]
         since_s = self._done[1]
         events = [event for event in run.events if since_s <= event.time_s < time_s]

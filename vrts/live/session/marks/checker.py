@@ -254,7 +254,7 @@ def _anything_moved(growing: GrowingRun, since_s: float) -> bool:
     """Return whether arm, hand or an object moved after a time [s]."""
     system = growing.machine.system
     planner, hand = system.planner, system.hand
-    if planner.motions and planner.scale.time(planner.end_s) > since_s:
+    if planner.given.motions and planner.scale.time(planner.given.end_s) > since_s:
         return True
     if hand.strokes and hand.strokes[-1].end_s > since_s:
         return True

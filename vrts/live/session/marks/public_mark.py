@@ -82,7 +82,7 @@ class PublicMark:
             id(growing),
             0.0 if self._session.at_rest else growing.time_s,
             growing.machine.finished,
-            len(system.planner.motions),
+            len(system.planner.given.motions),
             len(system.events),
         )
 

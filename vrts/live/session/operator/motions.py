@@ -16,7 +16,7 @@ from vrts.base.pose import (
 )
 from vrts.base.source import SourceFile
 from vrts.base.units import deg
-from vrts.engine.motion.paths import LinePath
+from vrts.engine.motion.lines.path import LinePath
 from vrts.engine.motion.plan import Planned, from_rest
 from vrts.engine.motion.requests import Stance, to_joints, to_line, to_pose
 from vrts.engine.motion.settings import Settings

@@ -100,8 +100,10 @@ class _Writer:
         self.steps: list[str] = []
         self._arm: Arm = run.scene.robot.arm
         self._tool = run.scene.X_FT
+        self._rules = run.scene.controller.branches
         self._branch: ArmBranch = branch_of(
-            self._arm, run.scenario.configuration or self._arm.ready, INITIAL_BRANCH
+            *(self._arm, run.scenario.configuration or self._arm.ready, INITIAL_BRANCH),
+            self._rules,
         )
         self._names: dict[str, str] = {}  # what STORE writes of a location, and its name
         self._values: dict[str, Pose | Joints] = {}
@@ -131,7 +133,7 @@ class _Writer:
         if abs(percent - 100.0) > 1e-6:
             self.steps.append(f"SPEED {percent:.6g}")
         self.steps.append(self._motion(motion))
-        self._branch = branch_of(self._arm, motion.goal, self._branch)
+        self._branch = branch_of(self._arm, motion.goal, self._branch, self._rules)
         joined = motion.blended and following is not None and isinstance(following.what, Motion)
         if not joined and following is not None:
             self.steps.append("BREAK")

@@ -75,7 +75,7 @@ def step_under_way(growing: GrowingRun) -> Cause | None:
     machine = growing.machine
     planner, robot = machine.system.planner, machine.robot
     path_s = planner.scale.path(growing.time_s)
-    for motion in reversed(planner.motions):
+    for motion in reversed(planner.given.motions):
         if motion.start_s <= path_s:
             if path_s < motion.end_s:
                 return motion.cause

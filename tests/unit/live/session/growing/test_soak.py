@@ -57,4 +57,4 @@ def counted(driven: Driven) -> tuple[int, int]:
     gc.unfreeze()  # so that what was not given back is counted too
     objects = len(gc.get_objects())
     gc.freeze()
-    return objects, len(driven.session.growing.machine.system.planner.motions)
+    return objects, len(driven.session.growing.machine.system.planner.given.motions)
