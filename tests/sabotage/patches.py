@@ -382,13 +382,6 @@ PATCHES: tuple[Patch, ...] = (
         (VPLUS_STEPS,),
     ),
     Patch(
-        "a keyword of AS may be given a value",
-        "vrts/lang/steps/unknown_words.py",
-        "and is_assigned(tokens) and problems.dialect.is_as:",
-        "and is_assigned(tokens) and problems.dialect.is_val:",
-        ("tests/unit/lang/grammar/test_as_steps.py",),
-    ),
-    Patch(
         "MC of AS takes whatever follows",
         "vrts/lang/steps/step_parser.py",
         'given = word.text == "MC" and self.dialect.is_as',

@@ -10,7 +10,7 @@ from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.commands import COMMANDS
 from vrts.lang.vocabulary.foreign import FOREIGN
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
-from vrts.lang.vocabulary.lookup import hardly_a_name, spellings
+from vrts.lang.vocabulary.lookup import spellings
 from vrts.lang.vocabulary.relatives_commands import (
     GIVEN_BY_PROGRAMS,
     commands_of,
@@ -50,8 +50,6 @@ def refuse(
         if len(head.abbreviates) > 1:
             _guessed(problems, first, head.word)
         return False
-    if first.kind == "NAME" and is_assigned(tokens) and problems.dialect.is_as:
-        return _reserved(problems, first)
     if first.kind != "NAME" or is_assigned(tokens):
         return False
     upper = first.text.upper()
@@ -114,21 +112,6 @@ def _other_monitor(problems: Problems, first: Token, upper: str) -> None:
         f"a command of {whose}, to {about}",
         help=(f"a program gives it by `MC {upper}`" if given else _instead_of_command(upper),),
     )
-
-
-def _reserved(problems: Problems, first: Token) -> bool:
-    """`THEN = 1`: report a keyword of AS that is given a value."""
-    if not hardly_a_name(first.text, problems.dialect):
-        return False
-    problems.error(
-        KEYWORD_AS_NAME,
-        f"{first.text.upper()} is a word of the language, and no name",
-        first.start,
-        first.end,
-        "the name of a variable belongs here",
-        help=("choose another name",),
-    )
-    return True
 
 
 def _unknown(problems: Problems, first: Token, following: Token | None) -> None:
