@@ -1,0 +1,122 @@
+"""What seems wrong is replayed in full, on the ordinary engine and by the ordinary checks."""
+
+from typing import NamedTuple
+
+from vrts.check.collision.collision import check_collisions
+from vrts.check.verdict import Answer, ContactEvent, sides
+from vrts.check.verdicts.limits import check_limits
+from vrts.engine.controller import advance, start
+from vrts.engine.faults import NO_ANSWER, WAIT_NEVER_ENDS
+from vrts.engine.machine.forever.findings import ENDLESS
+from vrts.engine.memory.events import Cause, Found
+from vrts.engine.memory.records import Ending
+from vrts.engine.run import Run
+from vrts.ir.commands import Execute, TimedCommand
+from vrts.ir.module import Module
+from vrts.prove.explore.suspects import Suspect
+from vrts.prove.proof import Wrong
+from vrts.scene.model import Scenario, Scene
+
+NEVER = (ENDLESS, WAIT_NEVER_ENDS, NO_ANSWER)
+BEYOND_S = 1.0  # a replay goes on behind what it is to show
+
+
+class Shown(NamedTuple):
+    """What a replay shows of a suspect."""
+
+    headline: str
+    time_s: float
+    cause: Cause | None
+
+
+class Replays:
+    """Replays scenarios of one program."""
+
+    def __init__(self, module: Module, scene: Scene, entry: str) -> None:
+        """Take what is executed, and where."""
+        self.module, self.scene, self.entry = module, scene, entry
+        self.count = 0
+
+    def run(self, scenario: Scenario, until_s: float) -> Run:
+        """Return the run of a scenario up to a time."""
+        self.count += 1
+        run = start(self.module, self.scene, scenario)
+        return advance(run, until_s, [TimedCommand(0.0, Execute(self.entry))], closed=True)
+
+    def shows(self, suspect: Suspect, scenario: Scenario) -> Shown | None:
+        """Return what a replay shows of what seems wrong; None: it does not come about."""
+        limit = scenario.limits.time_s + BEYOND_S
+        match suspect.wrong:
+            case Wrong.ENDLESS | Wrong.DEADLOCK:
+                return _never(self.run(scenario, limit), suspect)
+            case Wrong.CONTACT:
+                run = self.run(scenario, min(suspect.time_s + BEYOND_S, limit))
+                return self._contact(run, suspect)
+            case Wrong.LIMIT:
+                run = self.run(scenario, min(suspect.time_s + 10.0 * BEYOND_S, limit))
+                return _limit(run, suspect)
+            case Wrong.ERROR:
+                run = self.run(scenario, min(suspect.time_s + BEYOND_S, limit))
+                return _error(run, suspect)
+            case _:
+                return None
+
+    def _contact(self, run: Run, suspect: Suspect) -> Shown | None:
+        report = check_collisions(self.scene, run)
+        for contact in report.contacts:
+            if _same_bodies(contact, suspect.what):
+                first, second = sides(contact)
+                depth = f"{1e3 * contact.depth_m:.1f} mm deep"
+                words = f"{first} touches {second}, {depth}"
+                return Shown(words, contact.start_s, contact.cause)
+        return None
+
+
+def _same_bodies(contact: ContactEvent, bodies: tuple[str, ...]) -> bool:
+    told = {contact.first, contact.second, *contact.parts, *sides(contact)}
+    return set(bodies) <= told
+
+
+def _never(run: Run, suspect: Suspect) -> Shown | None:
+    for event in run.events:
+        if not isinstance(event, Found) or event.diagnostic.rule not in NEVER:
+            continue
+        cause = event.cause
+        if cause is not None and _at(cause) in suspect.steps:
+            return Shown(_without_why(event), event.time_s, cause)
+    return None
+
+
+def _without_why(event: Found) -> str:
+    found = event.diagnostic
+    return f"{found.headline}; {found.notes[0]}" if len(found.notes) > 1 else found.headline
+
+
+def _limit(run: Run, suspect: Suspect) -> Shown | None:
+    verdict = check_limits(run)
+    if verdict.answer is not Answer.VIOLATED:
+        return None
+    for finding in verdict.findings:
+        label = finding.primary
+        same = label is not None and suspect.cause is not None and label.span == suspect.cause.span
+        if same or suspect.cause is None:
+            return Shown(finding.headline, suspect.time_s, suspect.cause)
+    return None
+
+
+def _error(run: Run, suspect: Suspect) -> Shown | None:
+    for event in run.events:
+        if not isinstance(event, Found):
+            continue
+        same = (
+            event.cause is None or suspect.cause is None or _at(event.cause) == _at(suspect.cause)
+        )
+        if (event.diagnostic.rule.code,) == suspect.what and same:
+            return Shown(event.diagnostic.headline, event.time_s, event.cause)
+    if run.ending is Ending.ERROR and not suspect.what:
+        return Shown(suspect.headline, suspect.time_s, suspect.cause)
+    return None
+
+
+def _at(cause: Cause) -> tuple[str, int]:
+    return cause.program, cause.step

@@ -1,0 +1,112 @@
+"""Over what a proof speaks, in plain sentences."""
+
+from vrts.engine.programs.outside import Kind
+from vrts.prove.environment.environment import (
+    Afterwards,
+    Answering,
+    Environment,
+    Held,
+    Parts,
+    Pulsed,
+    Span,
+)
+from vrts.prove.explore.search import Search
+from vrts.prove.proof import Covered, Step
+
+
+def covered(search: Search, dead: tuple[Step, ...], motion_s: float) -> Covered:
+    """Return what a search went through, and over what it speaks."""
+    environment = search.environment
+    kinds = {question.kind for question in search.asked}
+    read = sorted(q.number for q in search.asked if q.kind is Kind.INPUT)
+    counts = search.counts
+    return Covered(
+        states=counts.states,
+        decisions=counts.decisions,
+        merged=counts.merged,
+        ends=counts.ends,
+        motion_s=motion_s,
+        quantified=(*(_input(environment, n) for n in read), *_others(environment, kinds)),
+        bounded=_bounded(environment),
+        sampled=_sampled(environment, kinds),
+        assumed=_assumed(environment, bool(read)),
+        dead=dead,
+    )
+
+
+def _input(environment: Environment, number: int) -> str:
+    match environment.inputs.get(number):
+        case None:
+            return f"input {number}: on or off in every tick in which it is read"
+        case Held(on=None):
+            return f"input {number}: on or off, and then for ever"
+        case Held(on=on):
+            return f"input {number}: always {'on' if on else 'off'}"
+        case Pulsed(on_s=on_s, off_s=off_s):
+            return f"input {number}: on for {_span(on_s)}, off for {_span(off_s)}, in turn"
+        case Answering(output=output, on_s=on_s, off_s=off_s):
+            return (
+                f"input {number}: on {_span(on_s)} after output {output} goes on,"
+                f" off {_span(off_s)} after it goes off"
+            )
+
+
+def _span(span: Span) -> str:
+    if span.least == span.most:
+        return f"{span.least:g} s"
+    if span.most == float("inf"):
+        return f"{span.least:g} s or longer"
+    return f"{span.least:g} to {span.most:g} s"
+
+
+def _others(environment: Environment, kinds: set[Kind]) -> list[str]:
+    found: list[str] = []
+    if Kind.ANSWER in kinds and environment.answers is not None and environment.answers.texts:
+        texts = ", ".join(f'"{text}"' for text in environment.answers.texts)
+        found.append(f"answers to PROMPT: each of {texts}, every time")
+    if len(environment.speeds) > 1:
+        speeds = ", ".join(f"{speed:g}" for speed in environment.speeds)
+        found.append(f"monitor speed: {speeds} %, one for a whole future")
+    if environment.stops:
+        ways = " or ".join(
+            sorted(after.value for after in Afterwards if after in environment.stops)
+        )
+        found.append(f"the operator: one stop in any tick, then {ways}")
+    return found
+
+
+def _bounded(environment: Environment) -> tuple[str, ...]:
+    most = environment.again.most
+    if most == 0:
+        return ("the program is executed once",)
+    if most is None:
+        return ()
+    return (f"the program is executed at most {most + 1} times",)
+
+
+def _sampled(environment: Environment, kinds: set[Kind]) -> tuple[str, ...]:
+    found: list[str] = []
+    if Kind.RANDOM in kinds:
+        draws = ", ".join(f"{value:g}" for value in environment.random)
+        found.append(f"RANDOM: {draws} only")
+    return tuple(found)
+
+
+def _assumed(environment: Environment, inputs: bool) -> tuple[str, ...]:
+    found: list[str] = []
+    if inputs:
+        found.append("inputs for which a program waits come eventually")
+    if environment.speeds == (100.0,):
+        found.append("the monitor speed is 100 %")
+    if not environment.stops:
+        found.append("the operator never stops the program")
+    if not environment.misses:
+        found.append("the hand never misses what stands between its fingers")
+    if environment.again.most != 0:
+        words = {
+            Parts.PUT_BACK: "everything stands where it stood at first",
+            Parts.LEFT: "everything is left as it is",
+            Parts.TAKEN: "what was moved elsewhere is taken away",
+        }
+        found.append(f"before the program is executed again {words[environment.again.parts]}")
+    return tuple(found)

@@ -1,0 +1,67 @@
+"""Futures that wait to be looked at: the fewest decisions first, then the earliest."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from heapq import heappop, heappush
+
+from vrts.engine.machine.machine import Machine
+from vrts.prove.explore.past import Past
+
+
+@dataclass(slots=True)
+class Future:
+    """A machine that goes on, and how it came to be."""
+
+    number: int  # no two have the same
+    machine: Machine
+    past: Past | None
+    cost: int  # decisions that differ from "nothing happens"
+    inputs: Mapping[int, bool]  # as they were decided last
+    outside: object  # state of what the environment says of inputs
+    branch: int | None  # in the tree of decisions
+    state: int | None = None  # the state that it was in last
+
+
+class Frontier:
+    """A queue of futures; its order depends on nothing but them."""
+
+    def __init__(self) -> None:
+        """Hold nothing."""
+        self._heap: list[tuple[int, int, int, Future]] = []
+        self._pushed = 0
+
+    def __len__(self) -> int:
+        """Return how many wait."""
+        return len(self._heap)
+
+    def push(self, future: Future) -> None:
+        """Let a future wait."""
+        self._pushed += 1
+        heappush(self._heap, (future.cost, _tick(future), self._pushed, future))
+
+    def pop(self) -> Future:
+        """Return the next future."""
+        return heappop(self._heap)[3]
+
+    def is_earlier(self, future: Future) -> bool:
+        """Return whether another future has its turn before this one."""
+        return bool(self._heap) and self._heap[0][:2] < (future.cost, _tick(future))
+
+    @property
+    def least(self) -> int | None:
+        """The fewest decisions of one that waits."""
+        return self._heap[0][0] if self._heap else None
+
+    def waiting(self) -> list[Future]:
+        """Return the futures that wait, in the order of their turns."""
+        return [entry[3] for entry in sorted(self._heap, key=_order)]
+
+
+def _tick(future: Future) -> int:
+    """Return the tick in which a future goes on."""
+    machine = future.machine
+    return machine.next_tick if machine.mid is None else machine.last_tick
+
+
+def _order(entry: tuple[int, int, int, Future]) -> tuple[int, int, int]:
+    return entry[:3]

@@ -1,0 +1,95 @@
+"""What outside may decide when it is asked, and what is nothing special about it."""
+
+from typing import NamedTuple, Protocol
+
+from vrts.engine.machine.machine import Machine
+from vrts.engine.memory.events import Cause
+from vrts.engine.programs.cycles import place
+from vrts.engine.programs.outside import Kind, Question
+from vrts.prove.environment.environment import Environment
+from vrts.prove.explore.frontier import Future
+from vrts.prove.proof import Decided, What
+
+
+class Behaviours(Protocol):
+    """What the environment says of inputs, as states that go with futures."""
+
+    def may(self, states: object, signal: int) -> tuple[bool, ...]:
+        """Return what an input may be now."""
+        ...
+
+    def told(self, states: object, signal: int, *, value: bool) -> object:
+        """Return the states once an input was decided."""
+        ...
+
+    def advance(self, states: object, ticks: int, outputs_on: frozenset[int]) -> object:
+        """Return the states some ticks later."""
+        ...
+
+
+class Free:
+    """Every input may be anything in every tick."""
+
+    def may(self, states: object, signal: int) -> tuple[bool, ...]:
+        """Return both values."""
+        return (False, True)
+
+    def told(self, states: object, signal: int, *, value: bool) -> object:
+        """Return the same states."""
+        return states
+
+    def advance(self, states: object, ticks: int, outputs_on: frozenset[int]) -> object:
+        """Return the same states."""
+        return states
+
+
+class Way(NamedTuple):
+    """Something that outside may decide."""
+
+    value: bool | float | str
+    cost: int  # 0: as if nothing had happened
+    decided: Decided | None  # what a story tells of it; None: nothing has changed
+
+
+class Outside:
+    """Says what may be decided in futures of one environment."""
+
+    def __init__(self, environment: Environment, behaviours: Behaviours) -> None:
+        """Take what may come from outside."""
+        self.environment = environment
+        self.behaviours = behaviours
+
+    def ways(self, future: Future, question: Question) -> tuple[Way, ...]:
+        """Return what may be decided, what costs nothing first; nothing: nobody says."""
+        machine = future.machine
+        now, cause = machine.robot.now, _looks(machine)
+        match question.kind:
+            case Kind.INPUT:
+                number = question.number
+                before = future.inputs.get(number, False)
+                values = self.behaviours.may(future.outside, number)
+                ordered = sorted(values, key=lambda value: value is not before)
+                return tuple(
+                    Way(value, 0, None)
+                    if value is before
+                    else Way(value, 1, Decided(now, What.INPUT, number, value, cause))
+                    for value in ordered
+                )
+            case Kind.ANSWER:
+                answers = self.environment.answers
+                texts = () if answers is None else answers.texts
+                return tuple(
+                    Way(text, k > 0, Decided(now, What.ANSWER, 0, text, cause))
+                    for k, text in enumerate(texts)
+                )
+            case Kind.RANDOM:
+                return tuple(
+                    Way(value, k > 0, Decided(now, What.RANDOM, 0, value, cause))
+                    for k, value in enumerate(self.environment.random)
+                )
+
+
+def _looks(machine: Machine) -> Cause | None:
+    mid = machine.mid
+    c = machine.robot if mid is None or mid.turn == 0 else machine.process
+    return place(c)

@@ -1,0 +1,287 @@
+"""The search: futures go on one after another, part where outside decides, and meet again."""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Severity
+from vrts.engine.futures.future import begin, command, decide, happened, tick
+from vrts.engine.futures.keys import Key, Keys
+from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.states.nearly import nearly
+from vrts.engine.memory.events import Cause, Event, Found
+from vrts.engine.memory.records import Ending
+from vrts.engine.motion.remarks import JOINT_SPEED
+from vrts.engine.programs.cycles import place
+from vrts.engine.programs.outside import Kind, Question
+from vrts.ir.commands import Execute
+from vrts.ir.module import Module
+from vrts.ir.ranges import INPUTS
+from vrts.prove.asking import Asking, Told
+from vrts.prove.environment.environment import Environment
+from vrts.prove.explore.contacts import Certifies
+from vrts.prove.explore.executed import watched
+from vrts.prove.explore.frontier import Frontier, Future
+from vrts.prove.explore.graph import AWAY, Graph, Visit
+from vrts.prove.explore.never import never_ending, places
+from vrts.prove.explore.outside import Behaviours, Outside, Way
+from vrts.prove.explore.past import Past
+from vrts.prove.explore.suspects import Suspect, Suspects
+from vrts.prove.proof import Branch, Decided, Wrong
+from vrts.scene.model import Scene
+
+AFTERWARDS_S = 0.5  # of motion that is looked at behind the end of a program
+MOST_BRANCHES = 5_000  # of the tree of decisions that are kept
+TELL = 1_000  # states between looks at whether it is enough
+CERTIFY = 4_000  # states between certificates, at least
+
+
+class Counts(NamedTuple):
+    """What a search went through."""
+
+    states: int
+    decisions: int
+    merged: int
+    ends: int
+
+
+class Search:
+    """All futures of a program in an environment."""
+
+    def __init__(
+        self,
+        module: Module,
+        scene: Scene,
+        environment: Environment,
+        behaviours: Behaviours,
+        contacts: Certifies,
+        *,
+        merging: bool = True,
+    ) -> None:
+        """Take what is the same in every future.
+
+        Args:
+            module: The programs.
+            scene: Where the robot stands.
+            environment: What may come from outside.
+            behaviours: What the environment says of inputs.
+            contacts: Certifies that nothing touches.
+            merging: Whether futures in the same state go on as one; without, few programs end.
+        """
+        self.module, self.scene = module, scene
+        self.outside = Outside(environment, behaviours)
+        self.environment = environment
+        self.contacts = contacts
+        self.keys = Keys(module)
+        self.graph = Graph()
+        self.frontier = Frontier()
+        self.suspects = Suspects()
+        self.asked: dict[Question, None] = {}
+        self.unanswered: dict[object, None] = {}  # places of questions that nobody answers
+        self.tree: list[Branch] = []
+        self.decisions = self.merged = self.ends = 0
+        self.is_over = False
+        self.endings: dict[tuple[object, ...], tuple[Past | None, float]] = {}
+        self._known: dict[Key, int] = {}
+        self._pasts: list[tuple[Past | None, int]] = []  # by number of future, with its cost
+        self._merging = merging
+
+    def run(self, entry: str, states: object, asking: Asking) -> None:
+        """Look at every future of a program, as far as is asked."""
+        self._begin(entry, states)
+        told = certified = 0
+        while self.frontier:
+            count = len(self.graph.visits)
+            if count >= asking.states:
+                break
+            if count - told >= TELL:
+                told = count
+                asking.told(Told(count, len(self.frontier), len(self.suspects)))
+                if asking.enough():
+                    break
+            if count - certified >= CERTIFY:
+                certified = count
+                self._certify()
+            self._go_on(self.frontier.pop(), asking.states)
+        self._certify()
+        self.is_over = not self.frontier
+        for future in self.frontier.waiting():
+            self.graph.leads(future.state, AWAY)
+        for suspect in never_ending(self.graph, self.first):
+            self.suspects.add(suspect)
+        asking.told(Told(len(self.graph.visits), len(self.frontier), len(self.suspects)))
+
+    @property
+    def counts(self) -> Counts:
+        """What the search went through so far."""
+        return Counts(len(self.graph.visits), self.decisions, self.merged, self.ends)
+
+    # --- beginnings and forks -----------------------------------------------------------------
+
+    def _begin(self, entry: str, states: object) -> None:
+        scenario = self.environment.scenario
+        said = {number for _, number, _ in scenario.inputs}
+        said |= {sensor.signal for sensor in scenario.sensors}
+        free = frozenset(INPUTS) - said
+        machine = begin(self.module, self.scene, scenario, free, answers=True, random=True)
+        self.executed = watched(machine)
+        command(machine, Execute(entry))
+        self.first = machine
+        self._push(machine.copy(), None, 0, {}, states, self._branch(None, None))
+
+    def _push(
+        self,
+        machine: Machine,
+        past: Past | None,
+        cost: int,
+        inputs: Mapping[int, bool],
+        states: object,
+        branch: int | None,
+        state: int | None = None,
+    ) -> None:
+        number = len(self._pasts)
+        self._pasts.append((past, cost))
+        self.frontier.push(Future(number, machine, past, cost, inputs, states, branch, state))
+
+    def _fork(self, future: Future, question: Question, ways: tuple[Way, ...]) -> None:
+        """Let a future go on in every way."""
+        self.decisions += 1
+        for k, way in enumerate(ways):
+            machine = future.machine if k == len(ways) - 1 else future.machine.copy()
+            decide(machine, question, way.value)
+            past, inputs, states = future.past, future.inputs, future.outside
+            if way.decided is not None:
+                past = Past(past, way.decided)
+            if question.kind is Kind.INPUT:
+                assert isinstance(way.value, bool)
+                if way.decided is not None:
+                    inputs = {**inputs, question.number: way.value}
+                behaviours = self.outside.behaviours
+                states = behaviours.told(states, question.number, value=way.value)
+            branch = future.branch if way.decided is None else self._branch(future, way.decided)
+            cost = future.cost + way.cost
+            self._push(machine, past, cost, inputs, states, branch, future.state)
+
+    def _branch(self, future: Future | None, decided: Decided | None) -> int | None:
+        if len(self.tree) >= MOST_BRANCHES or (future is not None and future.branch is None):
+            return None
+        self.tree.append(Branch(None if future is None else future.branch, decided, ""))
+        return len(self.tree) - 1
+
+    def _ends(self, future: Future, how: str) -> None:
+        if future.branch is not None and not self.tree[future.branch].ends:
+            self.tree[future.branch] = self.tree[future.branch]._replace(ends=how)
+
+    # --- going on -----------------------------------------------------------------------------
+
+    def _go_on(self, future: Future, most: int) -> None:
+        """Go on with a future until outside decides, it meets another, or others come first."""
+        machine, graph = future.machine, self.graph
+        while True:
+            question = tick(machine)
+            if question is None:
+                self._over(future)
+                if not machine.robot.running:
+                    self._ended(future)
+                    return
+            if self._meets(future, question):
+                return
+            if question is not None:
+                self.asked.setdefault(question)
+                ways = self.outside.ways(future, question)
+                if not ways:
+                    self.unanswered.setdefault(place(machine.robot))
+                    graph.leads(future.state, AWAY)
+                    self._ends(future, "open")
+                    return
+                self._fork(future, question, ways)
+                return
+            if self.frontier.is_earlier(future) or len(graph.visits) >= most:
+                self.frontier.push(future)
+                return
+
+    def _meets(self, future: Future, question: Question | None) -> bool:
+        """Note the state that a future is in; return whether another one was in it before."""
+        machine, graph = future.machine, self.graph
+        more = (question, self.contacts.state(machine), future.outside)
+        key = self.keys.of(machine, more)
+        known = self._known.get(key) if self._merging else None
+        if known is not None:
+            graph.leads(future.state, known)
+            self.merged += 1
+            self._ends(future, "merged")
+            return True
+        visit = Visit(
+            future.past,
+            machine.last_tick,
+            future.cost,
+            *places(machine),
+            question is not None,
+        )
+        state = graph.add(visit)
+        self._known[key] = state
+        graph.leads(future.state, state)
+        future.state = state
+        return False
+
+    def _over(self, future: Future) -> None:
+        """Look at what a tick has brought about, and at the motion up to the next one."""
+        machine = future.machine
+        events = happened(machine)
+        if events:
+            self._look(future, events)
+        self.contacts.happened(machine, events)
+        if machine.robot.running:
+            self.contacts.look(machine, machine.next_tick * machine.tick, future.number)
+            ticks = machine.next_tick - machine.last_tick
+            on = frozenset(machine.system.signals.on)
+            future.outside = self.outside.behaviours.advance(future.outside, ticks, on)
+
+    def _look(self, future: Future, events: Sequence[Event]) -> None:
+        for event in events:
+            if not isinstance(event, Found):
+                continue
+            found = event.diagnostic
+            if found.rule == JOINT_SPEED:
+                wrong = Wrong.LIMIT
+            elif found.severity is Severity.ERROR:
+                wrong = Wrong.ERROR
+            else:
+                continue
+            code = (found.rule.code,)
+            self._suspect(future, wrong, code, found.headline, event.time_s, event.cause)
+
+    def _ended(self, future: Future) -> None:
+        machine = future.machine
+        self.ends += 1
+        self.graph.leads(future.state, AWAY)
+        ending = machine.robot.ending
+        self._ends(future, ending.value)
+        ended_s = machine.ended_s or machine.now
+        self.contacts.look(machine, ended_s + AFTERWARDS_S, future.number)
+        if ending is Ending.ERROR:
+            return
+        lies = [track[-1] for track in machine.system.hand.placements.values()]
+        lain = tuple((one.body, one.lie, one.support, nearly(one.X)) for one in lies)
+        end = (ending, lain, machine.system.hand.held)
+        self.endings.setdefault(end, (future.past, ended_s))
+
+    def _suspect(
+        self,
+        future: Future,
+        wrong: Wrong,
+        what: tuple[str, ...],
+        headline: str,
+        time_s: float,
+        cause: Cause | None,
+    ) -> None:
+        suspect = Suspect(wrong, what, headline, time_s, cause, future.past, future.cost)
+        self.suspects.add(suspect)
+
+    # --- what is found now and then -------------------------------------------------------------
+
+    def _certify(self) -> None:
+        for touch in self.contacts.certify():
+            past, cost = self._pasts[touch.future]
+            bodies = (touch.first, touch.second)
+            words = f"{touch.first} touches {touch.second}, {1e3 * touch.depth_m:.1f} mm deep"
+            self.suspects.add(Suspect(Wrong.CONTACT, bodies, words, touch.time_s, None, past, cost))

@@ -1,0 +1,47 @@
+"""A counterexample without what it does not need: decisions are left out one by one."""
+
+from collections.abc import Callable
+from typing import TypeVar
+
+from vrts.prove.proof import Decided, What
+
+T = TypeVar("T")
+
+
+def shrunk(
+    story: tuple[Decided, ...], shows: Callable[[tuple[Decided, ...]], T | None], known: T
+) -> tuple[tuple[Decided, ...], T]:
+    """Return a story of which no decision can be left out, and what it shows.
+
+    Args:
+        story: What outside decided.
+        shows: Replays a story; None: it does not show what is wrong.
+        known: What the whole story shows.
+    """
+    k = len(story) - 1
+    while k >= 0:
+        if story[k].what is What.ANSWER:  # later ones would be given to earlier questions
+            k -= 1
+            continue
+        fewer = without(story, k)
+        found = shows(fewer)
+        if found is not None:
+            story, known = fewer, found
+        k = min(k, len(story)) - 1
+    return story, known
+
+
+def without(story: tuple[Decided, ...], k: int) -> tuple[Decided, ...]:
+    """Return a story without a decision, and without what then changes nothing."""
+    left: list[Decided] = []
+    inputs: dict[int, bool] = {}
+    for n, decided in enumerate(story):
+        if n == k:
+            continue
+        if decided.what is What.INPUT:
+            assert isinstance(decided.value, bool)
+            if inputs.get(decided.number, False) is decided.value:
+                continue
+            inputs[decided.number] = decided.value
+        left.append(decided)
+    return tuple(left)

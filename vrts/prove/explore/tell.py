@@ -1,0 +1,61 @@
+"""From what seems wrong to what is told: confirmed by a replay, shrunk, with its scenario."""
+
+from vrts.prove.environment.environment import Environment
+from vrts.prove.explore.confirm import Replays, Shown
+from vrts.prove.explore.past import story
+from vrts.prove.explore.scenarios import scenario_of
+from vrts.prove.explore.shrink import shrunk
+from vrts.prove.explore.suspects import Suspect
+from vrts.prove.proof import Decided, Wrong, Wronged
+
+MOST = 12  # causes that are told
+FORETOLD = (Wrong.LIMIT,)  # said when a motion begins: it may be given up before it comes true
+
+
+class Teller:
+    """Tells what goes wrong in futures of one program."""
+
+    def __init__(self, replays: Replays, environment: Environment, tick_s: float) -> None:
+        """Take what replays, and what is the same in every future."""
+        self.replays, self.environment, self.tick_s = replays, environment, tick_s
+        self.doubtful: list[str] = []  # what a replay does not show
+
+    def tell(self, suspects: list[Suspect]) -> tuple[Wronged, ...]:
+        """Return what replays confirm, the shortest first."""
+        found: list[Wronged] = []
+        causes: set[tuple[object, ...]] = set()
+        for suspect in suspects:
+            if len(found) == MOST:
+                break
+            told = self._confirmed(suspect)
+            if told is None:
+                if suspect.wrong not in FORETOLD:
+                    self.doubtful.append(suspect.headline)
+                continue
+            where = None if told.cause is None else (told.cause.program, told.cause.step)
+            why = (told.wrong, suspect.what, where)
+            if why not in causes:
+                causes.add(why)
+                found.append(told)
+        return tuple(found)
+
+    def _confirmed(self, suspect: Suspect) -> Wronged | None:
+        def shows(decisions: tuple[Decided, ...]) -> Shown | None:
+            scenario = scenario_of(self.environment.scenario, decisions, self.tick_s)
+            return self.replays.shows(suspect, scenario)
+
+        whole = story(suspect.past)
+        shown = shows(whole)
+        if shown is None:
+            return None
+        decisions, shown = shrunk(whole, shows, shown)
+        scenario = scenario_of(self.environment.scenario, decisions, self.tick_s)
+        return Wronged(
+            suspect.wrong,
+            shown.headline,
+            shown.time_s,
+            shown.cause,
+            decisions,
+            scenario,
+            confirmed=True,
+        )

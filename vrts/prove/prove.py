@@ -1,0 +1,87 @@
+"""Every future of a program: does it hold in all of them, and if not, in which it does not."""
+
+from collections.abc import Sequence
+
+from vrts.base.stack import deep_stack
+from vrts.check.task.task import Task
+from vrts.check.verdict import Answer
+from vrts.engine.memory.events import Cause
+from vrts.ir.module import Module
+from vrts.prove.asking import Asking, Told
+from vrts.prove.environment.environment import Environment
+from vrts.prove.explore.confirm import Replays
+from vrts.prove.explore.contacts import Nobody
+from vrts.prove.explore.covered import covered
+from vrts.prove.explore.executed import dead_steps
+from vrts.prove.explore.outside import Free
+from vrts.prove.explore.search import Search
+from vrts.prove.explore.tell import Teller
+from vrts.prove.proof import Proof, Wronged
+from vrts.scene.model import Scene
+
+__all__ = ["Asking", "Told", "prove"]
+
+USUAL = Asking()
+
+
+@deep_stack()
+def prove(
+    module: Module,
+    scene: Scene,
+    environment: Environment,
+    asking: Asking = USUAL,
+    *,
+    entry: str,
+    task: Task | None = None,
+) -> Proof:
+    """Look at every future of a program.
+
+    Args:
+        module: The programs.
+        scene: Where the robot stands.
+        environment: What may come from outside.
+        asking: How far to look, and who is told.
+        entry: The program that is executed.
+        task: What is asked of it; None: that nothing goes wrong.
+
+    Raises:
+        KeyError: There is no such program.
+    """
+    del task
+    if entry not in module.programs:
+        raise KeyError(entry)
+    search = Search(module, scene, environment, Free(), Nobody())
+    search.run(entry, None, asking)
+    replays = Replays(module, scene, entry)
+    teller = Teller(replays, environment, search.first.tick)
+    found = teller.tell(search.suspects.in_order())
+    loaded = search.first.system.programs.loaded
+    left = (*_left(search), *(f"not confirmed by a replay: {one}" for one in teller.doubtful))
+    dead = () if left else dead_steps(module, loaded, search.executed, entry)
+    return Proof(
+        _answer(found, left),
+        found,
+        covered(search, dead, 0.0),
+        left,
+        tree=tuple(search.tree),
+    )
+
+
+def _answer(found: Sequence[Wronged], left: Sequence[str]) -> Answer:
+    if found:
+        return Answer.VIOLATED
+    return Answer.UNDETERMINED if left else Answer.HOLDS
+
+
+def _left(search: Search) -> tuple[str, ...]:
+    """Return what was not looked at."""
+    left: list[str] = []
+    if not search.is_over:
+        left.append(f"{len(search.frontier)} futures were left after {search.counts.states} states")
+    for cause in search.unanswered:
+        assert isinstance(cause, Cause)
+        left.append(
+            f"nobody says what is typed at step {cause.step} of `{cause.program}`:"
+            " give answers in the environment"
+        )
+    return tuple(left)
