@@ -21,6 +21,7 @@ from vrts.check.proof.given import (
 )
 from vrts.check.proof.look import Look, points_of
 from vrts.check.proof.meeting_points import Met
+from vrts.check.proof.plainer import plainer
 from vrts.engine.memory.records import Lie
 
 APART = 2e-4  # [m] a finger farther than this has let go
@@ -66,11 +67,13 @@ def let_go(look: Look, todo: Covered, near_miss: float | None) -> tuple[LetGo, .
 def near_points(look: Look, todo: Covered) -> Points:
     """Return points that show what is to be shown of things that are near each other."""
     shown: list[tuple[float, int, int, Met]] = []
-    for first, stays, times, _ in todo.near:
+    shapes = look.all_of.shapes
+    for first, stays, times, most_m in todo.near:
         sides = [(first, stay.solids, stay.span) for stay in stays]
         for t, seen in zip(times, look.nearest(np.array(times), sides), strict=True):
             if seen is not None:
-                shown.append((t, seen.first, seen.second, seen.met))
+                both = shapes[seen.first], shapes[seen.second]
+                shown.append((t, seen.first, seen.second, plainer(seen.met, both, most_m)))
     return points_of(NEAR, shown)
 
 
