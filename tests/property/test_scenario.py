@@ -33,6 +33,8 @@ VALUES = st.one_of(
             '["\\u0007"]',
             '"input stuck"',
             '"emergency stop"',
+            '"execute"',
+            '"put back"',
             '"on"',
             "{ from = [0, 0, 0], to = [1, 1, 1] }",
         ]
@@ -45,6 +47,8 @@ KEYS = {
     "[[sensors]]": ("signal", "region_mm", "sees", "inverted"),
     "[prompts]": ("answers",),
     "[[faults]]": ("time_s", "kind", "signal", "state"),
+    "[[operator]]": ("time_s", "does", "parts"),
+    "[random]": ("draws",),
     "[limits]": ("statements", "time_s", "motions", "output_characters", "call_depth"),
     "[parameters]": ('"hand.time"', "hand.time", "hand", "speed.max"),
 }

@@ -1,7 +1,8 @@
 """Runs begin, grow and are cut: `start`, `advance`, `truncate` are pure functions of runs."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 from vrts.base.stack import deep_stack
 from vrts.engine.code.executable import Executable
@@ -9,14 +10,26 @@ from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.schedule import has_work
 from vrts.engine.machine.tick import run_until, settle
 from vrts.engine.run import OutOfHorizon, Run
-from vrts.ir.commands import Command, Execute, TimedCommand
+from vrts.ir.commands import (
+    Abort,
+    Command,
+    Execute,
+    Proceed,
+    PutBack,
+    Retry,
+    TakeAway,
+    TimedCommand,
+)
 from vrts.ir.module import Module
-from vrts.scene.model import Scenario, Scene
+from vrts.scene.model import Act, Deed, Parts, Scenario, Scene
 
 CHECKPOINT = 5.0  # [s] of simulated time between states kept for `truncate`, at first
 MOST_CHECKPOINTS = 64  # beyond, every other one is given up
 FEW_CELLS = 1000  # of which a copy costs nothing worth mentioning
 STATEMENTS_A_CELL = 10  # with more, a state is kept after so many statements for each of them
+TIDYING: Mapping[Parts, tuple[Command, ...]] = MappingProxyType(
+    {Parts.LEFT: (), Parts.PUT_BACK: (PutBack(),), Parts.TAKEN: (TakeAway(),)}
+)
 AFTERWARDS = 10.0  # [s] longest time anything may move after the program has ended
 
 
@@ -110,8 +123,29 @@ def execute(
     if name is None or name not in module.programs:
         raise ValueError(f"no program {name!r}")
     run = start(module, scene, scenario)
-    horizon = run.scenario.limits.time_s + AFTERWARDS
-    return advance(run, horizon, [TimedCommand(0.0, Execute(name))], closed=True)
+    commands = commands_of(run.scenario, name)
+    horizon = commands[-1].time_s + run.scenario.limits.time_s + AFTERWARDS
+    return advance(run, horizon, commands, closed=True)
+
+
+def commands_of(scenario: Scenario, program: str) -> list[TimedCommand]:
+    """Return what the operator of a scenario does with a program, EXECUTE at time 0 first."""
+    found = [TimedCommand(0.0, Execute(program))]
+    for act in scenario.operator:
+        found += [TimedCommand(act.time_s, command) for command in _commands(act, program)]
+    return found
+
+
+def _commands(act: Act, program: str) -> tuple[Command, ...]:
+    match act.deed:
+        case Deed.STOP:
+            return (Abort(),)
+        case Deed.PROCEED:
+            return (Proceed(),)
+        case Deed.RETRY:
+            return (Retry(),)
+        case Deed.EXECUTE:
+            return (*TIDYING[act.parts], Execute(program))
 
 
 class Controller:

@@ -141,6 +141,14 @@ class DeletePrograms(NamedTuple):
     names: tuple[str, ...]
 
 
+class PutBack(NamedTuple):
+    """No command, but what people do: all parts stand as at first, and the hand is empty."""
+
+
+class TakeAway(NamedTuple):
+    """No command, but what people do: parts that stand elsewhere than at first are gone."""
+
+
 Command: TypeAlias = (
     Execute
     | Abort
@@ -165,6 +173,8 @@ Command: TypeAlias = (
     | DeleteVariables
     | Load
     | DeletePrograms
+    | PutBack
+    | TakeAway
 )
 
 

@@ -109,6 +109,7 @@ class FaultKind(Enum):
 
     INPUT_STUCK = "input stuck"  # the input `signal` keeps the state `on`
     GRIPPER_SLIPS = "gripper slips"  # what is held then, or grasped next, drops out of the hand
+    PART_MISSING = "part missing"  # what the hand closes on then or next is not there
     EMERGENCY_STOP = "emergency stop"  # the arm stops, arm power goes off, the program ends
 
 
@@ -119,6 +120,31 @@ class PlannedFault(NamedTuple):
     kind: FaultKind
     signal: int = 0
     on: bool = False
+
+
+class Deed(Enum):
+    """What an operator does."""
+
+    STOP = "stop"  # ABORT: the arm slows down, the motion is given up
+    PROCEED = "proceed"  # go on with the next step
+    RETRY = "retry"  # go on with the motion that was given up
+    EXECUTE = "execute"  # the same program once more
+
+
+class Parts(Enum):
+    """What becomes of the parts before the program is executed again."""
+
+    PUT_BACK = "put back"  # everything stands where it stood at first, the hand is empty
+    LEFT = "left"  # everything stays as it is
+    TAKEN = "taken"  # what stands on another support than at first is gone
+
+
+class Act(NamedTuple):
+    """Something that an operator does in the tick that follows."""
+
+    time_s: float
+    deed: Deed
+    parts: Parts = Parts.LEFT  # of EXECUTE only
 
 
 FASTEST_ACCELERATION = 1000.0  # [%] that ACCEL may ask for
@@ -147,6 +173,8 @@ class Scenario:
     faults: tuple[PlannedFault, ...] = ()  # by time
     monitor_speed: float = 100.0  # operator's speed [%]
     locks: Locks = Locks()
+    operator: tuple[Act, ...] = ()  # by time
+    draws: tuple[float, ...] = ()  # what RANDOM draws first; then the seed decides
 
 
 def controlled(scene: Scene, model: ControllerModel) -> Scene:

@@ -30,6 +30,7 @@ from vrts.robots.model import Gripper
 from vrts.scene.model import Mobility, Scene
 
 EventLog: TypeAlias = Log[Event]
+GONE_M = -100.0  # [m] z of what was taken away: nothing can touch it, nothing sees it
 
 
 class Closing(NamedTuple):
@@ -56,6 +57,7 @@ class Hand:
         self.closing: Closing | None = None
         self.held: str | None = None
         self.slips = False  # what is grasped next drops out of the hand
+        self.misses = False  # what would be grasped next is not there
         self.planner: Planner  # where the arm goes: set by the machine
         self.placements: dict[str, list[Placement]] = {
             body.name: [Placement(body.name, 0.0, math.inf, Lie.RESTING, body.X_WO, body.rests_on)]
@@ -91,10 +93,10 @@ class Hand:
         last = self.placements[closing.body][-1]
         X_FW = closing.X_FO @ last.X.inverse()
         carried = self._stack_on(closing.body)
-        self._place(closing.body, closing.end_s, Lie.HELD, closing.X_FO, None)
+        self.place(closing.body, closing.end_s, Lie.HELD, closing.X_FO, None)
         for name, support in carried:
             X_WO = self.placements[name][-1].X
-            self._place(name, closing.end_s, Lie.HELD, X_FW @ X_WO, support)
+            self.place(name, closing.end_s, Lie.HELD, X_FW @ X_WO, support)
         events.append(Grasped(closing.end_s, closing.body, closing.X_FO, closing.cause))
         if self.slips:
             self.slips = False
@@ -119,6 +121,30 @@ class Hand:
             self.slips = True
         else:
             self._release(time_s, cause, events)
+
+    @property
+    def grasps_s(self) -> float | None:
+        """When the closing hand will grasp something [s]; None: it closes on nothing."""
+        closing = self.closing
+        return closing.end_s if closing is not None and closing.X_FO is not None else None
+
+    def miss(self) -> None:
+        """Let what the hand is closing on, or else would grasp next, be gone by then."""
+        closing = self.closing
+        if closing is None or closing.X_FO is None:
+            self.misses = True
+            return
+        assert closing.body is not None
+        self.take(closing.body, closing.end_s)
+        self.strokes.pop()
+        self._close_on(None, closing.start_m, closing.begin_s, closing.cause, tested=closing.tested)
+
+    def take(self, name: str, time_s: float) -> None:
+        """Let a body that the hand does not hold be gone, with what stands on it."""
+        for each in (name, *(other for other, _ in self._stack_on(name))):
+            x, y, _ = self.placements[each][-1].X.translation
+            X_WO = Pose(self.scene.body(each).X_WO.rotation, (x, y, GONE_M))
+            self.place(each, time_s, Lie.RESTING, X_WO, None)
 
     def _flange_at(self, time_s: float) -> Pose:
         planner = self.planner
@@ -161,13 +187,25 @@ class Hand:
         stop = time_s + (start - gripper.opening_min) / gripper.finger_speed
         fingers = Fingers(gripper, start, time_s, stop, self._flange_at, moves)
         found = fingers.first_met(self._lying_since(time_s))
+        if isinstance(found, Met) and self.misses:
+            self.misses = False
+            self.take(found.name, found.time_s)
+            found = None
         if isinstance(found, Met):
             instant, body = found
             X_FO = self._flange_at(instant).inverse() @ self.placements[body][-1].X
             self.closing = Closing(time_s, start, cause, instant, body, X_FO, tested)
             self.strokes.append(Stroke(time_s, instant, start, fingers.opening(instant)))
             return
-        self.closing = Closing(time_s, start, cause, stop, found, None, tested)
+        self._close_on(found, start, time_s, cause, tested=tested)
+
+    def _close_on(
+        self, missed: str | None, start: float, time_s: float, cause: Cause, *, tested: bool
+    ) -> None:
+        """Close to the end, with nothing between the pads but perhaps a body off their middle."""
+        gripper = self.gripper
+        stop = time_s + (start - gripper.opening_min) / gripper.finger_speed
+        self.closing = Closing(time_s, start, cause, stop, missed, None, tested)
         self.strokes.append(Stroke(time_s, stop, start, gripper.opening_min))
 
     def _lying_since(self, time_s: float) -> list[Lying]:
@@ -207,7 +245,7 @@ class Hand:
         rest = settle(body.pieces, X_WO, body.centre_of_mass, self._supports(group))
         if rest is None:  # nothing below, not even a floor: it stays where it was let go
             events.append(Released(time_s, name, 0.0, cause))
-            self._place(name, time_s, Lie.TOPPLED, X_WO, None)
+            self.place(name, time_s, Lie.TOPPLED, X_WO, None)
             return
         events.append(Released(time_s, name, rest.height_m, cause))
         landing = time_s + math.sqrt(2.0 * rest.height_m / GRAVITY)
@@ -218,9 +256,9 @@ class Hand:
             *((p.body, X_WF @ p.X, p.support) for p in carried),
         ):
             if landing > time_s:
-                self._place(member, time_s, Lie.FALLING, X, None)
+                self.place(member, time_s, Lie.FALLING, X, None)
             X_end = X_WO @ X_OO @ X_WO.inverse() @ X
-            self._place(member, landing, lie, X_end, support)
+            self.place(member, landing, lie, X_end, support)
         if rest.height_m > told.DROP_HEIGHT:
             events.append(told.dropped(time_s, name, rest.height_m, rest.support, cause))
         if rest.stands:
@@ -249,7 +287,8 @@ class Hand:
         needed = abs(end - start) / self.gripper.finger_speed
         self.strokes.append(Stroke(time_s, time_s + needed, start, end))
 
-    def _place(self, name: str, time_s: float, lie: Lie, X: Pose, support: str | None) -> None:
+    def place(self, name: str, time_s: float, lie: Lie, X: Pose, support: str | None) -> None:
+        """Let a body be somewhere from a time on."""
         track = self.placements[name]
         track[-1] = track[-1]._replace(end_s=time_s)
         track.append(Placement(name, time_s, math.inf, lie, X, support))

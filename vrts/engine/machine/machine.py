@@ -91,7 +91,7 @@ class Machine:
         self._wire()
         for name, value in scenario.parameters.items():
             self.system.set_parameter(name.upper(), value, 0)
-        self.system.locks = scenario.locks
+        self.system.locks, self.system.draws = scenario.locks, scenario.draws
         for answer in scenario.answers:
             self.system.answers.append(answer)
         self.sensing = Sensing(scene, scenario)

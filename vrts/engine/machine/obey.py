@@ -3,6 +3,7 @@
 from vrts.engine.code.executable import Executable
 from vrts.engine.code.steps.setting_steps import change_monitor_speed
 from vrts.engine.faults import RuntimeFault
+from vrts.engine.hand.tidying import put_back, take_away
 from vrts.engine.machine.ending import abort as abort_robot
 from vrts.engine.machine.ending import end
 from vrts.engine.machine.machine import Machine
@@ -106,6 +107,10 @@ def _obey(command: k.Command, machine: Machine, now: float) -> None:
             _load(machine, module)
         case k.DeletePrograms(names=names):
             _delete(machine, names)
+        case k.PutBack():
+            put_back(system.hand, now, system.events)
+        case k.TakeAway():
+            take_away(system.hand, now, system.events)
 
 
 def _needs_idle(c: Context) -> None:

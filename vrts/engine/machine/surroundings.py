@@ -21,6 +21,8 @@ def bring_faults_about(machine: Machine, now: float) -> None:
                     system.events.append(SignalChanged(now, fault.signal, fault.on, None))
             case FaultKind.GRIPPER_SLIPS:
                 system.hand.let_slip(now, None, system.events)
+            case FaultKind.PART_MISSING:
+                system.hand.miss()
             case FaultKind.EMERGENCY_STOP:
                 _emergency_stop(machine, now)
 

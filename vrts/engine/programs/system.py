@@ -21,6 +21,7 @@ class System:
         "answers",
         "answers_read",
         "clock_reads",
+        "draws",
         "events",
         "hand",
         "held_base",
@@ -75,6 +76,7 @@ class System:
         self.tracing = False  # the switch TRACE, for speed
         self.warned: frozenset[str] = frozenset()
         self.locks = Locks()  # what programs may not set
+        self.draws: tuple[float, ...] = ()  # what RANDOM draws next, before the seed decides
         self.outside: Outside | None = None  # None: what is not known is waited for
 
     def copy(self, copies: dict[int, Bound]) -> "System":
@@ -98,7 +100,7 @@ class System:
         other.clock_reads = self.clock_reads
         other.held_tool, other.held_base = self.held_tool.copy(), self.held_base.copy()
         other.powered, other.tracing, other.warned = self.powered, self.tracing, self.warned
-        other.locks = self.locks
+        other.locks, other.draws = self.locks, self.draws
         other.outside = None if self.outside is None else self.outside.copy()
         return other
 

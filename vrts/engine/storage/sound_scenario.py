@@ -20,7 +20,8 @@ from vrts.scene.reading.scenario_file import (
     MOST_STATEMENTS,
     SLOWEST,
 )
-from vrts.scene.reading.scenario_signals import LATEST_S
+from vrts.scene.reading.scenario_operator import LARGEST_DRAW, MOST_DRAWS
+from vrts.scene.reading.scenario_signals import LATEST_S, MOST_ENTRIES
 
 TOLERANCE = 1e-6  # [m] of the hand's opening
 
@@ -50,6 +51,9 @@ def check_scenario(scenario: Scenario, scene: Scene) -> None:
     answers = scenario.answers
     short = len(answers) <= MOST_ANSWERS and all(len(line) <= LONGEST_ANSWER for line in answers)
     require(short, "its answers are too long")
+    drawn = all(0.0 <= draw <= LARGEST_DRAW for draw in scenario.draws)
+    require(drawn and len(scenario.draws) <= MOST_DRAWS, "a random number is out of range")
+    require(len(scenario.operator) <= MOST_ENTRIES, "its operator does too much")
     names = {name.lower() for name in PARAMETERS}
     for name, value in scenario.parameters.items():
         require(name.lower() in names, f"there is no parameter `{name}`")
@@ -64,7 +68,8 @@ def check_scenario(scenario: Scenario, scene: Scene) -> None:
 def _check_signals(scenario: Scenario) -> None:
     times = [change[0] for change in scenario.inputs]
     planned = [fault.time_s for fault in scenario.faults]
-    for when in (times, planned):
+    acts = [act.time_s for act in scenario.operator]
+    for when in (times, planned, acts):
         require(all(0.0 <= time_s <= LATEST_S for time_s in when), "a time is out of range")
         require(all(a <= b for a, b in pairwise(when)), "what happens is not in order")
     signals = [change[1] for change in scenario.inputs]

@@ -6,7 +6,7 @@ from enum import Enum
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
-from vrts.scene.model import Scenario
+from vrts.scene.model import Parts, Scenario
 
 
 class Span(NamedTuple):
@@ -55,14 +55,6 @@ class Afterwards(Enum):
     PROCEED = "proceed"
     RETRY = "retry"
     NOTHING = "nothing"
-
-
-class Parts(Enum):
-    """What becomes of the parts before the program is executed again."""
-
-    PUT_BACK = "put back"  # everything stands where it stood at first, the hand is empty
-    LEFT = "left"  # everything stays as it is
-    TAKEN = "taken"  # what stands on another support than at first is gone; see `Again`
 
 
 class Again(NamedTuple):

@@ -27,9 +27,17 @@ millimetres, angles in degrees, times in seconds of simulated time, speeds in pe
 
     [[faults]]
     time_s = 4.0
-    kind = "input stuck"                # or "gripper slips", "emergency stop"
+    kind = "input stuck"                # or "gripper slips", "part missing", "emergency stop"
     signal = 1002                       # of a stuck input only, as is the state
     state = "on"
+
+    [[operator]]                        # what is done at the controller
+    time_s = 6.0
+    does = "execute"                    # or "stop", "proceed", "retry"
+    parts = "put back"                  # before EXECUTE: or "left" (as usual), "taken"
+
+    [random]
+    draws = [0.5, 0.25]                 # what RANDOM draws first; then the seed decides
 
     [limits]
     statements = 2_000_000
@@ -54,8 +62,9 @@ from types import MappingProxyType
 from vrts.base.diagnostic import Diagnostic, Label, Rule
 from vrts.base.source import SourceFile, Span
 from vrts.base.toml.reading import Problems, Table, read_toml
-from vrts.scene.model import Limits, PlannedFault, Scenario, Scene
+from vrts.scene.model import Act, Deed, Limits, PlannedFault, Scenario, Scene
 from vrts.scene.planned import ScenarioFile
+from vrts.scene.reading.scenario_operator import read_draws, read_operator
 from vrts.scene.reading.scenario_signals import (
     LATEST_S,
     Inputs,
@@ -109,10 +118,12 @@ def _scenario(
     inputs = read_inputs(top, scene)
     answers = _answers(top.table("prompts"))
     faults = read_faults(top)
+    operator = read_operator(top)
+    draws = read_draws(top.table("random"))
     limits = _limits(top.table("limits"))
     numbers = _parameters(top.table("parameters"), parameters)
     top.finish()
-    _check_times(top, limits, inputs, faults)
+    _check_times(top, limits, inputs, faults, operator)
     scenario = Scenario(
         configuration=start.configuration,
         hand_opening=start.hand_opening,
@@ -124,6 +135,8 @@ def _scenario(
         answers=answers,
         faults=faults,
         monitor_speed=speed,
+        operator=operator,
+        draws=draws,
     )
     return ScenarioFile(title, scenario, hashlib.sha256(source.text.encode()).hexdigest())
 
@@ -240,13 +253,18 @@ def _finish(table: Table, names: tuple[str, ...]) -> None:
 
 
 def _check_times(
-    top: Table, limits: Limits, inputs: Inputs, faults: tuple[PlannedFault, ...]
+    top: Table,
+    limits: Limits,
+    inputs: Inputs,
+    faults: tuple[PlannedFault, ...],
+    operator: tuple[Act, ...],
 ) -> None:
     """Warn about what is planned for a time that no run reaches."""
     problems: Problems = top.problems
     planned = [("an input changes", "inputs", change[0]) for change in inputs.changes]
     planned += [("a fault comes", "faults", fault.time_s) for fault in faults]
-    late = next((item for item in planned if item[2] > limits.time_s), None)
+    begun = max([act.time_s for act in operator if act.deed is Deed.EXECUTE], default=0.0)
+    late = next((item for item in planned if item[2] > begun + limits.time_s), None)
     if late is not None:
         what, key, time_s = late
         problems.warning(

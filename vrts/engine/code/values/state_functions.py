@@ -171,6 +171,9 @@ def _random(c: Context) -> float:
     system.clock_reads += 1
     if system.outside is not None and system.outside.random:
         return system.outside.draw()
+    if system.draws:
+        drawn, system.draws = system.draws[0], system.draws[1:]
+        return drawn
     system.random_state = (RANDOM_MULTIPLIER * system.random_state + RANDOM_INCREMENT) & 0xFFFFFFFF
     return (system.random_state >> 8) / float(1 << 24)
 

@@ -142,13 +142,14 @@ def outside(machine: Machine, now: float, named: Nearly) -> tuple[object, ...]:
         named(hand.opening(now)),
         tuple((from_now(s.end_s, now), s.end_m) for s in hand.strokes[-1:] if s.end_s > now),
         (from_now(closing.end_s, now), closing.body, closing.tested) if closing else None,
-        (hand.held, hand.slips),
+        (hand.held, hand.slips, hand.misses),
         tuple([_lies(track[-1], now, named) for track in hand.placements.values()]),
         tuple(sorted(system.switches.items())),
         tuple([(cell.name, cell.value) for cell in system.cells()]),
         tuple(sorted(system.analog.items())),
         tuple((from_now(time_s, now), *what) for time_s, *what in system.scheduled),
-        (tuple(system.answers[system.answers_read :]), system.powered, system.warned),
+        (tuple(system.answers[system.answers_read :]), system.draws),
+        (system.powered, system.warned),
     )
 
 
