@@ -59,7 +59,8 @@ class AtRest:
             return self._named.number(outside(machine, now, self._named))
         parts = (*hand.strokes[-1:], *lie)
         key = (
-            *("outside", hand.held, hand.slips, system.powered, system.warned, *map(id, parts)),
+            *("outside", hand.held, hand.slips, hand.misses, system.powered, system.warned),
+            *(system.draws, *map(id, parts)),
             *sorted(system.switches.items()),
             *[(cell.name, cell.value) for cell in system.cells()],
             *sorted(system.analog.items()),

@@ -39,6 +39,7 @@ def begin(
     *,
     answers: bool = False,
     random: bool = False,
+    grips: bool = False,
 ) -> Machine:
     """Return a machine at time 0 that keeps no past and in which nothing executes.
 
@@ -49,13 +50,14 @@ def begin(
         free: Inputs that are decided whenever they are looked at.
         answers: Whether answers to PROMPT are decided, once those of the scenario are used up.
         random: Whether the numbers of RANDOM are decided.
+        grips: Whether it is decided for each part that the hand closes on if it is there.
     """
     executable = Executable(module, scenario.limits.call_depth)
     endless = replace(scenario, limits=replace(scenario.limits, **UNLIMITED))
     machine = without_past(Machine(executable, scene, endless))
     signals = machine.system.signals
     signals.on = FreeSignals(signals.on, free)
-    machine.system.outside = Outside(answers=answers, random=random)
+    machine.system.outside = Outside(answers=answers, random=random, grips=grips)
     return machine
 
 
@@ -72,6 +74,8 @@ def tick(machine: Machine) -> Question | None:
     """
     on = _signals(machine)
     if machine.mid is None:
+        if _would_grip(machine):
+            return Question(Kind.GRIP)
         on.decided.clear()
         on.looked = False
         _outside(machine).begin_again(None)
@@ -91,7 +95,8 @@ def tick(machine: Machine) -> Question | None:
 def decide(machine: Machine, question: Question, value: bool | str | float) -> None:
     """Answer a question of a machine, which then can go on."""
     system = machine.system
-    _outside(machine).begin_again(statement_under_way(machine))
+    if machine.mid is not None:
+        _outside(machine).begin_again(statement_under_way(machine))
     match question.kind, value:
         case Kind.INPUT, bool():
             _signals(machine).decided[question.number] = value
@@ -99,8 +104,21 @@ def decide(machine: Machine, question: Question, value: bool | str | float) -> N
             system.answers.append(value)
         case Kind.RANDOM, float():
             _outside(machine).draws.append(value)
+        case Kind.GRIP, bool():
+            hand = system.hand
+            _outside(machine).gripped_s = hand.grasps_s
+            if not value:
+                hand.miss()
         case _:
             raise TypeError(f"{value!r} is no answer to {question}")
+
+
+def _would_grip(machine: Machine) -> bool:
+    """Return whether the hand will have grasped something in the next tick that may be missing."""
+    outside, grasps_s = _outside(machine), machine.system.hand.grasps_s
+    if not outside.grips or grasps_s is None or grasps_s == outside.gripped_s:
+        return False
+    return grasps_s <= machine.next_tick * machine.tick
 
 
 def happened(machine: Machine) -> Sequence[Event]:

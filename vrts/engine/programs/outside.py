@@ -11,6 +11,7 @@ class Kind(Enum):
     INPUT = "input"
     ANSWER = "answer"
     RANDOM = "random"
+    GRIP = "grip"
 
 
 class Question(NamedTuple):
@@ -32,12 +33,17 @@ class Undecided(Exception):  # noqa: N818 -- names the situation
 class Outside:
     """What may come from outside besides signals, and what of it was decided."""
 
-    __slots__ = ("answers", "drawn", "draws", "place", "random")
+    __slots__ = ("answers", "drawn", "draws", "gripped_s", "grips", "place", "random")
 
-    def __init__(self, *, answers: bool, random: bool) -> None:
-        """Say what is free: the answers to PROMPT, and what RANDOM draws."""
+    def __init__(self, *, answers: bool, random: bool, grips: bool = False) -> None:
+        """Say what is free: answers to PROMPT, what RANDOM draws, whether what is gripped is there.
+
+        The last is asked about before the tick in which the hand would grasp it.
+        """
         self.answers = answers
         self.random = random
+        self.grips = grips
+        self.gripped_s: float | None = None  # when the hand grasps what it was decided about
         self.draws: list[float] = []  # decided for the statement under way
         self.drawn = 0  # of them
         self.place: tuple[int, int] | None = None  # of that statement: see `begin_again`
@@ -66,7 +72,8 @@ class Outside:
 
     def copy(self) -> "Outside":
         """Return an independent copy."""
-        other = Outside(answers=self.answers, random=self.random)
+        other = Outside(answers=self.answers, random=self.random, grips=self.grips)
+        other.gripped_s = self.gripped_s
         other.draws, other.drawn, other.place = self.draws.copy(), self.drawn, self.place
         return other
 

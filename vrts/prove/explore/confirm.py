@@ -5,13 +5,12 @@ from typing import NamedTuple
 from vrts.check.collision.collision import check_collisions
 from vrts.check.verdict import Answer, ContactEvent, sides
 from vrts.check.verdicts.limits import check_limits
-from vrts.engine.controller import advance, start
+from vrts.engine.controller import advance, commands_of, start
 from vrts.engine.faults import NO_ANSWER, WAIT_NEVER_ENDS
 from vrts.engine.machine.forever.findings import ENDLESS
 from vrts.engine.memory.events import Cause, Found
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
-from vrts.ir.commands import Execute, TimedCommand
 from vrts.ir.module import Module
 from vrts.prove.explore.suspects import Suspect
 from vrts.prove.proof import Wrong
@@ -41,11 +40,13 @@ class Replays:
         """Return the run of a scenario up to a time."""
         self.count += 1
         run = start(self.module, self.scene, scenario)
-        return advance(run, until_s, [TimedCommand(0.0, Execute(self.entry))], closed=True)
+        commands = commands_of(scenario, self.entry)
+        return advance(run, until_s, [c for c in commands if c.time_s <= until_s], closed=True)
 
     def shows(self, suspect: Suspect, scenario: Scenario) -> Shown | None:
         """Return what a replay shows of what seems wrong; None: it does not come about."""
-        limit = scenario.limits.time_s + BEYOND_S
+        last = max([act.time_s for act in scenario.operator], default=0.0)
+        limit = last + scenario.limits.time_s + BEYOND_S
         match suspect.wrong:
             case Wrong.ENDLESS | Wrong.DEADLOCK:
                 return _never(self.run(scenario, limit), suspect)

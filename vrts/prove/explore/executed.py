@@ -28,13 +28,11 @@ class Executed(list[Any]):
         """Keep it although it waits: it was come to."""
 
 
-def watched(machine: Machine) -> Executed:
+def watched(machine: Machine, executed: Executed) -> None:
     """Let a machine and all copies of it note what they execute."""
-    executed = Executed()
     for c in (machine.robot, machine.process):
         assert isinstance(c.trace, NoTrace)
         c.trace.instructions = executed  # type: ignore[assignment]
-    return executed
 
 
 def dead_steps(

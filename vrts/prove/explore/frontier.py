@@ -20,6 +20,8 @@ class Future:
     outside: object  # state of what the environment says of inputs
     branch: int | None  # in the tree of decisions
     state: int | None = None  # the state that it was in last
+    again: int = 0  # how often the program was executed before
+    stopped: bool = False  # the operator has stopped it
 
 
 class Frontier:

@@ -82,11 +82,20 @@ class Outside:
                     Way(text, k > 0, Decided(now, What.ANSWER, 0, text, cause))
                     for k, text in enumerate(texts)
                 )
+            case Kind.GRIP:
+                time_s = machine.next_tick * machine.tick
+                missing = Decided(time_s, What.GRIP, 0, value=False, cause=_closes(machine))
+                return (Way(value=True, cost=0, decided=None), Way(False, 1, missing))
             case Kind.RANDOM:
                 return tuple(
                     Way(value, k > 0, Decided(now, What.RANDOM, 0, value, cause))
                     for k, value in enumerate(self.environment.random)
                 )
+
+
+def _closes(machine: Machine) -> Cause | None:
+    closing = machine.system.hand.closing
+    return None if closing is None else closing.cause
 
 
 def _looks(machine: Machine) -> Cause | None:

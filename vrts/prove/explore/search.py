@@ -1,6 +1,7 @@
 """The search: futures go on one after another, part where outside decides, and meet again."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Severity
@@ -19,14 +20,15 @@ from vrts.ir.ranges import INPUTS
 from vrts.prove.asking import Asking, Told
 from vrts.prove.environment.environment import Environment
 from vrts.prove.explore.contacts import Certifies
-from vrts.prove.explore.executed import watched
+from vrts.prove.explore.executed import Executed, watched
 from vrts.prove.explore.frontier import Frontier, Future
 from vrts.prove.explore.graph import AWAY, Graph, Visit
 from vrts.prove.explore.never import never_ending, places
+from vrts.prove.explore.operator import Deed, Operator
 from vrts.prove.explore.outside import Behaviours, Outside, Way
 from vrts.prove.explore.past import Past
 from vrts.prove.explore.suspects import Suspect, Suspects
-from vrts.prove.proof import Branch, Decided, Wrong
+from vrts.prove.proof import Branch, Decided, What, Wrong
 from vrts.scene.model import Scene
 
 AFTERWARDS_S = 0.5  # of motion that is looked at behind the end of a program
@@ -72,6 +74,8 @@ class Search:
         self.environment = environment
         self.contacts = contacts
         self.keys = Keys(module)
+        self.executed = Executed()
+        self.first: Machine  # that knows the programs
         self.graph = Graph()
         self.frontier = Frontier()
         self.suspects = Suspects()
@@ -87,6 +91,7 @@ class Search:
 
     def run(self, entry: str, states: object, asking: Asking) -> None:
         """Look at every future of a program, as far as is asked."""
+        self.operator = Operator(self.environment, entry)
         self._begin(entry, states)
         told = certified = 0
         while self.frontier:
@@ -118,48 +123,81 @@ class Search:
     # --- beginnings and forks -----------------------------------------------------------------
 
     def _begin(self, entry: str, states: object) -> None:
-        scenario = self.environment.scenario
-        said = {number for _, number, _ in scenario.inputs}
-        said |= {sensor.signal for sensor in scenario.sensors}
+        """Let the program be executed at every monitor speed."""
+        environment = self.environment
+        usual = environment.scenario
+        said = {number for _, number, _ in usual.inputs}
+        said |= {sensor.signal for sensor in usual.sensors}
         free = frozenset(INPUTS) - said
-        machine = begin(self.module, self.scene, scenario, free, answers=True, random=True)
-        self.executed = watched(machine)
-        command(machine, Execute(entry))
-        self.first = machine
-        self._push(machine.copy(), None, 0, {}, states, self._branch(None, None))
+        for k, speed in enumerate(environment.speeds):
+            scenario = replace(usual, monitor_speed=speed)
+            machine = begin(
+                self.module,
+                self.scene,
+                scenario,
+                free,
+                answers=True,
+                random=True,
+                grips=environment.misses,
+            )
+            watched(machine, self.executed)
+            command(machine, Execute(entry))
+            self.first = machine if k == 0 else self.first
+            decided = Decided(0.0, What.SPEED, 0, speed, None)
+            past = Past(None, decided) if len(environment.speeds) > 1 else None
+            branch = self._branch(None, None if past is None else decided)
+            self._push(Future(0, machine.copy(), past, int(k > 0), {}, states, branch))
 
-    def _push(
-        self,
-        machine: Machine,
-        past: Past | None,
-        cost: int,
-        inputs: Mapping[int, bool],
-        states: object,
-        branch: int | None,
-        state: int | None = None,
-    ) -> None:
-        number = len(self._pasts)
-        self._pasts.append((past, cost))
-        self.frontier.push(Future(number, machine, past, cost, inputs, states, branch, state))
+    def _push(self, future: Future) -> None:
+        """Let a future wait under a number of its own."""
+        future.number = len(self._pasts)
+        self._pasts.append((future.past, future.cost))
+        self.frontier.push(future)
 
     def _fork(self, future: Future, question: Question, ways: tuple[Way, ...]) -> None:
         """Let a future go on in every way."""
         self.decisions += 1
+        behaviours = self.outside.behaviours
         for k, way in enumerate(ways):
             machine = future.machine if k == len(ways) - 1 else future.machine.copy()
             decide(machine, question, way.value)
-            past, inputs, states = future.past, future.inputs, future.outside
-            if way.decided is not None:
-                past = Past(past, way.decided)
+            other = self._other(future, machine, way.cost, way.decided)
             if question.kind is Kind.INPUT:
                 assert isinstance(way.value, bool)
                 if way.decided is not None:
-                    inputs = {**inputs, question.number: way.value}
-                behaviours = self.outside.behaviours
-                states = behaviours.told(states, question.number, value=way.value)
-            branch = future.branch if way.decided is None else self._branch(future, way.decided)
-            cost = future.cost + way.cost
-            self._push(machine, past, cost, inputs, states, branch, future.state)
+                    other.inputs = {**future.inputs, question.number: way.value}
+                other.outside = behaviours.told(future.outside, question.number, value=way.value)
+            self._push(other)
+            if question.kind is Kind.GRIP:
+                self._watch(other)
+
+    def _other(
+        self, future: Future, machine: Machine, cost: int, decided: Decided | None
+    ) -> Future:
+        """Return a future that goes on from another one, in which something was decided."""
+        known = decided is None
+        return Future(
+            future.number,
+            machine,
+            future.past if known else Past(future.past, decided),
+            future.cost + cost,
+            future.inputs,
+            future.outside,
+            future.branch if known else self._branch(future, decided),
+            future.state,
+            future.again,
+            future.stopped,
+        )
+
+    def _does(self, future: Future, deed: Deed) -> None:
+        """Let a future go on in which the operator does something."""
+        machine = future.machine.copy()
+        machine.issue(deed.commands)
+        other = self._other(future, machine, 1, deed.decided)
+        other.again += deed.decided.what is What.AGAIN
+        other.stopped |= deed.decided.what is What.STOP
+        self.decisions += 1
+        self._push(other)
 
     def _branch(self, future: Future | None, decided: Decided | None) -> int | None:
         if len(self.tree) >= MOST_BRANCHES or (future is not None and future.branch is None):
@@ -180,11 +218,14 @@ class Search:
             question = tick(machine)
             if question is None:
                 self._over(future)
-                if not machine.robot.running:
+                if not machine.robot.running and machine.next_command_s is None:
                     self._ended(future)
                     return
             if self._meets(future, question):
                 return
+            stop = self.operator.stops(future) if question is None else None
+            if stop is not None:
+                self._does(future, stop)
             if question is not None:
                 self.asked.setdefault(question)
                 ways = self.outside.ways(future, question)
@@ -202,7 +243,8 @@ class Search:
     def _meets(self, future: Future, question: Question | None) -> bool:
         """Note the state that a future is in; return whether another one was in it before."""
         machine, graph = future.machine, self.graph
-        more = (question, self.contacts.state(machine), future.outside)
+        memory = self.operator.memory(future)
+        more = (question, self.contacts.state(machine), future.outside, memory)
         key = self.keys.of(machine, more)
         known = self._known.get(key) if self._merging else None
         if known is not None:
@@ -230,11 +272,18 @@ class Search:
         if events:
             self._look(future, events)
         self.contacts.happened(machine, events)
-        if machine.robot.running:
-            self.contacts.look(machine, machine.next_tick * machine.tick, future.number)
+        if self.operator.may_stop(future):
+            machine.next_tick = machine.last_tick + 1  # there may be a stop in each of them
+        if machine.robot.running or machine.next_command_s is not None:
+            self._watch(future)
             ticks = machine.next_tick - machine.last_tick
             on = frozenset(machine.system.signals.on)
             future.outside = self.outside.behaviours.advance(future.outside, ticks, on)
+
+    def _watch(self, future: Future) -> None:
+        """Let the motion up to the next tick be certified."""
+        machine = future.machine
+        self.contacts.look(machine, machine.next_tick * machine.tick, future.number)
 
     def _look(self, future: Future, events: Sequence[Event]) -> None:
         for event in events:
@@ -258,6 +307,8 @@ class Search:
         self._ends(future, ending.value)
         ended_s = machine.ended_s or machine.now
         self.contacts.look(machine, ended_s + AFTERWARDS_S, future.number)
+        for deed in self.operator.afterwards(future):
+            self._does(future, deed)
         if ending is Ending.ERROR:
             return
         lies = [track[-1] for track in machine.system.hand.placements.values()]

@@ -20,7 +20,7 @@ def shrunk(
     """
     k = len(story) - 1
     while k >= 0:
-        if story[k].what is What.ANSWER:  # later ones would be given to earlier questions
+        if not _may_go(story[k]):
             k -= 1
             continue
         fewer = without(story, k)
@@ -31,12 +31,23 @@ def shrunk(
     return story, known
 
 
+def _may_go(decided: Decided) -> bool:
+    """Return whether a decision may be left out alone.
+
+    Without an answer or a draw later ones would be given to earlier questions. What follows on a
+    stop goes with it, and without an execution the next one begins at another time.
+    """
+    if decided.what is What.STOP:
+        return decided.value == "stop"
+    return decided.what not in (What.ANSWER, What.RANDOM, What.AGAIN)
+
+
 def without(story: tuple[Decided, ...], k: int) -> tuple[Decided, ...]:
     """Return a story without a decision, and without what then changes nothing."""
     left: list[Decided] = []
     inputs: dict[int, bool] = {}
     for n, decided in enumerate(story):
-        if n == k:
+        if n == k or (n > k and decided.what is story[k].what is What.STOP):
             continue
         if decided.what is What.INPUT:
             assert isinstance(decided.value, bool)

@@ -41,7 +41,7 @@ class Teller:
 
     def _confirmed(self, suspect: Suspect) -> Wronged | None:
         def shows(decisions: tuple[Decided, ...]) -> Shown | None:
-            scenario = scenario_of(self.environment.scenario, decisions, self.tick_s)
+            scenario = scenario_of(self.environment, decisions, self.tick_s)
             return self.replays.shows(suspect, scenario)
 
         whole = story(suspect.past)
@@ -49,7 +49,7 @@ class Teller:
         if shown is None:
             return None
         decisions, shown = shrunk(whole, shows, shown)
-        scenario = scenario_of(self.environment.scenario, decisions, self.tick_s)
+        scenario = scenario_of(self.environment, decisions, self.tick_s)
         return Wronged(
             suspect.wrong,
             shown.headline,

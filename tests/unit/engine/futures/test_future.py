@@ -4,7 +4,7 @@ from functools import cache
 
 import pytest
 
-from tests.support_programs import compiled, program
+from tests.support_programs import cans, compiled, program
 from vrts.base.stack import deep_stack
 from vrts.engine.futures.future import begin, command, decide, happened, tick
 from vrts.engine.futures.keys import Key, Keys
@@ -245,3 +245,39 @@ def test_where_the_arm_stands_tells_not_how_it_came_there() -> None:
     delays = "\nMOVE a\nBREAK\nn = 1\nDELAY "
     one, other = (key_after(f"MOVE b{delays}{s}", 3, keys) for s in (10, 11))
     assert one[1] != other[1], "they end at different times"
+
+
+CAN = ".LOCATIONS\ngrip 800 -450 -225 90 90 0\n.END\n"
+
+
+def at_a_can(body: str, *, grips: bool = True) -> Machine:
+    text = f".PROGRAM main\nOPENI\nAPPRO grip, 120\nMOVES grip\n{body}\n.END\n{CAN}"
+    machine = begin(compiled(text), cans(), Scenario(), ALL, grips=grips)
+    command(machine, Execute("main"))
+    return machine
+
+
+@deep_stack()
+def test_whether_a_part_is_there_is_decided_where_the_hand_would_grasp_it() -> None:
+    body = "GRASP 20, 10\nn = 1\nHALT\n10 n = 2"
+    machine = at_a_can(body)
+    assert asked(machine) == Question(Kind.GRIP)
+    other = machine.copy()
+    decide(machine, Question(Kind.GRIP), True)
+    decide(other, Question(Kind.GRIP), False)
+    assert value(ended(machine), "n") == 1.0
+    assert value(ended(other), "n") == 2.0
+    assert machine.system.hand.held == "can1"
+    assert other.system.hand.held is None
+
+
+def test_a_hand_that_closes_on_nothing_asks_nothing() -> None:
+    ended(at_a_can("DEPARTS 100\nCLOSEI\n"))
+    ended(at_a_can("CLOSEI\n", grips=False))
+
+
+def test_what_is_grasped_on_the_way_is_asked_about_once() -> None:
+    machine = at_a_can("CLOSE\nDEPARTS 100\nBREAK\nOPENI")
+    asked(machine)
+    decide(machine, Question(Kind.GRIP), True)
+    ended(machine)

@@ -2,13 +2,16 @@
 
 import pytest
 
+from tests.support_programs import cans, compiled, program
 from tests.unit.prove.explore.proofs import ALONE, module_of, only, proven, wrongs
 from vrts.check.verdict import Answer
 from vrts.engine.controller import execute
 from vrts.engine.memory.records import Ending
 from vrts.prove.asking import Asking, Told
-from vrts.prove.environment.environment import Answers, Environment
+from vrts.prove.environment.environment import Afterwards, Again, Answers, Environment
 from vrts.prove.proof import What, Wrong
+from vrts.prove.prove import prove
+from vrts.scene.model import Deed
 
 
 def test_a_program_without_inputs_has_one_future() -> None:
@@ -131,3 +134,68 @@ def test_steps_that_no_future_executes_are_told_with_the_reason() -> None:
     assert [(one.program, one.step) for one in proof.covered.dead] == [("main", 3), ("main", 6)]
     assert "no way leads to it" in proof.covered.dead[0].reason
     assert "step 5 never goes on to it" in proof.covered.dead[1].reason
+
+
+# --- the operator, and what is missing ------------------------------------------------------------
+
+COUNTS = "IF NOT DEFINED(n) THEN\nn = 0\nEND\nn = n+1\n"
+
+
+def test_a_program_is_executed_again_until_its_memory_comes_again() -> None:
+    again = Environment(again=Again(None))
+    proof = proven(COUNTS + "IF n == 5 THEN\nn = 0\nEND\nMOVE a\n", again)
+    assert proof.answer is Answer.HOLDS
+    assert proof.covered.ends == 6, "the first begins elsewhere than the others"
+
+
+def test_what_only_the_sixth_execution_shows_is_found_and_replayed() -> None:
+    body = COUNTS + "MOVE a\nBREAK\nIF n == 6 THEN\nx = 1/(n-6)\nEND\n"
+    found = only(proven(body, Environment(again=Again(None))))
+    assert [one.what for one in found.decisions] == [What.AGAIN] * 5
+    run = execute(module_of(body), ALONE, found.scenario)
+    assert run.ending is Ending.ERROR
+    assert proven(body, Environment(again=Again(4))).answer is Answer.HOLDS
+
+
+HIGH = "n = 0\nMOVE c\nMOVE b\nBREAK\nHERE p\nIF DZ(p) > 250 THEN\nx = 1/n\nEND\n"
+
+
+def test_a_stop_in_any_tick_of_a_motion_is_tried() -> None:
+    assert proven(HIGH).answer is Answer.HOLDS
+    found = only(proven(HIGH, Environment(stops=frozenset({Afterwards.PROCEED}))))
+    assert [one.value for one in found.decisions] == ["stop", "proceed"]
+    assert [act.deed for act in found.scenario.operator] == [Deed.STOP, Deed.PROCEED]
+    run = execute(module_of(HIGH), ALONE, found.scenario)
+    assert run.ending is Ending.ERROR
+
+
+def test_a_stop_after_which_the_motion_is_done_again_comes_to_the_same_place() -> None:
+    retried = proven(HIGH, Environment(stops=frozenset({Afterwards.RETRY, Afterwards.NOTHING})))
+    assert retried.answer is Answer.HOLDS
+    assert retried.covered.decisions > 50
+
+
+def test_every_monitor_speed_is_tried() -> None:
+    body = "n = 0\nTIMER 1 = 0\nMOVE a\nBREAK\nIF TIMER(1) > 2.5 THEN\nx = 1/n\nEND\n"
+    assert proven(body).answer is Answer.HOLDS
+    found = only(proven(body, Environment(speeds=(100.0, 50.0))))
+    assert found.scenario.monitor_speed == 50.0
+    assert [one.what for one in found.decisions] == [What.SPEED]
+
+
+def test_random_numbers_of_a_counterexample_stand_in_its_scenario() -> None:
+    body = "n = RANDOM\nm = RANDOM\nIF (n > 0.9) AND (m < 0.9) THEN\nx = 1/(n-n)\nEND\n"
+    found = only(proven(body))
+    assert found.scenario.draws == (0.9999, 0.0)
+
+
+def test_a_part_that_is_missing_is_tried_where_the_environment_says_so() -> None:
+    body = (
+        "n = 0\nOPENI\nAPPRO grip, 120\nMOVES grip\nGRASP 20, 10\nDEPARTS 100\nHALT\n10 n = 1/n\n"
+    )
+    module = compiled(program(body, {"grip": "800 -450 -225 90 90 0"}))
+    scene = cans()
+    assert prove(module, scene, Environment(), entry="main").answer is Answer.HOLDS
+    found = only(prove(module, scene, Environment(misses=True), entry="main"))
+    assert [one.what for one in found.decisions] == [What.GRIP]
+    assert execute(module, scene, found.scenario).ending is Ending.ERROR
