@@ -1,6 +1,6 @@
 """Every future of a program: does it hold in all of them, and if not, in which it does not."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from vrts.base.stack import deep_stack
 from vrts.check.task.task import Task
@@ -13,7 +13,10 @@ from vrts.prove.explore.confirm import Replays
 from vrts.prove.explore.contacts import Nobody
 from vrts.prove.explore.covered import covered
 from vrts.prove.explore.executed import dead_steps
+from vrts.prove.explore.goals import MOST_ENDS, is_asked, missed, suspect
 from vrts.prove.explore.outside import Free
+from vrts.prove.explore.past import story
+from vrts.prove.explore.scenarios import scenario_of
 from vrts.prove.explore.search import Search
 from vrts.prove.explore.tell import Teller
 from vrts.prove.proof import Proof, Wronged
@@ -22,6 +25,7 @@ from vrts.scene.model import Scene
 __all__ = ["Asking", "Told", "prove"]
 
 USUAL = Asking()
+AFTERWARDS_S = 1.0  # a replay goes on behind the end of the program
 
 
 @deep_stack()
@@ -47,22 +51,22 @@ def prove(
     Raises:
         KeyError: There is no such program.
     """
-    del task
     if entry not in module.programs:
         raise KeyError(entry)
     search = Search(module, scene, environment, Free(), Nobody())
     search.run(entry, None, asking)
-    replays = Replays(module, scene, entry)
+    replays = Replays(module, scene, entry, task)
+    left = [*_left(search), *_judge(search, replays)]
     teller = Teller(replays, environment, search.first.tick)
     found = teller.tell(search.suspects.in_order())
     loaded = search.first.system.programs.loaded
-    left = (*_left(search), *(f"not confirmed by a replay: {one}" for one in teller.doubtful))
+    left += (f"not confirmed by a replay: {one}" for one in teller.doubtful)
     dead = () if left else dead_steps(module, loaded, search.executed, entry)
     return Proof(
         _answer(found, left),
         found,
         covered(search, dead, 0.0),
-        left,
+        tuple(left),
         tree=tuple(search.tree),
     )
 
@@ -71,6 +75,23 @@ def _answer(found: Sequence[Wronged], left: Sequence[str]) -> Answer:
     if found:
         return Answer.VIOLATED
     return Answer.UNDETERMINED if left else Answer.HOLDS
+
+
+def _judge(search: Search, replays: Replays) -> Iterator[str]:
+    """Judge what the task asks for where futures end; yield what nobody can tell."""
+    if replays.task is None:
+        return
+    asked = [end for end in search.endings.values() if is_asked(end)]
+    for end in asked[:MOST_ENDS]:
+        scenario = scenario_of(search.environment, story(end.past), search.first.tick)
+        run = replays.run(scenario, end.time_s + AFTERWARDS_S)
+        for one in missed(run, replays.task):
+            if one.verdict.answer is Answer.VIOLATED:
+                search.suspects.add(suspect(end, one))
+            else:
+                yield f"{one.verdict.check}: {one.verdict.summary}"
+    if len(asked) > MOST_ENDS:
+        yield f"of {len(asked)} ends that leave things differently {MOST_ENDS} were judged"
 
 
 def _left(search: Search) -> tuple[str, ...]:

@@ -85,7 +85,7 @@ class Keys:
         timers = sorted(system.timers.items()) if clocks.timers else []
         return (
             tuple([(n, round(now - t, DIGITS)) for n, t in timers]),
-            machine.last_tick if clocks.reads_since_start(machine) else 0,
+            machine.last_tick if clocks.reads_since_start(machine) or _is_told(machine) else 0,
             system.random_state if clocks.random else 0,
             tuple([(from_now(at, now), repr(order)) for at, order, _ in machine.issued]),
         )
@@ -118,6 +118,12 @@ class Keys:
 
     def _value(self, value: object) -> object:
         return self._named(cast("object", value)) if isinstance(value, tuple) else value
+
+
+def _is_told(machine: Machine) -> bool:
+    """Return whether the scenario still tells of something that comes at a time."""
+    signals, faults = machine.system.signals, machine.scenario.faults
+    return signals.next_input_s is not None or machine.faults_done < len(faults)
 
 
 def _subscripts(item: tuple[tuple[int, ...], object]) -> tuple[int, ...]:

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from vrts.check.collision.collision import check_collisions
+from vrts.check.task.task import Task
 from vrts.check.verdict import Answer, ContactEvent, sides
 from vrts.check.verdicts.limits import check_limits
 from vrts.engine.controller import advance, commands_of, start
@@ -12,6 +13,7 @@ from vrts.engine.memory.events import Cause, Found
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
 from vrts.ir.module import Module
+from vrts.prove.explore.goals import missed
 from vrts.prove.explore.suspects import Suspect
 from vrts.prove.proof import Wrong
 from vrts.scene.model import Scenario, Scene
@@ -31,9 +33,9 @@ class Shown(NamedTuple):
 class Replays:
     """Replays scenarios of one program."""
 
-    def __init__(self, module: Module, scene: Scene, entry: str) -> None:
-        """Take what is executed, and where."""
-        self.module, self.scene, self.entry = module, scene, entry
+    def __init__(self, module: Module, scene: Scene, entry: str, task: Task | None) -> None:
+        """Take what is executed, where, and what is asked of it."""
+        self.module, self.scene, self.entry, self.task = module, scene, entry, task
         self.count = 0
 
     def run(self, scenario: Scenario, until_s: float) -> Run:
@@ -59,8 +61,17 @@ class Replays:
             case Wrong.ERROR:
                 run = self.run(scenario, min(suspect.time_s + BEYOND_S, limit))
                 return _error(run, suspect)
+            case Wrong.GOAL | Wrong.DEMAND:
+                return self._missed(self.run(scenario, limit), suspect)
             case _:
                 return None
+
+    def _missed(self, run: Run, suspect: Suspect) -> Shown | None:
+        for one in () if self.task is None else missed(run, self.task):
+            if (one.verdict.check,) == suspect.what and one.verdict.answer is Answer.VIOLATED:
+                words = f"{one.verdict.check}: {one.verdict.summary}"
+                return Shown(words, one.time_s, None)
+        return None
 
     def _contact(self, run: Run, suspect: Suspect) -> Shown | None:
         report = check_collisions(self.scene, run)

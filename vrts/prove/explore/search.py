@@ -22,6 +22,7 @@ from vrts.prove.environment.environment import Environment
 from vrts.prove.explore.contacts import Certifies
 from vrts.prove.explore.executed import Executed, watched
 from vrts.prove.explore.frontier import Frontier, Future
+from vrts.prove.explore.goals import End
 from vrts.prove.explore.graph import AWAY, Graph, Visit
 from vrts.prove.explore.never import never_ending, places
 from vrts.prove.explore.operator import Deed, Operator
@@ -84,7 +85,7 @@ class Search:
         self.tree: list[Branch] = []
         self.decisions = self.merged = self.ends = 0
         self.is_over = False
-        self.endings: dict[tuple[object, ...], tuple[Past | None, float]] = {}
+        self.endings: dict[tuple[object, ...], End] = {}
         self._known: dict[Key, int] = {}
         self._pasts: list[tuple[Past | None, int]] = []  # by number of future, with its cost
         self._merging = merging
@@ -243,9 +244,7 @@ class Search:
     def _meets(self, future: Future, question: Question | None) -> bool:
         """Note the state that a future is in; return whether another one was in it before."""
         machine, graph = future.machine, self.graph
-        memory = self.operator.memory(future)
-        more = (question, self.contacts.state(machine), future.outside, memory)
-        key = self.keys.of(machine, more)
+        key = self._key(future, question)
         known = self._known.get(key) if self._merging else None
         if known is not None:
             graph.leads(future.state, known)
@@ -264,6 +263,15 @@ class Search:
         graph.leads(future.state, state)
         future.state = state
         return False
+
+    def _key(self, future: Future, question: Question | None) -> Key:
+        memory = self.operator.memory(future)
+        remembered = self.contacts.state(future.machine)
+        return self.keys.of(future.machine, (question, remembered, future.outside, memory))
+
+    def knows(self, machine: Machine, states: object) -> bool:
+        """Return whether a machine, at the end of a tick, is in a state that was looked at."""
+        return self._key(Future(0, machine, None, 0, {}, states, None), None) in self._known
 
     def _over(self, future: Future) -> None:
         """Look at what a tick has brought about, and at the motion up to the next one."""
@@ -309,12 +317,12 @@ class Search:
         self.contacts.look(machine, ended_s + AFTERWARDS_S, future.number)
         for deed in self.operator.afterwards(future):
             self._does(future, deed)
-        if ending is Ending.ERROR:
+        if ending not in (Ending.COMPLETED, Ending.HALTED) or future.again or future.stopped:
             return
         lies = [track[-1] for track in machine.system.hand.placements.values()]
         lain = tuple((one.body, one.lie, one.support, nearly(one.X)) for one in lies)
         end = (ending, lain, machine.system.hand.held)
-        self.endings.setdefault(end, (future.past, ended_s))
+        self.endings.setdefault(end, End(future.past, future.cost, ended_s))
 
     def _suspect(
         self,
