@@ -116,14 +116,14 @@ def spans(touches: Sequence[Touch], group: Indices, above: Array) -> Spans:
 
     Args:
         touches: Of any pairs.
-        group: The group of each pair, shape (p,).
+        group: The group of each touch.
         above: Added to distances before they are compared: what each pair is allowed, (p,) [m].
     """
     pair = np.array([touch.pair for touch in touches], dtype=np.int64)
     table = np.array([(t.start_s, t.end_s, t.distance) for t in touches]).reshape(-1, 3)
     table[:, 2] += above[pair]
-    order = np.lexsort((table[:, 0], group[pair]))
-    own, (starts, ends, distances) = group[pair][order], table[order].T
+    order = np.lexsort((table[:, 0], group))
+    own, (starts, ends, distances) = group[order], table[order].T
     new = np.ones(len(order), dtype=np.bool_)
     new[1:] = own[1:] != own[:-1]
     # the latest end so far, of the same group

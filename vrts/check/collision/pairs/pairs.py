@@ -134,12 +134,13 @@ def plan(
     arrays = solids(cast.members)
     prover = Prover(arrays, here() if proposer is None else proposer)
     prober = Prober(scene.robot.arm, curves, arrays, prover)
-    table = _Table()
-    _self_pairs(table, scene.robot, arm, interval)
+    table = Table()
+    self_pairs(table, scene.robot, arm, interval)
     counted = near_miss if clearance else None
     _arm_pairs(table, arm, stays, run, prober, counted, PADS._replace(tolerance=pads))
     _body_pairs(table, stays, prober, counted)
-    return Plan(arrays, table.pairs(rigid=False), table.pairs(rigid=True), tuple(table.groups))
+    groups = tuple((first, second) for first, second in table.groups)
+    return Plan(arrays, table.pairs(rigid=False), table.pairs(rigid=True), groups)
 
 
 class _Block(NamedTuple):
@@ -153,16 +154,16 @@ class _Block(NamedTuple):
 
 
 @dataclass(slots=True)
-class _Table:
-    """Collects pairs."""
+class Table:
+    """Collects pairs. What touches is one event where it has one group: names, and what else."""
 
-    groups: dict[tuple[str, str], int] = field(default_factory=dict[tuple[str, str], int])
+    groups: dict[tuple[str, ...], int] = field(default_factory=dict[tuple[str, ...], int])
     blocks: list[_Block] = field(default_factory=list[_Block])
     rigid_blocks: list[_Block] = field(default_factory=list[_Block])
 
     def add(
         self,
-        group: tuple[str, str],
+        group: tuple[str, ...],
         first: Iterable[int],
         second: Sequence[int],
         interval: tuple[float, float],
@@ -211,9 +212,7 @@ def _products(blocks: Sequence[_Block]) -> tuple[Indices, Indices]:
     return np.repeat(firsts, counts), seconds[np.repeat(begins, counts) + along]
 
 
-def _self_pairs(
-    table: _Table, robot: Robot, arm: RobotSolids, interval: tuple[float, float]
-) -> None:
+def self_pairs(table: Table, robot: Robot, arm: RobotSolids, interval: tuple[float, float]) -> None:
     """The arm against itself: all but neighbours and what cannot meet by construction."""
     group = (ROBOT, ROBOT)
     for name, joint, members in arm.links:
@@ -228,7 +227,7 @@ def _self_pairs(
 
 
 def _arm_pairs(
-    table: _Table,
+    table: Table,
     arm: RobotSolids,
     stays: Sequence[Stay],
     run: RunRecord,
@@ -237,28 +236,32 @@ def _arm_pairs(
     gripping: Rule,
 ) -> None:
     """The arm against every body, wherever the body is."""
-    moving = [i for _, joint, members in arm.links if 0 < joint < HAND for i in members]
-    flange = [i for _, joint, members in arm.links if joint == HAND for i in members]
-    base = [i for _, joint, members in arm.links if joint == 0 for i in members]
     by_body: dict[str, list[Stay]] = {}
     for stay in stays:
         by_body.setdefault(stay.body, []).append(stay)
     windows = iter(_finger_windows(arm, by_body, grips(run.events), prober, near_miss))
     for body, own in by_body.items():
-        group = (ROBOT, body)
         for stay in own:
-            interval = (stay.start_s, stay.end_s)
-            with_hand = stay.lie is Lie.HELD
-            table.add(group, moving, stay.members, interval, STRICT)
-            table.add(group, [*flange, *arm.palm], stay.members, interval, STRICT, rigid=with_hand)
-            if not stay.still:
-                table.add(group, base, stay.members, interval, STRICT)
+            links_against(table, arm, stay)
         for finger in arm.fingers:
             for window in next(windows):
                 rule = gripping if window.allowed else STRICT if window.counts else NEAR
                 for stay in own:
                     interval = _common((window.start_s, window.end_s), (stay.start_s, stay.end_s))
-                    table.add(group, finger, stay.members, interval, rule)
+                    table.add((ROBOT, body), finger, stay.members, interval, rule)
+
+
+def links_against(table: Table, arm: RobotSolids, stay: Stay) -> None:
+    """The arm without its fingers against a body, where one placement has it."""
+    moving = [i for _, joint, members in arm.links if 0 < joint < HAND for i in members]
+    flange = [i for _, joint, members in arm.links if joint == HAND for i in members]
+    base = [i for _, joint, members in arm.links if joint == 0 for i in members]
+    group, interval = (ROBOT, stay.body), (stay.start_s, stay.end_s)
+    with_hand = stay.lie is Lie.HELD
+    table.add(group, moving, stay.members, interval, STRICT)
+    table.add(group, [*flange, *arm.palm], stay.members, interval, STRICT, rigid=with_hand)
+    if not stay.still:
+        table.add(group, base, stay.members, interval, STRICT)
 
 
 def _finger_windows(
@@ -299,7 +302,7 @@ def _always(stay: Stay, other: Stay, times: Array) -> Asked:
 
 
 def _body_pairs(
-    table: _Table, stays: Sequence[Stay], prober: Prober, near_miss: float | None
+    table: Table, stays: Sequence[Stay], prober: Prober, near_miss: float | None
 ) -> None:
     """Held and falling bodies against all others; `near_miss` None: no matter how near."""
     meetings = [
@@ -313,13 +316,36 @@ def _body_pairs(
     ]
     counted = iter(_counted(meetings, prober, near_miss))
     for stay, other, interval in meetings:
-        if other.still:
-            counts = next(counted) if stay.parted_from(other) else interval
-            _moving_against_still(table, stay, other, interval, counts)
-        elif stay.lie is Lie.FALLING and other.lie is Lie.HELD:
-            # from the hand, or met by what the hand carries
-            rule = NEAR if stay.before == other.body else STRICT
-            table.add((ROBOT, stay.body), other.members, stay.members, interval, rule)
+        parts = other.still and stay.parted_from(other)
+        add_meeting(table, stay, other, interval, next(counted) if parts else interval)
+
+
+def add_meeting(
+    table: Table,
+    stay: Stay,
+    other: Stay,
+    interval: tuple[float, float],
+    counts: tuple[float, float],
+    group: tuple[str, ...] = (),
+) -> None:
+    """A body that is held or falls against another one.
+
+    Args:
+        table: Where the pairs go.
+        stay: The body that moves.
+        other: The other one.
+        interval: From when to when.
+        counts: When their distance counts, if they come from each other or go there.
+        group: Whose touches are one event; empty: those of the two names.
+    """
+    if other.still:
+        own = group or (ROBOT if stay.lie is Lie.HELD else stay.body, other.body)
+        _moving_against_still(table, stay, other, interval, counts, own)
+    elif stay.lie is Lie.FALLING and other.lie is Lie.HELD:
+        # from the hand, or met by what the hand carries
+        rule = NEAR if stay.before == other.body else STRICT
+        own = group or (ROBOT, stay.body)
+        table.add(own, other.members, stay.members, interval, rule)
 
 
 def _counted(
@@ -357,13 +383,13 @@ def _counted(
 
 
 def _moving_against_still(
-    table: _Table,
+    table: Table,
     stay: Stay,
     other: Stay,
     interval: tuple[float, float],
     counts: tuple[float, float],
+    group: tuple[str, ...],
 ) -> None:
-    group = (ROBOT if stay.lie is Lie.HELD else stay.body, other.body)
     if not stay.parted_from(other):
         table.add(group, stay.members, other.members, interval, STRICT)
         return

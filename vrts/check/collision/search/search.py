@@ -81,6 +81,8 @@ def search(
     band: float = BAND,
     nearest: bool = False,
     near: float | None = None,
+    begins: Array | None = None,
+    budget: int = BUDGET,
 ) -> Findings:
     """Return every contact and graze, and the smallest distance.
 
@@ -98,8 +100,11 @@ def search(
             of the time that it lasts.
         near: Of pairs that enter the smallest distance, those nearer than this are noted too [m],
             and of each such event the smallest distance is wanted; None: they are not.
+        begins: Times at which another motion begins, that has nothing to do with the one before:
+            contacts that are known of one say nothing about the other [s]; None: it is one motion.
+        budget: Questions about distances; what is open then is undetermined.
     """
-    wanted = _Wanted(clearance=clearance, band=band, nearest=nearest, near=near)
+    wanted = _Wanted(clearance, band, nearest, near, begins, budget)
     return _Search(arm, curves, Prover(solids, proposer), pairs, interval, wanted).run()
 
 
@@ -110,6 +115,8 @@ class _Wanted(NamedTuple):
     band: float
     nearest: bool
     near: float | None
+    begins: Array | None
+    budget: int
 
 
 class _Search:
@@ -142,7 +149,8 @@ class _Search:
         # below this a row is not decided: a touch, or for pads what may be too deep
         floor = np.where(pairs.grazes, -GRAZE, band - pairs.tolerance)
         self.measures = Measures(prover, self.sides, self.counts, pairs.tolerance, self.found)
-        self.known = KnownEvents(pairs, floor, nearest=wanted.nearest)
+        self.known = KnownEvents(pairs, floor, nearest=wanted.nearest, begins=wanted.begins)
+        self.budget = wanted.budget
         self.threshold = -np.inf if wanted.near is None else wanted.near
         self.known.look_near(self.counts, self.threshold)
         self.start, self.end = first_nodes(curves, pairs, interval, falls=self.falls)
@@ -193,7 +201,7 @@ class _Search:
             found.levels += 1
             found.nodes += len(self.start)
             found.rows += len(self.row)
-            if self.prover.asked + self.prover.searched > BUDGET:
+            if self.prover.asked + self.prover.searched > self.budget:
                 self._give_up()
                 break
             self._step()

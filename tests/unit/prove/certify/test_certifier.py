@@ -1,0 +1,41 @@
+"""What a certifier tells of a future is what the check of its whole run tells."""
+
+import pytest
+
+from tests.property.test_futures import Told
+from tests.support_certify import Driven, differences, driven
+from tests.support_programs import compiled
+from tests.unit.prove.certify.carrying import Carried, carried
+from tests.whole_programs.settings import setting
+from vrts.base.stack import deep_stack
+from vrts.engine.controller import execute
+from vrts.prove.certify.certifier import Certifier
+
+USUAL = range(30)
+MANY = [pytest.param(k, marks=pytest.mark.thorough) for k in range(30, 230)]
+
+
+def certified(given: Carried, certifier: Certifier | None = None) -> Driven:
+    """Drive the future of a program through a certifier."""
+    scene = setting(given.scene).scene
+    told = Told(compiled(given.text), scene, given.scenario, frozenset({1001}))
+    return driven(certifier or Certifier(scene), told.ticks())
+
+
+@pytest.mark.parametrize("number", [*USUAL, *MANY])
+@deep_stack()
+def test_contacts_are_those_of_the_run(number: int) -> None:
+    given = carried(number)
+    scene = setting(given.scene).scene
+    run = execute(compiled(given.text), scene, given.scenario)
+    assert not differences(scene, run, certified(given).contacts)
+
+
+@deep_stack()
+def test_what_was_certified_is_not_certified_again() -> None:
+    given = carried(1)
+    certifier = Certifier(setting(given.scene).scene)
+    certified(given, certifier)
+    known_s = certifier.motion_s
+    certified(given, certifier)
+    assert certifier.motion_s == known_s > 1.0

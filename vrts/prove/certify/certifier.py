@@ -1,0 +1,264 @@
+"""Contacts and limits of motion that many futures share: each stretch of it is certified once.
+
+Whoever explores futures makes one `Certifier`, and keeps a `Memory` beside each machine, a value
+that futures share when a machine is forked; `Memory()` at the beginning. After every `tick` that
+returned None, and after `command` where one is given then:
+
+    memory = certifier.follow(memory, machine, happened(machine), number)
+
+`memory.state(machine)` goes into the key of the state. Where a future ends, and nothing is to
+follow, `certifier.finish(memory, machine, number)` looks at what still moves. Now and then, and at
+the end, `certify()` tells what touches, with the number of the first future that came through it:
+a contact that others come through later is not told again.
+
+A touch with `unless` is a contact only if what it hopes for does not come about. That lies in the
+future. So it is told of every future that came through it, before or after it was certified, and
+for each of them whoever explores goes on, from the tick with that number, through all states that
+follow. On each way the first of `Memory.outcomes`, of that tick or later, with a time not before
+that of the touch, for which `Outcome.settles(unless)` is not None decides: True, it is excused on
+that way; False, it is a contact. Where the way ends before that, it is a contact too. Ways that
+come back to themselves decide nothing. A state that was merged goes on as the one it was merged
+with: outcomes belong to the ticks between states. A full replay confirms what was found.
+"""
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple, TypeAlias
+
+from vrts.check.collision.pairs.pairs import PAD_DEPTH
+from vrts.engine.futures.future import happened
+from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.tick import settle
+from vrts.engine.memory.events import Event
+from vrts.engine.memory.records import INSTANT
+from vrts.geometry.proposing.choose import here
+from vrts.geometry.proposing.proposer import Proposer
+from vrts.prove.certify.laying import Entry, Hit, touches
+from vrts.prove.certify.limits import beyond
+from vrts.prove.certify.memory import Grips, LettingGo, Memory, Span, grips, stood_on
+from vrts.prove.certify.parting import Parting
+from vrts.prove.certify.situation import Part, What
+from vrts.prove.certify.situations import Situation, Situations
+from vrts.prove.certify.spans import Spans
+from vrts.prove.certify.stretches import Stretch, Ways, stretches
+from vrts.prove.certify.touching import Beyond, Hope, Touching, Unless
+from vrts.scene.model import Scene
+
+_Kind: TypeAlias = tuple[int, tuple[float, ...], Part]  # way of the arm, hand, and what is there
+
+
+class _Came(NamedTuple):
+    """A future that came along a stretch on which what touches may be excused later."""
+
+    kind: _Kind
+    stretch: Stretch
+    future: int
+
+
+class Certifier:
+    """Certifies the motion of futures."""
+
+    def __init__(
+        self, scene: Scene, *, pads: float = PAD_DEPTH, proposer: Proposer | None = None
+    ) -> None:
+        """Know nothing.
+
+        Args:
+            scene: What stands where; its robot moves.
+            pads: How far a pad may press into what it grasps before that is a contact [m].
+            proposer: Helps to prove distances; no answer depends on it. None: the best there is.
+        """
+        self.motion_s = 0.0  # certified, or waiting for it [s]
+        self.waiting_s = 0.0  # of that what waits [s]
+        self._scene, self._pads = scene, pads
+        self._proposer = here() if proposer is None else proposer
+        self._parting = Parting(scene, self._proposer)
+        self._ways = Ways()
+        self._spans = Spans()
+        self._situations = Situations(scene)
+        self._entries: list[Entry] = []
+        self._came: list[_Came] = []
+        self._hopes: dict[_Kind, list[Hit]] = {}
+        self._told: set[tuple[object, ...]] = set()
+
+    def follow(
+        self, memory: Memory, machine: Machine, events: Iterable[Event], future: int
+    ) -> Memory:
+        """Note how a machine has moved since the last tick, and up to the last one that it skips.
+
+        Args:
+            memory: What was remembered after the last tick; `Memory()` before the first one.
+            machine: A machine at the end of a tick.
+            events: All that has happened in it.
+            future: A number for the tick of this future; contacts are told of it.
+
+        Returns:
+            What is remembered now.
+
+        Raises:
+            ValueError: A command came after the last call, for a tick that was to be skipped.
+        """
+        if memory.seen_s > machine.now + INSTANT:
+            raise ValueError("a tick came that was skipped: commands are given before `follow`")
+        until_s = max(machine.now, (machine.next_tick - 1) * machine.tick)
+        return self._noted(memory, machine, events, (memory.seen_s, until_s), future)
+
+    def finish(self, memory: Memory, machine: Machine, future: int) -> Memory:
+        """Note what still moves when no tick is to follow; the machine is left as it is."""
+        hand = machine.system.hand
+        strokes = [stroke.end_s for stroke in hand.strokes[-1:]]
+        landings = [track[-1].start_s for track in hand.placements.values()]
+        ended_s = machine.ended_s if machine.ended_s is not None else machine.now
+        end_s = max([machine.now, ended_s, *strokes, *landings])
+        other = machine.copy()
+        settle(other, end_s)
+        return self._noted(memory, other, happened(other), (memory.seen_s, end_s), future)
+
+    def certify(self) -> tuple[list[Touching], list[Beyond]]:
+        """Return what touches in the motions that are new, and joints beyond their limits.
+
+        Both in the order in which futures came, and then of time.
+        """
+        entries, self._entries = self._entries, []
+        self.waiting_s = 0.0
+        touching: list[Touching] = []
+        limits: list[Beyond] = []
+        falling = [entry for entry in entries if any(part.falls for part in entry.parts)]
+        others = [entry for entry in entries if not any(part.falls for part in entry.parts)]
+        for some in (others, falling):
+            if some:
+                hits, motion, order = touches(self._scene, some, self._proposer, self._pads)
+                touching += self._certain(some, hits)
+                touching += self._lowered(some, hits)
+                limits += beyond(self._scene.robot.arm, some, motion, order)
+        for came in self._came:
+            touching += self._hoping(came)
+        self._came = []
+        found = sorted(touching, key=_order)
+        return self._news(found), sorted(limits)
+
+    # --- what moves ---------------------------------------------------------------------------
+
+    def _noted(
+        self,
+        memory: Memory,
+        machine: Machine,
+        events: Iterable[Event],
+        span: Span,
+        future: int,
+    ) -> Memory:
+        did = grips(memory, machine, events, span)
+        letting_go = self._moved(machine, did, span, future)
+        in_hand = stood_on(memory, machine, span[1])
+        return Memory(
+            *(span[1], did.closing, did.holds, in_hand, letting_go, did.coming, did.outcomes)
+        )
+
+    def _moved(
+        self, machine: Machine, did: Grips, span: Span, future: int
+    ) -> tuple[LettingGo, ...]:
+        """Note what moves between two times; return which fingers are not free then."""
+        letting_go = tuple([self._parting.until(machine, one, *span) for one in did.letting_go])
+        did = did._replace(letting_go=letting_go)
+        for situation, from_s, to_s in self._situations.between(machine, did, span):
+            for stretch in stretches(
+                *(machine, self._ways, from_s, to_s), falling_from_s=situation.falls_from_s
+            ):
+                self._note(situation, stretch, future)
+        return tuple([one for one in letting_go if one.until_s > span[1]])
+
+    def _note(self, situation: Situation, stretch: Stretch, future: int) -> None:
+        """Keep what is new of a stretch."""
+        way = (stretch.number, stretch.hand)
+        if situation.falls_from_s is None:
+            whole = (*way, stretch.rate, situation.number)
+            new = self._spans.added(whole, stretch.from_s, stretch.to_s)
+        else:
+            new = [(stretch.from_s, stretch.to_s)]
+        if not new and not situation.hopes:
+            return
+        parts = situation.of(stretch)
+        if situation.hopes:
+            self._came += [_Came((*way, part), stretch, future) for part in parts if part.hopes]
+        found: dict[tuple[float, float], list[Part]] = {}
+        for from_s, to_s in new:
+            for part in parts:
+                rate = stretch.rate if part.what is What.ITSELF else 1.0
+                for span in self._spans.added((*way, rate, part), from_s, to_s):
+                    found.setdefault(span, []).append(part)
+        for span, own in found.items():
+            self._entries.append(Entry(stretch.part(*span), tuple(own), future))
+            self.waiting_s += span[1] - span[0]
+            self.motion_s += span[1] - span[0]
+
+    # --- what touches -------------------------------------------------------------------------
+
+    def _certain(self, entries: Sequence[Entry], hits: Sequence[Hit]) -> list[Touching]:
+        """Return what touches whatever follows; keep the rest."""
+        found: list[Touching] = []
+        for hit in hits:
+            stretch, _, future = entries[hit.entry]
+            if hit.part is None:
+                found.append(_touching(hit, future, stretch.time(hit.s), None))
+            else:
+                kind = (stretch.number, stretch.hand, hit.part)
+                self._hopes.setdefault(kind, []).append(hit)
+        return found
+
+    def _lowered(self, entries: Sequence[Entry], hits: Sequence[Hit]) -> list[Touching]:
+        """Return what touches even if what is held will be set down there."""
+        asked: dict[int, list[Part]] = {}
+        for hit in hits:
+            unless = _unless(hit)
+            if hit.part is None or hit.part.body is None or unless is None:
+                continue
+            if unless.hope is not Hope.SET_DOWN:
+                continue
+            part = hit.part._replace(body=hit.part.body._replace(after=unless.on))
+            own = asked.setdefault(hit.entry, [])
+            if part not in own:
+                own.append(part)
+        if not asked:
+            return []
+        some = [entries[k]._replace(parts=tuple(own)) for k, own in asked.items()]
+        again, _, _ = touches(self._scene, some, self._proposer, self._pads)
+        return self._certain(some, [hit for hit in again if hit.part is None])
+
+    def _hoping(self, came: _Came) -> list[Touching]:
+        """Return what touches where a future came along, unless something follows."""
+        stretch = came.stretch
+        found: list[Touching] = []
+        for hit in self._hopes.get(came.kind, ()):
+            low, high = max(hit.from_s, stretch.from_s), min(hit.to_s, stretch.to_s)
+            if high >= low:
+                s = min(max(hit.s, low), high)
+                found.append(_touching(hit, came.future, stretch.time(s), _unless(hit)))
+        return found
+
+    def _news(self, found: Sequence[Touching]) -> list[Touching]:
+        """Return the first touch of each kind of each future."""
+        news: list[Touching] = []
+        for one in found:
+            kind = (one.future, one.first, one.second, one.certain, one.unless)
+            if kind not in self._told:
+                self._told.add(kind)
+                news.append(one)
+        return news
+
+
+def _unless(hit: Hit) -> Unless | None:
+    if hit.part is None:
+        return None
+    _, second, hope, body, _ = hit.group
+    grasped = hope == Hope.GRASPED.value
+    return Unless(Hope.GRASPED, body) if grasped else Unless(Hope.SET_DOWN, body, second)
+
+
+def _touching(hit: Hit, future: int, time_s: float, unless: Unless | None) -> Touching:
+    first, second = hit.group[:2]
+    return Touching(future, time_s, first, second, hit.parts, -hit.distance, hit.certain, unless)
+
+
+def _order(one: Touching) -> tuple[object, ...]:
+    unless = one.unless
+    hope = () if unless is None else (unless.hope.value, unless.body, unless.on or "")
+    return (one.future, one.time_s, one.first, one.second, one.parts, not one.certain, hope)

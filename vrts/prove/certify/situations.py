@@ -1,0 +1,126 @@
+"""Which situation a machine is in between two times in which nothing changes by a rule."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+from vrts.base.pose import Pose
+from vrts.engine.machine.machine import Machine
+from vrts.engine.memory.records import INSTANT, Lie, Placement
+from vrts.prove.certify.memory import Grips, Span, next_support, place_at
+from vrts.prove.certify.situation import DIGITS, Lying, Part, parts_of
+from vrts.prove.certify.stretches import Stretch
+from vrts.scene.model import Mobility, Scene
+
+
+class Situation(NamedTuple):
+    """What has to be certified while bodies are where they are."""
+
+    number: int
+    parts: tuple[Part, ...]
+    hopes: bool  # what touches may be excused by what happens later
+    falls_from_s: float | None  # when what falls began to, in run time
+    keep: tuple[Placement, ...]  # lest their ids come again
+
+    def of(self, stretch: Stretch) -> tuple[Part, ...]:
+        """Return the parts, with falls in `s` of a stretch."""
+        if self.falls_from_s is None:
+            return self.parts
+        return tuple([_in_s(part, stretch.zero_s) for part in self.parts])
+
+
+class Situations:
+    """Finds situations, each once."""
+
+    def __init__(self, scene: Scene) -> None:
+        """Know none."""
+        self._rests_on = {body.name: body.rests_on for body in scene.bodies}
+        self._fixed = frozenset(
+            body.name for body in scene.bodies if body.mobility is not Mobility.MOVABLE
+        )
+        self._fingers = len(scene.robot.gripper.fingers)
+        self._known: dict[object, Situation] = {}
+        self._numbers: dict[tuple[Part, ...], int] = {}
+
+    def between(
+        self, machine: Machine, did: Grips, span: Span
+    ) -> Iterator[tuple[Situation, float, float]]:
+        """Yield what a machine is in from when to when, between two times [s]."""
+        for from_s, to_s in pairwise(_cuts(machine, did, span)):
+            yield self._at(machine, did, 0.5 * (from_s + to_s)), from_s, to_s
+
+    def _at(self, machine: Machine, did: Grips, time_s: float) -> Situation:
+        tracks = machine.system.hand.placements
+        at = [place_at(track, time_s) for track in tracks.values()]
+        lies = tuple([track[k] for track, k in zip(tracks.values(), at, strict=True)])
+        closing = any(low <= time_s <= high for low, high in did.closings)
+        held = [body for body, (low, high) in did.held if low <= time_s <= high]
+        free = [one for one in did.letting_go if one.since_s <= time_s <= one.until_s]
+        pressing = tuple([(one.body, one.finger) for one in free])
+        key = (tuple(map(id, lies)), closing, tuple(held), pressing, did.stood_on)
+        known = self._known.get(key)
+        if known is None:
+            none = tuple([False for _ in range(self._fingers)])
+            pads = {body: tuple([True for _ in none]) for body in held}
+            for body, finger in pressing:
+                own = pads.get(body, none)
+                pads[body] = (*own[:finger], True, *own[finger + 1 :])
+            lying = tuple(
+                self._lying(track, k, dict(did.stood_on))
+                for track, k in zip(tracks.values(), at, strict=True)
+            )
+            known = self._known[key] = self._made(lies, lying, pads, closing=closing)
+        return known
+
+    def _lying(self, track: list[Placement], k: int, stood_on: dict[str, str | None]) -> Lying:
+        placement = track[k]
+        X = Pose(*(tuple([round(x, DIGITS) + 0.0 for x in part]) for part in placement.X))  # type: ignore[arg-type]
+        match placement.lie:
+            case Lie.HELD:
+                before = track[k - 1].support if k else stood_on[placement.body]
+                return Lying(placement.body, Lie.HELD, X, before)
+            case Lie.FALLING:
+                after, from_s = next_support(track[k + 1 :]), placement.start_s
+                return Lying(placement.body, Lie.FALLING, X, None, after, from_s)
+            case Lie.RESTING | Lie.TOPPLED:
+                return Lying(placement.body, Lie.RESTING, X)
+
+    def _made(
+        self,
+        lies: tuple[Placement, ...],
+        lying: tuple[Lying, ...],
+        pads: dict[str, tuple[bool, ...]],
+        *,
+        closing: bool,
+    ) -> Situation:
+        parts = parts_of(lying, pads, fixed=self._fixed, fingers=self._fingers, closing=closing)
+        falls = [one.falls_from_s for one in lying if one.lie is Lie.FALLING]
+        number = self._numbers.setdefault(parts, len(self._numbers))
+        hopes = any(part.hopes for part in parts)
+        return Situation(number, parts, hopes, min(falls, default=None), lies)
+
+
+def _cuts(machine: Machine, did: Grips, span: Span) -> list[float]:
+    """Return the times between which nothing changes by a rule, and no stroke begins or ends."""
+    hand = machine.system.hand
+    times = [t for stroke in hand.strokes for t in (stroke.start_s, stroke.end_s)]
+    times += [placement.start_s for track in hand.placements.values() for placement in track]
+    times += [t for _, own in did.held for t in own]
+    times += [t for own in did.closings for t in own]
+    times += [t for one in did.letting_go for t in (one.since_s, one.until_s)]
+    found = [span[0]]
+    for time_s in sorted(times):
+        if found[-1] + INSTANT < time_s < span[1] - INSTANT:
+            found.append(time_s)
+    return [*found, span[1]] if span[1] > span[0] + INSTANT else []
+
+
+def _in_s(part: Part, zero_s: float) -> Part:
+    """Return a part with falls that begin in `s` of a stretch."""
+
+    def then(one: Lying | None) -> Lying | None:
+        if one is None or one.lie is not Lie.FALLING:
+            return one
+        return one._replace(falls_from_s=round(one.falls_from_s - zero_s, DIGITS))
+
+    return part._replace(body=then(part.body), other=then(part.other))
