@@ -6,7 +6,7 @@ from enum import Enum
 from types import MappingProxyType
 from typing import NamedTuple, TypeAlias
 
-from vrts.scene.model import Parts, Scenario
+from vrts.scene.model import Parts, Region, Scenario
 
 
 class Span(NamedTuple):
@@ -78,7 +78,7 @@ class Property(NamedTuple):
     title: str
     signals: tuple[int, ...] = ()  # SIG numbers; a negative one has to be off
     hand: str | None = None  # "open", "closed", "holding", "empty"
-    zone: str | None = None  # name of a zone of the task that the tool is in
+    region: Region | None = None  # that the middle between the pads is in, at a tick
     step: tuple[str, int] | None = None  # program and step under way
     still: bool | None = None  # whether the arm stands still
     after: int | None = None  # counted from when this signal went on (negative: off)

@@ -173,7 +173,7 @@ def _check_changes(problems: Problems, name: str, changes: tuple[_Change, ...]) 
 
 def _sensor(table: Table, scene: Scene) -> tuple[int | None, Sensor | None]:
     signal = _signal(table)
-    region = _region(table)
+    region = read_region(table)
     seen = _seen(table, scene)
     inverted = table.boolean("inverted", default=False)
     table.finish()
@@ -182,7 +182,7 @@ def _sensor(table: Table, scene: Scene) -> tuple[int | None, Sensor | None]:
     return signal, Sensor(signal, region, seen, inverted)
 
 
-def _region(table: Table) -> Region | None:
+def read_region(table: Table) -> Region | None:
     """Return the box between two opposite corners, whichever they are."""
     section = table.table("region_mm", required=True)
     if section is None:

@@ -1,0 +1,51 @@
+"""What inputs may be now, as a plain state that goes with a future."""
+
+from typing import TypeAlias
+
+from vrts.prove.environment.automata import AnsweringTicks as Follows
+from vrts.prove.environment.automata import States, after, automaton, first
+from vrts.prove.environment.environment import Environment
+
+# of every input that is not free, by number; hashable, and alike where futures go on alike
+Inputs: TypeAlias = tuple[tuple[int, States], ...]
+BOTH = (False, True)
+
+
+class Behaviours:
+    """What an environment says of inputs. It keeps no state: that goes with each future."""
+
+    def __init__(self, environment: Environment, tick_s: float) -> None:
+        """Take the behaviours of inputs for a controller with so long a tick [s]."""
+        self._automata = {
+            signal: automaton(behaviour, tick_s)
+            for signal, behaviour in sorted(environment.inputs.items())
+        }
+
+    def begin(self) -> Inputs:
+        """Return the state in the first tick."""
+        return tuple((signal, first(it)) for signal, it in self._automata.items())
+
+    def may(self, states: Inputs, signal: int) -> tuple[bool, ...]:
+        """Return what an input may be now."""
+        for number, own in states:
+            if number == signal:
+                return tuple(sorted({level for level, *_ in own}))
+        return BOTH
+
+    def told(self, states: Inputs, signal: int, *, value: bool) -> Inputs:
+        """Return the state once an input was looked at, and what it was."""
+        return tuple(
+            (number, frozenset(s for s in own if s[0] is value) if number == signal else own)
+            for number, own in states
+        )
+
+    def advance(self, states: Inputs, ticks: int, outputs_on: frozenset[int]) -> Inputs:
+        """Return the state some ticks later; `outputs_on` are on from now on and all the time."""
+        if not states:
+            return states
+        found: list[tuple[int, States]] = []
+        for number, own in states:
+            it = self._automata[number]
+            on = isinstance(it, Follows) and it.output in outputs_on
+            found.append((number, after(it, own, ticks, on)))
+        return tuple(found)
