@@ -77,12 +77,12 @@ from vrts.prove.environment.environment import (
     Behaviour,
     Environment,
     Held,
-    Parts,
     Property,
     Pulsed,
     Quantifier,
     Span,
 )
+from vrts.scene.model import Parts
 from vrts.scene.reading.scenario_file import FASTEST, LONGEST_ANSWER, SLOWEST
 from vrts.scene.reading.scenario_signals import (
     DRIVEN_TWICE,

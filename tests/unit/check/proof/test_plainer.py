@@ -34,7 +34,7 @@ def test_points_stay_where_they_are_to_be(first: Shape) -> None:
         assert (np.abs(after.corners[0]) <= np.abs(before.corners[0]).max(axis=0)).all()
         assert (after.corners[1] == before.corners[1]).all()
         assert after.weights.sum() == pytest.approx(1.0, abs=1e-12)
-        assert (after.weights >= 0).all()
+        assert after.weights.min() >= 0
 
 
 def test_a_wide_bound_gives_plain_numbers() -> None:

@@ -15,13 +15,13 @@ from vrts.prove.environment.environment import (
     Answers,
     Environment,
     Held,
-    Parts,
     Property,
     Pulsed,
     Quantifier,
     Span,
 )
 from vrts.prove.environment.reading import MOST_LISTED, read_environment
+from vrts.scene.model import Parts
 
 
 def read(text: str) -> Environment:
