@@ -1,5 +1,6 @@
 """Pages of a live server: an operator's and viewers', each a browser context of its own."""
 
+import json
 import time
 from dataclasses import dataclass, field
 from typing import Any
@@ -11,6 +12,8 @@ from tests.support_live import LiveServer
 
 # before anybody has entered, GET /me says so
 EXPECTED = "the server responded with a status of 401"
+
+SHOWN_AFTER_S = 0.3  # of session time: more than a state waits before it is told
 
 
 @dataclass
@@ -51,11 +54,17 @@ class Desk:
         self.page.press("#terminal-line", "Enter")
 
     def ask(self, line: str) -> None:
-        """Enter a line at the monitor, and wait until it has been carried out."""
+        """Enter a line at the monitor, and wait until it has been carried out.
+
+        What it sets going shows a little after it: the session is ready again when it still says so
+        then, by its own time.
+        """
         self.until(READY)
         shown = self.value("vrts.store.now.output.length")
         self.type(line)
-        self.until(f"vrts.store.now.output.length > {shown} && {READY}")
+        self.until(f"vrts.store.now.output.slice({shown}).includes({json.dumps(line)})")
+        told = float(self.value("vrts.world.state.t"))
+        self.until(f"vrts.world.state.t > {told + SHOWN_AFTER_S} && {READY}")
 
     def press_twice(self, key: str) -> None:
         """Press a key twice, a tenth of a second apart however long the machine takes."""

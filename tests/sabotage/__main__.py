@@ -5,18 +5,42 @@ patched the named tests must pass, so that a failure is the patch's doing; `--pa
 did just now, in the stages before this one. Tests are those of the usual run, with its few
 examples, but for patches that say that only a `thorough` test notices.
 `--list` says which those are; `--chosen` asks what `python -m tests --changed` would have run.
+
+The test that noticed a patch last stands in `first.json` and runs first, alone: mostly that is all
+there is to run. `--remember` writes the file again. Verdicts are printed as they come.
 """
 
+import json
 import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import NamedTuple
 
 from tests.places import ROOT
 from tests.sabotage import chosen
 from tests.sabotage.patches import PATCHES, Patch
-from tests.sabotage.trees import ALL_SECONDS, SECONDS, PatchError, copy_tree, patched, run_tests
+from tests.sabotage.trees import (
+    ALL_SECONDS,
+    SECONDS,
+    NoTestError,
+    PatchError,
+    copy_tree,
+    first_failure,
+    patched,
+    run_tests,
+)
+
+FIRST = Path(__file__).with_name("first.json")
+
+
+class Verdict(NamedTuple):
+    """What the tests say of a patch."""
+
+    patch: Patch
+    test: str | None  # that notices
+    problem: str = ""
 
 
 def main(words: list[str]) -> int:
@@ -38,25 +62,54 @@ def main(words: list[str]) -> int:
                 print("the named tests fail without any patch")
                 return 1
         with ThreadPoolExecutor(max_workers=2) as pool:
-            jobs = [pool.submit(verdict, patch, untouched) for patch in wanted]
-            verdicts = [job.result() for job in jobs]
-    for patch, problem in zip(wanted, verdicts, strict=True):
-        print(f"{'noticed ' if problem is None else 'MISSED  '} {patch.name}" + (problem or ""))
-    missed = [problem for problem in verdicts if problem is not None]
+            first: dict[str, str] = json.loads(FIRST.read_text(encoding="utf-8"))
+            jobs = [pool.submit(verdict, one, untouched, first.get(one.name)) for one in wanted]
+            verdicts: list[Verdict] = []
+            for job in jobs:
+                found = job.result()
+                verdicts.append(found)
+                said = "MISSED  " if found.test is None else "noticed "
+                print(f"{said} {found.patch.name}{found.problem}", flush=True)
+    missed = [found for found in verdicts if found.test is None]
     print(f"sabotage: {len(wanted) - len(missed)} of {len(wanted)} patches noticed")
+    if "--remember" in words:
+        kept = {one.name: first[one.name] for one in PATCHES if one.name in first}
+        kept |= {found.patch.name: found.test for found in verdicts if found.test is not None}
+        FIRST.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", encoding="utf-8")
     return 1 if missed else 0
 
 
-def verdict(patch: Patch, untouched: Path) -> str | None:
-    """Return None when the tests notice the patch, else what is wrong."""
+def verdict(patch: Patch, untouched: Path, first: str | None) -> Verdict:
+    """Return which test notices a patch, or what is wrong.
+
+    Args:
+        patch: The patch.
+        untouched: The tree without it.
+        first: The test that noticed it last; None: nobody knows.
+    """
     try:
         with patched(patch, untouched) as tree:
-            noticed = run_tests(tree, patch.tests, *selection(patch.thorough))
+            noticed = None if first is None else _alone(tree, first, patch)
+            if noticed is None:
+                noticed = first_failure(tree, patch.tests, *selection(patch.thorough))
     except PatchError as problem:
-        return f": {problem}"
+        return Verdict(patch, None, f": {problem}")
     except subprocess.TimeoutExpired:
-        return f": its tests did not end within {SECONDS} s"
-    return None if noticed else ": no test failed"
+        return Verdict(patch, None, f": its tests did not end within {SECONDS} s")
+    return Verdict(patch, noticed, "" if noticed else ": no test failed")
+
+
+def _alone(tree: Path, first: str, patch: Patch) -> str | None:
+    """Return the test that is tried first if it notices a patch, and is one that may."""
+    if not any(
+        first == test or first.startswith((f"{test}/", f"{test}::", f"{test}["))
+        for test in patch.tests
+    ):
+        return None
+    try:
+        return first_failure(tree, [first], *selection(patch.thorough))
+    except NoTestError:  # it has another name by now
+        return None
 
 
 def selection(thorough: bool) -> tuple[str, ...]:

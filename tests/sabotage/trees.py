@@ -1,6 +1,7 @@
 """Copies of the tree, one with a patch, and tests run in them."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,7 @@ from pathlib import Path
 from tests.sabotage.patches import Patch
 
 COPIED = ("vrts", "tests", "examples", "scenes", "pyproject.toml", "README.md")
+FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+)", re.M)  # as pytest sums up
 SECONDS = 300  # for the tests of a patch
 ALL_SECONDS = 1800  # for those of all patches
 
@@ -54,8 +56,23 @@ def patched(patch: Patch, untouched: Path) -> Generator[Path]:
     shutil.rmtree(tree)
 
 
+class NoTestError(RuntimeError):
+    """No test was run: there is none of these names."""
+
+
 def run_tests(tree: Path, tests: Sequence[str], *options: str, seconds: float = SECONDS) -> bool:
     """Run tests in a tree; return whether any failed. A run that collects nothing raises."""
+    return first_failure(tree, tests, *options, seconds=seconds) is not None
+
+
+def first_failure(
+    tree: Path, tests: Sequence[str], *options: str, seconds: float = SECONDS
+) -> str | None:
+    """Run tests in a tree until one fails, and return which; None: all pass.
+
+    Raises:
+        NoTestError: There are no such tests.
+    """
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", PYTHONPATH=str(tree))
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:randomly", *options, *tests]
     result = subprocess.run(
@@ -68,5 +85,8 @@ def run_tests(tree: Path, tests: Sequence[str], *options: str, seconds: float = 
         check=False,
     )
     if result.returncode not in (0, 1, 2):
-        raise RuntimeError(result.stdout + result.stderr)
-    return result.returncode != 0
+        raise NoTestError(result.stdout + result.stderr)
+    if result.returncode == 0:
+        return None
+    found = FAILED.search(result.stdout)
+    return tests[0] if found is None else found[1]

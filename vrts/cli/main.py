@@ -21,6 +21,10 @@ COMMANDS = {  # name: where it is, what it does
         "runs.verify_command",
         "run a program and check everything; mark it if there is a task",
     ),
+    "prove": (
+        "runs.prove_command",
+        "look at every future of a program: all inputs, at every moment",
+    ),
     "check-proof": (
         "runs.check_proof_command",
         "check a certificate that `verify` wrote, trusting neither",

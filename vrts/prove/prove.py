@@ -9,12 +9,12 @@ from vrts.engine.memory.events import Cause
 from vrts.ir.module import Module
 from vrts.prove.asking import Asking, Told
 from vrts.prove.environment.environment import Environment
+from vrts.prove.environment.states import Behaviours
 from vrts.prove.explore.confirm import Replays
 from vrts.prove.explore.contacts import Nobody
 from vrts.prove.explore.covered import covered
 from vrts.prove.explore.executed import dead_steps
 from vrts.prove.explore.goals import MOST_ENDS, is_asked, missed, suspect
-from vrts.prove.explore.outside import Free
 from vrts.prove.explore.past import story
 from vrts.prove.explore.scenarios import scenario_of
 from vrts.prove.explore.search import Search
@@ -53,8 +53,9 @@ def prove(
     """
     if entry not in module.programs:
         raise KeyError(entry)
-    search = Search(module, scene, environment, Free(), Nobody())
-    search.run(entry, None, asking)
+    behaviours = Behaviours(environment, scene.robot.arm.tick)
+    search = Search(module, scene, environment, behaviours, Nobody())
+    search.run(entry, behaviours.begin(), asking)
     replays = Replays(module, scene, entry, task)
     left = [*_left(search), *_judge(search, replays)]
     teller = Teller(replays, environment, search.first.tick)

@@ -1,6 +1,6 @@
-"""What inputs may be now, as a plain state that goes with a future."""
+"""What inputs may be now, as a plain state that goes with a future; only this file reads it."""
 
-from typing import TypeAlias
+from typing import TypeAlias, cast
 
 from vrts.prove.environment.automata import AnsweringTicks as Follows
 from vrts.prove.environment.automata import States, after, automaton, first
@@ -25,26 +25,26 @@ class Behaviours:
         """Return the state in the first tick."""
         return tuple((signal, first(it)) for signal, it in self._automata.items())
 
-    def may(self, states: Inputs, signal: int) -> tuple[bool, ...]:
+    def may(self, states: object, signal: int) -> tuple[bool, ...]:
         """Return what an input may be now."""
-        for number, own in states:
+        for number, own in cast("Inputs", states):
             if number == signal:
                 return tuple(sorted({level for level, *_ in own}))
         return BOTH
 
-    def told(self, states: Inputs, signal: int, *, value: bool) -> Inputs:
+    def told(self, states: object, signal: int, *, value: bool) -> Inputs:
         """Return the state once an input was looked at, and what it was."""
         return tuple(
             (number, frozenset(s for s in own if s[0] is value) if number == signal else own)
-            for number, own in states
+            for number, own in cast("Inputs", states)
         )
 
-    def advance(self, states: Inputs, ticks: int, outputs_on: frozenset[int]) -> Inputs:
+    def advance(self, states: object, ticks: int, outputs_on: frozenset[int]) -> Inputs:
         """Return the state some ticks later; `outputs_on` are on from now on and all the time."""
         if not states:
-            return states
+            return ()
         found: list[tuple[int, States]] = []
-        for number, own in states:
+        for number, own in cast("Inputs", states):
             it = self._automata[number]
             on = isinstance(it, Follows) and it.output in outputs_on
             found.append((number, after(it, own, ticks, on)))

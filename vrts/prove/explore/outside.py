@@ -1,46 +1,15 @@
 """What outside may decide when it is asked, and what is nothing special about it."""
 
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.events import Cause
 from vrts.engine.programs.cycles import place
 from vrts.engine.programs.outside import Kind, Question
 from vrts.prove.environment.environment import Environment
+from vrts.prove.environment.states import Behaviours
 from vrts.prove.explore.frontier import Future
 from vrts.prove.proof import Decided, What
-
-
-class Behaviours(Protocol):
-    """What the environment says of inputs, as states that go with futures."""
-
-    def may(self, states: object, signal: int) -> tuple[bool, ...]:
-        """Return what an input may be now."""
-        ...
-
-    def told(self, states: object, signal: int, *, value: bool) -> object:
-        """Return the states once an input was decided."""
-        ...
-
-    def advance(self, states: object, ticks: int, outputs_on: frozenset[int]) -> object:
-        """Return the states some ticks later."""
-        ...
-
-
-class Free:
-    """Every input may be anything in every tick."""
-
-    def may(self, states: object, signal: int) -> tuple[bool, ...]:
-        """Return both values."""
-        return (False, True)
-
-    def told(self, states: object, signal: int, *, value: bool) -> object:
-        """Return the same states."""
-        return states
-
-    def advance(self, states: object, ticks: int, outputs_on: frozenset[int]) -> object:
-        """Return the same states."""
-        return states
 
 
 class Way(NamedTuple):

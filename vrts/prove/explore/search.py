@@ -19,6 +19,7 @@ from vrts.ir.module import Module
 from vrts.ir.ranges import INPUTS
 from vrts.prove.asking import Asking, Told
 from vrts.prove.environment.environment import Environment
+from vrts.prove.environment.states import Behaviours
 from vrts.prove.explore.contacts import Certifies
 from vrts.prove.explore.executed import Executed, watched
 from vrts.prove.explore.frontier import Frontier, Future
@@ -26,7 +27,7 @@ from vrts.prove.explore.goals import End
 from vrts.prove.explore.graph import AWAY, Graph, Visit
 from vrts.prove.explore.never import never_ending, places
 from vrts.prove.explore.operator import Deed, Operator
-from vrts.prove.explore.outside import Behaviours, Outside, Way
+from vrts.prove.explore.outside import Outside, Way
 from vrts.prove.explore.past import Past
 from vrts.prove.explore.suspects import Suspect, Suspects
 from vrts.prove.proof import Branch, Decided, What, Wrong

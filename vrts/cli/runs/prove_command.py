@@ -1,0 +1,160 @@
+"""`vrts prove`."""
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from vrts.cli.shared.console import (
+    HOLDS,
+    UNDETERMINED,
+    WRONG,
+    guarded,
+    out,
+    say,
+    show_diagnostics,
+    use_color,
+    write_file,
+)
+from vrts.cli.shared.options import (
+    Language,
+    color_option,
+    controller_option,
+    entry_option,
+    file_option,
+    form_option,
+    lab_option,
+    language_options,
+    no_collisions_option,
+    placed,
+    scenario_option,
+    scene_option,
+    task_option,
+)
+from vrts.cli.shared.programs import given_program
+from vrts.cli.shared.searching import searching
+from vrts.pipeline.where import Where
+
+if TYPE_CHECKING:
+    from vrts.prove.proof import Proof, Wronged
+
+EPILOG = """\b
+Examples:
+  vrts prove examples/01-cans-on-bases/solution.v2
+  vrts prove prog.v2 --scene cans-on-bases
+  vrts prove prog.v2 --environment environment.toml
+  vrts prove prog.v2 --counterexample bad.toml
+  vrts prove prog.v2 --states 20000 --format json
+"""
+
+
+@click.command(name="prove", epilog=EPILOG)
+@click.argument("program")
+@scene_option("Name or path of a scene; without it the task's, or the robot alone.")
+@task_option(packed=True)
+@file_option("--environment", help="What may come from outside; see `vrts new environment`.")
+@scenario_option("How every future begins, and what is the same in all: a scenario file.")
+@file_option("--counterexample", help="Write the future that goes wrong as a scenario file.")
+@click.option(
+    "--states",
+    type=click.IntRange(1, 100_000_000),
+    help="Look at no more than so many states.",
+)
+@click.option(
+    "--seconds",
+    type=click.FloatRange(0.1),
+    help="Stop looking after so long, and tell what is known by then.",
+)
+@entry_option("Program to execute; without it the task's, or the main one.")
+@form_option("full", "json")
+@no_collisions_option
+@lab_option
+@controller_option
+@language_options
+@color_option
+@guarded
+@placed
+def command(
+    program: str,
+    where: Where,
+    environment: Path | None,
+    counterexample: Path | None,
+    states: int | None,
+    seconds: float | None,
+    entry: str | None,
+    form: str,
+    no_collisions: bool,
+    language: Language,
+    color: str,
+) -> None:
+    """Look at every future of PROGRAM: all inputs, at every moment at which they matter.
+
+    Everything that the program reads from outside is free, unless an environment says what may
+    come. Exit status 1 when something can go wrong, 3 when not all futures could be looked at.
+    """
+    from vrts.assignments.packed import found_setting
+    from vrts.cli.shared.requests import run_request, verify_request
+    from vrts.pipeline.environments import load_environment, usual_environment
+    from vrts.pipeline.futures import proved
+    from vrts.prove.asking import USUAL_STATES, Asking
+
+    given = given_program(program)
+    setting = found_setting(given.path, where)
+    if setting is None:
+        request = run_request(given, where, language, entry)
+    else:
+        request = verify_request(given, setting, language, entry=entry)
+    if environment is None:
+        outside = usual_environment(request.setting)
+    else:
+        outside, said = load_environment(environment, request.setting)
+        show_diagnostics(said, color)
+    with searching(seconds) as asked:
+        asking = Asking(
+            states=USUAL_STATES if states is None else states,
+            collisions=not no_collisions,
+            told=asked.told,
+            enough=asked.enough,
+        )
+        found = proved(request, outside, asking)
+    show_diagnostics(found.diagnostics, color)
+    if found.proof is None:
+        sys.exit(WRONG)
+    title = request.title or request.program.name
+    if form == "json":
+        from vrts.report.formats.futures_json import futures_json
+        from vrts.report.formats.json_text import json_text
+
+        texts = tuple(map(_scenario, found.proof.found))
+        out(json_text(futures_json(title, found.proof, texts)))
+    else:
+        from vrts.report.screen.futures_text import futures_text
+
+        out(futures_text(title, found.proof, color=use_color(color)))
+    if counterexample is not None:
+        _write(found.proof, title, counterexample)
+    sys.exit(status_of(found.proof))
+
+
+def _write(proof: "Proof", title: str, path: Path) -> None:
+    """Write the shortest counterexample as a scenario, if there is one, and say how to see it."""
+    if not proof.found:
+        say("nothing goes wrong in any future that was looked at, so no scenario is written")
+        return
+    write_file(path, _scenario(proof.found[0]).encode())
+    say(f"wrote {path}; see it with `vrts verify {title} --scenario {path}`")
+
+
+def _scenario(wronged: "Wronged") -> str:
+    from vrts.scene.writing.scenario_text import scenario_text
+
+    return scenario_text(wronged.headline, wronged.scenario)
+
+
+def status_of(proof: "Proof") -> int:
+    """Return the exit status of a proof."""
+    from vrts.check.verdict import Answer
+
+    status = {Answer.HOLDS: HOLDS, Answer.VIOLATED: WRONG, Answer.UNDETERMINED: UNDETERMINED}
+    return status[proof.answer]
