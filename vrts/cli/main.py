@@ -40,7 +40,10 @@ COMMANDS = {  # name: where it is, what it does
     "editor": ("editors.editor_command", "set up VS Code, Neovim or Emacs for VAL-II"),
     "lsp": ("editors.lsp_command", "help an editor while programs are written"),
     "validate": ("validate.validate_command", "compare a real robot with the run of its program"),
-    "new": ("authoring.new_command", "write a scene, a task or a program to begin with"),
+    "new": (
+        "authoring.new_command",
+        "write a scene, a task, a program or an environment to begin with",
+    ),
     "task": ("authoring.task_command", "check an assignment, and pack it for students and staff"),
     "fix": ("language.fix_command", "mend what is certain in a program"),
     "fmt": ("language.fmt_command", "write a program in the canonical layout"),

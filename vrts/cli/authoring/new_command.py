@@ -1,6 +1,7 @@
 """`vrts new`."""
 
 import re
+import sys
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -8,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import fail, guarded, say, show_diagnostics, write_file
-from vrts.cli.shared.options import color_option
+from vrts.cli.shared.console import WRONG, fail, guarded, say, show_diagnostics, write_file
+from vrts.cli.shared.options import Language, color_option, file_option, language_options
 
 if TYPE_CHECKING:
     from vrts.pipeline.setting import Setting
@@ -22,6 +23,7 @@ Examples:
   vrts new task lab2 --from 02-dish-on-stand
   vrts new program mine.v2 --from cans-on-bases
   vrts new lab lab.toml
+  vrts new environment prog.v2
 """
 
 from_option = click.option(
@@ -31,7 +33,7 @@ from_option = click.option(
 
 @click.group(name="new", epilog=EPILOG)
 def command() -> None:
-    """Write a scene, a task, a program or a lab to begin with. Nothing is overwritten."""
+    """Write a scene, a task, a program, a lab or an environment. Nothing is overwritten."""
 
 
 @command.command(name="scene", epilog=EPILOG)
@@ -76,6 +78,33 @@ def lab(name: Path, color: str) -> None:
     file = name if name.suffix else name.with_suffix(".toml")
     _write(file.parent, {file.name: LAB.encode()})
     say(f"write your measures into it; `vrts scene check cans-on-bases --lab {file}` looks at them")
+
+
+@command.command(name="environment", epilog=EPILOG)
+@click.argument("program")
+@file_option("-o", "--out", "target", help="Where to; otherwise environment.toml beside PROGRAM.")
+@color_option
+@language_options
+@guarded
+def environment(program: str, target: Path | None, color: str, language: Language) -> None:
+    """Write what may come from outside into PROGRAM, for `vrts prove` and for you to change.
+
+    It names every input that the program reads, and leaves all of them free.
+    """
+    from vrts.assignments.new_environment import new_environment
+    from vrts.cli.shared.programs import given_program, reading_of
+    from vrts.pipeline.compiling.programs import compile_bytes
+
+    given = given_program(program)
+    found = compile_bytes(given.program.data, given.program.name, reading_of(language))
+    module = None if found.compilation is None else found.compilation.module
+    if module is None:
+        show_diagnostics([d for d in found.diagnostics if d.is_error], color)
+        sys.exit(WRONG)
+    file = target or (given.folder or Path()) / "environment.toml"
+    name = given.program.name if given.path is None else given.path.name
+    _write(file.parent, {file.name: new_environment(name, module).encode()})
+    say(f"try it with `vrts prove {given.program.name} --environment {file}`")
 
 
 @command.command(name="task", epilog=EPILOG)

@@ -1,6 +1,7 @@
 """Environment files: what they say, and what is said of those that are wrong."""
 
 import re
+import textwrap
 from importlib.resources import files
 from math import inf
 
@@ -48,6 +49,17 @@ def test_everything_may_be_left_out() -> None:
     usual = Environment(title="cell", digest=found.digest)
     assert found == usual
     assert len(found.digest) == 64
+
+
+def test_the_manual_shows_the_same_file() -> None:
+    page = files("vrts").joinpath("manual", "futures.md").read_text("utf-8")
+    assert f"```text\n{described_whole()}\n```" in page
+
+
+def described_whole() -> str:
+    """The same with its empty lines."""
+    assert reading.__doc__ is not None
+    return textwrap.dedent(reading.__doc__[reading.__doc__.index("    title =") :]).strip()
 
 
 def test_the_file_that_is_described_says_what_it_shows() -> None:

@@ -1,0 +1,152 @@
+"""The first version of an environment file: what may come from outside into a program."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from vrts.engine.machine.forever.nodes import all_nodes, number_of, tops
+from vrts.engine.machine.forever.touches import signals_looked_at
+from vrts.engine.programs.signals import INPUTS
+from vrts.ir import instructions as ir
+from vrts.ir.expressions import Apply, Function
+from vrts.ir.module import Module
+
+MOST_STEPS = 4  # told of one input
+
+HEAD = """\
+# What may come from outside while `{name}` executes:
+#
+#   vrts prove {name} --environment environment.toml
+#
+# Everything that is not said here is free: an input may be on or off in every tick in which the
+# program looks at it. Say only what your cell really keeps to; every word makes the proof weaker.
+# Take away the `#` where it does. Times are in seconds.
+
+title = "The cell of {name}"
+"""
+INPUT = """
+# {where}
+[[inputs]]
+signal = {signal}
+is = "free"
+# is = "held"                     # it never changes
+# state = "off"                   # or "on", or "either": nobody says which
+# is = "pulsed"                   # off at first, then on and off; how long each stay lasts:
+# on_s = [0.1, 0.5]
+# off_s = [1.0]                   # one number: at least so long
+{answers}"""
+ANSWERS = """\
+# is = "answers"                  # it follows an output of the controller, so much later:
+# output = {output}
+# on_s = [0.2, 3.0]
+# off_s = [0.2, 3.0]
+"""
+PROMPTS = """
+# The program asks at {where}. Every answer is tried, every time.
+[prompts]
+answers = ["0", "1", "2"]
+# range = [0, 5]                  # in place of answers: numbers, tried at some values
+# whole = true                    # whole numbers only: all of them are tried
+"""
+RANDOM = """
+# RANDOM draws one of these. Between them nothing is proven.
+[random]
+draws = [0, 0.5, 0.9999]
+"""
+HAND = """
+[hand]
+misses = false                    # true: each closing of the hand may grip or miss
+"""
+TAIL = """
+[operator]
+speeds = [100]                    # monitor speeds [%], one for a whole future
+# stops = ["proceed", "retry", "nothing"]   # what may follow a stop, in any tick
+
+[execute]
+again = false                     # true: EXECUTE again, with the memory that the last one left
+# times = 5                       # at most so often; left out: until the state repeats
+# parts = "put back"              # what becomes of them before: or "left", "taken"
+
+# What must never be, or always. See `vrts explain V562`.
+# [[never]]
+# title = "output 3 only while the hand is closed"
+# signals = [3]                   # on; -3 is off
+# hand = "open"                   # or "closed", "holding", "empty"
+"""
+
+
+class _Read(NamedTuple):
+    """What a program reads from outside, and where."""
+
+    inputs: dict[int, list[str]]
+    prompts: list[str]
+    random: bool
+    hand: bool
+    outputs: list[int]  # that it sets
+
+
+def new_environment(name: str, module: Module) -> str:
+    """Return an environment file in which everything that a program reads is free.
+
+    Args:
+        name: Of the program's file.
+        module: Its programs.
+    """
+    read = _read(module)
+    output = read.outputs[0] if read.outputs else 1
+    parts = [HEAD.format(name=name)]
+    for signal, places in sorted(read.inputs.items()):
+        where = f"read at {_listed(places)}"
+        answers = ANSWERS.format(output=output)
+        parts.append(INPUT.format(signal=signal, where=where, answers=answers))
+    if read.prompts:
+        parts.append(PROMPTS.format(where=_listed(read.prompts)))
+    if read.random:
+        parts.append(RANDOM)
+    if read.hand:
+        parts.append(HAND)
+    return "".join([*parts, TAIL])
+
+
+def _read(module: Module) -> _Read:
+    found = _Read({}, [], random=False, hand=False, outputs=[])
+    random = hand = False
+    for program in module.programs.values():
+        for instruction, origin in zip(program.instructions, program.origins, strict=True):
+            place = f"{program.name} {origin.step}"
+            for signal in _inputs(instruction):
+                places = found.inputs.setdefault(signal, [])
+                if place not in places:
+                    places.append(place)
+            if isinstance(instruction, ir.Prompt) and place not in found.prompts:
+                found.prompts.append(place)
+            hand |= isinstance(instruction, ir.Grasp | ir.MoveHand)
+            random |= any(node.function is Function.RANDOM for node in _asked(instruction))
+            found.outputs.extend(n for n in _outputs(instruction) if n not in found.outputs)
+    return found._replace(random=random, hand=hand)
+
+
+def _asked(instruction: ir.Instruction) -> Iterator[Apply]:
+    for top in tops(instruction):
+        yield from (node for node in all_nodes(top) if isinstance(node, Apply))
+
+
+def _inputs(instruction: ir.Instruction) -> set[int]:
+    """Return the inputs that an instruction looks at, of those whose numbers are written."""
+    found: set[int] = set()
+    for node in _asked(instruction):
+        found |= signals_looked_at(node) or set()
+    if isinstance(instruction, ir.React):
+        found.add(abs(number_of(instruction.signal) or 0))
+    return found.intersection(INPUTS)
+
+
+def _outputs(instruction: ir.Instruction) -> list[int]:
+    if not isinstance(instruction, ir.Signal):
+        return []
+    numbers = [number_of(signal) for signal in instruction.signals]
+    return [n for n in numbers if n is not None and n > 0]
+
+
+def _listed(places: list[str]) -> str:
+    more = len(places) - MOST_STEPS
+    return ", ".join(places[:MOST_STEPS]) + (f" and {more} more" if more > 0 else "")
