@@ -70,7 +70,7 @@ again = false                     # true: EXECUTE again, with the memory that th
 # [[never]]
 # title = "output 3 only while the hand is closed"
 # signals = [3]                   # on; -3 is off
-# hand = "open"                   # or "closed", "holding", "empty"
+# hand = "not closed"             # "open", "closed", or "not" and one of them; "holding", "empty"
 """
 
 

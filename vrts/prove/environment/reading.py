@@ -48,9 +48,9 @@ tick in which the program looks at it. Times are in seconds, lengths in millimet
     [[never]]                       # a property of your own; also [[always]]
     title = "output 3 only while the hand is closed"
     signals = [3]                   # on; -3 is off
-    hand = "open"                   # or "closed", "holding", "empty"
+    hand = "not closed"             # "open", "closed", or "not" and one of them; "holding", "empty"
     still = false                   # the arm stands still, or moves
-    step = "main:12"                # program and step under way
+    step = "main:12"                # program, and the step that it has come to
     region_mm = { from = [0, 0, 0], to = [100, 100, 100] }   # where the tool is, at each tick
 
     [[always]]
@@ -97,7 +97,7 @@ NO_CONDITION = Rule("V562", "property-without-condition")
 NO_ANSWERS = Rule("V563", "answers-unclear")
 
 KINDS = ("free", "held", "pulsed", "answers")
-HANDS = ("open", "closed", "holding", "empty")
+HANDS = ("open", "closed", "not open", "not closed", "holding", "empty")
 LONGEST_S = 60.0  # any span: each is followed tick by tick
 MOST_OUTPUT = 32
 MOST_SIGNAL = 2032

@@ -82,7 +82,7 @@ def test_the_file_that_is_described_says_what_it_shows() -> None:
         Quantifier.NEVER,
         "output 3 only while the hand is closed",
         signals=(3,),
-        hand="open",
+        hand="not closed",
         step=("main", 12),
         still=False,
     )
