@@ -2,7 +2,7 @@
 
 Whoever explores futures makes one `Certifier`, and keeps a `Memory` beside each machine, a value
 that futures share when a machine is forked; `Memory()` at the beginning. After every `tick` that
-returned None, and after `command` where one is given then:
+returned None, and after `command` or another `next_tick` where that is given then:
 
     memory = certifier.follow(memory, machine, happened(machine), number)
 
@@ -16,16 +16,18 @@ future. So it is told of every future that came through it, before or after it w
 for each of them whoever explores goes on, from the tick with that number, through all states that
 follow. On each way the first of `Memory.outcomes`, of that tick or later, with a time not before
 that of the touch, for which `Outcome.settles(unless)` is not None decides: True, it is excused on
-that way; False, it is a contact. Where the way ends before that, it is a contact too. Ways that
-come back to themselves decide nothing. A state that was merged goes on as the one it was merged
-with: outcomes belong to the ticks between states. A full replay confirms what was found.
+that way; False, it is a contact. Where the way ends before that, or comes round for ever, it is a
+contact too. A state that was merged goes on as the one it was merged with: outcomes belong to the
+ticks between states. A full replay confirms what was found. What is deeper than 1.2 mm is told
+without `unless` as well, so all this is about what presses lightly on what it may come to stand on
+or be held by.
 """
 
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple, TypeAlias
 
 from vrts.check.collision.pairs.pairs import PAD_DEPTH
-from vrts.engine.futures.future import happened
+from vrts.engine.futures.future import KEPT_S, happened
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.tick import settle
 from vrts.engine.memory.events import Event
@@ -36,14 +38,14 @@ from vrts.prove.certify.laying import Entry, Hit, touches
 from vrts.prove.certify.limits import beyond
 from vrts.prove.certify.memory import Grips, LettingGo, Memory, Span, grips, stood_on
 from vrts.prove.certify.parting import Parting
-from vrts.prove.certify.situation import Part, What
+from vrts.prove.certify.seen import Seen
+from vrts.prove.certify.situation import Part
 from vrts.prove.certify.situations import Situation, Situations
-from vrts.prove.certify.spans import Spans
-from vrts.prove.certify.stretches import Stretch, Ways, stretches
+from vrts.prove.certify.stretches import Stretch, Way, Ways, stretches
 from vrts.prove.certify.touching import Beyond, Hope, Touching, Unless
 from vrts.scene.model import Scene
 
-_Kind: TypeAlias = tuple[int, tuple[float, ...], Part]  # way of the arm, hand, and what is there
+_Kind: TypeAlias = tuple[Way, Part]
 
 
 class _Came(NamedTuple):
@@ -73,7 +75,7 @@ class Certifier:
         self._proposer = here() if proposer is None else proposer
         self._parting = Parting(scene, self._proposer)
         self._ways = Ways()
-        self._spans = Spans()
+        self._seen = Seen()
         self._situations = Situations(scene)
         self._entries: list[Entry] = []
         self._came: list[_Came] = []
@@ -89,16 +91,16 @@ class Certifier:
             memory: What was remembered after the last tick; `Memory()` before the first one.
             machine: A machine at the end of a tick.
             events: All that has happened in it.
-            future: A number for the tick of this future; contacts are told of it.
+            future: A number for this future in this tick, or for several ticks on end.
 
         Returns:
             What is remembered now.
 
         Raises:
-            ValueError: A command came after the last call, for a tick that was to be skipped.
+            ValueError: Another tick came than was to come at the last call.
         """
-        if memory.seen_s > machine.now + INSTANT:
-            raise ValueError("a tick came that was skipped: commands are given before `follow`")
+        if not memory.seen_s - INSTANT <= machine.now <= memory.seen_s + KEPT_S - INSTANT:
+            raise ValueError("another tick came than was to come: change that before `follow`")
         until_s = max(machine.now, (machine.next_tick - 1) * machine.tick)
         return self._noted(memory, machine, events, (memory.seen_s, until_s), future)
 
@@ -168,27 +170,14 @@ class Certifier:
 
     def _note(self, situation: Situation, stretch: Stretch, future: int) -> None:
         """Keep what is new of a stretch."""
-        way = (stretch.number, stretch.hand)
-        if situation.falls_from_s is None:
-            whole = (*way, stretch.rate, situation.number)
-            new = self._spans.added(whole, stretch.from_s, stretch.to_s)
-        else:
-            new = [(stretch.from_s, stretch.to_s)]
-        if not new and not situation.hopes:
-            return
-        parts = situation.of(stretch)
+        number, parts = self._situations.of(situation, stretch)
+        way, span = stretch.way, (stretch.from_s, stretch.to_s)
         if situation.hopes:
-            self._came += [_Came((*way, part), stretch, future) for part in parts if part.hopes]
-        found: dict[tuple[float, float], list[Part]] = {}
-        for from_s, to_s in new:
-            for part in parts:
-                rate = stretch.rate if part.what is What.ITSELF else 1.0
-                for span in self._spans.added((*way, rate, part), from_s, to_s):
-                    found.setdefault(span, []).append(part)
-        for span, own in found.items():
-            self._entries.append(Entry(stretch.part(*span), tuple(own), future))
-            self.waiting_s += span[1] - span[0]
-            self.motion_s += span[1] - span[0]
+            self._came += [_Came((way, part), stretch, future) for part in parts if part.hopes]
+        for (from_s, to_s), some in self._seen.added(way, number, parts, span):
+            self._entries.append(Entry(stretch.part(from_s, to_s), some, future))
+            self.waiting_s += to_s - from_s
+            self.motion_s += to_s - from_s
 
     # --- what touches -------------------------------------------------------------------------
 
@@ -200,7 +189,7 @@ class Certifier:
             if hit.part is None:
                 found.append(_touching(hit, future, stretch.time(hit.s), None))
             else:
-                kind = (stretch.number, stretch.hand, hit.part)
+                kind = (stretch.way, hit.part)
                 self._hopes.setdefault(kind, []).append(hit)
         return found
 
@@ -235,10 +224,11 @@ class Certifier:
         return found
 
     def _news(self, found: Sequence[Touching]) -> list[Touching]:
-        """Return the first touch of each kind of each future."""
+        """Return the first touch of each kind of each future; all that may be excused later."""
         news: list[Touching] = []
         for one in found:
-            kind = (one.future, one.first, one.second, one.certain, one.unless)
+            hopes = () if one.unless is None else (one.unless, one.time_s)
+            kind = (one.future, one.first, one.second, one.certain, hopes)
             if kind not in self._told:
                 self._told.add(kind)
                 news.append(one)

@@ -10,6 +10,7 @@ from vrts.check.verdicts.limits import POSITION_TOLERANCE
 from vrts.engine.motion.overspeed import SPEED_TOLERANCE
 from vrts.engine.motion.polynomials import shifted
 from vrts.prove.certify.laying import Entry
+from vrts.prove.certify.situation import What
 from vrts.prove.certify.stretches import Stretch
 from vrts.prove.certify.touching import Beyond
 from vrts.robots.model import Arm
@@ -27,7 +28,7 @@ def beyond(
         order: Which entry each piece of the motion is.
     """
     bounds, ordered = motion.pieces, [entries[k] for k in order]
-    moves = np.array([entry.stretch.moves for entry in ordered], dtype=np.bool_)
+    moves = np.array([_concerned(entry) for entry in ordered], dtype=np.bool_)
     rates = np.array([entry.stretch.rate for entry in ordered])
     lower, upper = np.array(arm.lower), np.array(arm.upper)
     out = bounds.lower[:, :6] < lower - POSITION_TOLERANCE
@@ -50,6 +51,11 @@ def beyond(
         time_s = stretch.time(stretch.from_s + at_s)
         limit = arm.speed[joint]
         yield Beyond(ordered[place].future, time_s, joint, True, speed * stretch.rate, limit)
+
+
+def _concerned(entry: Entry) -> bool:
+    """Return whether the arm moves in an entry as it did not before."""
+    return entry.stretch.moves and any(part.what is What.ITSELF for part in entry.parts)
 
 
 def _outside(

@@ -91,6 +91,7 @@ def _looks(machine: Machine, since_s: float, from_s: float, to_s: float) -> Iter
 def _still_from(machine: Machine) -> float:
     """Return the time from which on nothing moves, as far as it is known."""
     planner, hand = machine.system.planner, machine.system.hand
+    pieces = [planner.scale.time(piece.end_s) for piece in planner.given.pieces[-1:]]
     strokes = [stroke.end_s for stroke in hand.strokes[-1:]]
     lies = [track[-1].start_s for track in hand.placements.values()]
-    return max([planner.motion_end, *strokes, *lies])
+    return max([planner.motion_end, *pieces, *strokes, *lies])

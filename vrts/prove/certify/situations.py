@@ -22,12 +22,6 @@ class Situation(NamedTuple):
     falls_from_s: float | None  # when what falls began to, in run time
     keep: tuple[Placement, ...]  # lest their ids come again
 
-    def of(self, stretch: Stretch) -> tuple[Part, ...]:
-        """Return the parts, with falls in `s` of a stretch."""
-        if self.falls_from_s is None:
-            return self.parts
-        return tuple([_in_s(part, stretch.zero_s) for part in self.parts])
-
 
 class Situations:
     """Finds situations, each once."""
@@ -48,6 +42,13 @@ class Situations:
         """Yield what a machine is in from when to when, between two times [s]."""
         for from_s, to_s in pairwise(_cuts(machine, did, span)):
             yield self._at(machine, did, 0.5 * (from_s + to_s)), from_s, to_s
+
+    def of(self, situation: Situation, stretch: Stretch) -> tuple[int, tuple[Part, ...]]:
+        """Return a situation's number and parts, with falls in `s` of a stretch."""
+        if situation.falls_from_s is None:
+            return situation.number, situation.parts
+        parts = tuple([_in_s(part, stretch.zero_s) for part in situation.parts])
+        return self._numbers.setdefault(parts, len(self._numbers)), parts
 
     def _at(self, machine: Machine, did: Grips, time_s: float) -> Situation:
         tracks = machine.system.hand.placements

@@ -9,7 +9,7 @@ from array import array
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from hashlib import blake2b
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.records import ArmPiece
@@ -21,7 +21,8 @@ DIGITS = 8  # [rad, m, s] ways that differ by less are one: 0.2 um at the hand, 
 MOST = 50_000  # polynomials that are known by the very object
 REST_S = 0.01  # of a stretch in which nothing moves, whatever it lasts
 
-Rows = tuple[Row, ...]
+Rows: TypeAlias = tuple[Row, ...]
+Way: TypeAlias = tuple[float, ...]
 
 
 class Stretch(NamedTuple):
@@ -35,13 +36,13 @@ class Stretch(NamedTuple):
     begins_s: float  # run time at both ends
     ends_s: float
     zero_s: float  # run time at s = 0, where that is run time
-    rate: float  # run time runs slower than s by this at most
+    rate: float  # s runs faster than run time by this at most
     moves: bool  # the arm does
 
     @property
-    def hand(self) -> tuple[float, ...]:
-        """Return what stands for the hand."""
-        return tuple([round(c, DIGITS) for c in self.opening])
+    def way(self) -> Way:
+        """Return what stands for what moves, and how fast."""
+        return (self.number, self.rate, *[round(c, DIGITS) for c in self.opening])
 
     def part(self, from_s: float, to_s: float) -> "Stretch":
         """Return a part of it."""
@@ -62,6 +63,7 @@ class Ways:
         """Know none."""
         self._numbers: dict[bytes, int] = {}
         self._by_id: dict[int, tuple[Rows, int]] = {}  # what is kept keeps its id
+        self._rests: dict[tuple[int, float], tuple[Rows, Rows, int]] = {}
 
     def number(self, rows: Rows, lasts_s: float) -> int:
         """Return the number of polynomials that last so long."""
@@ -73,6 +75,22 @@ class Ways:
             self._by_id.clear()
         self._by_id[id(rows)] = (rows, number)
         return number
+
+    def at_rest(self, machine: Machine, time_s: float) -> tuple[Rows, int]:
+        """Return constants for an arm that stands still at a run time, and their number."""
+        given, path_s = machine.system.planner.given, machine.system.planner.scale.path(time_s)
+        piece = given.pieces[-1] if given.pieces else None
+        if piece is None or path_s < piece.end_s:
+            rows = tuple([(joint,) for joint in configuration_at(machine, time_s)])
+            return rows, self.of_content(rows, 0.0)
+        key = (id(piece.rows), piece.end_s - piece.start_s)
+        known = self._rests.get(key)
+        if known is None:
+            if len(self._rests) >= MOST:
+                self._rests.clear()
+            rows = tuple([(joint,) for joint in configuration_at(machine, time_s)])
+            known = self._rests[key] = (piece.rows, rows, self.of_content(rows, 0.0))
+        return known[1:]
 
     def of_content(self, rows: Rows, lasts_s: float) -> int:
         """Return the number of polynomials that nobody keeps."""
@@ -168,9 +186,9 @@ def _along(
     """Return stretches in path time."""
     from_s, to_s = scale.path(times[0]), scale.path(times[1])
     rate = 1.0
-    if not scale.plain:
+    if not scale.plain:  # as fast as it would be if it did not slow down
         knots = [knot.time_s for knot in scale.knots if times[0] < knot.time_s < times[1]]
-        rate = max(scale.rate_at(t) for t in (*times, *knots))
+        rate = max(scale.rate, *[scale.rate_at(t) for t in (*times, *knots)])
     found: list[Stretch] = []
     for piece in pieces:
         begin, end = max(piece.start_s, from_s), min(piece.end_s, to_s)
@@ -233,8 +251,8 @@ def _resting(
         opening: Of the hand at the first of them, and its rate.
         falling_from_s: Since when something falls.
     """
-    rows = tuple([(joint,) for joint in configuration_at(machine, times[0])])
-    number, lasts_s = ways.of_content(rows, 0.0), times[1] - times[0]
+    rows, number = ways.at_rest(machine, times[0])
+    lasts_s = times[1] - times[0]
     if falling_from_s is not None:
         begin = times[0] - falling_from_s
         row = _row(opening[0] - sum(opening[1:]) * begin, sum(opening[1:]))
