@@ -171,10 +171,18 @@ class Certifier:
     def _note(self, situation: Situation, stretch: Stretch, future: int) -> None:
         """Keep what is new of a stretch."""
         number, parts = self._situations.of(situation, stretch)
-        way, span = stretch.way, (stretch.from_s, stretch.to_s)
         if situation.hopes:
+            way = stretch.way
             self._came += [_Came((way, part), stretch, future) for part in parts if part.hopes]
-        for (from_s, to_s), some in self._seen.added(way, number, parts, span):
+        if stretch.hand_moves:
+            parts += situation.in_hand
+        elif situation.in_hand:
+            self._add(stretch.at_once, number, situation.in_hand, future)
+        self._add(stretch, number, parts, future)
+
+    def _add(self, stretch: Stretch, situation: int, parts: tuple[Part, ...], future: int) -> None:
+        span = (stretch.from_s, stretch.to_s)
+        for (from_s, to_s), some in self._seen.added(stretch.way, situation, parts, span):
             self._entries.append(Entry(stretch.part(from_s, to_s), some, future))
             self.waiting_s += to_s - from_s
             self.motion_s += to_s - from_s

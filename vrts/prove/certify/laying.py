@@ -4,7 +4,7 @@ Rows of pairs are those of a run: a part of a situation is a body, or two, that 
 stretches in which they matter.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -187,6 +187,8 @@ class _Rows:
         assert body is not None
         if part.what is What.TOUCHED:
             self._touched(body, part.pads, run, closing=part.closing)
+        elif part.what is What.IN_HAND:
+            self._pressed(self._stay(body, run), body, part.pads, closing=False)
         elif part.what is What.FIXED:
             for one in self.fixed:
                 self._meeting(body, one, run)
@@ -194,16 +196,21 @@ class _Rows:
             self._meeting(body, other, run)
 
     def _touched(
-        self, body: Lying, pads: Iterable[bool], run: tuple[float, float], *, closing: bool
+        self, body: Lying, pads: Sequence[bool], run: tuple[float, float], *, closing: bool
     ) -> None:
         stay = self._stay(body, run)
         links_against(self.table, self.arm, stay)
-        names = (ROBOT, body.body)
+        if pads:
+            self._pressed(stay, body, pads, closing=closing)
+
+    def _pressed(self, stay: Stay, body: Lying, pads: Sequence[bool], *, closing: bool) -> None:
+        """Add the fingers, which may press into a body or not."""
+        names, run = (ROBOT, body.body), (stay.start_s, stay.end_s)
         for finger, allowed in zip(self.arm.fingers, pads, strict=True):
             if allowed or closing:
                 self.table.add(names, finger, stay.members, run, self.pressing)
             if not allowed:
-                own = names if not closing else self._hoped(names, Hope.GRASPED, body)
+                own = self._hoped(names, Hope.GRASPED, body) if closing else names
                 self.table.add(own, finger, stay.members, run, STRICT)
 
     def _meeting(self, body: Lying, other: Lying, run: tuple[float, float]) -> None:

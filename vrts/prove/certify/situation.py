@@ -41,6 +41,7 @@ class What(Enum):
 
     ITSELF = "arm against itself and fixed bodies"
     TOUCHED = "arm against a body"
+    IN_HAND = "fingers against a body in the hand"
     FIXED = "body that moves against fixed bodies"
     MEETING = "body that moves against another"
 
@@ -87,7 +88,11 @@ def parts_of(
     for one in lying:
         allowed = pads.get(one.body, (False,) * fingers)
         hopes = closing and one.still and not all(allowed)
-        found.append(Part(What.TOUCHED, one.against(None), None, allowed, hopes))
+        if one.lie is Lie.HELD:
+            found.append(Part(What.TOUCHED, one.against(None)))
+            found.append(Part(What.IN_HAND, one.against(None), None, allowed))
+        else:
+            found.append(Part(What.TOUCHED, one.against(None), None, allowed, hopes))
     for one in lying:
         if one.still:
             continue

@@ -8,7 +8,7 @@ from vrts.base.pose import Pose
 from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.records import INSTANT, Lie, Placement
 from vrts.prove.certify.memory import Grips, Span, next_support, place_at
-from vrts.prove.certify.situation import DIGITS, Lying, Part, parts_of
+from vrts.prove.certify.situation import DIGITS, Lying, Part, What, parts_of
 from vrts.prove.certify.stretches import Stretch
 from vrts.scene.model import Mobility, Scene
 
@@ -18,6 +18,7 @@ class Situation(NamedTuple):
 
     number: int
     parts: tuple[Part, ...]
+    in_hand: tuple[Part, ...]  # more, in which only the fingers move
     hopes: bool  # what touches may be excused by what happens later
     falls_from_s: float | None  # when what falls began to, in run time
     keep: tuple[Placement, ...]  # lest their ids come again
@@ -34,7 +35,7 @@ class Situations:
         )
         self._fingers = len(scene.robot.gripper.fingers)
         self._known: dict[object, Situation] = {}
-        self._numbers: dict[tuple[Part, ...], int] = {}
+        self._numbers: dict[object, int] = {}
 
     def between(
         self, machine: Machine, did: Grips, span: Span
@@ -48,7 +49,7 @@ class Situations:
         if situation.falls_from_s is None:
             return situation.number, situation.parts
         parts = tuple([_in_s(part, stretch.zero_s) for part in situation.parts])
-        return self._numbers.setdefault(parts, len(self._numbers)), parts
+        return self._number((parts, situation.in_hand)), parts
 
     def _at(self, machine: Machine, did: Grips, time_s: float) -> Situation:
         tracks = machine.system.hand.placements
@@ -96,9 +97,14 @@ class Situations:
     ) -> Situation:
         parts = parts_of(lying, pads, fixed=self._fixed, fingers=self._fingers, closing=closing)
         falls = [one.falls_from_s for one in lying if one.lie is Lie.FALLING]
-        number = self._numbers.setdefault(parts, len(self._numbers))
+        in_hand = tuple([part for part in parts if part.what is What.IN_HAND])
+        parts = tuple([part for part in parts if part.what is not What.IN_HAND])
+        number = self._number((parts, in_hand))
         hopes = any(part.hopes for part in parts)
-        return Situation(number, parts, hopes, min(falls, default=None), lies)
+        return Situation(number, parts, in_hand, hopes, min(falls, default=None), lies)
+
+    def _number(self, parts: object) -> int:
+        return self._numbers.setdefault(parts, len(self._numbers))
 
 
 def _cuts(machine: Machine, did: Grips, span: Span) -> list[float]:

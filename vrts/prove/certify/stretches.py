@@ -19,6 +19,7 @@ from vrts.engine.motion.time_scale import TimeScale
 NOTHING = 1e-7  # [s] what is shorter is no stretch
 DIGITS = 8  # [rad, m, s] ways that differ by less are one: 0.2 um at the hand, of a band of 10
 MOST = 50_000  # polynomials that are known by the very object
+OF_HAND = -1  # number of a way on which it does not matter what the arm does
 REST_S = 0.01  # of a stretch in which nothing moves, whatever it lasts
 
 Rows: TypeAlias = tuple[Row, ...]
@@ -43,6 +44,18 @@ class Stretch(NamedTuple):
     def way(self) -> Way:
         """Return what stands for what moves, and how fast."""
         return (self.number, self.rate, *[round(c, DIGITS) for c in self.opening])
+
+    @property
+    def hand_moves(self) -> bool:
+        """Whether the fingers do."""
+        return len(self.opening) > 1
+
+    @property
+    def at_once(self) -> "Stretch":
+        """Return its beginning as that of all in which the hand is the same and does not move."""
+        rows = tuple([(value(row, self.from_s),) for row in self.rows])
+        times = (0.0, REST_S, self.begins_s, self.begins_s)
+        return Stretch(OF_HAND, rows, self.opening, *times, 0.0, 0.0, False)
 
     def part(self, from_s: float, to_s: float) -> "Stretch":
         """Return a part of it."""
