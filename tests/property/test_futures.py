@@ -1,6 +1,6 @@
 """Futures of programs drawn by chance: told what a scenario says, they do what the engine does."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from random import Random
 
@@ -42,6 +42,10 @@ def is_on(scenario: Scenario, number: int, now: float) -> bool:
     return bool(states) and states[-1]
 
 
+def _quiet(machine: Machine, question: Question) -> None:
+    """Hear nothing."""
+
+
 class Told:
     """A future that is told what a scenario says."""
 
@@ -54,10 +58,11 @@ class Told:
         command(self.machine, Execute(module.main or ""))
         self.open = False  # it asks what the scenario does not tell
 
-    def ticks(self) -> Iterator[Machine]:
-        """Go on tick by tick, as far as it is known what to say."""
+    def ticks(self, asked: Callable[[Machine, Question], None] = _quiet) -> Iterator[Machine]:
+        """Go on tick by tick, as far as it is known what to say; `asked` hears every question."""
         while self.machine.now < LONGEST_S and self.machine.finished < MOST:
             while (question := tick(self.machine)) is not None:
+                asked(self.machine, question)
                 if question.kind is Kind.ANSWER and not self.answers:
                     self.open = True
                     return

@@ -9,9 +9,7 @@ from vrts.engine.memory.events import Cause
 from vrts.ir.module import Module
 from vrts.prove.asking import Asking, Told
 from vrts.prove.environment.environment import Environment
-from vrts.prove.environment.states import Behaviours
 from vrts.prove.explore.confirm import Replays
-from vrts.prove.explore.contacts import Nobody
 from vrts.prove.explore.covered import covered
 from vrts.prove.explore.executed import dead_steps
 from vrts.prove.explore.goals import MOST_ENDS, is_asked, missed, suspect
@@ -53,9 +51,8 @@ def prove(
     """
     if entry not in module.programs:
         raise KeyError(entry)
-    behaviours = Behaviours(environment, scene.robot.arm.tick)
-    search = Search(module, scene, environment, behaviours, Nobody())
-    search.run(entry, behaviours.begin(), asking)
+    search = Search(module, scene, environment, collisions=asking.collisions)
+    search.run(entry, asking)
     replays = Replays(module, scene, entry, task)
     left = [*_left(search), *_judge(search, replays)]
     teller = Teller(replays, environment, search.first.tick)
@@ -66,9 +63,9 @@ def prove(
     return Proof(
         _answer(found, left),
         found,
-        covered(search, dead, 0.0),
+        covered(search, dead),
         tuple(left),
-        tree=tuple(search.tree),
+        tree=tuple(search.tree.branches),
     )
 
 

@@ -116,33 +116,32 @@ class Context:
 
     def copy(self, system: System, copies: dict[int, Bound]) -> "Context":
         """Return an independent program in a copied system."""
-        other = Context(system, is_robot=self.is_robot)
-        for name in (
-            "now",
-            "finished",
-            "phase",
-            "until",
-            "operands",
-            "fault",
-            "wake",
-            "priority",
-            "reactions_wait",
-            "error_program",
-            "last_error",
-            "listed",
-            "program",
-            "cycles_left",
-            "cycles_done",
-            "kept_cycles",
-            "ending",
-            "started_s",
-            "step_was_cut",
-            "steps_left",
-            "finishing",
-            "last_step",
-            "at_once",
-        ):
-            setattr(other, name, getattr(self, name))
+        other = Context.__new__(Context)
+        other.is_robot = self.is_robot
+        other.attach(system)
+        other.now = self.now
+        other.finished = self.finished
+        other.phase = self.phase
+        other.until = self.until
+        other.operands = self.operands
+        other.fault = self.fault
+        other.wake = self.wake
+        other.priority = self.priority
+        other.reactions_wait = self.reactions_wait
+        other.error_program = self.error_program
+        other.last_error = self.last_error
+        other.listed = self.listed
+        other.program = self.program
+        other.cycles_left = self.cycles_left
+        other.cycles_done = self.cycles_done
+        other.kept_cycles = self.kept_cycles
+        other.ending = self.ending
+        other.started_s = self.started_s
+        other.step_was_cut = self.step_was_cut
+        other.steps_left = self.steps_left
+        other.finishing = self.finishing
+        other.last_step = self.last_step
+        other.at_once = self.at_once
         other.trace = self.trace.copy()
         other.next_hand = self.next_hand.copy()
         other.watches = [watch.copy() for watch in self.watches]

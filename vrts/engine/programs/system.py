@@ -81,15 +81,12 @@ class System:
 
     def copy(self, copies: dict[int, Bound]) -> "System":
         """Return an independent system that shares the past, still without its programs."""
-        other = System(
-            self.programs,
-            self.memory.copy(copies),
-            self.planner.copy(),
-            self.hand.copy(),
-            self.signals.copy(),
-            self.terminal.copy(),
-            self.random_state,
-        )
+        other = System.__new__(System)
+        other.programs = self.programs
+        other.memory = self.memory.copy(copies)
+        other.planner, other.hand = self.planner.copy(), self.hand.copy()
+        other.signals, other.terminal = self.signals.copy(), self.terminal.copy()
+        other.random_state = self.random_state
         other.events = self.events.copy()
         other.timers = self.timers.copy()
         other.switches = self.switches.copy()

@@ -76,7 +76,7 @@ class Replays:
     def _contact(self, run: Run, suspect: Suspect) -> Shown | None:
         report = check_collisions(self.scene, run)
         for contact in report.contacts:
-            if _same_bodies(contact, suspect.what):
+            if _same_bodies(contact, suspect.what[:2]):
                 first, second = sides(contact)
                 depth = f"{1e3 * contact.depth_m:.1f} mm deep"
                 words = f"{first} touches {second}, {depth}"
@@ -105,14 +105,15 @@ def _without_why(event: Found) -> str:
 
 
 def _limit(run: Run, suspect: Suspect) -> Shown | None:
-    verdict = check_limits(run)
-    if verdict.answer is not Answer.VIOLATED:
-        return None
-    for finding in verdict.findings:
-        label = finding.primary
-        same = label is not None and suspect.cause is not None and label.span == suspect.cause.span
-        if same or suspect.cause is None:
-            return Shown(finding.headline, suspect.time_s, suspect.cause)
+    code, *joint = suspect.what
+    for finding in check_limits(run).findings:
+        label, joints = finding.primary, [str(finding.data.get("joint"))]
+        same = suspect.cause is None or (label and label.span == suspect.cause.span)
+        if finding.rule.code == code and same and (not joint or joint == joints):
+            causes = [motion.cause for motion in run.motions]
+            cause = next((c for c in causes if label and c.span == label.span), suspect.cause)
+            time_s = suspect.time_s if finding.moment is None else finding.moment.time_s
+            return Shown(finding.headline, time_s, cause)
     return None
 
 

@@ -14,7 +14,7 @@ from vrts.prove.explore.search import Search
 from vrts.prove.proof import Covered, Step
 
 
-def covered(search: Search, dead: tuple[Step, ...], motion_s: float) -> Covered:
+def covered(search: Search, dead: tuple[Step, ...]) -> Covered:
     """Return what a search went through, and over what it speaks."""
     environment = search.environment
     kinds = {question.kind for question in search.asked}
@@ -25,7 +25,7 @@ def covered(search: Search, dead: tuple[Step, ...], motion_s: float) -> Covered:
         decisions=counts.decisions,
         merged=counts.merged,
         ends=counts.ends,
-        motion_s=motion_s,
+        motion_s=0.0 if search.touches is None else search.touches.motion_s,
         quantified=(*(_input(environment, n) for n in read), *_others(environment, kinds)),
         bounded=_bounded(environment),
         sampled=_sampled(environment, kinds),

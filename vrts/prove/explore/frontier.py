@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from heapq import heappop, heappush
 
 from vrts.engine.machine.machine import Machine
+from vrts.prove.certify.memory import Memory
 from vrts.prove.explore.past import Past
 
 
@@ -12,16 +13,17 @@ from vrts.prove.explore.past import Past
 class Future:
     """A machine that goes on, and how it came to be."""
 
-    number: int  # no two have the same
+    leg: int  # of the graph of states: the one that it is on
     machine: Machine
     past: Past | None
     cost: int  # decisions that differ from "nothing happens"
     inputs: Mapping[int, bool]  # as they were decided last
     outside: object  # state of what the environment says of inputs
     branch: int | None  # in the tree of decisions
-    state: int | None = None  # the state that it was in last
+    memory: Memory  # what the rules of contacts remember
     again: int = 0  # how often the program was executed before
     stopped: bool = False  # the operator has stopped it
+    asked: bool = False  # outside has decided something in the tick under way
 
 
 class Frontier:

@@ -23,10 +23,10 @@ class Way(NamedTuple):
 class Outside:
     """Says what may be decided in futures of one environment."""
 
-    def __init__(self, environment: Environment, behaviours: Behaviours) -> None:
+    def __init__(self, environment: Environment, tick_s: float) -> None:
         """Take what may come from outside."""
         self.environment = environment
-        self.behaviours = behaviours
+        self.behaviours = Behaviours(environment, tick_s)
 
     def ways(self, future: Future, question: Question) -> tuple[Way, ...]:
         """Return what may be decided, what costs nothing first; nothing: nobody says."""

@@ -9,7 +9,7 @@ from vrts.engine.futures.future import begin, command, decide, happened, tick
 from vrts.engine.futures.keys import Key, Keys
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.states.nearly import nearly
-from vrts.engine.memory.events import Cause, Event, Found
+from vrts.engine.memory.events import Event, Found
 from vrts.engine.memory.records import Ending
 from vrts.engine.motion.remarks import JOINT_SPEED
 from vrts.engine.programs.cycles import place
@@ -18,25 +18,24 @@ from vrts.ir.commands import Execute
 from vrts.ir.module import Module
 from vrts.ir.ranges import INPUTS
 from vrts.prove.asking import Asking, Told
+from vrts.prove.certify.memory import Memory
 from vrts.prove.environment.environment import Environment
-from vrts.prove.environment.states import Behaviours
-from vrts.prove.explore.contacts import Certifies
 from vrts.prove.explore.executed import Executed, watched
 from vrts.prove.explore.frontier import Frontier, Future
 from vrts.prove.explore.goals import End
-from vrts.prove.explore.graph import AWAY, Graph, Visit
+from vrts.prove.explore.graph import Graph, Visit
 from vrts.prove.explore.never import never_ending, places
 from vrts.prove.explore.operator import Deed, Operator
 from vrts.prove.explore.outside import Outside, Way
 from vrts.prove.explore.past import Past
 from vrts.prove.explore.suspects import Suspect, Suspects
-from vrts.prove.proof import Branch, Decided, What, Wrong
+from vrts.prove.explore.touches import Touches
+from vrts.prove.explore.tree import Tree
+from vrts.prove.proof import Decided, What, Wrong
 from vrts.scene.model import Scene
 
-AFTERWARDS_S = 0.5  # of motion that is looked at behind the end of a program
-MOST_BRANCHES = 5_000  # of the tree of decisions that are kept
 TELL = 1_000  # states between looks at whether it is enough
-CERTIFY = 4_000  # states between certificates, at least
+CERTIFY_S = 60.0  # of new motion that is certified together
 
 
 class Counts(NamedTuple):
@@ -56,9 +55,8 @@ class Search:
         module: Module,
         scene: Scene,
         environment: Environment,
-        behaviours: Behaviours,
-        contacts: Certifies,
         *,
+        collisions: bool = True,
         merging: bool = True,
     ) -> None:
         """Take what is the same in every future.
@@ -67,35 +65,33 @@ class Search:
             module: The programs.
             scene: Where the robot stands.
             environment: What may come from outside.
-            behaviours: What the environment says of inputs.
-            contacts: Certifies that nothing touches.
+            collisions: Whether motion is certified.
             merging: Whether futures in the same state go on as one; without, few programs end.
         """
-        self.module, self.scene = module, scene
-        self.outside = Outside(environment, behaviours)
-        self.environment = environment
-        self.contacts = contacts
+        self.module, self.scene, self.environment = module, scene, environment
+        self.tick_s = scene.robot.arm.tick
+        self.outside = Outside(environment, self.tick_s)
+        self.graph = Graph()
+        self.suspects = Suspects()
+        self.touches = Touches(scene, self.graph, self.suspects) if collisions else None
         self.keys = Keys(module)
         self.executed = Executed()
         self.first: Machine  # that knows the programs
-        self.graph = Graph()
         self.frontier = Frontier()
-        self.suspects = Suspects()
         self.asked: dict[Question, None] = {}
         self.unanswered: dict[object, None] = {}  # places of questions that nobody answers
-        self.tree: list[Branch] = []
+        self.tree = Tree()
         self.decisions = self.merged = self.ends = 0
         self.is_over = False
         self.endings: dict[tuple[object, ...], End] = {}
         self._known: dict[Key, int] = {}
-        self._pasts: list[tuple[Past | None, int]] = []  # by number of future, with its cost
         self._merging = merging
 
-    def run(self, entry: str, states: object, asking: Asking) -> None:
+    def run(self, entry: str, asking: Asking) -> None:
         """Look at every future of a program, as far as is asked."""
         self.operator = Operator(self.environment, entry)
-        self._begin(entry, states)
-        told = certified = 0
+        self._begin(entry)
+        told, touches = 0, self.touches
         while self.frontier:
             count = len(self.graph.visits)
             if count >= asking.states:
@@ -105,14 +101,13 @@ class Search:
                 asking.told(Told(count, len(self.frontier), len(self.suspects)))
                 if asking.enough():
                     break
-            if count - certified >= CERTIFY:
-                certified = count
-                self._certify()
+            if touches is not None and touches.waiting_s >= CERTIFY_S:
+                touches.certify()
             self._go_on(self.frontier.pop(), asking.states)
-        self._certify()
         self.is_over = not self.frontier
-        for future in self.frontier.waiting():
-            self.graph.leads(future.state, AWAY)
+        if touches is not None:
+            touches.certify()
+            touches.settle()
         for suspect in never_ending(self.graph, self.first):
             self.suspects.add(suspect)
         asking.told(Told(len(self.graph.visits), len(self.frontier), len(self.suspects)))
@@ -122,15 +117,29 @@ class Search:
         """What the search went through so far."""
         return Counts(len(self.graph.visits), self.decisions, self.merged, self.ends)
 
+    def knows(self, machine: Machine, memory: Memory, question: Question | None = None) -> bool:
+        """Return whether a machine is in a state that was looked at.
+
+        Args:
+            machine: At the end of a tick in which nothing was asked, or where something is.
+            memory: What the rules of contacts remember of it.
+            question: What is asked there.
+        """
+        states = self.outside.behaviours.begin()
+        return self._key(Future(0, machine, None, 0, {}, states, None, memory), question) in (
+            self._known
+        )
+
     # --- beginnings and forks -----------------------------------------------------------------
 
-    def _begin(self, entry: str, states: object) -> None:
+    def _begin(self, entry: str) -> None:
         """Let the program be executed at every monitor speed."""
         environment = self.environment
         usual = environment.scenario
         said = {number for _, number, _ in usual.inputs}
         said |= {sensor.signal for sensor in usual.sensors}
         free = frozenset(INPUTS) - said
+        states = self.outside.behaviours.begin()
         for k, speed in enumerate(environment.speeds):
             scenario = replace(usual, monitor_speed=speed)
             machine = begin(
@@ -145,77 +154,68 @@ class Search:
             watched(machine, self.executed)
             command(machine, Execute(entry))
             self.first = machine if k == 0 else self.first
-            decided = Decided(0.0, What.SPEED, 0, speed, None)
-            past = Past(None, decided) if len(environment.speeds) > 1 else None
-            branch = self._branch(None, None if past is None else decided)
-            self._push(Future(0, machine.copy(), past, int(k > 0), {}, states, branch))
-
-    def _push(self, future: Future) -> None:
-        """Let a future wait under a number of its own."""
-        future.number = len(self._pasts)
-        self._pasts.append((future.past, future.cost))
-        self.frontier.push(future)
+            several = len(environment.speeds) > 1
+            decided = Decided(0.0, What.SPEED, 0, speed, None) if several else None
+            past = None if decided is None else Past(None, decided)
+            leg = self.graph.begin(None, past, int(k > 0), decided)
+            branch = self.tree.add(None, decided)
+            other = Future(leg, machine.copy(), past, int(k > 0), {}, states, branch, Memory())
+            self.frontier.push(other)
 
     def _fork(self, future: Future, question: Question, ways: tuple[Way, ...]) -> None:
         """Let a future go on in every way."""
         self.decisions += 1
         behaviours = self.outside.behaviours
+        state = self.graph.legs[future.leg].to
         for k, way in enumerate(ways):
             machine = future.machine if k == len(ways) - 1 else future.machine.copy()
             decide(machine, question, way.value)
-            other = self._other(future, machine, way.cost, way.decided)
+            other = self._other(future, state, machine, way.cost, way.decided)
             if question.kind is Kind.INPUT:
                 assert isinstance(way.value, bool)
                 if way.decided is not None:
                     other.inputs = {**future.inputs, question.number: way.value}
                 other.outside = behaviours.told(future.outside, question.number, value=way.value)
-            self._push(other)
-            if question.kind is Kind.GRIP:
-                self._watch(other)
+            self.frontier.push(other)
 
     def _other(
-        self, future: Future, machine: Machine, cost: int, decided: Decided | None
+        self, future: Future, state: int, machine: Machine, cost: int, decided: Decided | None
     ) -> Future:
-        """Return a future that goes on from another one, in which something was decided."""
-        known = decided is None
+        """Return a future that goes on from a state of another one, where something was decided."""
+        past, branch = future.past, future.branch
+        cost += future.cost
+        if decided is not None:
+            past, branch = Past(past, decided), self.tree.add(branch, decided)
         return Future(
-            future.number,
+            self.graph.begin(state, past, cost, decided),
             machine,
-            future.past if known else Past(future.past, decided),
-            future.cost + cost,
+            past,
+            cost,
             future.inputs,
             future.outside,
-            future.branch if known else self._branch(future, decided),
-            future.state,
+            branch,
+            future.memory,
             future.again,
             future.stopped,
+            asked=not self.environment.stops,
         )
 
-    def _does(self, future: Future, deed: Deed) -> None:
+    def _does(self, future: Future, state: int, deed: Deed) -> None:
         """Let a future go on in which the operator does something."""
         machine = future.machine.copy()
         machine.issue(deed.commands)
-        other = self._other(future, machine, 1, deed.decided)
+        other = self._other(future, state, machine, 1, deed.decided)
         other.again += deed.decided.what is What.AGAIN
         other.stopped |= deed.decided.what is What.STOP
+        other.asked = False
         self.decisions += 1
-        self._push(other)
-
-    def _branch(self, future: Future | None, decided: Decided | None) -> int | None:
-        if len(self.tree) >= MOST_BRANCHES or (future is not None and future.branch is None):
-            return None
-        self.tree.append(Branch(None if future is None else future.branch, decided, ""))
-        return len(self.tree) - 1
-
-    def _ends(self, future: Future, how: str) -> None:
-        if future.branch is not None and not self.tree[future.branch].ends:
-            self.tree[future.branch] = self.tree[future.branch]._replace(ends=how)
+        self.frontier.push(other)
 
     # --- going on -----------------------------------------------------------------------------
 
     def _go_on(self, future: Future, most: int) -> None:
         """Go on with a future until outside decides, it meets another, or others come first."""
-        machine, graph = future.machine, self.graph
+        machine = future.machine
         while True:
             question = tick(machine)
             if question is None:
@@ -223,24 +223,33 @@ class Search:
                 if not machine.robot.running and machine.next_command_s is None:
                     self._ended(future)
                     return
-            if self._meets(future, question):
+            if question is None and future.asked:
+                future.asked = False  # others in this state are met where something is asked next
+            elif self._meets(future, question):
                 return
-            stop = self.operator.stops(future) if question is None else None
-            if stop is not None:
-                self._does(future, stop)
-            if question is not None:
-                self.asked.setdefault(question)
-                ways = self.outside.ways(future, question)
-                if not ways:
-                    self.unanswered.setdefault(place(machine.robot))
-                    graph.leads(future.state, AWAY)
-                    self._ends(future, "open")
-                    return
-                self._fork(future, question, ways)
+            elif question is not None:
+                self._asks(future, question)
                 return
-            if self.frontier.is_earlier(future) or len(graph.visits) >= most:
+            else:
+                state = self.graph.legs[future.leg].to
+                stop = self.operator.stops(future)
+                if stop is not None:
+                    self._does(future, state, stop)
+                future.leg = self.graph.begin(state, future.past, future.cost)
+            if self.frontier.is_earlier(future) or len(self.graph.visits) >= most:
                 self.frontier.push(future)
                 return
+
+    def _asks(self, future: Future, question: Question) -> None:
+        """Let outside decide."""
+        self.asked.setdefault(question)
+        ways = self.outside.ways(future, question)
+        if ways:
+            self._fork(future, question, ways)
+            return
+        self.unanswered.setdefault(place(future.machine.robot))
+        self.graph.begin(self.graph.legs[future.leg].to, future.past, future.cost)
+        self.tree.ends(future.branch, "open")
 
     def _meets(self, future: Future, question: Question | None) -> bool:
         """Note the state that a future is in; return whether another one was in it before."""
@@ -248,31 +257,22 @@ class Search:
         key = self._key(future, question)
         known = self._known.get(key) if self._merging else None
         if known is not None:
-            graph.leads(future.state, known)
+            graph.arrives(future.leg, known, machine.last_tick)
             self.merged += 1
-            self._ends(future, "merged")
+            self.tree.ends(future.branch, "merged")
             return True
         visit = Visit(
-            future.past,
-            machine.last_tick,
-            future.cost,
-            *places(machine),
-            question is not None,
+            future.past, machine.last_tick, future.cost, *places(machine), question is not None
         )
-        state = graph.add(visit)
-        self._known[key] = state
-        graph.leads(future.state, state)
-        future.state = state
+        self._known[key] = state = graph.add(visit)
+        graph.arrives(future.leg, state, machine.last_tick)
         return False
 
     def _key(self, future: Future, question: Question | None) -> Key:
+        machine = future.machine
+        remembered = None if self.touches is None else future.memory.state(machine)
         memory = self.operator.memory(future)
-        remembered = self.contacts.state(future.machine)
-        return self.keys.of(future.machine, (question, remembered, future.outside, memory))
-
-    def knows(self, machine: Machine, states: object) -> bool:
-        """Return whether a machine, at the end of a tick, is in a state that was looked at."""
-        return self._key(Future(0, machine, None, 0, {}, states, None), None) in self._known
+        return self.keys.of(machine, (question, remembered, future.outside, memory))
 
     def _over(self, future: Future) -> None:
         """Look at what a tick has brought about, and at the motion up to the next one."""
@@ -280,68 +280,49 @@ class Search:
         events = happened(machine)
         if events:
             self._look(future, events)
-        self.contacts.happened(machine, events)
         if self.operator.may_stop(future):
             machine.next_tick = machine.last_tick + 1  # there may be a stop in each of them
+        if self.touches is not None:
+            future.memory = self.touches.follow(future, events)
         if machine.robot.running or machine.next_command_s is not None:
-            self._watch(future)
             ticks = machine.next_tick - machine.last_tick
             on = frozenset(machine.system.signals.on)
             future.outside = self.outside.behaviours.advance(future.outside, ticks, on)
-
-    def _watch(self, future: Future) -> None:
-        """Let the motion up to the next tick be certified."""
-        machine = future.machine
-        self.contacts.look(machine, machine.next_tick * machine.tick, future.number)
 
     def _look(self, future: Future, events: Sequence[Event]) -> None:
         for event in events:
             if not isinstance(event, Found):
                 continue
             found = event.diagnostic
-            if found.rule == JOINT_SPEED:
+            if found.rule == JOINT_SPEED and self.touches is None:
                 wrong = Wrong.LIMIT
-            elif found.severity is Severity.ERROR:
+            elif found.severity is Severity.ERROR and found.rule != JOINT_SPEED:
                 wrong = Wrong.ERROR
             else:
                 continue
-            code = (found.rule.code,)
-            self._suspect(future, wrong, code, found.headline, event.time_s, event.cause)
+            code, cause = (found.rule.code,), event.cause
+            past, cost = future.past, future.cost
+            self.suspects.add(Suspect(wrong, code, found.headline, event.time_s, cause, past, cost))
 
     def _ended(self, future: Future) -> None:
-        machine = future.machine
+        """Note how a future ends; it may go on where the operator does something."""
+        machine, ending = future.machine, future.machine.robot.ending
         self.ends += 1
-        self.graph.leads(future.state, AWAY)
-        ending = machine.robot.ending
-        self._ends(future, ending.value)
-        ended_s = machine.ended_s or machine.now
-        self.contacts.look(machine, ended_s + AFTERWARDS_S, future.number)
-        for deed in self.operator.afterwards(future):
-            self._does(future, deed)
+        deeds = list(self.operator.afterwards(future))
+        if deeds and self._meets(future, None):
+            return
+        self.tree.ends(future.branch, ending.value)
+        if self.touches is not None:
+            self.touches.finish(future)
+        if deeds:
+            state = self.graph.legs[future.leg].to
+            self.graph.begin(state, future.past, future.cost)
+            for deed in deeds:
+                self._does(future, state, deed)
         if ending not in (Ending.COMPLETED, Ending.HALTED) or future.again or future.stopped:
             return
+        ended_s = machine.now if machine.ended_s is None else machine.ended_s
         lies = [track[-1] for track in machine.system.hand.placements.values()]
         lain = tuple((one.body, one.lie, one.support, nearly(one.X)) for one in lies)
         end = (ending, lain, machine.system.hand.held)
         self.endings.setdefault(end, End(future.past, future.cost, ended_s))
-
-    def _suspect(
-        self,
-        future: Future,
-        wrong: Wrong,
-        what: tuple[str, ...],
-        headline: str,
-        time_s: float,
-        cause: Cause | None,
-    ) -> None:
-        suspect = Suspect(wrong, what, headline, time_s, cause, future.past, future.cost)
-        self.suspects.add(suspect)
-
-    # --- what is found now and then -------------------------------------------------------------
-
-    def _certify(self) -> None:
-        for touch in self.contacts.certify():
-            past, cost = self._pasts[touch.future]
-            bodies = (touch.first, touch.second)
-            words = f"{touch.first} touches {touch.second}, {1e3 * touch.depth_m:.1f} mm deep"
-            self.suspects.add(Suspect(Wrong.CONTACT, bodies, words, touch.time_s, None, past, cost))

@@ -18,6 +18,8 @@ class Suspect(NamedTuple):
     past: Past | None
     cost: int
     steps: frozenset[tuple[str, int]] = frozenset()  # programs and steps of a loop
+    where: object = None  # where the robot program is, if the step is not known
+    certain: bool = True  # not: it may turn out to be within what is allowed
 
     @property
     def order(self) -> tuple[int, float, str, tuple[str, ...]]:
@@ -27,7 +29,7 @@ class Suspect(NamedTuple):
     @property
     def why(self) -> tuple[object, ...]:
         """What is the same of two that have the same cause."""
-        where = None if self.cause is None else (self.cause.program, self.cause.step)
+        where = self.where if self.cause is None else (self.cause.program, self.cause.step)
         return (self.wrong, self.what, where)
 
 

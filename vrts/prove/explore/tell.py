@@ -29,7 +29,7 @@ class Teller:
                 break
             told = self._confirmed(suspect)
             if told is None:
-                if suspect.wrong not in FORETOLD:
+                if suspect.wrong not in FORETOLD and suspect.certain:
                     self.doubtful.append(suspect.headline)
                 continue
             where = None if told.cause is None else (told.cause.program, told.cause.step)

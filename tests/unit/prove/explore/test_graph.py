@@ -10,7 +10,7 @@ def graph(*states: tuple[int, bool], ways: dict[int, list[int]]) -> Graph:
         found.add(Visit(None, k, 0, ((0, step),), waits, asks=False))
     for state, following in ways.items():
         for to in following:
-            found.leads(state, to)
+            found.arrives(found.begin(state, None, 0), to, 0)
     return found
 
 

@@ -12,7 +12,7 @@ from vrts.engine.machine.states.arm import arm
 from vrts.engine.machine.states.nearly import DIGITS, NEARLY, Nearly, from_now
 from vrts.engine.machine.watcher import Kept
 from vrts.engine.memory.cells import Bound, Cell, Content, cells_of
-from vrts.engine.memory.records import Lie, Placement
+from vrts.engine.memory.records import Ending, Lie, Placement
 from vrts.engine.programs.context import Context
 from vrts.engine.programs.frames import Frame
 from vrts.engine.programs.watches import Watch
@@ -75,6 +75,8 @@ def programs(
 
 
 def _program(c: Context, now: float, numbers: Numbers, named: Nearly) -> tuple[object, ...]:
+    if c.ending is Ending.NOT_STARTED and not c.frames:
+        return (place(c), c.program)
     motions = len(c.system.planner.given.motions)
     inner = len(c.frames) - 1
     waits = [*(frame.interrupted for frame in c.frames[1:]), None]

@@ -1,0 +1,98 @@
+"""Contacts and limits of motion, certified as futures go on, told of the futures they are in."""
+
+from collections.abc import Sequence
+
+from vrts.base.units import deg
+from vrts.check.verdicts.limits import JOINT_POSITION
+from vrts.engine.memory.events import Event
+from vrts.engine.motion.remarks import JOINT_SPEED
+from vrts.prove.certify.certifier import Certifier
+from vrts.prove.certify.memory import Memory
+from vrts.prove.certify.touching import Beyond, Touching
+from vrts.prove.explore.excused import not_excused
+from vrts.prove.explore.frontier import Future
+from vrts.prove.explore.graph import Graph
+from vrts.prove.explore.past import Past
+from vrts.prove.explore.suspects import Suspect, Suspects
+from vrts.prove.proof import Wrong
+from vrts.scene.model import Scene
+
+
+class Touches:
+    """Certifies the motion of all futures of a search."""
+
+    def __init__(self, scene: Scene, graph: Graph, suspects: Suspects) -> None:
+        """Begin with nothing certified."""
+        self._certifier = Certifier(scene)
+        self._graph, self._suspects = graph, suspects
+        self._tick_s = scene.robot.arm.tick
+        self._open: list[Touching] = []  # what something later may excuse
+
+    @property
+    def motion_s(self) -> float:
+        """How much motion was certified [s]."""
+        return self._certifier.motion_s
+
+    @property
+    def waiting_s(self) -> float:
+        """How much motion waits for it [s]."""
+        return self._certifier.waiting_s
+
+    def follow(self, future: Future, events: Sequence[Event]) -> Memory:
+        """Note how a future has moved; return what is remembered of it."""
+        memory = self._certifier.follow(future.memory, future.machine, events, future.leg)
+        self._keep(future, memory)
+        return memory
+
+    def finish(self, future: Future) -> None:
+        """Note what still moves in a future that ends."""
+        self._keep(future, self._certifier.finish(future.memory, future.machine, future.leg))
+
+    def certify(self) -> None:
+        """Certify what is new."""
+        touching, beyond = self._certifier.certify()
+        for touch in touching:
+            if touch.unless is None:
+                leg = self._graph.legs[touch.future]
+                self._suspects.add(self._contact(touch, leg.past))
+            else:
+                self._open.append(touch)
+        for one in beyond:
+            self._suspects.add(self._limit(one))
+
+    def settle(self) -> None:
+        """Tell what nothing excuses, once no more futures are looked at."""
+        for touch in self._open:
+            found = not_excused(self._graph, touch, self._tick_s)
+            if found is not None:
+                self._suspects.add(self._contact(touch, found.past))
+
+    def _keep(self, future: Future, memory: Memory) -> None:
+        if memory.outcomes:
+            self._graph.legs[future.leg].outcomes += memory.outcomes
+
+    def _contact(self, touch: Touching, past: Past | None) -> Suspect:
+        bodies = (touch.first, touch.second, *touch.parts)
+        words = f"{touch.first} touches {touch.second}"
+        cost = self._graph.legs[touch.future].cost
+        return Suspect(
+            *(Wrong.CONTACT, bodies, words, touch.time_s, None, past, cost),
+            where=self._where(touch.future),
+            certain=touch.certain,
+        )
+
+    def _limit(self, one: Beyond) -> Suspect:
+        leg = self._graph.legs[one.future]
+        rule = JOINT_SPEED if one.speed else JOINT_POSITION
+        unit = "deg/s" if one.speed else "degrees"
+        words = f"joint {one.joint + 1} comes to {deg(one.value):.1f} {unit}"
+        what = (rule.code, str(one.joint + 1))
+        return Suspect(
+            *(Wrong.LIMIT, what, words, one.time_s, None, leg.past, leg.cost),
+            where=self._where(one.future),
+        )
+
+    def _where(self, leg: int) -> object:
+        """Return where the robot program is when a leg begins."""
+        start = self._graph.legs[leg].start
+        return None if start is None else self._graph.visits[start].place
