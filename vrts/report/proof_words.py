@@ -16,15 +16,22 @@ def counted(number: int, noun: str) -> str:
 def diagnostic(wronged: Wronged) -> Diagnostic:
     """Return what goes wrong in a future as a diagnostic at its step."""
     cause = wronged.cause
-    label = None if cause is None else Label(cause.span, "in some future")
+    label = None if cause is None else Label(cause.span, "here")
     return Diagnostic(
         IN_SOME_FUTURE,
         Severity.ERROR,
-        f"for some inputs: {wronged.headline}",
+        f"{_when(wronged)}: {wronged.headline}",
         label,
         notes=tuple(_noted(*row) for row in story(wronged)[:-1]),
         data={"wrong": wronged.wrong.value, "time_s": wronged.time_s},
     )
+
+
+def _when(wronged: Wronged) -> str:
+    kinds = {one.what for one in wronged.decisions}
+    if not kinds:
+        return "even if nothing comes from outside"
+    return "for some inputs" if kinds == {What.INPUT} else "in some future"
 
 
 def _noted(time_s: float, where: str, what: str) -> str:
