@@ -9,15 +9,15 @@ from vrts.engine.memory.events import Cause
 from vrts.ir.module import Module
 from vrts.prove.asking import Asking, Told
 from vrts.prove.environment.environment import Environment
-from vrts.prove.explore.confirm import Replays
-from vrts.prove.explore.covered import covered
 from vrts.prove.explore.executed import dead_steps
-from vrts.prove.explore.goals import MOST_ENDS, is_asked, missed, suspect
 from vrts.prove.explore.past import story
-from vrts.prove.explore.scenarios import scenario_of
 from vrts.prove.explore.search import Search
-from vrts.prove.explore.tell import Teller
 from vrts.prove.proof import Proof, Wronged
+from vrts.prove.telling.confirm import Replays
+from vrts.prove.telling.covered import covered
+from vrts.prove.telling.goals import MOST_ENDS, is_asked, missed, suspect
+from vrts.prove.telling.scenarios import scenario_of
+from vrts.prove.telling.tell import Teller
 from vrts.scene.model import Scene
 
 __all__ = ["Asking", "Told", "prove"]
@@ -53,7 +53,7 @@ def prove(
         raise KeyError(entry)
     search = Search(module, scene, environment, collisions=asking.collisions)
     search.run(entry, asking)
-    replays = Replays(module, scene, entry, task)
+    replays = Replays(module, scene, environment, entry, task)
     left = [*_left(search), *_judge(search, replays)]
     teller = Teller(replays, environment, search.first.tick)
     found = teller.tell(search.suspects.in_order())

@@ -7,6 +7,7 @@ from heapq import heappop, heappush
 from vrts.engine.machine.machine import Machine
 from vrts.prove.certify.memory import Memory
 from vrts.prove.explore.past import Past
+from vrts.prove.properties.monitor import Memory as Watched
 
 
 @dataclass(slots=True)
@@ -24,6 +25,7 @@ class Future:
     again: int = 0  # how often the program was executed before
     stopped: bool = False  # the operator has stopped it
     asked: bool = False  # outside has decided something in the tick under way
+    watched: Watched = ()  # what is remembered of properties
 
 
 class Frontier:

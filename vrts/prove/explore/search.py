@@ -22,15 +22,15 @@ from vrts.prove.certify.memory import Memory
 from vrts.prove.environment.environment import Environment
 from vrts.prove.explore.executed import Executed, watched
 from vrts.prove.explore.frontier import Frontier, Future
-from vrts.prove.explore.goals import End
 from vrts.prove.explore.graph import Graph, Visit
 from vrts.prove.explore.never import never_ending, places
 from vrts.prove.explore.operator import Deed, Operator
 from vrts.prove.explore.outside import Outside, Way
 from vrts.prove.explore.past import Past
-from vrts.prove.explore.suspects import Suspect, Suspects
+from vrts.prove.explore.suspects import End, Suspect, Suspects
 from vrts.prove.explore.touches import Touches
 from vrts.prove.explore.tree import Tree
+from vrts.prove.explore.watch import Watch
 from vrts.prove.proof import Decided, What, Wrong
 from vrts.scene.model import Scene
 
@@ -76,6 +76,7 @@ class Search:
         self.touches = Touches(scene, self.graph, self.suspects) if collisions else None
         self.keys = Keys(module)
         self.executed = Executed()
+        self.watch = Watch(environment, scene, self.suspects) if environment.properties else None
         self.first: Machine  # that knows the programs
         self.frontier = Frontier()
         self.asked: dict[Question, None] = {}
@@ -160,6 +161,7 @@ class Search:
             leg = self.graph.begin(None, past, int(k > 0), decided)
             branch = self.tree.add(None, decided)
             other = Future(leg, machine.copy(), past, int(k > 0), {}, states, branch, Memory())
+            other.watched = () if self.watch is None else self.watch.begin()
             self.frontier.push(other)
 
     def _fork(self, future: Future, question: Question, ways: tuple[Way, ...]) -> None:
@@ -197,7 +199,8 @@ class Search:
             future.memory,
             future.again,
             future.stopped,
-            asked=not self.environment.stops,
+            not self.environment.stops,
+            future.watched,
         )
 
     def _does(self, future: Future, state: int, deed: Deed) -> None:
@@ -272,7 +275,7 @@ class Search:
         machine = future.machine
         remembered = None if self.touches is None else future.memory.state(machine)
         memory = self.operator.memory(future)
-        return self.keys.of(machine, (question, remembered, future.outside, memory))
+        return self.keys.of(machine, (question, remembered, future.outside, memory, future.watched))
 
     def _over(self, future: Future) -> None:
         """Look at what a tick has brought about, and at the motion up to the next one."""
@@ -285,6 +288,8 @@ class Search:
         if self.touches is not None:
             future.memory = self.touches.follow(future, events)
         if machine.robot.running or machine.next_command_s is not None:
+            if self.watch is not None:
+                self.watch.follow(future)
             ticks = machine.next_tick - machine.last_tick
             on = frozenset(machine.system.signals.on)
             future.outside = self.outside.behaviours.advance(future.outside, ticks, on)

@@ -33,6 +33,14 @@ class Suspect(NamedTuple):
         return (self.wrong, self.what, where)
 
 
+class End(NamedTuple):
+    """How futures end, by the one that came to it first."""
+
+    past: Past | None
+    cost: int
+    time_s: float
+
+
 class Suspects:
     """The shortest of each cause."""
 

@@ -1,12 +1,12 @@
 """From what seems wrong to what is told: confirmed by a replay, shrunk, with its scenario."""
 
 from vrts.prove.environment.environment import Environment
-from vrts.prove.explore.confirm import Replays, Shown
 from vrts.prove.explore.past import story
-from vrts.prove.explore.scenarios import scenario_of
-from vrts.prove.explore.shrink import shrunk
 from vrts.prove.explore.suspects import Suspect
 from vrts.prove.proof import Decided, Wrong, Wronged
+from vrts.prove.telling.confirm import Replays, Shown
+from vrts.prove.telling.scenarios import scenario_of
+from vrts.prove.telling.shrink import shrunk
 
 MOST = 12  # causes that are told
 FORETOLD = (Wrong.LIMIT,)  # said when a motion begins: it may be given up before it comes true

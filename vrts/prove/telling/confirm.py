@@ -1,5 +1,6 @@
 """What seems wrong is replayed in full, on the ordinary engine and by the ordinary checks."""
 
+import math
 from typing import NamedTuple
 
 from vrts.check.collision.collision import check_collisions
@@ -10,12 +11,14 @@ from vrts.engine.controller import advance, commands_of, start
 from vrts.engine.faults import NO_ANSWER, WAIT_NEVER_ENDS
 from vrts.engine.machine.forever.findings import ENDLESS
 from vrts.engine.memory.events import Cause, Found
-from vrts.engine.memory.records import Ending
+from vrts.engine.memory.records import INSTANT, Ending
 from vrts.engine.run import Run
 from vrts.ir.module import Module
-from vrts.prove.explore.goals import missed
+from vrts.prove.environment.environment import Environment
 from vrts.prove.explore.suspects import Suspect
 from vrts.prove.proof import Wrong
+from vrts.prove.properties.of_run import first_broken
+from vrts.prove.telling.goals import missed
 from vrts.scene.model import Scenario, Scene
 
 NEVER = (ENDLESS, WAIT_NEVER_ENDS, NO_ANSWER)
@@ -33,9 +36,17 @@ class Shown(NamedTuple):
 class Replays:
     """Replays scenarios of one program."""
 
-    def __init__(self, module: Module, scene: Scene, entry: str, task: Task | None) -> None:
+    def __init__(
+        self,
+        module: Module,
+        scene: Scene,
+        environment: Environment,
+        entry: str,
+        task: Task | None,
+    ) -> None:
         """Take what is executed, where, and what is asked of it."""
-        self.module, self.scene, self.entry, self.task = module, scene, entry, task
+        self.module, self.scene, self.environment = module, scene, environment
+        self.entry, self.task = entry, task
         self.count = 0
 
     def run(self, scenario: Scenario, until_s: float) -> Run:
@@ -61,10 +72,22 @@ class Replays:
             case Wrong.ERROR:
                 run = self.run(scenario, min(suspect.time_s + BEYOND_S, limit))
                 return _error(run, suspect)
+            case Wrong.PROPERTY:
+                until_s = min(suspect.time_s + BEYOND_S, limit)
+                return self._property(self.run(scenario, until_s), suspect, until_s)
             case Wrong.GOAL | Wrong.DEMAND:
                 return self._missed(self.run(scenario, limit), suspect)
-            case _:
+            case Wrong.UNBOUNDED:
                 return None
+
+    def _property(self, run: Run, suspect: Suspect, until_s: float) -> Shown | None:
+        number, tick_s = int(suspect.what[0]), self.scene.robot.arm.tick
+        until_s = math.floor(min(until_s, run.horizon_s) / tick_s + INSTANT) * tick_s
+        broken = first_broken(run, self.environment.properties[number : number + 1], until_s)
+        if broken is None:
+            return None
+        robot = run.at(broken.time_s).robot
+        return Shown(suspect.headline, broken.time_s, None if robot is None else robot.cause)
 
     def _missed(self, run: Run, suspect: Suspect) -> Shown | None:
         for one in () if self.task is None else missed(run, self.task):

@@ -11,19 +11,11 @@ from vrts.check.verdicts import targets, via_verdict, vias
 from vrts.check.verdicts.demand_check import check_demands
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
-from vrts.prove.explore.past import Past, story
-from vrts.prove.explore.suspects import Suspect
+from vrts.prove.explore.past import story
+from vrts.prove.explore.suspects import End, Suspect
 from vrts.prove.proof import What, Wrong
 
 MOST_ENDS = 200  # that are replayed
-
-
-class End(NamedTuple):
-    """How futures end, by the one that came to it first."""
-
-    past: Past | None
-    cost: int
-    time_s: float
 
 
 class Missed(NamedTuple):
