@@ -1,5 +1,6 @@
 """The patches: each breaks one promise of the product in one line."""
 
+from tests.sabotage.certified import CERTIFIED
 from tests.sabotage.patch import Patch
 from tests.sabotage.proofs import PROOFS
 
@@ -1952,6 +1953,7 @@ PATCHES: tuple[Patch, ...] = (
         "return open_structures(lines) == -2",
         ("tests/unit/lang/reading/test_sections.py",),
     ),
+    *CERTIFIED,
     *PROOFS,
     Patch(
         "arms without a closed form are short of a link",

@@ -1,0 +1,81 @@
+"""Patches of what certifies motion that futures share: a fault would call what touches free."""
+
+from tests.sabotage.patch import Patch
+
+ROOM = "vrts/prove/certify/"
+HOPES = "tests/unit/prove/certify/test_hopes.py"
+SEEN = "tests/unit/prove/certify/test_seen.py"
+RUNS = "tests/unit/prove/certify/test_certifier.py"
+
+CERTIFIED: tuple[Patch, ...] = (
+    Patch(
+        "fingers that let go never come free",
+        ROOM + "parting.py",
+        "if self._gap(machine, one, time_s) > SEPARATED:",
+        "if self._gap(machine, one, time_s) > 1.0:",
+        (HOPES,),
+    ),
+    Patch(
+        "fingers are free as soon as they let go",
+        ROOM + "parting.py",
+        "if self._gap(machine, one, time_s) > SEPARATED:",
+        "if self._gap(machine, one, time_s) > -1.0:",
+        (HOPES,),
+    ),
+    Patch(
+        "pads may press into what the closing hand may not grasp",
+        ROOM + "laying.py",
+        "            if not allowed:\n",
+        "            if not allowed and not closing:\n",
+        (HOPES,),
+    ),
+    Patch(
+        "what is held may press on all that it may come to stand on",
+        ROOM + "laying.py",
+        "parts = other.body in (body.before, body.after)",
+        "parts = other.still",
+        (HOPES,),
+    ),
+    Patch(
+        "a touch that may be excused is not told of futures that come later",
+        ROOM + "certifier.py",
+        "if situation.hopes:",
+        "if situation.hopes and not self._hopes:",
+        (HOPES,),
+    ),
+    Patch(
+        "what is pressed too deep is excused too",
+        ROOM + "certifier.py",
+        "touching += self._lowered(some, hits)",
+        "pass",
+        (HOPES,),
+    ),
+    Patch(
+        "what falls is not looked at",
+        ROOM + "situation.py",
+        "        if one.still:\n            continue\n        supports",
+        "        if one.lie is not Lie.HELD:\n            continue\n        supports",
+        (RUNS,),
+    ),
+    Patch(
+        "a part that was looked at in one place is looked at nowhere else",
+        ROOM + "seen.py",
+        "if other is not own and part in other.parts:",
+        "if other is not own:",
+        (SEEN,),
+    ),
+    Patch(
+        "what a hand is told to do with the next motion it does at once",
+        ROOM + "memory.py",
+        "        if event.time_s <= span[1] + INSTANT:\n            hand.take(event)",
+        "        hand.take(event)",
+        (RUNS,),
+    ),
+    Patch(
+        "motions laid end to end hide each other's touches",
+        "vrts/check/collision/search/known_events.py",
+        "return group * (len(self.begins) + 1) + since",
+        "return group",
+        ("tests/unit/check/collision/search/test_search_begins.py",),
+    ),
+)
