@@ -1,7 +1,7 @@
 """Futures that are driven tick by tick through a certifier, beside the runs that they are."""
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from vrts.check.collision.collision import check_collisions
 from vrts.check.collision.pairs.pairs import PAD_DEPTH, TOLERANCE
@@ -13,6 +13,8 @@ from vrts.prove.certify.certifier import Certifier
 from vrts.prove.certify.memory import Memory
 from vrts.prove.certify.touching import Beyond, Outcome, Touching
 from vrts.scene.model import Scene
+
+Names: TypeAlias = frozenset[tuple[str, str]]
 
 ALLOWED = (TOLERANCE, PAD_DEPTH)  # [m]
 NEARLY = 2.5e-5  # [m] of depths that may be allowed or not, twice the band
@@ -65,15 +67,24 @@ def driven(certifier: Certifier, ticks: Iterator[Machine], first: int = 0) -> Dr
     return Driven(touching, beyond, outcomes, [*ticks_s, memory.seen_s], memory)
 
 
-def differences(scene: Scene, run: Run, told: Sequence[Touching]) -> list[str]:
-    """Return in what a certifier and the check of the whole run differ."""
+def differences(
+    scene: Scene, run: Run, told: Sequence[Touching], known: Names = frozenset()
+) -> list[str]:
+    """Return in what a certifier and the check of the whole run differ.
+
+    Args:
+        scene: Where the run was.
+        run: The run.
+        told: What was told of it.
+        known: Who touches in futures before it: that need not be told again.
+    """
     report = check_collisions(scene, run, clearance=False)
-    return [*_missed(report, told), *_false(report, told)]
+    return [*_missed(report, told, known), *_false(report, told)]
 
 
-def _missed(report: CollisionReport, told: Sequence[Touching]) -> Iterator[str]:
+def _missed(report: CollisionReport, told: Sequence[Touching], known_names: Names) -> Iterator[str]:
     """Yield contacts that nothing was told of when they begin, if nothing was told before."""
-    for names in {(one.first, one.second) for one in report.contacts}:
+    for names in {(one.first, one.second) for one in report.contacts} - known_names:
         known = min(one.start_s for one in report.contacts if (one.first, one.second) == names)
         own = [one.time_s for one in told if (one.first, one.second) == names]
         if not own or min(own) > known + TICK + LATE:

@@ -5,7 +5,6 @@ from tests.sabotage.patch import Patch
 ROOM = "vrts/prove/certify/"
 HOPES = "tests/unit/prove/certify/test_hopes.py"
 SEEN = "tests/unit/prove/certify/test_seen.py"
-RUNS = "tests/unit/prove/certify/test_certifier.py"
 
 CERTIFIED: tuple[Patch, ...] = (
     Patch(
@@ -55,7 +54,7 @@ CERTIFIED: tuple[Patch, ...] = (
         ROOM + "situation.py",
         "        if one.still:\n            continue\n        supports",
         "        if one.lie is not Lie.HELD:\n            continue\n        supports",
-        (RUNS,),
+        (HOPES,),
     ),
     Patch(
         "a part that was looked at in one place is looked at nowhere else",
@@ -63,13 +62,6 @@ CERTIFIED: tuple[Patch, ...] = (
         "if other is not own and part in other.parts:",
         "if other is not own:",
         (SEEN,),
-    ),
-    Patch(
-        "what a hand is told to do with the next motion it does at once",
-        ROOM + "memory.py",
-        "        if event.time_s <= span[1] + INSTANT:\n            hand.take(event)",
-        "        hand.take(event)",
-        (RUNS,),
     ),
     Patch(
         "motions laid end to end hide each other's touches",

@@ -1,5 +1,8 @@
 """What a certifier tells of a future is what the check of its whole run tells."""
 
+from dataclasses import replace
+from random import Random
+
 import pytest
 
 from tests.property.test_futures import Told
@@ -12,6 +15,8 @@ from vrts.engine.controller import execute
 from vrts.prove.certify.certifier import Certifier
 
 USUAL = range(30)
+SHARED, FUTURES = range(500, 508), 8
+MORE = [pytest.param(k, marks=pytest.mark.thorough) for k in range(508, 560)]
 MANY = [pytest.param(k, marks=pytest.mark.thorough) for k in range(30, 230)]
 
 
@@ -39,3 +44,23 @@ def test_what_was_certified_is_not_certified_again() -> None:
     known_s = certifier.motion_s
     certified(given, certifier)
     assert certifier.motion_s == known_s > 1.0
+
+
+@pytest.mark.parametrize("number", [*SHARED, *MORE])
+@deep_stack()
+def test_futures_that_share_motion_are_told_what_each_touches(number: int) -> None:
+    """What a future touches is told of it, or the same bodies were told of one before."""
+    given, draw = carried(number), Random(number)
+    module, scene = compiled(given.text), setting(given.scene).scene
+    certifier = Certifier(scene)
+    known: set[tuple[str, str]] = set()
+    for k in range(FUTURES):
+        inputs = ((draw.uniform(0.5, 9.0), 1001, True),) if k else ()
+        scenario = replace(given.scenario, inputs=inputs)
+        told = Told(module, scene, scenario, frozenset({1001}))
+        contacts = driven(certifier, told.ticks(), 1000 * k).contacts
+        run = execute(module, scene, scenario)
+        wrong = differences(scene, run, contacts, frozenset(known))
+        assert not wrong, (k, inputs, wrong)
+        assert all(1000 * k <= one.future < 1000 * (k + 1) for one in contacts)
+        known |= {(one.first, one.second) for one in contacts}

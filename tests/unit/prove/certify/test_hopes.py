@@ -23,6 +23,8 @@ over 750 450 -60 90 90 0
 upon 750 450 -110 90 90 0
 under 750 450 -215 90 90 0
 edge 1012 -130 20 90 90 0
+inside 1030 -130 -140 90 90 0
+wall 1039.5 -130 -140 90 90 0
 pressed 950 -130 -75.7 90 90 0
 deep 950 -130 -77 90 90 0
 aside 950 60 -150 90 90 0
@@ -117,7 +119,7 @@ def test_a_can_leaves_the_table_that_it_stood_on() -> None:
 def test_fingers_count_again_once_they_came_free() -> None:
     body = FETCH + "APPRO put, 100\nMOVES put\nOPENI\nDRAW 0, 5, 0\n"
     assert not names(future(body).contacts) & {("robot", "can1")}
-    told = future(FETCH + "APPRO put, 100\nMOVES put\nOPENI\nDRAW 0, 15, 0\n")
+    told = future(FETCH + "APPRO put, 100\nMOVES put\nOPENI\nDRAW 0, 10.5, 0\n")
     assert ("robot", "can1") in names(told.contacts)
 
 
@@ -134,6 +136,8 @@ STORIES = {
     "dropped on another": FETCH + "APPRO over, 60\nOPENI\nDEPARTS 100\n",
     "dropped on an edge": FETCH + "MOVE edge\nOPENI\nDELAY 0.5\n",
     "dropped on the way": FETCH + "OPEN\nMOVE over\n",
+    "let go within another": FETCH + "MOVE inside\nOPENI\nDELAY 0.5\n",
+    "let go in a wall": FETCH + "MOVE wall\nOPENI\nDELAY 0.5\n",
     "grasped on the way": "OPENI\nAPPRO can, 100\nSPEED 20\nMOVES can\nCLOSE\nDEPARTS 90\n",
     "let go and taken again": "OPENI\nMOVE can\nCLOSEI\nRELAXI\nCLOSEI\nDEPARTS 50\nOPENI\n",
 }
