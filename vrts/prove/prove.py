@@ -10,8 +10,8 @@ from vrts.ir.module import Module
 from vrts.prove.asking import Asking, Told
 from vrts.prove.environment.environment import Environment
 from vrts.prove.explore.executed import dead_steps
-from vrts.prove.explore.past import story
 from vrts.prove.explore.search import Search
+from vrts.prove.graph.past import story
 from vrts.prove.proof import Proof, Wronged
 from vrts.prove.telling.confirm import Replays
 from vrts.prove.telling.covered import covered
@@ -65,6 +65,7 @@ def prove(
         found,
         covered(search, dead),
         tuple(left),
+        unbounded=tuple(search.grows.found.values()),
         tree=tuple(search.tree.branches),
     )
 
@@ -97,6 +98,10 @@ def _left(search: Search) -> tuple[str, ...]:
     left: list[str] = []
     if not search.is_over:
         left.append(f"{len(search.frontier)} futures were left after {search.counts.states} states")
+    left += [
+        f"`{one.name}` grows without bound: nobody knows what it comes to"
+        for one in search.grows.looked_at
+    ]
     for cause in search.unanswered:
         assert isinstance(cause, Cause)
         left.append(

@@ -3,6 +3,8 @@
 Parts of a state come again far more often than states: each is kept once, under a number.
 """
 
+import math
+from collections.abc import Collection, Iterator
 from typing import Any, NamedTuple, TypeAlias, cast
 
 from vrts.engine.code.values.volatile import CLOCKS
@@ -15,10 +17,21 @@ from vrts.engine.machine.states.nearly import DIGITS, from_now
 from vrts.engine.machine.states.state import programs
 from vrts.engine.memory.cells import UNDEFINED, Array, Bound
 from vrts.engine.programs.outside import FreeSignals
-from vrts.ir.expressions import Apply, Function
+from vrts.ir.expressions import Apply, Binary, BinaryOperator, Constant, Function
 from vrts.ir.module import Module
 
 Key: TypeAlias = tuple[Any, ...]
+NOTHING: Collection[int] = frozenset()
+COMPARISONS = frozenset(
+    {
+        BinaryOperator.EQUAL,
+        BinaryOperator.NOT_EQUAL,
+        BinaryOperator.LESS,
+        BinaryOperator.LESS_EQUAL,
+        BinaryOperator.GREATER,
+        BinaryOperator.GREATER_EQUAL,
+    }
+)
 
 
 class Clocks(NamedTuple):
@@ -27,6 +40,7 @@ class Clocks(NamedTuple):
     timers: frozenset[int | None]  # None: one whose number is computed
     day: bool  # TIME and the like: no two times are alike
     random: bool
+    most_s: float  # all readings of timers beyond this are alike; inf: no two are
 
     @classmethod
     def of(cls, module: Module) -> "Clocks":
@@ -45,6 +59,7 @@ class Clocks(NamedTuple):
             frozenset(number_of(timer.arguments[0]) for timer in timers),
             bool(read - {Function.TIMER, Function.RANDOM}),
             Function.RANDOM in read,
+            _most_compared(module, len(timers)),
         )
 
     def reads_since_start(self, machine: Machine) -> bool:
@@ -55,8 +70,14 @@ class Clocks(NamedTuple):
 class Keys:
     """Gives states their keys. Equal keys are of one explorer only."""
 
-    def __init__(self, module: Module) -> None:
-        """Read what decides about the state in the programs of a module."""
+    def __init__(self, module: Module, idle: Collection[int] = NOTHING) -> None:
+        """Read what decides about the state in the programs of a module.
+
+        Args:
+            module: The programs.
+            idle: Numbers of variables that decide nothing, whatever they hold.
+        """
+        self._idle = idle
         self._clocks = Clocks.of(module)
         self._ahead = Ahead(module)
         self._named = Named()
@@ -74,21 +95,43 @@ class Keys:
             named.number(programs(machine, now, named)),
             self._rest.arm(machine, now),
             self._rest.outside(machine, now),
-            named.number(tuple([self._content(item) for item in system.memory.bound])),
+            self._contents(machine, self._idle),
             named.number(frozenset(system.signals.on)),
             machine.next_tick - machine.last_tick,
             named.number((self._times(machine, now), self._within(machine), more)),
         )
 
+    def apart(self, key: Key, machine: Machine, left_out: Collection[int]) -> Key:
+        """Return the key of the same state without what some variables hold."""
+        return (*key[:3], self._contents(machine, left_out), *key[4:])
+
+    def _contents(self, machine: Machine, left_out: Collection[int]) -> int:
+        """Return the number of what variables hold; of some only whether they hold anything."""
+        bound = machine.system.memory.bound
+        if not left_out:
+            return self._named.number(tuple([self._content(item) for item in bound]))
+        held = [
+            item.value is UNDEFINED if k in left_out else self._content(item)
+            for k, item in enumerate(bound)
+        ]
+        return self._named.number(("but", *held))
+
     def _times(self, machine: Machine, now: float) -> Key:
         system, clocks = machine.system, self._clocks
         timers = sorted(system.timers.items()) if clocks.timers else []
         return (
-            tuple([(n, round(now - t, DIGITS)) for n, t in timers]),
-            machine.last_tick if clocks.reads_since_start(machine) or _is_told(machine) else 0,
+            tuple([(n, round(min(now - t, clocks.most_s), DIGITS)) for n, t in timers]),
+            self._since_start(machine),
             system.random_state if clocks.random else 0,
             tuple([(from_now(at, now), repr(order)) for at, order, _ in machine.issued]),
         )
+
+    def _since_start(self, machine: Machine) -> float:
+        """Return how long it is since the controller's start, as far as that matters."""
+        clocks = self._clocks
+        if clocks.day or _is_told(machine):
+            return machine.last_tick
+        return min(machine.now, clocks.most_s) if clocks.reads_since_start(machine) else 0
 
     def _within(self, machine: Machine) -> Key | None:
         """Return how far a tick has come, and what was decided that may still be looked at."""
@@ -118,6 +161,37 @@ class Keys:
 
     def _value(self, value: object) -> object:
         return self._named(cast("object", value)) if isinstance(value, tuple) else value
+
+
+def _most_compared(module: Module, timers: int) -> float:
+    """Return what is more than all that timers are compared with, where nothing else asks them.
+
+    Args:
+        module: The programs.
+        timers: How often they ask.
+    """
+    compared = [
+        number_of_side
+        for program in module.programs.values()
+        for instruction in program.instructions
+        for top in tops(instruction)
+        for node in all_nodes(top)
+        if isinstance(node, Binary) and node.operator in COMPARISONS
+        for number_of_side in _beside_timer(node)
+    ]
+    if len(compared) != timers:
+        return math.inf
+    return max((abs(number) for number in compared), default=0.0) + 1.0
+
+
+def _beside_timer(node: Binary) -> Iterator[float]:
+    """Yield the number that a timer is compared with."""
+    for one, other in ((node.left, node.right), (node.right, node.left)):
+        match one, other:
+            case Apply(function=Function.TIMER), Constant(value=float(number)):
+                yield number
+            case _:
+                pass
 
 
 def _is_told(machine: Machine) -> bool:

@@ -6,7 +6,7 @@ from heapq import heappop, heappush
 
 from vrts.engine.machine.machine import Machine
 from vrts.prove.certify.memory import Memory
-from vrts.prove.explore.past import Past
+from vrts.prove.graph.past import Past
 from vrts.prove.properties.monitor import Memory as Watched
 
 

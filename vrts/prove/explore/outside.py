@@ -6,8 +6,11 @@ from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.events import Cause
 from vrts.engine.programs.cycles import place
 from vrts.engine.programs.outside import Kind, Question
+from vrts.ir import instructions as ir
+from vrts.ir.module import Module
 from vrts.prove.environment.environment import Environment
 from vrts.prove.environment.states import Behaviours
+from vrts.prove.explore.answers import tried
 from vrts.prove.explore.frontier import Future
 from vrts.prove.proof import Decided, What
 
@@ -23,9 +26,10 @@ class Way(NamedTuple):
 class Outside:
     """Says what may be decided in futures of one environment."""
 
-    def __init__(self, environment: Environment, tick_s: float) -> None:
-        """Take what may come from outside."""
+    def __init__(self, environment: Environment, module: Module, tick_s: float) -> None:
+        """Take what may come from outside, and the programs that look at it."""
         self.environment = environment
+        self.answers = tried(environment.answers, module)
         self.behaviours = Behaviours(environment, tick_s)
 
     def ways(self, future: Future, question: Question) -> tuple[Way, ...]:
@@ -45,11 +49,9 @@ class Outside:
                     for value in ordered
                 )
             case Kind.ANSWER:
-                answers = self.environment.answers
-                texts = () if answers is None else answers.texts
                 return tuple(
                     Way(text, k > 0, Decided(now, What.ANSWER, 0, text, cause))
-                    for k, text in enumerate(texts)
+                    for k, text in enumerate(self.answers.lines(_places(machine)))
                 )
             case Kind.GRIP:
                 time_s = machine.next_tick * machine.tick
@@ -60,6 +62,19 @@ class Outside:
                     Way(value, k > 0, Decided(now, What.RANDOM, 0, value, cause))
                     for k, value in enumerate(self.environment.random)
                 )
+
+
+def _places(machine: Machine) -> int:
+    """Return how many values the PROMPT under way reads."""
+    mid = machine.mid
+    c = machine.robot if mid is None or mid.turn == 0 else machine.process
+    frame = c.frames[-1]
+    code = machine.system.programs.loaded[frame.program].program.instructions
+    match code[min(frame.index, len(code) - 1)]:
+        case ir.Prompt(places=places):
+            return len(places)
+        case _:
+            return 1
 
 
 def _closes(machine: Machine) -> Cause | None:

@@ -22,15 +22,16 @@ from vrts.prove.certify.memory import Memory
 from vrts.prove.environment.environment import Environment
 from vrts.prove.explore.executed import Executed, watched
 from vrts.prove.explore.frontier import Frontier, Future
-from vrts.prove.explore.graph import Graph, Visit
-from vrts.prove.explore.never import never_ending, places
 from vrts.prove.explore.operator import Deed, Operator
 from vrts.prove.explore.outside import Outside, Way
-from vrts.prove.explore.past import Past
-from vrts.prove.explore.suspects import End, Suspect, Suspects
 from vrts.prove.explore.touches import Touches
 from vrts.prove.explore.tree import Tree
 from vrts.prove.explore.watch import Watch
+from vrts.prove.graph.graph import Graph, Visit
+from vrts.prove.graph.grows import Grows
+from vrts.prove.graph.never import never_ending, places
+from vrts.prove.graph.past import Past
+from vrts.prove.graph.suspects import End, Suspect, Suspects
 from vrts.prove.proof import Decided, What, Wrong
 from vrts.scene.model import Scene
 
@@ -70,11 +71,12 @@ class Search:
         """
         self.module, self.scene, self.environment = module, scene, environment
         self.tick_s = scene.robot.arm.tick
-        self.outside = Outside(environment, self.tick_s)
+        self.outside = Outside(environment, module, self.tick_s)
         self.graph = Graph()
         self.suspects = Suspects()
         self.touches = Touches(scene, self.graph, self.suspects) if collisions else None
-        self.keys = Keys(module)
+        self.keys: Keys
+        self.grows: Grows
         self.executed = Executed()
         self.watch = Watch(environment, scene, self.suspects) if environment.properties else None
         self.first: Machine  # that knows the programs
@@ -155,6 +157,9 @@ class Search:
             watched(machine, self.executed)
             command(machine, Execute(entry))
             self.first = machine if k == 0 else self.first
+            if k == 0:
+                self.grows = Grows(self.module, machine.executable, self.graph)
+                self.keys = Keys(self.module, self.grows.idle)
             several = len(environment.speeds) > 1
             decided = Decided(0.0, What.SPEED, 0, speed, None) if several else None
             past = None if decided is None else Past(None, decided)
@@ -261,15 +266,22 @@ class Search:
         known = self._known.get(key) if self._merging else None
         if known is not None:
             graph.arrives(future.leg, known, machine.last_tick)
+            self.grows.met(machine, known, future.leg)
             self.merged += 1
             self.tree.ends(future.branch, "merged")
             return True
         visit = Visit(
-            future.past, machine.last_tick, future.cost, *places(machine), question is not None
+            *(future.past, machine.last_tick, future.cost, *places(machine)),
+            asks=question is not None,
+            leg=future.leg,
         )
         self._known[key] = state = graph.add(visit)
         graph.arrives(future.leg, state, machine.last_tick)
-        return False
+        if not self.grows.state(self.keys, key, machine, state):
+            return False
+        graph.begin(state, future.past, future.cost)  # nobody knows where it comes to
+        self.tree.ends(future.branch, "open")
+        return True
 
     def _key(self, future: Future, question: Question | None) -> Key:
         machine = future.machine

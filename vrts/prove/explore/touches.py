@@ -9,11 +9,11 @@ from vrts.engine.motion.remarks import JOINT_SPEED
 from vrts.prove.certify.certifier import Certifier
 from vrts.prove.certify.memory import Memory
 from vrts.prove.certify.touching import Beyond, Touching
-from vrts.prove.explore.excused import not_excused
 from vrts.prove.explore.frontier import Future
-from vrts.prove.explore.graph import Graph
-from vrts.prove.explore.past import Past
-from vrts.prove.explore.suspects import Suspect, Suspects
+from vrts.prove.graph.excused import not_excused
+from vrts.prove.graph.graph import Graph
+from vrts.prove.graph.past import Past
+from vrts.prove.graph.suspects import Suspect, Suspects
 from vrts.prove.proof import Wrong
 from vrts.scene.model import Scene
 

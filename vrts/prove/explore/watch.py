@@ -2,8 +2,8 @@
 
 from vrts.prove.environment.environment import Environment
 from vrts.prove.explore.frontier import Future
-from vrts.prove.explore.past import Past
-from vrts.prove.explore.suspects import Suspect, Suspects
+from vrts.prove.graph.past import Past
+from vrts.prove.graph.suspects import Suspect, Suspects
 from vrts.prove.proof import Decided, What, Wrong
 from vrts.prove.properties.moments import of_machine
 from vrts.prove.properties.monitor import Broken, Memory, Monitor

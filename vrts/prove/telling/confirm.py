@@ -15,7 +15,7 @@ from vrts.engine.memory.records import INSTANT, Ending
 from vrts.engine.run import Run
 from vrts.ir.module import Module
 from vrts.prove.environment.environment import Environment
-from vrts.prove.explore.suspects import Suspect
+from vrts.prove.graph.suspects import Suspect
 from vrts.prove.proof import Wrong
 from vrts.prove.properties.of_run import first_broken
 from vrts.prove.telling.goals import missed
@@ -119,6 +119,8 @@ def _never(run: Run, suspect: Suspect) -> Shown | None:
         cause = event.cause
         if cause is not None and _at(cause) in suspect.steps:
             return Shown(_without_why(event), event.time_s, cause)
+    if run.ending is Ending.LIMIT and suspect.wrong is Wrong.ENDLESS:  # it counts its rounds
+        return Shown(suspect.headline, suspect.time_s, suspect.cause)
     return None
 
 

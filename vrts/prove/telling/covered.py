@@ -26,9 +26,9 @@ def covered(search: Search, dead: tuple[Step, ...]) -> Covered:
         merged=counts.merged,
         ends=counts.ends,
         motion_s=0.0 if search.touches is None else search.touches.motion_s,
-        quantified=(*(_input(environment, n) for n in read), *_others(environment, kinds)),
+        quantified=(*(_input(environment, n) for n in read), *_others(search, kinds)),
         bounded=_bounded(environment),
-        sampled=_sampled(environment, kinds),
+        sampled=_sampled(search, kinds),
         assumed=_assumed(environment, bool(read)),
         dead=dead,
     )
@@ -59,11 +59,15 @@ def _span(span: Span) -> str:
     return f"{span.least:g} to {span.most:g} s"
 
 
-def _others(environment: Environment, kinds: set[Kind]) -> list[str]:
-    found: list[str] = []
+def _others(search: Search, kinds: set[Kind]) -> list[str]:
+    environment, found = search.environment, list[str]()
     if Kind.ANSWER in kinds and environment.answers is not None and environment.answers.texts:
         texts = ", ".join(f'"{text}"' for text in environment.answers.texts)
         found.append(f"answers to PROMPT: each of {texts}, every time")
+    answers = search.outside.answers
+    if Kind.ANSWER in kinds and answers.numbers and not answers.sampled:
+        first, last = answers.numbers[0], answers.numbers[-1]
+        found.append(f"answers to PROMPT: every whole number from {first:g} to {last:g}")
     if len(environment.speeds) > 1:
         speeds = ", ".join(f"{speed:g}" for speed in environment.speeds)
         found.append(f"monitor speed: {speeds} %, one for a whole future")
@@ -71,7 +75,7 @@ def _others(environment: Environment, kinds: set[Kind]) -> list[str]:
         ways = " or ".join(
             sorted(after.value for after in Afterwards if after in environment.stops)
         )
-        found.append(f"the operator: one stop in any tick, then {ways}")
+        found.append(f"the operator: one stop in any tick in which the arm moves, then {ways}")
     return found
 
 
@@ -84,11 +88,15 @@ def _bounded(environment: Environment) -> tuple[str, ...]:
     return (f"the program is executed at most {most + 1} times",)
 
 
-def _sampled(environment: Environment, kinds: set[Kind]) -> tuple[str, ...]:
-    found: list[str] = []
+def _sampled(search: Search, kinds: set[Kind]) -> tuple[str, ...]:
+    environment, found = search.environment, list[str]()
+    if Kind.ANSWER in kinds and search.outside.answers.sampled:
+        found.append(f"answers to PROMPT, {search.outside.answers.sampled}")
     if Kind.RANDOM in kinds:
         draws = ", ".join(f"{value:g}" for value in environment.random)
         found.append(f"RANDOM: {draws} only")
+    if environment.stops:
+        found.append("after a stop the operator goes on as soon as the arm stands, or never")
     return tuple(found)
 
 
@@ -102,6 +110,8 @@ def _assumed(environment: Environment, inputs: bool) -> tuple[str, ...]:
         found.append("the operator never stops the program")
     if not environment.misses:
         found.append("the hand never misses what stands between its fingers")
+    if environment.stops or environment.misses:
+        found.append("goals are asked for only where nobody stops and no part is missing")
     if environment.again.most != 0:
         words = {
             Parts.PUT_BACK: "everything stands where it stood at first",

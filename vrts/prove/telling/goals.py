@@ -11,8 +11,8 @@ from vrts.check.verdicts import targets, via_verdict, vias
 from vrts.check.verdicts.demand_check import check_demands
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
-from vrts.prove.explore.past import story
-from vrts.prove.explore.suspects import End, Suspect
+from vrts.prove.graph.past import story
+from vrts.prove.graph.suspects import End, Suspect
 from vrts.prove.proof import What, Wrong
 
 MOST_ENDS = 200  # that are replayed

@@ -1,8 +1,8 @@
 """From what seems wrong to what is told: confirmed by a replay, shrunk, with its scenario."""
 
 from vrts.prove.environment.environment import Environment
-from vrts.prove.explore.past import story
-from vrts.prove.explore.suspects import Suspect
+from vrts.prove.graph.past import story
+from vrts.prove.graph.suspects import Suspect
 from vrts.prove.proof import Decided, Wrong, Wronged
 from vrts.prove.telling.confirm import Replays, Shown
 from vrts.prove.telling.scenarios import scenario_of

@@ -9,23 +9,45 @@ from collections import Counter
 from vrts.engine.code.executable import Executable
 from vrts.engine.machine.forever.nodes import all_nodes, tops
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Binary, BinaryOperator, Constant, Global, Load, Place, WholeArray
+from vrts.ir.expressions import (
+    Apply,
+    Binary,
+    BinaryOperator,
+    Constant,
+    Function,
+    Global,
+    Load,
+    Place,
+    WholeArray,
+)
 from vrts.ir.values import Type
 
 MOST_ADDED = 1e30  # added for ever, it does not come near the largest real
 COUNTING = (BinaryOperator.ADD, BinaryOperator.SUBTRACT)
 
 
-def idle(executable: Executable) -> frozenset[int]:
-    """Return the numbers of the global variables that decide nothing."""
+def idle(executable: Executable, *, shown: bool = False) -> frozenset[int]:
+    """Return the numbers of the global variables that decide nothing.
+
+    Args:
+        executable: The programs.
+        shown: Whether those count, too, that are only written to the terminal, or asked for whether
+            they hold anything.
+    """
     seen: Counter[str] = Counter()
     counted: Counter[str] = Counter()
     for program in executable.module.programs.values():
         for instruction in program.instructions:
+            if shown and isinstance(instruction, ir.Type):
+                continue
             for top in tops(instruction):
                 for node in all_nodes(top):
                     if isinstance(node, Place | WholeArray):
                         seen[node.variable.name] += isinstance(node.variable, Global)
+                    elif shown and isinstance(node, Apply) and node.function is Function.DEFINED:
+                        for place in node.arguments:
+                            if isinstance(place, Place):
+                                seen[place.variable.name] -= isinstance(place.variable, Global)
             name = _counted(instruction)
             if name is not None:
                 assert isinstance(instruction, ir.Assign)

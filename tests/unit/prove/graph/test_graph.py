@@ -1,6 +1,6 @@
 """Graphs of states: what goes round for ever, and what waits for ever."""
 
-from vrts.prove.explore.graph import AWAY, Graph, Visit
+from vrts.prove.graph.graph import AWAY, Graph, Visit
 
 
 def graph(*states: tuple[int, bool], ways: dict[int, list[int]]) -> Graph:

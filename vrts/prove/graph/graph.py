@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
 from vrts.prove.certify.touching import Outcome
-from vrts.prove.explore.past import Past
+from vrts.prove.graph.past import Past
 from vrts.prove.proof import Decided
 
 AWAY = -1  # stands for the end of a future, and for what was not looked at
@@ -23,6 +23,7 @@ class Visit(NamedTuple):
     place: Place  # where the robot program is
     waits: bool  # it can go on only when something changes
     asks: bool  # outside decides here
+    leg: int = 0  # that came to it first
 
 
 @dataclass(slots=True)

@@ -5,8 +5,8 @@ from collections.abc import Iterator, Sequence
 from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.events import Cause
 from vrts.ir import instructions as ir
-from vrts.prove.explore.graph import Graph, Place, Visit
-from vrts.prove.explore.suspects import Suspect
+from vrts.prove.graph.graph import Graph, Place, Visit
+from vrts.prove.graph.suspects import Suspect
 from vrts.prove.proof import Wrong
 
 ENDLESS = "this loop never ends, whatever comes from outside"

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 from vrts.engine.memory.records import INSTANT
 from vrts.prove.certify.touching import Outcome, Touching, Unless
-from vrts.prove.explore.graph import AWAY, Graph, Leg
-from vrts.prove.explore.past import Past
+from vrts.prove.graph.graph import AWAY, Graph, Leg
+from vrts.prove.graph.past import Past
 from vrts.prove.proof import Decided
 
 

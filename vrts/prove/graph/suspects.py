@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from vrts.engine.memory.events import Cause
-from vrts.prove.explore.past import Past
+from vrts.prove.graph.past import Past
 from vrts.prove.proof import Wrong
 
 
