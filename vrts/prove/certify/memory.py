@@ -19,6 +19,7 @@ from vrts.prove.certify.touching import Hope, Outcome
 Span: TypeAlias = tuple[float, float]
 StoodOn: TypeAlias = tuple[tuple[str, str | None], ...]
 """What bodies in the hand stood on before, by their names."""
+OF_HAND = (HandCommanded, Grasped, Released)
 
 
 class LettingGo(NamedTuple):
@@ -42,14 +43,23 @@ class Memory(NamedTuple):
     outcomes: tuple[Outcome, ...] = ()  # since the last tick
 
     def state(self, machine: Machine) -> tuple[object, ...]:
-        """Return what decides about contacts to come and is no part of the machine's state."""
+        """Return what decides about contacts to come and is no part of the machine's state.
+
+        Within a tick that is what the hand did in it so far, too.
+        """
         now = machine.now
         letting_go = [
             (one.body, one.finger, round((now - one.since_s) % FINE, DIGITS) % FINE)
             for one in self.letting_go
         ]
-        coming = [(type(one).__name__, round(one.time_s - now, DIGITS)) for one in self.coming]
+        new = [one for one in machine.system.events if isinstance(one, OF_HAND)]
+        coming = [_from_now(one, now) for one in (*self.coming, *new)]
         return (self.stood_on, tuple(letting_go), tuple(coming))
+
+
+def _from_now(event: Event, now: float) -> tuple[object, ...]:
+    what = event.action if isinstance(event, HandCommanded) else getattr(event, "body", None)
+    return (type(event).__name__, round(event.time_s - now, DIGITS), what)
 
 
 class Grips(NamedTuple):
@@ -74,7 +84,7 @@ def grips(memory: Memory, machine: Machine, events: Iterable[Event], span: Span)
         events: What has happened that is not remembered.
         span: From when to when [s].
     """
-    of_hand = [event for event in events if isinstance(event, HandCommanded | Grasped | Released)]
+    of_hand = [event for event in events if isinstance(event, OF_HAND)]
     all_ = [*memory.coming, *of_hand]
     coming = tuple([event for event in all_ if event.time_s > span[1] + INSTANT])
     hand = _Hand(machine, memory, span[0])

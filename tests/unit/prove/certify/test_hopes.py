@@ -161,6 +161,18 @@ def test_what_rules_remember_is_told_from_now_on() -> None:
     assert Memory(stood_on=(("can1", "table"),)).state(machine) != Memory().state(machine)
 
 
+@deep_stack()
+def test_what_the_hand_did_in_the_tick_under_way_is_remembered() -> None:
+    machine = begin(compiled(".PROGRAM main\nOPENI\n.END\n"), SCENE, Scenario())
+    command(machine, Execute("main"))
+    before = Memory().state(machine)
+    while not machine.system.hand.strokes:
+        tick(machine)
+    assert Memory().state(machine) != before
+    happened(machine)
+    assert Memory().state(machine) == before
+
+
 def test_a_tick_that_was_not_to_come_is_noticed() -> None:
     machine = begin(compiled(".PROGRAM main\nDELAY 2\n.END\n"), SCENE, Scenario())
     command(machine, Execute("main"))
