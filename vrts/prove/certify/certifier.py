@@ -51,7 +51,8 @@ _Kind: TypeAlias = tuple[Way, Part]
 class _Came(NamedTuple):
     """A future that came along a stretch on which what touches may be excused later."""
 
-    kind: _Kind
+    way: Way
+    parts: tuple[Part, ...]
     stretch: Stretch
     future: int
 
@@ -80,6 +81,7 @@ class Certifier:
         self._entries: list[Entry] = []
         self._came: list[_Came] = []
         self._hopes: dict[_Kind, list[Hit]] = {}
+        self._open: set[Way] = set()  # ways on which something is not certified, or hopes
         self._told: set[tuple[object, ...]] = set()
 
     def follow(
@@ -135,6 +137,7 @@ class Certifier:
         for came in self._came:
             touching += self._hoping(came)
         self._came = []
+        self._open = {way for way, _ in self._hopes}
         found = sorted(touching, key=_order)
         return self._news(found), sorted(limits)
 
@@ -171,21 +174,27 @@ class Certifier:
     def _note(self, situation: Situation, stretch: Stretch, future: int) -> None:
         """Keep what is new of a stretch."""
         number, parts = self._situations.of(situation, stretch)
-        if situation.hopes:
-            way = stretch.way
-            self._came += [_Came((way, part), stretch, future) for part in parts if part.hopes]
         if stretch.hand_moves:
-            parts += situation.in_hand
-        elif situation.in_hand:
-            self._add(stretch.at_once, number, situation.in_hand, future)
-        self._add(stretch, number, parts, future)
+            new = self._add(stretch, 3 * number, parts + situation.in_hand, future)
+        else:
+            new = self._add(stretch, 3 * number + 1, parts, future)
+            if situation.in_hand:
+                self._add(stretch.at_once, 3 * number + 2, situation.in_hand, future)
+        if situation.hopes:
+            if new:
+                self._open.add(stretch.way)
+            if stretch.way in self._open:
+                self._came.append(_Came(stretch.way, parts, stretch, future))
 
-    def _add(self, stretch: Stretch, situation: int, parts: tuple[Part, ...], future: int) -> None:
+    def _add(self, stretch: Stretch, number: int, parts: tuple[Part, ...], future: int) -> bool:
+        """Keep what is new of parts along a stretch; return whether anything is."""
         span = (stretch.from_s, stretch.to_s)
-        for (from_s, to_s), some in self._seen.added(stretch.way, situation, parts, span):
+        new = self._seen.added(stretch.way, number, parts, span)
+        for (from_s, to_s), some in new:
             self._entries.append(Entry(stretch.part(from_s, to_s), some, future))
             self.waiting_s += to_s - from_s
             self.motion_s += to_s - from_s
+        return bool(new)
 
     # --- what touches -------------------------------------------------------------------------
 
@@ -224,7 +233,8 @@ class Certifier:
         """Return what touches where a future came along, unless something follows."""
         stretch = came.stretch
         found: list[Touching] = []
-        for hit in self._hopes.get(came.kind, ()):
+        hoping = [(came.way, part) for part in came.parts if part.hopes]
+        for hit in [hit for kind in hoping for hit in self._hopes.get(kind, ())]:
             low, high = max(hit.from_s, stretch.from_s), min(hit.to_s, stretch.to_s)
             if high >= low:
                 s = min(max(hit.s, low), high)

@@ -10,30 +10,13 @@ NOTHING = 1e-7  # [s] what is shorter is no interval
 Span: TypeAlias = tuple[float, float]
 
 
-class _Along:
-    """What was looked at in one situation along one way."""
-
-    __slots__ = ("parts", "spans")
-
-    def __init__(self, parts: tuple[Part, ...]) -> None:
-        self.parts = frozenset(parts)
-        self.spans: list[Span] = []
-
-    def add(self, span: Span) -> list[Span]:
-        """Add an interval; return the parts of it that were not there before."""
-        if any(low <= span[0] + NOTHING and span[1] <= high + NOTHING for low, high in self.spans):
-            return []
-        new = without([span], self.spans)
-        self.spans = _joined([*self.spans, *new])
-        return new
-
-
 class Seen:
     """What was looked at along every way."""
 
     def __init__(self) -> None:
         """Nothing was."""
-        self._ways: dict[Hashable, dict[int, _Along]] = {}
+        self._ways: dict[Hashable, dict[int, list[Span]]] = {}  # by number of the situation
+        self._parts: dict[int, frozenset[Part]] = {}
 
     def added(
         self, way: Hashable, situation: int, parts: tuple[Part, ...], span: Span
@@ -50,18 +33,22 @@ class Seen:
             Intervals in which some parts were not looked at before, and which.
         """
         known = self._ways.setdefault(way, {})
-        own = known.get(situation)
-        if own is None:
-            own = known[situation] = _Along(parts)
-        new = own.add(span)
-        if not new or len(known) == 1:
+        own = known.get(situation, [])
+        if any(low <= span[0] + NOTHING and span[1] <= high + NOTHING for low, high in own):
+            return []
+        new = without([span], own)
+        known[situation] = _joined([*own, *new])
+        others = [(self._parts[k], spans) for k, spans in known.items() if k != situation]
+        if situation not in self._parts:
+            self._parts[situation] = frozenset(parts)
+        if not others:
             return [(one, parts) for one in new]
         found: dict[Span, list[Part]] = {}
         for part in parts:
             left = new
-            for other in known.values():
-                if other is not own and part in other.parts:
-                    left = without(left, other.spans)
+            for its, spans in others:
+                if part in its:
+                    left = without(left, spans)
             for one in left:
                 found.setdefault(one, []).append(part)
         return [(one, tuple(some)) for one, some in found.items()]

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from vrts.base.pose import Pose
 from vrts.engine.machine.machine import Machine
@@ -12,13 +12,18 @@ from vrts.prove.certify.situation import DIGITS, Lying, Part, What, parts_of
 from vrts.prove.certify.stretches import Stretch
 from vrts.scene.model import Mobility, Scene
 
+MOST = 20_000  # situations that are known by the very objects that they are made of
+
+Parts: TypeAlias = tuple[Part, ...]
+_Numbered: TypeAlias = tuple[int, Parts, Parts]
+
 
 class Situation(NamedTuple):
     """What has to be certified while bodies are where they are."""
 
     number: int
-    parts: tuple[Part, ...]
-    in_hand: tuple[Part, ...]  # more, in which only the fingers move
+    parts: Parts
+    in_hand: Parts  # more, in which only the fingers move
     hopes: bool  # what touches may be excused by what happens later
     falls_from_s: float | None  # when what falls began to, in run time
     keep: tuple[Placement, ...]  # lest their ids come again
@@ -35,7 +40,7 @@ class Situations:
         )
         self._fingers = len(scene.robot.gripper.fingers)
         self._known: dict[object, Situation] = {}
-        self._numbers: dict[object, int] = {}
+        self._numbers: dict[tuple[Parts, Parts], _Numbered] = {}
 
     def between(
         self, machine: Machine, did: Grips, span: Span
@@ -44,12 +49,12 @@ class Situations:
         for from_s, to_s in pairwise(_cuts(machine, did, span)):
             yield self._at(machine, did, 0.5 * (from_s + to_s)), from_s, to_s
 
-    def of(self, situation: Situation, stretch: Stretch) -> tuple[int, tuple[Part, ...]]:
+    def of(self, situation: Situation, stretch: Stretch) -> tuple[int, Parts]:
         """Return a situation's number and parts, with falls in `s` of a stretch."""
         if situation.falls_from_s is None:
             return situation.number, situation.parts
         parts = tuple([_in_s(part, stretch.zero_s) for part in situation.parts])
-        return self._number((parts, situation.in_hand)), parts
+        return self._number(parts, situation.in_hand)[:2]
 
     def _at(self, machine: Machine, did: Grips, time_s: float) -> Situation:
         tracks = machine.system.hand.placements
@@ -71,6 +76,8 @@ class Situations:
                 self._lying(track, k, dict(did.stood_on))
                 for track, k in zip(tracks.values(), at, strict=True)
             )
+            if len(self._known) >= MOST:
+                self._known.clear()
             known = self._known[key] = self._made(lies, lying, pads, closing=closing)
         return known
 
@@ -99,12 +106,14 @@ class Situations:
         falls = [one.falls_from_s for one in lying if one.lie is Lie.FALLING]
         in_hand = tuple([part for part in parts if part.what is What.IN_HAND])
         parts = tuple([part for part in parts if part.what is not What.IN_HAND])
-        number = self._number((parts, in_hand))
+        number, parts, in_hand = self._number(parts, in_hand)
         hopes = any(part.hopes for part in parts)
         return Situation(number, parts, in_hand, hopes, min(falls, default=None), lies)
 
-    def _number(self, parts: object) -> int:
-        return self._numbers.setdefault(parts, len(self._numbers))
+    def _number(self, parts: Parts, in_hand: Parts) -> _Numbered:
+        """Return a number for parts, and these as they were at first: to be kept once."""
+        new = (len(self._numbers), parts, in_hand)
+        return self._numbers.setdefault((parts, in_hand), new)
 
 
 def _cuts(machine: Machine, did: Grips, span: Span) -> list[float]:

@@ -18,7 +18,7 @@ from vrts.engine.motion.time_scale import TimeScale
 
 NOTHING = 1e-7  # [s] what is shorter is no stretch
 DIGITS = 8  # [rad, m, s] ways that differ by less are one: 0.2 um at the hand, of a band of 10
-MOST = 50_000  # polynomials that are known by the very object
+MOST = 20_000  # polynomials that are known by the very object
 OF_HAND = -1  # number of a way on which it does not matter what the arm does
 REST_S = 0.01  # of a stretch in which nothing moves, whatever it lasts
 
