@@ -59,8 +59,8 @@ CERTIFIED: tuple[Patch, ...] = (
     Patch(
         "a part that was looked at in one place is looked at nowhere else",
         ROOM + "seen.py",
-        "if other is not own and part in other.parts:",
-        "if other is not own:",
+        "if part in its:",
+        "if its:",
         (SEEN,),
     ),
     Patch(
