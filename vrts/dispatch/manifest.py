@@ -9,7 +9,8 @@ from msgspec import Meta
 
 from vrts.marking.result import Digest, Record
 
-SCHEMA = "vrts.bundle/2"
+SCHEMA = "vrts.bundle/3"
+WITHOUT_FUTURES = "vrts.bundle/2"  # the format before bundles held a proof over every future
 WITHOUT_PROOFS = "vrts.bundle/1"  # the format before bundles held certificates
 
 Words = Annotated[str, Meta(max_length=2_000)]
@@ -80,6 +81,19 @@ class Reads(Record, frozen=True):
     unset: tuple[Words, ...]  # variables that were read before the program gave them a value
 
 
+class Futures(Record, frozen=True):
+    """The proof over every future of the program, and what it speaks about."""
+
+    environment: Words  # its title
+    sha256: Digest | None  # of its file; None: the usual one
+    answer: Literal["holds", "violated", "undetermined"]
+    summary: Words  # how much was looked at
+    quantified: tuple[Words, ...]  # tried in every way
+    bounded: tuple[Words, ...]
+    sampled: tuple[Words, ...]  # tried at some values only
+    assumed: tuple[Words, ...]  # taken for granted
+
+
 class Margin(Record, frozen=True):
     """How far the world may differ from the scene before something goes wrong."""
 
@@ -102,7 +116,7 @@ class Waiver(Record, frozen=True):
 class Manifest(Record, frozen=True):
     """The whole."""
 
-    schema: Literal["vrts.bundle/1", "vrts.bundle/2"]
+    schema: Literal["vrts.bundle/1", "vrts.bundle/2", "vrts.bundle/3"]
     vrts: Words  # version that verified
     title: Words  # name of the program's file
     entry: Words  # the program to execute
@@ -122,3 +136,4 @@ class Manifest(Record, frozen=True):
     waivers: tuple[Waiver, ...]
     files: tuple[Member, ...]  # every other file of the bundle, by name
     controller: Thing | None = None  # model that the runs went by; None: `vrts-1`, the first
+    futures: tuple[Futures, ...] = ()  # one for each scenario; of the first formats none

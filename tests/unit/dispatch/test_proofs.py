@@ -153,7 +153,7 @@ def test_the_distance_told_is_the_one_proven_whatever_was_asked_for() -> None:
         request = Request(
             ProgramFile(LIFTED.encode(), "x.v2"), load_scene("cans-on-bases"), Reading("val2")
         )
-        promises = tuple(Promise(code, "tried", "R. Huber") for code in ("V811", "V812", "V813"))
+        promises = tuple(Promise(code, "tried", "R. Huber") for code in ("V812", "V813"))
         found = plan(Wish(request, find_profile("mark2-val2"), asked_mm, promises))
         assert found.bundle is not None, found.refused
         assert check_proofs(read_bundle(bundle_bytes(found.bundle))) == ()

@@ -64,6 +64,11 @@ Examples:
     metavar="MM",
     help="Distance to keep from everything.",
 )
+@file_option(
+    "--environment",
+    "environment_file",
+    help="What may come from outside; without it every input is free. See `vrts new environment`.",
+)
 @click.option("--entry", help="Program to execute; without it the task's, else the main one.")
 @click.option("--waive", "codes", multiple=True, metavar="CODE", help="Answer for a refusal.")
 @click.option("--reason", "reasons", multiple=True, metavar="TEXT", help="Why; one for each.")
@@ -83,6 +88,7 @@ def command(
     target: Path,
     sheet: Path | None,
     clearance_mm: float,
+    environment_file: Path | None,
     entry: str | None,
     codes: tuple[str, ...],
     reasons: tuple[str, ...],
@@ -94,11 +100,10 @@ def command(
     """Verify PROGRAM for a real controller, and write a bundle to be sent.
 
     Everything that `vrts verify` looks at has to hold, with the values as the controller prints
-    them; every step that moves has to be executed in some scenario, and every decision that
-    depends on an input has to be taken both ways. It is verified again with objects 3 mm and the
-    base 2 mm off, with other speeds, at SPEED 10, and raised for a dry run. What is not proven is
-    refused; a refusal is waived with its code, a reason and a name, all of which stand on the
-    operator's sheet.
+    them, and in every future: whatever inputs come, at every moment, at every EXECUTE. It is
+    verified again with objects 3 mm and the base 2 mm off, with other speeds, at SPEED 10, and
+    raised for a dry run. What is not proven is refused; a refusal is waived with its code, a
+    reason and a name, all of which stand on the operator's sheet.
 
     The bundle holds programs and data as they are sent, a manifest with hashes, certificates of
     the runs, and the sheet; the same input gives the same bytes. Nothing is sent. Exit status 1
@@ -108,10 +113,12 @@ def command(
     from vrts.cli.shared.requests import verify_request
     from vrts.dispatch.bundle import bundle_bytes, digest_of, read_bundle
     from vrts.dispatch.planning.plan import plan
+    from vrts.dispatch.planning.reasons.futures import USUAL
     from vrts.dispatch.planning.reasons.refusals import promises_of
     from vrts.dispatch.planning.wish import Wish
     from vrts.dispatch.profile import find_profile
     from vrts.dispatch.proofs import check_proofs
+    from vrts.pipeline.environments import load_environment
     from vrts.pipeline.refused import Refused
 
     promises = promises_of(codes, reasons, people)
@@ -121,7 +128,11 @@ def command(
     given = given_program(program)
     first, *further = _settings(given.path, where, scenarios)
     request = verify_request(given, first, Language(others, dialect), entry=entry)
-    found = plan(Wish(request, profile, clearance_mm, promises, tuple(further)))
+    environment = USUAL
+    if environment_file is not None:
+        environment, said = load_environment(environment_file, first)
+        show_diagnostics(said, color)
+    found = plan(Wish(request, profile, clearance_mm, promises, tuple(further), environment))
     show_diagnostics(found.refused, color)
     if found.bundle is None:
         say("refused: no bundle was written")

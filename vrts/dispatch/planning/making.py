@@ -22,7 +22,16 @@ from vrts.dispatch.bundle import (
     proof_name,
     with_sheet,
 )
-from vrts.dispatch.manifest import SCHEMA, Answered, Manifest, Margin, Shown, Thing, Verified
+from vrts.dispatch.manifest import (
+    SCHEMA,
+    Answered,
+    Futures,
+    Manifest,
+    Margin,
+    Shown,
+    Thing,
+    Verified,
+)
 from vrts.dispatch.planning.beside.dry_run import DryRun
 from vrts.dispatch.planning.printed import Printed
 from vrts.dispatch.planning.proving import Certified
@@ -56,6 +65,7 @@ class Made(NamedTuple):
     sorted: Sorted
     raised: DryRun
     proofs: Sequence[Certified]  # one for each scenario
+    futures: tuple[Futures, ...]  # as many
 
 
 def bundle_of(made: Made, scened: Sequence[Scened], settings: Sequence[Setting]) -> Bundle:
@@ -113,6 +123,7 @@ def _manifest(made: Made, scened: Sequence[Scened], settings: Sequence[Setting])
         waivers=made.sorted.waivers,
         files=NO_MEMBERS,
         controller=Thing(scene.controller.name, digest(scene.controller)),
+        futures=made.futures,
     )
 
 

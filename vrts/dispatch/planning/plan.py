@@ -18,7 +18,7 @@ from vrts.dispatch.planning.beside.worlds import World
 from vrts.dispatch.planning.making import Made, bundle_of
 from vrts.dispatch.planning.printed import printed, read_back
 from vrts.dispatch.planning.proving import Held, shown
-from vrts.dispatch.planning.reasons import coverage, dependence, fits
+from vrts.dispatch.planning.reasons import coverage, dependence, fits, futures
 from vrts.dispatch.planning.reasons.nearness import nearness, too_near
 from vrts.dispatch.planning.reasons.proof import Case, obstacles, unproven
 from vrts.dispatch.planning.reasons.refusals import (
@@ -80,8 +80,16 @@ def plan(wish: Wish) -> Plan:
     known = dependence.dependence(given)
     seen = coverage.covered([one.held.run for one in scened])
     found += _of_scenarios(scened, asked)
-    found += coverage.not_executed(given, seen)
-    found += dependence.not_covered(known, seen)
+    result = _sorted(wish, found)
+    if result.plan.refused:  # futures are looked at when the scenarios are as they should be
+        return result.plan
+    proven = futures.proofs_of(held, wish.settings, wish.environment, entry)
+    request.step_done("prove")
+    for proof in proven:
+        found += futures.refused(given, proof)
+    found += dependence.not_covered(
+        known, seen, lambda source: futures.is_tried(wish.environment, source)
+    )
     result = _sorted(wish, found)
     if result.plan.refused:  # other worlds are looked at when this one is as it should be
         return result.plan
@@ -109,6 +117,7 @@ def plan(wish: Wish) -> Plan:
         result.sorted,
         raised,
         proofs,
+        tuple(futures.told(wish.environment, proof) for proof in proven),
     )
     bundle = bundle_of(made, scened, wish.settings)
     return result.plan._replace(bundle=bundle)

@@ -2,10 +2,12 @@
 
 from typing import NamedTuple
 
+from vrts.dispatch.planning.reasons.futures import USUAL
 from vrts.dispatch.planning.reasons.refusals import Promise
 from vrts.dispatch.profile import Profile
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import Setting
+from vrts.prove.environment.environment import Environment
 
 CLEARANCE_MM = 10.0  # asked for, unless somebody asks for another
 
@@ -18,6 +20,7 @@ class Wish(NamedTuple):
     clearance_mm: float = CLEARANCE_MM
     promises: tuple[Promise, ...] = ()
     further: tuple[Setting, ...] = ()  # one for each other scenario
+    environment: Environment = USUAL  # what may come from outside
 
     @property
     def settings(self) -> tuple[Setting, ...]:

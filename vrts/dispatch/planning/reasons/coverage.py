@@ -3,14 +3,12 @@
 Scenarios add up: what one of them executed counts for all.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from vrts.base.diagnostic import Diagnostic, Label, error
 from vrts.dispatch.manifest import Executed
-from vrts.dispatch.planning.reasons.refusals import NOT_EXECUTED
 from vrts.engine.history import ProgramHistory
 from vrts.engine.memory.events import Reacted
 from vrts.engine.run import Run
@@ -104,23 +102,3 @@ def _executed(program: Program, known: Covered) -> Executed:
         len(moving & done),
         tuple(sorted(all_ - done)),
     )
-
-
-def not_executed(module: Module, known: Covered) -> Iterator[Diagnostic]:
-    """Yield a refusal for every step that moves something and that no scenario executed."""
-    for program in module.programs.values():
-        told: set[int] = set()
-        for index, (instruction, origin) in enumerate(
-            zip(program.instructions, program.origins, strict=True)
-        ):
-            seen = (program.name, index) in known.executed or origin.step in told
-            if isinstance(instruction, MOVING) and not seen:
-                told.add(origin.step)
-                yield error(
-                    NOT_EXECUTED,
-                    f"step {origin.step} of `{program.name}` moves the arm or the hand, and no "
-                    "scenario executes it",
-                    Label(origin.span),
-                    help=("add a `--scenario` in which it is executed, or take the step out",),
-                    data={"program": program.name, "step": origin.step},
-                )

@@ -2,8 +2,10 @@
 
 A value is *outside* when it comes from an input, a timer, chance, the operator, the hand's sensor,
 or a variable that nothing gives a value, or is computed from one that is. Which variable may hold
-such a value is told without regard to order, so rather too many are told than too few; that a
-value depends on *which* way was taken is not followed, since both ways have to be taken anyway.
+such a value is told without regard to order, so rather too many are told than too few. Inputs are
+not looked at here: every future of the program is (`futures`), whatever way they lead. What that
+does not try in every way is refused here; that a value depends on *which* way was taken is not
+followed.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -185,8 +187,16 @@ def reads(known: Dependence) -> Reads:
     )
 
 
-def not_covered(known: Dependence, seen: Covered) -> Iterator[Diagnostic]:
-    """Yield a refusal for every place where the path depends on what no scenario has tried."""
+def not_covered(
+    known: Dependence, seen: Covered, is_tried: Callable[[str], bool]
+) -> Iterator[Diagnostic]:
+    """Yield a refusal for every place where the path depends on what was not tried.
+
+    Args:
+        known: What depends on what.
+        seen: What scenarios executed.
+        is_tried: Whether a source is tried in every way, whatever scenarios did.
+    """
     for program in known.module.programs.values():
         told: set[int] = set()
         for index, (instruction, origin) in enumerate(
@@ -196,8 +206,11 @@ def not_covered(known: Dependence, seen: Covered) -> Iterator[Diagnostic]:
                 continue
             said = _open(known, program, index, instruction, seen)
             if said is not None:
-                told.add(origin.step)
                 why, what, remedy = said
+                what = frozenset(source for source in what if not is_tried(source))
+                if not what:
+                    continue
+                told.add(origin.step)
                 yield error(
                     NOT_COVERED,
                     f"{why} in step {origin.step} of `{program.name}` depends on "

@@ -24,6 +24,8 @@ NOT_COVERED = Rule("V811", "input-not-covered")
 TOO_NEAR = Rule("V812", "clearance-too-small")
 NO_MARGIN = Rule("V813", "margin-too-small")
 BAD_WAIVER = Rule("V814", "bad-waiver")
+FAILS_IN_A_FUTURE = Rule("V815", "fails-in-some-future")
+NOT_ALL_FUTURES = Rule("V816", "not-all-futures")
 
 LONGEST = 500  # characters of what a waiver covers, in the manifest
 
@@ -41,6 +43,8 @@ WAIVABLE = {
         NOT_COVERED,
         TOO_NEAR,
         NO_MARGIN,
+        FAILS_IN_A_FUTURE,
+        NOT_ALL_FUTURES,
     )
 }  # the others leave nothing that could be sent
 

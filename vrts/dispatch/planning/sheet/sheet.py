@@ -61,7 +61,7 @@ def sheet(facts: Sheet) -> str:
         ),
     )
     left = joined([*_story(facts), *_start(facts)])
-    right = joined([*_verified(facts), *_margins(facts), *_passages(facts)])
+    right = joined([*_verified(facts), *_futures(facts), *_margins(facts), *_passages(facts)])
     body = element(
         "body",
         _header(facts),
@@ -161,6 +161,24 @@ def _start(facts: Sheet) -> Iterator[Markup]:
 
 
 # --- right ----------------------------------------------------------------------------------------
+
+
+def _futures(facts: Sheet) -> Iterator[Markup]:
+    """Over what the proof speaks: what comes from outside has to keep to it."""
+    for one in dict.fromkeys(facts.bundle.manifest.futures):
+        yield element("h2", f"Every future: {one.answer}, {one.summary}")
+        rows_: list[Markup] = []
+        listed = (
+            ("for every", one.quantified),
+            ("within", one.bounded),
+            ("tried only", one.sampled),
+            ("granted", one.assumed),
+        )
+        for title, words in listed:
+            if words:
+                rows_.append(element("dt", title))
+                rows_.append(element("dd", "; ".join(words)))
+        yield element("dl", *rows_)
 
 
 def _verified(facts: Sheet) -> Iterator[Markup]:
