@@ -40,6 +40,8 @@ def _lines(title: str, proof: Proof, *, color: bool) -> Iterator[str]:
     yield from _listed("tried at some values only", covered.sampled)
     yield from _listed("taken for granted", covered.assumed)
     yield from _listed("not looked at", proof.open)
+    grows = [f"`{one.name}` in `{one.program}`" for one in proof.unbounded]
+    yield from _listed("grows without bound while the program goes on", grows)
     steps = [f"{one.program} {one.step}: {one.reason}" for one in covered.dead]
     yield from _listed("steps that no future executes", steps)
 

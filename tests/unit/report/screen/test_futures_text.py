@@ -1,6 +1,9 @@
 """What a terminal says of a proof over every future."""
 
+from dataclasses import replace
+
 from tests.unit.report.proofs import HITS, HOLDS, OPEN, VIOLATED
+from vrts.prove.proof import Variable
 from vrts.report.proof_words import diagnostic
 from vrts.report.screen.futures_text import MOST_FOUND, futures_text
 
@@ -56,3 +59,9 @@ def test_a_diagnostic_names_the_step_and_how_it_comes_to_that() -> None:
     assert found.primary.span.text == "MOVES low"
     assert len(found.notes) == len(HITS.decisions)
     assert found.data == {"wrong": "contact", "time_s": 3.5}
+
+
+def test_variables_that_grow_are_told() -> None:
+    grown = replace(HOLDS, unbounded=(Variable("n", "lower", None),))
+    text = futures_text("lower.v2", grown, color=False)
+    assert "grows without bound while the program goes on:\n  `n` in `lower`" in text
