@@ -7,9 +7,10 @@ returned None, and after `command` or another `next_tick` where that is given th
     memory = certifier.follow(memory, machine, happened(machine), number)
 
 `memory.state(machine)` goes into the key of the state. Where a future ends, and nothing is to
-follow, `certifier.finish(memory, machine, number)` looks at what still moves. Now and then, and at
-the end, `certify()` tells what touches, with the number of the first future that came through it:
-a contact that others come through later is not told again.
+follow, `certifier.finish(memory, machine, number)` looks at what still moves. Where it ends and a
+command comes, the very next tick has to be run: `next_tick` is `last_tick + 1`. Now and then, and
+at the end, `certify()` tells what touches, with the number of the first future that came through
+it: a contact that others come through later is not told again.
 
 A touch with `unless` is a contact only if what it hopes for does not come about. That lies in the
 future. So it is told of every future that came through it, before or after it was certified, and
@@ -103,7 +104,8 @@ class Certifier:
         """
         if not memory.seen_s - INSTANT <= machine.now <= memory.seen_s + KEPT_S - INSTANT:
             raise ValueError("another tick came than was to come: change that before `follow`")
-        until_s = max(machine.now, (machine.next_tick - 1) * machine.tick)
+        goes_on = machine.robot.running or machine.next_command_s is not None
+        until_s = max(machine.now, (machine.next_tick - 1) * machine.tick if goes_on else 0.0)
         return self._noted(memory, machine, events, (memory.seen_s, until_s), future)
 
     def finish(self, memory: Memory, machine: Machine, future: int) -> Memory:

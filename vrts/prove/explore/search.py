@@ -212,6 +212,7 @@ class Search:
         """Let a future go on in which the operator does something."""
         machine = future.machine.copy()
         machine.issue(deed.commands)
+        machine.next_tick = machine.last_tick + 1  # no motion is skipped that was not looked at
         other = self._other(future, state, machine, 1, deed.decided)
         other.again += deed.decided.what is What.AGAIN
         other.stopped |= deed.decided.what is What.STOP

@@ -8,7 +8,7 @@ from tests.support_programs import cans, compiled
 from vrts.base.stack import deep_stack
 from vrts.engine.controller import execute
 from vrts.engine.futures.future import begin, command, happened, tick
-from vrts.ir.commands import Execute
+from vrts.ir.commands import Execute, TimedCommand
 from vrts.ir.module import Module
 from vrts.prove.certify.certifier import Certifier
 from vrts.prove.certify.memory import LettingGo, Memory
@@ -185,3 +185,21 @@ def test_a_tick_that_was_not_to_come_is_noticed() -> None:
         with pytest.raises(ValueError, match="another tick"):
             certifier.follow(wrong, machine, happened(machine), 1)
     assert certifier.follow(memory, machine, happened(machine), 1).seen_s >= machine.now
+
+
+@deep_stack()
+def test_a_program_that_ended_is_executed_again_before_anything_else_happens() -> None:
+    """The input that comes much later would have let the ticks between be skipped."""
+    scenario = Scenario(inputs=((20.0, 1002, True),))
+    machine = begin(module_of("MOVE can\nHALT\n"), SCENE, scenario)
+    command(machine, Execute("main"))
+    certifier, memory = Certifier(SCENE), Memory()
+    for _ in range(2):
+        while machine.robot.running or machine.next_command_s is not None:
+            tick(machine)
+            memory = certifier.follow(memory, machine, happened(machine), 0)
+        assert memory.seen_s == machine.now < 19.0
+        at_s = (machine.ended_s or 0.0) + 4.0
+        machine.issue((TimedCommand(at_s, Execute("main")),))
+        machine.next_tick = machine.last_tick + 1
+    assert machine.now > 4.0
