@@ -60,8 +60,8 @@ def sheet(facts: Sheet) -> str:
             "style", files("vrts.dispatch.planning.sheet").joinpath("sheet.css").read_text("utf-8")
         ),
     )
-    left = joined([*_story(facts), *_start(facts)])
-    right = joined([*_verified(facts), *_futures(facts), *_margins(facts), *_passages(facts)])
+    left = joined([*_story(facts), *_start(facts), *_futures(facts)])
+    right = joined([*_verified(facts), *_margins(facts), *_passages(facts)])
     body = element(
         "body",
         _header(facts),
@@ -90,6 +90,8 @@ def _header(facts: Sheet) -> Markup:
     tried = "" if facts.profile.tried else ", a profile not tried on hardware"
     count = len(manifest.scenarios)
     proven = f"in {count} scenario{'' if count == 1 else 's'}"
+    if manifest.futures and all(one.answer == "holds" for one in manifest.futures):
+        proven = "in every future"
     waived = bool(manifest.waivers)
     badge = element(
         "p",
