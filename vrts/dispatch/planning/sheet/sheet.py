@@ -169,18 +169,18 @@ def _futures(facts: Sheet) -> Iterator[Markup]:
     """Over what the proof speaks: what comes from outside has to keep to it."""
     for one in dict.fromkeys(facts.bundle.manifest.futures):
         yield element("h2", f"Every future: {one.answer}, {one.summary}")
-        rows_: list[Markup] = []
         listed = (
             ("for every", one.quantified),
             ("within", one.bounded),
             ("tried only", one.sampled),
             ("granted", one.assumed),
         )
-        for title, words in listed:
-            if words:
-                rows_.append(element("dt", title))
-                rows_.append(element("dd", "; ".join(words)))
-        yield element("dl", *rows_)
+        parts = [(title, "; ".join(words)) for title, words in listed if words]
+        yield element(
+            "p",
+            *(element("span", element("b", f"{title} "), f"{words}. ") for title, words in parts),
+            class_="futures",
+        )
 
 
 def _verified(facts: Sheet) -> Iterator[Markup]:
