@@ -33,7 +33,7 @@ class Teller:
                     self.doubtful.append(suspect.headline)
                 continue
             where = None if told.cause is None else (told.cause.program, told.cause.step)
-            why = (told.wrong, suspect.what, where)
+            why = (told.wrong, suspect.what[:2], where)  # of contacts: the bodies, not their parts
             if why not in causes:
                 causes.add(why)
                 found.append(told)

@@ -31,16 +31,17 @@ def idle(executable: Executable, *, shown: bool = False) -> frozenset[int]:
 
     Args:
         executable: The programs.
-        shown: Whether those count, too, that are only written to the terminal, or asked for whether
-            they hold anything.
+        shown: Whether those count, too, that are only written to the terminal as they are, or asked
+            for whether they hold anything. What is worked out with them may go wrong.
     """
     seen: Counter[str] = Counter()
     counted: Counter[str] = Counter()
     for program in executable.module.programs.values():
         for instruction in program.instructions:
-            if shown and isinstance(instruction, ir.Type):
-                continue
+            written = shown and isinstance(instruction, ir.Type)
             for top in tops(instruction):
+                if written and _is_plain(top):
+                    continue
                 for node in all_nodes(top):
                     if isinstance(node, Place | WholeArray):
                         seen[node.variable.name] += isinstance(node.variable, Global)
@@ -56,6 +57,15 @@ def idle(executable: Executable, *, shown: bool = False) -> frozenset[int]:
     return frozenset(
         numbers[name] for name, count in counted.items() if count == seen[name] and name in numbers
     )
+
+
+def _is_plain(node: object) -> bool:
+    """Return whether an expression is a variable, and nothing else."""
+    match node:
+        case Load(place=Place(variable=Global(), subscripts=())):
+            return True
+        case _:
+            return False
 
 
 def _counted(instruction: ir.Instruction) -> str | None:
