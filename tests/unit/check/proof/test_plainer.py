@@ -39,8 +39,8 @@ def test_points_stay_where_they_are_to_be(first: Shape) -> None:
 
 def test_a_wide_bound_gives_plain_numbers() -> None:
     after = plainer(met(0.001), (BOX, HULL), 0.05)
-    assert np.array_equal(after.corners[0] * 2**7, np.round(after.corners[0] * 2**7))
-    assert np.array_equal(after.weights * 2**4, np.round(after.weights * 2**4))
+    assert all(float(x).is_integer() for x in (after.corners[0] * 2**7).flat)
+    assert all(float(x).is_integer() for x in after.weights * 2**4)
 
 
 def test_without_room_everything_stays() -> None:

@@ -284,6 +284,7 @@ def test_scenarios_add_up(tmp_path: Path) -> None:
     ("steps", "what"),
     [
         (("MOVE SHIFT(safe BY RANDOM, 0, 0)",), "RANDOM"),
+        (("CALL go(RANDOM)", "READY"), "RANDOM"),
         (("IF DEFINED(part) THEN", "n = 1", "END", "READY"), "whether `part` has a value"),
         (("OPENI", "GRASP 10, 10", "n = 1", "10 READY"), "hand"),
     ],
