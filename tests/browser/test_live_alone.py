@@ -1,5 +1,6 @@
 """Entering by account, one's own colours and frame rate, and teaching alone."""
 
+import math
 from collections.abc import Iterator
 
 import pytest
@@ -81,6 +82,7 @@ def test_points_are_taught_and_time_goes_back(teacher: Desk, teaching: Teaching)
     before = float(teacher.value("vrts.store.now.status.time_s"))
     teacher.page.click("[aria-label='Joint 1 plus']")
     teacher.until("Math.abs(vrts.world.state.q[0] * 180 / Math.PI - 5) < 0.01")
+    assert teacher.rests()
     teacher.page.click("button:text('Record')")
     teacher.until("document.getElementById('record-name').value === 'p3'")
     for name in ("chat", "people", "lead"):
@@ -90,7 +92,7 @@ def test_points_are_taught_and_time_goes_back(teacher: Desk, teaching: Teaching)
     assert names == [".LOCATIONS", "p1", "p2", ".END"]
 
     teacher.page.click("#tab-history")
-    teacher.page.fill("#rewind-time", f"{before:.1f}")
+    teacher.page.fill("#rewind-time", f"{math.floor(before * 10) / 10:.1f}")
     teacher.page.click("button:text('Rewind')")
     teacher.until("Math.abs(vrts.world.state.q[0]) < 1e-5")
     teacher.page.click("#tab-pendant")
