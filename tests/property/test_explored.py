@@ -35,7 +35,8 @@ def searched(
 ) -> Search:
     """Return what is found of all futures of a program."""
     search = Search(module, scene, environment, collisions=False, merging=merging)
-    search.run(module.main or "", Asking(states=states))
+    search.begin(module.main or "")
+    search.go_on(Asking(states=states))
     return search
 
 

@@ -8,6 +8,7 @@ from vrts.check.verdict import Answer
 from vrts.engine.memory.events import Cause
 from vrts.ir.module import Module
 from vrts.prove.asking import Asking, Told
+from vrts.prove.collecting import fewer_collections
 from vrts.prove.environment.environment import Environment
 from vrts.prove.explore.executed import dead_steps
 from vrts.prove.explore.search import Search
@@ -52,11 +53,14 @@ def prove(
     if entry not in module.programs:
         raise KeyError(entry)
     search = Search(module, scene, environment, collisions=asking.collisions)
-    search.run(entry, asking)
+    search.begin(entry)
     replays = Replays(module, scene, environment, entry, task)
-    left = [*_left(search), *_judge(search, replays)]
-    teller = Teller(replays, environment, search.first.tick)
-    found = teller.tell(search.suspects.in_order())
+    with fewer_collections():
+        search.go_on(asking, patiently=False)
+        teller, found, left = _told(search, replays)
+        if not (found or search.is_over or search.was_enough):
+            search.go_on(asking)
+            teller, found, left = _told(search, replays)
     loaded = search.first.system.programs.loaded
     left += (f"not confirmed by a replay: {one}" for one in teller.doubtful)
     dead = () if left else dead_steps(module, loaded, search.executed, entry)
@@ -68,6 +72,13 @@ def prove(
         unbounded=tuple(search.grows.found.values()),
         tree=tuple(search.tree.branches),
     )
+
+
+def _told(search: Search, replays: Replays) -> tuple[Teller, tuple[Wronged, ...], list[str]]:
+    """Return who tells, what goes wrong as far as the search has come, and what is left."""
+    left = [*_left(search), *_judge(search, replays)]
+    teller = Teller(replays, search.environment, search.tick_s)
+    return teller, teller.tell(search.suspects.in_order()), left
 
 
 def _answer(found: Sequence[Wronged], left: Sequence[str]) -> Answer:

@@ -36,6 +36,7 @@ from vrts.prove.proof import Decided, What, Wrong
 from vrts.scene.model import Scene
 
 TELL = 1_000  # states between looks at whether it is enough
+LONGER, SOON = 2, 5_000  # something seems wrong: so many times as many states, and so many more
 CERTIFY_S = 60.0  # of new motion that is certified together
 
 
@@ -85,16 +86,24 @@ class Search:
         self.unanswered: dict[object, None] = {}  # places of questions that nobody answers
         self.tree = Tree()
         self.decisions = self.merged = self.ends = 0
-        self.is_over = False
+        self.is_over = self.was_enough = False
         self.endings: dict[tuple[object, ...], End] = {}
         self._known: dict[Key, int] = {}
         self._merging = merging
 
-    def run(self, entry: str, asking: Asking) -> None:
-        """Look at every future of a program, as far as is asked."""
+    def begin(self, entry: str) -> None:
+        """Let a program be executed, at every monitor speed."""
         self.operator = Operator(self.environment, entry)
         self._begin(entry)
-        told, touches = 0, self.touches
+
+    def go_on(self, asking: Asking, *, patiently: bool = True) -> None:
+        """Look at the futures that are left, as far as is asked.
+
+        Args:
+            asking: How far to look, and who is told.
+            patiently: Whether to go on for long although something seems to go wrong already.
+        """
+        told, touches, suspected = len(self.graph.visits), self.touches, 0
         while self.frontier:
             count = len(self.graph.visits)
             if count >= asking.states:
@@ -103,9 +112,14 @@ class Search:
                 told = count
                 asking.told(Told(count, len(self.frontier), len(self.suspects)))
                 if asking.enough():
+                    self.was_enough = True
                     break
             if touches is not None and touches.waiting_s >= CERTIFY_S:
                 touches.certify()
+            if not patiently and self.suspects:
+                suspected = suspected or count
+                if count > suspected * LONGER + SOON:
+                    break
             self._go_on(self.frontier.pop(), asking.states)
         self.is_over = not self.frontier
         if touches is not None:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from vrts.base.units import deg
 from vrts.check.verdicts.limits import JOINT_POSITION
+from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.events import Event
 from vrts.engine.motion.remarks import JOINT_SPEED
 from vrts.prove.certify.certifier import Certifier
@@ -40,7 +41,11 @@ class Touches:
 
     def follow(self, future: Future, events: Sequence[Event]) -> Memory:
         """Note how a future has moved; return what is remembered of it."""
-        memory = self._certifier.follow(future.memory, future.machine, events, future.leg)
+        machine, memory = future.machine, future.memory
+        if not events and _rests(machine, memory):
+            until_s = max(machine.now, (machine.next_tick - 1) * machine.tick)
+            return memory._replace(seen_s=until_s)
+        memory = self._certifier.follow(memory, machine, events, future.leg)
         self._keep(future, memory)
         return memory
 
@@ -96,3 +101,17 @@ class Touches:
         """Return where the robot program is when a leg begins."""
         start = self._graph.legs[leg].start
         return None if start is None else self._graph.visits[start].place
+
+
+def _rests(machine: Machine, memory: Memory) -> bool:
+    """Return whether nothing has moved since it was looked at last, nor will before a tick."""
+    seen_s, planner, hand = memory.seen_s, machine.system.planner, machine.system.hand
+    return (
+        seen_s > 0.0
+        and not (memory.letting_go or memory.coming or memory.outcomes)
+        and planner.pending is None
+        and max(planner.settled_at, planner.motion_end, planner.braking_until) <= seen_s
+        and hand.closing is None
+        and all(stroke.end_s <= seen_s for stroke in hand.strokes[-1:])
+        and all(track[-1].start_s <= seen_s for track in hand.placements.values())
+    )

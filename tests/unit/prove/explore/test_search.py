@@ -199,3 +199,12 @@ def test_a_part_that_is_missing_is_tried_where_the_environment_says_so() -> None
     found = only(prove(module, scene, Environment(misses=True), entry="main"))
     assert [one.what for one in found.decisions] == [What.GRIP]
     assert execute(module, scene, found.scenario).ending is Ending.ERROR
+
+
+def test_a_search_ends_soon_after_something_is_found_and_says_that_more_is_open() -> None:
+    body = "k = 0\nIF SIG(-1001) THEN\nx = 1/k\nEND\nn = 0\nm = 0\nWHILE n < 20000 DO\n"
+    body += "n = n+1\nIF SIG(1002) THEN\nm = n\nEND\nWAIT\nEND\nIF m < 0 THEN\nMOVE a\nEND\n"
+    proof = proven(body)
+    assert wrongs(proof) == [(Wrong.ERROR, 3)]
+    assert proof.covered.states < 8_000
+    assert "futures were left" in proof.open[0]
