@@ -50,7 +50,7 @@ def forget_values(machines: Sequence[Machine], before_s: float) -> None:
 
 def forget_arm_and_hand(machine: Machine, before_s: float) -> None:
     """Forget where the arm and the hand were before a time [s] that is over for the programs."""
-    _forget_motions(machine.system.planner, before_s)
+    _forget_motions(machine.system.planner, before_s, machine.arrived)
     _forget_hand(machine.system.hand, before_s)
 
 
@@ -76,12 +76,13 @@ def _forget_statements(machine: Machine, before_s: float, columns: Columns) -> N
         forget_steps(c.trace, finished, columns)
 
 
-def _forget_motions(planner: Planner, before_s: float) -> None:
+def _forget_motions(planner: Planner, before_s: float, arrived: int) -> None:
+    """Forget motions before a time, but for those whose ends were not noted yet."""
     given, path_s = planner.given, planner.scale.path(before_s)
     pieces = given.pieces
     del pieces[: max(bisect_right(pieces, path_s, key=lambda piece: piece.start_s) - 1, 0)]
     if pieces:
-        given.motions.forget(pieces[0].motion)
+        given.motions.forget(min(pieces[0].motion, arrived))
         first = given.motions[given.motions.first]
         planner.scale.forget(min(path_s, first.start_s))
 

@@ -1,0 +1,112 @@
+"""What a proof over every future costs: whole programs, decisions a second, inputs in sequence."""
+
+import resource
+import time
+
+import pytest
+
+from tests.places import ROOT
+from tests.support_programs import compiled
+from vrts.check.verdict import Answer
+from vrts.ir.module import Module
+from vrts.pipeline.scenes import load_scene
+from vrts.prove.environment.environment import Environment
+from vrts.prove.proof import Proof
+from vrts.prove.prove import prove
+from vrts.scene.default import robot_alone
+from vrts.scene.model import Scene
+
+EXAMPLE = ROOT / "examples" / "01-cans-on-bases" / "solution.v2"
+STOPS = "\n.PROGRAM halted()\n  HALT\n.END\n"
+COUNTS = """\
+.PROGRAM main()
+  n = 0
+  WHILE n < {} DO
+    IF SIG(1001) THEN
+      x = x+1
+    END
+    IF SIG(1002) THEN
+      x = 0
+    END
+    n = n+1
+    DELAY 0.03
+  END
+.END
+.REALS
+x 0
+.END
+"""
+MOVES = """\
+.PROGRAM main()
+  READY
+  REACTI 1003, halted
+  FOR i = 1 TO 8
+    IF SIG(1001) THEN
+      DRIVE 1, 20, 60
+    END
+    IF SIG(1002) THEN
+      DRIVE 2, 15, 60
+    END
+    READY
+  END
+.END
+"""
+
+
+def cost(module: Module, scene: Scene, entry: str = "main") -> tuple[Proof, float]:
+    """Return what was found, and the processor time that it took [s]."""
+    before = time.process_time()
+    found = prove(module, scene, Environment(), entry=entry)
+    return found, time.process_time() - before
+
+
+def told(name: str, found: Proof, took_s: float) -> None:
+    """Print the figures of a proof."""
+    covered = found.covered
+    peak_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    print(
+        f"\n{name}: {found.answer.value} in {took_s:.2f} s; {covered.states:,} states,"
+        f" {covered.decisions:,} decisions ({covered.decisions / took_s:,.0f} a second),"
+        f" {covered.motion_s:.0f} s of different motion; {peak_mb:.0f} MB at most"
+    )
+
+
+@pytest.mark.parametrize("reaction", [False, True])
+def test_an_example_with_two_inputs_and_a_reaction(reaction: bool) -> None:
+    """Reference: 4.3 to 4.8 s and 325 to 377 MB of a prototype; asked for 3 s and 300 MB."""
+    text = EXAMPLE.read_text("utf-8")
+    head, mark, rest = text.partition(".PROGRAM main()\n")
+    asks = "".join(f"  IF SIG(100{k}) THEN\n    TYPE {k}\n  END\n" for k in (1, 2))
+    asks += "  REACTI 1003, halted\n" if reaction else ""
+    module = compiled(f"{head}{mark}{asks}{rest}{STOPS}")
+    found, took_s = cost(module, load_scene("cans-on-bases").scene)
+    told(f"example 01, two inputs{', a reaction' if reaction else ''}", found, took_s)
+    assert found.answer is Answer.HOLDS
+
+
+def test_decisions_of_numbers_alone() -> None:
+    """Reference: 3,389 a second of a prototype; asked for 10,000."""
+    found, took_s = cost(compiled(COUNTS.format(60)), robot_alone())
+    told("decisions without motion", found, took_s)
+
+
+def test_decisions_between_motions() -> None:
+    """Reference: 270 to 1,100 a second of a prototype; asked for 1,500."""
+    found, took_s = cost(compiled(MOVES + STOPS), robot_alone())
+    told("decisions with motion and a reaction", found, took_s)
+
+
+def test_inputs_in_sequence_cost_in_proportion() -> None:
+    """Each of n inputs is read in turn and forgotten."""
+    counts: list[tuple[int, int]] = []
+    for n in (2, 4, 8, 16):
+        steps = "".join(
+            f"  IF SIG({1000 + k}) THEN\n    x = 1\n  ELSE\n    x = 2\n  END\n  DELAY x/100\n"
+            for k in range(1, n + 1)
+        )
+        text = f".PROGRAM main()\n  x = 0\n{steps}  x = 0\n.END\n"
+        found, took_s = cost(compiled(text), robot_alone())
+        counts.append((n, found.covered.states))
+        told(f"{n:2d} inputs in sequence", found, took_s)
+    (first, few), (last, many) = counts[0], counts[-1]
+    assert many / few < 2 * last / first
