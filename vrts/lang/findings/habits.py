@@ -142,7 +142,7 @@ def _hand(problems: Problems, steps: list[Statement | None], at: int, node: Simp
         ),
         notes=(f"{node.word} belongs to the next motion, whether BREAK stands before it or not",),
         help=(f"write `{node.word}I`: it waits for the arm, {does}s, and waits for the hand",),
-        fix=problems.replace(node.start, node.start + len(node.word), f"{node.word}I")
+        fix=problems.replace(node.start, node.start + len(node.word), f"{node.word}I", sure=leaves)
         if problems.source.text[node.start : node.end].upper() == node.word
         else None,
     )

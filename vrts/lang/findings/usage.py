@@ -69,7 +69,7 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
             else:
                 check_arguments(resolver, program, node, called, decided)
         named_as_word(resolver, program)
-    mend_jumps_by_number(resolver)
+    mend_jumps_by_number(resolver, programs)
     check_error_returns(resolver.problems, programs)
     for name in resolver.called:
         if key(name.text) not in resolver.scope.programs:

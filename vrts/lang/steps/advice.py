@@ -155,6 +155,10 @@ class Advice:
         elif rows.words[0] in STRUCTURE:
             headline = f"{rows.words[0]} ends its line: {headline}"
         self.problems.forget(mark)
+        written, rows = rows, rows.settled
+        help_ = "give each a line of its own"
+        if rows != written:
+            help_ = "a setting stands on the line before the motion it is for"
         shown = ", ".join(f"`{text}`" for text in rows.texts)
         instead = indented(rows.indented(), self._indent(line))
         ends = line.at + len(line.text)
@@ -165,7 +169,7 @@ class Advice:
             ends,
             "another step begins here",
             notes=("VAL-II says *Unexpected text at end of line*",),
-            help=(f"give each a line of its own: {shown}",),
+            help=(f"{help_}: {shown}",),
             fix=self.problems.replace(line.at, ends, instead)
             if rows.word not in ONE_LINE.values()
             else None,

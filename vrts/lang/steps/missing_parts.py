@@ -133,9 +133,16 @@ def operand(step: BrokenStep) -> bool:
         *where,
         f"{what} belongs here",
         notes=(ARGUMENT_SAYS,),
-        help=(f"write `{step.word.usage}`",) if step.word and step.word.operands else (),
+        help=_behind(step),
     )
     return True
+
+
+def _behind(step: BrokenStep) -> tuple[str, ...]:
+    """Return what to write where an operand is missing within a step."""
+    if step.here is None and step.before is not None and step.before.text == ":":
+        return ("write the name of the location in that frame behind `:`, as in `frame:part`",)
+    return (f"write `{step.word.usage}`",) if step.word and step.word.operands else ()
 
 
 def _forms(word: Word) -> str:

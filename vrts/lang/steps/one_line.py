@@ -21,6 +21,26 @@ ONE_LINE = {"IF": "IF THEN", "WHILE": "WHILE DO", "FOR": "FOR TO"}  # with a ste
 _OPENERS = frozenset({"IF", "WHILE", "FOR", "CASE", "DO"})
 
 
+_MOTIONS = frozenset({"MOVE", "MOVES", "MOVET", "MOVEST", "APPRO", "APPROS", "DEPART", "DEPARTS"})
+_SETTINGS = frozenset(
+    [
+        "SPEED",
+        "FINE",
+        "COARSE",
+        "NULL",
+        "NONULL",
+        "LEFTY",
+        "RIGHTY",
+        "ABOVE",
+        "BELOW",
+        "FLIP",
+        "NOFLIP",
+        "SINGLE",
+        "MULTIPLE",
+    ]
+)
+
+
 class Rows(NamedTuple):
     """The steps of a line."""
 
@@ -54,6 +74,16 @@ class Rows(NamedTuple):
             jumps = word == "IF" and re.search(r"\bGOTO\b", text, re.IGNORECASE) is not None
             opened += (word in _OPENERS and not jumps) - (word in ("END", "UNTIL"))
         return opened
+
+    @property
+    def settled(self) -> "Rows":
+        """The steps, with a setting before the motion that it stood behind."""
+        if len(self.texts) != 2 or self.between:
+            return self
+        motion, setting = self.words
+        if motion not in _MOTIONS or setting not in _SETTINGS:
+            return self
+        return self._replace(texts=self.texts[::-1])
 
     def indented(self) -> str:
         """The steps as lines, each as deep as its structure."""

@@ -2,9 +2,10 @@
 
 In a pattern a blank stands for any blanks or none, `_` for at least one (among words also for
 itself), `<a|b>` for one of several words. `{e}` is an expression, `{n}` a name, `{v}` a
-variable, `{d}` a number, `{s}` a text in quotes, `{r}` anything; digits tell two of a kind apart.
+variable, `{d}` a number, `{q}` that of an input or internal signal, `{s}` a text in quotes,
+`{r}` anything; digits tell two of a kind apart.
 What is written instead names them again; `{e-1}` is one less,
-`{!e}` the opposite of a condition.
+`{d+1000}` the signal of an input that others count from 1, `{!e}` the opposite of a condition.
 """
 
 import re
@@ -41,16 +42,18 @@ class Matched(NamedTuple):
         return filled(self.idiom.instead, self.parts)
 
 
-_PLACES = re.compile(r"\{(?P<not>!)?(?P<name>[a-z]\d?)(?P<less>-1)?\}")
+_PLACES = re.compile(r"\{(?P<not>!)?(?P<name>[a-z]\d?)(?P<less>-1)?(?P<input>\+1000)?\}")
 _PIECES = re.compile(
     r"\{(?P<place>[a-z]\d?)\}|<(?P<words>[^<>]*\|[^<>]*)>|(?P<blank>[ ])|(?P<blanks>_)|(?P<sign>.)"
 )
+_INPUTS = 1000  # input 1 is signal 1001
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
 _KINDS = {
     "e": r".+?",
     "n": r"[A-Za-z][\w.]*",
     "v": r"[$#]?[A-Za-z][\w.]*(?:\[[^\]]*\])?",
     "d": _NUMBER,
+    "q": r"-?[12]\d{3}",
     "s": r"\"[^\"]*\"|'[^']*'|“[^”]*”",
     "r": r".*?",
 }
@@ -101,6 +104,8 @@ def filled(template: str, parts: dict[str, str]) -> str:
         part = parts[place["name"]]
         if place["not"]:
             return opposite(part)
+        if place["input"]:
+            return str(int(part) + _INPUTS) if part.isdecimal() and int(part) < _INPUTS else part
         if not place["less"]:
             return part
         return str(int(part) - 1) if part.isdecimal() else f"{part}-1"

@@ -46,5 +46,9 @@ MOVING = (
     Idiom("<home|go_home|gohome|move_home|movehome|move_to_home|movetohome|park|rest|origin|homing|zero|go_ready|move_ready|init> <(|> <)|>", "READY", "other robot languages"),
     Idiom("move_{v} , {n}", "MOVE {v}\nMOVE {n}", says="MOVE takes one location", sure=False),
     Idiom("moves_{v} , {n}", "MOVES {v}\nMOVES {n}", says="MOVES takes one location", sure=False),
+    *(
+        Idiom(f"move_{{v}}_{word.lower()}", f"{word}\nMOVE {{v}}", says="MOVE takes one location", help=f"a setting stands on the line before the motion it is for: `{word}`, `MOVE {{v}}`")
+        for word in ("LEFTY", "RIGHTY", "ABOVE", "BELOW", "FLIP", "NOFLIP", "FINE", "COARSE")
+    ),
     Idiom("move_{v}_{n}", "", says="MOVE takes one location", help="if `{v}_{n}` is meant as one name, write it as one word; else give each a line of its own: `MOVE {v}`, `MOVE {n}`"),
 )

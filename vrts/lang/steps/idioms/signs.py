@@ -211,12 +211,15 @@ SIGNS = (
     Signs(re.compile(r"\\"), "/", "`\\` is not an operator of VAL-II", "write `/` to divide"),
 )
 _STRING = re.compile(r'"[^"]*"')
+_COMPOUND_BEGUN = re.compile(r"^[ \t]*(?:here|set|move[st]?|movest|appros?)\b.*:[ \t]*$", re.I)
 
 
 def replaced(text: str) -> Iterator[tuple[Signs, str]]:
     """Return a step with one kind of foreign signs replaced after the other."""
     strings = _STRING.findall(text)
     hidden = _STRING.sub(_HIDDEN, text)
+    if _COMPOUND_BEGUN.search(hidden):
+        return  # a name is missing behind the colon
     for signs in SIGNS:
         found = signs.pattern.sub(signs.instead, hidden)
         if found != hidden:
