@@ -1746,7 +1746,7 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "motions are kept for good",
         "vrts/engine/machine/forget.py",
-        "given.motions.forget(pieces[0].motion)",
+        "given.motions.forget(min(pieces[0].motion, arrived))",
         "given.motions.forget(0)",
         ("tests/unit/engine/machine/test_forgetting.py",),
     ),
