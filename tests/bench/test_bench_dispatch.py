@@ -103,7 +103,7 @@ def test_the_solution_of_every_example_is_planned(name: str) -> None:
     manifest = found.bundle.manifest
     runs = sum(int(m.sentence.split()[-2]) for m in manifest.margins if m.method == "sampled")
     print(
-        f"\n{name}: planned in {busy:.1f} s of processor time, {runs} other worlds beside those "
-        f"tried until one fails; clearance {manifest.scenarios[0].clearance_mm} mm; fails first: "
-        f"{manifest.first_to_fail}; bundle {len(bundle_bytes(found.bundle)):,} bytes"
+        f"\n{name}: planned in {busy:.1f} s of processor time, {runs} other worlds, and "
+        f"stopped in every tick; clearance {manifest.scenarios[0].clearance_mm} mm; "
+        f"bundle {len(bundle_bytes(found.bundle)):,} bytes"
     )

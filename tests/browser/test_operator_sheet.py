@@ -5,7 +5,7 @@ from playwright.sync_api import Browser
 
 from tests.browser.support import Opened, opened
 from vrts.dispatch.planning.plan import plan
-from vrts.dispatch.planning.reasons.refusals import Promise
+from vrts.dispatch.planning.reasons.refusals import Promise, finding_of
 from vrts.dispatch.planning.wish import Wish
 from vrts.dispatch.profile import find_profile
 from vrts.pipeline.compiling.reading import ProgramFile
@@ -24,11 +24,12 @@ def view(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Opened:
     """Open the sheet of the largest example, with a waiver on it."""
     example = CHECKOUT / "examples" / "04-final-project"
     data = (example / "solution.v2").read_bytes()
-    promises = (Promise("V812", "the oven was measured twice, to half a millimetre", "R. Huber"),)
-    profile = find_profile("mark2-val2")
-    found = plan(
-        Wish(Request(ProgramFile(data, "solution.v2"), load_task(example)), profile, 14.0, promises)
-    )
+    why = "the oven was measured twice, to half a millimetre"
+    request = Request(ProgramFile(data, "solution.v2"), load_task(example))
+    wish = Wish(request, find_profile("mark2-val2"), 14.0)
+    refused = plan(wish).refused
+    promises = tuple(Promise(finding_of(one), why, "R. Huber") for one in refused)
+    found = plan(wish._replace(promises=promises, fails_first=True))
     assert found.bundle is not None, found.refused
     path = tmp_path_factory.mktemp("sheet") / "sheet.html"
     path.write_text(found.bundle.sheet, "utf-8")

@@ -1704,9 +1704,30 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "dispatch: a waiver covers other codes",
         "vrts/dispatch/planning/reasons/refusals.py",
-        "refused = tuple(d for d in found if d.rule.code not in given)",
-        "refused = tuple(d for d in found if not given)",
-        (f"{DISPATCH_PLAN}::test_a_waiver_stands_in_manifest_and_sheet_and_an_idle_one_does_not",),
+        "refused = tuple(_with_name(name, d) for name, d in named if name not in covered)",
+        "refused = tuple(_with_name(name, d) for name, d in named if not covered)",
+        (f"{DISPATCH_PLAN}::test_of_two_findings_of_one_kind_one_is_waived_alone",),
+    ),
+    Patch(
+        "dispatch: a waiver covers every place",
+        "vrts/dispatch/planning/reasons/refusals.py",
+        "parts = (*place_of(refusal), refusal.headline, *refusal.notes)",
+        "parts = (refusal.rule.code,)",
+        (f"{DISPATCH_PLAN}::test_a_waiver_covers_one_finding_at_one_place",),
+    ),
+    Patch(
+        "dispatch: corners are rounded as usual in the other worlds",
+        "vrts/dispatch/planning/beside/worlds.py",
+        "half_accelerations=corners.half_accelerations * factor,",
+        "half_accelerations=corners.half_accelerations,",
+        (f"{DISPATCH_PLAN}::test_a_target_that_only_a_rounded_corner_avoids_has_no_margin",),
+    ),
+    Patch(
+        "dispatch: nobody stops the arm",
+        "vrts/dispatch/planning/beside/stops.py",
+        "stops=frozenset((after,)),",
+        "stops=frozenset(),",
+        (f"{DISPATCH_PLAN}::test_what_may_be_typed_after_a_stop_stands_on_the_sheet",),
     ),
     Patch(
         "dispatch: hashes in a bundle are not looked at",

@@ -110,7 +110,8 @@ class Waiver(Record, frozen=True):
     code: Annotated[str, Meta(pattern=r"^V\d{3}$")]
     who: Annotated[str, Meta(min_length=1, max_length=200)]
     reason: Annotated[str, Meta(min_length=1, max_length=1_000)]
-    refused: tuple[Words, ...]  # headlines of what would have been refused
+    refused: tuple[Words, ...]  # headline of what would have been refused; once all of a code
+    finding: Annotated[str, Meta(pattern=r"^[0-9a-f]{0,6}$")] = ""  # which; "": all of the code
 
 
 class Manifest(Record, frozen=True):

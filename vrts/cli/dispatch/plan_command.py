@@ -1,5 +1,6 @@
 """`vrts dispatch plan`."""
 
+import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,6 +14,7 @@ from vrts.cli.shared.options import (
     controller_option,
     dialect_option,
     file_option,
+    jobs_option,
     lab_option,
     placed,
     scene_option,
@@ -32,7 +34,7 @@ Examples:
   vrts dispatch plan prog.v2 --lab lab.toml --scenario part-there.toml --scenario no-part.toml \\
       --profile mark2-val2 -o prog.bundle
   vrts dispatch plan prog.v2 --profile mark2-val2 -o prog.bundle \\
-      --waive V812 --reason "guard measured, 8 mm are enough" --who "R. Huber"
+      --waive V812-3f2a9c --reason "guard measured, 8 mm are enough" --who "R. Huber"
 """
 
 
@@ -70,9 +72,19 @@ Examples:
     help="What may come from outside; without it every input is free. See `vrts new environment`.",
 )
 @click.option("--entry", help="Program to execute; without it the task's, else the main one.")
-@click.option("--waive", "codes", multiple=True, metavar="CODE", help="Answer for a refusal.")
+@click.option(
+    "--waive",
+    "findings",
+    multiple=True,
+    metavar="FINDING",
+    help="Answer for a refusal, as it names itself: V812-3f2a9c.",
+)
 @click.option("--reason", "reasons", multiple=True, metavar="TEXT", help="Why; one for each.")
 @click.option("--who", "people", multiple=True, metavar="NAME", help="Who answers for it.")
+@click.option(
+    "--fails-first", is_flag=True, help="Look which margin fails first: takes longer than the rest."
+)
+@jobs_option("Worlds at a time; one a core.")
 @with_option("Send the programs of FILE, too.")
 @dialect_option("Language that the program is written in.", default="val2")
 @lab_option
@@ -90,9 +102,11 @@ def command(
     clearance_mm: float,
     environment_file: Path | None,
     entry: str | None,
-    codes: tuple[str, ...],
+    findings: tuple[str, ...],
     reasons: tuple[str, ...],
     people: tuple[str, ...],
+    fails_first: bool,
+    jobs: int | None,
     others: tuple[str, ...],
     dialect: str,
     color: str,
@@ -101,9 +115,10 @@ def command(
 
     Everything that `vrts verify` looks at has to hold, with the values as the controller prints
     them, and in every future: whatever inputs come, at every moment, at every EXECUTE. It is
-    verified again with objects 3 mm and the base 2 mm off, with other speeds, at SPEED 10, and
-    raised for a dry run. What is not proven is refused; a refusal is waived with its code, a
-    reason and a name, all of which stand on the operator's sheet.
+    verified again with objects 3 mm and the base 2 mm off, with other speeds and corners, at
+    SPEED 10, stopped in every tick, and raised for a dry run. What is not proven is refused. Each
+    refusal has a name by which somebody may answer for it, with a reason and a name of their own;
+    all of that stands on the operator's sheet.
 
     The bundle holds programs and data as they are sent, a manifest with hashes, certificates of
     the runs, and the sheet; the same input gives the same bytes. Nothing is sent. Exit status 1
@@ -121,7 +136,7 @@ def command(
     from vrts.pipeline.environments import load_environment
     from vrts.pipeline.refused import Refused
 
-    promises = promises_of(codes, reasons, people)
+    promises = promises_of(findings, reasons, people)
     if isinstance(promises, Diagnostic):
         raise Refused((promises,))
     profile = find_profile(profile_name)
@@ -132,13 +147,14 @@ def command(
     if environment_file is not None:
         environment, said = load_environment(environment_file, first)
         show_diagnostics(said, color)
-    found = plan(Wish(request, profile, clearance_mm, promises, tuple(further), environment))
+    wish = Wish(request, profile, clearance_mm, promises, tuple(further), environment)
+    found = plan(wish._replace(fails_first=fails_first, jobs=jobs or os.cpu_count() or 1))
     show_diagnostics(found.refused, color)
     if found.bundle is None:
         say("refused: no bundle was written")
         sys.exit(WRONG)
-    for code in found.idle:
-        say(f"note: the waiver of {code} was not needed, and is not on the sheet")
+    for finding in found.idle:
+        say(f"note: the waiver of {finding} was not needed, and is not on the sheet")
     for waived in found.waived:
         say(f"waived: {waived.rule.code}: {waived.headline}")
     if profile.warning:
@@ -150,7 +166,8 @@ def command(
     if sheet is not None:
         write_file(sheet, found.bundle.sheet.encode())
         say(f"wrote {sheet}, to be printed")
-    say(f"first to fail: {found.bundle.manifest.first_to_fail}")
+    if fails_first:
+        say(f"first to fail: {found.bundle.manifest.first_to_fail}")
     sys.exit(HOLDS)
 
 

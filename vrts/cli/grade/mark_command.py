@@ -12,7 +12,6 @@ import click
 from vrts.cli.grade.export_command import NAMES, export, given_page
 from vrts.cli.grade.options import (
     again_option,
-    jobs_option,
     no_pages_option,
     recordings_option,
     results_option,
@@ -27,6 +26,7 @@ from vrts.cli.shared.options import (
     engine_option,
     file_option,
     form_option,
+    jobs_option,
     lab_option,
     no_collisions_option,
 )

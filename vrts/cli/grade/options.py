@@ -19,14 +19,6 @@ zone_option = click.option(
 )
 
 
-def jobs_option(says: str, default: int | None = None) -> Option[Any]:
-    """Return `--jobs`."""
-    jobs = click.IntRange(1, 256)
-    if default is None:
-        return click.option("--jobs", type=jobs, help=says)
-    return click.option("--jobs", type=jobs, default=default, show_default=True, help=says)
-
-
 def no_pages_option(says: str = "Write results only, no pages.") -> Option[Any]:
     """Return `--no-pages`."""
     return click.option("--no-pages", is_flag=True, help=says)

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.grade.options import jobs_option
 from vrts.cli.shared.console import guarded, out, write_file
-from vrts.cli.shared.options import color_option, file_option
+from vrts.cli.shared.options import color_option, file_option, jobs_option
 
 if TYPE_CHECKING:
     from vrts.marking.marking import Done

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.grade.options import again_option, jobs_option, no_pages_option, results_option
+from vrts.cli.grade.options import again_option, no_pages_option, results_option
 from vrts.cli.grade.what_to_mark import require_folder
 from vrts.cli.shared.console import FAULT, HOLDS, fail, guarded, out, say, show_diagnostics
 from vrts.cli.shared.options import (
@@ -16,6 +16,7 @@ from vrts.cli.shared.options import (
     engine_option,
     file_option,
     form_option,
+    jobs_option,
     lab_option,
     no_collisions_option,
 )

@@ -157,3 +157,11 @@ def language_options(function: Command) -> Command:
     ):
         command = option(command)
     return command
+
+
+def jobs_option(says: str, default: int | None = None) -> Option[Any]:
+    """Return `--jobs`."""
+    jobs = click.IntRange(1, 256)
+    if default is None:
+        return click.option("--jobs", type=jobs, help=says)
+    return click.option("--jobs", type=jobs, default=default, show_default=True, help=says)

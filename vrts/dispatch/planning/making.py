@@ -117,7 +117,9 @@ def _manifest(made: Made, scened: Sequence[Scened], settings: Sequence[Setting])
         reads=reads(made.known),
         clearance_asked_mm=made.clearance_mm,
         margins=tuple(
-            m if not several else _named(m, one.held.title) for one in scened for m in one.margins
+            m if not several else _named(m, one.held.title)
+            for one in scened
+            for m in (*one.margins, *one.stops)
         ),
         first_to_fail="; ".join(dict.fromkeys(one.first_to_fail for one in scened))[:2_000],
         waivers=made.sorted.waivers,

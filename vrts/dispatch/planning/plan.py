@@ -14,6 +14,8 @@ from vrts.check.judge import judge
 from vrts.dispatch.bundle import Bundle
 from vrts.dispatch.planning.beside import margins
 from vrts.dispatch.planning.beside.dry_run import NO_DRY_RUN, DryRun, dry_run
+from vrts.dispatch.planning.beside.stops import stops
+from vrts.dispatch.planning.beside.trials import BASE, OBJECTS, Subject
 from vrts.dispatch.planning.beside.worlds import World
 from vrts.dispatch.planning.making import Made, bundle_of
 from vrts.dispatch.planning.printed import printed, read_back
@@ -25,6 +27,7 @@ from vrts.dispatch.planning.reasons.refusals import (
     LOST_BY_ROUNDING,
     OTHER_LANGUAGE,
     Sorted,
+    place_of,
     sort_out,
 )
 from vrts.dispatch.planning.reasons.rounding import lost, same_instructions
@@ -93,7 +96,7 @@ def plan(wish: Wish) -> Plan:
     result = _sorted(wish, found)
     if result.plan.refused:  # other worlds are looked at when this one is as it should be
         return result.plan
-    scened = [_with_margins(one, held, entry) for one in scened]
+    scened = [_with_margins(one, held, wish, entry) for one in scened]
     result = _sorted(wish, [*found, *(d for one in scened for d in margins.refused(one.margins))])
     request.step_done("margins")
     if result.plan.refused:
@@ -139,15 +142,20 @@ def _scened(setting: Setting, given: Module, held: Module, entry: str, asked: fl
     first = _case(title, given, world, entry)
     case = _case(title, held, world, entry)
     near = nearness(world.scene, case.run, asked)
-    return Scened(world, first, case, near, (), "not looked at: the program itself is not proven")
+    return Scened(world, first, case, near, (), margins.NOT_PROVEN, ())
 
 
-def _with_margins(one: Scened, held: Module, entry: str) -> Scened:
+def _with_margins(one: Scened, held: Module, wish: Wish, entry: str) -> Scened:
     if obstacles(one.held):
         return one
-    subject = margins.Subject(held, entry, one.world, one.held.run, one.near.clearance_m)
-    found, words = margins.margins(subject)
-    return one._replace(margins=found, first_to_fail=words)
+    subject = Subject(held, entry, one.world, one.held.run, one.near.clearance_m)
+    found = margins.margins(subject, wish.jobs)
+    failed = next((m for m in found if m.answer == "violated"), None)
+    if failed is not None:
+        return one._replace(margins=found, first_to_fail=f"{failed.name}: {failed.sentence}")
+    words = margins.first_to_fail(subject, wish.jobs) if wish.fails_first else margins.NOT_ASKED
+    stopped = stops(subject, wish.environment, wish.jobs)
+    return one._replace(margins=found, first_to_fail=words, stops=stopped)
 
 
 def _case(title: str, module: Module, world: World, entry: str) -> Case:
@@ -167,7 +175,7 @@ def _of_scenarios(scened: Sequence[Scened], asked: float) -> Iterator[Diagnostic
                     f"with the values as the controller prints them: {sentence}",
                     help=("write locations with no more decimals than the controller has",),
                 )
-        yield from too_near(one.near, asked, margins.OBJECTS + margins.BASE)
+        yield from too_near(one.near, asked, OBJECTS + BASE)
 
 
 def _dry_run(one: Scened, module: Module, entry: str, profile: Profile, asked: float) -> DryRun:
@@ -208,5 +216,5 @@ def _other_language(compilation: Compilation, profile: Profile) -> Diagnostic:
 
 def _distinct(found: Sequence[Diagnostic]) -> list[Diagnostic]:
     """Return refusals once, although several scenarios may give the same."""
-    kept = {(d.rule.code, d.headline): d for d in reversed(found)}
+    kept = {(*place_of(d), d.headline): d for d in reversed(found)}
     return list(reversed(kept.values()))

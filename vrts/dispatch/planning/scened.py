@@ -17,3 +17,4 @@ class Scened(NamedTuple):
     near: Nearness
     margins: tuple[Margin, ...]
     first_to_fail: str
+    stops: tuple[Margin, ...]  # what may be typed after a stop

@@ -21,6 +21,10 @@ class Wish(NamedTuple):
     promises: tuple[Promise, ...] = ()
     further: tuple[Setting, ...] = ()  # one for each other scenario
     environment: Environment = USUAL  # what may come from outside
+    fails_first: bool = (
+        False  # whether to look which margin fails first: takes longer than the rest
+    )
+    jobs: int = 1  # processes at a time
 
     @property
     def settings(self) -> tuple[Setting, ...]:

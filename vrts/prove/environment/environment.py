@@ -96,6 +96,7 @@ class Environment:
     random: tuple[float, ...] = (0.0, 0.5, 0.9999)  # what RANDOM may draw: sampled
     speeds: tuple[float, ...] = (100.0,)  # monitor speeds [%], one for a whole future
     stops: frozenset[Afterwards] = frozenset()  # what may follow a stop in any tick; empty: none
+    stop_every: int = 1  # only each so many-th tick is tried: above 1 stops are sampled
     again: Again = field(default_factory=Again)
     misses: bool = False  # whether each closing of the hand may grip or miss
     properties: tuple[Property, ...] = ()

@@ -33,12 +33,19 @@ class Operator:
     def stops(self, future: Future) -> Deed | None:
         """Return a stop in the next tick, if there may be one: once, while the arm moves."""
         machine = future.machine
+        if not self.may_stop(future) or machine.next_tick % self.environment.stop_every:
+            return None
+        return _deed(machine, machine.next_tick, (Abort(),), What.STOP, STOP)
+
+    def next_stop(self, future: Future) -> int | None:
+        """Return the next tick in which a stop may come; None: there is none."""
         if not self.may_stop(future):
             return None
-        return _deed(machine, machine.last_tick + 1, (Abort(),), What.STOP, STOP)
+        after, every = future.machine.last_tick + 1, self.environment.stop_every
+        return -(-after // every) * every
 
     def may_stop(self, future: Future) -> bool:
-        """Return whether the operator may stop the arm before the next tick."""
+        """Return whether the operator may stop the arm while it goes on."""
         machine = future.machine
         if not self.environment.stops or future.stopped or not machine.robot.running:
             return False

@@ -226,7 +226,8 @@ class Search:
         """Let a future go on in which the operator does something."""
         machine = future.machine.copy()
         machine.issue(deed.commands)
-        machine.next_tick = machine.last_tick + 1  # no motion is skipped that was not looked at
+        if not machine.robot.running:
+            machine.next_tick = machine.last_tick + 1  # no motion is skipped that was not looked at
         other = self._other(future, state, machine, 1, deed.decided)
         other.again += deed.decided.what is What.AGAIN
         other.stopped |= deed.decided.what is What.STOP
@@ -310,8 +311,9 @@ class Search:
         events = happened(machine)
         if events:
             self._look(future, events)
-        if self.operator.may_stop(future):
-            machine.next_tick = machine.last_tick + 1  # there may be a stop in each of them
+        stop = self.operator.next_stop(future)
+        if stop is not None:
+            machine.next_tick = min(machine.next_tick, stop)  # no stop is skipped
         if self.touches is not None:
             future.memory = self.touches.follow(future, events)
         if machine.robot.running or machine.next_command_s is not None:

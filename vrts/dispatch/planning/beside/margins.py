@@ -5,7 +5,8 @@ at most, and the same holds for the base. A carried object is as far off as it w
 took it, and what it passes may be off as well; so where everything counted keeps more than twice
 the objects' margin, and more than both margins together, nothing is touched, however all of them
 are off at once. *Sampled*: what stays near on purpose (taking, lifting, setting down) is tried with
-each object moved alone along X and Y, the base, both against each other, and with other speeds.
+each object moved alone along X and Y, the base, both against each other, with other speeds, and
+with corners that are rounded more, less, or not at all.
 
 A hand that closes on an object beside its middle pushes it to the middle, as far as it slides.
 Both ends of that are tried: the object stays as it lies; and it is in the middle between the pads,
@@ -13,81 +14,42 @@ its place across them as it was. In both the pads give way by as much as it is o
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
-from typing import Literal, NamedTuple
+from typing import Literal
 
 from vrts.base.diagnostic import Diagnostic, error
-from vrts.base.units import MM, mm
-from vrts.check.collision.collision import check_collisions
-from vrts.check.collision.pairs.pairs import PAD_DEPTH
-from vrts.check.judge import judge
+from vrts.base.units import mm
 from vrts.dispatch.manifest import Margin
-from vrts.dispatch.planning.beside.worlds import (
-    DIRECTIONS,
-    World,
-    base_moved,
-    displaced,
-    objects_moved,
-    pushed_to_the_middle,
-    touched,
-    with_speeds,
-    with_time,
-)
-from vrts.dispatch.planning.reasons.proof import Case, obstacles
+from vrts.dispatch.planning.beside import trials
+from vrts.dispatch.planning.beside.trials import BASE, FIRST_SPEED, OBJECTS, Subject, Trial
+from vrts.dispatch.planning.beside.trying import Failure, failures
 from vrts.dispatch.planning.reasons.refusals import NO_MARGIN
-from vrts.engine.controller import execute
-from vrts.engine.run import Run
-from vrts.ir.module import Module
 
-OBJECTS = 3.0 * MM  # an object may stand so far from its place
-BASE = 2.0 * MM  # the arm's base may
-JOINTS = (0.8, 1.25)  # bounds of the assumed joint speeds, as factors [assumed]
-LINES = (0.5, 1.0)  # the same of straight lines: 0.5 m/s is what is told of the 560 [assumed]
-ACCELERATION = (0.75, 1.25)  # the same of the time of an acceleration [assumed]
-FIRST_SPEED = 10.0  # [%] the operator's speed of the first run
 FACTORS = (1.5, 2.0, 3.0)  # margins this many times as large are tried, to tell which fails first
-SLOWER = 4.0  # a run may take this many times as long when something is slower
+NOT_ASKED = "not looked at: `--fails-first` was not asked for"
+NOT_PROVEN = "not looked at: the program itself is not proven"
 
 
-class Subject(NamedTuple):
-    """A program in the world as the scene has it, and the run there, which is proven."""
+def margins(subject: Subject, jobs: int) -> tuple[Margin, ...]:
+    """Return the margins of a program.
 
-    module: Module
-    entry: str
-    world: World
-    run: Run
-    clearance_m: float | None  # certified; None: nothing is ever near anything
-
-
-class Trial(NamedTuple):
-    """Another world, and what it is."""
-
-    what: str  # "`can1` 3 mm along +Y"
-    world: World
-
-
-class Failure(NamedTuple):
-    """What goes wrong in another world."""
-
-    what: str
-    sentence: str
-
-
-def margins(subject: Subject) -> tuple[tuple[Margin, ...], str]:
-    """Return the margins of a program, and which fails first when all grow."""
+    Args:
+        subject: The program.
+        jobs: Processes at a time.
+    """
     families = (
-        (f"objects ±{mm(OBJECTS):g} mm", _each_object(subject)),
-        (f"base ±{mm(BASE):g} mm", _base(subject, 1.0)),
-        ("both against each other", _together(subject, 1.0)),
-        ("speeds at their bounds", _speeds(subject, 1.0)),
-        (f"at SPEED {FIRST_SPEED:g}", _first_run(subject)),
+        (f"objects ±{mm(OBJECTS):g} mm", trials.each_object(subject)),
+        (f"base ±{mm(BASE):g} mm", trials.base(subject, 1.0)),
+        ("both against each other", trials.together(subject, 1.0)),
+        ("speeds at their bounds", trials.speeds(subject, 1.0)),
+        ("other corners", trials.corners(subject)),
+        (f"at SPEED {FIRST_SPEED:g}", trials.first_run(subject)),
     )
+    named = [(name, list(worlds)) for name, worlds in families]
+    every = [trial for _, worlds in named for trial in worlds]
+    failed = {failure.what: failure for failure in failures(subject, every, jobs)}
     found = [_contact_margin(subject)]
-    found += [_margin(subject, name, list(trials)) for name, trials in families]
-    failed = [margin for margin in found if margin.answer == "violated"]
-    if failed:
-        return tuple(found), f"{failed[0].name}: {failed[0].sentence}"
-    return tuple(found), _first_to_fail(subject)
+    found += [_margin(name, worlds, failed) for name, worlds in named]
+    return tuple(found)
 
 
 def refused(found: Sequence[Margin]) -> Iterator[Diagnostic]:
@@ -100,6 +62,30 @@ def refused(found: Sequence[Margin]) -> Iterator[Diagnostic]:
                 notes=(f"margin: {margin.name}",),
                 help=("keep farther away there, or grasp nearer to the middle of the pads",),
             )
+
+
+def first_to_fail(subject: Subject, jobs: int) -> str:
+    """Return which margin fails first when all grow alike: takes longer than all else.
+
+    Args:
+        subject: A program whose margins hold.
+        jobs: Processes at a time.
+    """
+    families = (
+        ("objects", trials.all_objects),
+        ("base", trials.base),
+        ("both against each other", trials.together),
+        ("speeds", trials.speeds),
+    )
+    for factor in FACTORS:
+        named = [(name, list(worlds(subject, factor))) for name, worlds in families]
+        every = [trial for _, worlds in named for trial in worlds]
+        name_of = {trial.what: name for name, worlds in named for trial in worlds}
+        failure = next(failures(subject, every, jobs), None)
+        if failure is not None:
+            name = name_of[failure.what]
+            return f"{name}, at {factor:g} times the margin: {failure.what}: {failure.sentence}"
+    return f"none fails at {FACTORS[-1]:g} times the margins"
 
 
 # --- what is proven -------------------------------------------------------------------------------
@@ -126,108 +112,9 @@ def _contact_margin(subject: Subject) -> Margin:
 # --- what is tried --------------------------------------------------------------------------------
 
 
-def _margin(subject: Subject, name: str, trials: Sequence[Trial]) -> Margin:
-    failure = next(_failures(subject, trials), None)
+def _margin(name: str, worlds: Sequence[Trial], failed: dict[str, Failure]) -> Margin:
+    failure = next((failed[trial.what] for trial in worlds if trial.what in failed), None)
     if failure is not None:
         return Margin(name, "violated", "sampled", None, f"{failure.what}: {failure.sentence}")
-    count = f"{len(trials)} case{'' if len(trials) == 1 else 's'}"
+    count = f"{len(worlds)} case{'' if len(worlds) == 1 else 's'}"
     return Margin(name, "holds", "sampled", None, f"holds in all of {count}")
-
-
-def _failures(subject: Subject, trials: Sequence[Trial]) -> Iterator[Failure]:
-    for trial in trials:
-        wrong = tried(subject, trial.world)
-        if wrong:
-            yield Failure(trial.what, wrong[0])
-
-
-def tried(subject: Subject, world: World) -> tuple[str, ...]:
-    """Return what speaks against the real robot in another world."""
-    off = displaced(world.scene, subject.run)
-    wrong = _tried(subject, world, PAD_DEPTH + off)
-    if wrong or off == 0.0:
-        return wrong
-    return _tried(subject, pushed_to_the_middle(world, subject.run), PAD_DEPTH + off)
-
-
-def _tried(subject: Subject, world: World, pads: float) -> tuple[str, ...]:
-    run = execute(subject.module, world.scene, world.scenario, subject.entry)
-    report = check_collisions(world.scene, run, clearance=False, pads=pads)
-    judgement = judge(world.scene, run, world.task, report=report)
-    return obstacles(Case("", run, judgement, world.task))
-
-
-def _each_object(subject: Subject) -> Iterator[Trial]:
-    known = touched(subject.run)
-    for name in (*known.carried, *known.supports):
-        for direction, (x, y) in DIRECTIONS.items():
-            moved = objects_moved(subject.world, (name,), (OBJECTS * x, OBJECTS * y, 0.0))
-            yield Trial(f"`{name}` {mm(OBJECTS):g} mm along {direction}", moved)
-
-
-def _all_objects(subject: Subject, factor: float) -> Iterator[Trial]:
-    carried, far = touched(subject.run).carried, OBJECTS * factor
-    if not carried:
-        return
-    for direction, (x, y) in DIRECTIONS.items():
-        moved = objects_moved(subject.world, carried, (far * x, far * y, 0.0))
-        yield Trial(f"all that is carried {mm(far):g} mm along {direction}", moved)
-
-
-def _base(subject: Subject, factor: float) -> Iterator[Trial]:
-    far = BASE * factor
-    for direction, (x, y) in DIRECTIONS.items():
-        moved = base_moved(subject.world, (far * x, far * y, 0.0))
-        yield Trial(f"the base {mm(far):g} mm along {direction}", moved)
-
-
-def _together(subject: Subject, factor: float) -> Iterator[Trial]:
-    """Objects one way and the base the other: what the hand takes is off by both."""
-    carried = touched(subject.run).carried
-    off, far = OBJECTS * factor, BASE * factor
-    if not carried:
-        return
-    for direction, (x, y) in DIRECTIONS.items():
-        away = base_moved(subject.world, (-far * x, -far * y, 0.0))
-        moved = objects_moved(away, carried, (off * x, off * y, 0.0))
-        what = f"objects {mm(off):g} mm along {direction} and the base {mm(far):g} mm against it"
-        yield Trial(what, moved)
-
-
-def _speeds(subject: Subject, factor: float) -> Iterator[Trial]:
-    world = with_time(subject.world, SLOWER * factor)
-    for joints in JOINTS:
-        share = joints**factor
-        yield Trial(f"joints at {share:.0%} of their speed", with_speeds(world, joints=share))
-    lines = LINES[0] ** factor
-    yield Trial(f"straight lines at {lines:.0%} of their speed", with_speeds(world, lines=lines))
-    for acceleration in ACCELERATION:
-        share = acceleration**factor
-        other = with_speeds(world, acceleration=share)
-        yield Trial(f"{share:.0%} of the time of an acceleration", other)
-
-
-def _first_run(subject: Subject) -> Iterator[Trial]:
-    world = with_time(subject.world, 100.0 / FIRST_SPEED)
-    speed = FIRST_SPEED * world.scenario.monitor_speed / 100.0
-    slow = world._replace(scenario=replace(world.scenario, monitor_speed=speed))
-    yield Trial(f"SPEED {FIRST_SPEED:g}", slow)
-
-
-# --- which fails first ----------------------------------------------------------------------------
-
-
-def _first_to_fail(subject: Subject) -> str:
-    """Return which margin fails first when all grow alike."""
-    families = (
-        ("objects", _all_objects),
-        ("base", _base),
-        ("both against each other", _together),
-        ("speeds", _speeds),
-    )
-    for factor in FACTORS:
-        for name, trials in families:
-            failure = next(_failures(subject, list(trials(subject, factor))), None)
-            if failure is not None:
-                return f"{name}, at {factor:g} times the margin: {failure.what}: {failure.sentence}"
-    return f"none fails at {FACTORS[-1]:g} times the margins"

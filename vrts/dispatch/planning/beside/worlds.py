@@ -126,6 +126,21 @@ def with_speeds(
     return world._replace(scene=replace(world.scene, robot=robot))
 
 
+def with_corners(world: World, factor: float) -> World:
+    """Return a world in which corners between motions are rounded so many times as wide."""
+    scene = world.scene
+    arm, model = scene.robot.arm, scene.controller
+    corners, blend = model.corners, arm.blend_time
+    wider = corners._replace(
+        half_accelerations=corners.half_accelerations * factor,
+        whole_s=None if corners.whole_s is None else corners.whole_s * factor,
+    )
+    arm = replace(arm, blend_time=None if blend is None else blend * factor)
+    robot = replace(scene.robot, arm=arm)
+    controller = replace(model, corners=wider)
+    return world._replace(scene=replace(scene, robot=robot, controller=controller))
+
+
 def with_time(world: World, factor: float) -> World:
     """Return a world in which a program may take longer: marks are not what is looked at."""
     limits = world.scenario.limits

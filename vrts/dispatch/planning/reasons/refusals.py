@@ -1,10 +1,14 @@
 """Why a program is not sent, and who has answered for sending it all the same.
 
-Each reason is a diagnostic with a code. A waiver names a code, a person and a reason; it stands in
-the manifest and on the operator's sheet, with everything it covers.
+Each reason is a diagnostic with a code. A waiver is for one finding at one place: it names it as
+the refusal does (`V812-3f2a9c`), with a person and a reason. When the finding is another, or its
+figures are, the waiver covers it no more. It stands in the manifest and on the operator's sheet.
 """
 
+import hashlib
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
@@ -49,10 +53,14 @@ WAIVABLE = {
 }  # the others leave nothing that could be sent
 
 
+BREAK = "\n"
+FINDING = re.compile(r"(V\d{3})-([0-9a-f]{6})")
+
+
 class Promise(NamedTuple):
     """What somebody answers for."""
 
-    code: str
+    finding: str  # "V812-3f2a9c"
     reason: str
     who: str
 
@@ -63,22 +71,43 @@ class Sorted(NamedTuple):
     refused: tuple[Diagnostic, ...]
     waived: tuple[Diagnostic, ...]
     waivers: tuple[Waiver, ...]
-    idle: tuple[str, ...]  # codes of waivers for which there was nothing to refuse
+    idle: tuple[str, ...]  # waivers for which there was nothing to refuse
+
+
+def place_of(refusal: Diagnostic) -> tuple[str, ...]:
+    """Return code and place of a refusal: the step, its line, and what stands there."""
+    label, data = refusal.primary, refusal.data
+    at = ("", "") if label is None else (str(label.span.line), label.span.text)
+    return (refusal.rule.code, str(data.get("program")), str(data.get("step")), *at)
+
+
+def finding_of(refusal: Diagnostic) -> str:
+    """Return the name of a refusal: the same as long as place and finding are the same."""
+    parts = (*place_of(refusal), refusal.headline, *refusal.notes)
+    return f"{refusal.rule.code}-{hashlib.sha256(BREAK.join(parts).encode()).hexdigest()[:6]}"
 
 
 def sort_out(found: Sequence[Diagnostic], promises: Sequence[Promise]) -> Sorted:
-    """Return which refusals stand and which are waived. A waiver covers all of its code."""
-    given = {promise.code: promise for promise in promises if promise.code in WAIVABLE}
-    waived = tuple(d for d in found if d.rule.code in given)
-    by_code: dict[str, list[str]] = {}
-    for diagnostic in waived:
-        by_code.setdefault(diagnostic.rule.code, []).append(diagnostic.headline)
+    """Return which refusals stand and which are waived. A waiver covers the finding it names."""
+    given = {promise.finding: promise for promise in promises}
+    named = [(finding_of(d), d) for d in found]
+    waived = [(name, d) for name, d in named if name in given and d.rule.code in WAIVABLE]
+    covered = dict(waived)
     waivers = tuple(
-        Waiver(code, given[code].who, given[code].reason, tuple(h[:LONGEST] for h in headlines))
-        for code, headlines in sorted(by_code.items())
+        Waiver(d.rule.code, given[name].who, given[name].reason, (d.headline[:LONGEST],), name[-6:])
+        for name, d in sorted(covered.items())
     )
-    refused = tuple(d for d in found if d.rule.code not in given)
-    return Sorted(refused, waived, waivers, tuple(sorted(given.keys() - by_code.keys())))
+    refused = tuple(_with_name(name, d) for name, d in named if name not in covered)
+    idle = tuple(sorted(given.keys() - covered.keys()))
+    return Sorted(refused, tuple(d for _, d in waived), waivers, idle)
+
+
+def _with_name(name: str, refusal: Diagnostic) -> Diagnostic:
+    """Return a refusal that says how to answer for it."""
+    if refusal.rule.code not in WAIVABLE:
+        return refusal
+    answer = f'or answer for it: `--waive {name} --reason "..." --who NAME`'
+    return replace(refusal, help=(*refusal.help, answer))
 
 
 def promises_of(
@@ -87,23 +116,26 @@ def promises_of(
     """Return waivers as they were given: each with a reason and a name, or one name for all.
 
     Args:
-        codes: What is waived.
+        codes: What is waived, each as its refusal names it.
         reasons: As many.
         people: As many, or one.
     """
     people = tuple(people) * len(codes) if len(people) == 1 else tuple(people)
     if len(reasons) != len(codes) or len(people) != len(codes):
         said = f"{len(codes)} waivers, {len(reasons)} reasons and {len(people)} names"
-        return _bad(said, 'give `--waive CODE --reason "..."` for each, and `--who NAME`')
+        return _bad(said, 'give `--waive FINDING --reason "..."` for each, and `--who NAME`')
     for code, reason, who in zip(codes, reasons, people, strict=True):
-        if code not in WAIVABLE:
-            return _bad(f"`{code}` cannot be waived", f"what can be: {', '.join(WAIVABLE)}")
+        if code[:4] not in WAIVABLE:
+            return _bad(f"`{code[:40]}` cannot be waived", f"what can be: {', '.join(WAIVABLE)}")
+        if FINDING.fullmatch(code) is None:
+            said = f"`{code[:40]}` says not which finding: a waiver is for one at one place"
+            return _bad(said, "name it as the refusal does, like `V812-3f2a9c`: plan once without")
         if not reason.strip() or not who.strip():
             return _bad(f"nobody answers for the waiver of {code}", "give a reason and a name")
         if max(len(reason), len(who)) > 200:
             return _bad("a reason or a name has more than 200 characters", "write it shorter")
     if len(set(codes)) < len(codes):
-        return _bad("a code is waived twice", "one waiver covers all that is refused with its code")
+        return _bad("a finding is waived twice", "one waiver is enough for it")
     rows = zip(codes, reasons, people, strict=True)
     return tuple(Promise(code, reason.strip(), who.strip()) for code, reason, who in rows)
 

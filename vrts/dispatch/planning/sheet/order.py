@@ -6,7 +6,8 @@ from vrts.base.oat import components
 from vrts.base.pose import Pose
 from vrts.dispatch.bundle import Bundle, rows
 from vrts.dispatch.planning.beside.dry_run import DryRun, base_command
-from vrts.dispatch.planning.beside.margins import FIRST_SPEED
+from vrts.dispatch.planning.beside.stops import typed_after
+from vrts.dispatch.planning.beside.trials import FIRST_SPEED
 
 MOST_BY_HAND = 8  # values that are typed
 MOST_NAMES = 6
@@ -33,6 +34,7 @@ def order(bundle: Bundle, raised: DryRun, X_FT: Pose, again: Sequence[str]) -> l
         f"With parts: `SPEED {FIRST_SPEED:g}`, `EXECUTE {entry}`, hand on the stop.",
         "Then faster in steps: `SPEED 25`, `50`, `100`; parts put back and measured each time.",
     ]
+    steps += _after_a_stop(bundle, entry)
     if again:
         names = ", ".join(f"`{name}`" for name in again[:MOST_NAMES])
         steps.append(f"The program changes {names}: send the data again before another run.")
@@ -46,6 +48,21 @@ def _by_hand(bundle: Bundle) -> Iterator[str]:
         more = len(typed) - MOST_BY_HAND
         shown = ", ".join(typed[:MOST_BY_HAND]) + (f" and {more} more" if more > 0 else "")
         yield f"Enter by hand: {shown}; `LISTR` and `LISTS` show them."
+
+
+def _after_a_stop(bundle: Bundle, entry: str) -> Iterator[str]:
+    """Yield what may be typed after a stop in whatever tick."""
+    found = [(typed_after(m), m) for m in bundle.manifest.margins if typed_after(m)]
+    bad = {typed: m for typed, m in found if m.answer != "holds"}
+    safe = list(dict.fromkeys(typed for typed, _ in found if typed not in bad))
+    if not found:
+        return
+    if safe:
+        yield f"After a stop: {' or '.join(f'`{typed}`' for typed in safe)} may be typed."
+    for typed, margin in bad.items():
+        yield f"After a stop never `{typed}`: {margin.sentence}."
+    if not safe:
+        yield f"Instead: free the arm by hand, `READY`, parts put back, `EXECUTE {entry}`."
 
 
 def _dry_run(raised: DryRun, entry: str) -> Iterator[str]:

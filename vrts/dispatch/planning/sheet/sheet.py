@@ -13,7 +13,9 @@ from vrts.base.units import deg, mm
 from vrts.dispatch.bundle import Bundle
 from vrts.dispatch.manifest import Margin
 from vrts.dispatch.planning.beside.dry_run import DryRun
-from vrts.dispatch.planning.beside.margins import FIRST_SPEED
+from vrts.dispatch.planning.beside.margins import NOT_ASKED
+from vrts.dispatch.planning.beside.stops import typed_after
+from vrts.dispatch.planning.beside.trials import FIRST_SPEED
 from vrts.dispatch.planning.reasons.nearness import SHOWN, Passage
 from vrts.dispatch.planning.reasons.rounding import Difference
 from vrts.dispatch.planning.sheet.floor_plan import floor_plan
@@ -121,7 +123,7 @@ def _waivers(facts: Sheet) -> Markup | None:
     lines = [
         element(
             "p",
-            element("strong", f"{w.code} waived by {w.who}: "),
+            element("strong", f"{w.code}-{w.finding} waived by {w.who}: "),
             w.reason,
             element("br"),
             prose("; ".join(w.refused[:4]) + (" ..." if len(w.refused) > 4 else "")),
@@ -241,10 +243,11 @@ def _reads(facts: Sheet) -> str:
 def _margins(facts: Sheet) -> Iterator[Markup]:
     manifest = facts.bundle.manifest
     yield element("h2", "Margins (level; heights have none)")
-    yield element("table", *(_margin(margin) for margin in manifest.margins))
-    yield element(
-        "p", element("strong", "Fails first: "), prose(manifest.first_to_fail), class_="for"
-    )
+    yield element("table", *(_margin(m) for m in manifest.margins if not typed_after(m)))
+    if manifest.first_to_fail != NOT_ASKED:
+        yield element(
+            "p", element("strong", "Fails first: "), prose(manifest.first_to_fail), class_="for"
+        )
 
 
 def _margin(margin: Margin) -> Markup:
