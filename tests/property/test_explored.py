@@ -1,6 +1,7 @@
 """Laws of the search: what merging, order and chance may not change."""
 
 from dataclasses import replace
+from heapq import heappush
 from random import Random
 
 import pytest
@@ -18,6 +19,7 @@ from vrts.ir.module import Module
 from vrts.prove.asking import Asking
 from vrts.prove.certify.memory import Memory
 from vrts.prove.environment.environment import Answers, Environment
+from vrts.prove.explore.frontier import Frontier, Future
 from vrts.prove.explore.search import Search
 from vrts.prove.proof import Wrong
 from vrts.scene.default import robot_alone
@@ -25,16 +27,43 @@ from vrts.scene.model import Scenario, Scene
 
 FEW = 1_000  # states
 MOST = 20_000  # of programs that are made to be looked at
-SCENARIOS = 8  # of each of these
+SCENARIOS, MORE = 8, 33  # of each of these, usual and many: 10,140 altogether
 ALONE = robot_alone()
 USUAL, MANY = range(30), [pytest.param(k, marks=pytest.mark.thorough) for k in range(30, 330)]
 
 
+class Shuffled(Frontier):
+    """Futures that wait to be looked at, in an order that is drawn."""
+
+    def __init__(self, seed: int) -> None:
+        """Hold nothing."""
+        super().__init__()
+        self._draw = Random(seed)
+
+    def push(self, future: Future) -> None:
+        """Let a future wait."""
+        self._pushed += 1
+        heappush(self._heap, (self._draw.randrange(1_000), 0, self._pushed, future))
+
+    def is_earlier(self, future: Future) -> bool:
+        """Return now and then that another future has its turn."""
+        return bool(self._heap) and self._draw.random() < 0.2
+
+
 def searched(
-    module: Module, scene: Scene, environment: Environment, states: int, *, merging: bool = True
+    module: Module,
+    scene: Scene,
+    environment: Environment,
+    states: int,
+    *,
+    merging: bool = True,
+    collisions: bool = False,
+    order: int | None = None,
 ) -> Search:
-    """Return what is found of all futures of a program."""
-    search = Search(module, scene, environment, collisions=False, merging=merging)
+    """Return what is found of all futures of a program; `order` is the seed of another order."""
+    search = Search(module, scene, environment, collisions=collisions, merging=merging)
+    if order is not None:
+        search.frontier = Shuffled(order)
     search.begin(module.main or "")
     search.go_on(Asking(states=states))
     return search
@@ -75,6 +104,39 @@ def test_merging_changes_no_answer(number: int) -> None:
     apart = searched(module, ALONE, Environment(), MOST // 10, merging=False)
     if apart.is_over:
         compare(apart, searched(module, ALONE, Environment(), MOST))
+
+
+def in_any_order(
+    module: Module, scene: Scene, environment: Environment, seed: int, states: int
+) -> None:
+    """Look at the futures of a program in two orders, and compare what is found."""
+    usual = searched(module, scene, environment, states, collisions=True)
+    if not usual.is_over:
+        return
+    other = searched(module, scene, environment, 2 * states, collisions=True, order=seed)
+    assert other.is_over
+    assert {one.why for one in other.suspects.in_order()} == {
+        one.why for one in usual.suspects.in_order()
+    }
+    assert set(other.endings) == set(usual.endings)
+    assert other.executed.numbers == usual.executed.numbers
+
+
+@pytest.mark.parametrize("number", [*USUAL, *MANY])
+@deep_stack()
+def test_the_order_changes_no_answer(number: int) -> None:
+    in_any_order(compiled(looking(number)), ALONE, Environment(), number, MOST)
+
+
+@pytest.mark.parametrize("number", [*USUAL[:10], *MANY[:60]])
+@deep_stack()
+def test_the_order_changes_no_answer_of_drawn_programs(number: int) -> None:
+    given = drawn(number)
+    module, scene = compiled(given.text, given.dialect), setting(given.scene).scene
+    scenario, _ = outside(given.scenario)
+    scenario = replace(scenario, inputs=(), answers=(), faults=())
+    environment = Environment(scenario=scenario, answers=Answers(("1", "2")))
+    in_any_order(module, scene, environment, number, FEW)
 
 
 def stays(search: Search, told: Told) -> list[Machine]:
@@ -137,7 +199,7 @@ def test_what_a_scenario_shows_is_among_the_futures(number: int) -> None:
     module = compiled(looking(number))
     search = searched(module, ALONE, Environment(), MOST)
     assert search.is_over
-    for seed in range(SCENARIOS):
+    for seed in range(SCENARIOS if number in USUAL else MORE):
         scenario = chance(Random(f"{number}.{seed}"))
         shown = stays(search, Told(module, ALONE, scenario, frozenset(INPUTS)))
         if shown[-1].robot.ending is Ending.ERROR:

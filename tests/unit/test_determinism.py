@@ -69,6 +69,38 @@ def test_results_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
     assert pages[0] == pages[1]
 
 
+LOOKING = """.PROGRAM main()
+        MOVE safe
+        REACT 1003, up
+        FOR i = 1 TO 2
+        IF SIG(1001) THEN
+        IF SIG(1002) GOTO 20
+        END
+        END
+        WAIT SIG(1004)
+        IF RANDOM < 0.4 GOTO 20
+        READY
+        RETURN
+20      MOVES SHIFT(safe BY 0, 0, -500)
+.END
+.PROGRAM up()
+        DEPARTS 20
+.END
+.LOCATIONS
+safe 900 30 100 90 90 0
+.END
+"""
+
+
+def test_futures_do_not_depend_on_the_hash_seed(tmp_path: Path) -> None:
+    program = tmp_path / "looking.v2"
+    program.write_text(LOOKING, "utf-8")
+    words = ["-m", "vrts.cli.main", "prove", program, "--scene", "cans-on-bases"]
+    found = [run([*words, "--format", "json"], seed) for seed in ("1", "2", "3")]
+    assert b"touches table" in found[0]
+    assert found[0] == found[1] == found[2]
+
+
 @pytest.fixture(scope="module")
 def first() -> list[bytes]:
     """Return what the first process told, line by line."""
