@@ -206,8 +206,8 @@ def new_readme(name: str, task: Task) -> str:
         wishes.append(f"pass {via.name}: {place}")
     total = float(task.mark.total)
     wishes += [
-        f"keep to this: {demand.name} ({float(demand.points):g} of {total:g} points)"
-        for demand in task.demands
+        f"keep to this: {cost.name} ({float(cost.points):g} of {total:g} points)"
+        for cost in task.costs
     ]
     lines = "\n".join(f"- {one_line(wish)}" for wish in wishes)
     return README.format(

@@ -86,7 +86,8 @@ def setting_of(
             place.write_bytes(data)
         _require_own_scene(bundle, folder, home)
         task_file = folder / TASK_FILE
-        setting = load_task(task_file, scene, scenario, staff=staff, home=home, lab=lab)
+        whole = staff and bundle.manifest.staff
+        setting = load_task(task_file, scene, scenario, staff=whole, home=home, lab=lab)
     hidden = bundle.manifest.hidden
     task = setting.task
     assert task is not None

@@ -148,7 +148,14 @@ def failure(
         known["safe"] = scene.locations["safe"]
     data = (text + location_block(known)).encode()
     alone = replace(
-        task, program=None, goals=(goal,), relations=(), vias=(), demands=(), t_max=LONGEST_S
+        task,
+        program=None,
+        goals=(goal,),
+        relations=(),
+        vias=(),
+        demands=(),
+        t_max=LONGEST_S,
+        proof=None,
     )
     away = {name for other in task.goals for name in other.bodies}
     away |= {relation.body for relation in task.relations}

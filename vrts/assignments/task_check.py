@@ -83,7 +83,7 @@ def check_task(setting: Setting, reference: Path | None) -> TaskCheck:
         remedy = "write `staff/solution.v2` in the folder of the task"
         findings.append(error(NO_REFERENCE, "the task has no reference solution", help=(remedy,)))
         return TaskCheck(None, empty, None, worths(task), tuple(findings))
-    longest = replace(task, t_max=max(task.t_max, setting_limit(task)))
+    longest = replace(task, t_max=max(task.t_max, setting_limit(task)), proof=None)
     data = read_bytes(reference)
     found = assess(Request(ProgramFile(data, reference.name), setting))
     free = assess(Request(ProgramFile(data, "reference"), replace(setting, task=longest)))
@@ -131,7 +131,7 @@ def worths(task: Task) -> tuple[Worth, ...]:
         Worth(vias / len(task.vias), f"`{via.name}` not passed within {mm(via.radius):.0f} mm")
         for via in task.vias
     ]
-    found += [Worth(demand.points, f"`{demand.name}` not kept") for demand in task.demands]
+    found += [Worth(cost.points, f"`{cost.name}` not kept") for cost in task.costs]
     return (
         *found,
         Worth(scheme.broken_limit, "a limit of the robot that is broken or moved"),

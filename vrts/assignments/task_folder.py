@@ -9,7 +9,9 @@ from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from vrts.base.safe_names import safe
+from vrts.check.task.task import Task
 from vrts.check.task.task_places import lab_name, scene_name
+from vrts.pipeline.environments import environment_file
 from vrts.pipeline.files import (
     MAX_TOML,
     SCENARIO_FILE,
@@ -38,6 +40,7 @@ class TaskFiles(NamedTuple):
     public: dict[str, bytes]
     staff: dict[str, bytes]
     lab: str = ""  # which of the public files is that of the lab; "" without one
+    environment: str = ""  # which of all files is that of the environment; "" without one
 
 
 def read_folder(folder: Path) -> TaskFiles:
@@ -47,13 +50,16 @@ def read_folder(folder: Path) -> TaskFiles:
         CannotRead: There is no task, or a file is too large.
         Refused: Task or scene have errors.
     """
-    load_task(folder / TASK_FILE, staff=True)  # everything must be right
+    task = load_task(folder / TASK_FILE, staff=True).task  # everything must be right
+    assert task is not None
     public = {name: _bytes(folder / name) for name in PUBLIC if (folder / name).is_file()}
     for part in PUBLIC_FOLDERS:
         public.update(_inside(folder, part))
     name = safe(folder.resolve().name)
     scene, lab = _add_scene(folder, public), _add_lab(folder, public)
-    return TaskFiles(name, scene, public, dict(_inside(folder, STAFF)), lab)
+    staff = dict(_inside(folder, STAFF))
+    environment = _add_environment(folder, task, public, staff)
+    return TaskFiles(name, scene, public, staff, lab, environment)
 
 
 def reference_of(folder: Path) -> Path | None:
@@ -98,6 +104,31 @@ def _add_lab(folder: Path, public: dict[str, bytes]) -> str:
     if name.startswith(f"{STAFF}/"):
         raise CannotRead(f"the lab of the task is in `{STAFF}`, which students do not get")
     with_shapes(place, name, public)
+    return name
+
+
+def _add_environment(
+    folder: Path, task: Task, public: dict[str, bytes], staff: dict[str, bytes]
+) -> str:
+    """Add the environment of the task where it belongs; return the name it has, "" without one.
+
+    What is hidden stays with the staff, wherever it lies.
+    """
+    place = environment_file(task, folder)
+    if place is None or task.proof is None:
+        return ""
+    name = PurePosixPath(place.resolve().relative_to(folder.resolve())).as_posix()
+    in_staff = name.startswith(f"{STAFF}/")
+    if task.proof.hidden:
+        public.pop(name, None)
+        staff[name] = _bytes(place)
+    elif in_staff:
+        raise CannotRead(
+            f"the environment of the task is in `{STAFF}`, which students do not get",
+            ("write `hidden = true` in `[prove]`, or move the file",),
+        )
+    else:
+        public[name] = _bytes(place)
     return name
 
 

@@ -1,5 +1,7 @@
 """Every check that applies to a run."""
 
+from collections.abc import Sequence
+
 from vrts.check.collision.collision import check_collisions
 from vrts.check.collision.corner_hint import corner_hints
 from vrts.check.collision.in_words import verdict as collision_verdict
@@ -7,7 +9,7 @@ from vrts.check.goals.reached import reached
 from vrts.check.judgement import Judgement
 from vrts.check.task.task import Task
 from vrts.check.verdict import Answer, CollisionReport, Verdict
-from vrts.check.verdicts import duration, limits, targets, via_verdict, vias
+from vrts.check.verdicts import duration, every_future, limits, targets, via_verdict, vias
 from vrts.check.verdicts.demand_check import check_demands
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
@@ -24,6 +26,7 @@ def judge(
     proposer: Proposer | None = None,
     second: Proposer | None = None,
     report: CollisionReport | None = None,
+    also: Sequence[Verdict] = (),
 ) -> Judgement:
     """Return all verdicts: the program's ending, collisions, limits, and what the task asks for.
 
@@ -35,6 +38,7 @@ def judge(
         proposer: Helps to prove distances; no answer depends on it. None: the best there is here.
         second: Who is asked for a second opinion about collisions; None: nobody.
         report: What is known about the collisions of the run; None: they are to be checked.
+        also: What was found out beside this run, as of every future of the program.
     """
     found: list[Verdict] = [_program(run)]
     if report is not None:
@@ -49,6 +53,7 @@ def judge(
         found += via_verdict.verdicts(run, vias.passed(run, task))
         found.append(duration.verdict(run, task))
         found += check_demands(run, task.demands, proposer)
+        found += every_future.verdicts(task, also)
     return Judgement(tuple(found), report)
 
 

@@ -84,7 +84,7 @@ def mark_class(
     assert place is not None
     place = place.resolve() / str(os.getpid())
     try:
-        supervisor = Supervisor(marker, place, jobs=jobs, limits=limits, fork=fork)
+        supervisor = Supervisor(marker, place, jobs=jobs, limits=limits or marker.limits, fork=fork)
         for finished in supervisor.run(orders):
             yield _done(marker, known[finished.order.identifier], finished, layout)
     finally:

@@ -8,6 +8,7 @@ from vrts.check.mark.mark import grade, ungraded
 from vrts.pipeline.compiling.programs import Compiled
 from vrts.pipeline.curve import with_curve
 from vrts.pipeline.execution import executed
+from vrts.pipeline.futures import proven
 from vrts.pipeline.request import Request
 from vrts.report.assessment import Assessment
 
@@ -37,6 +38,11 @@ def assess(request: Request, compiled: Compiled | None = None) -> Assessment:
         return _ungraded(a)
     if not checks.judged:
         return a
+    futures = None
+    if found.module is not None and found.entry is not None:
+        futures = proven(setting, found.module, found.entry, collisions=checks.collisions)
+    if futures is not None:
+        request.step_done("prove")
     judgement = judge(
         scene,
         run,
@@ -44,10 +50,12 @@ def assess(request: Request, compiled: Compiled | None = None) -> Assessment:
         collisions=checks.collisions,
         proposer=checks.proposer,
         second=checks.second,
+        also=() if futures is None else (futures.verdict,),
     )
     request.step_done("check")
     marked = None if task is None else grade(task, run, judgement)
-    a = replace(a, judgement=judgement, grade=marked)
+    proof = None if futures is None else futures.proof
+    a = replace(a, judgement=judgement, grade=marked, proof=proof)
     return with_curve(a) if checks.curve and checks.collisions else a
 
 

@@ -1,18 +1,42 @@
-"""What may come from outside in the futures of a program: as a file says, or usually."""
+"""What may come from outside in the futures of a program: as a file or a task says, or usually."""
 
+import hashlib
 from dataclasses import replace
 from pathlib import Path
 
-from vrts.base.diagnostic import Diagnostic
-from vrts.pipeline.files import read_toml_source
+from vrts.base.diagnostic import Diagnostic, Label, Rule, error
+from vrts.base.source import SourceFile
+from vrts.check.task.task import Task
+from vrts.pipeline.files import CannotRead, read_toml_source
+from vrts.pipeline.refused import Refused
 from vrts.pipeline.setting import Setting, accepted, scenario_of
 from vrts.prove.environment.environment import Environment
-from vrts.prove.environment.reading import read_environment
+from vrts.prove.environment.reading import read_environment, read_inner
+
+HIDDEN_ENVIRONMENT = Rule("V683", "hidden-environment")
+IN_TASK = ("prove", "environment")  # table of a task that is one
 
 
 def usual_environment(setting: Setting) -> Environment:
-    """Return the environment in which everything that a program reads is free."""
-    return Environment(scenario=scenario_of(setting))
+    """Return the environment of the task, else that in which everything that is read is free.
+
+    Every future begins as the scenario of the task says. When inputs come there, and what is
+    answered, is one example: that does not count.
+    """
+    return without_example(setting.environment or Environment(), setting)
+
+
+def without_example(environment: Environment, setting: Setting) -> Environment:
+    """Return an environment in which futures begin as in a scenario, and then go their own way."""
+    usual = scenario_of(setting)
+    return replace(
+        environment, scenario=replace(usual, inputs=(), answers=(), draws=(), operator=())
+    )
+
+
+def with_scenario_of(environment: Environment, setting: Setting) -> Environment:
+    """Return an environment in which all that a scenario says is the same in every future."""
+    return replace(environment, scenario=scenario_of(setting))
 
 
 def load_environment(
@@ -22,7 +46,7 @@ def load_environment(
 
     Args:
         path: The file.
-        setting: Where programs run, and by its scenario how they begin.
+        setting: Where programs run, and by its scenario how they begin: as `usual_environment`.
         home: As for `read_toml_source`.
 
     Raises:
@@ -30,4 +54,72 @@ def load_environment(
         Refused: It has errors.
     """
     found, said = read_environment(read_toml_source(path, home))
-    return replace(accepted(found, said), scenario=scenario_of(setting)), said
+    return without_example(accepted(found, said), setting), said
+
+
+def proof_is_hidden(task: Task, public: SourceFile) -> bool:
+    """Return whether the public part of a task asks for a proof in an environment that is not.
+
+    Args:
+        task: As it was read.
+        public: Its file that students get.
+
+    Raises:
+        Refused: The environment stands in that file.
+    """
+    proof = task.proof
+    if proof is None or not proof.hidden or proof.span.source.name != public.name:
+        return False
+    if proof.inline:
+        headline = "an environment that is hidden stands in the file that students get"
+        remedy = "write it in `staff/environment.toml`, and name that file here"
+        raise Refused((error(HIDDEN_ENVIRONMENT, headline, Label(proof.span), help=(remedy,)),))
+    return True
+
+
+def environment_file(task: Task, folder: Path) -> Path | None:
+    """Return the file in which a task says what may come; None where it names none.
+
+    Raises:
+        CannotRead: It is outside the folder of the task.
+    """
+    named = None if task.proof is None else task.proof.environment
+    if named is None:
+        return None
+    place = folder / named
+    if not place.resolve().is_relative_to(folder.resolve()):
+        raise CannotRead(
+            f"the environment `{named}` is outside the task's folder",
+            ("copy it into the folder, and name it from there",),
+        )
+    return place
+
+
+def with_environment(setting: Setting, folder: Path, home: Path | None = None) -> Setting:
+    """Return the setting of a task with the environment in which it asks for every future.
+
+    Args:
+        setting: Of the task; its digest then covers the environment too.
+        folder: Of the task.
+        home: As for `read_toml_source`.
+
+    Raises:
+        CannotRead: The file of the environment is not there.
+        Refused: The environment has errors.
+    """
+    task = setting.task
+    if task is None or task.proof is None:
+        return setting
+    place = environment_file(task, folder)
+    if place is not None:
+        found, said = read_environment(read_toml_source(place, home))
+        environment = accepted(found, said)
+        both = hashlib.sha256(f"{task.digest} {environment.digest}".encode()).hexdigest()
+        task = replace(task, digest=both)
+    elif task.proof.inline:
+        found, said = read_inner(task.proof.span.source, IN_TASK)
+        environment = accepted(found, said)
+    else:
+        environment, said = Environment(), ()
+    told = (*setting.diagnostics, *said)
+    return replace(setting, task=task, diagnostics=told, environment=environment)

@@ -25,6 +25,7 @@ class Executed(NamedTuple):
     module: Module | None  # None: there is nothing to execute
     run: Run | None
     diagnostics: tuple[Diagnostic, ...]  # all but those of the run
+    entry: str | None = None  # the program that was executed
 
 
 def compiled_for(request: Request) -> Compiled:
@@ -55,7 +56,7 @@ def executed(request: Request, compiled: Compiled | None = None) -> Executed:
     run = execute(module, request.setting.scene, scenario, entry)
     request.step_done("simulate")
     kept = (*without_repeats(compiled.diagnostics, run.findings), *said)
-    return Executed(compiled, module, run, kept)
+    return Executed(compiled, module, run, kept, entry)
 
 
 def entry_in(module: Module, request: Request) -> tuple[str | None, tuple[Diagnostic, ...]]:

@@ -1,16 +1,24 @@
-"""Every future of a program explored as a request asks."""
+"""Every future of a program explored: as a request asks, or as a task does of its programs."""
 
+from types import MappingProxyType
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Diagnostic
+from vrts.base.diagnostic import Datum, Diagnostic
+from vrts.check.verdict import Verdict
+from vrts.check.verdicts.every_future import CHECK
 from vrts.ir.module import Module
 from vrts.pipeline.compiling.programs import Compiled
+from vrts.pipeline.environments import usual_environment
 from vrts.pipeline.execution import compiled_for, entry_in
 from vrts.pipeline.request import Request
+from vrts.pipeline.setting import Setting
 from vrts.prove.asking import Asking
 from vrts.prove.environment.environment import Environment
 from vrts.prove.proof import Proof
 from vrts.prove.prove import prove
+from vrts.report.proof_words import of_verdict, sentence
+
+METHOD = "every future, tick by tick"
 
 
 class Proved(NamedTuple):
@@ -42,3 +50,39 @@ def proved(request: Request, environment: Environment, asking: Asking) -> Proved
     found = prove(module, setting.scene, environment, asking, entry=entry, task=setting.task)
     request.step_done("prove")
     return Proved(compiled, module, found, told)
+
+
+class Proven(NamedTuple):
+    """What is known of every future of a program under a task."""
+
+    verdict: Verdict
+    proof: Proof
+
+
+def proven(setting: Setting, module: Module, entry: str, *, collisions: bool) -> Proven | None:
+    """Look at every future of a program as far as its task asks; None: it does not.
+
+    The answer is the same on every machine: only the number of states ends the search.
+
+    Args:
+        setting: Scene, task and environment.
+        module: The programs.
+        entry: The one that is executed.
+        collisions: Whether they are checked.
+    """
+    task = setting.task
+    if task is None or task.proof is None:
+        return None
+    environment = usual_environment(setting)
+    asking = Asking(states=task.proof.states, collisions=collisions)
+    proof = prove(module, setting.scene, environment, asking, entry=entry, task=task)
+    evidence: dict[str, Datum] = {
+        "method": METHOD,
+        "points": float(task.proof.points),
+        "states": proof.covered.states,
+        "decisions": proof.covered.decisions,
+        "environment": environment.title,
+    }
+    findings = of_verdict(proof, task.proof.environment if task.proof.hidden else None)
+    verdict = Verdict(CHECK, proof.answer, sentence(proof), findings, MappingProxyType(evidence))
+    return Proven(verdict, proof)

@@ -7,6 +7,7 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.check.task.task import Task
 from vrts.pipeline.refused import Refused
+from vrts.prove.environment.environment import Environment
 from vrts.scene.model import Scenario, Scene
 from vrts.scene.planned import ScenarioFile
 
@@ -30,6 +31,7 @@ class Setting:
     hidden: int = 0  # checks that are in `task` for marking only
     more: int = 0  # checks that are not in `task` but will be at marking
     variants: tuple["Setting", ...] = ()  # the task in hidden scenes; the lowest mark counts
+    environment: Environment | None = None  # in which the task asks for every future
 
 
 def scenario_of(setting: Setting) -> Scenario:

@@ -4,11 +4,19 @@ from dataclasses import replace
 from pathlib import Path
 
 from vrts.base.diagnostic import Diagnostic
-from vrts.check.task.manifest import altered, announced, hidden_scene, listed, other_scene
+from vrts.check.task.manifest import (
+    altered,
+    announced,
+    for_students,
+    hidden_scene,
+    listed,
+    other_scene,
+)
 from vrts.check.task.staff import read_whole_task
 from vrts.check.task.task_file import read_task
 from vrts.check.task.task_places import controller_name, lab_name, scene_name
 from vrts.pipeline.controllers import with_controller
+from vrts.pipeline.environments import proof_is_hidden, with_environment
 from vrts.pipeline.files import (
     MANIFEST_FILE,
     MAX_TOML,
@@ -58,10 +66,11 @@ def load_task(
     setting = load_scene(scene or accepted(named, found), folder, home, lab or its_lab)
     setting = with_controller(setting, controller_name(source))
     stamps: tuple[Diagnostic, ...] = ()
-    more = 0
+    more, is_whole = 0, True
     if (folder / MANIFEST_FILE).is_file():
         packed = _packed_files(folder)
-        stamps, more = altered(packed), announced(packed[MANIFEST_FILE])
+        manifest = packed[MANIFEST_FILE]
+        stamps, more, is_whole = altered(packed), announced(manifest), not for_students(manifest)
     if named is not None and (lab is not None or scene not in (None, named)):
         stamps += other_scene(load_scene(named, folder, home, its_lab).scene, setting.scene)
     hidden = 0
@@ -71,14 +80,21 @@ def load_task(
         hidden = sum(counts.values())
     else:
         task, found = read_task(source, setting.scene)
+    read = accepted(task, found)
+    if proof_is_hidden(read, source):
+        if staff and is_whole:
+            hidden += 1
+        else:  # its environment is not there, or is not for whoever asks
+            read, more = replace(read, proof=None), max(more, 1)
     setting = replace(
         setting,
-        task=accepted(task, found),
+        task=read,
         diagnostics=(*setting.diagnostics, *found),
         stamps=stamps,
         hidden=hidden,
         more=0 if hidden else more,
     )
+    setting = with_environment(setting, folder, home)
     if scenario is None and (folder / SCENARIO_FILE).is_file():
         scenario = folder / SCENARIO_FILE
     if scenario is not None:

@@ -10,6 +10,7 @@ from vrts.check.task.task import Task
 from vrts.engine.motion.remarks import without_forecasts
 from vrts.engine.run import Run
 from vrts.ir.module import Module
+from vrts.prove.proof import Proof
 from vrts.scene.model import Scene
 
 
@@ -28,6 +29,7 @@ class Assessment:
     judgement: Judgement | None = None
     grade: Grade | None = None
     clearance: tuple[tuple[float, float], ...] = ()  # (time [s], smallest distance [m]), sampled
+    proof: Proof | None = None  # of every future; None: no task asks for it
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:

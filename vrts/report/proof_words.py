@@ -1,11 +1,23 @@
 """What a proof over every future says, in sentences: the same on every medium."""
 
-from vrts.base.diagnostic import Diagnostic, Label, Rule, Severity
+from dataclasses import replace
+from types import MappingProxyType
+
+from vrts.base.diagnostic import Datum, Diagnostic, Label, Rule, Severity
+from vrts.check.mark.losses import where
 from vrts.check.verdict import Answer
 from vrts.prove.proof import Decided, Proof, What, Wronged
 from vrts.report.plain import capital, one_line
+from vrts.scene.writing.scenario_text import scenario_text
 
 IN_SOME_FUTURE = Rule("V560", "in-some-future")
+FUTURES_LEFT = Rule("V564", "futures-left")
+
+MOST_TOLD = 3  # lines of a story where it is one finding among others
+SEE_IT = (
+    "write it as a scenario with `vrts prove PROGRAM{environment} --counterexample bad.toml`,"
+    " and look at it with `--scenario bad.toml`"
+)
 
 
 def counted(number: int, noun: str) -> str:
@@ -91,3 +103,74 @@ def story(wronged: Wronged) -> list[tuple[float, str, str]]:
     """Return (time [s], where, what) of each decision that matters, and of what goes wrong."""
     rows = [(one.time_s, place(one), decision(one)) for one in wronged.decisions]
     return [*rows, (wronged.time_s, place(wronged), capital(one_line(wronged.headline)))]
+
+
+def short_story(wronged: Wronged) -> list[str]:
+    """Return what came from outside in at most three lines: of many only the first and last."""
+    told = [_noted(*row) for row in story(wronged)[:-1]]
+    if len(told) <= MOST_TOLD:
+        return told
+    left = len(told) - MOST_TOLD + 1
+    return [*told[: MOST_TOLD - 2], f"then {left} others, not told here", told[-1]]
+
+
+def scenario_of(wronged: Wronged) -> str:
+    """Return the text of a scenario file in which it goes wrong."""
+    return scenario_text(wronged.headline, wronged.scenario)
+
+
+# --- where a task asks for it ---------------------------------------------------------------------
+
+
+def sentence(proof: Proof) -> str:
+    """Return the answer as the summary of a verdict: with cause, time, line and story."""
+    match proof.answer:
+        case Answer.HOLDS:
+            return f"nothing goes wrong, in any future: {_looked_at(proof)}"
+        case Answer.UNDETERMINED:
+            why = f": {proof.open[0]}" if proof.open else ""
+            return f"nothing went wrong as far as could be looked{why}"
+        case Answer.VIOLATED:
+            first = proof.found[0]
+            place = where(first.time_s, first.cause)
+            told = f"{_when(first)}, {place}, {one_line(first.headline)}"
+            before = "; ".join(short_story(first))
+            return f"{told} ({before})" if before else told
+
+
+def _looked_at(proof: Proof) -> str:
+    covered = proof.covered
+    return f"{counted(covered.states, 'state')}, {counted(covered.decisions, 'decision')}"
+
+
+def of_verdict(proof: Proof, environment: str | None = None) -> tuple[Diagnostic, ...]:
+    """Return the one finding of a verdict on every future; none where nothing goes wrong.
+
+    Args:
+        proof: What was found.
+        environment: The file to be named when it is looked at; None: the task names it.
+    """
+    match proof.answer:
+        case Answer.HOLDS:
+            return ()
+        case Answer.UNDETERMINED:
+            headline = "not every future of the program could be looked at"
+            remedy = "make the program simpler where it waits, asks and counts"
+            notes = tuple(map(one_line, proof.open[:MOST_TOLD]))
+            return (
+                Diagnostic(FUTURES_LEFT, Severity.WARNING, headline, notes=notes, help=(remedy,)),
+            )
+        case Answer.VIOLATED:
+            first, *others = proof.found
+            named = "" if environment is None else f" --environment {environment}"
+            notes = short_story(first)
+            notes += [f"{one_line(one.headline)}: this can go wrong too" for one in others[:2]]
+            data: dict[str, Datum] = {**diagnostic(first).data, "scenario": scenario_of(first)}
+            return (
+                replace(
+                    diagnostic(first),
+                    notes=tuple(notes),
+                    help=(SEE_IT.format(environment=named),),
+                    data=MappingProxyType(data),
+                ),
+            )

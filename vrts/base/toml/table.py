@@ -230,6 +230,10 @@ class Table:
         fields = self._get(key, kinds.fields(path), None, required=required)
         return None if fields is None else Table(self.problems, path, fields, self._place_of(key))
 
+    def holds_table(self, key: str) -> bool:
+        """Return whether a key holds a table, where it may hold another kind of value too."""
+        return isinstance(self._fields.get(key), dict)
+
     def tables(self, key: str, *, required: bool = False) -> "tuple[Table, ...]":
         """Return the tables `[[key]]`, in order."""
         path = self._joined(key)

@@ -75,7 +75,7 @@ def earned(
     if COLLISION in answers:
         found.append(_that_costs(answers[COLLISION], "no contact", "contact", shown.contacts))
     asked = [v for v in verdicts if v.check.startswith(DEMAND)]
-    for demand, verdict in zip(task.demands, asked, strict=True):
+    for demand, verdict in zip(task.costs, asked, strict=True):
         cost = costs.pop(verdict.check, NOTHING)  # once, also where two have one name
         found.append(_that_costs(verdict, demand.name, "demand", cost))
     most = shown.most.time
@@ -117,7 +117,7 @@ def not_reached(task: Task) -> tuple[Earned, ...]:
     ]
     others = [
         (COLLISION, "no contact", "contact", NOTHING),
-        *((DEMAND + d.name, d.name, "demand", NOTHING) for d in task.demands),
+        *((DEMAND + d.name, d.name, "demand", NOTHING) for d in task.costs),
         ("duration", "time", "time", most.time),
     ]
     return (

@@ -26,6 +26,7 @@ from vrts.check.task.score import (
 )
 from vrts.check.task.task import Task
 from vrts.check.verdict import Answer, ContactEvent
+from vrts.check.verdicts import every_future
 from vrts.check.verdicts.limits import LIMITS
 from vrts.check.verdicts.targets import describe
 from vrts.check.verdicts.vias import Lack, Passed
@@ -259,14 +260,16 @@ def broken_demands(task: Task, judgement: Judgement) -> list[Loss]:
     """Return a loss for every demand that is not kept."""
     verdicts = [v for v in judgement.verdicts if v.check.startswith(DEMAND)]
     found: list[Loss] = []
-    for demand, verdict in zip(task.demands, verdicts, strict=True):
+    for demand, verdict in zip(task.costs, verdicts, strict=True):
         if verdict.answer is not Answer.VIOLATED:
             continue
         (finding,) = verdict.findings
         span = finding.primary.span if finding.primary else None
         line = "" if span is None else f", line {span.line} `{' '.join(span.text.split())}`"
         sentence = verdict.summary
-        if finding.moment is not None:
+        if verdict.check == every_future.CHECK:
+            pass  # it tells of another run, and when and where in it
+        elif finding.moment is not None:
             sentence = f"at {finding.moment.time_s:.1f} s{line}, {sentence}"
         elif line:
             sentence = f"{line[2:]}: {sentence}"

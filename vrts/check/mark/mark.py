@@ -117,8 +117,8 @@ def _lowest(task: Task, achieved: Achieved, judgement: Judgement, vias: int) -> 
     """
     asked = [v for v in judgement.verdicts if v.check.startswith(DEMAND)]
     doubtful = [
-        demand.points
-        for demand, verdict in zip(task.demands, asked, strict=True)
+        cost.points
+        for cost, verdict in zip(task.costs, asked, strict=True)
         if verdict.answer is Answer.UNDETERMINED
     ]
     found = judgement.collisions

@@ -93,6 +93,12 @@ def announced(data: bytes) -> int:
     return 0 if manifest is None else manifest.hidden
 
 
+def for_students(data: bytes) -> bool:
+    """Return whether a manifest is of what students get; False for what is no manifest."""
+    manifest = read_manifest(data)
+    return manifest is not None and not manifest.staff
+
+
 def sha256(data: bytes) -> str:
     """Return the hash of a file."""
     return hashlib.sha256(data).hexdigest()

@@ -72,6 +72,10 @@ def _task(task: Task, home: Appended) -> Task:
         if isinstance(value, tuple):
             items = cast("tuple[Any, ...]", value)
             changes[field.name] = tuple(_item(item, home) for item in items)
+    if task.proof is not None:
+        span = home.span(task.proof.span)
+        hidden = task.proof.hidden or span.source is home.second
+        changes["proof"] = replace(task.proof, span=span, hidden=hidden)
     return replace(task, **changes)
 
 

@@ -2,10 +2,12 @@
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import NamedTuple
 
 from vrts.base.pose import Vector
 from vrts.base.source import Span
+from vrts.check.rules.proof_demand import EVERY_FUTURE, ProofDemand
 from vrts.check.rules.scheme import MarkScheme
 from vrts.check.rules.settings import USUAL_LOCKS
 from vrts.check.task.demands import Demand
@@ -25,6 +27,13 @@ class ViaPoint(NamedTuple):
     cone: float = math.pi  # angle [rad] from there that is allowed
     slowest: float = 0.0  # [m/s] of the tool, at an instant within the radius
     fastest: float = math.inf
+
+
+class Cost(NamedTuple):
+    """What it costs when a demand is not kept."""
+
+    name: str  # as shown
+    points: Fraction
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,8 +57,17 @@ class Task:
     keep: Keep = Keep.LATEST  # which of several hand-ins counts
     relations: tuple[Relation, ...] = ()
     locks: Locks = USUAL_LOCKS  # what programs may not set
+    proof: ProofDemand | None = None  # what is asked about every future; None: nothing
 
     @property
     def targets(self) -> tuple[Goal | Relation, ...]:
         """Goals and relations: they share the points of targets by their weights."""
         return (*self.goals, *self.relations)
+
+    @property
+    def costs(self) -> tuple[Cost, ...]:
+        """What every demand costs, in the order of their verdicts: every future comes last."""
+        found = [Cost(demand.name, demand.points) for demand in self.demands]
+        if self.proof is not None:
+            found.append(Cost(EVERY_FUTURE, self.proof.points))
+        return tuple(found)

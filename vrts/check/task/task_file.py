@@ -9,6 +9,7 @@ from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.base.units import MM
 from vrts.check.rules.mark_file import read_mark
+from vrts.check.rules.proof_file import read_proof
 from vrts.check.rules.settings_file import read_settings
 from vrts.check.task.demand_file import read_demands
 from vrts.check.task.goal_file import read_goals
@@ -24,7 +25,7 @@ NOTHING_ASKED = Rule("V659", "nothing-asked")
 
 PAR_SHARE = Fraction(5, 4)  # t_par is this times the reference solution
 MAX_SHARE = 2  # t_max is this times t_par
-ASKS = ("goal", "relation", "via", "zone", "upright", "limit", "rule")  # sections
+ASKS = ("goal", "relation", "via", "zone", "upright", "limit", "rule", "prove")  # sections
 NEAR_MISS_MM = 1.0, 50.0  # least and most of `near_miss_mm`
 
 
@@ -61,6 +62,7 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
     near_miss = _near_miss(top)
     late, keep = read_late(top, problems, mark.total), read_keep(top)
     locks = read_settings(top, problems)
+    proof = read_proof(top, problems, mark.total)
     top.finish()
     return Task(
         name,
@@ -80,6 +82,7 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
         keep,
         relations,
         locks,
+        proof,
     )
 
 

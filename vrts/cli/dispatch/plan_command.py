@@ -69,7 +69,7 @@ Examples:
 @file_option(
     "--environment",
     "environment_file",
-    help="What may come from outside; without it every input is free. See `vrts new environment`.",
+    help="What may come from outside; without it as the task says, else every input is free.",
 )
 @click.option("--entry", help="Program to execute; without it the task's, else the main one.")
 @click.option(
@@ -128,7 +128,7 @@ def command(
     from vrts.cli.shared.requests import verify_request
     from vrts.dispatch.bundle import bundle_bytes, digest_of, read_bundle
     from vrts.dispatch.planning.plan import plan
-    from vrts.dispatch.planning.reasons.futures import USUAL
+    from vrts.dispatch.planning.reasons.futures import asked_of
     from vrts.dispatch.planning.reasons.refusals import promises_of
     from vrts.dispatch.planning.wish import Wish
     from vrts.dispatch.profile import find_profile
@@ -143,7 +143,7 @@ def command(
     given = given_program(program)
     first, *further = _settings(given.path, where, scenarios)
     request = verify_request(given, first, Language(others, dialect), entry=entry)
-    environment = USUAL
+    environment = asked_of(first)
     if environment_file is not None:
         environment, said = load_environment(environment_file, first)
         show_diagnostics(said, color)

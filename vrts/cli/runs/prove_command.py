@@ -95,7 +95,11 @@ def command(
     """
     from vrts.assignments.packed import found_setting
     from vrts.cli.shared.requests import run_request, verify_request
-    from vrts.pipeline.environments import load_environment, usual_environment
+    from vrts.pipeline.environments import (
+        load_environment,
+        usual_environment,
+        with_scenario_of,
+    )
     from vrts.pipeline.futures import proved
     from vrts.prove.asking import USUAL_STATES, Asking
 
@@ -110,6 +114,8 @@ def command(
     else:
         outside, said = load_environment(environment, request.setting)
         show_diagnostics(said, color)
+    if where.scenario is not None:  # asked for: then it is no example
+        outside = with_scenario_of(outside, request.setting)
     with searching(seconds) as asked:
         asking = Asking(
             states=USUAL_STATES if states is None else states,

@@ -138,7 +138,10 @@ def _sorted(wish: Wish, found: Sequence[Diagnostic]) -> _Result:
 
 def _scened(setting: Setting, given: Module, held: Module, entry: str, asked: float) -> Scened:
     title = "as it is" if setting.scenario is None else setting.scenario.title[:LONGEST_TITLE]
-    world = World(setting.scene, setting.task, scenario_of(setting))
+    task = setting.task
+    if task is not None:
+        task = replace(task, proof=None)  # every future is looked at here for all scenarios
+    world = World(setting.scene, task, scenario_of(setting))
     first = _case(title, given, world, entry)
     case = _case(title, held, world, entry)
     near = nearness(world.scene, case.run, asked)

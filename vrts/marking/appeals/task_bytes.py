@@ -52,7 +52,11 @@ def _packed(path: Path, place: Place, result: Result) -> bytes:
         raise Refused((error(OTHER_TASK, headline, help=(f"call it `{TASK_FILE}`",)),))
     files = read_folder(folder)
     needed = (f"{STAFF}/{TASK_FILE}", f"{STAFF}/scenes/")
-    staff = {name: data for name, data in files.staff.items() if name.startswith(needed)}
+    staff = {
+        name: data
+        for name, data in files.staff.items()
+        if name.startswith(needed) or name == files.environment
+    }
     hidden = load(place, staff=True).hidden
     versions = tuple(dict.fromkeys((result.versions.vrts, __version__)))
     return staff_zip(files._replace(staff=staff), hidden, versions)

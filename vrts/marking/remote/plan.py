@@ -96,7 +96,7 @@ def make_plan(
         CannotRead: A file of the task cannot be taken along.
         Refused: The task has errors.
     """
-    job = Job(secrets.token_hex(8), portable(marker.place), marker.wanted, limits or Limits())
+    job = Job(secrets.token_hex(8), portable(marker.place), marker.wanted, limits or marker.limits)
     named = [(e, named_anew(e.identifier, e.title)) for e in entries if e.data is not None]
     expected = {naming.pseudonym: _expected(marker, entry, naming) for entry, naming in named}
     cuts = tuple(cut(job, named, shards))

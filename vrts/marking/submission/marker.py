@@ -25,6 +25,7 @@ from vrts.marking.submission.one import Marked, Order, Wanted, mark, refused
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT, Reader, write_files
 from vrts.marking.submission.setting import Place, load
 from vrts.marking.submission.summary import result_of, unmarked
+from vrts.marking.supervise.limits import Limits, for_states
 from vrts.pipeline.setting import Setting
 from vrts.report.audience import for_student
 
@@ -62,6 +63,14 @@ class Marker:
         known = {entry.check for entry in not_reached(self.public.task)}
         every = {entry.check for entry in not_reached(self.whole.task)}
         self.hidden = frozenset(every - known)  # names of checks
+
+    @property
+    def limits(self) -> Limits:
+        """What a process may use: more where a task asks for every future."""
+        settings = {id(one): one for one in (self.whole, self.public, *self.whole.variants)}
+        tasks = [setting.task for setting in settings.values()]
+        proofs = [task.proof for task in tasks if task is not None and task.proof is not None]
+        return for_states(sum(proof.states for proof in proofs))
 
     def key(self, data: bytes) -> str:
         """Return the digest of everything that the result for the staff depends on."""

@@ -1,8 +1,12 @@
 """What one process may use. The engine's own limits decide marks; these only protect the others."""
 
+import math
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+
+STATE_S = 0.01  # [s] of processor for a state of a future: 30 times what is usual [assumed]
+STATE_BYTES = 40_000  # four times what is usual [assumed]
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,6 +19,18 @@ class Limits:
     file: int = 64_000_000  # bytes of any file it writes
     files: int = 256  # open at once
     answer: int = 8_000_000  # bytes of its answer
+
+
+def for_states(states: int) -> Limits:
+    """Return what a process may use that looks at so many states of futures, too."""
+    usual = Limits()
+    longer = states * STATE_S
+    return replace(
+        usual,
+        cpu_s=usual.cpu_s + math.ceil(longer),
+        wall_s=usual.wall_s + 2.0 * longer,
+        memory=usual.memory + states * STATE_BYTES,
+    )
 
 
 def impose(limits: Limits) -> None:

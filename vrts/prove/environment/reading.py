@@ -119,6 +119,23 @@ def read_environment(source: SourceFile) -> tuple[Environment | None, tuple[Diag
     return (None if problems.any_error else found), diagnostics
 
 
+def read_inner(
+    source: SourceFile, path: tuple[str, ...]
+) -> tuple[Environment | None, tuple[Diagnostic, ...]]:
+    """Return the environment that a table of another file is, as `read_environment` does.
+
+    Args:
+        source: The file.
+        path: Names of the table and of those that it is in: `("prove", "environment")`.
+    """
+    table, problems = read_toml(source)
+    for name in path:
+        table = None if table is None else table.table(name)
+    found = None if table is None else _environment(table, source)
+    diagnostics = problems.in_order()
+    return (None if problems.any_error else found), diagnostics
+
+
 def _environment(top: Table, source: SourceFile) -> Environment:
     title = _title(top, re.split(r"[/\\]", source.name)[-1].removesuffix(".toml"))
     inputs = _inputs(top)

@@ -79,7 +79,11 @@ class Search:
         self.keys: Keys
         self.grows: Grows
         self.executed = Executed()
-        self.watch = Watch(environment, scene, self.suspects) if environment.properties else None
+        self.watch = (
+            Watch(environment, scene, self.outside.behaviours, self.suspects)
+            if environment.properties
+            else None
+        )
         self.first: Machine  # that knows the programs
         self.frontier = Frontier()
         self.asked: dict[Question, None] = {}

@@ -86,8 +86,7 @@ class Replays:
         broken = first_broken(run, self.environment.properties[number : number + 1], until_s)
         if broken is None:
             return None
-        robot = run.at(broken.time_s).robot
-        return Shown(suspect.headline, broken.time_s, None if robot is None else robot.cause)
+        return Shown(suspect.headline, broken.time_s, _under_way(run, broken.time_s))
 
     def _missed(self, run: Run, suspect: Suspect) -> Shown | None:
         for one in () if self.task is None else missed(run, self.task):
@@ -105,6 +104,15 @@ class Replays:
                 words = f"{first} touches {second}, {depth}"
                 return Shown(words, contact.start_s, contact.cause)
         return None
+
+
+def _under_way(run: Run, time_s: float) -> Cause | None:
+    """Return the step under way at a time, or after the last one that of the motion."""
+    robot = run.at(time_s).robot
+    if robot is not None and robot.cause is not None:
+        return robot.cause
+    moving = (m.cause for m in run.motions if m.start_s <= time_s <= m.end_s)
+    return next(moving, None)
 
 
 def _same_bodies(contact: ContactEvent, bodies: tuple[str, ...]) -> bool:

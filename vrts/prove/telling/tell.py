@@ -4,6 +4,7 @@ from vrts.prove.environment.environment import Environment
 from vrts.prove.graph.past import story
 from vrts.prove.graph.suspects import Suspect
 from vrts.prove.proof import Decided, Wrong, Wronged
+from vrts.prove.telling.allowed import allowed
 from vrts.prove.telling.confirm import Replays, Shown
 from vrts.prove.telling.scenarios import scenario_of
 from vrts.prove.telling.shrink import shrunk
@@ -40,11 +41,15 @@ class Teller:
         return tuple(found)
 
     def _confirmed(self, suspect: Suspect) -> Wronged | None:
+        whole = story(suspect.past)
+
         def shows(decisions: tuple[Decided, ...]) -> Shown | None:
+            until_s = suspect.time_s
+            if not allowed(self.environment, decisions, whole, until_s, self.tick_s):
+                return None
             scenario = scenario_of(self.environment, decisions, self.tick_s)
             return self.replays.shows(suspect, scenario)
 
-        whole = story(suspect.past)
         shown = shows(whole)
         if shown is None:
             return None

@@ -71,7 +71,7 @@ def _sum(a: Assessment) -> Markup | None:
     parts += [("Via points", shown.vias, f"of {points(most.vias)}")] if task.vias else []
     parts += [("Limits of the robot", -shown.limits, "")] if shown.limits else []
     parts += [("Contacts and drops", -shown.contacts, f"at most {_signed(-task.mark.contact_cap)}")]
-    parts += [("Demands", -shown.demands, "")] if task.demands else []
+    parts += [("Demands", -shown.demands, "")] if task.costs else []
     parts += [("Time", shown.time, f"of {points(most.time)}")]
     rows = [
         element(

@@ -13,6 +13,7 @@ from vrts.report.page.checks import checks_section, facts_section, review_sectio
 from vrts.report.page.contacts import contacts_section
 from vrts.report.page.document import document_parts
 from vrts.report.page.findings import MOST_FINDINGS, findings_section
+from vrts.report.page.futures.found import futures_section
 from vrts.report.page.html import Markup, element, json_script, raw
 from vrts.report.page.listing import listing
 from vrts.report.page.replay_data import contact_rows, near_rows, run_data
@@ -92,6 +93,7 @@ def page_parts(
         Part("contacts", "Contacts", contacts_section(a, stills) if replayable else None),
         Part("findings", f"Findings ({len(findings)})", findings_section(findings)),
         Part("checks", "Checks", checks_section(a, hidden if grader else ())),
+        Part("futures", "Every future", None if a.proof is None else futures_section(a.proof)),
         Part("charts", "Charts", _charts(a) if replayable else None),
         Part("facts", "Facts", facts_section(a) if grader else None),
         Part("model", "What was not modelled", _not_modelled(a)),

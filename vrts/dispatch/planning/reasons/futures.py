@@ -34,6 +34,18 @@ USUAL = Environment(
 TRIED = ("input", "TIMER", "internal signal")  # what begins so is tried in every way
 
 
+def asked_of(setting: Setting) -> Environment:
+    """Return the environment of the task, if it asks for every future; else the usual one.
+
+    A controller keeps its memory, so the program is executed again also where a task says nothing
+    of that.
+    """
+    found = setting.environment
+    if found is None:
+        return USUAL
+    return replace(found, again=USUAL.again) if found.again.most == 0 else found
+
+
 def proofs_of(
     module: Module, settings: Sequence[Setting], environment: Environment, entry: str
 ) -> list[Proof]:
