@@ -40,10 +40,10 @@ def test_what_was_explored_so_is_not_asked_again() -> None:
     assert is_allowed(Held(True), decided(0.7, value=True))
 
 
-def proven(behaviour: Held | Pulsed, *signals: int) -> Proof:
+def proven(behaviour: Held | Pulsed, *signals: int, text: str = WAITS) -> Proof:
     never = Property(Quantifier.NEVER, "3 while it is shut", signals=signals)
     environment = Environment(inputs={1001: behaviour}, properties=(never,))
-    return prove(compiled(WAITS), robot_alone(), environment, entry="main")
+    return prove(compiled(text), robot_alone(), environment, entry="main")
 
 
 def test_a_property_looks_at_inputs_as_their_environment_has_them() -> None:
@@ -55,5 +55,6 @@ def test_a_property_looks_at_inputs_as_their_environment_has_them() -> None:
 
 
 def test_a_counterexample_keeps_inputs_that_cannot_be_off() -> None:
-    (found,) = proven(Held(True), 3).found
+    looks = ".PROGRAM main\n IF SIG(1001) THEN\n TYPE 1\n END\n SIGNAL 3\n DELAY 1\n BREAK\n.END\n"
+    (found,) = proven(Held(True), 3, text=looks).found
     assert [(one.number, one.value) for one in found.decisions] == [(1001, True)]
