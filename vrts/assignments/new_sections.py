@@ -59,12 +59,11 @@ SECTIONS = """
 # must_use = "MOVES"
 # points = 0.5
 #
-# That nothing goes wrong whatever comes from outside, and whenever. A file beside this one says
-# what may come (`vrts new environment` writes it); without one everything is free. With
+# That nothing goes wrong whatever comes from outside, and whenever. `environment` names a file
+# that says what may come (`vrts new environment` writes it); without one everything is free. With
 # hidden = true it counts at marking only: then the file belongs into `staff`:
 #
 # [prove]
-# environment = "environment.toml"
 # hidden = false
 # states = 20000
 # points = 3
