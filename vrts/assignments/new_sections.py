@@ -59,9 +59,9 @@ SECTIONS = """
 # must_use = "MOVES"
 # points = 0.5
 #
-# That nothing goes wrong whatever comes from outside, and whenever. `environment` names a file
-# that says what may come (`vrts new environment` writes it); without one everything is free. With
-# hidden = true it counts at marking only: then the file belongs into `staff`:
+# That nothing goes wrong whatever comes from outside, and whenever. `environment` names a file that
+# says what may come (`vrts new environment` writes it); without one everything is free. What is
+# hidden counts at marking only: then the file belongs into `staff`:
 #
 # [prove]
 # hidden = false
