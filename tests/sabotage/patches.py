@@ -1702,6 +1702,20 @@ PATCHES: tuple[Patch, ...] = (
         (f"{DISPATCH_PLAN}::test_a_program_that_only_works_in_the_scene_as_it_is_has_no_margin",),
     ),
     Patch(
+        "ready: a hand that closes on nothing does not matter",
+        "vrts/check/mark/ready.py",
+        "kinds = {CLOSED_ON_NOTHING: Kind.GRIP, TOPPLED: Kind.TOPPLED}",
+        "kinds = {TOPPLED: Kind.TOPPLED}",
+        ("tests/unit/check/mark/test_ready.py",),
+    ),
+    Patch(
+        "ready: what the compiler says does not matter",
+        "vrts/pipeline/assess.py",
+        "grade(task, run, judgement, found.diagnostics)",
+        "grade(task, run, judgement)",
+        ("tests/unit/pipeline/test_ready_in.py",),
+    ),
+    Patch(
         "dispatch: a waiver covers other codes",
         "vrts/dispatch/planning/reasons/refusals.py",
         "refused = tuple(_with_name(name, d) for name, d in named if name not in covered)",

@@ -53,7 +53,7 @@ def assess(request: Request, compiled: Compiled | None = None) -> Assessment:
         also=() if futures is None else (futures.verdict,),
     )
     request.step_done("check")
-    marked = None if task is None else grade(task, run, judgement)
+    marked = None if task is None else grade(task, run, judgement, found.diagnostics)
     proof = None if futures is None else futures.proof
     a = replace(a, judgement=judgement, grade=marked, proof=proof)
     return with_curve(a) if checks.curve and checks.collisions else a

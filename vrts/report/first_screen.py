@@ -10,6 +10,7 @@ from fractions import Fraction
 from vrts.base.diagnostic import Diagnostic, Moment
 from vrts.base.source import SourceFile, Span
 from vrts.check.mark.grade import Loss, Status
+from vrts.check.mark.ready import obstacles
 from vrts.check.rules.scheme import TOTAL
 from vrts.check.verdict import Answer, Verdict
 from vrts.engine.memory.records import Ending
@@ -21,6 +22,7 @@ NOTHING_LOST = "Nothing was lost: every goal is reached and nothing was touched"
 ALL_DONE = "Nothing was lost: all that is asked for is done and nothing was touched"  # no goals
 NOT_LOOKED_FOR = "Nothing was lost, but contacts were not looked for: collisions are switched off"
 NOTHING_WRONG = "Nothing was found to be wrong"
+FINE = (NOTHING_LOST, ALL_DONE, NOT_LOOKED_FOR, NOTHING_WRONG)
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +33,8 @@ class FirstScreen:
     status: str  # "graded", "does not compile", "holds", ...
     ready: bool  # for the real robot
     obstacles: tuple[str, ...]  # why not, most serious first
+    why_not: str  # the first of them where the cause does not tell of it; "" otherwise
+    ready_in: str  # "this scenario" or "every future"; "" where it is not ready
     cause: str  # a sentence, without full stop: "At 12.4 s, line 17 `…`, … (−1.5)"
     hint: str | None  # where to look; not the solution
     losses: tuple[Loss, ...]  # empty without a task
@@ -46,13 +50,14 @@ def first_screen(a: Assessment) -> FirstScreen:
     verdicts = a.judgement.verdicts if a.judgement else ()
     cause, hint, moment, span = _cause(a, errors, verdicts)
     grade = a.grade
-    ready = grade.ready if grade else _ready(a, errors)
-    obstacles = grade.obstacles if grade else tuple(d.headline for d in errors)
+    against = grade.obstacles if grade else _obstacles(a, errors)
     return FirstScreen(
         mark=grade.mark if grade else None,
         status=status(a),
-        ready=ready,
-        obstacles=tuple(one_line(o) for o in obstacles),
+        ready=grade.ready if grade else not against,
+        obstacles=tuple(one_line(o) for o in against),
+        ready_in="" if against else _ready_in(a),
+        why_not=one_line(against[0]) if against and cause in FINE else "",
         cause=one_line(cause),
         hint=one_line(hint) if hint else None,
         losses=grade.losses if grade else (),
@@ -126,14 +131,16 @@ def _of_diagnostic(
     return (capital(sentence), d.help[0] if d.help else None, d.moment, span)
 
 
-def _ready(a: Assessment, errors: list[Diagnostic]) -> bool:
-    """Return whether nothing speaks against the real robot, when no task says more."""
-    return (
-        not errors
-        and a.run is not None
-        and a.run.ending in (Ending.COMPLETED, Ending.HALTED)
-        and a.judgement is not None
-        and a.judgement.answer is Answer.HOLDS
-        and a.judgement.collisions is not None
-        and not a.judgement.collisions.contacts
-    )
+def _obstacles(a: Assessment, errors: list[Diagnostic]) -> tuple[str, ...]:
+    """Return what speaks against the real robot, when no task says more."""
+    told = tuple(d.headline for d in errors)
+    if a.run is None or a.judgement is None:
+        return told or ("the program was not executed and checked",)
+    found = obstacles(a.run, a.judgement, said=a.diagnostics)
+    return tuple(one.sentence for one in found) or told
+
+
+def _ready_in(a: Assessment) -> str:
+    """Return in what a program is ready: only a proof speaks of more than was executed."""
+    proven = a.proof is not None and a.proof.answer is Answer.HOLDS
+    return "every future" if proven else "this scenario"

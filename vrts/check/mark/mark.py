@@ -5,21 +5,20 @@ from dataclasses import replace
 from fractions import Fraction
 
 from vrts.base.diagnostic import Diagnostic
-from vrts.check.goals.reached import Reached, reached
+from vrts.check.goals.reached import reached
 from vrts.check.judgement import Judgement
 from vrts.check.mark.earned import earned
 from vrts.check.mark.grade import REVIEW, Grade, Loss, Status
 from vrts.check.mark.losses import (
-    Mishap,
     broken_demands,
     broken_limits,
     causes_of,
     losses_of,
     mishaps_of,
-    stopped_by,
     touched_by,
     touched_in,
 )
+from vrts.check.mark.ready import Asked, obstacles
 from vrts.check.mark.reasons import PROGRAM_ENDS
 from vrts.check.mark.shown import shown_parts
 from vrts.check.rounding import exact_s
@@ -28,17 +27,22 @@ from vrts.check.task.score import Achieved, rounded_mark, score
 from vrts.check.task.task import Task
 from vrts.check.verdict import Answer
 from vrts.check.verdicts.duration import duration
-from vrts.check.verdicts.limits import LIMITS
-from vrts.check.verdicts.targets import describe
-from vrts.check.verdicts.vias import Passed, passed
+from vrts.check.verdicts.vias import passed
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
 
 NOTHING = Fraction(0)
 
 
-def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
-    """Return the mark of a run."""
+def grade(task: Task, run: Run, judgement: Judgement, said: Sequence[Diagnostic] = ()) -> Grade:
+    """Return the mark of a run.
+
+    Args:
+        task: What was asked for.
+        run: What the program does.
+        judgement: Of this run under this task.
+        said: What reading and compiling the program said: it decides nothing but "ready".
+    """
     results = reached(run, task)
     points = passed(run, task)
     mishaps = mishaps_of(run, judgement)
@@ -62,9 +66,10 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
     shown = shown_parts(task, parts, mark, causes.costs)
     losses = losses_of(task, run, causes, achieved, shown)
     lowest = _lowest(task, achieved, judgement, sum(points.certain))
-    obstacles = _obstacles(run, results, points, mishaps, judgement)
+    found = obstacles(run, judgement, Asked(results, points), said)
+    against = tuple(one.sentence for one in found)
     if lowest is not None and lowest < mark:
-        obstacles += (f"{REVIEW}: the mark is between {float(lowest)} and {float(mark)}",)
+        against += (f"{REVIEW}: the mark is between {float(lowest)} and {float(mark)}",)
     return Grade(
         mark,
         _status(run),
@@ -73,8 +78,8 @@ def grade(task: Task, run: Run, judgement: Judgement) -> Grade:
         parts.contacts,
         parts.time,
         losses,
-        not obstacles,
-        obstacles,
+        not against,
+        against,
         None if took is None else float(took),
         parts.demands,
         lowest,
@@ -135,37 +140,6 @@ def _lowest(task: Task, achieved: Achieved, judgement: Judgement, vias: int) -> 
     )
     parts = score(worst, task.mark, exact_s(task.t_par), exact_s(task.t_max))
     return rounded_mark(parts, task.mark.total)
-
-
-def _obstacles(
-    run: Run,
-    results: tuple[Reached, ...],
-    points: Passed,
-    mishaps: list[Mishap],
-    judgement: Judgement,
-) -> tuple[str, ...]:
-    """Return why a program is not ready for the real robot, most serious first."""
-    found = [
-        v.summary for v in judgement.verdicts if v.check == LIMITS and v.answer is Answer.VIOLATED
-    ]
-    found += [mishap.loss.sentence for mishap in mishaps]
-    stopped = stopped_by(run)
-    if stopped is not None:
-        found.append(stopped.sentence)
-    for verdict in judgement.verdicts:
-        if verdict.check.startswith(DEMAND) and verdict.answer is Answer.VIOLATED:
-            found.append(verdict.summary)
-        if verdict.answer is Answer.UNDETERMINED:
-            found.append(f"{REVIEW}: {verdict.check}: {verdict.summary}")
-    found += [f"`{r.body}` {describe(r)}" for r in results if r.share < 1]
-    missed = len(points.met) - points.number
-    if missed:
-        found.append(f"{missed} via points are not passed")
-    disputed = () if judgement.collisions is None else judgement.collisions.disagreements
-    found += [f"{REVIEW}: two engines disagree: {words}" for words in disputed]
-    if judgement.collisions is None:
-        found.append("collisions were not checked")
-    return tuple(found)
 
 
 def _status(run: Run) -> Status:

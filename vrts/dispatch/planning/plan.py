@@ -78,7 +78,7 @@ def plan(wish: Wish) -> Plan:
     asked = wish.clearance_mm * MM
     scened: list[Scened] = []
     for setting in wish.settings:
-        scened.append(_scened(setting, given, held, entry, asked))
+        scened.append(_scened(setting, given, held, entry, asked, said))
         request.step_done("verify")
     known = dependence.dependence(given)
     seen = coverage.covered([one.held.run for one in scened])
@@ -136,13 +136,20 @@ def _sorted(wish: Wish, found: Sequence[Diagnostic]) -> _Result:
     return _Result(Plan(None, result.refused, result.waived, result.idle), result)
 
 
-def _scened(setting: Setting, given: Module, held: Module, entry: str, asked: float) -> Scened:
+def _scened(
+    setting: Setting,
+    given: Module,
+    held: Module,
+    entry: str,
+    asked: float,
+    said: Sequence[Diagnostic],
+) -> Scened:
     title = "as it is" if setting.scenario is None else setting.scenario.title[:LONGEST_TITLE]
     task = setting.task
     if task is not None:
         task = replace(task, proof=None)  # every future is looked at here for all scenarios
     world = World(setting.scene, task, scenario_of(setting))
-    first = _case(title, given, world, entry)
+    first = _case(title, given, world, entry)._replace(said=tuple(said))
     case = _case(title, held, world, entry)
     near = nearness(world.scene, case.run, asked)
     return Scened(world, first, case, near, (), margins.NOT_PROVEN, ())

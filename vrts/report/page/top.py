@@ -40,6 +40,8 @@ def first_screen_section(
             "p",
             "Ready for the real robot: ",
             element("b", yes_no(screen.ready)),
+            f", in {screen.ready_in}" if screen.ready else None,
+            f": {screen.why_not}" if screen.why_not else None,
             class_="ready " + yes_no(screen.ready),
         ),
         element("p", "To be reviewed by a person", class_="ready maybe") if review else None,

@@ -24,7 +24,9 @@ def first_screen_text(a: Assessment, palette: Palette) -> str:
     else:
         number = palette.paint(good, f"{mark(screen.mark)} / {full(screen.total)}")
         rows = [f"{number}  {palette.paint(Style.STRONG, title)} ({screen.status})"]
-    rows.append("ready for the real robot: " + palette.paint(good, yes_no(screen.ready)))
+    why = f", in {screen.ready_in}" if screen.ready else ""
+    why = f": {screen.why_not}" if screen.why_not else why
+    rows.append("ready for the real robot: " + palette.paint(good, yes_no(screen.ready)) + why)
     rows += _review_rows(a, palette)
     rows += [line_start(screen.cause)]
     rows += [worded("hint", screen.hint, Style.NOTE, palette)] if screen.hint else []

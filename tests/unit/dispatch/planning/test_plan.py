@@ -167,6 +167,19 @@ def test_what_the_controller_or_the_world_does_not_take_is_refused(
     assert code in codes(found)
 
 
+@pytest.mark.parametrize(
+    ("steps", "words"),
+    [
+        (("MOVE safe ; MOVES safe", "READY"), "what stands behind `;` is a remark"),
+        (("OPENI", "MOVE safe", "CLOSEI", "READY"), "the hand closes on nothing"),
+    ],
+)
+def test_what_makes_a_careful_operator_stop_is_refused(steps: tuple[str, ...], words: str) -> None:
+    found = planned(main(*steps))
+    assert codes(found) == ["V801"]
+    assert words in found.refused[0].headline
+
+
 def test_a_long_comment_moves_nearer_to_its_step() -> None:
     found = planned(main("READY" + " " * 90 + "; up"))
     assert found.bundle is not None

@@ -61,7 +61,7 @@ def dry_run(
         problem, level = _compared(run, nominal, height * MM)
         if not problem:
             judgement = judge(empty.scene, run, None)
-            wrong = obstacles(Case("", run, judgement, None))
+            wrong = obstacles(Case("", run, judgement, None), parts=False)
             report = judgement.collisions
             near = None if report is None else report.clearance
             if not wrong and (near is None or near.distance_m >= asked):

@@ -5,11 +5,9 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.check.judgement import Judgement
+from vrts.check.mark import ready
 from vrts.check.mark.grade import REVIEW
-from vrts.check.mark.losses import mishaps_of, stopped_by
-from vrts.check.mark.mark import grade
 from vrts.check.task.task import Task
-from vrts.check.verdict import Answer
 from vrts.dispatch.planning.reasons.refusals import NOT_PROVEN, UNDECIDED
 from vrts.engine.run import Run
 
@@ -21,29 +19,19 @@ class Case(NamedTuple):
     run: Run
     judgement: Judgement
     task: Task | None
+    said: tuple[Diagnostic, ...] = ()  # by the compiler, of the program as it was given
 
 
-def obstacles(case: Case) -> tuple[str, ...]:
-    """Return what speaks against the real robot, most serious first; nothing if it is ready."""
-    if case.task is not None:
-        return grade(case.task, case.run, case.judgement).obstacles
-    run, judgement = case.run, case.judgement
-    found = [mishap.loss.sentence for mishap in mishaps_of(run, judgement)]
-    stopped = stopped_by(run)
-    if stopped is not None:
-        found.append(stopped.sentence)
-    found += [d.headline for d in run.findings if d.is_error and stopped is None]
-    for verdict in judgement.verdicts:
-        if verdict.answer is Answer.UNDETERMINED:
-            found.append(f"{REVIEW}: {verdict.check}: {verdict.summary}")
-        elif verdict.answer is Answer.VIOLATED and (verdict.check == "limits" or not found):
-            found.append(verdict.summary)
-    report = judgement.collisions
-    if report is None:
-        found.append("collisions were not checked")
-    else:
-        found += [f"{REVIEW}: two engines disagree: {words}" for words in report.disagreements]
-    return tuple(found)
+def obstacles(case: Case, *, parts: bool = True) -> tuple[str, ...]:
+    """Return what speaks against the real robot, most serious first; nothing if it is ready.
+
+    Args:
+        case: The run.
+        parts: Whether there is anything to grip; without, a hand may close on nothing.
+    """
+    asked = None if case.task is None else ready.of_task(case.task, case.run)
+    found = ready.obstacles(case.run, case.judgement, asked, case.said)
+    return tuple(one.sentence for one in found if parts or one.kind is not ready.Kind.GRIP)
 
 
 def unproven(case: Case, *, named: bool) -> Iterator[Diagnostic]:
