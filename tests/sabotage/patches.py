@@ -43,6 +43,20 @@ PATCHES: tuple[Patch, ...] = (
         (IDIOMS,),
     ),
     Patch(
+        "an input of FANUC has the number of an output",
+        "vrts/lang/steps/misread/foreign/inputs.py",
+        "number += _FIRST if number < _FIRST else 0",
+        "number += 0",
+        ("tests/unit/lang/test_factory_robots.py",),
+    ),
+    Patch(
+        "an index belongs to the name of its array",
+        "vrts/lang/findings/usage.py",
+        'name = text[place[0] : place[1]].partition("[")[0].rstrip()',
+        "name = text[place[0] : place[1]].rstrip()",
+        ("tests/unit/lang/test_factory_robots.py",),
+    ),
+    Patch(
         "an ELSE IF gets no END",
         "vrts/lang/meaning/blocks/borrowed_forms.py",
         "if block is not None and not reading.else_if_opens:",

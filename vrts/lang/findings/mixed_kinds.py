@@ -28,6 +28,7 @@ TypeOf = Callable[[Item], Type]
 
 _APPROACHES = frozenset({"APPRO", "APPROS"})
 _DEPARTURES = frozenset({"DEPART", "DEPARTS"})
+_HAND = frozenset({"OPEN", "OPENI", "CLOSE", "CLOSEI", "RELAX", "RELAXI"})
 _GOING = {"MOVE": "DRAW", "MOVES": "DRAW"}
 
 
@@ -71,6 +72,31 @@ def a_number_is_wanted(problems: Problems, role: Role, type_of: TypeOf) -> Remed
         return Remedy(
             "DRAW takes how far to go along X, Y and Z, in mm",
             (f"to go to the location in a straight line write `MOVES {name}`",),
+        )
+    if isinstance(around, Simple) and around.word == "BASE":
+        return Remedy(
+            "BASE takes three lengths and an angle",
+            (f"write its coordinates: `BASE DX({name}), DY({name}), DZ({name})`",),
+        )
+    if isinstance(around, Simple) and around.word in _HAND:
+        return Remedy(
+            f"{around.word} takes how far to open the hand, in mm",
+            (f"write `MOVES {name}` on a line of its own, and {around.word} alone below it",),
+        )
+    if isinstance(around, Simple) and around.word in ("SIGNAL", "IGNORE"):
+        return Remedy(
+            f"{around.word} takes the number of a signal",
+            (f"write the number, as in `{INSTRUCTIONS[around.word].usage}`",),
+        )
+    if isinstance(around, SpeedStatement):
+        return Remedy(
+            "SPEED takes a number: percent, or millimetres a second with MMPS",
+            (f"write `SPEED 50`; to go to the location write `MOVE {name}` on a line of its own",),
+        )
+    if isinstance(around, Simple) and around.word == "DELAY":
+        return Remedy(
+            "DELAY takes a time in seconds",
+            (f"write `DELAY 0.5`; to wait until the arm is at `{name}` write `BREAK`",),
         )
     if isinstance(around, Simple) and around.word == "PROMPT":
         return Remedy(

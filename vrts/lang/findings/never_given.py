@@ -11,7 +11,9 @@ from vrts.lang.meaning.scope import Entry, Place
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.steps.idioms.hand import parted_word
+from vrts.lang.steps.misread.foreign.inputs import NAMES, input_at
 from vrts.lang.syntax.expressions import Expression, Infix, Name, Parenthesised, Prefix
+from vrts.lang.vocabulary.functions import FOREIGN_FUNCTIONS
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 _FORMAT = re.compile(r"[FIGE]\d+(\.\d+)?", re.IGNORECASE)
@@ -19,6 +21,7 @@ _TRUTHS = {"high": "ON", "low": "OFF", "yes": "TRUE", "no": "FALSE"}  # of other
 _SIGNAL = re.compile(r"(?P<kind>[A-Z]+)[_.]?(?P<number>\d+)", re.IGNORECASE)
 _OF_A_NUMBER = frozenset({"IGNORE", "LOCK", "SIGNAL", "REACT", "REACTI", "SPEED", "DELAY"})
 _FIRST = re.compile(r"[ \t]*(?:\d+[ \t]+)?(?P<word>[A-Za-z]+)[ \t]+-?", re.ASCII)
+_VALUES = frozenset({"rnd", "rand", "clock", "random"})  # of other languages, bare
 _FIRST_INPUT = 1001
 _JOINT_ANGLES = re.compile(
     r"[ \t]*[A-Za-z][\w.]*[ \t]*=?(?P<values>(?:[ \t]*,?[ \t]*[-+]?[.\d]+){6})[ \t\r]*", re.ASCII
@@ -64,7 +67,11 @@ def guess(resolver: Resolver, entry: Entry, at: Place, like: Callable[[], str | 
     if entry.values and only_of_itself(entry):
         first = '""' if name[0] == "$" else "0"
         return Guess(f"give it its first value before, as in `{name} = {first}`", at)
-    special = _format(resolver.problems, at) or _signal(resolver.problems, at)
+    special = (
+        _format(resolver.problems, at)
+        or _signal(resolver.problems, at)
+        or (_input(resolver.problems, at) if name in NAMES else None)
+    )
     if special is not None:
         return special
     if name in _TRUTHS:
@@ -95,6 +102,8 @@ def guess(resolver: Resolver, entry: Entry, at: Place, like: Callable[[], str | 
         return Guess(
             f"did you mean `${name}`? The name of a string begins with `$`", at, f"${name}"
         )
+    if name in FOREIGN_FUNCTIONS and not location and name in _VALUES:
+        return Guess(FOREIGN_FUNCTIONS[name], at)
     meant = like()
     if meant is not None:
         return Guess(f"did you mean `{meant}`?", at, meant)
@@ -180,6 +189,15 @@ def _signal(problems: Problems, at: Place) -> Guess | None:
     elif kind not in _OUTPUTS:
         return None
     return Guess(f"signals have numbers: write `{number}`", at, str(number))
+
+
+def _input(problems: Problems, at: Place) -> Guess | None:
+    """`WAIT DI[1]`: an input as an element of an array."""
+    found = input_at(problems.source.text, at[0])
+    if found is None:
+        return None
+    help_ = f"an input is asked for by SIG: write `{found.instead}`, as input 1 is signal 1001"
+    return Guess(help_, (found.start, found.end), found.instead)
 
 
 def _asked_for(problems: Problems, at: Place) -> Guess | None:

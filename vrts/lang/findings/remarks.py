@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from vrts.base.diagnostic import Rule
+from vrts.ir.values import Type
 from vrts.lang.dialect import Dialect
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
@@ -35,7 +36,8 @@ STEP_IN_REMARK = Rule("V238", "step-in-remark")
 _REMARK = re.compile(r";[ \t]*([A-Za-z][\w.]*)")
 _EQUALS = re.compile(r"[ \t]*=(?!=)")
 _JOINED = re.compile(  # a blank nowhere round the `;`, and nothing behind the name
-    r"^[ \t\d]*SET[ \t]+[\w.]+[ \t]*=[ \t]*(?P<frame>[A-Za-z][\w.]*)(?P<sign>;)"
+    r"^[ \t\d]*(?:SET[ \t]+[\w.]+[ \t]*=|(?P<motion>MOVES?)[ \t])[ \t]*"
+    r"(?P<frame>[A-Za-z][\w.]*)(?P<sign>;)"
     r"(?P<part>[A-Za-z][\w.]*)[ \t]*$",
     re.IGNORECASE | re.MULTILINE,
 )
@@ -65,7 +67,7 @@ def check_remarks(problems: Problems, scope: Scope, programs: list[ProgramText])
     text = problems.source.text
     words = spellings(problems.dialect)
     if not problems.dialect.is_as:
-        _joined(problems)
+        _joined(problems, scope)
     bodies = sorted((p.start, p.finish[1], p.name) for p in programs)
     for match in _REMARK.finditer(text):
         if match[1].upper() not in words and not _EQUALS.match(text, match.end()):
@@ -82,19 +84,27 @@ def check_remarks(problems: Problems, scope: Scope, programs: list[ProgramText])
         _line(problems, scope, bodies[number][2], before, match.start(), start + len(line))
 
 
-def _joined(problems: Problems) -> None:
+def _joined(problems: Problems, scope: Scope) -> None:
     """`SET goal = tray;cell`: a `;` for the `:` of two locations, unless remarks stand so here."""
     text = problems.source.text
     found = list(_JOINED.finditer(text))
     if not found or _GLUED_PROSE.search(text):
         return
     for match in found:
+        motion = match["motion"]
+        other = scope.entries.get(key(match["part"]))
+        if motion and (other is None or Type.POSE not in (other.type, *other.types)):
+            continue
+        help_ = f"to join two locations write `{match['frame']}:{match['part']}`"
+        if motion:
+            help_ += f"; for two motions write `{motion} {match['part']}` on a line of its own"
         problems.warning(
             STEP_IN_REMARK,
-            f"what stands behind `;` is a remark: `{match['part']}` is not part of this SET",
+            f"what stands behind `;` is a remark: `{match['part']}` is not part of this"
+            f" {motion.upper() if motion else 'SET'}",
             *match.span("part"),
             "a remark to the controller",
-            help=(f"to join two locations write `{match['frame']}:{match['part']}`",),
+            help=(help_,),
             fix=problems.replace(*match.span("sign"), ":", sure=False),
         )
 

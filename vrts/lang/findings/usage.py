@@ -106,7 +106,8 @@ def _truncated(resolver: Resolver, entry: Entry) -> None:
     used: dict[str, Place] = {}  # where a program uses each spelling first
     steps = [at for at in entry.writes if text[at[0] : at[1]].lower() in entry.spellings]
     for place in sorted([*entry.reads, *steps]):
-        used.setdefault(text[place[0] : place[1]].lower(), place)
+        name = text[place[0] : place[1]].partition("[")[0].rstrip()  # without its index
+        used.setdefault(name.lower(), (place[0], place[0] + len(name)))
     spelled = {**entry.spellings, **used}
     long = [(at, name) for name, at in spelled.items() if is_truncated(name)]
     if not long:

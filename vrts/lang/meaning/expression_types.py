@@ -11,12 +11,15 @@ from typing import TypeAlias
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
 from vrts.lang.dialect import Angles
+from vrts.lang.grammar.build import PRECEDENCE
 from vrts.lang.meaning import type_mistakes
 from vrts.lang.meaning.forms import is_text, with_start
+from vrts.lang.meaning.instead.inputs_by_index import asked_as_string
 from vrts.lang.meaning.name_uses import Asked, NameUses, NoText
 from vrts.lang.meaning.scope import Entry
 from vrts.lang.meaning.type_mistakes import IN_WORDS, MAX_SUBSCRIPTS
 from vrts.lang.names import key
+from vrts.lang.steps.advice import OTHER_LANGUAGE
 from vrts.lang.syntax.expressions import (
     Application,
     Element,
@@ -108,6 +111,8 @@ class ExpressionTypes(NameUses):
             return self._sum(node, wanted)
         if operator in _COMPARISONS:
             text = is_text(node.left) or is_text(node.right)
+            if text and any(self._krl_input(part) for part in (node.left, node.right)):
+                return Type.REAL
             kind = Type.STRING if text else Type.REAL
             why = f"`{operator}` takes two strings or two numbers"
             self.asked.append(Asked(self.program, self.step, node))
@@ -130,6 +135,20 @@ class ExpressionTypes(NameUses):
         if operator in _DIVISIONS and not (isinstance(node.right, Number) and node.right.value):
             self.asked.append(Asked(self.program, self.step, node))
         return Type.REAL
+
+    def _krl_input(self, node: Expression) -> bool:
+        """Report `$IN[3]` where a signal is asked for."""
+        problems = self.problems
+        if not asked_as_string(problems, OTHER_LANGUAGE, node):
+            return False
+        line = problems.source.line_of(node.start)
+        self.wrong_lines.add(line)
+        problems.found[:] = [  # with SIG there is no comparison
+            d
+            for d in problems.found
+            if d.rule is not PRECEDENCE or d.primary is None or d.primary.span.line != line
+        ]
+        return True
 
     def _part(self, node: Expression) -> None:
         """Note a location that is given within another one."""
@@ -180,6 +199,8 @@ class ExpressionTypes(NameUses):
         entry = self._use(name, wanted)
         entry.reads.append((node.start, node.end))
         self._subscripts(entry, node, subscripts)
+        if not 0 < len(subscripts) <= MAX_SUBSCRIPTS:
+            return wanted or Type.DYNAMIC  # said there
         return self._as_used(name, node, wanted)
 
     def _subscripts(self, entry: Entry, node: Element, subscripts: tuple[Item | None, ...]) -> None:
@@ -188,6 +209,9 @@ class ExpressionTypes(NameUses):
             self.asked.append(Asked(self.program, self.step, node))
         if not 0 < len(subscripts) <= MAX_SUBSCRIPTS:
             type_mistakes.wrong_subscripts(self.problems, node)
+            self.wrong_lines.add(self.problems.source.line_of(node.start))
+            if len(subscripts) > MAX_SUBSCRIPTS:
+                self.bad_names.add(key(node.name.text))  # hardly one of the program
         self._items(subscripts, Type.REAL)
 
     def _application(self, node: Application, wanted: Wanted) -> Type:
@@ -352,6 +376,8 @@ class ExpressionTypes(NameUses):
             self._once(entry, name, array=False)
 
     def _wrong(self, node: Expression, found: Type, wanted: Type, why: str) -> None:
+        if found is Type.STRING and wanted is Type.REAL and self._krl_input(node):
+            return
         self.wrong_lines.add(self.problems.source.line_of(node.start))
         if wanted is Type.STRING and found is Type.REAL and not isinstance(node, Variable):
             self.no_texts.append(NoText(None, node, self.program, why, self.item_of_type))

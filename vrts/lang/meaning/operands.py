@@ -52,7 +52,7 @@ class OperandTypes(ExpressionTypes):
             for operand in operands:
                 if operand is not None:
                     self.check(operand, Type.POSE, f"{word} takes a location")
-        elif word == "BASE":
+        elif word in ("BASE", "DRAW"):
             given = base_of_location(self.problems, WRONG_TYPE, node, self._is_located)
             self._items(operands if given is None else given, Type.REAL)
         elif word in _TEXT_WORDS:

@@ -8,7 +8,7 @@ from vrts.lang.meaning.name_uses import Asked, TextGiven
 from vrts.lang.meaning.operands import OperandTypes
 from vrts.lang.meaning.scope import Passed
 from vrts.lang.meaning.set_or_equals import equals_behind_word, set_of_no_location
-from vrts.lang.meaning.type_mistakes import WRONG_TYPE
+from vrts.lang.meaning.type_mistakes import MAX_SUBSCRIPTS, WRONG_TYPE
 from vrts.lang.names import key
 from vrts.lang.steps.advice import OTHER_LANGUAGE
 from vrts.lang.steps.kawasaki_forms import BLOCK_WORD
@@ -212,9 +212,9 @@ class Resolver(OperandTypes):
             if isinstance(value, Name | Element):  # HERE gives it a value, so it has one
                 self._write(value, Type.POSE, "", None)
             return
+        if type(target) is Element and switched_output(self.problems, OTHER_LANGUAGE, node):
+            return
         if name.text[0] == "$":
-            if switched_output(self.problems, OTHER_LANGUAGE, node):
-                return
             self._write(target, Type.STRING, "`=` keeps the type", value)
             self.check(value, Type.STRING, f"`{name.text}` holds a string")
             return
@@ -305,6 +305,8 @@ class Resolver(OperandTypes):
 
     def assigned_location(self, node: Assignment) -> None:
         """Report `a = b` between locations."""
+        if isinstance(node.value, Element) and len(node.value.subscripts) > MAX_SUBSCRIPTS:
+            return  # `a = p[0.5, 0.2, 0.1, 0, 3.14, 0]`: what is said of the list says it all
         self.problems.error(
             ASSIGNED_LOCATION,
             "a location is given a value by SET",

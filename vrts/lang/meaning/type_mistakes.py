@@ -37,6 +37,9 @@ INVALID_PARAMETER = Rule("V219", "invalid-parameter")
 
 _GIVEN = re.compile(r"[ \t]*(\$?[A-Za-z][\w.]*)[ \t]*=[ \t]*")
 MAX_SUBSCRIPTS = 3  # [manual language/numbers#dimensions]
+_COUNTED = re.compile(r"(?<![\w.$#])LEN[ \t]*\([ \t]*\Z", re.IGNORECASE)
+_BEFORE = 12  # signs before an array in which LEN is looked for
+_OF_POSE = 6  # numbers of a location, as in `p[x, y, z, rx, ry, rz]`
 _ANGLES = 3  # arguments of TRANS before its angles
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)")
 NAME = re.compile(r"#?[A-Za-z][\w.]*", re.ASCII)
@@ -211,20 +214,35 @@ def unknown_format(problems: Problems, item: FormatItem) -> None:
 def wrong_subscripts(problems: Problems, node: Element) -> None:
     """Report `a[]` where one element is wanted, and more subscripts than an array has."""
     if not node.subscripts:
+        help_ = "write an index: a whole array can only be passed by CALL"
+        if _COUNTED.search(problems.source.text, max(0, node.start - _BEFORE), node.start):
+            help_ = (
+                "LEN counts the letters of a string, and nothing counts the elements of an array"
+            )
+            help_ += ": keep their number in a variable, as in `count = 4`"
         problems.error(
             SUBSCRIPTS,
             f"`{node.name.text}[]` is a whole array",
             node.start,
             node.end,
-            help=("write an index: a whole array can only be passed by CALL",),
+            help=(help_,),
             notes=("VAL-II says *Missing argument*",),
         )
     if len(node.subscripts) > MAX_SUBSCRIPTS:
+        pose = len(node.subscripts) == _OF_POSE
+        written = problems.source.text[node.name.end : node.end].strip()[1:-1]
+        help_ = f"a name has up to {MAX_SUBSCRIPTS} numbers between its brackets"
+        if pose:
+            help_ = f"numbers make no location: TRANS does, in mm and degrees: `TRANS({written})`"
         problems.error(
             SUBSCRIPTS,
             f"an array has at most {MAX_SUBSCRIPTS} subscripts",
             node.start,
             node.end,
+            help=(help_,),
+            fix=problems.replace(node.start, node.end, f"TRANS({written})", sure=False)
+            if pose
+            else None,
         )
 
 
@@ -253,6 +271,8 @@ def arguments_fit(problems: Problems, node: Application, signature: Signature) -
     elif most is not None and given > most:
         headline = f"{name} takes {_arguments(most)}, {given} given"
         commas = _decimal_commas(problems, node)
+        if most == 0:
+            return _no_arguments(problems, node, signature)
         surplus = "one" if given - most == 1 else f"{given - most} of them"
         help_ = f"leave {surplus} out: write `{form_of(signature)}`"
         if len(commas) == given - most:
@@ -271,6 +291,31 @@ def arguments_fit(problems: Problems, node: Application, signature: Signature) -
         node.end,
         notes=("VAL-II says *Missing argument*",),
         help=(help_,) if help_ else (),
+        fix=fix,
+    )
+    return False
+
+
+def _no_arguments(problems: Problems, node: Application, signature: Signature) -> bool:
+    """Report `RANDOM(6)` and `HAND(1)`; False, as they do not fit."""
+    name = signature.name.upper()
+    text = problems.source.text
+    given = [text[a.start : a.end] for a in node.arguments if a is not None]
+    help_ = f"write `{name}` alone"
+    fix = problems.replace(node.name.end, node.end, "")
+    if name == "RANDOM" and 0 < len(given) <= 2:
+        first, last = ("1", given[0]) if len(given) == 1 else given
+        many = last if first == "1" else f"({last}-{first}+1)"
+        written = f"INT({many}*RANDOM)+{first}"
+        help_ = f"RANDOM is a number from 0 to 1: for one from {first} to {last} write `{written}`"
+        fix = problems.replace(node.start, node.end, written, sure=False)
+    problems.error(
+        FUNCTION_ARGUMENTS,
+        f"{name} takes no argument",
+        node.start,
+        node.end,
+        notes=("VAL-II says *Missing argument*",),
+        help=(help_,),
         fix=fix,
     )
     return False

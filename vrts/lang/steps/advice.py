@@ -152,6 +152,8 @@ class Advice:
             headline = f"`{rows.between}` separates no steps: {headline}"
         elif len(told) == 1 and told[0].headline.endswith("its line"):
             headline = told[0].headline
+        elif len(told) == 1 and told[0].headline.endswith("takes no operand"):
+            headline = f"{rows.words[0]} ends its line"
         elif rows.words[0] in STRUCTURE:
             headline = f"{rows.words[0]} ends its line: {headline}"
         self.problems.forget(mark)
@@ -515,7 +517,9 @@ class Advice:
                     (told.primary or primary) if precise else primary,
                     notes=told.notes,
                     help=(found.help,),
-                    fix=self.problems.replace(line.at + start, line.at + end, instead),
+                    fix=self.problems.replace(
+                        line.at + start, line.at + end, instead, sure=found.sure
+                    ),
                 )
             )
             return Advised(self._word_of(tried.text))

@@ -13,6 +13,11 @@ from vrts.lang.steps.broken_step import OPERANDS, TEXT_SAYS, BrokenStep
 from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.words import QUALIFIERS
 
+_ALONE = {  # instructions without operands, and what may be meant by a name behind them
+    "READY": "write READY alone: it moves to a place of its own; to go to `{0}` write `MOVE {0}`",
+    "BREAK": "write BREAK alone: it waits until the motion above it ends",
+    "RETURN": "write RETURN alone: a program gives values back in its arguments",
+}
 _QUALIFIER_SAYS = "VAL-II says *Invalid qualifier*"
 
 
@@ -55,6 +60,15 @@ def text_after_structure(step: BrokenStep) -> bool:
         help_ = "write END alone: it ends the structure that is open"
     elif here.kind == "LPAREN":
         help_ = f"write {last} alone"
+    elif last in _ALONE and len(step.tokens) == 2 and here.kind in ("NAME", "NUMBER"):
+        _report_extra(
+            step,
+            here,
+            f"{last} takes no operand",
+            _ALONE[last].format(short(here.text)) if here.kind == "NAME" else f"write {last} alone",
+            step.problems.replace(before.end, here.end, ""),
+        )
+        return True
     _report_extra(
         step, here, f"{last} ends its line" if last != ":" else "`:` ends its line", help_
     )

@@ -206,6 +206,7 @@ def bare_functions(dialect: Dialect) -> dict[str, Signature]:
 
 
 # Functions of relatives, and what a VAL-II programmer writes instead.
+_RANDOM = "use RANDOM, from 0 to 1: `INT(6*RANDOM)+1` is a number from 1 to 6"
 FOREIGN_FUNCTIONS = {
     "maxval": "use MAX",
     "minval": "use MIN",
@@ -252,7 +253,13 @@ FOREIGN_FUNCTIONS = {
     "atan": "use ATAN2(y, x)",
     "asin": "use ATAN2(x, SQRT(1-SQR(x)))",
     "acos": "use ATAN2(SQRT(1-SQR(x)), x)",
-    "rand": "use RANDOM",
+    "rand": _RANDOM,
+    "rnd": _RANDOM,
+    "randint": _RANDOM,
+    "random.randint": _RANDOM,
+    "randi": _RANDOM,
+    "p": "use TRANS(x, y, z, o, a, t)",
+    "pose": "use TRANS(x, y, z, o, a, t)",
     "offs": "use SHIFT(location BY x, y, z)",
     "reltool": "join locations by `:`, as in `part:TRANS(0, 0, 50)`",
     "digitalread": "a signal is asked for by SIG: write `SIG(1001)`",

@@ -16,6 +16,7 @@ SIGNAL_COMPARED = Rule("V240", "signal-compared")
 WAITS_FOR_OUTPUT = Rule("V241", "waits-for-output")
 
 _TRUTHS = frozenset({"true", "on"})
+_TRUTH_FUNCTIONS = frozenset({"sig", "defined", "switch", "outside", "identical"})
 _LOGICAL = (-1.0, 0.0, 1.0)  # numbers that may stand for true and false
 
 
@@ -31,9 +32,11 @@ def check_condition(types: NameUses, asked: Asked, *, beside: bool) -> None:
                     return
         case Infix("AND"):
             _signals_by_number(types, asked.node)
-        case Infix("==" | "<>", Application(name), Number(value)) if name.text.lower() == "sig":
+        case Infix("==" | "<>", Application(name) as call, Number(value)) if (
+            name.text.lower() in _TRUTH_FUNCTIONS
+        ):
             if value not in (-1.0, 0.0):
-                _compared(types, asked.node)
+                _compared(types, asked.node, call)
         case If(condition) | While(condition) | Until(condition):
             value = number_of(condition)
             if value is not None and value not in _LOGICAL:
@@ -112,14 +115,14 @@ def _always(types: NameUses, node: Expression, text: str) -> None:
     )
 
 
-def _compared(types: NameUses, node: Infix) -> None:
+def _compared(types: NameUses, node: Infix, call: Application) -> None:
     problems = types.problems
     right = node.right
     fix: Fix | None = problems.replace(right.start, right.end, "ON")
     never = node.operator == "=="
     problems.warning(
         SIGNAL_COMPARED,
-        f"SIG yields -1 or 0: this is {'never' if never else 'always'} true",
+        f"{call.name.text.upper()} yields -1 or 0: this is {'never' if never else 'always'} true",
         node.start,
         node.end,
         notes=("TRUE and ON are -1, FALSE and OFF are 0",),

@@ -43,7 +43,10 @@ SIGNALS = (
     Idiom("<reset|clear>_{d}", "SIGNAL -{d}", says="RESET takes no numbers: it switches all off"),
     Idiom("signal <!|~> {d}", "SIGNAL -{d}", says="a minus switches a signal off", note=_ON),
     Idiom("bits_{d} = {d2}", "", says="BITS takes a number of signals, too", help="write how many signals: `BITS {d}, 4 = {d2}`"),
+    Idiom("bits ( {e} , {e2} ) == {e3}", "BITS {e}, {e2} = {e3}", says="where BITS sets signals, it takes no parentheses"),
+    Idiom("bits {d} , {d2} <==|:=> {e}", "BITS {d}, {d2} = {e}", says="where BITS sets signals, it takes `=`"),
     Idiom("bits ( {e} , {e2} ) = {e3}", "BITS {e}, {e2} = {e3}", says="where BITS sets signals, it takes no parentheses"),
+    Idiom("bits ( {e} ) = {e2}", "", says="BITS takes a number of signals, too, and no parentheses", help="write how many signals: `BITS {e}, 4 = {e2}`"),
     # waiting for signals
     Idiom("wait_for_<$in|in|di> [ {d} ] <==true|=true|==on|=on|>", "WAIT SIG({d+1000})", "KRL", sure=False),
     Idiom("wait_<$in|in|di> [ {d} ] <==true|=true|=on|==on|>", "WAIT SIG({d+1000})", "KRL", sure=False),

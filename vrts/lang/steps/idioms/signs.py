@@ -12,11 +12,18 @@ class Signs(NamedTuple):
     instead: str  # as `re.sub` takes it
     says: str
     help: str
+    sure: bool = True  # whether what is written instead is surely meant
 
 
 _OPERAND = r"(?:[\w.]+(?:\[[^\[\]]*\]|\([^()]*\))?|\([^()]*\))"
 
 SIGNS = (
+    Signs(
+        re.compile(r"(?<=\d)['_](?=\d{3}(?!\d))"),
+        "",
+        "a number has no sign between its thousands",
+        "write the digits alone",
+    ),
     Signs(re.compile(r"'([^'\"]*)'"), r'"\1"', "text stands between double quotes", 'write `"`'),
     Signs(
         re.compile(r"[ \t]*(?<=[\w)\] \t])%[ \t]*(?=[\w(-])"),
@@ -204,6 +211,13 @@ SIGNS = (
     ),
     Signs(
         re.compile(r"\band[ \t]+also\b|\bandalso\b", re.I), "AND", "VAL-II has AND", "write `AND`"
+    ),
+    Signs(
+        re.compile(r"(?<=\d),(?=\d{3}(?![\d.,]))"),
+        "",
+        "a comma stands in no number",
+        "write the digits alone for thousands, and a point for a decimal number",
+        sure=False,
     ),
     Signs(re.compile(r"(?<=\d),(?=\d)"), ".", "a decimal number has a point", "write the point"),
     Signs(re.compile(r"[ \t]*;[ \t]*$"), "", "", "leave it out"),

@@ -5,6 +5,7 @@ from functools import cache
 
 from vrts.lang.steps.idioms.approaching import APPROACHING
 from vrts.lang.steps.idioms.blocks import BLOCKS
+from vrts.lang.steps.idioms.factory import FACTORY
 from vrts.lang.steps.idioms.hand import HAND
 from vrts.lang.steps.idioms.idiom import Idiom, Matched, first_words, match
 from vrts.lang.steps.idioms.moving import MOVING
@@ -14,7 +15,18 @@ from vrts.lang.steps.idioms.speeds import SPEEDS
 from vrts.lang.steps.idioms.terminal import TERMINAL
 from vrts.lang.steps.idioms.values import VALUES
 
-IDIOMS = (*BLOCKS, *TERMINAL, *SIGNALS, *PLACES, *MOVING, *APPROACHING, *SPEEDS, *HAND, *VALUES)
+IDIOMS = (
+    *FACTORY,
+    *BLOCKS,
+    *TERMINAL,
+    *SIGNALS,
+    *PLACES,
+    *MOVING,
+    *APPROACHING,
+    *SPEEDS,
+    *HAND,
+    *VALUES,
+)
 MOST_CHARACTERS = 300  # of a step that is looked at
 MOST_PARTS = 12  # of a list in it: to try all ways to part more would take long
 

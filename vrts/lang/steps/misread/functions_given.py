@@ -11,7 +11,7 @@ _GIVEN = re.compile(
     r"(?P<name>[$#]?[A-Za-z][\w.]*)[ \t]*\((?P<inner>.*?)\)[ \t]*:?=(?!=)[ \t]*(?P<value>.+)",
     re.ASCII,
 )
-_SIGNAL = "SIG"  # has words of its own: SIGNAL
+_INSTRUCTIONS = frozenset({"SIG", "BITS"})  # have words of their own: SIGNAL and BITS
 _AXES = ("DX", "DY", "DZ")
 
 
@@ -22,7 +22,7 @@ def given_function(text: str, dialect: Dialect) -> Meant | None:
         return None
     name, inner = found["name"].upper(), found["inner"].strip()
     signature = FUNCTIONS.get(name.lower())
-    if signature is None or not dialect.has(signature.dialects) or name == _SIGNAL:
+    if signature is None or not dialect.has(signature.dialects) or name in _INSTRUCTIONS:
         return None
     if inner.count("(") != inner.count(")"):
         return None

@@ -6,6 +6,8 @@ from vrts.lang.steps.misread.chains import chain
 from vrts.lang.steps.misread.digits_first import digit_first
 from vrts.lang.steps.misread.equals_behind import equals_behind
 from vrts.lang.steps.misread.f_strings import f_string
+from vrts.lang.steps.misread.foreign.inputs import asked_input
+from vrts.lang.steps.misread.foreign.prose import prose
 from vrts.lang.steps.misread.format_letters import letter_behind
 from vrts.lang.steps.misread.functions_given import given_function
 from vrts.lang.steps.misread.hand_words import named_hand
@@ -26,6 +28,7 @@ def meant_by_line(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
         return None
     return (
         chain(text)
+        or asked_input(text, repair)
         or f_string(text, repair)
         or unit_behind(text, repair)
         or letter_behind(text, repair)
@@ -40,4 +43,5 @@ def meant_by_line(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
         or equals_behind(text, repair, dialect)
         or joined_strings(text, repair)
         or missing_times(text, repair)
+        or prose(text)
     )

@@ -8,6 +8,11 @@ from vrts.base.source import Span
 from vrts.ir.module import Datum
 from vrts.lang.dialect import Angles
 from vrts.lang.findings.values.evaluate import evaluate, nothing_known
+from vrts.lang.findings.values.units.reach import (
+    FARTHEST,
+    check_trans_reach,
+    warn_of_reach,
+)
 from vrts.lang.joined import Joined
 from vrts.lang.meaning.constants import constant
 from vrts.lang.meaning.name_uses import Asked, NameUses
@@ -57,8 +62,12 @@ def check_lengths(types: NameUses, asked: Asked, absolute: frozenset[str]) -> No
         target = node.target if isinstance(node.target, Name) else node.target.name
         if key(target.text) in absolute:
             _trans(types, node.value)
+            if not types.problems.dialect.tolerant:
+                check_trans_reach(types, node.value)
     if isinstance(node, Simple) and node.word in _GOALS and node.operands:
         _trans(types, node.operands[0])
+        if not types.problems.dialect.tolerant:
+            check_trans_reach(types, node.operands[0])
     if isinstance(node, Application) and node.name.text.lower() == "trans":
         _five(types, node)
 
@@ -77,6 +86,10 @@ def check_data(types: NameUses, data: list[Datum], absolute: frozenset[str]) -> 
             _data(types, datum, "metres", 1000.0, f"{math.hypot(x, y, z):.3g} mm")
         elif 0.0 < math.hypot(x, y, z) < TOO_NEAR:
             _data(types, datum, "inches", 25.4, f"{math.hypot(x, y, z):.0f} mm")
+        elif math.hypot(x, y, z) > FARTHEST:
+            start = offset_of(types, datum.span)
+            end = start + len(datum.span.text)
+            warn_of_reach(types, f"`{datum.name}`", start, end, math.hypot(x, y, z))
         elif len(words) == _WITHOUT_ANGLES:
             _points_up(types, datum)
 
