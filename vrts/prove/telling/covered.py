@@ -1,6 +1,7 @@
 """Over what a proof speaks, in plain sentences."""
 
 from vrts.engine.programs.outside import Kind
+from vrts.ir import instructions as ir
 from vrts.prove.environment.environment import (
     Afterwards,
     Answering,
@@ -29,9 +30,18 @@ def covered(search: Search, dead: tuple[Step, ...]) -> Covered:
         quantified=(*(_input(environment, n) for n in read), *_others(search, kinds)),
         bounded=_bounded(environment),
         sampled=_sampled(search, kinds),
-        assumed=_assumed(environment, bool(read)),
+        assumed=(*_assumed(environment, bool(read)), *_order(search)),
         dead=dead,
     )
+
+
+def _order(search: Search) -> tuple[str, ...]:
+    """Return in which order programs have their turns, where there may be two."""
+    programs = search.module.programs.values()
+    begins = any(isinstance(i, ir.StartProcess) for p in programs for i in p.instructions)
+    if not begins:
+        return ()
+    return ("in each tick the robot program has its turn before the process control program",)
 
 
 def _input(environment: Environment, number: int) -> str:

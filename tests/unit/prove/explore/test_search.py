@@ -59,6 +59,13 @@ def test_a_wait_for_an_input_is_no_deadlock() -> None:
     assert "inputs for which a program waits come eventually" in proof.covered.assumed
 
 
+def test_the_order_of_two_programs_in_a_tick_is_said_to_be_granted() -> None:
+    order = "in each tick the robot program has its turn before the process control program"
+    beside = ".END\n.PROGRAM beside()\nSIGNAL 2001\n"
+    assert order in proven(f"PCEXECUTE beside\nWAIT SIG(2001)\n{beside}").covered.assumed
+    assert order not in proven("READY\n").covered.assumed
+
+
 def test_a_wait_that_nothing_may_end_is_a_deadlock() -> None:
     found = only(proven("WAIT SIG(1001)\nIF SIG(1002) THEN\nWAIT SIG(2001)\nEND\n"))
     assert found.wrong is Wrong.DEADLOCK
