@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser
 
-from tests.browser.support_sessions import SHOWN, Desk, desk, supervisor
+from tests.browser.support_sessions import IDLE, SHOWN, Desk, desk, supervisor
 from tests.support_live import LiveServer
 from tests.unit.live.test_teaching import Teaching
 from vrts.live.new_account import add_user
@@ -82,6 +82,7 @@ def test_points_are_taught_and_time_goes_back(teacher: Desk, teaching: Teaching)
     before = float(teacher.value("vrts.store.now.status.time_s"))
     teacher.page.click("[aria-label='Joint 1 plus']")
     teacher.until("Math.abs(vrts.world.state.q[0] * 180 / Math.PI - 5) < 0.01")
+    teacher.until(IDLE)  # nearly there is still on the way
     assert teacher.rests()
     teacher.page.click("button:text('Record')")
     teacher.until("document.getElementById('record-name').value === 'p3'")
