@@ -2130,4 +2130,25 @@ PATCHES: tuple[Patch, ...] = (
         "            if not may:\n",
         ("tests/unit/prove/telling/test_allowed.py",),
     ),
+    Patch(
+        "futures that go on differently are drawn as one line",
+        "vrts/report/page/futures/folding.py",
+        "        shape = (what, place, knot.ends, below, alone)\n",
+        "        shape = (what, place, below, alone)\n",
+        ("tests/unit/report/page/test_futures.py",),
+    ),
+    Patch(
+        "a large tree of decisions leaves out what goes wrong",
+        "vrts/report/page/futures/folding.py",
+        "        at: int | None = number if knot.marks else None\n",
+        "        at: int | None = number if knot.marks and not number else None\n",
+        ("tests/unit/report/page/test_futures.py",),
+    ),
+    Patch(
+        "a page about every future shows the same replay of all that goes wrong",
+        "vrts/web/report/page.js",
+        "document.getElementById(`data-${which}`) ?? ",
+        "",
+        ("tests/browser/test_futures_page.py",),
+    ),
 )

@@ -4,6 +4,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Datum, Diagnostic
+from vrts.check.judge import judge
 from vrts.check.verdict import Verdict
 from vrts.check.verdicts.every_future import CHECK
 from vrts.ir.module import Module
@@ -16,9 +17,12 @@ from vrts.prove.asking import Asking
 from vrts.prove.environment.environment import Environment
 from vrts.prove.proof import Proof
 from vrts.prove.prove import prove
+from vrts.prove.telling.replays import replay
+from vrts.report.assessment import Assessment
 from vrts.report.proof_words import of_verdict, sentence
 
 METHOD = "every future, tick by tick"
+AFTERWARDS_S = 1.5  # that is shown after something went wrong
 
 
 class Proved(NamedTuple):
@@ -28,6 +32,7 @@ class Proved(NamedTuple):
     module: Module | None
     proof: Proof | None  # None: there is nothing to execute
     diagnostics: tuple[Diagnostic, ...]
+    entry: str | None = None  # the program that was executed
 
 
 def proved(request: Request, environment: Environment, asking: Asking) -> Proved:
@@ -49,7 +54,37 @@ def proved(request: Request, environment: Environment, asking: Asking) -> Proved
     setting = request.setting
     found = prove(module, setting.scene, environment, asking, entry=entry, task=setting.task)
     request.step_done("prove")
-    return Proved(compiled, module, found, told)
+    return Proved(compiled, module, found, told, entry)
+
+
+def replays(request: Request, found: Proved, most: int) -> tuple[Assessment, ...]:
+    """Return the runs in which something goes wrong, up to shortly after it, and their contacts.
+
+    Args:
+        request: What was asked for.
+        found: What was found.
+        most: How many at most, the shortest futures first.
+    """
+    if found.proof is None or found.module is None or found.entry is None:
+        return ()
+    scene, made = request.setting.scene, list[Assessment]()
+    for wronged in found.proof.found[:most]:
+        run = replay(found.module, scene, wronged, found.entry, AFTERWARDS_S)
+        title = request.title or request.program.name
+        made.append(
+            Assessment(
+                request.identifier,
+                title,
+                found.compiled.source,
+                (),
+                module=found.module,
+                scene=scene,
+                task=request.setting.task,
+                run=run,
+                judgement=judge(scene, run, None),
+            )
+        )
+    return tuple(made)
 
 
 class Proven(NamedTuple):

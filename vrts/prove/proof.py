@@ -81,6 +81,8 @@ class Branch(NamedTuple):
     parent: int | None
     decided: Decided | None
     ends: str  # "completed", "merged", "error", "open", "" for one that goes on
+    ended_s: float | None = None  # when it ends
+    into: int | None = None  # of one that merged: the branch on which that state was met first
 
 
 @dataclass(frozen=True, slots=True)

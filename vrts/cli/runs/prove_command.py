@@ -37,6 +37,9 @@ from vrts.cli.shared.searching import searching
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
+    from vrts.pipeline.futures import Proved
+    from vrts.pipeline.request import Request
+    from vrts.prove.environment.environment import Environment
     from vrts.prove.proof import Proof, Wronged
 
 EPILOG = """\b
@@ -45,6 +48,7 @@ Examples:
   vrts prove prog.v2 --scene cans-on-bases
   vrts prove prog.v2 --environment environment.toml
   vrts prove prog.v2 --counterexample bad.toml
+  vrts prove prog.v2 --html page.html
   vrts prove prog.v2 --states 20000 --format json
 """
 
@@ -55,6 +59,7 @@ Examples:
 @task_option(packed=True)
 @file_option("--environment", help="What may come from outside; see `vrts new environment`.")
 @scenario_option("How every future begins, and what is the same in all: a scenario file.")
+@file_option("--html", help="Write a page with the tree of decisions and replays.")
 @file_option("--counterexample", help="Write the future that goes wrong as a scenario file.")
 @click.option(
     "--states",
@@ -79,6 +84,7 @@ def command(
     program: str,
     where: Where,
     environment: Path | None,
+    html: Path | None,
     counterexample: Path | None,
     states: int | None,
     seconds: float | None,
@@ -138,9 +144,34 @@ def command(
         from vrts.report.screen.futures_text import futures_text
 
         out(futures_text(title, found.proof, color=use_color(color)))
+    if html is not None:
+        _write_page(request, found, outside, html)
     if counterexample is not None:
         _write(found.proof, title, counterexample)
     sys.exit(status_of(found.proof))
+
+
+def _write_page(
+    request: "Request", found: "Proved", environment: "Environment", path: Path
+) -> None:
+    """Write the page about every future, and say so."""
+    from vrts.pipeline.futures import replays
+    from vrts.report.page.futures.found import MOST_FOUND
+    from vrts.report.page.futures.whole import Explored, futures_page
+
+    assert found.proof is not None
+    scene, task = request.setting.scene, request.setting.task
+    explored = Explored(
+        request.title or request.program.name,
+        f"{task.title} · scene {scene.name}" if task else f"scene {scene.name}",
+        found.compiled.source,
+        found.proof,
+        environment,
+        scene.robot.arm.tick,
+        replays(request, found, MOST_FOUND),
+    )
+    write_file(path, futures_page(explored).encode())
+    say(f"wrote {path}")
 
 
 def _write(proof: "Proof", title: str, path: Path) -> None:

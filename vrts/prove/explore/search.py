@@ -277,7 +277,7 @@ class Search:
             return
         self.unanswered.setdefault(place(future.machine.robot))
         self.graph.begin(self.graph.legs[future.leg].to, future.past, future.cost)
-        self.tree.ends(future.branch, "open")
+        self.tree.ends(future.branch, "open", future.machine.now)
 
     def _meets(self, future: Future, question: Question | None) -> bool:
         """Note the state that a future is in; return whether another one was in it before."""
@@ -288,7 +288,7 @@ class Search:
             graph.arrives(future.leg, known, machine.last_tick)
             self.grows.met(machine, known, future.leg)
             self.merged += 1
-            self.tree.ends(future.branch, "merged")
+            self.tree.ends(future.branch, "merged", machine.now, known)
             return True
         visit = Visit(
             *(future.past, machine.last_tick, future.cost, *places(machine)),
@@ -296,11 +296,12 @@ class Search:
             leg=future.leg,
         )
         self._known[key] = state = graph.add(visit)
+        self.tree.visits(future.branch, state)
         graph.arrives(future.leg, state, machine.last_tick)
         if not self.grows.state(self.keys, key, machine, state):
             return False
         graph.begin(state, future.past, future.cost)  # nobody knows where it comes to
-        self.tree.ends(future.branch, "open")
+        self.tree.ends(future.branch, "open", future.machine.now)
         return True
 
     def _key(self, future: Future, question: Question | None) -> Key:
@@ -349,7 +350,7 @@ class Search:
         deeds = list(self.operator.afterwards(future))
         if deeds and self._meets(future, None):
             return
-        self.tree.ends(future.branch, ending.value)
+        self.tree.ends(future.branch, ending.value, machine.now)
         if self.touches is not None:
             self.touches.finish(future)
         if deeds:

@@ -11,6 +11,7 @@ class Tree:
     def __init__(self) -> None:
         """Be empty."""
         self.branches: list[Branch] = []
+        self._first: dict[int, int] = {}  # branches by state
 
     def add(self, parent: int | None, decided: Decided | None) -> int | None:
         """Add a branch; return its number. None: it is not kept, nor what grows on it."""
@@ -20,7 +21,16 @@ class Tree:
         self.branches.append(Branch(parent, decided, ""))
         return len(self.branches) - 1
 
-    def ends(self, branch: int | None, how: str) -> None:
-        """Note how a branch ends, if nobody has."""
+    def ends(
+        self, branch: int | None, how: str, time_s: float | None = None, state: int | None = None
+    ) -> None:
+        """Note how and when a branch ends, if nobody has; `state` is the one it merges into."""
         if branch is not None and not self.branches[branch].ends:
-            self.branches[branch] = self.branches[branch]._replace(ends=how)
+            into = None if state is None else self._first.get(state)
+            old = self.branches[branch]
+            self.branches[branch] = old._replace(ends=how, ended_s=time_s, into=into)
+
+    def visits(self, branch: int | None, state: int) -> None:
+        """Note on which branch a state was met first."""
+        if branch is not None:
+            self._first[state] = branch

@@ -71,7 +71,14 @@ def _decided(one: Decided) -> Json:
 
 def _branch(one: Branch) -> Json:
     decided = None if one.decided is None else _decided(one.decided)
-    return {"parent": one.parent, "decided": decided, "ends": one.ends}
+    ended_s = None if one.ended_s is None else seconds(one.ended_s)
+    return {
+        "parent": one.parent,
+        "decided": decided,
+        "ends": one.ends,
+        "ended_s": ended_s,
+        "into": one.into,
+    }
 
 
 def _cause(cause: Cause | None) -> Json:

@@ -87,14 +87,14 @@ def page_parts(
     findings = in_order(a.findings)
     replayable = a.run is not None and a.scene is not None
     parts = [
-        Part("replay", "Replay", _replay(a, findings) if replayable else None),
+        Part("replay", "Replay", replay_section(a, findings) if replayable else None),
         Part("program", "Program", None if replayable else _program(a, findings)),
         Part("review", "To be reviewed", review_section(a) if grader else None),
         Part("contacts", "Contacts", contacts_section(a, stills) if replayable else None),
         Part("findings", f"Findings ({len(findings)})", findings_section(findings)),
         Part("checks", "Checks", checks_section(a, hidden if grader else ())),
         Part("futures", "Every future", None if a.proof is None else futures_section(a.proof)),
-        Part("charts", "Charts", _charts(a) if replayable else None),
+        Part("charts", "Charts", charts_section(a) if replayable else None),
         Part("facts", "Facts", facts_section(a) if grader else None),
         Part("model", "What was not modelled", _not_modelled(a)),
     ]
@@ -116,11 +116,14 @@ def _navigation(parts: Sequence[Part]) -> Markup:
     return element("nav", *links, aria_label="On this page")
 
 
-def _replay(a: Assessment, findings: Sequence[Diagnostic]) -> Markup:
+def replay_section(
+    a: Assessment, findings: Sequence[Diagnostic], which: Markup | None = None
+) -> Markup:
+    """Return the replay beside the program; `which` says what is shown, where that may change."""
     program = listing(a.source, findings[:MOST_FINDINGS]) if a.source else None
     return element(
         "section",
-        element("h2", "Replay and program"),
+        element("h2", "Replay and program", which),
         Markup(asset("report/replay.html")),
         element("div", program, class_="program"),
         Markup(asset("report/events.html")),
@@ -144,9 +147,16 @@ def replay_scripts(a: Assessment) -> list[Markup]:
     """Return the data of the replay and the modules that show it, the same for all readers."""
     if a.run is None or a.scene is None:
         return []
+    return [json_script("data", replay_data(a)), *modules()]
+
+
+def replay_data(a: Assessment) -> dict[str, object]:
+    """Return the data of the replay of an assessment in which something ran."""
+    assert a.run is not None
+    assert a.scene is not None
     report = a.judgement.collisions if a.judgement else None
     screen = first_screen(a)
-    data: dict[str, object] = {
+    return {
         "scene": scene_data(a.scene, a.task),
         "run": run_data(a.run, a.source),
         "contacts": contact_rows(report.contacts, a.source) if report else [],
@@ -156,11 +166,10 @@ def replay_scripts(a: Assessment) -> list[Markup]:
         "moment": screen.moment.time_s if screen.moment else None,
         "clearance": [[seconds(t), millimetres(distance)] for t, distance in a.clearance],
     }
-    return [json_script("data", data), *_modules()]
 
 
 @cache
-def _modules() -> tuple[Markup, ...]:
+def modules() -> tuple[Markup, ...]:
     """Return the modules that show a replay, and what unpacks them."""
     return (
         raw("script", packed(ENTRY), type="application/octet-stream", id="modules"),
@@ -171,7 +180,8 @@ def _modules() -> tuple[Markup, ...]:
 # --- below --------------------------------------------------------------------------------------
 
 
-def _charts(a: Assessment) -> Markup:
+def charts_section(a: Assessment) -> Markup:
+    """Return the place for the charts, and the smallest clearance, if it is known."""
     return element(
         "section",
         element("h2", "Charts"),

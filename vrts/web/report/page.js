@@ -14,7 +14,8 @@ import { bindKeys, bindControls, showPlaying } from "./controls.js";
 const byId = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const LEAD = 0.6; // "watch" starts this much before the moment [s]
 
-const data = JSON.parse(byId("data").textContent ?? "{}");
+const which = new URLSearchParams(location.hash.slice(1)).get("future"); // of a page with several runs
+const data = JSON.parse((document.getElementById(`data-${which}`) ?? byId("data")).textContent ?? "{}");
 const replay = await Replay.unpack(data.scene.robot.arm, data.run);
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const theme = () => (dark.matches ? "dark" : "light");

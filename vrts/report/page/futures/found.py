@@ -110,4 +110,4 @@ def _listed(title: str, rows: Sequence[str]) -> Markup:
     items = [element("li", prose(one_line(row))) for row in rows[:MOST_LISTED]]
     if len(rows) > MOST_LISTED:
         items.append(element("li", f"and {len(rows) - MOST_LISTED} more"))
-    return element("div", element("h4", title), element("ul", *items))
+    return element("div", element("h3", title), element("ul", *items))

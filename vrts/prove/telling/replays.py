@@ -1,0 +1,23 @@
+"""What goes wrong in a future as an ordinary run."""
+
+from vrts.engine.controller import advance, commands_of, start
+from vrts.engine.run import Run
+from vrts.ir.module import Module
+from vrts.prove.proof import Wronged
+from vrts.scene.model import Scene
+
+
+def replay(module: Module, scene: Scene, wronged: Wronged, entry: str, beyond_s: float) -> Run:
+    """Return the run of the scenario in which something goes wrong.
+
+    Args:
+        module: The programs.
+        scene: Where the robot stands.
+        wronged: What goes wrong.
+        entry: The program that is executed.
+        beyond_s: How long the run goes on after that [s].
+    """
+    scenario = wronged.scenario
+    until_s = wronged.time_s + beyond_s
+    commands = [one for one in commands_of(scenario, entry) if one.time_s <= until_s]
+    return advance(start(module, scene, scenario), until_s, commands, closed=True)
