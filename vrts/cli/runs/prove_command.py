@@ -156,7 +156,7 @@ def _write_page(
 ) -> None:
     """Write the page about every future, and say so."""
     from vrts.pipeline.futures import replays
-    from vrts.report.page.futures.found import MOST_FOUND
+    from vrts.report.page.future_cards import MOST_FOUND
     from vrts.report.page.futures.whole import Explored, futures_page
 
     assert found.proof is not None

@@ -13,7 +13,7 @@ from vrts.report.page.checks import checks_section, facts_section, review_sectio
 from vrts.report.page.contacts import contacts_section
 from vrts.report.page.document import document_parts
 from vrts.report.page.findings import MOST_FINDINGS, findings_section
-from vrts.report.page.futures.found import futures_section
+from vrts.report.page.future_cards import futures_section
 from vrts.report.page.html import Markup, element, json_script, raw
 from vrts.report.page.listing import listing
 from vrts.report.page.replay_data import contact_rows, near_rows, run_data

@@ -26,7 +26,9 @@ def test_everything_that_was_decided_is_there() -> None:
         "line": 2,
     }
     assert first["decisions"][2]["line"] is None
-    assert found["tree"] == [{"parent": None, "decided": None, "ends": ""}]
+    assert found["tree"] == [
+        {"parent": None, "decided": None, "ends": "", "ended_s": None, "into": None}
+    ]
 
 
 def test_what_is_open_is_there() -> None:

@@ -10,9 +10,9 @@ from vrts.prove.proof import Decided, Proof
 from vrts.prove.telling.scenarios import scenario_of
 from vrts.report.assessment import Assessment
 from vrts.report.page.document import document_parts
+from vrts.report.page.future_cards import MOST_FOUND, answer_mark, cards, spoken_of
 from vrts.report.page.futures.drawing import tree, words_of
 from vrts.report.page.futures.folding import Node, nodes
-from vrts.report.page.futures.found import MOST_FOUND, answer_mark, cards, spoken_of
 from vrts.report.page.html import Markup, element, json_script, prose, raw
 from vrts.report.page.listing import listing
 from vrts.report.page.page import charts_section, modules, replay_data, replay_section
