@@ -1492,6 +1492,13 @@ PATCHES: tuple[Patch, ...] = (
         (VERIFYING,),
     ),
     Patch(
+        "lsp: what goes wrong whatever comes is told as if it needed inputs",
+        "vrts/lsp/runs/futures.py",
+        "        if not wronged.decisions:\n",
+        "        if wronged.decisions is None:\n",
+        ("tests/unit/lsp/runs/test_futures.py",),
+    ),
+    Patch(
         "lsp: findings of an earlier text stay in lines that changed",
         "vrts/lsp/channel/findings.py",
         "if head <= line < len(old) - tail:",

@@ -38,6 +38,7 @@ class Finding(NamedTuple):
     end: int
     related: tuple[Related, ...] = ()
     mending: Mending | None = None
+    scenario: str = ""  # the text of a file in which it happens; empty: it always does
 
 
 class Found(NamedTuple):
@@ -45,6 +46,7 @@ class Found(NamedTuple):
 
     diagnostic: Diagnostic
     mending: Mending | None = None
+    scenario: str = ""  # as of a finding
 
 
 def told(
@@ -70,7 +72,7 @@ def told(
 
 
 def _told(same: Sequence[Found], path: str, header: Label | None, where: str) -> Finding:
-    diagnostic, mending = same[0]
+    diagnostic, mending, scenario = same[0]
     if mending is not None:  # what was tried is better than what was estimated
         tried = mending.title[0].lower() + mending.title[1:]
         diagnostic = replace(diagnostic, help=(tried,))
@@ -95,7 +97,8 @@ def _told(same: Sequence[Found], path: str, header: Label | None, where: str) ->
         often = f"; {len(same)} times" if len(same) > 1 else ""
         text += f"\nfound {where}{at}{deepest}{often}"
     code, span = diagnostic.rule.code, here.span
-    return Finding(path, code, severity, text, span.start, span.end, tuple(related), mending)
+    place = path, code, severity, text, span.start, span.end
+    return Finding(*place, tuple(related), mending, scenario)
 
 
 def in_words(diagnostic: Diagnostic) -> str:
@@ -121,7 +124,7 @@ def carried(
         if start is not None and end is not None:
             text = f"before the last change: {finding.message}"
             now = finding._replace(severity=Severity.NOTE, message=text, start=start, end=end)
-            found.append(now._replace(related=(), mending=None))
+            found.append(now._replace(related=(), mending=None, scenario=""))
     return tuple(found)
 
 

@@ -82,7 +82,7 @@ def answer_of(line: bytes) -> Answer:
 
 
 def _finding(row: list[Any]) -> Finding:
-    path, code, severity, message, start, end, related, mending = row
+    path, code, severity, message, start, end, related, mending, scenario = row
     return Finding(
         path,
         code,
@@ -92,6 +92,7 @@ def _finding(row: list[Any]) -> Finding:
         end,
         tuple(Related(*place) for place in related),
         None if mending is None else Mending(mending[0], tuple(Edit(*e) for e in mending[1])),
+        scenario,
     )
 
 

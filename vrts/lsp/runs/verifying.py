@@ -20,6 +20,7 @@ from vrts.lsp.channel.findings import Finding, Found, told
 from vrts.lsp.channel.verification import CPU_S, Answer, Asked, asked_of, header_of, line_of
 from vrts.lsp.documents.documents import Document
 from vrts.lsp.runs.bounds import bounded, said_by
+from vrts.lsp.runs.futures import for_some_inputs
 from vrts.lsp.runs.motion_times import timings
 from vrts.lsp.runs.speeds import with_speeds
 from vrts.marking.supervise.limits import Limits, impose
@@ -33,6 +34,7 @@ from vrts.pipeline.setting import scenario_of
 from vrts.pipeline.settings import setting_for
 
 NO_SETTING = Rule("V798", "task-not-read")
+SEARCH_CPU_S = CPU_S / 2  # of this process, at which the search of all futures ends
 
 
 def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Answer:
@@ -83,6 +85,9 @@ def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Ans
     found = [Found(d) for verdict in judgement.verdicts for d in verdict.findings]
     tell(Answer(all_timings, shown([*of_run, *found])))
     found = with_speeds(SourceFile(path, asked.text), run, judgement, setting.task, again)
+    tell(Answer(all_timings, shown([*of_run, *found])))
+    known = [one.diagnostic for one in (*of_run, *found)]
+    found += for_some_inputs(request, module, known, SEARCH_CPU_S)
     return Answer(all_timings, shown([*of_run, *found]), is_whole=True)
 
 

@@ -51,7 +51,11 @@ def converted(diagnostic: Diagnostic, uri: str, places: Places) -> types.Diagnos
 
 
 def converted_finding(
-    finding: Finding, uri: str, places: Places, others: Callable[[str], tuple[str, Places] | None]
+    finding: Finding,
+    uri: str,
+    places: Places,
+    others: Callable[[str], tuple[str, Places] | None],
+    scenario: types.DiagnosticRelatedInformation | None = None,
 ) -> types.Diagnostic:
     """Return what a verification has found.
 
@@ -60,6 +64,7 @@ def converted_finding(
         uri: Of the buffer.
         places: Of the buffer.
         others: Address and places of another file by its path; None: it is gone.
+        scenario: A file in which it happens.
     """
     related: list[types.DiagnosticRelatedInformation] = []
     for place in finding.related:
@@ -67,6 +72,8 @@ def converted_finding(
         if there is not None:
             where = types.Location(there[0], there[1].range(place.start, place.end))
             related.append(types.DiagnosticRelatedInformation(where, place.text))
+    if scenario is not None:
+        related.append(scenario)
     end = finding.end
     if finding.start == end:
         end = _something(places.source.text, end)

@@ -4,9 +4,10 @@ from lsprotocol import types
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.lsp.answers.fixing import Remedy, remedies
-from vrts.lsp.channel.findings import Mending
+from vrts.lsp.channel.findings import Finding, Mending
 from vrts.lsp.server.diagnostics import converted
 from vrts.lsp.server.places import Places
+from vrts.lsp.server.scenarios import keeping
 from vrts.lsp.server.session import Session
 
 
@@ -31,11 +32,16 @@ def register(session: Session) -> None:
             if _touches(diagnostic, first, last)
             for remedy in remedies(document, diagnostic)
         ]
-        return mended + [
+        here = [f for f in server.findings(document) if f.start <= last and first <= f.end]
+        mended += [
             _of_run(finding.mending, server.shown(finding, document), uri, places)
-            for finding in server.findings(document)
+            for finding in here
             if finding.mending is not None
-            if finding.start <= last and first <= finding.end
+        ]
+        if not _makes_files(server.client_capabilities):
+            return mended
+        return mended + [
+            _kept(finding, server.shown(finding, document)) for finding in here if finding.scenario
         ]
 
 
@@ -55,6 +61,19 @@ def _action(remedy: Remedy, diagnostic: Diagnostic, uri: str, places: Places) ->
         is_preferred=remedy.preferred,
         edit=types.WorkspaceEdit(changes={uri: edits}),
     )
+
+
+def _makes_files(client: types.ClientCapabilities) -> bool:
+    """Return whether an edit may make a file."""
+    workspace = client.workspace
+    edits = None if workspace is None else workspace.workspace_edit
+    made = () if edits is None else edits.resource_operations or ()
+    return types.ResourceOperationKind.Create in made
+
+
+def _kept(finding: Finding, shown: types.Diagnostic) -> types.CodeAction:
+    title = "Keep the scenario in which this happens beside the program"
+    return types.CodeAction(title, types.CodeActionKind.QuickFix, [shown], edit=keeping(finding))
 
 
 def _of_run(

@@ -24,6 +24,7 @@ from vrts.lsp.server.background.verifying import Subject, Verifications
 from vrts.lsp.server.background.watching import watch
 from vrts.lsp.server.diagnostics import converted, converted_finding
 from vrts.lsp.server.places import Places
+from vrts.lsp.server.scenarios import Scenarios
 
 Result = TypeVar("Result")
 
@@ -42,6 +43,7 @@ class Session(LanguageServer):
         self._found: dict[str, tuple[Document, tuple[Diagnostic, ...]]] = {}
         self.reading = Reading(self, self.documents, self._check_folder)
         self.reaching = Reaching()
+        self.scenarios = Scenarios()
         self.verifications = Verifications(_background, self._learned)
         self._worker = ThreadPoolExecutor(1, "check")  # one: answers come first
 
@@ -132,7 +134,8 @@ class Session(LanguageServer):
             found = self.documents.at(path)
             return None if found is None else (self.uri(found), self.places(found))
 
-        return converted_finding(finding, self.uri(document), self.places(document), other)
+        uri, places, link = self.uri(document), self.places(document), self.scenarios.link(finding)
+        return converted_finding(finding, uri, places, other, link)
 
     async def diagnostics_of(self, document: Document) -> tuple[Diagnostic, ...]:
         """Return what is wrong with a buffer, as told last, or worked out now."""
@@ -164,6 +167,7 @@ class Session(LanguageServer):
         self.verifications.stop()
         self.reading.stop()
         self.reaching.stop()
+        self.scenarios.stop()
         for task in (*self._checks.values(), self._watch):
             if task is not None:
                 task.cancel()

@@ -145,7 +145,7 @@ def test_answers_come_as_they_are_known() -> None:
     last = verify(Asked(str(path), path.read_text("utf-8")), early.append)
     assert last.is_whole
     assert not any(answer.is_whole for answer in early)
-    assert [len(answer.timings) for answer in early] == [len(last.timings)] * 2
+    assert [len(answer.timings) for answer in early] == [len(last.timings)] * 3
     assert all(timing.clearance_mm is None for timing in early[0].timings)
     assert last.findings == ()
 

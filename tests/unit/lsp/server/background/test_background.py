@@ -4,6 +4,7 @@ import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote, urlsplit
 
 from tests.places import ROOT
 from tests.support_lsp import PATIENCE, Client, where
@@ -26,6 +27,15 @@ ENDLESS = """.PROGRAM main
 .END
 """
 
+SOMETIMES = """.PROGRAM main
+        SPEED 50 ALWAYS
+        MOVE #PPOINT(0,-30,90,0,0,0)
+        IF SIG(1001) THEN
+          MOVE #PPOINT(0,10,90,0,0,0)
+        END
+        READY
+.END
+"""
 WHOLE = {"start": {"line": 0, "character": 0}, "end": {"line": 99, "character": 0}}
 
 Found = list[dict[str, Any]]
@@ -148,3 +158,21 @@ def test_a_verification_that_is_killed_is_told_and_the_server_lives(tmp_path: Pa
         assert told["range"]["start"] == {"line": 0, "character": 9}
         client.change("a.v2", TOO_FAST)
         client.diagnostics("a.v2", has("V302"))
+
+
+def test_a_future_that_goes_wrong_links_to_its_scenario(tmp_path: Path) -> None:
+    (tmp_path / "task.toml").write_text((CANS / "task.toml").read_text("utf-8"), "utf-8")
+    (tmp_path / "a-scenario.toml").write_text("mine", "utf-8")
+    with Client(tmp_path) as client:
+        client.open("a.v2", SOMETIMES)
+        finding = the("V560", client.diagnostics("a.v2", has("V560", "for some inputs: robot")))
+        (link,) = finding["relatedInformation"]
+        file = Path(unquote(urlsplit(link["location"]["uri"]).path))
+        assert "signal = 1001" in file.read_text("utf-8")
+        assert f"`vrts verify a.v2 --scenario {file}`" in link["message"]
+        (kept,) = client.about("codeAction", "a.v2", range=WHOLE, context={"diagnostics": []})
+        created, written = kept["edit"]["documentChanges"]
+        assert created["kind"] == "create"
+        assert created["uri"] == client.uri("a-scenario-2.toml"), "the other one is not lost"
+        assert written["edits"][0]["newText"] == file.read_text("utf-8")
+    assert not file.parent.exists(), "the server takes its files away"
