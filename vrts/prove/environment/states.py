@@ -32,6 +32,10 @@ class Behaviours:
                 return tuple(sorted({level for level, *_ in own}))
         return BOTH
 
+    def says(self, signal: int) -> bool:
+        """Return whether an environment says anything of an input."""
+        return signal in self._automata
+
     def told(self, states: object, signal: int, *, value: bool) -> Inputs:
         """Return the state once an input was looked at, and what it was."""
         return tuple(

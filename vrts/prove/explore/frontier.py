@@ -1,4 +1,8 @@
-"""Futures that wait to be looked at: the fewest decisions first, then the earliest."""
+"""Futures that wait to be looked at: the fewest decisions first, then the earliest.
+
+One that goes on for very long without a decision would keep all others waiting. So each span of
+`LONG` ticks counts as much as a decision.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -8,6 +12,8 @@ from vrts.engine.machine.machine import Machine
 from vrts.prove.certify.memory import Memory
 from vrts.prove.graph.past import Past
 from vrts.prove.properties.monitor import Memory as Watched
+
+LONG = 2_500  # ticks
 
 
 @dataclass(slots=True)
@@ -43,7 +49,7 @@ class Frontier:
     def push(self, future: Future) -> None:
         """Let a future wait."""
         self._pushed += 1
-        heappush(self._heap, (future.cost, _tick(future), self._pushed, future))
+        heappush(self._heap, (*_turn(future), self._pushed, future))
 
     def pop(self) -> Future:
         """Return the next future."""
@@ -51,16 +57,17 @@ class Frontier:
 
     def is_earlier(self, future: Future) -> bool:
         """Return whether another future has its turn before this one."""
-        return bool(self._heap) and self._heap[0][:2] < (future.cost, _tick(future))
-
-    @property
-    def least(self) -> int | None:
-        """The fewest decisions of one that waits."""
-        return self._heap[0][0] if self._heap else None
+        return bool(self._heap) and self._heap[0][:2] < _turn(future)
 
     def waiting(self) -> list[Future]:
         """Return the futures that wait, in the order of their turns."""
         return [entry[3] for entry in sorted(self._heap, key=_order)]
+
+
+def _turn(future: Future) -> tuple[int, int]:
+    """Return what tells whose turn it is: the least first."""
+    tick = _tick(future)
+    return future.cost + tick // LONG, tick
 
 
 def _tick(future: Future) -> int:

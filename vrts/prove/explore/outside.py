@@ -32,6 +32,12 @@ class Outside:
         self.answers = tried(environment.answers, module)
         self.behaviours = Behaviours(environment, tick_s)
 
+    def is_open(self, future: Future, question: Question) -> bool:
+        """Return whether more than one thing may be decided, about an input; else True."""
+        if question.kind is not Kind.INPUT:
+            return True
+        return len(self.behaviours.may(future.outside, question.number)) > 1
+
     def ways(self, future: Future, question: Question) -> tuple[Way, ...]:
         """Return what may be decided, what costs nothing first; nothing: nobody says."""
         machine = future.machine

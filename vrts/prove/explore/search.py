@@ -79,11 +79,9 @@ class Search:
         self.keys: Keys
         self.grows: Grows
         self.executed = Executed()
-        self.watch = (
-            Watch(environment, scene, self.outside.behaviours, self.suspects)
-            if environment.properties
-            else None
-        )
+        self.watch: Watch | None = None
+        if environment.properties:
+            self.watch = Watch(environment, self.outside.behaviours, scene, self.suspects)
         self.first: Machine  # that knows the programs
         self.frontier = Frontier()
         self.asked: dict[Question, None] = {}
@@ -114,6 +112,8 @@ class Search:
                 break
             if count - told >= TELL:
                 told = count
+                if touches is not None:
+                    touches.certify()
                 asking.told(Told(count, len(self.frontier), len(self.suspects)))
                 if asking.enough():
                     self.was_enough = True
@@ -292,7 +292,7 @@ class Search:
             return True
         visit = Visit(
             *(future.past, machine.last_tick, future.cost, *places(machine)),
-            asks=question is not None,
+            asks=question is not None and self.outside.is_open(future, question),
             leg=future.leg,
         )
         self._known[key] = state = graph.add(visit)
@@ -351,6 +351,8 @@ class Search:
         if deeds and self._meets(future, None):
             return
         self.tree.ends(future.branch, ending.value, machine.now)
+        if self.watch is not None:
+            self.watch.finish(future)
         if self.touches is not None:
             self.touches.finish(future)
         if deeds:

@@ -15,6 +15,10 @@ from vrts.robots.model import Configuration
 LITTLE = 1e-9  # [rad] a joint that turns no more in a tick stands still
 
 
+def _looked(_number: int) -> bool:
+    return True
+
+
 class Moment(NamedTuple):
     """A machine or a run at an instant, at the end of its tick."""
 
@@ -26,6 +30,8 @@ class Moment(NamedTuple):
     tool: Vector  # in W [m]
     still: bool  # the arm does not move
     step: tuple[str, int] | None  # program and step that the robot program has come to
+    # whether a program has looked at a signal, or set it: what it is needs no telling
+    looked: Callable[[int], bool] = _looked
 
 
 def of_machine(machine: Machine, tick: int) -> Moment:

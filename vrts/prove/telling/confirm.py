@@ -82,11 +82,12 @@ class Replays:
 
     def _property(self, run: Run, suspect: Suspect, until_s: float) -> Shown | None:
         number, tick_s = int(suspect.what[0]), self.scene.robot.arm.tick
-        until_s = math.floor(min(until_s, run.horizon_s) / tick_s + INSTANT) * tick_s
+        until_s = math.floor(until_s / tick_s + INSTANT) * tick_s
         broken = first_broken(run, self.environment.properties[number : number + 1], until_s)
         if broken is None:
             return None
-        return Shown(suspect.headline, broken.time_s, _under_way(run, broken.time_s))
+        under_way = _under_way(run, min(broken.time_s, run.horizon_s))
+        return Shown(suspect.headline, broken.time_s, under_way)
 
     def _missed(self, run: Run, suspect: Suspect) -> Shown | None:
         for one in () if self.task is None else missed(run, self.task):

@@ -25,19 +25,24 @@ class Teller:
         """Return what replays confirm, the shortest first."""
         found: list[Wronged] = []
         causes: set[tuple[object, ...]] = set()
+        doubtful: list[Suspect] = []
         for suspect in suspects:
             if len(found) == MOST:
                 break
             told = self._confirmed(suspect)
             if told is None:
                 if suspect.wrong not in FORETOLD and suspect.certain:
-                    self.doubtful.append(suspect.headline)
+                    doubtful.append(suspect)
                 continue
             where = None if told.cause is None else (told.cause.program, told.cause.step)
             why = (told.wrong, suspect.what[:2], where)  # of contacts: the bodies, not their parts
             if why not in causes:
                 causes.add(why)
                 found.append(told)
+        shown = {why[:2] for why in causes}
+        for suspect in doubtful:
+            if (suspect.wrong, suspect.what[:2]) not in shown:
+                self.doubtful.append(suspect.headline)
         return tuple(found)
 
     def _confirmed(self, suspect: Suspect) -> Wronged | None:

@@ -115,7 +115,8 @@ def test_an_undecided_signal_may_go_on_at_any_tick() -> None:
     watch = monitor("[[always]]\nafter = 1001\nwithin_s = 0.028\nstill = true")
     memory, found = watch.follow(watch.begin(), moment(0, {}, still=False))
     assert found is None
-    assert watch.follow(memory, moment(1, {}, still=False))[1] == Broken(0, ())
+    told = Broken(0, (), began=(1001, True, 1))
+    assert watch.follow(memory, moment(1, {}, still=False))[1] == told
     assert watch.follow(memory, moment(1, {}, still=True))[1] is None
 
 
