@@ -32,8 +32,7 @@ def cases() -> list[object]:
     """Return all programs, those that are not looked at in every run marked as thorough."""
     slow = pytest.mark.thorough
     return [
-        pytest.param(one, id=one.name, marks=() if one.name in QUICK else slow)
-        for one in planted()
+        pytest.param(one, id=one.name, marks=() if one.name in QUICK else slow) for one in planted()
     ]
 
 
@@ -89,17 +88,14 @@ def reproduces(one: Planted, wrong: dict[str, Any], folder: Path) -> bool:
     elif one.scene is not None:
         arguments = ["--scene", one.scene]
     command = "verify" if arguments else "run"
-    shown = vrts_text(
-        command, f"{one.name}.v2", *arguments, "--scenario", "bad.toml", cwd=folder
-    )
+    shown = vrts_text(command, f"{one.name}.v2", *arguments, "--scenario", "bad.toml", cwd=folder)
     said = shown.stdout + shown.stderr
     if wrong["wrong"] == "contact":
         second = re.fullmatch(r".+ touches (.+), .+", wrong["headline"])
         assert second is not None
-        said = said if f"`{second[1]}`" in said and "violated  collision" in said else ""
-        return bool(said) and shown.returncode == 1
+        return f"hits `{second[1]}`" in said and "error[V400" in said and shown.returncode == 1
     if wrong["wrong"] == "goal missed":
-        return "violated  target" in said and shown.returncode == 1
+        return "error[V660" in said and shown.returncode == 1
     return wrong["headline"].split(";")[0] in said and shown.returncode == 1
 
 

@@ -2131,10 +2131,17 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/prove/telling/test_allowed.py",),
     ),
     Patch(
+        "properties are not watched once a program has ended",
+        "vrts/prove/explore/search.py",
+        "            self.watch.finish(future)\n",
+        "            pass\n",
+        ("tests/property/test_planted.py",),
+    ),
+    Patch(
         "properties take inputs for free that are not",
         "vrts/prove/explore/watch.py",
-        "            if len(may) == 1:\n",
-        "            if not may:\n",
+        "return levels[0] if len(levels) == 1 else None",
+        "return None",
         ("tests/unit/prove/telling/test_allowed.py",),
     ),
     Patch(

@@ -14,7 +14,6 @@ from vrts.scene.sensors import holds
 SLIGHT = 5e-4  # [m] of the opening of a hand that makes no difference
 
 
-
 class Due(NamedTuple):
     """Something that has to come about in time."""
 
