@@ -4,11 +4,23 @@ import re
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 FOLDER = Path(__file__).parent / "data" / "prove"
 HEADING = re.compile(r"^## (\w+) (.+)$", re.MULTILINE)
 BLOCK = re.compile(r"^```(toml case|toml environment|toml task|val2)\n(.*?)^```$", re.M | re.S)
 BLAMED = ";!"  # stands in the line that does what goes wrong
+KINDS = {  # what `vrts prove` calls what a program of the corpus expects
+    "contact": "contact",
+    "error": "run-time error",
+    "goal": "goal missed",
+    "endless": "endless loop",
+    "deadlock": "wait that nothing may end",
+    "never": "property broken",
+    "always": "property broken",
+}
+NO_LINE = ("goal missed", "property broken")  # of a whole run, or of a tick
+UNBOUNDED = ("unbounded",)  # nothing can be shown: that it is left open is to be told
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +82,7 @@ def read(name: str, title: str, section: str) -> Planted:
     """Return the program of one section."""
     blocks = dict(BLOCK.findall(section))
     case = tomllib.loads(blocks["toml case"])
-    expected = case["expect"]
+    expected: str | list[str] = case["expect"]
     return Planted(
         name=name,
         title=title,
@@ -78,6 +90,33 @@ def read(name: str, title: str, section: str) -> Planted:
         environment=blocks.get("toml environment"),
         task=blocks.get("toml task"),
         scene=case.get("scene"),
-        expected=tuple(expected) if isinstance(expected, list) else (expected,),
+        expected=(expected,) if isinstance(expected, str) else tuple(expected),
         words=case.get("words", ""),
     )
+
+
+def outcome(one: Planted, told: dict[str, Any]) -> str:
+    """Return what became of a program, by the JSON of `vrts prove`.
+
+    Of one that goes wrong: `found`, `open` (as was to be told), `undetermined` or `missed`. Of one
+    that is right: `held`, `undetermined` or `accused`.
+    """
+    answer, found = told["answer"], told["found"]
+    if one.is_right:
+        fine = answer == "holds" or one.expected == ("none",)
+        return "accused" if found else "held" if fine else "undetermined"
+    if one.expected == UNBOUNDED and answer == "undetermined" and not found:
+        lines = [variable["line"] for variable in told["unbounded"]]
+        said = lines == list(one.lines) or "nobody says what is typed" in told["open"][0]
+        return "open" if said else "undetermined"
+    if answer == "violated" and any(is_expected(one, wrong) for wrong in found):
+        return "found"
+    return "undetermined" if answer == "undetermined" else "missed"
+
+
+def is_expected(one: Planted, wrong: dict[str, Any]) -> bool:
+    """Return whether something told is what was planted: its kind, words and line, confirmed."""
+    kinds = [KINDS.get(kind) for kind in one.expected]
+    where = not one.lines or wrong["wrong"] in NO_LINE or wrong["line"] in one.lines
+    named = wrong["wrong"] in kinds and one.words in wrong["headline"]
+    return named and where and bool(wrong["confirmed"])
