@@ -43,7 +43,7 @@ class Shuffled(Frontier):
     def push(self, future: Future) -> None:
         """Let a future wait."""
         self._pushed += 1
-        heappush(self._heap, (self._draw.randrange(1_000), 0, self._pushed, future))
+        heappush(self._heap, ((self._draw.randrange(1_000), 0, 0), self._pushed, future))
 
     def is_earlier(self, future: Future) -> bool:
         """Return now and then that another future has its turn."""
@@ -58,12 +58,12 @@ def searched(
     *,
     merging: bool = True,
     collisions: bool = False,
-    order: int | None = None,
+    order: Frontier | None = None,
 ) -> Search:
-    """Return what is found of all futures of a program; `order` is the seed of another order."""
+    """Return what is found of all futures of a program, in the usual or another order."""
     search = Search(module, scene, environment, collisions=collisions, merging=merging)
     if order is not None:
-        search.frontier = Shuffled(order)
+        search.frontier = order
     search.begin(module.main or "")
     search.go_on(Asking(states=states))
     return search
@@ -109,17 +109,20 @@ def test_merging_changes_no_answer(number: int) -> None:
 def in_any_order(
     module: Module, scene: Scene, environment: Environment, seed: int, states: int
 ) -> None:
-    """Look at the futures of a program in two orders, and compare what is found."""
+    """Look at the futures of a program in three orders, and compare what is found."""
     usual = searched(module, scene, environment, states, collisions=True)
     if not usual.is_over:
         return
-    other = searched(module, scene, environment, 2 * states, collisions=True, order=seed)
-    assert other.is_over
-    assert {one.why for one in other.suspects.in_order()} == {
-        one.why for one in usual.suspects.in_order()
-    }
-    assert set(other.endings) == set(usual.endings)
-    assert other.executed.numbers == usual.executed.numbers
+    spread = Frontier()
+    spread.spread()
+    for order in (Shuffled(seed), spread):
+        other = searched(module, scene, environment, 2 * states, collisions=True, order=order)
+        assert other.is_over
+        assert {one.why for one in other.suspects.in_order()} == {
+            one.why for one in usual.suspects.in_order()
+        }
+        assert set(other.endings) == set(usual.endings)
+        assert other.executed.numbers == usual.executed.numbers
 
 
 @pytest.mark.parametrize("number", [*USUAL, *MANY])

@@ -31,9 +31,18 @@ def test_what_is_planted_is_found_and_nothing_else_is_told(one: Planted, tmp_pat
     told = json.loads(shown.stdout)
     wanted = "held" if one.is_right else "open" if one.expected == UNBOUNDED else "found"
     assert outcome(one, told) == wanted, (told["answer"], told["found"], told["open"])
+    assert not any("not confirmed" in left for left in told["open"])
     for wrong in told["found"]:
         assert wrong["confirmed"]
         assert reproduces(one, wrong, tmp_path), wrong["headline"]
+
+
+@pytest.mark.parametrize("name", ["P02", "P04", "P06"])
+def test_the_second_half_of_a_budget_goes_where_few_have_been(name: str, tmp_path: Path) -> None:
+    one = next(one for one in planted() if one.name == name)
+    few = ("--states", "500")
+    shown = vrts_text("prove", *one.written(tmp_path), *few, "--format", "json", cwd=tmp_path)
+    assert outcome(one, json.loads(shown.stdout)) == "found"
 
 
 def reproduces(one: Planted, wrong: dict[str, Any], folder: Path) -> bool:

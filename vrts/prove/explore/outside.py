@@ -33,7 +33,7 @@ class Outside:
         self.behaviours = Behaviours(environment, tick_s)
 
     def is_open(self, future: Future, question: Question) -> bool:
-        """Return whether more than one thing may be decided, about an input; else True."""
+        """Return whether an answer may differ; of inputs alone the environment may leave one."""
         if question.kind is not Kind.INPUT:
             return True
         return len(self.behaviours.may(future.outside, question.number)) > 1

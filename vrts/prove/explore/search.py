@@ -110,6 +110,8 @@ class Search:
             count = len(self.graph.visits)
             if count >= asking.states:
                 break
+            if count >= asking.states // 2:
+                self.frontier.spread()
             if count - told >= TELL:
                 told = count
                 if touches is not None:
@@ -296,6 +298,7 @@ class Search:
             leg=future.leg,
         )
         self._known[key] = state = graph.add(visit)
+        self.frontier.visits(future)
         self.tree.visits(future.branch, state)
         graph.arrives(future.leg, state, machine.last_tick)
         if not self.grows.state(self.keys, key, machine, state):
