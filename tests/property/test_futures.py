@@ -15,10 +15,11 @@ from vrts.engine.futures.future import begin, command, decide, tick
 from vrts.engine.futures.keys import Keys
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.states.state import state
-from vrts.engine.memory.records import Ending
+from vrts.engine.memory.records import INSTANT, Ending
 from vrts.engine.programs.outside import Kind, Question
 from vrts.ir.commands import Execute
 from vrts.ir.module import Module
+from vrts.prove.explore.sharing import may_differ
 from vrts.scene.model import FaultKind, Scenario, Scene
 
 INPUTS = frozenset({1001, 1002, 1003})
@@ -51,10 +52,11 @@ class Told:
 
     def __init__(self, module: Module, scene: Scene, scenario: Scenario, free: frozenset[int]):
         left = tuple(entry for entry in scenario.inputs if entry[1] not in free)
-        mine = replace(scenario, inputs=left, answers=())
+        mine = replace(scenario, inputs=left, answers=(), process_first=())
         self.scenario = scenario
         self.answers = list(scenario.answers)
-        self.machine = begin(module, scene, mine, free, answers=True)
+        turns = may_differ(module, module.main or "")
+        self.machine = begin(module, scene, mine, free, answers=True, turns=turns)
         command(self.machine, Execute(module.main or ""))
         self.open = False  # it asks what the scenario does not tell
 
@@ -74,6 +76,9 @@ class Told:
     def _said(self, question: Question) -> bool | str:
         if question.kind is Kind.ANSWER:
             return self.answers.pop(0)
+        if question.kind is Kind.TURN:
+            now, tick_s = self.machine.now + INSTANT, self.machine.tick
+            return any(now - tick_s < time_s <= now for time_s in self.scenario.process_first)
         return is_on(self.scenario, question.number, self.machine.now)
 
 
@@ -84,6 +89,9 @@ def test_a_future_that_is_told_a_scenario_does_what_the_engine_does(number: int)
     module = compiled(given.text, given.dialect)
     scene = setting(given.scene).scene
     scenario, free = outside(given.scenario)
+    draw = Random(number)
+    turns = sorted(draw.uniform(0.0, 6.0) for _ in range(draw.choice((0, 1, 10, 100))))
+    scenario = replace(scenario, process_first=tuple(turns))
     run = execute(module, scene, scenario)
     told = Told(module, scene, scenario, free)
     keys, last = Keys(module), told.machine

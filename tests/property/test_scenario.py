@@ -49,6 +49,7 @@ KEYS = {
     "[[faults]]": ("time_s", "kind", "signal", "state"),
     "[[operator]]": ("time_s", "does", "parts"),
     "[random]": ("draws",),
+    "[programs]": ("process_first_s",),
     "[limits]": ("statements", "time_s", "motions", "output_characters", "call_depth"),
     "[parameters]": ('"hand.time"', "hand.time", "hand", "speed.max"),
 }

@@ -56,6 +56,10 @@ HAND = """
 [hand]
 misses = false                    # true: each closing of the hand may grip or miss
 """
+PROGRAMS = """
+[programs]
+first = "either"                  # in each tick anew; or always the "robot program"
+"""
 TAIL = """
 [operator]
 speeds = [100]                    # monitor speeds [%], one for a whole future
@@ -81,6 +85,7 @@ class _Read(NamedTuple):
     prompts: list[str]
     random: bool
     hand: bool
+    two: bool  # programs
     outputs: list[int]  # that it sets
 
 
@@ -104,12 +109,14 @@ def new_environment(name: str, module: Module) -> str:
         parts.append(RANDOM)
     if read.hand:
         parts.append(HAND)
+    if read.two:
+        parts.append(PROGRAMS)
     return "".join([*parts, TAIL])
 
 
 def _read(module: Module) -> _Read:
-    found = _Read({}, [], random=False, hand=False, outputs=[])
-    random = hand = False
+    found = _Read({}, [], random=False, hand=False, two=False, outputs=[])
+    random = hand = two = False
     for program in module.programs.values():
         for instruction, origin in zip(program.instructions, program.origins, strict=True):
             place = f"{program.name} {origin.step}"
@@ -119,10 +126,11 @@ def _read(module: Module) -> _Read:
                     places.append(place)
             if isinstance(instruction, ir.Prompt) and place not in found.prompts:
                 found.prompts.append(place)
+            two |= isinstance(instruction, ir.StartProcess)
             hand |= isinstance(instruction, ir.Grasp | ir.MoveHand)
             random |= any(node.function is Function.RANDOM for node in _asked(instruction))
             found.outputs.extend(n for n in _outputs(instruction) if n not in found.outputs)
-    return found._replace(random=random, hand=hand)
+    return found._replace(random=random, hand=hand, two=two)
 
 
 def _asked(instruction: ir.Instruction) -> Iterator[Apply]:

@@ -30,7 +30,8 @@ def without_example(environment: Environment, setting: Setting) -> Environment:
     """Return an environment in which futures begin as in a scenario, and then go their own way."""
     usual = scenario_of(setting)
     return replace(
-        environment, scenario=replace(usual, inputs=(), answers=(), draws=(), operator=())
+        environment,
+        scenario=replace(usual, inputs=(), answers=(), draws=(), operator=(), process_first=()),
     )
 
 

@@ -35,6 +35,7 @@ class What(Enum):
     STOP = "stop"
     SPEED = "monitor speed"
     AGAIN = "EXECUTE again"
+    TURN = "turn of a program"
 
 
 class Decided(NamedTuple):

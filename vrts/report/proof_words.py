@@ -92,6 +92,8 @@ def decision(decided: Decided) -> str:
             return f"the monitor speed is {value} %"
         case What.AGAIN:
             return "the program is executed again"
+        case What.TURN:
+            return "the process control program has its turn first"
 
 
 def place(wronged: Wronged | Decided) -> str:

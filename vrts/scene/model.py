@@ -175,6 +175,7 @@ class Scenario:
     locks: Locks = Locks()
     operator: tuple[Act, ...] = ()  # by time
     draws: tuple[float, ...] = ()  # what RANDOM draws first; then the seed decides
+    process_first: tuple[float, ...] = ()  # times [s]; see `MidTick.process_first`
 
 
 def controlled(scene: Scene, model: ControllerModel) -> Scene:

@@ -9,7 +9,7 @@ import math
 
 from vrts.engine.machine.forever.nodes import all_nodes, tops
 from vrts.engine.machine.forever.touches import signals_looked_at
-from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.machine import Machine, in_turn
 from vrts.engine.programs.context import Context
 from vrts.engine.programs.signals import INPUTS
 from vrts.ir import instructions as ir
@@ -49,7 +49,7 @@ class Ahead:
         mid = machine.mid
         if mid is None:
             return NONE
-        programs = (machine.robot, machine.process)[mid.turn :]
+        programs = in_turn(machine)[mid.turn :]
         return NONE.union(*(self._of(c) for c in programs if c.running))
 
     def statements(self, c: Context) -> float:

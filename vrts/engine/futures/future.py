@@ -4,6 +4,7 @@ Decisions are taken late, at the statement that looks, within the tick; the mach
 and the tick goes on. A decision about an input holds for its tick.
 """
 
+import math
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
@@ -16,6 +17,8 @@ from vrts.engine.machine.forget import forget_arm_and_hand
 from vrts.engine.machine.machine import Machine, statement_under_way
 from vrts.engine.machine.tick import begin_tick, end_tick, go_on, skip_ahead
 from vrts.engine.memory.events import Event
+from vrts.engine.memory.records import INSTANT
+from vrts.engine.programs.context import Context
 from vrts.engine.programs.outside import FreeSignals, Kind, Outside, Question, Undecided
 from vrts.ir.commands import Command, TimedCommand
 from vrts.ir.module import Module
@@ -40,6 +43,7 @@ def begin(
     answers: bool = False,
     random: bool = False,
     grips: bool = False,
+    turns: bool = False,
 ) -> Machine:
     """Return a machine at time 0 that keeps no past and in which nothing executes.
 
@@ -51,13 +55,14 @@ def begin(
         answers: Whether answers to PROMPT are decided, once those of the scenario are used up.
         random: Whether the numbers of RANDOM are decided.
         grips: Whether it is decided for each part that the hand closes on if it is there.
+        turns: Whether it is decided which of two programs goes on first in a tick.
     """
     executable = Executable(module, scenario.limits.call_depth)
     endless = replace(scenario, limits=replace(scenario.limits, **UNLIMITED))
     machine = without_past(Machine(executable, scene, endless))
     signals = machine.system.signals
     signals.on = FreeSignals(signals.on, free)
-    machine.system.outside = Outside(answers=answers, random=random, grips=grips)
+    machine.system.outside = Outside(answers=answers, random=random, grips=grips, turns=turns)
     return machine
 
 
@@ -80,6 +85,11 @@ def tick(machine: Machine) -> Question | None:
         on.looked = False
         _outside(machine).begin_again(None)
         begin_tick(machine, machine.next_tick)
+        if _may_go_first(machine):
+            assert machine.mid is not None
+            machine.mid.process_first = None
+    if machine.mid is not None and machine.mid.process_first is None:
+        return Question(Kind.TURN)
     try:
         go_on(machine)
     except Undecided as undecided:
@@ -95,9 +105,13 @@ def tick(machine: Machine) -> Question | None:
 def decide(machine: Machine, question: Question, value: bool | str | float) -> None:
     """Answer a question of a machine, which then can go on."""
     system = machine.system
-    if machine.mid is not None:
+    mid = machine.mid
+    if mid is not None and question.kind is not Kind.TURN:
         _outside(machine).begin_again(statement_under_way(machine))
     match question.kind, value:
+        case Kind.TURN, bool():
+            assert mid is not None
+            mid.process_first = value
         case Kind.INPUT, bool():
             _signals(machine).decided[question.number] = value
         case Kind.ANSWER, str():
@@ -119,6 +133,25 @@ def _would_grip(machine: Machine) -> bool:
     if not outside.grips or grasps_s is None or grasps_s == outside.gripped_s:
         return False
     return grasps_s <= machine.next_tick * machine.tick
+
+
+def _may_go_first(machine: Machine) -> bool:
+    """Return whether it may matter which of two programs goes on first in the tick under way.
+
+    One that is begun in this tick goes on in it only if its turn is still to come.
+    """
+    robot, process = machine.robot, machine.process
+    return (
+        _outside(machine).turns
+        and robot.running
+        and _is_awake(robot)
+        and (not process.running or _is_awake(process))
+    )
+
+
+def _is_awake(c: Context) -> bool:
+    """Return whether a program may go on in this tick: it waits for no time that is known."""
+    return c.wake <= c.now + INSTANT or c.wake == math.inf or bool(c.watches)
 
 
 def happened(machine: Machine) -> Sequence[Event]:

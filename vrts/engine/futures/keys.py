@@ -12,7 +12,7 @@ from vrts.engine.futures.ahead import Ahead
 from vrts.engine.futures.at_rest import AtRest
 from vrts.engine.futures.named import Named
 from vrts.engine.machine.forever.nodes import all_nodes, number_of, tops
-from vrts.engine.machine.machine import Machine, statement_under_way
+from vrts.engine.machine.machine import Machine, in_turn, statement_under_way
 from vrts.engine.machine.states.nearly import DIGITS, from_now
 from vrts.engine.machine.states.state import programs
 from vrts.engine.memory.cells import UNDEFINED, Array, Bound
@@ -147,10 +147,11 @@ class Keys:
         stirred = machine.system.signals.changes != mid.changes
         steps = mid.steps
         if steps is not None:
-            c = (machine.robot, machine.process)[mid.turn]
+            c = in_turn(machine)[mid.turn]
             steps = None if steps >= self._ahead.statements(c) else steps
         begun = mid.steps is not None
-        return (mid.turn, begun, steps, progress, stirred, on.looked, decided, draws)
+        order = mid.turn, mid.process_first
+        return (order, begun, steps, progress, stirred, on.looked, decided, draws)
 
     def _content(self, bound: Bound) -> object:
         if isinstance(bound, Array):
@@ -196,8 +197,12 @@ def _beside_timer(node: Binary) -> Iterator[float]:
 
 def _is_told(machine: Machine) -> bool:
     """Return whether the scenario still tells of something that comes at a time."""
-    signals, faults = machine.system.signals, machine.scenario.faults
-    return signals.next_input_s is not None or machine.faults_done < len(faults)
+    signals, scenario = machine.system.signals, machine.scenario
+    return (
+        signals.next_input_s is not None
+        or machine.faults_done < len(scenario.faults)
+        or machine.turns_done < len(scenario.process_first)
+    )
 
 
 def _subscripts(item: tuple[tuple[int, ...], object]) -> tuple[int, ...]:

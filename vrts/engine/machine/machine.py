@@ -39,17 +39,20 @@ class MidTick:
     A statement that looks at something undecided has not begun; the tick then goes on from here.
     """
 
-    __slots__ = ("changes", "finished", "steps", "turn")
+    __slots__ = ("changes", "finished", "process_first", "steps", "turn")
 
-    def __init__(self, finished: int, changes: int) -> None:
+    def __init__(self, finished: int, changes: int, *, process_first: bool = False) -> None:
         """Stand before both programs.
 
         Args:
             finished: Statements finished before the tick.
             changes: How often signals had changed before the programs' turns.
+            process_first: Whether the process control program has its turn before the robot
+                program in this tick: usually it comes second.
         """
         self.finished = finished
         self.changes = changes
+        self.process_first: bool | None = process_first  # None: that is not decided yet
         self.turn = 0  # of the programs; after the last one the tick is over
         self.steps: int | None = None  # left of the share; None: reactions come first
 
@@ -60,6 +63,7 @@ class MidTick:
     def copy(self) -> "MidTick":
         """Return an independent copy."""
         other = MidTick(self.finished, self.changes)
+        other.process_first = self.process_first
         other.turn, other.steps = self.turn, self.steps
         return other
 
@@ -108,6 +112,7 @@ class Machine:
         self.moved = 0  # motions whose start was noted
         self.arrived = 0  # motions whose end was noted
         self.faults_done = 0
+        self.turns_done = 0  # of the scenario's: see `MidTick.process_first`
         self.stopped: Stopped | None = None  # the program that stopped before a DO
         self.mid: MidTick | None = None  # a tick is under way
         self.watcher = Watcher()
@@ -213,6 +218,20 @@ class Machine:
             return None
         timed = self.issued[self.obeyed]
         return timed.after if timed.time_s <= self.now + INSTANT else None
+
+
+def in_turn(machine: Machine) -> tuple[Context, Context]:
+    """Return both programs in the order of their turns in the tick under way."""
+    mid = machine.mid
+    if mid is not None and mid.process_first:
+        return machine.process, machine.robot
+    return machine.robot, machine.process
+
+
+def program_under_way(machine: Machine) -> Context:
+    """Return the program whose turn it is in the tick under way; else the robot program."""
+    mid = machine.mid
+    return machine.robot if mid is None else in_turn(machine)[min(mid.turn, 1)]
 
 
 def statement_under_way(machine: Machine) -> tuple[int, int] | None:

@@ -7,10 +7,11 @@ from vrts.engine.memory.records import INSTANT
 
 
 def changes_to_come(machine: Machine) -> bool:
-    """Return whether inputs, faults or commands may still change something from outside."""
+    """Return whether inputs, faults, turns or commands may still change something from outside."""
     return (
         machine.system.signals.next_input_s is not None
         or machine.faults_done < len(machine.scenario.faults)
+        or machine.turns_done < len(machine.scenario.process_first)
         or machine.next_command_s is not None
     )
 
@@ -50,6 +51,9 @@ def next_event_s(machine: Machine) -> float | None:
     faults = machine.scenario.faults
     if machine.faults_done < len(faults):
         times.append(faults[machine.faults_done].time_s)
+    turns = machine.scenario.process_first
+    if machine.turns_done < len(turns):
+        times.append(turns[machine.turns_done])
     times.append(machine.sensing.next_s(system, machine.now, machine.tick))
     known = [t for t in times if t is not None]
     return max(min(known), machine.now + machine.tick) if known else None

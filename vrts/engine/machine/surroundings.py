@@ -27,6 +27,15 @@ def bring_faults_about(machine: Machine, now: float) -> None:
                 _emergency_stop(machine, now)
 
 
+def process_is_first(machine: Machine, now: float) -> bool:
+    """Return whether the scenario gives the process control program the first turn of a tick."""
+    times, first = machine.scenario.process_first, False
+    while machine.turns_done < len(times) and times[machine.turns_done] <= now + INSTANT:
+        machine.turns_done += 1
+        first = True
+    return first
+
+
 def _emergency_stop(machine: Machine, now: float) -> None:
     system = machine.system
     system.planner.brake(now)

@@ -2,8 +2,8 @@
 
 Order within a tick: commands, faults of the scenario, signal inputs and sensors, the hand, then
 reactions, the steps of the robot program that the controller model gives it, as many of the process
-control program. Motion needs no work of its own, because it is planned as polynomials when it is
-issued. Ticks in which nothing can happen are skipped.
+control program; a scenario may let that one go first. Motion needs no work of its own, because it
+is planned as polynomials when it is issued. Ticks in which nothing can happen are skipped.
 """
 
 import math
@@ -13,10 +13,10 @@ from vrts.engine.machine.ending import end
 from vrts.engine.machine.execution import execute
 from vrts.engine.machine.forever.findings import not_judged
 from vrts.engine.machine.forever.judge import judge, stopped, waits_in_vain
-from vrts.engine.machine.machine import Machine, MidTick
+from vrts.engine.machine.machine import Machine, MidTick, in_turn
 from vrts.engine.machine.noting import note_motions
 from vrts.engine.machine.schedule import future_s, has_work, is_idle
-from vrts.engine.machine.surroundings import bring_faults_about, sample
+from vrts.engine.machine.surroundings import bring_faults_about, process_is_first, sample
 from vrts.engine.memory.records import INSTANT, Ending
 from vrts.engine.programs.cycles import place
 
@@ -76,7 +76,8 @@ def begin_tick(machine: Machine, tick: int) -> None:
     bring_faults_about(machine, now)
     sample(machine, now)
     system.hand.settle_until(now, system.events)
-    machine.mid = MidTick(machine.finished, system.signals.changes)
+    first = process_is_first(machine, now)
+    machine.mid = MidTick(machine.finished, system.signals.changes, process_first=first)
 
 
 def go_on(machine: Machine) -> None:
@@ -104,7 +105,7 @@ def end_tick(machine: Machine) -> tuple[bool, bool]:
 
 
 def _turns(machine: Machine, mid: MidTick, now: float) -> None:
-    programs = (machine.robot, machine.process)
+    programs = in_turn(machine)
     while mid.turn < len(programs):
         c = programs[mid.turn]
         if c.running:

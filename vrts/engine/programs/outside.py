@@ -12,6 +12,7 @@ class Kind(Enum):
     ANSWER = "answer"
     RANDOM = "random"
     GRIP = "grip"
+    TURN = "turn"  # which of two programs goes on first in a tick
 
 
 class Question(NamedTuple):
@@ -33,13 +34,21 @@ class Undecided(Exception):  # noqa: N818 -- names the situation
 class Outside:
     """What may come from outside besides signals, and what of it was decided."""
 
-    __slots__ = ("answers", "drawn", "draws", "gripped_s", "grips", "place", "random")
+    __slots__ = ("answers", "drawn", "draws", "gripped_s", "grips", "place", "random", "turns")
 
-    def __init__(self, *, answers: bool, random: bool, grips: bool = False) -> None:
-        """Say what is free: answers to PROMPT, what RANDOM draws, whether what is gripped is there.
+    def __init__(
+        self, *, answers: bool, random: bool, grips: bool = False, turns: bool = False
+    ) -> None:
+        """Say what is free.
 
-        The last is asked about before the tick in which the hand would grasp it.
+        Args:
+            answers: What is typed at PROMPT.
+            random: What RANDOM draws.
+            grips: Whether what is gripped is there: asked before the tick in which the hand would
+                grasp it.
+            turns: Which of two programs goes on first: asked at the beginning of a tick.
         """
+        self.turns = turns
         self.answers = answers
         self.random = random
         self.grips = grips
@@ -72,7 +81,9 @@ class Outside:
 
     def copy(self) -> "Outside":
         """Return an independent copy."""
-        other = Outside(answers=self.answers, random=self.random, grips=self.grips)
+        other = Outside(
+            answers=self.answers, random=self.random, grips=self.grips, turns=self.turns
+        )
         other.gripped_s = self.gripped_s
         other.draws, other.drawn, other.place = self.draws.copy(), self.drawn, self.place
         return other

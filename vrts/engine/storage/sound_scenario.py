@@ -20,7 +20,7 @@ from vrts.scene.reading.scenario_file import (
     MOST_STATEMENTS,
     SLOWEST,
 )
-from vrts.scene.reading.scenario_operator import LARGEST_DRAW, MOST_DRAWS
+from vrts.scene.reading.scenario_operator import LARGEST_DRAW, MOST_DRAWS, MOST_TURNS
 from vrts.scene.reading.scenario_signals import LATEST_S, MOST_ENTRIES
 
 TOLERANCE = 1e-6  # [m] of the hand's opening
@@ -54,6 +54,9 @@ def check_scenario(scenario: Scenario, scene: Scene) -> None:
     drawn = all(0.0 <= draw <= LARGEST_DRAW for draw in scenario.draws)
     require(drawn and len(scenario.draws) <= MOST_DRAWS, "a random number is out of range")
     require(len(scenario.operator) <= MOST_ENTRIES, "its operator does too much")
+    turns = scenario.process_first
+    in_time = all(0.0 <= time_s <= LONGEST_RUN_S for time_s in turns)
+    require(in_time and len(turns) <= MOST_TURNS, "a turn of its programs is out of range")
     names = {name.lower() for name in PARAMETERS}
     for name, value in scenario.parameters.items():
         require(name.lower() in names, f"there is no parameter `{name}`")

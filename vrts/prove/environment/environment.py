@@ -99,5 +99,6 @@ class Environment:
     stop_every: int = 1  # only each so many-th tick is tried: above 1 stops are sampled
     again: Again = field(default_factory=Again)
     misses: bool = False  # whether each closing of the hand may grip or miss
+    turns: bool = True  # whether either of two programs may go on first in a tick
     properties: tuple[Property, ...] = ()
     digest: str = ""  # sha256 of the file; empty without one

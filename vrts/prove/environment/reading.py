@@ -45,6 +45,9 @@ tick in which the program looks at it. Times are in seconds, lengths in millimet
     times = 5                       # but no more often than that
     parts = "put back"              # what becomes of them before: or "left", "taken"
 
+    [programs]                      # where two programs execute
+    first = "robot program"         # in every tick; as usual "either", in each tick anew
+
     [[never]]                       # a property of your own; also [[always]]
     title = "output 3 only while the hand is closed"
     signals = [3]                   # on; -3 is off
@@ -97,6 +100,7 @@ NO_CONDITION = Rule("V562", "property-without-condition")
 NO_ANSWERS = Rule("V563", "answers-unclear")
 
 KINDS = ("free", "held", "pulsed", "answers")
+FIRST = ("either", "robot program")
 HANDS = ("open", "closed", "not open", "not closed", "holding", "empty")
 LONGEST_S = 60.0  # any span: each is followed tick by tick
 MOST_OUTPUT = 32
@@ -148,6 +152,7 @@ def _environment(top: Table, source: SourceFile) -> Environment:
         hand.finish()
     speeds, stops = _operator(top.table("operator"), usual)
     again = _again(top.table("execute"))
+    turns = _turns(top.table("programs"))
     kinds = ((Quantifier.NEVER, "never"), (Quantifier.ALWAYS, "always"))
     properties = tuple(
         one
@@ -165,6 +170,7 @@ def _environment(top: Table, source: SourceFile) -> Environment:
         stops=stops,
         again=again,
         misses=misses,
+        turns=turns,
         properties=properties,
         digest=hashlib.sha256(source.text.encode()).hexdigest(),
     )
@@ -324,6 +330,15 @@ def _again(section: Table | None) -> Again:
     parts = section.string("parts", Parts.PUT_BACK.value, choices=[part.value for part in Parts])
     section.finish()
     return Again(times if again else 0, Parts(parts))
+
+
+def _turns(section: Table | None) -> bool:
+    """Return whether either of two programs may go on first in a tick."""
+    if section is None:
+        return True
+    first = section.string("first", FIRST[0], choices=FIRST)
+    section.finish()
+    return first == FIRST[0]
 
 
 # --- properties -----------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from vrts.engine.machine.machine import Machine
+from vrts.engine.machine.machine import Machine, program_under_way
 from vrts.engine.memory.events import Cause
 from vrts.engine.programs.cycles import place
 from vrts.engine.programs.outside import Kind, Question
@@ -59,6 +59,9 @@ class Outside:
                     Way(text, k > 0, Decided(now, What.ANSWER, 0, text, cause))
                     for k, text in enumerate(self.answers.lines(_places(machine)))
                 )
+            case Kind.TURN:
+                first = Decided(now, What.TURN, 0, value=True, cause=place(machine.process))
+                return (Way(value=False, cost=0, decided=None), Way(True, 1, first))
             case Kind.GRIP:
                 time_s = machine.next_tick * machine.tick
                 missing = Decided(time_s, What.GRIP, 0, value=False, cause=_closes(machine))
@@ -72,9 +75,7 @@ class Outside:
 
 def _places(machine: Machine) -> int:
     """Return how many values the PROMPT under way reads."""
-    mid = machine.mid
-    c = machine.robot if mid is None or mid.turn == 0 else machine.process
-    frame = c.frames[-1]
+    frame = program_under_way(machine).frames[-1]
     code = machine.system.programs.loaded[frame.program].program.instructions
     match code[min(frame.index, len(code) - 1)]:
         case ir.Prompt(places=places):
@@ -89,6 +90,4 @@ def _closes(machine: Machine) -> Cause | None:
 
 
 def _looks(machine: Machine) -> Cause | None:
-    mid = machine.mid
-    c = machine.robot if mid is None or mid.turn == 0 else machine.process
-    return place(c)
+    return place(program_under_way(machine))

@@ -24,6 +24,7 @@ from vrts.prove.explore.executed import Executed, watched
 from vrts.prove.explore.frontier import Frontier, Future
 from vrts.prove.explore.operator import Deed, Operator
 from vrts.prove.explore.outside import Outside, Way
+from vrts.prove.explore.sharing import may_differ
 from vrts.prove.explore.touches import Touches
 from vrts.prove.explore.tree import Tree
 from vrts.prove.explore.watch import Watch
@@ -173,6 +174,7 @@ class Search:
                 answers=True,
                 random=True,
                 grips=environment.misses,
+                turns=environment.turns and may_differ(self.module, entry),
             )
             watched(machine, self.executed)
             command(machine, Execute(entry))

@@ -36,10 +36,10 @@ def covered(search: Search, dead: tuple[Step, ...]) -> Covered:
 
 
 def _order(search: Search) -> tuple[str, ...]:
-    """Return in which order programs have their turns, where there may be two."""
+    """Return in which order two programs have their turns, where the environment says it."""
     programs = search.module.programs.values()
     begins = any(isinstance(i, ir.StartProcess) for p in programs for i in p.instructions)
-    if not begins:
+    if not begins or search.environment.turns:
         return ()
     return ("in each tick the robot program has its turn before the process control program",)
 
@@ -78,6 +78,10 @@ def _others(search: Search, kinds: set[Kind]) -> list[str]:
     if Kind.ANSWER in kinds and answers.numbers and not answers.sampled:
         first, last = answers.numbers[0], answers.numbers[-1]
         found.append(f"answers to PROMPT: every whole number from {first:g} to {last:g}")
+    if Kind.TURN in kinds:
+        found.append(
+            "two programs: either has its turn first, in every tick in which it may matter"
+        )
     if len(environment.speeds) > 1:
         speeds = ", ".join(f"{speed:g}" for speed in environment.speeds)
         found.append(f"monitor speed: {speeds} %, one for a whole future")

@@ -22,7 +22,7 @@ def scenario_of(environment: Environment, story: Iterable[Decided], tick_s: floa
     base = environment.scenario
     speed = environment.speeds[0]
     inputs, faults, acts = list(base.inputs), list(base.faults), list(base.operator)
-    answers, draws = list(base.answers), list(base.draws)
+    answers, draws, turns = list(base.answers), list(base.draws), list(base.process_first)
     for decided in story:
         time_s = round(max(decided.time_s - EARLIER * tick_s, 0.0), DIGITS)
         match decided.what, decided.value:
@@ -38,6 +38,8 @@ def scenario_of(environment: Environment, story: Iterable[Decided], tick_s: floa
                 acts.append(Act(time_s, Deed(deed)))
             case What.AGAIN, _:
                 acts.append(Act(time_s, Deed.EXECUTE, environment.again.parts))
+            case What.TURN, _:
+                turns.append(time_s)
             case What.SPEED, float(percent):
                 speed = percent
             case _:
@@ -49,6 +51,7 @@ def scenario_of(environment: Environment, story: Iterable[Decided], tick_s: floa
         faults=tuple(sorted(faults, key=_fault)),
         operator=tuple(sorted(acts, key=_act)),
         draws=tuple(draws),
+        process_first=tuple(sorted(turns)),
         monitor_speed=speed,
     )
 

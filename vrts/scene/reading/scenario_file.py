@@ -39,6 +39,9 @@ millimetres, angles in degrees, times in seconds of simulated time, speeds in pe
     [random]
     draws = [0.5, 0.25]                 # what RANDOM draws first; then the seed decides
 
+    [programs]                          # in the tick that follows, the process control program
+    process_first_s = [1.2]             # has its turn before the robot program
+
     [limits]
     statements = 2_000_000
     time_s = 600
@@ -64,7 +67,11 @@ from vrts.base.source import SourceFile, Span
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.scene.model import Act, Deed, Limits, PlannedFault, Scenario, Scene
 from vrts.scene.planned import ScenarioFile
-from vrts.scene.reading.scenario_operator import read_draws, read_operator
+from vrts.scene.reading.scenario_operator import (
+    read_draws,
+    read_operator,
+    read_turns,
+)
 from vrts.scene.reading.scenario_signals import (
     LATEST_S,
     Inputs,
@@ -120,6 +127,7 @@ def _scenario(
     faults = read_faults(top)
     operator = read_operator(top)
     draws = read_draws(top.table("random"))
+    turns = read_turns(top.table("programs"))
     limits = _limits(top.table("limits"))
     numbers = _parameters(top.table("parameters"), parameters)
     top.finish()
@@ -137,6 +145,7 @@ def _scenario(
         monitor_speed=speed,
         operator=operator,
         draws=draws,
+        process_first=turns,
     )
     return ScenarioFile(title, scenario, hashlib.sha256(source.text.encode()).hexdigest())
 

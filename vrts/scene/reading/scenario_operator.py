@@ -1,4 +1,4 @@
-"""Reads `[[operator]]` and `[random]` of a scenario: what is done, and what is drawn."""
+"""Reads `[[operator]]`, `[random]`, `[programs]` of a scenario: deeds, draws, whose turn it is."""
 
 from vrts.base.toml.reading import Table
 from vrts.scene.model import Act, Deed, Parts
@@ -6,6 +6,7 @@ from vrts.scene.reading.scenario_signals import LATEST_S, MOST_ENTRIES, check_co
 
 MOST_DRAWS = 10_000
 LARGEST_DRAW = 1.0  # of RANDOM
+MOST_TURNS = 10_000
 
 
 def read_operator(top: Table) -> tuple[Act, ...]:
@@ -26,6 +27,17 @@ def read_draws(section: Table | None) -> tuple[float, ...]:
     span = section.span_of("draws")
     few = check_count(section.problems, len(draws), MOST_DRAWS, "random numbers", span)
     return draws if few else ()
+
+
+def read_turns(section: Table | None) -> tuple[float, ...]:
+    """Return when the process control program has its turn first [s], by time."""
+    if section is None:
+        return ()
+    times = section.numbers("process_first_s", (), minimum=0.0, maximum=LATEST_S) or ()
+    section.finish()
+    span = section.span_of("process_first_s")
+    few = check_count(section.problems, len(times), MOST_TURNS, "turns of programs", span)
+    return tuple(sorted(times)) if few else ()
 
 
 def _act(table: Table) -> Act | None:

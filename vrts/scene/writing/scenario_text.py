@@ -24,6 +24,7 @@ def scenario_text(title: str, scenario: Scenario) -> str:
         *_faults(scenario),
         *_operator(scenario),
         _list("random", "draws", [_number(draw) for draw in scenario.draws]),
+        _list("programs", "process_first_s", [_number(time) for time in scenario.process_first]),
         _limits(scenario.limits),
         _parameters(scenario),
     ]

@@ -59,11 +59,50 @@ def test_a_wait_for_an_input_is_no_deadlock() -> None:
     assert "inputs for which a program waits come eventually" in proof.covered.assumed
 
 
-def test_the_order_of_two_programs_in_a_tick_is_said_to_be_granted() -> None:
+BESIDE = """\
+PCEXECUTE beside
+DELAY 0.5
+BREAK
+SIGNAL 2001
+WAIT
+SIGNAL 2002
+BREAK
+.END
+.PROGRAM beside()
+WAIT SIG(2001)
+IF SIG(2002) THEN
+x = 1/0
+END
+"""
+
+
+def test_either_of_two_programs_may_go_on_first_in_a_tick() -> None:
+    proof = proven(BESIDE)
+    found = only(proof)
+    assert found.wrong is Wrong.ERROR
+    assert [one.what for one in found.decisions] == [What.TURN]
+    (time_s,) = found.scenario.process_first
+    assert found.decisions[0].time_s - ALONE.robot.arm.tick < time_s < found.decisions[0].time_s
+    said = proof.covered.quantified
+    assert any(line.startswith("two programs: either has its turn first") for line in said)
+
+
+def test_an_environment_may_say_which_program_goes_on_first() -> None:
+    proof = proven(BESIDE, Environment(turns=False))
+    assert proof.answer is Answer.HOLDS
     order = "in each tick the robot program has its turn before the process control program"
-    beside = ".END\n.PROGRAM beside()\nSIGNAL 2001\n"
-    assert order in proven(f"PCEXECUTE beside\nWAIT SIG(2001)\n{beside}").covered.assumed
-    assert order not in proven("READY\n").covered.assumed
+    assert order in proof.covered.assumed
+
+
+def test_what_is_begun_may_go_on_in_the_same_tick_or_in_the_next() -> None:
+    looks = ".END\n.PROGRAM beside()\nIF SIG(-2001) THEN\nx = 1/0\nEND\n"
+    found = only(proven(f"PCEXECUTE beside\nSIGNAL 2001\nWAIT\nSIGNAL -2001\n{looks}"))
+    assert [one.what for one in found.decisions] == [What.TURN]
+
+
+def test_programs_that_share_nothing_have_no_order() -> None:
+    apart = "PCEXECUTE beside\nMOVE a\nREADY\n.END\n.PROGRAM beside()\nSIGNAL 3\n"
+    assert proven(apart).covered.decisions == 0
 
 
 def test_a_wait_that_nothing_may_end_is_a_deadlock() -> None:

@@ -49,6 +49,7 @@ FULL = Scenario(
         Act(19.0, Deed.EXECUTE, Parts.TAKEN),
     ),
     draws=(0.0, 0.9999),
+    process_first=(0.5, 1.25),
 )
 
 
