@@ -167,7 +167,8 @@ def test_a_future_that_goes_wrong_links_to_its_scenario(tmp_path: Path) -> None:
         client.open("a.v2", SOMETIMES)
         finding = the("V560", client.diagnostics("a.v2", has("V560", "for some inputs: robot")))
         (link,) = finding["relatedInformation"]
-        file = Path(unquote(urlsplit(link["location"]["uri"]).path))
+        uri: str = link["location"]["uri"]
+        file = Path(unquote(urlsplit(uri).path))
         assert "signal = 1001" in file.read_text("utf-8")
         assert f"`vrts verify a.v2 --scenario {file}`" in link["message"]
         (kept,) = client.about("codeAction", "a.v2", range=WHOLE, context={"diagnostics": []})
