@@ -2185,6 +2185,8 @@ PATCHES: tuple[Patch, ...] = (
         "            if (suspect.wrong, suspect.what[:2]) not in shown:\n",
         "            if shown is not None:\n",
         ("tests/property/test_planted.py",),
+    ),
+    Patch(
         "the order of two programs is never free",
         "vrts/prove/explore/search.py",
         "turns=environment.turns and may_differ(self.module, entry),",
