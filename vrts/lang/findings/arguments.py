@@ -11,12 +11,14 @@ from vrts.lang.meaning.roles import role_of
 from vrts.lang.meaning.scope import Entry, Place
 from vrts.lang.meaning.type_mistakes import NAME, NUMBER
 from vrts.lang.names import key
+from vrts.lang.problems import Problems
 from vrts.lang.syntax.expressions import Element, Item, Name, Number, Parenthesised, Text
 from vrts.lang.syntax.program import Formal, ProgramText
 from vrts.lang.syntax.statements import CallStatement
 
 ARGUMENT_COUNT = Rule("V207", "argument-count")
 ARGUMENT_TYPE = Rule("V208", "argument-type")
+VALUE_LOST = Rule("V269", "value-lost")
 
 _MISMATCH = "VAL-II says *Program argument mismatch*"
 _WORDS = {
@@ -69,8 +71,51 @@ def check_arguments(
                 fix=wrong.fix,
             )
             return
+    _by_value(resolver, caller, node, program)
     if len(node.arguments) < len(program.formals) and not problems.dialect.tolerant:
         _too_few(resolver, node, program)
+
+
+def _by_value(
+    resolver: Resolver, caller: ProgramText, node: CallStatement, program: ProgramText
+) -> None:
+    """Warn of `CALL measure((h))`, where the program gives its argument a value."""
+    if resolver.dialect.tolerant:
+        return  # there it is the way to protect a variable
+    formals = resolver.scope.formals[program.name]
+    for argument, formal in zip(node.arguments, program.formals, strict=False):
+        inner = argument
+        while isinstance(inner, Parenthesised):
+            inner = inner.inner
+        if inner is argument or not isinstance(inner, Name | Element) or not formal.name.text:
+            continue
+        entry = formals[key(formal.name.text)]
+        if not entry.writes or _reads_first(resolver.problems, entry):
+            continue  # that it may change for itself
+        name = inner if isinstance(inner, Name) else inner.name
+        kept = resolver.scope.entry(caller.name, key(name.text))
+        if kept.passed or not any(start > node.end for start, _ in kept.reads):
+            continue  # nothing waits for it
+        problems = resolver.problems
+        written = problems.source.text[inner.start : inner.end]
+        assert argument is not None
+        problems.warning(
+            VALUE_LOST,
+            f"`{written}` does not get the value that `{program.name}` gives to its argument",
+            argument.start,
+            argument.end,
+            "in parentheses its value is passed, and not the variable",
+            secondary=(problems.label(*min(entry.writes), "given a value here"),),
+            help=(f"leave the parentheses out: write `{written}`",),
+            fix=problems.replace(argument.start, argument.end, written),
+        )
+
+
+def _reads_first(problems: Problems, entry: Entry) -> bool:
+    """Whether a program reads its argument before it gives it a value, as in `n = n+1`."""
+    text = problems.source.text
+    end = text.find("\n", min(entry.writes)[0])
+    return any(start < (end if end >= 0 else len(text)) for start, _ in entry.reads)
 
 
 def _too_many(resolver: Resolver, node: CallStatement, program: ProgramText) -> None:
@@ -252,9 +297,10 @@ def swapped(
     for formal, argument in zip(program.formals, reversed(node.arguments), strict=True):
         if argument is None or not formal.name.text or formal.array:
             return ""
-        if formals[key(formal.name.text)].type is not type_of_argument(
-            resolver, caller.name, argument
-        ):
+        found = type_of_argument(resolver, caller.name, argument)
+        wanted = formals[key(formal.name.text)].type
+        open_ = found is Type.DYNAMIC and isinstance(argument, Name | Element)
+        if wanted is not found and not (open_ and wanted in (Type.REAL, Type.POSE)):
             return ""
     first, second = (text[a.start : a.end] for a in node.arguments if a is not None)
     return f"CALL {node.program.text}({second}, {first})"

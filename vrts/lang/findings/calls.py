@@ -3,12 +3,22 @@
 from collections.abc import Iterator
 
 from vrts.base.diagnostic import Rule
+from vrts.lang.findings.arguments import ARGUMENT_COUNT
 from vrts.lang.meaning.name_uses import KEYWORD_AS_NAME
 from vrts.lang.meaning.resolve import Resolver
+from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
+from vrts.lang.syntax.expressions import Name
 from vrts.lang.syntax.program import ProgramText
-from vrts.lang.syntax.statements import CallNamed, CallStatement, Rest, Simple, Statement
+from vrts.lang.syntax.statements import (
+    CallNamed,
+    CallStatement,
+    ReactStatement,
+    Rest,
+    Simple,
+    Statement,
+)
 from vrts.lang.vocabulary.lookup import instructions_of
 
 NO_ERROR_PROGRAM = Rule("V244", "no-error-program")
@@ -27,6 +37,34 @@ def named_as_word(resolver: Resolver, program: ProgramText) -> None:
         program.end,
         help=("choose another name",),
     )
+
+
+def check_reactions(problems: Problems, scope: Scope) -> None:
+    """Warn of programs with arguments that REACT or REACTI names: nothing gives them values."""
+    if problems.dialect.tolerant:
+        return
+    for node in _statements(list(scope.programs.values())):
+        name = node.operands[1] if isinstance(node, ReactStatement) and node.operands[1:] else None
+        program = scope.programs.get(key(name.text)) if isinstance(name, Name) else None
+        if program is None or not program.formals or not program.sound:
+            continue
+        assert isinstance(node, ReactStatement)
+        assert isinstance(name, Name)
+        formals = [scope.formals[program.name].get(key(f.name.text)) for f in program.formals]
+        if not any(f is not None and f.reads and not f.writes and not f.asked for f in formals):
+            continue
+        problems.warning(
+            ARGUMENT_COUNT,
+            f"{node.word} calls `{program.name}` without arguments, and it takes some",
+            name.start,
+            name.end,
+            secondary=(problems.label(program.start, program.end, "the program begins here"),),
+            notes=("an argument left out has no value: the controller stops where it is used",),
+            help=(
+                f"leave the arguments out of its header: `.PROGRAM {program.name}()`",
+                "all programs know the same variables: give one a value before, and use it there",
+            ),
+        )
 
 
 def check_error_returns(problems: Problems, programs: list[ProgramText]) -> None:

@@ -9,6 +9,7 @@ from vrts.lang.meaning.roles import role_of
 from vrts.lang.meaning.scope import Entry, Place
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Expression, FormatItem, Infix, Item, Name
+from vrts.lang.syntax.statements import Simple
 
 REAL_AND_LOCATION = Rule("V201", "real-and-location")
 ARRAY_AND_SCALAR = Rule("V213", "array-and-scalar")
@@ -87,6 +88,8 @@ def _wrong_one(resolver: Resolver, entry: Entry) -> tuple[Type, Place, bool]:
     given_number, given_location = (entry.given.get(kind) for kind in (Type.REAL, Type.POSE))
     if given_location is not None and given_number is None:
         return Type.REAL, number, True
+    if given_number is not None and given_location is None and _only_asked(resolver, entry):
+        return Type.REAL, given_number, True  # PROMPT alone takes it for a number
     if given_number is not None and given_location is None:
         return Type.POSE, location, True
     if given_number is not None and given_location is not None:
@@ -96,6 +99,13 @@ def _wrong_one(resolver: Resolver, entry: Entry) -> tuple[Type, Place, bool]:
             return Type.POSE, given_location, True
     later = Type.REAL if number > location else Type.POSE
     return later, entry.types[later], False
+
+
+def _only_asked(resolver: Resolver, entry: Entry) -> bool:
+    """Whether PROMPT alone takes a name for a number: `PROMPT "Where? ", goal`, `MOVE goal`."""
+    role = role_of(resolver.scope.programs.values(), entry.types[Type.REAL])
+    asked = role is not None and isinstance(role.step, Simple) and role.step.word == "PROMPT"
+    return asked and len(entry.writes) == 1
 
 
 def _remedy(resolver: Resolver, wrong: Type, at: Place, known: bool) -> Remedy:
@@ -116,6 +126,9 @@ def _remedy(resolver: Resolver, wrong: Type, at: Place, known: bool) -> Remedy:
 def _array_and_scalar(resolver: Resolver, entry: Entry, array: Place, scalar: Place) -> None:
     problems = resolver.problems
     first, second = sorted((array, scalar), key=lambda place: (_in_program(resolver, place), place))
+    given = _given_without_index(resolver, entry)
+    if given is not None:  # and read with one: an element is meant there
+        first, second = array, given
     help_ = f"write an index, as in `{entry.name}[1]`, or give one of them another name"
     if entry.type is Type.STRING:
         help_ = f"`$MID({entry.name}, 1, 1)` takes a character out of a string; "
@@ -128,6 +141,20 @@ def _array_and_scalar(resolver: Resolver, entry: Entry, array: Place, scalar: Pl
         help=(help_,),
         data={"name": entry.name},
     )
+
+
+def _given_without_index(resolver: Resolver, entry: Entry) -> Place | None:
+    """Return where an array that is read by its index is given one value, and no element is."""
+    text = resolver.problems.source.text
+    if entry.type is Type.STRING:
+        return None  # a character of it is meant
+    if entry.passed or entry.asked or len(entry.values) != len(entry.writes) or not entry.values:
+        return None
+    indexed = all(text[start:end].rstrip().endswith("]") for start, end in entry.reads)
+    if not entry.reads or not indexed or len(entry.writes) > 1:
+        return None
+    place = entry.writes[0]
+    return place if _in_program(resolver, place) else None
 
 
 def _in_program(resolver: Resolver, place: Place) -> bool:

@@ -8,6 +8,7 @@ from vrts.lang.findings.endless import LoopCheck
 from vrts.lang.findings.lost_speeds import check_speeds
 from vrts.lang.findings.motion_habits import check_motion
 from vrts.lang.findings.terminal_habits import check_terminal
+from vrts.lang.findings.values.begun_anew import check_begun_anew
 from vrts.lang.findings.ways.branches import check_branches
 from vrts.lang.findings.ways.breaks import check_breaks
 from vrts.lang.findings.ways.counting import CountingCheck
@@ -63,6 +64,8 @@ def check_habits(
             counting.check(program, found)
             check_values(problems, program, found)
             check_breaks(problems, program, found)
+            if alone:
+                check_begun_anew(problems, scope, program, found, changed_by)
         if alone:
             loops.check(program, [block for block in found if block not in empty])
 

@@ -103,6 +103,7 @@ def a_number_is_wanted(problems: Problems, role: Role, type_of: TypeOf) -> Remed
             "PROMPT reads numbers and strings",
             (
                 'read into a variable with a name of its own, as in `PROMPT "Height: ", height`',
+                f"and make the location of it: `SET {name} = TRANS(x, y, height, 90, 90, 0)`",
                 f"`HERE {name}` keeps where the arm stands",
             ),
         )

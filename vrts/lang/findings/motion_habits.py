@@ -1,22 +1,36 @@
 """Motions and speeds that a controller refuses or changes, seen without a run."""
 
 from vrts.base.diagnostic import Rule
+from vrts.lang.findings.values.complaints import OPERAND_RANGE
 from vrts.lang.meaning.constants import constant
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.problems import Problems
 from vrts.lang.syntax.program import ProgramText
-from vrts.lang.syntax.statements import Simple, SpeedStatement, Statement
+from vrts.lang.syntax.statements import Setting, Simple, SpeedStatement, Statement
 
 SPEED_RANGE = Rule("V226", "speed-range")
 STRAIGHT_FROM_READY = Rule("V228", "straight-from-ready")
+STRAIGHT_TURNS_ARM = Rule("V267", "straight-turns-arm")
 
 FULL_SPEED = 100.0  # [%] what is above acts as this [assumed, manual language/settings#speed-limit]
+_MOST = {1: 320.0, 2: 450.0, 3: 270.0, 4: 532.0, 5: 200.0, 6: 600.0}
+# [deg] from one end of a joint to the other, of the arm of the family where that is most
+_ARMS = {  # settings of the arm branch, and what they choose
+    "LEFTY": "shoulder",
+    "RIGHTY": "shoulder",
+    "ABOVE": "elbow",
+    "BELOW": "elbow",
+    "FLIP": "wrist",
+    "NOFLIP": "wrist",
+}
 _STRAIGHT = frozenset({"MOVES", "MOVEST", "APPROS", "DEPARTS", "DRAW"})
 _JOINT = frozenset({"MOVE", "MOVET", "APPRO", "DEPART", "DRIVE", "ALIGN"})
 
 
 def check_motion(problems: Problems, scope: Scope, program: ProgramText) -> None:
-    """Warn of speeds out of range, and of straight lines out of READY."""
+    """Warn of speeds out of range, of straight lines out of READY, and of turns too far."""
+    if not problems.dialect.tolerant:
+        _check_branches(problems, program)
     ready: Simple | None = None  # the READY that the arm stands in for sure
     for step in program.steps:
         node = step.statement
@@ -26,6 +40,8 @@ def check_motion(problems: Problems, scope: Scope, program: ProgramText) -> None
         if step.label is not None or not isinstance(node, Simple):
             ready = ready if _keeps_still(node) and step.label is None else None
         if isinstance(node, Simple):
+            if node.word == "DRIVE" and not problems.dialect.tolerant:
+                _drive(problems, scope, program, node)
             if node.word == "READY":
                 ready = node
             elif node.word in _STRAIGHT and ready is not None:
@@ -33,6 +49,69 @@ def check_motion(problems: Problems, scope: Scope, program: ProgramText) -> None
                 ready = None
             elif node.word in _JOINT:
                 ready = None
+
+
+def _check_branches(problems: Problems, program: ProgramText) -> None:
+    """Warn of `RIGHTY`, `MOVES part` below `LEFTY`, `MOVE a`: a straight line keeps the branch."""
+    settled: dict[str, Setting] = {}  # the branch that the arm is in for sure
+    wanted: dict[str, Setting] = {}
+    for step in program.steps:
+        node = step.statement
+        simple = isinstance(node, Simple)
+        if step.label is not None or not (
+            simple or isinstance(node, Setting) or _keeps_still(node)
+        ):
+            settled, wanted = {}, {}
+        if isinstance(node, Setting) and node.word in _ARMS:
+            wanted[_ARMS[node.word]] = node
+        elif isinstance(node, Simple) and node.word in ("READY", "DRIVE"):
+            settled = {}
+        elif isinstance(node, Simple) and node.word in _JOINT:
+            settled.update(wanted)
+        elif isinstance(node, Simple) and node.word in _STRAIGHT:
+            for part, setting in wanted.items():
+                before = settled.get(part)
+                if before is not None and before.word != setting.word:
+                    _turned(problems, node, part, before, setting)
+                    settled, wanted = {}, {}
+                    break
+
+
+def _turned(problems: Problems, node: Simple, part: str, before: Setting, setting: Setting) -> None:
+    joint = {"MOVES": "MOVE", "MOVEST": "MOVET", "APPROS": "APPRO", "DEPARTS": "DEPART"}
+    word = joint.get(node.word)
+    problems.warning(
+        STRAIGHT_TURNS_ARM,
+        f"{node.word} cannot turn the {part} from {before.word} to {setting.word}",
+        node.start,
+        node.end,
+        "a straight line",
+        secondary=(problems.label(setting.start, setting.end, "asks for the other side"),),
+        notes=("the arm passes from one side to the other in joint motion only",),
+        help=(f"write {word} for this motion" if word else "go to a location by MOVE first",),
+        fix=problems.replace(node.start, node.start + len(node.word), word)
+        if word and problems.source.text[node.start : node.end].upper().startswith(node.word)
+        else None,
+    )
+
+
+def _drive(problems: Problems, scope: Scope, program: ProgramText, node: Simple) -> None:
+    """`DRIVE 5, 250, 40`: farther than the joint turns at all."""
+    joint, change = (*node.operands, None, None)[:2]
+    number, by = constant(scope, program.name, joint), constant(scope, program.name, change)
+    most = _MOST.get(round(number)) if number is not None else None
+    if change is None or most is None or by is None or abs(by) <= most:
+        return
+    assert number is not None
+    problems.warning(
+        OPERAND_RANGE,
+        f"joint {number:g} cannot turn by {by:g} degrees",
+        change.start,
+        change.end,
+        f"from end to end it turns {most:g} degrees at most",
+        notes=("DRIVE takes the joint, the change in degrees, and the speed in percent",),
+        help=(f"write a smaller change, as in `DRIVE {number:g}, {most / 8:g}, 50`",),
+    )
 
 
 def _keeps_still(node: Statement | None) -> bool:

@@ -10,7 +10,7 @@ from itertools import pairwise
 from vrts.base.diagnostic import Rule
 from vrts.lang.meaning.forms import is_text
 from vrts.lang.problems import Problems
-from vrts.lang.syntax.expressions import Application, FormatItem, Item, Text
+from vrts.lang.syntax.expressions import Application, FormatItem, Item, Number, Text
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import Assignment, Simple
 
@@ -71,12 +71,33 @@ def _formats(problems: Problems, items: tuple[Item | None, ...]) -> bool:
         )
         return True
     for item, following in pairwise(items):
+        if isinstance(item, FormatItem) and isinstance(following, Number):
+            glued = problems.source.text[item.start : following.end]
+            found = _DECIMAL_COMMA.fullmatch(glued)
+            if found is not None:
+                _comma_in_format(problems, item, following, found)
+                return True
         if not isinstance(item, Text) or following is None or is_text(following):
             continue
         if len(item.value) > 1 and _QUOTED.fullmatch(item.value):
             _quoted(problems, item)
             return True
     return False
+
+
+def _comma_in_format(
+    problems: Problems, item: FormatItem, following: Number, found: re.Match[str]
+) -> None:
+    instead = f"{found['width']}.{found['digits']}"
+    problems.warning(
+        FORMAT_HABIT,
+        f"`{found['digits']}` is written as a number of its own: the comma ends the format",
+        item.start,
+        following.end,
+        notes=("a format has a point between its width and its digits",),
+        help=(f"write `{instead}`",),
+        fix=problems.replace(item.start, following.end, instead),
+    )
 
 
 def _quoted(problems: Problems, item: Text) -> None:
@@ -94,6 +115,7 @@ def _quoted(problems: Problems, item: Text) -> None:
     )
 
 
+_DECIMAL_COMMA = re.compile(r"(?P<width>/[FGE]\d+),(?P<digits>\d)", re.IGNORECASE)
 _LETTER = {"D": "I", "F": "F", "G": "G"}
 _WIDTH = {"D": "0", "F": "0.2", "G": "0.3"}  # of a format that names none
 

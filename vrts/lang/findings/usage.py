@@ -7,7 +7,7 @@ from dataclasses import replace
 from vrts.base.diagnostic import Edit, Fix, Rule
 from vrts.ir.values import Type
 from vrts.lang.findings.arguments import check_arguments
-from vrts.lang.findings.calls import check_error_returns, named_as_word
+from vrts.lang.findings.calls import check_error_returns, check_reactions, named_as_word
 from vrts.lang.findings.clashes import clash
 from vrts.lang.findings.given_texts import report_given_texts
 from vrts.lang.findings.names.jumps_by_number import mend_jumps_by_number
@@ -56,7 +56,6 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
             _without_value(resolver, entry, suggestions)
             if not resolver.problems.any_error:
                 _without_use(resolver, entry, suggestions, bodies)
-    report_untaught(resolver.problems, suggestions.untaught)
     _mend_parts(resolver, suggestions.parts)
     for program in programs:
         for step in program.steps:
@@ -71,9 +70,12 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
         named_as_word(resolver, program)
     mend_jumps_by_number(resolver, programs)
     check_error_returns(resolver.problems, programs)
+    check_reactions(resolver.problems, resolver.scope)
     for name in resolver.called:
         if key(name.text) not in resolver.scope.programs:
             _undefined_program(resolver, name, suggestions)
+    if not resolver.problems.any_error:  # which comes first: locations may be taught elsewhere
+        report_untaught(resolver.problems, suggestions.untaught)
 
 
 class _Suggestions:

@@ -20,6 +20,7 @@ from vrts.lang.syntax.expressions import (
     Item,
     Name,
     Number,
+    Parenthesised,
     Prefix,
     Variable,
 )
@@ -143,7 +144,7 @@ class Resolver(OperandTypes):
                 if condition is not None:
                     self.check(condition, Type.REAL, "IF takes a condition")
             case If(condition) | While(condition) | Until(condition):
-                if isinstance(condition, Number | Prefix):
+                if isinstance(condition, Number | Prefix | Application | Parenthesised):
                     self._ask(node)
                 self.check(condition, Type.REAL, "a condition is a number")
             case Case(selector):
@@ -351,7 +352,8 @@ class Resolver(OperandTypes):
                 reserved = self.dialect.is_as and hardly_a_name(name.text, self.dialect)
                 if name.text.lower() not in self.predefined and not reserved:
                     entry = self.scope.entry(self.program, key(name.text))
-                    entry.passed.append(Passed(callee, i, False))
+                    at = (argument.start, argument.end)
+                    entry.passed.append(Passed(callee, i, False, at))
                     entry.written_in.add(self.program)
                     entry.reads.pop()
             elif argument is not None:

@@ -18,6 +18,7 @@ class Passed(NamedTuple):
     program: str
     argument: int
     array: bool
+    at: Place = (0, 0)
 
 
 @dataclass(slots=True)

@@ -5,6 +5,7 @@ from vrts.ir.ranges import INPUTS, INTERNAL, OUTPUTS
 from vrts.lang.findings.values.comparisons import operands_of
 from vrts.lang.findings.values.complaints import NO_SUCH_SIGNAL
 from vrts.lang.findings.values.evaluate import evaluate, nothing_known
+from vrts.lang.findings.values.in_range import check_in_range
 from vrts.lang.findings.values.intervals import ANY, TRUTH
 from vrts.lang.meaning.constants import number_of
 from vrts.lang.meaning.name_uses import Asked, NameUses
@@ -22,6 +23,8 @@ _LOGICAL = (-1.0, 0.0, 1.0)  # numbers that may stand for true and false
 
 def check_condition(types: NameUses, asked: Asked, *, beside: bool) -> None:
     """Warn of a condition that asks nothing, or something else."""
+    if not types.problems.dialect.tolerant and check_in_range(types, asked):
+        return
     match asked.node:
         case Infix("OR", left, right):
             if _signals_by_number(types, asked.node):

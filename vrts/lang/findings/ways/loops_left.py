@@ -75,6 +75,8 @@ class LeavingCheck:
             if loop.test in self.reached.instructions and not self._behind(loop) and alone:
                 condition = "UNTIL n == 10" if loop.goes_on != loop.test + 1 else "WHILE n < 10 DO"
                 self._computing(loop.goes_on, loop.condition, condition)
+        for node, at in self._standing():
+            self._stands(node, at)
         for node, at in idle:
             if self._computing(at, node, f"IF n < 10 GOTO {label_key(node.label)}"):
                 self.told.update(self._stretch(at + 1))
@@ -134,6 +136,39 @@ class LeavingCheck:
                 if isinstance(jump, i.Jump) and jump.target <= at and self._is_reached(at):
                     found.append((step.statement, at))
         return found
+
+    def _standing(self) -> list[tuple[Goto, int]]:
+        """Return the jumps of steps to themselves, and their instructions."""
+        found: list[tuple[Goto, int]] = []
+        for step in self.text.steps:
+            node = step.statement
+            if step.label is None or not isinstance(node, Goto) or node.condition is not None:
+                continue
+            at = self.program.steps[step.number - 1]
+            jump = self.program.instructions[at]
+            if isinstance(jump, i.Jump) and jump.target == at and self._is_reached(at):
+                found.append((node, at))
+        return found
+
+    def _stands(self, node: Goto, at: int) -> None:
+        """Warn of `10 GOTO 10` with steps behind it that are never reached."""
+        code = self.program.instructions
+        stretch = self._stretch(at + 1)
+        lost = [behind for behind in stretch if not isinstance(code[behind], _MARKS)]
+        if not lost or isinstance(code[lost[0]], _LAST):
+            return
+        self.told.update(stretch)
+        self.problems.warning(
+            ENDLESS_LOOP,
+            "this step jumps to itself for ever: what stands behind it is never reached",
+            node.start,
+            node.end,
+            secondary=(Label(self.program.origins[lost[0]].span, "never reached"),),
+            help=(
+                "to wait for a signal write `WAIT SIG(1001)`",
+                f"or go on by a condition, as in `IF SIG(-1001) GOTO {label_key(node.label)}`",
+            ),
+        )
 
     def _is_reached(self, at: int) -> bool:
         return at in self.reached.instructions

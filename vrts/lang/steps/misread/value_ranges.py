@@ -8,6 +8,9 @@ from vrts.lang.steps.other_forms import INVALID_EXPRESSION
 MOST_VALUES = 10  # of a range that is written out
 
 _GROUP = re.compile(r"(?P<group>VALUE[ \t]+(?P<values>[^:\"]*?)[ \t]*(?::|$))(?P<rest>.*)", re.I)
+_COMPARED = re.compile(
+    r"(?P<group>VALUE[ \t]+(?:IS[ \t]+)?(?P<rest>(?:[<>]=?|<>|==)[^:\"]*?)[ \t]*(?::|$)).*", re.I
+)
 _RANGE = re.compile(
     r"(?P<first>[^,]*?[^,\s.])[ \t]*"
     r"(?:\b(?:TO|THROUGH|THRU|UNTIL|BIS)\b|\.{2,3}|(?<=\d)-(?=[ \t]*\d))"
@@ -18,6 +21,20 @@ _RANGE = re.compile(
 
 def value_range(text: str) -> Meant | None:
     """Return what is meant by a VALUE with `TO`, `..` or `-` between two ends."""
+    compared = _COMPARED.fullmatch(text)
+    if compared is not None:
+        question = f"x {compared['rest'].strip()}"
+        return Meant(
+            INVALID_EXPRESSION,
+            "VALUE takes numbers, and no comparison",
+            0,
+            compared.end("group"),
+            (
+                f"ask by IF and ELSE: `IF {question} THEN`",
+                f"or write `CASE TRUE OF`, and then `VALUE ({question}):`",
+            ),
+            notes=("VAL-II says *Illegal expression syntax*",),
+        )
     found = _GROUP.fullmatch(text)
     if found is None:
         return None

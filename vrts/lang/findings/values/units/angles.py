@@ -32,6 +32,11 @@ _ANGLES = {"sin": 0, "cos": 0, "tan": 0, "rx": 0, "ry": 0, "rz": 0, "trans": 3, 
 _TURNS = frozenset({"SIN", "COS", "TAN"})  # alone among functions they may take any number,
 _FEW_DIGITS = 3  # and with fewer behind its point it may be an angle in degrees by chance
 _VALUE = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)")
+_FROM_DEGREES = re.compile(
+    r"(?P<before>[\w.]+|\([^()]*\))[ \t]*\*[ \t]*\(?PI[ \t]*/[ \t]*180(?:\.0*)?\)?"
+    r"|\(?PI[ \t]*/[ \t]*180(?:\.0*)?\)?[ \t]*\*[ \t]*(?P<behind>[\w.]+|\([^()]*\))",
+    re.IGNORECASE,
+)
 _ROUND = 0.1  # [deg] 1.57 are 89.95 degrees, and 90 are meant
 _VALUES = 6  # of a location, and of a precision point
 
@@ -98,6 +103,14 @@ def _warn(types: NameUses, program: str | None, angles: list[Item], where: str) 
         help_ = f"write `{degrees}`"
     else:
         help_ = "leave PI out: a full turn is 360 degrees, not 2*PI"
+    given = _given_with_pi(types, program, node)
+    place = node if given is None else given
+    found = _FROM_DEGREES.fullmatch(problems.source.text[place.start : place.end])
+    fix = Fix.from_edits(_in_degrees(types, angles)) if known else None
+    if found is not None and not known:
+        degrees_of = (found["before"] or found["behind"]).strip()
+        help_ = f"angles are in degrees already: write `{degrees_of}`"
+        fix = problems.replace(place.start, place.end, degrees_of)
     problems.warning(
         RADIANS,
         f"{where} takes degrees, and this looks like radians",
@@ -106,8 +119,21 @@ def _warn(types: NameUses, program: str | None, angles: list[Item], where: str) 
         f"{value[0]:.4g} degrees" if known else "",
         notes=("a right angle is 90 degrees, a full turn 360",),
         help=(help_,),
-        fix=Fix.from_edits(_in_degrees(types, angles)) if known else None,
+        secondary=(problems.label(place.start, place.end, "given here"),)
+        if given is not None
+        else (),
+        fix=fix,
     )
+
+
+def _given_with_pi(types: NameUses, program: str | None, node: Item) -> Item | None:
+    """Return what a variable is given, where that holds PI, and the variable stands alone."""
+    while isinstance(node, Parenthesised):
+        node = node.inner
+    if not isinstance(node, Name) or not has_pi(types, program, node, follow=True):
+        return None
+    values = types.scope.entry(program, key(node.text)).values
+    return values[0] if len(values) == 1 else None
 
 
 def _in_degrees(types: NameUses, angles: list[Item]) -> list[Edit]:

@@ -1,0 +1,73 @@
+"""What students mean by steps that say something else: where it is told, and what helps."""
+
+import pytest
+
+from tests.mistakes import compiled, said
+from vrts.base.mending import edits_of, with_edits
+
+DATA = ".LOCATIONS\npick 450 -120 -250 90 90 0\nover 450 120 -100 90 90 0\n.END\n"
+MORE = """.PROGRAM put(place, height)
+APPRO place, height
+MOVES place
+.END
+.PROGRAM measure(result)
+result = DZ(HERE)
+.END
+"""
+
+
+def told(body: str) -> tuple[int, str, str, str]:
+    """Return line, headline and help of the first message, and the program after its edits."""
+    text = f".PROGRAM main\n{body}\n.END\n{MORE}{DATA}"
+    found = said(compiled(text))[0]
+    assert found.primary is not None
+    mended = with_edits(text, edits_of([found])).partition("\n.END")[0].partition("\n")[2]
+    return found.primary.span.line - 1, found.headline, "; ".join(found.help), mended
+
+
+@pytest.mark.parametrize(
+    ("body", "line", "headline", "help_"),
+    [
+        ("CALL put(60, pick)", 1, "`put`", "put(pick, 60)"),
+        ("CALL put(60, where[1])", 1, "`put`", "`place` of `put(place, height)`"),
+        ('PROMPT "Where? ", goal\nMOVE goal', 1, "`goal`", "TRANS(x, y, height, 90, 90, 0)"),
+        ("t = 5\nTYPE t[1], t[2]", 1, "`t`", "`t[1]`"),
+        ("CASE TIMER(1) OF\nVALUE > 50:\nREADY\nEND", 2, "no comparison", "`IF x > 50 THEN`"),
+        ("10 GOTO 10\nREADY", 1, "for ever", "`WAIT SIG(1001)`"),
+        ("DRIVE 5, 250, 40", 1, "250 degrees", "smaller"),
+        ("FOR i = 0 TO 2\nz[i+1] = i\nEND\nTYPE z[0]", 4, "`z[0]`", "`z[1]` to `z[3]`"),
+        ("FOR i = 1 TO 3\nz[i] = i\nEND\nFOR i = 0 TO 2\nTYPE z[i]\nEND", 4, "z[0]", "i = 1 TO 3"),
+    ],
+)
+def test_the_first_message_names_the_cause(body: str, line: int, headline: str, help_: str) -> None:
+    at, said_, helps, _ = told(body)
+    assert (at, headline in said_, help_ in helps) == (line, True, True), (said_, helps)
+
+
+@pytest.mark.parametrize(
+    ("body", "mended"),
+    [
+        ("CALL measure((h))\nTYPE h", "CALL measure(h)\nTYPE h"),
+        ("IF INRANGE(pick) THEN\nMOVE pick\nEND", "IF INRANGE(pick) == 0 THEN\nMOVE pick\nEND"),
+        ("TYPE /F7,2, TIMER(1)", "TYPE /F7.2, TIMER(1)"),
+        ("LEFTY\nMOVE pick\nRIGHTY\nMOVES over", "LEFTY\nMOVE pick\nRIGHTY\nMOVE over"),
+        ("a = 3\nr = a*PI/180\nTYPE COS(r)", "a = 3\nr = a\nTYPE COS(r)"),
+    ],
+)
+def test_the_edit_makes_what_was_meant(body: str, mended: str) -> None:
+    assert told(body)[3] == mended
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "FOR i = 1 TO 3\nz[i] = i\nEND\nIF SIG(1001) GOTO 5\nTYPE z[9]\n5 READY",
+        "FOR i = 1 TO 3\nz[i] = i\nEND\nIF SIG(1001) THEN\nRETURN\nEND\nTYPE z[3]",
+        "10 READY\nIF SIG(1001) GOTO 10",
+        "LEFTY\nMOVE pick\nRIGHTY\nAPPRO over, 50\nMOVES over",
+        "n = 0\nDO\nn = 0\nIF SIG(1001) THEN\nn = 4\nEND\nn = n+1\nUNTIL n == 5",
+    ],
+)
+def test_what_is_right_is_left_alone(body: str) -> None:
+    text = f".PROGRAM main\n{body}\n.END\n{DATA}"
+    assert said(compiled(text)) == []
