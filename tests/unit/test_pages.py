@@ -1,14 +1,11 @@
 """Every rule has its page, every page its rule; the examples of the language trigger their code."""
 
-import ast
 import re
-from functools import cache
 from importlib.resources import files
-from pathlib import Path
 
 import pytest
 
-import vrts
+from tests.unit.rules import of_programs, rules
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
 from vrts.lang.compiler import Options, compile_source
@@ -16,7 +13,6 @@ from vrts.lang.dialect import DIALECTS, VAL2
 from vrts.lang.reading.decoding import decode
 from vrts.lang.typed.execute_line import parse_command
 
-PACKAGE = Path(vrts.__file__).parent
 PAGES = files("vrts").joinpath("pages")
 TITLE = re.compile(r"# (V\d{3}) ([a-z0-9-]+)\n")
 FENCE = re.compile(r"```([\w+]+)\n(.*?)\n```", re.DOTALL)
@@ -31,19 +27,6 @@ BYTES = {
 }
 # What cannot but come along: such examples are long lines, or many faults.
 ALONG = {"V113": {"V106"}, "V114": {"V106"}, "V151": {"V120"}}
-
-
-@cache
-def rules() -> dict[str, list[str]]:
-    """Return the slugs of every `Rule("Vnnn", "slug")` in the package, by code."""
-    found: dict[str, list[str]] = {}
-    for path in sorted(PACKAGE.rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
-                values = [a.value for a in node.args if isinstance(a, ast.Constant)]
-                if node.func.id == "Rule" and len(values) == 2:
-                    found.setdefault(str(values[0]), []).append(str(values[1]))
-    return found
 
 
 def pages() -> dict[str, str]:
@@ -68,15 +51,11 @@ def test_page_has_title_and_example(code: str) -> None:
     title = TITLE.match(text)
     assert title is not None
     assert title[1] == code
-    assert rules()[code] == [title[2]]
+    assert [slug for slug, _ in rules()[code]] == [title[2]]
     assert FENCE.search(text)
 
 
-def in_language(code: str) -> bool:
-    return (code.startswith("V1") and not code.startswith("V19")) or "V200" <= code < "V250"
-
-
-@pytest.mark.parametrize("code", [c for c in sorted(pages()) if in_language(c)])
+@pytest.mark.parametrize("code", [c for c in sorted(pages()) if of_programs(c)])
 def test_example_triggers_the_code(code: str) -> None:
     example = FENCE.search(pages()[code])
     assert example is not None

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import pytest
 
+from tests.unit.rules import of_runs
 from vrts.base.source import SourceFile
 from vrts.check.verdicts.limits import check_limits
 from vrts.engine.controller import execute
@@ -46,7 +47,7 @@ def examples() -> dict[str, Example]:
         program, scenario, scene = (p.search(text) for p in (EXAMPLE, SCENARIO, SCENE))
         if code in OF_FUTURES:
             continue
-        if program and ("V250" <= code < "V400" or "V500" <= code < "V600"):
+        if program and of_runs(code):
             found[code] = Example(
                 program[1],
                 program[2],
