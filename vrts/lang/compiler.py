@@ -14,6 +14,7 @@ from vrts.lang.dialect import VAL2, Dialect, Precedence
 from vrts.lang.findings.flow import check_jumps, check_process_programs, check_reachable
 from vrts.lang.findings.habits import check_habits
 from vrts.lang.findings.names.elements import check_elements
+from vrts.lang.findings.names.internal_signals import check_internal_signals
 from vrts.lang.findings.remarks import check_remarks
 from vrts.lang.findings.usage import check_usage
 from vrts.lang.findings.values.check import ValueCheck
@@ -229,6 +230,7 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
     check_habits(problems, scope, programs, blocks_of, values.changed_by, alone=not values.beside)
     if not problems.any_error:
         check_elements(problems, scope, programs, blocks_of, data)
+        check_internal_signals(problems, scope, programs)
     by_start = {section.header.start: section for section in headed}
     held = bool(data) or len(sections) < len(written)  # values, or remarks kept as a program
     stored = held and (dialect.is_as or problems.source.name.lower().endswith(DATA_SUFFIXES))

@@ -36,6 +36,13 @@ def told(body: str) -> tuple[int, str, str, str]:
         ("10 GOTO 10\nREADY", 1, "for ever", "`WAIT SIG(1001)`"),
         ("DRIVE 5, 250, 40", 1, "250 degrees", "smaller"),
         ("FOR i = 0 TO 2\nz[i+1] = i\nEND\nTYPE z[0]", 4, "`z[0]`", "`z[1]` to `z[3]`"),
+        ("DRAW 0,0,12,5", 1, "decimal", "point"),
+        ("MOVES SHIFT(pick BY 0,0,12,5)", 1, "5 given", "`SHIFT(pick BY 0,0,12.5)`"),
+        ("IF HERE == pick THEN\nREADY\nEND", 1, "`==`", "`DISTANCE(HERE, pick) < 1`"),
+        ("WHILE pick <> HERE DO\nEND", 1, "`<>`", "`DISTANCE(pick, HERE) > 1`"),
+        ("z[1] = 1\nTYPE LEN(z)", 2, "LEN", "nothing counts the elements"),
+        ("SET p = pick, 2\nMOVE p", 1, "one value", "SHIFT(pick BY dx, dy, dz)"),
+        ("WAIT SIG(2001)\nSIGNAL 2002", 1, "internal signal 2001", "`2002`"),
         ("FOR i = 1 TO 3\nz[i] = i\nEND\nFOR i = 0 TO 2\nTYPE z[i]\nEND", 4, "z[0]", "i = 1 TO 3"),
     ],
 )
@@ -51,6 +58,16 @@ def test_the_first_message_names_the_cause(body: str, line: int, headline: str, 
         ("IF INRANGE(pick) THEN\nMOVE pick\nEND", "IF INRANGE(pick) == 0 THEN\nMOVE pick\nEND"),
         ("TYPE /F7,2, TIMER(1)", "TYPE /F7.2, TIMER(1)"),
         ("LEFTY\nMOVE pick\nRIGHTY\nMOVES over", "LEFTY\nMOVE pick\nRIGHTY\nMOVE over"),
+        ("IF TIMER(1) > 2,5 THEN\nEND", "IF TIMER(1) > 2.5 THEN\nEND"),
+        (
+            "SET p = TRANS(450,5, -120,5, 0, 90, 90, 0)\nMOVE p",
+            "SET p = TRANS(450.5, -120.5, 0, 90, 90, 0)\nMOVE p",
+        ),
+        ("GRASP 12,5", "GRASP 12.5"),
+        ("CALL put(pick, 12,5)", "CALL put(pick, 12.5)"),
+        ("x = 1.200,5\nTYPE x", "x = 1200.5\nTYPE x"),
+        ("CASE TIMER(1) OF\nVALUE 4-6:\nEND", "CASE TIMER(1) OF\nVALUE 4, 5, 6:\nEND"),
+        ("CASE TIMER(1) OF\nVALUE 1 OR 2:\nEND", "CASE TIMER(1) OF\nVALUE 1, 2:\nEND"),
         ("a = 3\nr = a*PI/180\nTYPE COS(r)", "a = 3\nr = a\nTYPE COS(r)"),
     ],
 )
@@ -71,3 +88,15 @@ def test_the_edit_makes_what_was_meant(body: str, mended: str) -> None:
 def test_what_is_right_is_left_alone(body: str) -> None:
     text = f".PROGRAM main\n{body}\n.END\n{DATA}"
     assert said(compiled(text)) == []
+
+
+def test_a_list_of_whole_numbers_has_no_certain_decimal_comma() -> None:
+    """`400,100,50,90,90,0,0`: any of the commas may be surplus."""
+    body = "SET q = TRANS(400,100,50,90,90,0,0)\nMOVE q"
+    assert told(body)[3] == body
+
+
+def test_a_value_lost_is_told_once() -> None:
+    """A variable that gets no value for its parentheses is not told to have none, too."""
+    text = f".PROGRAM main\nCALL measure((h))\nTYPE h\n.END\n{MORE}{DATA}"
+    assert [d.rule.code for d in said(compiled(text))] == ["V269"]

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Fix, Label, Rule, Severity
 from vrts.ir.values import Type
+from vrts.lang.decimal_commas import likeliest
 from vrts.lang.findings.mixed_kinds import kind_of_number
 from vrts.lang.meaning.agreement import type_of_argument
 from vrts.lang.meaning.resolve import Resolver
@@ -99,6 +100,7 @@ def _by_value(
         problems = resolver.problems
         written = problems.source.text[inner.start : inner.end]
         assert argument is not None
+        resolver.bad_names.add(kept.name)  # this is why it has no value
         problems.warning(
             VALUE_LOST,
             f"`{written}` does not get the value that `{program.name}` gives to its argument",
@@ -124,6 +126,10 @@ def _too_many(resolver: Resolver, node: CallStatement, program: ProgramText) -> 
     text = problems.source.text
     kept = ", ".join(text[a.start : a.end] if a is not None else "" for a in node.arguments[:taken])
     call = f"CALL {node.program.text}({kept})" if taken else f"CALL {node.program.text}"
+    help_ = f"leave {given - taken} of them out: write `{call}`"
+    pointed = likeliest(text[node.start : node.end], given - taken)
+    if pointed:
+        help_ = f"a comma is no decimal sign: write a point, as in `{pointed.text}`"
     problems.error(
         ARGUMENT_COUNT,
         f"`{program.name}` takes {taken or 'no'} argument{'' if taken == 1 else 's'}, "
@@ -132,7 +138,10 @@ def _too_many(resolver: Resolver, node: CallStatement, program: ProgramText) -> 
         node.end,
         secondary=(_header(resolver, program),),
         notes=(_MISMATCH,),
-        help=(f"leave {given - taken} of them out: write `{call}`",),
+        help=(help_,),
+        fix=problems.replace(node.start, node.end, pointed.text, sure=pointed.sure)
+        if pointed
+        else None,
         severity=_at_the_call(resolver),
     )
 

@@ -125,6 +125,8 @@ def _remedy(resolver: Resolver, wrong: Type, at: Place, known: bool) -> Remedy:
 
 def _array_and_scalar(resolver: Resolver, entry: Entry, array: Place, scalar: Place) -> None:
     problems = resolver.problems
+    if problems.source.line_of(scalar[0]) in resolver.wrong_lines:
+        return  # `LEN(values)`: said there
     first, second = sorted((array, scalar), key=lambda place: (_in_program(resolver, place), place))
     given = _given_without_index(resolver, entry)
     if given is not None:  # and read with one: an element is meant there

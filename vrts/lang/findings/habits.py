@@ -11,6 +11,7 @@ from vrts.lang.findings.terminal_habits import check_terminal
 from vrts.lang.findings.values.begun_anew import check_begun_anew
 from vrts.lang.findings.ways.branches import check_branches
 from vrts.lang.findings.ways.breaks import check_breaks
+from vrts.lang.findings.ways.case_groups import check_groups
 from vrts.lang.findings.ways.counting import CountingCheck
 from vrts.lang.findings.ways.repeated_values import check_values
 from vrts.lang.meaning.constants import constant, number_of
@@ -61,6 +62,7 @@ def check_habits(
             check_speeds(problems, program)
             check_terminal(problems, program)
             empty = check_branches(problems, program, found)
+            check_groups(problems, program)
             counting.check(program, found)
             check_values(problems, program, found)
             check_breaks(problems, program, found)

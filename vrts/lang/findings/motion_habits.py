@@ -11,6 +11,7 @@ from vrts.lang.syntax.statements import Setting, Simple, SpeedStatement, Stateme
 SPEED_RANGE = Rule("V226", "speed-range")
 STRAIGHT_FROM_READY = Rule("V228", "straight-from-ready")
 STRAIGHT_TURNS_ARM = Rule("V267", "straight-turns-arm")
+ARM_WORD_LOST = Rule("V272", "arm-word-lost")
 
 FULL_SPEED = 100.0  # [%] what is above acts as this [assumed, manual language/settings#speed-limit]
 _MOST = {1: 320.0, 2: 450.0, 3: 270.0, 4: 532.0, 5: 200.0, 6: 600.0}
@@ -55,6 +56,7 @@ def _check_branches(problems: Problems, program: ProgramText) -> None:
     """Warn of `RIGHTY`, `MOVES part` below `LEFTY`, `MOVE a`: a straight line keeps the branch."""
     settled: dict[str, Setting] = {}  # the branch that the arm is in for sure
     wanted: dict[str, Setting] = {}
+    above: Setting | None = None  # the arm word of the step before
     for step in program.steps:
         node = step.statement
         simple = isinstance(node, Simple)
@@ -63,8 +65,13 @@ def _check_branches(problems: Problems, program: ProgramText) -> None:
         ):
             settled, wanted = {}, {}
         if isinstance(node, Setting) and node.word in _ARMS:
-            wanted[_ARMS[node.word]] = node
-        elif isinstance(node, Simple) and node.word in ("READY", "DRIVE"):
+            part = _ARMS[node.word]
+            if above is not None and _ARMS[above.word] == part and above.always == node.always:
+                _lost(problems, part, above, node)
+            wanted[part] = above = node
+            continue
+        above = None
+        if isinstance(node, Simple) and node.word in ("READY", "DRIVE"):
             settled = {}
         elif isinstance(node, Simple) and node.word in _JOINT:
             settled.update(wanted)
@@ -75,6 +82,18 @@ def _check_branches(problems: Problems, program: ProgramText) -> None:
                     _turned(problems, node, part, before, setting)
                     settled, wanted = {}, {}
                     break
+
+
+def _lost(problems: Problems, part: str, first: Setting, second: Setting) -> None:
+    problems.warning(
+        ARM_WORD_LOST,
+        f"{first.word} has no effect: {second.word} follows before the next motion",
+        first.start,
+        first.end,
+        f"no motion turns the {part} this way",
+        secondary=(problems.label(second.start, second.end, "replaces it"),),
+        help=("remove one of the two, or put a motion by MOVE between them",),
+    )
 
 
 def _turned(problems: Problems, node: Simple, part: str, before: Setting, setting: Setting) -> None:

@@ -50,13 +50,6 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
         if clash(resolver, entry):
             clashes.add(id(entry))
         _truncated(resolver, entry)
-    for entry in resolver.scope.all_entries():
-        meant = entry.name[0] == "$" and entry.name[1:] in strings  # `name = "Ada"` gives it one
-        if id(entry) not in clashes and entry.name not in resolver.bad_names and not meant:
-            _without_value(resolver, entry, suggestions)
-            if not resolver.problems.any_error:
-                _without_use(resolver, entry, suggestions, bodies)
-    _mend_parts(resolver, suggestions.parts)
     for program in programs:
         for step in program.steps:
             node = step.statement
@@ -68,6 +61,13 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
             else:
                 check_arguments(resolver, program, node, called, decided)
         named_as_word(resolver, program)
+    for entry in resolver.scope.all_entries():
+        meant = entry.name[0] == "$" and entry.name[1:] in strings  # `name = "Ada"` gives it one
+        if id(entry) not in clashes and entry.name not in resolver.bad_names and not meant:
+            _without_value(resolver, entry, suggestions)
+            if not resolver.problems.any_error:
+                _without_use(resolver, entry, suggestions, bodies)
+    _mend_parts(resolver, suggestions.parts)
     mend_jumps_by_number(resolver, programs)
     check_error_returns(resolver.problems, programs)
     check_reactions(resolver.problems, resolver.scope)

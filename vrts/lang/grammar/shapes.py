@@ -14,6 +14,7 @@ from vrts.lang.syntax.statements import (
     Goto,
     Level,
     ReactStatement,
+    Rest,
     Setting,
     Simple,
     SpeedStatement,
@@ -51,6 +52,8 @@ def fits(problems: Problems, node: Statement, word: Word | None) -> bool:
     match node:
         case Goto(label=Name() as label) if not dialect.has("a"):
             return _named_label(problems, label)
+        case Rest(word="POINT") if not dialect.tolerant and _is_set(problems, node):
+            return _one_location(problems, node)
         case Goto(label=Number(value=value) as label) if value != int(value):
             return _named_label(problems, label)
         case CallStatement(program=program) if dialect.is_as and program.text.startswith("."):
@@ -77,6 +80,31 @@ def fits(problems: Problems, node: Statement, word: Word | None) -> bool:
             return _few_enough(problems, word, (value,), 0)
         case _:
             return True
+
+
+def _is_set(problems: Problems, node: Rest) -> bool:
+    return problems.source.text[node.start : node.start + 3].upper() == "SET"
+
+
+def _one_location(problems: Problems, node: Rest) -> bool:
+    """`SET p = a, 2`, which only V+ takes."""
+    text = problems.source.text
+    first, comma, _ = text[node.start : node.end].rpartition(",")
+    shifted = first.replace("=", "= SHIFT(", 1).replace("( ", "(")
+    problems.error(
+        UNEXPECTED_TEXT,
+        "SET gives a location one value",
+        node.start + len(first),
+        node.end,
+        "this is too much",
+        notes=(_TEXT_SAYS,),
+        help=(
+            f"leave it out: write `{first.rstrip()}`",
+            f"to shift it write `{shifted.rstrip()} BY dx, dy, dz)`",
+        ),
+    )
+    assert comma
+    return False
 
 
 def _local_program(problems: Problems, program: Name) -> bool:

@@ -14,6 +14,7 @@ from vrts.lang.dialect import Angles
 from vrts.lang.grammar.build import PRECEDENCE
 from vrts.lang.meaning import type_mistakes
 from vrts.lang.meaning.forms import is_text, with_start
+from vrts.lang.meaning.functions import arguments, unknown
 from vrts.lang.meaning.instead.inputs_by_index import asked_as_string
 from vrts.lang.meaning.name_uses import Asked, NameUses, NoText
 from vrts.lang.meaning.scope import Entry
@@ -218,11 +219,11 @@ class ExpressionTypes(NameUses):
         lower = node.name.text.lower()
         signature = self.functions.get(lower)
         if lower == "ppoint" and self.dialect.has("12") and not self.dialect.tolerant:
-            type_mistakes.joints_without_sign(self.problems, node)
+            unknown.joints_without_sign(self.problems, node)
             self._loose(node)
             return Type.DYNAMIC
         if signature is None:
-            type_mistakes.unknown_function(self.problems, node, self.functions, self.scope.programs)
+            unknown.unknown_function(self.problems, node, self.functions, self.scope.programs)
             self._loose(node)
             return Type.DYNAMIC
         if lower == "instr":
@@ -251,7 +252,7 @@ class ExpressionTypes(NameUses):
                     why = f"{node.name.text.upper()} takes {_taken(code)} here"
                     self.check(argument, _CODES[code[0]], why, joints=code[0] == "l")
             if signature.name == "trans" and self.dialect.angles is Angles.OAT:
-                type_mistakes.default_angles(self.problems, node)
+                arguments.default_angles(self.problems, node)
         return signature.result
 
     def loosely(self, node: Item | None) -> None:
@@ -268,7 +269,7 @@ class ExpressionTypes(NameUses):
             self.check(node, None, "")
 
     def _count(self, node: Application, signature: Signature) -> bool:
-        fits = type_mistakes.arguments_fit(self.problems, node, signature)
+        fits = arguments.arguments_fit(self.problems, node, signature)
         if not fits:
             self._loose(node)
         return fits
@@ -279,7 +280,7 @@ class ExpressionTypes(NameUses):
             return
         first = node.arguments[0]
         if not isinstance(first, Name | Element) or not self._count(node, signature):
-            type_mistakes.no_variable(self.problems, node, first)
+            arguments.no_variable(self.problems, node, first)
             return
         name = first if isinstance(first, Name) else first.name
         entry = self._use(name, Type.REAL if signature.name in _SWAPS else None)
@@ -329,7 +330,7 @@ class ExpressionTypes(NameUses):
             entry = self.scope.entry(self.program, key(name.text))
             entry.values.append(Text("", 0, 0))
             return
-        type_mistakes.no_string_variable(self.problems, node, argument)
+        arguments.no_string_variable(self.problems, node, argument)
 
     def items_of_type(self, items: tuple[Item | None, ...], *, writes: bool = True) -> None:
         """Check the items of TYPE, and of $ENCODE, which writes nothing."""

@@ -11,7 +11,7 @@ from vrts.lang.meaning.instead.logic_words import compared_with_word
 from vrts.lang.meaning.name_uses import NameUses, NoText
 from vrts.lang.meaning.roles import COMPARISONS, Role, role_of
 from vrts.lang.meaning.scope import Entry
-from vrts.lang.meaning.type_mistakes import IN_WORDS, NUMBER, TYPES_SAY, WRONG_TYPE
+from vrts.lang.meaning.type_mistakes import IN_WORDS, NOT_COUNTED, NUMBER, TYPES_SAY, WRONG_TYPE
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import (
     Application,
@@ -127,6 +127,8 @@ def _by_role(types: NameUses, found: NoText, role: Role, entry: Entry | None) ->
             ),
             problems.replace(found.node.start, found.node.end, encoded),
         )
+    if isinstance(around, Application) and around.name.text.upper() == "LEN" and entry is not None:
+        return _Help((NOT_COUNTED,)) if entry.array is not None else None
     if isinstance(around, Application) and around.name.text.upper() == "VAL":
         fix = problems.replace(around.start, around.end, written)
         return _Help((f"this is a number already: leave VAL out, and write `{written}`",), fix)

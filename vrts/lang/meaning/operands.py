@@ -3,11 +3,13 @@
 from vrts.base.diagnostic import Fix, Rule
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
+from vrts.lang.decimal_commas import likeliest
 from vrts.lang.grammar.shapes import UNEXPECTED_TEXT
 from vrts.lang.meaning.expression_types import ExpressionTypes
 from vrts.lang.meaning.forms import device_is_opaque, prompt_parts
+from vrts.lang.meaning.functions.arguments import FUNCTION_ARGUMENTS
 from vrts.lang.meaning.instead.numbers_of_base import base_of_location
-from vrts.lang.meaning.type_mistakes import FUNCTION_ARGUMENTS, TYPES_SAY, WRONG_TYPE, not_read_into
+from vrts.lang.meaning.type_mistakes import TYPES_SAY, WRONG_TYPE, not_read_into
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import (
     Application,
@@ -152,12 +154,20 @@ class OperandTypes(ExpressionTypes):
     def _count_of(self, node: Give, count: int) -> bool:
         if len(node.values) == count:
             return True
+        written = self.problems.source.text[node.start : node.end]
+        pointed = likeliest(written, len(node.values) - count)
+        help_ = f"write `{INSTRUCTIONS[node.word].usage}`"
+        if pointed:
+            help_ = f"a comma is no decimal sign: write a point, as in `{pointed.text}`"
         self.problems.error(
             FUNCTION_ARGUMENTS,
             f"{node.word} takes {count} value{'' if count == 1 else 's'}, {len(node.values)} given",
             node.start,
             node.end,
-            help=(f"write `{INSTRUCTIONS[node.word].usage}`",),
+            help=(help_,),
+            fix=self.problems.replace(node.start, node.end, pointed.text, sure=pointed.sure)
+            if pointed
+            else None,
         )
         return False
 

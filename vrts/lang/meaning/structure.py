@@ -4,6 +4,7 @@ import heapq
 from collections.abc import Iterable
 
 from vrts.base.diagnostic import Rule
+from vrts.lang.decimal_commas import likeliest
 from vrts.lang.meaning.blocks.borrowed_forms import mend_borrowed
 from vrts.lang.meaning.blocks.pairing import (
     BARE_WHILE,
@@ -136,6 +137,8 @@ def labels(
             continue
         if _in_broken_line(program, label_key(wanted), problems):
             continue  # said there
+        if isinstance(step.statement, Simple) and _decimal_comma(problems, step.statement, wanted):
+            continue
         elsewhere = _elsewhere(label_key(wanted), others)
         here = "write the number at the start of the line to jump to"
         if known:
@@ -153,6 +156,24 @@ def labels(
             ),
         )
     return known
+
+
+def _decimal_comma(problems: Problems, node: Simple, label: Number | Name) -> bool:
+    """Report `GRASP 12,5`: a decimal comma, behind which a label is looked for."""
+    written = problems.source.text[node.start : node.end]
+    pointed = likeliest(written, 1)
+    if pointed is None:
+        return False
+    problems.error(
+        UNDEFINED_LABEL,
+        f"there is no label {label_key(label)}: behind the comma GRASP takes a label",
+        label.start,
+        label.end,
+        notes=("VAL-II says *Branch to undefined label*",),
+        help=(f"a comma is no decimal sign: write `{pointed.text}`",),
+        fix=problems.replace(node.start, node.end, pointed.text),
+    )
+    return True
 
 
 def _in_broken_line(program: ProgramText, label: int | str, problems: Problems) -> bool:

@@ -1,8 +1,7 @@
-"""What is said of an expression of a wrong type, and of a function that is not as it has to be."""
+"""What is said of an expression of a wrong type, and of a name that cannot be given a value."""
 
 import re
 from collections.abc import Collection
-from itertools import pairwise
 
 from vrts.base.diagnostic import Fix, Rule
 from vrts.ir.values import Type
@@ -12,7 +11,6 @@ from vrts.lang.spelling import nearest
 from vrts.lang.steps.other_forms import INVALID_FORMAT
 from vrts.lang.steps.unknown_words import KEYWORD_AS_NAME
 from vrts.lang.syntax.expressions import (
-    Application,
     Element,
     Expression,
     FormatItem,
@@ -23,58 +21,27 @@ from vrts.lang.syntax.expressions import (
     Parenthesised,
     Text,
 )
-from vrts.lang.vocabulary.function_forms import form_of
-from vrts.lang.vocabulary.functions import FOREIGN_FUNCTIONS, Signature
 
 WRONG_TYPE = Rule("V202", "wrong-type")
-UNKNOWN_FUNCTION = Rule("V209", "unknown-function")
-FUNCTION_ARGUMENTS = Rule("V210", "function-arguments")
 RESERVED_NAME = Rule("V211", "reserved-name")
 SUBSCRIPTS = Rule("V214", "subscripts")
-DEFAULT_ANGLES = Rule("V215", "default-angles")
 INVALID_SWITCH = Rule("V218", "invalid-switch")
 INVALID_PARAMETER = Rule("V219", "invalid-parameter")
 
-_GIVEN = re.compile(r"[ \t]*(\$?[A-Za-z][\w.]*)[ \t]*=[ \t]*")
+_PLACE = r"(?P<other>[A-Za-z][\w.]*(?:\[[^\]]*\])?)"  # a location beside a comparison
+_SAME = r"[ \t]*(?P<sign>==|<>)[ \t]*"
+_COMPARED_BEFORE = re.compile(rf"{_PLACE}{_SAME}$", re.ASCII)
+_COMPARED_BEHIND = re.compile(rf"{_SAME}{_PLACE}", re.ASCII)
+NOT_COUNTED = (
+    "LEN counts the letters of a string, and nothing counts the elements of an array"
+    ": keep their number in a variable, as in `count = 4`"
+)
 MAX_SUBSCRIPTS = 3  # [manual language/numbers#dimensions]
 _COUNTED = re.compile(r"(?<![\w.$#])LEN[ \t]*\([ \t]*\Z", re.IGNORECASE)
 _BEFORE = 12  # signs before an array in which LEN is looked for
 _OF_POSE = 6  # numbers of a location, as in `p[x, y, z, rx, ry, rz]`
-_ANGLES = 3  # arguments of TRANS before its angles
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)")
 NAME = re.compile(r"#?[A-Za-z][\w.]*", re.ASCII)
-_RENAMED = {  # functions of other languages that take the same
-    "signal": "SIG",
-    "length": "LEN",
-    "strlen": "LEN",
-    "size": "LEN",
-    "ord": "ASC",
-    "chr": "$CHR",
-    "str": "$ENCODE",
-    "tostring": "$ENCODE",
-    "num2str": "$ENCODE",
-    "inttostr": "$ENCODE",
-    "float": "VAL",
-    "sgn": "SIGN",
-}
-_METHODS = {  # what other languages write behind the name of a string
-    "length": "LEN({})",
-    "len": "LEN({})",
-    "size": "LEN({})",
-    "count": "LEN({})",
-    "substring": "$MID({}, first, count)",
-    "substr": "$MID({}, first, count)",
-    "charat": "$MID({}, first, 1)",
-    "indexof": 'POS({}, "text")',
-    "find": 'POS({}, "text")',
-}
-_FOR_COMMA = {  # operators that may stand between two arguments by mistake
-    "atan2": ("/", ":"),
-    "distance": ("-", ":"),
-    "identical": ("==", "-", ":"),
-}
-_SHORTEST = 3  # letters of a name that may be a slip: `y(1)` hardly is one for DY
-_TARGET = re.compile(r"[ \t]*(?:\d+[ \t]+)?(?P<target>\$?[A-Za-z][\w.]*)[ \t]*=[ \t]*", re.ASCII)
 TYPES_SAY = "VAL-II says *Illegal operator*"
 IN_WORDS = {
     Type.REAL: "a number",
@@ -111,7 +78,8 @@ def wrong_type(problems: Problems, node: Expression, found: Type, wanted: Type, 
         help_ = ("put text between double quotes; $ENCODE(x) turns a number into a string",)
     elif wanted is Type.REAL and found in (Type.POSE, Type.JOINTS):
         inner = written if found is Type.POSE else "l"
-        help_ = (f"`DX({inner})`, `DY({inner})` and `DZ({inner})` are its coordinates",)
+        same = _same_place(problems.source.text, node) if found is Type.POSE else ""
+        help_ = (same or f"`DX({inner})`, `DY({inner})` and `DZ({inner})` are its coordinates",)
     problems.error(
         WRONG_TYPE,
         f"{why}, not {IN_WORDS[found]}",
@@ -122,6 +90,18 @@ def wrong_type(problems: Problems, node: Expression, found: Type, wanted: Type, 
         help=help_,
         fix=fix,
     )
+
+
+def _same_place(text: str, node: Expression) -> str:
+    """Return how to ask what `HERE == pick` asks."""
+    line = text[text.rfind("\n", 0, node.start) + 1 : node.start]
+    before, behind = _COMPARED_BEFORE.search(line), _COMPARED_BEHIND.match(text, node.end)
+    found = before or behind
+    if found is None:
+        return ""
+    written, sign = text[node.start : node.end], ">" if found["sign"] == "<>" else "<"
+    pair = f"{found['other']}, {written}" if before else f"{written}, {found['other']}"
+    return f"two places are the same where `DISTANCE({pair}) {sign} 1`, in mm"
 
 
 def _no_string(
@@ -216,10 +196,7 @@ def wrong_subscripts(problems: Problems, node: Element) -> None:
     if not node.subscripts:
         help_ = "write an index: a whole array can only be passed by CALL"
         if _COUNTED.search(problems.source.text, max(0, node.start - _BEFORE), node.start):
-            help_ = (
-                "LEN counts the letters of a string, and nothing counts the elements of an array"
-            )
-            help_ += ": keep their number in a variable, as in `count = 4`"
+            help_ = NOT_COUNTED
         problems.error(
             SUBSCRIPTS,
             f"`{node.name.text}[]` is a whole array",
@@ -244,137 +221,6 @@ def wrong_subscripts(problems: Problems, node: Element) -> None:
             if pose
             else None,
         )
-
-
-def arguments_fit(problems: Problems, node: Application, signature: Signature) -> bool:
-    """Return whether a function has as many arguments as it takes; report it where it has not."""
-    given = len(node.arguments)
-    most = signature.most
-    omitted = [
-        i
-        for i, argument in enumerate(node.arguments)
-        if argument is None and (signature.name == "$encode" or _is_wanted(signature.parameters, i))
-    ]
-    name = node.name.text.upper()
-    fix: Fix | None = None
-    if signature.by is not None and node.by != signature.by:
-        headline = f"{name} without BY"
-        help_ = f"write `{form_of(signature)}`"
-        fix = _with_by(problems, node)
-    elif given < signature.required or omitted:
-        headline = f"{name} needs {_arguments(signature.required)}, {given} given"
-        help_ = f"write `{form_of(signature)}`"
-        parted = _parted(problems, node)
-        if parted:
-            help_ = f"write a comma between them: `{parted}`"
-            fix = problems.replace(node.start, node.end, parted)
-    elif most is not None and given > most:
-        headline = f"{name} takes {_arguments(most)}, {given} given"
-        commas = _decimal_commas(problems, node)
-        if most == 0:
-            return _no_arguments(problems, node, signature)
-        surplus = "one" if given - most == 1 else f"{given - most} of them"
-        help_ = f"leave {surplus} out: write `{form_of(signature)}`"
-        if len(commas) == given - most:
-            left, right = commas[0]
-            written = problems.source.text[left.start : left.end]
-            behind = problems.source.text[right.start : right.end]
-            help_ = f"a comma is no decimal sign: write a point, as in `{written}.{behind}`"
-            if len(commas) == 1:
-                fix = problems.replace(left.end, right.start, ".")
-    else:
-        return True
-    problems.error(
-        FUNCTION_ARGUMENTS,
-        headline,
-        node.start,
-        node.end,
-        notes=("VAL-II says *Missing argument*",),
-        help=(help_,) if help_ else (),
-        fix=fix,
-    )
-    return False
-
-
-def _no_arguments(problems: Problems, node: Application, signature: Signature) -> bool:
-    """Report `RANDOM(6)` and `HAND(1)`; False, as they do not fit."""
-    name = signature.name.upper()
-    text = problems.source.text
-    given = [text[a.start : a.end] for a in node.arguments if a is not None]
-    help_ = f"write `{name}` alone"
-    fix = problems.replace(node.name.end, node.end, "")
-    if name == "RANDOM" and 0 < len(given) <= 2:
-        first, last = ("1", given[0]) if len(given) == 1 else given
-        many = last if first == "1" else f"({last}-{first}+1)"
-        written = f"INT({many}*RANDOM)+{first}"
-        help_ = f"RANDOM is a number from 0 to 1: for one from {first} to {last} write `{written}`"
-        fix = problems.replace(node.start, node.end, written, sure=False)
-    problems.error(
-        FUNCTION_ARGUMENTS,
-        f"{name} takes no argument",
-        node.start,
-        node.end,
-        notes=("VAL-II says *Missing argument*",),
-        help=(help_,),
-        fix=fix,
-    )
-    return False
-
-
-def _parted(problems: Problems, node: Application) -> str:
-    """Return `ATAN2(y, x)` for `ATAN2(y/x)`: an operator that stands for the comma."""
-    argument = node.arguments[0] if len(node.arguments) == 1 else None
-    if not isinstance(argument, Infix):
-        return ""
-    if argument.operator not in _FOR_COMMA.get(node.name.text.lower(), ()):
-        return ""
-    text = problems.source.text
-    first = text[argument.left.start : argument.left.end]
-    second = text[argument.right.start : argument.right.end]
-    return f"{node.name.text}({first}, {second})"
-
-
-def _with_by(problems: Problems, node: Application) -> Fix | None:
-    """Return what puts BY in the place of the first comma: `SHIFT(part, 0, 0, 50)`."""
-    if len(node.arguments) < _ANGLES or node.arguments[0] is None or node.by is not None:
-        return None
-    comma = problems.source.text.find(",", node.arguments[0].end, node.end)
-    return problems.replace(comma, comma + 1, " BY") if comma >= 0 else None
-
-
-def _is_number(text: str, name: str) -> bool:
-    """Whether a file gives a name one value, and never an element."""
-    name = re.escape(name)
-    given = re.search(rf"^[ \t\d]*(?:FOR[ \t]+)?{name}[ \t]*=(?!=)", text, re.I | re.M)
-    return given is not None and re.search(rf"(?<![\w.$#]){name}[ \t]*\[", text, re.I) is None
-
-
-def _decimal_commas(problems: Problems, node: Application) -> list[tuple[Number, Number]]:
-    """Return the arguments that may be one number written as in German: `2,25`."""
-    text = problems.source.text
-    return [
-        (left, right)
-        for left, right in pairwise(node.arguments)
-        if isinstance(left, Number) and isinstance(right, Number)
-        if text[left.end : right.start] == ","
-        and text[left.start : left.end].isdecimal()
-        and text[right.start : right.end].isdecimal()
-    ]
-
-
-def _is_wanted(parameters: tuple[str, ...], i: int) -> bool:
-    return i < len(parameters) and parameters[i][-1] not in "?*"
-
-
-def no_variable(problems: Problems, node: Application, first: Item) -> None:
-    """Report `DEFINED(1)`."""
-    problems.error(
-        FUNCTION_ARGUMENTS,
-        f"{node.name.text.upper()} takes a variable",
-        first.start,
-        first.end,
-        notes=("VAL-II says *Illegal assignment*",),
-    )
 
 
 def not_read_into(problems: Problems, operands: tuple[Item | None, ...], node: Item) -> None:
@@ -408,18 +254,6 @@ def not_read_into(problems: Problems, operands: tuple[Item | None, ...], node: I
     )
 
 
-def no_string_variable(problems: Problems, node: Application, argument: Item) -> None:
-    """Report `$DECODE("text", ...)`, which changes its first argument."""
-    problems.error(
-        FUNCTION_ARGUMENTS,
-        f"{node.name.text.upper()} takes a string variable first",
-        argument.start,
-        argument.end,
-        notes=("it takes the piece that it returns out of the variable",),
-        help=("assign the text to a variable: `$s = ...`",),
-    )
-
-
 def unknown_system_name(
     problems: Problems, node: Item, text: str, known: Collection[str], what: str
 ) -> None:
@@ -436,111 +270,6 @@ def unknown_system_name(
         notes=("VAL-II says *Invalid switch*",) if what == "switch" else (),
         help=(f"did you mean `{meant}`?" if meant else f"known are {', '.join(known)}",),
         fix=problems.replace(node.start, node.end, meant) if meant else None,
-    )
-
-
-def unknown_function(
-    problems: Problems, node: Application, known: Collection[str], programs: Collection[str]
-) -> None:
-    """Report a function that the language does not have."""
-    lower = node.name.text.lower()
-    shown = len(problems.found) < LIMIT  # what is not shown needs no suggestion
-    meant = nearest(lower, known) if shown and len(lower) >= _SHORTEST else None
-    fix: Fix | None = None
-    module, _, last = lower.rpartition(".")
-    if module[:1] == "$" and last in _METHODS:
-        instead = _METHODS[last].format(node.name.text[: len(module)])
-        help_ = (f"functions take a string between their parentheses: write `{instead}`",)
-        if "," not in instead:
-            fix = problems.replace(node.start, node.end, instead)
-    elif lower in ("prompt", "input", "raw_input") and (prompt := _prompt(problems, node)):
-        help_ = (f"PROMPT is an instruction: write `{prompt}`",)
-        line = problems.source.text[: node.start].rpartition("\n")[2]
-        fix = problems.replace(node.start - len(line.lstrip()), node.end, prompt)
-    elif module[:1] == "$":
-        help_ = ("functions of strings are LEN, $MID, POS, VAL, ASC, as in `LEN($s)`",)
-    elif lower in FOREIGN_FUNCTIONS:
-        help_ = (FOREIGN_FUNCTIONS[lower],)
-        if lower in _RENAMED:
-            fix = problems.replace(node.name.start, node.name.end, _RENAMED[lower])
-    elif module in ("math", "np", "numpy") and last in known:
-        help_ = (f"write `{last.upper()}` alone",)
-        fix = problems.replace(node.name.start, node.name.end, last.upper())
-    elif meant is not None:
-        help_ = (f"did you mean `{meant.upper()}`?",)
-        fix = problems.replace(node.name.start, node.name.end, meant.upper())
-    elif lower in programs:
-        help_ = (f"a program gives no value back: write {_call(problems, node)}",)
-    elif _is_number(problems.source.text, node.name.text):
-        behind = problems.source.text[node.name.end : node.end].strip()
-        help_ = (f"`{node.name.text}` is a number: to multiply write `{node.name.text}*{behind}`",)
-    else:
-        written = problems.source.text[node.name.end : node.end].strip()[1:-1]
-        help_ = (
-            f"an element of an array is written with brackets: `{node.name.text}[{written}]`",
-            f"a program gives no value back: if it is one, write {_call(problems, node)}",
-        )
-    problems.error(
-        UNKNOWN_FUNCTION,
-        f"there is no function `{node.name.text}`",
-        node.name.start,
-        node.name.end,
-        notes=("VAL-II says *Illegal expression syntax*",),
-        help=help_,
-        fix=fix,
-    )
-
-
-def _prompt(problems: Problems, node: Application) -> str:
-    """Return the step for `n = PROMPT("How many? ")`."""
-    text = problems.source.text
-    line = text[text.rfind("\n", 0, node.start) + 1 : node.start]
-    target = _GIVEN.fullmatch(line)
-    asked = node.arguments[0] if len(node.arguments) == 1 else None
-    if target is None or not isinstance(asked, Text):
-        return ""
-    return f"PROMPT {text[asked.start : asked.end]}, {target[1]}"
-
-
-def _call(problems: Problems, node: Application) -> str:
-    """Return how a program is called that was taken for a function."""
-    text = problems.source.text
-    given = text[node.name.end : node.end].strip()[1:-1].strip()
-    begin = text.rfind("\n", 0, node.start) + 1
-    target = _TARGET.fullmatch(text[begin : node.start])
-    alone = text[node.end : text.find("\n", node.end)].partition(";")[0].strip() == ""
-    result = target["target"] if target is not None and alone else "result"
-    arguments = f"{given}, {result}" if given else result
-    return f"`CALL {node.name.text}({arguments})`, with the result in an argument"
-
-
-def joints_without_sign(problems: Problems, node: Application) -> None:
-    """Report `PPOINT(...)`."""
-    written = problems.source.text[node.name.start : node.end]
-    problems.error(
-        UNKNOWN_FUNCTION,
-        "the name of #PPOINT begins with `#`, as do all precision points",
-        node.name.start,
-        node.name.end,
-        notes=("VAL-II says *Illegal expression syntax*",),
-        help=(f"write `#{written}`",),
-        fix=problems.replace(node.name.start, node.name.start, "#"),
-    )
-
-
-def default_angles(problems: Problems, node: Application) -> None:
-    """Warn of `TRANS(x, y, z)`, which other controllers read otherwise."""
-    given = node.arguments[_ANGLES:]
-    if any(argument is not None for argument in given) or not node.arguments:
-        return
-    problems.warning(
-        DEFAULT_ANGLES,
-        "TRANS without angles",
-        node.start,
-        node.end,
-        "taken as 90, -90, 0: not turned",
-        notes=("other controllers take omitted angles as 0, 0, 0: the hand level",),
-        help=("write all six: `TRANS(x, y, z, 90, -90, 0)`",),
     )
 
 
@@ -569,7 +298,3 @@ def predefined_name(problems: Problems, name: Name, instructions: Collection[str
         if lower.upper() in instructions
         else ("choose another name",),
     )
-
-
-def _arguments(count: int) -> str:
-    return f"{count} argument" if count == 1 else f"{count} arguments"

@@ -6,6 +6,7 @@ instead has been tried out.
 """
 
 import re
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -111,7 +112,7 @@ class Advice:
             if found is not None:
                 return found
         if len(told) == 1 and told[0].fix is not None:
-            return None
+            return self._decimal(line, mark)
         return self._signs(line, mark) or self._comment_behind(line, mark, alone=False)
 
     def _then(self, line: Line, mark: int) -> bool:
@@ -499,16 +500,28 @@ class Advice:
 
     # --- signs ----------------------------------------------------------------------------------
 
-    def _signs(self, line: Line, mark: int) -> Advised | None:
-        for found, text in signs.replaced(line.text):
+    def _decimal(self, line: Line, mark: int) -> Advised | None:
+        """`IF x > 2,5 THEN`, where the parser would break the step at the comma."""
+        return self._signs(line, mark, signs.decimals(line.text), at_once=True)
+
+    def _signs(
+        self,
+        line: Line,
+        mark: int,
+        ways: Iterable[tuple[signs.Signs, str]] | None = None,
+        *,
+        at_once: bool = False,
+    ) -> Advised | None:
+        """Signs of other languages; `at_once`: with nothing else to mend."""
+        for found, text in signs.replaced(line.text) if ways is None else ways:
             tried = self.repair.steps(text)
-            if tried is None:
+            if tried is None or (at_once and tried.fixes):
                 continue
             told = self.problems.found[mark]
             self.problems.forget(mark)
             start, end, instead = smallest_change(line.text, tried.text)
             primary = self.problems.label(line.at + start, line.at + max(end, start))
-            precise = told.rule in _PRECISE or not found.says
+            precise = (told.rule in _PRECISE and not at_once) or not found.says
             self.problems.add(
                 Diagnostic(
                     told.rule if precise else OTHER_LANGUAGE,

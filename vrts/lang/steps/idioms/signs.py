@@ -4,6 +4,8 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from vrts.lang.decimal_commas import readings
+
 
 class Signs(NamedTuple):
     """A kind of sign, and what VAL-II writes for it."""
@@ -15,11 +17,18 @@ class Signs(NamedTuple):
     sure: bool = True  # whether what is written instead is surely meant
 
 
+DECIMAL = Signs(re.compile(","), ".", "a decimal number has a point", "write the point")
 _OPERAND = r"(?:[\w.]+(?:\[[^\[\]]*\]|\([^()]*\))?|\([^()]*\))"
 
 SIGNS = (
     Signs(
-        re.compile(r"(?<=\d)['_](?=\d{3}(?!\d))"),
+        re.compile(r"(?<![\w.,])(\d{1,3})[.'](\d{3}),(\d{1,2})(?![\w.,])"),
+        r"\1\2.\3",
+        "a number has a decimal point, and no sign between its thousands",
+        "write the point alone",
+    ),
+    Signs(
+        re.compile(r"(?<=\d)['_ ](?=\d{3}(?![\d.]))"),
         "",
         "a number has no sign between its thousands",
         "write the digits alone",
@@ -219,7 +228,7 @@ SIGNS = (
         "write the digits alone for thousands, and a point for a decimal number",
         sure=False,
     ),
-    Signs(re.compile(r"(?<=\d),(?=\d)"), ".", "a decimal number has a point", "write the point"),
+    DECIMAL,
     Signs(re.compile(r"[ \t]*;[ \t]*$"), "", "", "leave it out"),
     Signs(re.compile(r"[ \t]*[{:.,][ \t]*$"), "", "", "leave it out"),
     Signs(re.compile(r"\\"), "/", "`\\` is not an operator of VAL-II", "write `/` to divide"),
@@ -235,9 +244,18 @@ def replaced(text: str) -> Iterator[tuple[Signs, str]]:
     if _COMPOUND_BEGUN.search(hidden):
         return  # a name is missing behind the colon
     for signs in SIGNS:
+        if signs is DECIMAL:
+            yield from decimals(text)
+            continue
         found = signs.pattern.sub(signs.instead, hidden)
         if found != hidden:
             yield signs, _shown(found, strings)
+
+
+def decimals(text: str) -> Iterator[tuple[Signs, str]]:
+    """Return a step with points where it may have decimal commas, the likeliest first."""
+    for reading in readings(text):
+        yield DECIMAL._replace(sure=reading.sure), reading.text
 
 
 _HIDDEN = '"\0"'

@@ -1,0 +1,137 @@
+"""What is said of a function that the language does not have, and what was meant by it."""
+
+import re
+from collections.abc import Collection
+
+from vrts.base.diagnostic import Fix, Rule
+from vrts.lang.problems import LIMIT, Problems
+from vrts.lang.spelling import nearest
+from vrts.lang.syntax.expressions import Application, Text
+from vrts.lang.vocabulary.functions import FOREIGN_FUNCTIONS
+
+UNKNOWN_FUNCTION = Rule("V209", "unknown-function")
+
+_GIVEN = re.compile(r"[ \t]*(\$?[A-Za-z][\w.]*)[ \t]*=[ \t]*")
+_TARGET = re.compile(r"[ \t]*(?:\d+[ \t]+)?(?P<target>\$?[A-Za-z][\w.]*)[ \t]*=[ \t]*", re.ASCII)
+_SHORTEST = 3  # letters of a name that may be a slip: `y(1)` hardly is one for DY
+_RENAMED = {  # functions of other languages that take the same
+    "signal": "SIG",
+    "length": "LEN",
+    "strlen": "LEN",
+    "size": "LEN",
+    "ord": "ASC",
+    "chr": "$CHR",
+    "str": "$ENCODE",
+    "tostring": "$ENCODE",
+    "num2str": "$ENCODE",
+    "inttostr": "$ENCODE",
+    "float": "VAL",
+    "sgn": "SIGN",
+}
+_METHODS = {  # what other languages write behind the name of a string
+    "length": "LEN({})",
+    "len": "LEN({})",
+    "size": "LEN({})",
+    "count": "LEN({})",
+    "substring": "$MID({}, first, count)",
+    "substr": "$MID({}, first, count)",
+    "charat": "$MID({}, first, 1)",
+    "indexof": 'POS({}, "text")',
+    "find": 'POS({}, "text")',
+}
+
+
+def unknown_function(
+    problems: Problems, node: Application, known: Collection[str], programs: Collection[str]
+) -> None:
+    """Report a function that the language does not have."""
+    lower = node.name.text.lower()
+    shown = len(problems.found) < LIMIT  # what is not shown needs no suggestion
+    meant = nearest(lower, known) if shown and len(lower) >= _SHORTEST else None
+    fix: Fix | None = None
+    module, _, last = lower.rpartition(".")
+    if module[:1] == "$" and last in _METHODS:
+        instead = _METHODS[last].format(node.name.text[: len(module)])
+        help_ = (f"functions take a string between their parentheses: write `{instead}`",)
+        if "," not in instead:
+            fix = problems.replace(node.start, node.end, instead)
+    elif lower in ("prompt", "input", "raw_input") and (prompt := _prompt(problems, node)):
+        help_ = (f"PROMPT is an instruction: write `{prompt}`",)
+        line = problems.source.text[: node.start].rpartition("\n")[2]
+        fix = problems.replace(node.start - len(line.lstrip()), node.end, prompt)
+    elif module[:1] == "$":
+        help_ = ("functions of strings are LEN, $MID, POS, VAL, ASC, as in `LEN($s)`",)
+    elif lower in FOREIGN_FUNCTIONS:
+        help_ = (FOREIGN_FUNCTIONS[lower],)
+        if lower in _RENAMED:
+            fix = problems.replace(node.name.start, node.name.end, _RENAMED[lower])
+    elif module in ("math", "np", "numpy") and last in known:
+        help_ = (f"write `{last.upper()}` alone",)
+        fix = problems.replace(node.name.start, node.name.end, last.upper())
+    elif meant is not None:
+        help_ = (f"did you mean `{meant.upper()}`?",)
+        fix = problems.replace(node.name.start, node.name.end, meant.upper())
+    elif lower in programs:
+        help_ = (f"a program gives no value back: write {_call(problems, node)}",)
+    elif _is_number(problems.source.text, node.name.text):
+        behind = problems.source.text[node.name.end : node.end].strip()
+        help_ = (f"`{node.name.text}` is a number: to multiply write `{node.name.text}*{behind}`",)
+    else:
+        written = problems.source.text[node.name.end : node.end].strip()[1:-1]
+        help_ = (
+            f"an element of an array is written with brackets: `{node.name.text}[{written}]`",
+            f"a program gives no value back: if it is one, write {_call(problems, node)}",
+        )
+    problems.error(
+        UNKNOWN_FUNCTION,
+        f"there is no function `{node.name.text}`",
+        node.name.start,
+        node.name.end,
+        notes=("VAL-II says *Illegal expression syntax*",),
+        help=help_,
+        fix=fix,
+    )
+
+
+def _is_number(text: str, name: str) -> bool:
+    """Whether a file gives a name one value, and never an element."""
+    name = re.escape(name)
+    given = re.search(rf"^[ \t\d]*(?:FOR[ \t]+)?{name}[ \t]*=(?!=)", text, re.I | re.M)
+    return given is not None and re.search(rf"(?<![\w.$#]){name}[ \t]*\[", text, re.I) is None
+
+
+def _prompt(problems: Problems, node: Application) -> str:
+    """Return the step for `n = PROMPT("How many? ")`."""
+    text = problems.source.text
+    line = text[text.rfind("\n", 0, node.start) + 1 : node.start]
+    target = _GIVEN.fullmatch(line)
+    asked = node.arguments[0] if len(node.arguments) == 1 else None
+    if target is None or not isinstance(asked, Text):
+        return ""
+    return f"PROMPT {text[asked.start : asked.end]}, {target[1]}"
+
+
+def _call(problems: Problems, node: Application) -> str:
+    """Return how a program is called that was taken for a function."""
+    text = problems.source.text
+    given = text[node.name.end : node.end].strip()[1:-1].strip()
+    begin = text.rfind("\n", 0, node.start) + 1
+    target = _TARGET.fullmatch(text[begin : node.start])
+    alone = text[node.end : text.find("\n", node.end)].partition(";")[0].strip() == ""
+    result = target["target"] if target is not None and alone else "result"
+    arguments = f"{given}, {result}" if given else result
+    return f"`CALL {node.name.text}({arguments})`, with the result in an argument"
+
+
+def joints_without_sign(problems: Problems, node: Application) -> None:
+    """Report `PPOINT(...)`."""
+    written = problems.source.text[node.name.start : node.end]
+    problems.error(
+        UNKNOWN_FUNCTION,
+        "the name of #PPOINT begins with `#`, as do all precision points",
+        node.name.start,
+        node.name.end,
+        notes=("VAL-II says *Illegal expression syntax*",),
+        help=(f"write `#{written}`",),
+        fix=problems.replace(node.name.start, node.name.start, "#"),
+    )
