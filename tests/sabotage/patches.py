@@ -2291,4 +2291,18 @@ PATCHES: tuple[Patch, ...] = (
         "",
         ("tests/browser/test_futures_page.py",),
     ),
+    Patch(
+        "a repair is told that the usual checks have not seen",
+        "vrts/repair/trying/trial.py",
+        "    return verified_text(place, text)\n",
+        "    return Tried(Stage.FULL, gained, marked.mark + 1, run)\n",
+        ("tests/unit/repair/test_mended.py",),
+    ),
+    Patch(
+        "a hint tells more than the task allows",
+        "vrts/repair/telling.py",
+        "    if best is None or level is Hints.PLACE:\n",
+        "    if best is None:\n",
+        ("tests/unit/cli/language/test_fix_behaviour.py",),
+    ),
 )

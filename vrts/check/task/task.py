@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from vrts.base.pose import Vector
 from vrts.base.source import Span
+from vrts.check.rules.hints import Hints
 from vrts.check.rules.proof_demand import EVERY_FUTURE, ProofDemand
 from vrts.check.rules.scheme import MarkScheme
 from vrts.check.rules.settings import USUAL_LOCKS
@@ -58,6 +59,7 @@ class Task:
     relations: tuple[Relation, ...] = ()
     locks: Locks = USUAL_LOCKS  # what programs may not set
     proof: ProofDemand | None = None  # what is asked about every future; None: nothing
+    hints: Hints = Hints.EDIT  # what authors of programs may be told of what would mend them
 
     @property
     def targets(self) -> tuple[Goal | Relation, ...]:

@@ -8,6 +8,7 @@ from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.base.units import MM
+from vrts.check.rules.hints import read_hints
 from vrts.check.rules.mark_file import read_mark
 from vrts.check.rules.proof_file import read_proof
 from vrts.check.rules.settings_file import read_settings
@@ -63,6 +64,7 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
     late, keep = read_late(top, problems, mark.total), read_keep(top)
     locks = read_settings(top, problems)
     proof = read_proof(top, problems, mark.total)
+    hints = read_hints(top)
     top.finish()
     return Task(
         name,
@@ -83,6 +85,7 @@ def _task(top: Table, problems: Problems, source: SourceFile, scene: Scene) -> T
         relations,
         locks,
         proof,
+        hints,
     )
 
 

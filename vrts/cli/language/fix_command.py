@@ -3,6 +3,7 @@
 import sys
 from collections import Counter
 from collections.abc import Sequence
+from pathlib import Path
 
 import click
 
@@ -11,6 +12,7 @@ from vrts.cli.language.changes import file_shown, print_diff
 from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
+    fail,
     guarded,
     out,
     out_bytes,
@@ -18,7 +20,7 @@ from vrts.cli.shared.console import (
     show_diagnostics,
     write_file,
 )
-from vrts.cli.shared.options import color_option, dialect_option
+from vrts.cli.shared.options import color_option, dialect_option, task_option
 from vrts.cli.shared.programs import given_program
 
 EPILOG = """\b
@@ -27,6 +29,7 @@ Examples:
   vrts fix --diff prog.v2
   vrts fix --write submissions/*.v2
   cat prog.v2 | vrts fix --write - > mended.v2
+  vrts fix --behaviour --diff prog.v2
 """
 
 
@@ -34,15 +37,38 @@ Examples:
 @click.argument("programs", metavar="PROGRAM...", nargs=-1, required=True)
 @click.option("--diff", is_flag=True, help="Write nothing to files; print what would change.")
 @click.option("--write", is_flag=True, help="Write the mended program; stdin goes to stdout.")
+@click.option(
+    "--behaviour",
+    is_flag=True,
+    help="Look for the smallest change that earns the full mark; it is executed and certified.",
+)
+@task_option()
 @dialect_option("Language of the family; auto looks at file name and content.", default="auto")
 @color_option
 @guarded
-def command(programs: tuple[str, ...], diff: bool, write: bool, dialect: str, color: str) -> None:
+def command(
+    programs: tuple[str, ...],
+    diff: bool,
+    write: bool,
+    behaviour: bool,
+    task: Path | None,
+    dialect: str,
+    color: str,
+) -> None:
     """Mend what is certain in each PROGRAM (a file, or - for stdin).
 
     Lists what it would do; nothing is written without --write. Only what a message has a sure
     remedy for is changed, and every other byte stays. The exit status is 1 where errors are left.
+
+    With --behaviour it mends what programs do, one change each, as far as the task beside it or
+    given allows hints. The exit status is 1 where a program loses points that no change wins back.
     """
+    if behaviour:
+        from vrts.cli.language.behaviour import mend_behaviour
+
+        sys.exit(mend_behaviour(programs, task, dialect, show=diff, write=write))
+    if task is not None:
+        fail("only behaviour is mended for a task", ("add `--behaviour`",))
     from vrts.pipeline.compiling.fixing import fix_bytes
     from vrts.pipeline.compiling.reading import Reading
 

@@ -58,7 +58,7 @@ def _applied(
 ) -> tuple[bytes, Compiled, Sequence[Diagnostic]] | None:
     """Apply the fixes that are chosen; where that adds errors, the first that adds none."""
     for together in (chosen, *((one,) for one in chosen if len(chosen) > 1)):
-        after = _rewritten(data, edits_of(together))
+        after = rewritten(data, edits_of(together))
         if after == data:
             continue
         compiled = compile_bytes(after, name, reading)
@@ -71,7 +71,7 @@ def _errors(compiled: Compiled) -> int:
     return sum(d.is_error for d in compiled.diagnostics)
 
 
-def _rewritten(data: bytes, edits: Sequence[Edit]) -> bytes:
+def rewritten(data: bytes, edits: Sequence[Edit]) -> bytes:
     """Return the bytes of a file after edits of its text as `decode` reads it."""
     found = characters(data)
     assert found is not None, "it was decoded"

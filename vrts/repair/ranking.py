@@ -1,0 +1,64 @@
+"""What a teacher would call right, among changes that all earn the full mark."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from vrts.repair.edit import Change, Does
+
+CLEARLY = 0.3  # by so much the best must be better than those of other lines to stand out
+ILLEGAL = 1.5  # what a value speaks against a change that no controller or teacher would take
+HARMLESS = 1.0  # what it speaks against it that a step goes that moves nothing
+FARTHEST = 600.0  # [mm] of a usual distance of APPRO and DEPART
+ABOVE_ZERO = frozenset({"DEPART", "DEPARTS", "APPRO", "APPROS", "DELAY", "SPEED"})
+TALKS = frozenset({"TYPE", "PROMPT"})
+
+
+class Repair(NamedTuple):
+    """A change that earns the full mark: executed and certified."""
+
+    change: Change
+    cost: float
+    text: str  # the program with the change
+    mark: Fraction
+    weight: float = 1.0  # how much its line is to blame
+
+
+def ranked(found: Sequence[Repair]) -> tuple[Repair, ...]:
+    """Return repairs, the likeliest first."""
+    return tuple(sorted(found, key=lambda each: round(each.cost + implausible(each.change), 6)))
+
+
+def standing_out(found: Sequence[Repair]) -> Repair | None:
+    """Return the first of ranked repairs, if it stands out among those of other lines."""
+    if not found:
+        return None
+    best = found[0]
+    mine = best.cost + implausible(best.change)
+    if implausible(best.change) >= ILLEGAL:
+        return None
+    for other in found[1:]:
+        near = other.cost + implausible(other.change) < mine + CLEARLY
+        if near and abs(other.change.line - best.change.line) > 1:
+            return None
+    return best
+
+
+def implausible(change: Change) -> float:
+    """Return what speaks against a change by itself, whatever its line is to blame for."""
+    words = change.new.upper().replace(",", " ").split()
+    if change.does is Does.REMOVE:
+        gone = change.old.upper().split()[:1]
+        return HARMLESS if gone and gone[0] in TALKS else 0.0
+    numbers = [value for value in map(_number, words) if value is not None]
+    counts = words[:1] and words[0] in ABOVE_ZERO
+    if counts and any(value <= 0 or value > FARTHEST for value in numbers):
+        return ILLEGAL
+    return 0.0
+
+
+def _number(word: str) -> float | None:
+    try:
+        return float(word)
+    except ValueError:
+        return None

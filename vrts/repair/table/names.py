@@ -1,0 +1,283 @@
+"""Other names: misspelt ones, exchanged ones, parts of compounds left out or turned round."""
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+from vrts.lang.names import key
+from vrts.lang.syntax.expressions import (
+    Application,
+    Element,
+    Infix,
+    Item,
+    Name,
+    Parenthesised,
+)
+from vrts.lang.syntax.statements import CallNamed, CallStatement, SetLocation, Simple
+from vrts.repair.edit import Candidate, Does, replacement
+from vrts.repair.nodes import nodes, operands, parts
+from vrts.repair.table.asked import MOVES_TO, TRUST, Asked, name_of, names_in, target_of
+from vrts.repair.written import WrittenStep
+
+FEW = 2  # letters in which a misspelt name differs
+
+
+def other_names(asked: Asked) -> Iterator[Candidate]:
+    """Yield every step with another name, and definitions under the name that is used."""
+    used = {key(name.text) for step in asked.written.steps for name in names_in(step)}
+    for step in asked.steps:
+        yield from _in_step(asked, step)
+        yield from _compounds(asked, step)
+        yield from _arguments(asked, step)
+    yield from _definitions(asked, used)
+    yield from _headers(asked, used)
+    yield from _exchanged(asked)
+
+
+def letters_apart(a: str, b: str) -> int:
+    """Return how many letters are to be changed, added or removed; two exchanged count one."""
+    before: list[int] = []
+    row = list(range(len(b) + 1))
+    for i, x in enumerate(a, 1):
+        above, row = row, [i]
+        for j, y in enumerate(b, 1):
+            best = min(above[j] + 1, row[j - 1] + 1, above[j - 1] + (x != y))
+            if i > 1 and j > 1 and x == b[j - 2] and a[i - 2] == y:
+                best = min(best, before[j - 2] + 1)
+            row.append(best)
+        before = above
+    return row[-1]
+
+
+def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
+    defined = asked.defined | asked.taught.keys()
+    target = target_of(step)
+    for name in names_in(step):
+        mine = key(name.text)
+        others = _like(asked, mine, step)
+        for other in sorted(others - {mine}):
+            apart = letters_apart(mine, other)
+            unusual = 0.3
+            if mine not in asked.defined:
+                unusual = -0.8 if apart <= FEW else 0.1
+            elif apart == 1:
+                unusual = 0.2
+            if target is not None and name_of(target) == name.text:
+                unusual += 0.4
+            if other not in defined:
+                unusual += 0.4
+            elif other in asked.idle:
+                unusual -= 0.5
+            yield asked.instead(Does.NAME, step.line, name, other, unusual=unusual)
+    if isinstance(step.statement, CallStatement):
+        program = step.statement.program
+        for other in asked.written.programs[1:]:
+            if other.name != key(program.text):
+                yield asked.instead(Does.NAME, step.line, program, other.name, unusual=0.2)
+
+
+def _like(asked: Asked, name: str, step: WrittenStep) -> set[str]:
+    """Return the names that may stand where a name stands."""
+    if name in asked.arrays:
+        return set(asked.arrays)
+    formals = {
+        key(f.name.text) for f in asked.written.programs[step.program].formals if f and not f.array
+    }
+    if name in asked.locations:
+        return set(asked.locations) | formals
+    if name in asked.numbers:
+        return set(asked.numbers) | formals
+    if name in asked.defined:
+        return set(asked.locations | asked.numbers) | formals
+    return set(asked.locations | asked.numbers | asked.arrays) | formals | set(asked.taught)
+
+
+def _compounds(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
+    """Yield compounds turned round, without a part, with a part more, and INVERSE more or less."""
+    seen: set[int] = set()
+    for item in operands(step.statement):
+        for part in parts(item):
+            match part:
+                case Infix(":", left, right):
+                    seen |= {left.start, right.start}
+                    yield from _compound(asked, step, part, left, right)
+                case Application(name, (inner,)) if key(name.text) == "inverse" and inner:
+                    text = asked.text_of(inner)
+                    yield asked.instead(Does.WORD, step.line, part, text, unusual=0.2)
+                case _:
+                    pass
+    for item in _location_operands(step):
+        for part in _leaves(item):
+            text = asked.text_of(part)
+            if part.start in seen or isinstance(step.statement, SetLocation):
+                inverse = f"INVERSE({text})"
+                yield asked.instead(Does.WORD, step.line, part, inverse, unusual=0.2)
+            for other in sorted(asked.locations - {key(text)}):
+                unusual = 0.1 if isinstance(step.statement, SetLocation) else 0.4
+                unusual -= 0.5 if other in asked.idle else 0.0
+                both = f"{text}:{other}"
+                yield asked.instead(Does.NAME, step.line, part, both, size=2, unusual=unusual)
+                both = f"{other}:{text}"
+                yield asked.instead(Does.NAME, step.line, part, both, size=2, unusual=unusual)
+
+
+def _compound(
+    asked: Asked, step: WrittenStep, whole: Item, left: Item, right: Item
+) -> Iterator[Candidate]:
+    one, other = asked.text_of(left), asked.text_of(right)
+    size = min(nodes(left) + nodes(right), 2 * min(nodes(left), nodes(right)))
+    turned = f"{other}:{one}"
+    yield asked.instead(Does.ORDER, step.line, whole, turned, size=size, unusual=-0.2)
+    yield asked.instead(Does.NAME, step.line, whole, one, size=1 + nodes(right), unusual=0.4)
+    yield asked.instead(Does.NAME, step.line, whole, other, size=1 + nodes(left), unusual=0.4)
+
+
+def _location_operands(step: WrittenStep) -> Iterator[Item]:
+    """Yield the operands of a step that are locations."""
+    statement = step.statement
+    match statement:
+        case SetLocation():
+            yield statement.value
+        case Simple(word, (first, *_)) if word in MOVES_TO and first is not None:
+            yield first
+        case CallStatement() | CallNamed():
+            yield from (each for each in statement.arguments if isinstance(each, Name | Element))
+        case _:
+            return
+
+
+def _leaves(item: Item) -> Iterator[Item]:
+    """Yield the names and elements that a location is made of."""
+    match item:
+        case Infix(_, left, right):
+            yield from _leaves(left)
+            yield from _leaves(right)
+        case Parenthesised(inner):
+            yield from _leaves(inner)
+        case Application(name, (first, *_)) if first is not None and key(name.text) == "shift":
+            yield from _leaves(first)
+        case Name() | Element():
+            yield item
+        case _:
+            return
+
+
+def _arguments(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
+    """Yield two arguments of a CALL or a function exchanged."""
+    lists: list[Sequence[Item | None]] = []
+    if isinstance(step.statement, CallStatement):
+        lists.append(step.statement.arguments)
+    for item in operands(step.statement):
+        lists += [part.arguments for part in parts(item) if isinstance(part, Application)]
+    for arguments in lists:
+        for k, one in enumerate(arguments):
+            for other in arguments[k + 1 :]:
+                if one is None or other is None or asked.text_of(one) == asked.text_of(other):
+                    continue
+                yield _swap(asked, step, one, other, -0.2)
+    if isinstance(step.statement, Simple) and step.statement.word == "DRAW":
+        given = [each for each in step.statement.operands if each is not None]
+        for one, other in pairwise(given):
+            yield _swap(asked, step, one, other, 0.2)
+
+
+def _swap(asked: Asked, step: WrittenStep, one: Item, other: Item, unusual: float) -> Candidate:
+    source = asked.written.source
+    a, b = asked.text_of(one), asked.text_of(other)
+    edits = (
+        replacement(source, one.start, one.end, b),
+        replacement(source, other.start, other.end, a),
+    )
+    size = min(nodes(one) + nodes(other), 2 * min(nodes(one), nodes(other)))
+    return asked.candidate(
+        Does.ORDER, step.line, edits, size=size, unusual=unusual, old=f"{a}, {b}", new=f"{b}, {a}"
+    )
+
+
+def _definitions(asked: Asked, used: set[str]) -> Iterator[Candidate]:
+    """Yield rows and assignments under a name that is used and that nothing defines."""
+    wanted = sorted(used - asked.defined)
+    targets = [(row.line, row.node.target) for row in asked.written.rows]
+    for step in asked.written.steps:
+        target = target_of(step)
+        if target is not None:
+            targets.append((step.line, target))
+    for line, target in targets:
+        name = target if isinstance(target, Name) else target.name
+        mine = key(name.text)
+        for other in wanted:
+            if mine in used and letters_apart(mine, other) > FEW:
+                continue
+            near = letters_apart(mine, other) <= FEW
+            edit = replacement(asked.written.source, name.start, name.end, other)
+            yield asked.candidate(
+                Does.NAME,
+                line,
+                (edit,),
+                against=0.3,
+                unusual=-0.8 if near else 0.3,
+                old=name.text,
+                new=other,
+            )
+
+
+def _headers(asked: Asked, used: set[str]) -> Iterator[Candidate]:
+    """Yield formal arguments exchanged, or under the name that their program uses."""
+    source = asked.written.source
+    for number, program in enumerate(asked.written.programs):
+        mine = {
+            key(name.text)
+            for step in asked.written.steps
+            if step.program == number
+            for name in names_in(step)
+        }
+        formals = [f for f in program.formals if f]
+        for formal in formals:
+            name = formal.name
+            for other in sorted(mine - asked.defined - {key(name.text)}):
+                edit = replacement(source, name.start, name.end, other)
+                near = letters_apart(key(name.text), other) <= FEW
+                yield asked.candidate(
+                    Does.NAME,
+                    program.line,
+                    (edit,),
+                    against=0.3,
+                    unusual=-0.6 if near else 0.2,
+                    old=name.text,
+                    new=other,
+                )
+        for one, other in pairwise(formals):
+            a, b = one.name, other.name
+            edits = (
+                replacement(source, a.start, a.end, b.text),
+                replacement(source, b.start, b.end, a.text),
+            )
+            yield asked.candidate(
+                Does.ORDER,
+                program.line,
+                edits,
+                size=2,
+                against=0.5,
+                unusual=0.3,
+                old=f"{a.text}, {b.text}",
+                new=f"{b.text}, {a.text}",
+            )
+
+
+def _exchanged(asked: Asked) -> Iterator[Candidate]:
+    """Yield the operands of two steps of one kind exchanged: `SET from[1]` and `SET from[2]`."""
+    settings = [step for step in asked.steps if isinstance(step.statement, SetLocation)]
+    motions = [
+        step
+        for step in asked.steps
+        if isinstance(step.statement, Simple) and step.statement.word in MOVES_TO
+    ]
+    for steps in (settings, motions):
+        for k, one in enumerate(steps):
+            for other in steps[k + 1 :]:
+                a, b = next(_location_operands(one), None), next(_location_operands(other), None)
+                if a is None or b is None or asked.text_of(a) == asked.text_of(b):
+                    continue
+                found = _swap(asked, one, a, b, 0.2)
+                less = min(asked.against(one.line), asked.against(other.line))
+                by = TRUST[Does.ORDER] * (less - asked.against(one.line))
+                yield found._replace(cost=found.cost + by)

@@ -1,0 +1,207 @@
+"""Other numbers in steps: mistyped, asked for by geometry, or said elsewhere."""
+
+from collections.abc import Iterator
+from enum import Enum
+
+from vrts.lang.syntax.expressions import Application, Element, Infix, Item, Number, Prefix
+from vrts.lang.syntax.statements import (
+    Assignment,
+    For,
+    If,
+    Simple,
+    SpeedStatement,
+    Statement,
+    Until,
+    While,
+)
+from vrts.repair.edit import Candidate, Does, replacement
+from vrts.repair.nodes import operands, parts
+from vrts.repair.table.asked import Asked, written_number
+from vrts.repair.written import WrittenStep
+
+FACTORS = (-1.0, 10.0, 0.1, 25.4, 1 / 25.4, 100.0, 0.01, 1000.0, 0.001)
+LADDER = (40, 60, 80, 100, 120, 150, 200, 250, 300)
+SPEEDS = (20.0, 30.0, 50.0, 100.0, 10.0, 40.0, 80.0)
+BESIDE = (20, 40, 80, 150, 10, 250, 400)
+SMALL = 12  # a whole number up to this may count something
+FAR = 5000.0  # [mm] no distance is longer
+
+
+class Role(Enum):
+    """What a number in a step is."""
+
+    DISTANCE = "distance"
+    SPEED = "speed"
+    COUNT = "count"
+    EITHER = "either"  # in an assignment or a sum
+
+
+def other_numbers(asked: Asked) -> Iterator[Candidate]:
+    """Yield every step with another number, and steps that are alike with another one together."""
+    alike: dict[tuple[str, str, float], list[tuple[WrittenStep, Item]]] = {}
+    elsewhere = _elsewhere(asked)
+    for step in asked.steps:
+        for item, role in numbers_of(step.statement):
+            value = value_of(item)
+            word = word_of(step.statement)
+            alike.setdefault((word, role.value, value), []).append((step, item))
+            for unusual, other in _others(asked, value, role, word, elsewhere):
+                yield asked.instead(
+                    Does.NUMBER, step.line, item, written_number(other), unusual=unusual
+                )
+    for (word, role, value), places in alike.items():
+        if len(places) > 1:
+            kind = Role(role)
+            for unusual, other in _others(asked, value, kind, word, elsewhere):
+                yield _together(asked, places, other, unusual)
+
+
+def _together(
+    asked: Asked, places: list[tuple[WrittenStep, Item]], other: float, unusual: float
+) -> Candidate:
+    text = written_number(other)
+    source = asked.written.source
+    edits = [replacement(source, item.start, item.end, text) for _, item in places]
+    line = min((step.line for step, _ in places), key=asked.against)
+    return asked.candidate(
+        Does.NUMBER,
+        line,
+        edits,
+        size=len(places),
+        priced=1.6,
+        unusual=unusual + 0.3,
+        old=asked.text_of(places[0][1]),
+        new=text,
+    )
+
+
+def numbers_of(statement: Statement) -> Iterator[tuple[Item, Role]]:
+    """Yield the numbers of a step with what they are; a signed number is one."""
+    for item in operands(statement):
+        yield from _numbers(item, _role(statement))
+
+
+def value_of(item: Item) -> float:
+    """Return the value of a number with its sign."""
+    if isinstance(item, Prefix):
+        assert isinstance(item.operand, Number)
+        return -item.operand.value
+    assert isinstance(item, Number)
+    return item.value
+
+
+def word_of(statement: Statement) -> str:
+    """Return the keyword of a step."""
+    return str(getattr(statement, "word", type(statement).__name__))
+
+
+def _numbers(item: Item, role: Role) -> Iterator[tuple[Item, Role]]:
+    match item:
+        case Number():
+            yield item, role
+        case Prefix("-", Number()):
+            yield item, role
+        case Element(_, subscripts):
+            for each in subscripts:
+                if each is not None:
+                    yield from _numbers(each, Role.COUNT)
+        case Application(_, arguments):
+            for each in arguments:
+                if each is not None:
+                    yield from _numbers(each, Role.DISTANCE)
+        case Prefix(_, inner):
+            yield from _numbers(inner, role)
+        case Infix(_, left, right):
+            inside = Role.EITHER if role is Role.DISTANCE else role
+            yield from _numbers(left, inside)
+            yield from _numbers(right, inside)
+        case _:
+            for part in parts(item):
+                if part is not item:
+                    yield from _numbers(part, role)
+
+
+def _role(statement: Statement) -> Role:
+    match statement:
+        case SpeedStatement():
+            return Role.SPEED
+        case For() | If() | While() | Until():
+            return Role.COUNT
+        case Simple("SIGNAL" | "WAIT" | "RESET"):
+            return Role.COUNT
+        case Assignment():
+            return Role.EITHER
+        case _:
+            return Role.DISTANCE
+
+
+def _elsewhere(asked: Asked) -> dict[str, list[float]]:
+    """Return the numbers that steps of each keyword have."""
+    found: dict[str, list[float]] = {}
+    for step in asked.written.steps:
+        for item, role in numbers_of(step.statement):
+            known = found.setdefault(word_of(step.statement), [])
+            if role is not Role.COUNT and value_of(item) not in known:
+                known.append(value_of(item))
+    return found
+
+
+def _others(
+    asked: Asked, value: float, role: Role, word: str, elsewhere: dict[str, list[float]]
+) -> list[tuple[float, float]]:
+    """Return other values, each once, with how unusual the mistake would be."""
+    found: dict[float, float] = {}
+
+    def add(unusual: float, other: float) -> None:
+        other = round(other, 2) + 0.0
+        if other != value and abs(other) <= FAR:
+            found[other] = min(unusual, found.get(other, unusual))
+
+    counts = role is Role.COUNT or (
+        role is Role.EITHER and value == round(value) and abs(value) <= SMALL
+    )
+    if counts:
+        for by, unusual in ((1, 0.0), (-1, 0.0), (2, 0.3), (-2, 0.3), (3, 0.6)):
+            add(unusual, value + by)
+        add(0.4, -value)
+    if role is Role.SPEED:
+        for k, other in enumerate((value * 10, value / 10, value * 3, value * 2, value * 5)):
+            add(0.1 * k, other)
+        for k, other in enumerate(SPEEDS):
+            add(0.1 + 0.05 * k, other)
+        for other in elsewhere.get(word, ()):
+            add(0.05, other)
+        return [(unusual, other) for other, unusual in found.items() if other > 0]
+    if role is Role.COUNT:
+        return [(unusual, other) for other, unusual in found.items()]
+    aside = 0.4 if counts else 0.0
+    for k, factor in enumerate(FACTORS):
+        add(aside + 0.08 * k, value * factor)
+    for k, other in enumerate(elsewhere.get(word, ())):
+        add(aside + 0.05 + 0.05 * k, other)
+    for other in mistyped(value):
+        add(aside + 0.3, other)
+    for k, other in enumerate(LADDER):
+        add(aside + 0.25 + 0.02 * k, other)
+        add(aside + 0.6, -other)
+    for residual in asked.blame.residuals:
+        for x in residual:
+            if abs(x) > 1.0:
+                add(aside + 0.35, value + x)
+                add(aside + 0.45, value - x)
+    for others in elsewhere.values():
+        for other in others:
+            add(aside + 0.4, other)
+    for k, by in enumerate(BESIDE):
+        add(aside + 0.5 + 0.05 * k, value + by)
+        add(aside + 0.5 + 0.05 * k, value - by)
+    return [(unusual, other) for other, unusual in found.items()]
+
+
+def mistyped(value: float) -> Iterator[float]:
+    """Yield numbers that become a value by two digits exchanged."""
+    text = written_number(abs(value))
+    sign = -1.0 if value < 0 else 1.0
+    for k in range(len(text) - 1):
+        if text[k : k + 2].isdigit() and text[k] != text[k + 1]:
+            yield sign * float(text[:k] + text[k + 1] + text[k] + text[k + 2 :])

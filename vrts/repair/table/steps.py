@@ -1,0 +1,328 @@
+"""A step more, a step less, and steps in another order."""
+
+import re
+from collections.abc import Iterator
+from itertools import permutations
+
+from vrts.base.diagnostic import Edit
+from vrts.check.task.demands import Keeps
+from vrts.lang.names import key
+from vrts.lang.syntax.expressions import Element, Name
+from vrts.lang.syntax.statements import (
+    CallStatement,
+    Case,
+    Declare,
+    For,
+    If,
+    SetLocation,
+    Simple,
+    Statement,
+    Structure,
+    Until,
+    ValueGroup,
+    While,
+)
+from vrts.repair.edit import Candidate, Does, replacement
+from vrts.repair.nodes import nodes_of_step
+from vrts.repair.table.asked import MOVES_TO, Asked, names_in, target_of
+from vrts.repair.written import WrittenStep
+
+BLOCKS = (For, If, While, Until, Case, ValueGroup, Structure, Declare)
+PLAIN = ("OPENI", "CLOSEI", "BREAK", "READY", "SPEED 100 ALWAYS")
+DEPARTURES = (60, 100, 120, 150, 200)
+APPROACHES = (120, 100, 60, 150)
+FARTHEST = 6  # steps that a step may have to be moved by
+SAYS_NOTHING = frozenset({"TYPE"})  # steps that move nothing: not copied elsewhere
+
+
+class Wanted:
+    """A step that may be missing."""
+
+    def __init__(self, text: str, size: int, unusual: float, trust: float = 2.2) -> None:
+        """Take its text, how many nodes it has, and what speaks against it."""
+        self.text, self.size, self.unusual, self.trust = text, size, unusual, trust
+
+
+def other_steps(asked: Asked) -> Iterator[Candidate]:
+    """Yield the program with a step less, more, or elsewhere."""
+    steps = asked.written.steps
+    for step in asked.steps:
+        if not isinstance(step.statement, BLOCKS):
+            yield _without(asked, step, steps)
+    wanted = list(_wanted(asked))
+    for k, step in enumerate(steps):
+        yield from _more(asked, k, wanted)
+        if not isinstance(step.statement, BLOCKS):
+            yield from _elsewhere(asked, k)
+    yield from _everywhere(asked)
+
+
+def movable(statement: Statement) -> bool:
+    """Return whether a step can stand elsewhere without breaking a block."""
+    return not isinstance(statement, BLOCKS)
+
+
+def _without(asked: Asked, step: WrittenStep, steps: tuple[WrittenStep, ...]) -> Candidate:
+    written = asked.written
+    start, end = written.line_start(step.line), written.line_start(step.line + 1)
+    k = steps.index(step)
+    beside = [steps[j].text for j in (k - 1, k + 1) if 0 <= j < len(steps)]
+    again = any(_same(step.text, text) for text in beside)
+    return asked.candidate(
+        Does.REMOVE,
+        step.line,
+        (replacement(written.source, start, end, ""),),
+        size=nodes_of_step(step.statement),
+        priced=1,
+        unusual=-0.4 if again else 0.25,
+        old=step.text,
+    )
+
+
+def _same(a: str, b: str) -> bool:
+    return a.split() == b.split()
+
+
+def _wanted(asked: Asked) -> Iterator[Wanted]:
+    """Yield the steps that may be missing anywhere: usual ones, and those that stand elsewhere."""
+    seen: set[str] = set()
+    for k, text in enumerate(PLAIN):
+        seen.add(text)
+        unusual = 0.05 * k + (0.4 if k > 2 else 0.0)
+        yield Wanted(text, 3 if " " in text else 1, unusual, 1.3 if k < 3 else 2.2)
+    for step in asked.written.steps:
+        word = getattr(step.statement, "word", "")
+        if not movable(step.statement) or word in SAYS_NOTHING or step.text in seen:
+            continue
+        seen.add(step.text)
+        yield Wanted(step.text, nodes_of_step(step.statement), 0.3)
+        for other in _next_in_series(step.text):
+            if other not in seen:
+                seen.add(other)
+                yield Wanted(other, nodes_of_step(step.statement), 0.3)
+        for other in _of_idle(asked, step):
+            if other not in seen:
+                seen.add(other)
+                yield Wanted(other, nodes_of_step(step.statement), -0.5, 1.2)
+    for name in sorted(asked.undefined - asked.arrays):
+        for one in sorted(asked.idle):
+            yield Wanted(f"SET {name} = {one}", 3, -0.5, 1.0)
+            for other in sorted(asked.idle - {one}):
+                yield Wanted(f"SET {name} = {one}:{other}", 5, -0.5, 1.0)
+    for program in asked.written.programs[1:]:
+        text = f"CALL {program.name}"
+        if not program.formals and text not in seen:
+            seen.add(text)
+            called = program.name in asked.called
+            yield Wanted(text, 2, 0.4 if called else -0.6, 2.2 if called else 0.8)
+    for demand in asked.task.demands:
+        if demand.keeps is Keeps.USES and demand.word == "SIGNAL" and "SIGNAL 1" not in seen:
+            yield Wanted("SIGNAL 1", 2, 0.0)
+    for height in DEPARTURES:
+        for word in ("DEPARTS", "DEPART"):
+            text = f"{word} {height}"
+            if text not in seen:
+                seen.add(text)
+                yield Wanted(text, 2, 0.5)
+
+
+def _of_idle(asked: Asked, step: WrittenStep) -> Iterator[str]:
+    """Yield a step with its locations replaced by those that no step names."""
+    if not asked.idle or not isinstance(step.statement, CallStatement | SetLocation | Simple):
+        return
+    names = [
+        part
+        for part in names_in(step)
+        if key(part.text) in asked.locations and part is not target_of(step)
+    ]
+    text = asked.written.text
+    if not names or len(names) > 2:
+        return
+    for given in permutations(sorted(asked.idle), len(names)):
+        made, at = "", step.start
+        for part, name in zip(names, given, strict=True):
+            made += text[at : part.start] + name
+            at = part.end
+        yield (made + text[at : step.end]).rstrip()
+
+
+def _next_in_series(text: str) -> Iterator[str]:
+    """Yield a step with the subscripts and numbers of names one higher and one lower."""
+    if "[" not in text and not re.search(r"[a-z]\d", text):
+        return
+    for by in (1, -1):
+        yield re.sub(
+            r"(?<=[A-Za-z\[])\d+", lambda found, by=by: str(max(0, int(found[0]) + by)), text
+        )
+
+
+def _more(asked: Asked, k: int, wanted: list[Wanted]) -> Iterator[Candidate]:
+    """Yield a step more before one, and behind the last of a program."""
+    steps = asked.written.steps
+    step = steps[k]
+    before = steps[k - 1] if k and steps[k - 1].program == step.program else None
+    last = k + 1 == len(steps) or steps[k + 1].program != step.program
+    reached = asked.matters(step.line) or (before is not None and asked.matters(before.line))
+    near = [*wanted, *_fitting(asked, before, step)]
+    if reached:
+        against = asked.against(step.line)
+        if before is not None:
+            against = min(against, asked.against(before.line))
+        for each in near:
+            fits = _fits(each.text, before, step)
+            yield _added(asked, step.line, step, each, against, fits)
+    if last and asked.matters(step.line):
+        for each in near:
+            fits = _fits(each.text, step, None)
+            line = step.line + 1
+            yield _added(asked, line, step, each, asked.against(step.line), fits)
+
+
+def _added(
+    asked: Asked, line: int, beside: WrittenStep, each: Wanted, against: float, fits: float
+) -> Candidate:
+    written = asked.written
+    at = written.line_start(line)
+    text = f"{written.indent(beside.line)}{each.text}\n"
+    return asked.candidate(
+        Does.ADD,
+        line,
+        (replacement(written.source, at, at, text),),
+        size=each.size,
+        priced=1 + 0.3 * (each.size - 1),
+        against=against,
+        trust=each.trust,
+        unusual=each.unusual + fits,
+        new=each.text,
+        group=-at if each.size == 1 else hash_of(each.text),
+    )
+
+
+def hash_of(text: str) -> int:
+    """Return a number for the keyword of a step: the same in every process."""
+    return -sum(ord(sign) * 31**k for k, sign in enumerate(text.split()[0][:6]))
+
+
+def _fitting(asked: Asked, before: WrittenStep | None, step: WrittenStep) -> Iterator[Wanted]:
+    """Yield motions to the places that the steps beside name."""
+    for beside in (before, step):
+        target = None if beside is None else _target(asked, beside)
+        if target is None:
+            continue
+        size = target.count("[") + target.count(":") * 2 + 1
+        yield Wanted(f"MOVES {target}", 1 + size, 0.0)
+        yield Wanted(f"MOVE {target}", 1 + size, 0.2)
+        for height in APPROACHES:
+            yield Wanted(f"APPRO {target}, {height}", 2 + size, 0.2)
+
+
+def _target(asked: Asked, step: WrittenStep) -> str | None:
+    """Return the location that a step moves to or near."""
+    match step.statement:
+        case Simple(word, (Name() | Element() as target, *_)) if word in MOVES_TO:
+            return asked.text_of(target)
+        case _:
+            return None
+
+
+def _fits(text: str, before: WrittenStep | None, step: WrittenStep | None) -> float:
+    """Return what the steps beside speak for or against a step between them."""
+    above = _words(before)
+    below = _words(step)
+    new = text.replace(",", " ").split()
+    word = new[0]
+    if _same(text, before.text if before else "") or _same(text, step.text if step else ""):
+        return 0.8
+    moves_in = above[:1] in (["MOVES"], ["MOVE"])
+    if word in ("CLOSEI", "OPENI"):
+        if above[:1] in (["CLOSEI"], ["OPENI"]):
+            return 0.6
+        if moves_in and below[:1] in (["DEPARTS"], ["DEPART"], ["MOVES"], ["MOVE"], ["APPRO"]):
+            return -0.35
+        return 0.0
+    if word in ("DEPARTS", "DEPART"):
+        return -0.45 if above[:1] in (["CLOSEI"], ["OPENI"]) else 0.4
+    if word in ("MOVES", "MOVE") and len(new) > 1:
+        if below[:1] in (["CLOSEI"], ["OPENI"]) and new[1] in above:
+            return -0.5
+        if below[:1] in (["CLOSEI"], ["OPENI"]):
+            return -0.2
+        return 0.1
+    if word in ("APPRO", "APPROS") and len(new) > 1:
+        return -0.45 if below[:1] in (["MOVES"], ["SPEED"]) and new[1] in below else 0.1
+    if word == "BREAK":
+        return 0.0 if above[:1] in (["MOVES"], ["MOVE"], ["APPRO"], ["DEPARTS"]) else 0.5
+    return 0.1
+
+
+def _words(step: WrittenStep | None) -> list[str]:
+    return [] if step is None else step.text.replace(",", " ").split()
+
+
+def _elsewhere(asked: Asked, k: int) -> Iterator[Candidate]:
+    """Yield a step a few steps further down or up."""
+    steps = asked.written.steps
+    step = steps[k]
+    written = asked.written
+    size = 2 * nodes_of_step(step.statement)
+    for by in (*range(-FARTHEST, 0), *range(1, FARTHEST + 1)):
+        j = k + by
+        if not 0 <= j < len(steps) or steps[j].program != step.program:
+            continue
+        passed = steps[min(k, j) : max(k, j) + 1]
+        if not any(asked.matters(each.line) for each in passed):
+            continue
+        if by == -1 and movable(steps[j].statement):
+            continue  # that one moved down is the same
+        smaller = min(size, 2 * nodes_of_step(steps[j].statement)) if abs(by) == 1 else size
+        against = min(asked.against(each.line) for each in passed)
+        to = steps[j].line if by < 0 else steps[j].line + 1
+        at = written.line_start(to)
+        start, end = written.line_start(step.line), written.line_start(step.line + 1)
+        text = written.text[start:end]
+        blocks = any(not movable(each.statement) for each in passed if each is not step)
+        yield asked.candidate(
+            Does.ORDER,
+            step.line,
+            (
+                replacement(written.source, start, end, ""),
+                replacement(written.source, at, at, text),
+            ),
+            size=smaller,
+            priced=1.6 + 0.2 * (smaller / 2 - 1),
+            against=against,
+            unusual=0.2 + 0.1 * (abs(by) - 1) + (0.3 if blocks else 0.0),
+            old=step.text,
+            new=step.text,
+        )
+
+
+def _everywhere(asked: Asked) -> Iterator[Candidate]:
+    """Yield a step more before or behind all steps of one keyword: forgotten every time."""
+    places: dict[str, list[WrittenStep]] = {}
+    for step in asked.steps:
+        word = getattr(step.statement, "word", "")
+        if word in ("OPEN", "CLOSE", "OPENI", "CLOSEI", "MOVES", "DEPARTS"):
+            places.setdefault(word, []).append(step)
+    written = asked.written
+    for word, steps in places.items():
+        if len(steps) < 2:
+            continue
+        line = min((step.line for step in steps), key=asked.against)
+        for text in ("BREAK", "OPENI", "CLOSEI"):
+            for behind in (0, 1):
+                edits: list[Edit] = []
+                for step in steps:
+                    at = written.line_start(step.line + behind)
+                    more = f"{written.indent(step.line)}{text}\n"
+                    edits.append(replacement(written.source, at, at, more))
+                said = "after" if behind else "before"
+                yield asked.candidate(
+                    Does.ADD,
+                    line,
+                    edits,
+                    size=len(steps),
+                    priced=1.8,
+                    unusual=0.4,
+                    new=f"{text} {said} every {word}",
+                )

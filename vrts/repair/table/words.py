@@ -1,0 +1,200 @@
+"""Other keywords and operators: MOVE for MOVES, APPRO for MOVE, ALWAYS, a condition's sense."""
+
+from collections.abc import Iterator
+from types import MappingProxyType
+
+from vrts.lang.syntax.expressions import Infix, Number, Prefix
+from vrts.lang.syntax.statements import (
+    Goto,
+    If,
+    Setting,
+    Simple,
+    SpeedStatement,
+    Until,
+    While,
+)
+from vrts.repair.edit import Candidate, Does, replacement
+from vrts.repair.nodes import nodes, operands, parts
+from vrts.repair.table.asked import Asked, written_number
+from vrts.repair.table.numbers import value_of
+from vrts.repair.written import WrittenStep
+
+INSTEAD = MappingProxyType(
+    {
+        "MOVE": ("MOVES",),
+        "MOVES": ("MOVE",),
+        "APPRO": ("APPROS",),
+        "APPROS": ("APPRO",),
+        "DEPART": ("DEPARTS",),
+        "DEPARTS": ("DEPART",),
+        "OPEN": ("OPENI", "CLOSE", "CLOSEI"),
+        "CLOSE": ("CLOSEI", "OPEN", "OPENI"),
+        "OPENI": ("CLOSEI", "OPEN"),
+        "CLOSEI": ("OPENI", "CLOSE"),
+        "RELAX": ("OPENI", "CLOSEI"),
+        "RELAXI": ("OPENI", "CLOSEI"),
+        "COARSE": ("FINE",),
+        "RIGHTY": ("LEFTY",),
+        "LEFTY": ("RIGHTY",),
+        "ABOVE": ("BELOW",),
+        "BELOW": ("ABOVE",),
+        "FLIP": ("NOFLIP",),
+        "NOFLIP": ("FLIP",),
+    }
+)
+NEAR = MappingProxyType({"MOVE": "APPRO", "MOVES": "APPROS"})  # with a distance
+HEIGHTS = (120, 100, 80, 60, 150, 200, 40)
+COMPARED = ("<", "<=", ">", ">=", "==", "<>")
+SUMS = ("+", "-")
+PRODUCTS = ("*", "/")
+LOGICAL = ("AND", "OR", "XOR")
+
+
+def other_words(asked: Asked) -> Iterator[Candidate]:
+    """Yield every step with another keyword or operator, alone and with all that are alike."""
+    alike: dict[tuple[str, str], list[WrittenStep]] = {}
+    for step in asked.steps:
+        word = getattr(step.statement, "word", "")
+        for k, other in enumerate(INSTEAD.get(word, ())):
+            yield _word(asked, step, word, other, 0.15 * k)
+            alike.setdefault((word, other), []).append(step)
+        yield from _near(asked, step)
+        yield from _always(asked, step)
+        yield from _operators(asked, step)
+    for (word, other), steps in alike.items():
+        if len(steps) > 1:
+            yield _words(asked, steps, word, other)
+
+
+def keyword_end(asked: Asked, step: WrittenStep) -> int:
+    """Return the offset behind the keyword of a step."""
+    text = asked.written.text
+    end = step.start
+    while end < step.end and (text[end].isalnum() or text[end] in "._"):
+        end += 1
+    return end
+
+
+def _word(
+    asked: Asked, step: WrittenStep, word: str, other: str, unusual: float, size: float = 1
+) -> Candidate:
+    end = keyword_end(asked, step)
+    edit = replacement(asked.written.source, step.start, end, other)
+    return asked.candidate(
+        Does.WORD, step.line, (edit,), size=size, unusual=unusual, old=word, new=other
+    )
+
+
+def _words(asked: Asked, steps: list[WrittenStep], word: str, other: str) -> Candidate:
+    source = asked.written.source
+    edits = [replacement(source, s.start, keyword_end(asked, s), other) for s in steps]
+    line = min((step.line for step in steps), key=asked.against)
+    return asked.candidate(
+        Does.WORD, line, edits, size=len(steps), priced=1.6, unusual=0.3, old=word, new=other
+    )
+
+
+def _near(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
+    """Yield APPRO for MOVE with a distance, and MOVE for APPRO without one."""
+    statement = step.statement
+    if not isinstance(statement, Simple):
+        return
+    source = asked.written.source
+    end = keyword_end(asked, step)
+    given = [each for each in statement.operands if each is not None]
+    if statement.word in NEAR and len(given) == 1:
+        for k, height in enumerate(_heights(asked)):
+            text = f"{NEAR[statement.word]}{source.text[end : given[0].end]}, "
+            new = text + written_number(height)
+            edit = replacement(source, step.start, given[0].end, new)
+            unusual = 0.1 + 0.08 * k
+            old = source.text[step.start : given[0].end]
+            yield asked.candidate(
+                Does.WORD, step.line, (edit,), size=2, unusual=unusual, old=old, new=new
+            )
+    if statement.word in NEAR.values() and len(given) == 2:
+        bare = "MOVE" + statement.word.removeprefix("APPRO")
+        old = source.text[step.start : given[1].end]
+        for k, word in enumerate((bare, "MOVES" if bare == "MOVE" else "MOVE")):
+            new = f"{word}{source.text[end : given[0].end]}"
+            edit = replacement(source, step.start, given[1].end, new)
+            size = 1 + nodes(given[1])
+            yield asked.candidate(
+                Does.WORD, step.line, (edit,), size=size, unusual=0.1 + 0.2 * k, old=old, new=new
+            )
+
+
+def _heights(asked: Asked) -> list[float]:
+    """Return the distances of APPRO in the program, then usual ones."""
+    found: dict[float, None] = {}
+    for step in asked.written.steps:
+        match step.statement:
+            case Simple("APPRO" | "APPROS", (_, distance)) if distance is not None:
+                try:
+                    found[value_of(distance)] = None
+                except AssertionError:
+                    continue
+            case _:
+                continue
+    return [*found, *(float(h) for h in HEIGHTS if h not in found)]
+
+
+def _always(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
+    statement = step.statement
+    if not isinstance(statement, SpeedStatement | Setting):
+        return
+    source = asked.written.source
+    text = source.text[step.start : step.end]
+    if statement.always:
+        at = step.start + text.upper().rindex("ALWAYS")
+        blank = at - len(text[: at - step.start]) + len(text[: at - step.start].rstrip())
+        edit = replacement(source, blank, at + len("ALWAYS"), "")
+        yield asked.candidate(
+            Does.WORD, step.line, (edit,), unusual=0.15, old=text.strip(), new=text.strip()[:-7]
+        )
+    else:
+        end = step.start + len(text.rstrip())
+        edit = replacement(source, end, end, " ALWAYS")
+        yield asked.candidate(
+            Does.WORD,
+            step.line,
+            (edit,),
+            unusual=0.15,
+            old=text.strip(),
+            new=f"{text.strip()} ALWAYS",
+        )
+
+
+def _operators(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
+    statement = step.statement
+    decides = isinstance(statement, If | While | Until | Goto)
+    source = asked.written.source
+    for item in operands(statement):
+        for part in parts(item):
+            if isinstance(part, Infix):
+                yield from _operator(asked, step, part)
+            elif isinstance(part, Prefix) and not isinstance(part.operand, Number):
+                inner = asked.text_of(part.operand)
+                yield asked.instead(Does.WORD, step.line, part, inner, unusual=0.2)
+        if decides:
+            text = source.text[item.start : item.end]
+            yield asked.instead(Does.WORD, step.line, item, f"NOT ({text})", size=2, unusual=0.3)
+
+
+def _operator(asked: Asked, step: WrittenStep, part: Infix) -> Iterator[Candidate]:
+    for group in (COMPARED, SUMS, PRODUCTS, LOGICAL):
+        if part.operator not in group:
+            continue
+        source = asked.written.source
+        at = part.operator_start
+        end = part.right.start
+        old = source.text[at:end].split()[0]
+        if old.startswith(part.operator):
+            old = part.operator
+        for k, other in enumerate(group):
+            if other == part.operator:
+                continue
+            edit = replacement(source, at, at + len(old), other)
+            yield asked.candidate(
+                Does.WORD, step.line, (edit,), unusual=0.1 + 0.1 * (k > 2), old=old, new=other
+            )
