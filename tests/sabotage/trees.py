@@ -1,18 +1,15 @@
 """Copies of the tree, one with a patch, and tests run in them."""
 
 import os
-import re
 import shutil
-import subprocess
-import sys
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from tests.sabotage import warm
 from tests.sabotage.patches import Patch
 
 COPIED = ("vrts", "tests", "examples", "scenes", "pyproject.toml", "README.md")
-FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+)", re.M)  # as pytest sums up
 SECONDS = 300  # for the tests of a patch
 ALL_SECONDS = 1800  # for those of all patches
 
@@ -60,6 +57,10 @@ class NoTestError(RuntimeError):
     """No test was run: there is none of these names."""
 
 
+class NoAnswerError(RuntimeError):
+    """Tests did not end in time, or ended their process."""
+
+
 def run_tests(tree: Path, tests: Sequence[str], *options: str, seconds: float = SECONDS) -> bool:
     """Run tests in a tree; return whether any failed. A run that collects nothing raises."""
     return first_failure(tree, tests, *options, seconds=seconds) is not None
@@ -72,21 +73,15 @@ def first_failure(
 
     Raises:
         NoTestError: There are no such tests.
+        NoAnswerError: They took too long, or took Python with them.
     """
-    environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", PYTHONPATH=str(tree))
-    command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:randomly", *options, *tests]
-    result = subprocess.run(
-        command,
-        cwd=tree,
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=seconds,
-        check=False,
-    )
-    if result.returncode not in (0, 1, 2):
-        raise NoTestError(result.stdout + result.stderr)
-    if result.returncode == 0:
+    said = tree.with_name(f"{tree.name}.said")
+    words = ["-x", "-q", "-p", "no:randomly", *options, *tests]
+    status, failed = warm.run(tree, words, seconds, said)
+    if status is None:
+        raise NoAnswerError(f"its tests did not end within {seconds:.0f} s, or died")
+    if status not in (0, 1, 2):
+        raise NoTestError(said.read_text(encoding="utf-8", errors="replace"))
+    if status == 0:
         return None
-    found = FAILED.search(result.stdout)
-    return tests[0] if found is None else found[1]
+    return failed or tests[0]

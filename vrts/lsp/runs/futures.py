@@ -76,8 +76,6 @@ def _told(proof: Proof, known: Collection[Diagnostic], severity: Severity) -> It
     shown = {_place(one) for one in errors if one.primary is not None}
     goals_missed = any(one.primary is None for one in known)  # its example misses one already
     for wronged in proof.found[:MOST]:
-        if not wronged.decisions:
-            continue  # whatever comes: the run shows that
         if wronged.wrong is Wrong.GOAL and goals_missed:
             continue
         found = diagnostic(wronged)

@@ -53,6 +53,13 @@ def test_the_environment_of_the_task_counts(tmp_path: Path) -> None:
     assert futures(IF_INPUT, tmp_path, PROVE.format("false") + NEVER_ON) == []
 
 
+def test_a_property_that_no_run_checks_is_told_whatever_comes(tmp_path: Path) -> None:
+    text = IF_INPUT.replace("        READY", "        SIGNAL 3\n        READY")
+    never = '[[prove.environment.never]]\ntitle = "no lamp"\nsignals = [3]\n'
+    found = futures(text, tmp_path, PROVE.format("false") + NEVER_ON + never)
+    assert [one.message.split(":")[0] for one in found] == ["even if nothing comes from outside"]
+
+
 @pytest.mark.parametrize("when", ["IF TRUE THEN", "IF TIMER(1) >= 0 THEN", "IF NOT SIG(3) THEN"])
 def test_what_the_run_shows_is_told_once(tmp_path: Path, when: str) -> None:
     assert futures(LOWERS.format(when), tmp_path) == []

@@ -1,0 +1,89 @@
+"""Pytest in a tree of its own, in a child of a process that has loaded the libraries already.
+
+Most patches are noticed by one short test: to start Python and to load pytest and the libraries of
+others would cost more than the test. The child loads what is of the tree from the tree.
+"""
+
+import multiprocessing
+import os
+import sys
+from collections.abc import Sequence
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+import pytest
+
+LIBRARIES = (
+    *("pytest", "hypothesis", "hypothesis.strategies", "_hypothesis_pytestplugin", "xdist"),
+    *("numpy", "pinocchio", "coal", "lark", "click", "trimesh"),
+)
+OURS = ("tests", "vrts")
+QUIET = "ignore::pytest.PytestAssertRewriteWarning"  # of plugins that are loaded already
+
+
+class Outcome:
+    """A plugin of pytest that keeps the first test that failed, or could not be begun."""
+
+    def __init__(self) -> None:
+        """Know of none."""
+        self.first: str | None = None
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Look at what became of a test."""
+        if report.failed and self.first is None:
+            self.first = report.nodeid
+
+    def pytest_collectreport(self, report: pytest.CollectReport) -> None:
+        """Look at what became of a file."""
+        if report.failed and self.first is None:
+            self.first = report.nodeid
+
+
+def run(
+    tree: Path, words: Sequence[str], seconds: float, said: Path
+) -> tuple[int | None, str | None]:
+    """Run pytest in a tree.
+
+    Args:
+        tree: The tree.
+        words: Its options and tests.
+        seconds: How long it may take [s].
+        said: The file that takes what is printed.
+
+    Returns:
+        The exit status (None: it took too long, or died), and the first test that failed.
+    """
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(list(LIBRARIES))
+    here, there = context.Pipe(duplex=False)
+    child = context.Process(target=_pytest, args=(str(tree), list(words), str(said), there))
+    child.start()
+    there.close()
+    try:
+        told: tuple[int, str | None] = here.recv() if here.poll(seconds) else (None, None)
+    except EOFError:  # it died
+        told = None, None
+    finally:
+        here.close()
+        child.join(5.0)
+        if child.is_alive():
+            child.kill()
+            child.join()
+    return told
+
+
+def _pytest(tree: str, words: list[str], said: str, answer: Connection) -> None:
+    """Run pytest in this process, which is new, and send its exit status."""
+    os.chdir(tree)
+    os.environ["PYTHONPATH"] = tree
+    sys.path.insert(0, tree)
+    for name in [name for name in sys.modules if name.split(".")[0] in OURS]:
+        del sys.modules[name]
+    out = os.open(said, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+    os.dup2(out, 1)
+    os.dup2(out, 2)
+    outcome = Outcome()
+    status = pytest.main(["-W", QUIET, *words], plugins=[outcome])
+    sys.stdout.flush()
+    answer.send((int(status), outcome.first))
+    answer.close()
