@@ -7,6 +7,7 @@ is given to another.
 from vrts.engine.futures.named import Named
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.states.arm import arm
+from vrts.engine.machine.states.nearly import from_now
 from vrts.engine.machine.states.state import outside
 from vrts.engine.memory.records import Lie
 
@@ -22,10 +23,10 @@ class AtRest:
     def arm(self, machine: Machine, now: float) -> int:
         """Return the number of what the arm is doing."""
         planner = machine.system.planner
+        end_s = planner.path_end
         moves = (
             planner.pending is not None
-            or planner.settled_at > now
-            or planner.motion_end > now
+            or end_s > now
             or planner.braking_until > now
             or planner.scale.knots[-1].time_s > now
             or planner.settings.next
@@ -37,7 +38,9 @@ class AtRest:
             *(planner.ghost, planner.given.stayed, planner.request, planner.settings.always),
             *(planner.tool, planner.base),
         )
-        key = ("arm", planner.scale.rate, planner.overdue, *map(id, parts))
+        settles_s, held_s = end_s + planner.settling_s, planner.hold_until
+        waits = (from_now(settles_s, now), from_now(held_s, now))  # a DELAY holds the arm
+        key = ("arm", *waits, planner.scale.rate, planner.overdue, *map(id, parts))
         known = self._known.get(key)
         if known is None:
             number = self._named.number(arm(machine, now, self._named))

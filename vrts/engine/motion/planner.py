@@ -130,6 +130,11 @@ class Planner:
     # --- times --------------------------------------------------------------------------------
 
     @property
+    def path_end(self) -> float:
+        """Run time from which on the arm stands still, DELAY or not [s]."""
+        return self.scale.time(self.given.end_s)
+
+    @property
     def motion_end(self) -> float:
         """Run time at which the path of the last motion ends [s]."""
         end = self.scale.time(self.given.end_s)

@@ -110,7 +110,7 @@ def _rests(machine: Machine, memory: Memory) -> bool:
         seen_s > 0.0
         and not (memory.letting_go or memory.coming or memory.outcomes)
         and planner.pending is None
-        and max(planner.settled_at, planner.motion_end, planner.braking_until) <= seen_s
+        and max(planner.path_end, planner.braking_until) <= seen_s
         and hand.closing is None
         and all(stroke.end_s <= seen_s for stroke in hand.strokes[-1:])
         and all(track[-1].start_s <= seen_s for track in hand.placements.values())

@@ -114,10 +114,10 @@ class Grows:
         return found
 
     def _is_behind(self, state: int, leg: int) -> bool:
-        """Return whether a leg comes from a state."""
+        """Return whether a leg comes from a state: numbers fall on the way back."""
         start = self._graph.legs[leg].start
         for _ in range(FAR):
-            if start is None or start == state:
+            if start is None or start <= state:
                 break
             start = self._graph.legs[self._graph.visits[start].leg].start
         return start == state
