@@ -1,5 +1,6 @@
 """`vrts prove`."""
 
+import shlex
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -147,7 +148,9 @@ def command(
     if html is not None:
         _write_page(request, found, outside, html)
     if counterexample is not None:
-        _write(found.proof, title, counterexample)
+        command = "run" if setting is None else "verify"
+        again = ["vrts", command, str(program), *_named(where, language, entry), "--scenario"]
+        _write(found.proof, again, counterexample)
     sys.exit(status_of(found.proof))
 
 
@@ -174,13 +177,27 @@ def _write_page(
     say(f"wrote {path}")
 
 
-def _write(proof: "Proof", title: str, path: Path) -> None:
+def _named(where: Where, language: Language, entry: str | None) -> list[str]:
+    """Return the options that name the same setting again."""
+    given = (
+        ("--scene", where.scene),
+        ("--task", where.task),
+        ("--lab", where.lab),
+        ("--controller", where.controller),
+        ("--dialect", language.dialect),
+        *(("--with", other) for other in language.others),
+        ("--program", entry),
+    )
+    return [str(word) for pair in given if pair[1] is not None for word in pair]
+
+
+def _write(proof: "Proof", again: list[str], path: Path) -> None:
     """Write the shortest counterexample as a scenario, if there is one, and say how to see it."""
     if not proof.found:
         say("nothing goes wrong in any future that was looked at, so no scenario is written")
         return
     write_file(path, _scenario(proof.found[0]).encode())
-    say(f"wrote {path}; see it with `vrts verify {title} --scenario {path}`")
+    say(f"wrote {path}; see it with `{shlex.join([*again, str(path)])}`")
 
 
 def _scenario(wronged: "Wronged") -> str:

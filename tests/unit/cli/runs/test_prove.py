@@ -1,6 +1,7 @@
 """`vrts prove`: every future, told, written as a scenario, and ended early."""
 
 import json
+import shlex
 import os
 import re
 import signal
@@ -65,9 +66,22 @@ def test_the_counterexample_repeats_what_went_wrong(share: Path, tmp_path: Path)
     result = vrts("prove", share, "--counterexample", bad)
     assert f"wrote {bad}".encode() in result.stderr
     again = vrts("run", share, "--scenario", bad)
+    assert f"see it with `vrts run {share} --scenario {bad}`".encode() in result.stderr
     assert again.returncode == 1
-    assert b"division by zero" in again.stderr
+    assert b"division by zero" in again.stdout + again.stderr
     assert vrts("run", share).returncode == 0
+
+
+def test_what_to_type_to_see_it_names_the_setting_too(share: Path, tmp_path: Path) -> None:
+    bad = tmp_path / "bad one.toml"
+    where = ("--scene", "cans-on-bases", "--controller", "val2", "--dialect", "val2")
+    result = vrts("prove", share, *where, "--no-collisions", "--counterexample", bad)
+    _, typed, _ = result.stderr.decode().split("`")
+    command, *words = shlex.split(typed)
+    assert command == "vrts"
+    assert words[1:] == [str(share), *where, "--scenario", str(bad)]
+    again = vrts(*words)
+    assert b"division by zero" in again.stdout + again.stderr
 
 
 def test_an_environment_says_what_cannot_come(share: Path, tmp_path: Path) -> None:
