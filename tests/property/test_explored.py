@@ -27,7 +27,7 @@ from vrts.scene.model import Scenario, Scene
 
 FEW = 1_000  # states
 MOST = 20_000  # of programs that are made to be looked at
-SCENARIOS, MORE = 8, 33  # of each of these, usual and many: 10,140 altogether
+SCENARIOS = 8  # of each of these; tests/bench tries many more
 ALONE = robot_alone()
 USUAL, MANY = range(30), [pytest.param(k, marks=pytest.mark.thorough) for k in range(30, 330)]
 
@@ -200,10 +200,15 @@ def chance(draw: Random) -> Scenario:
 @pytest.mark.parametrize("number", [*USUAL, *MANY])
 @deep_stack()
 def test_what_a_scenario_shows_is_among_the_futures(number: int) -> None:
+    among_the_futures(number, SCENARIOS)
+
+
+def among_the_futures(number: int, scenarios: int) -> None:
+    """Look whether what so many scenarios of a program show is among its futures."""
     module = compiled(looking(number))
     search = searched(module, ALONE, Environment(), MOST)
     assert search.is_over
-    for seed in range(SCENARIOS if number in USUAL else MORE):
+    for seed in range(scenarios):
         scenario = chance(Random(f"{number}.{seed}"))
         shown = stays(search, Told(module, ALONE, scenario, frozenset(INPUTS)))
         if shown[-1].robot.ending is Ending.ERROR:

@@ -60,7 +60,7 @@ def run(
     child.start()
     there.close()
     try:
-        told: tuple[int, str | None] = here.recv() if here.poll(seconds) else (None, None)
+        told: tuple[int | None, str | None] = here.recv() if here.poll(seconds) else (None, None)
     except EOFError:  # it died
         told = None, None
     finally:

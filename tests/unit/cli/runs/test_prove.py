@@ -1,9 +1,9 @@
 """`vrts prove`: every future, told, written as a scenario, and ended early."""
 
 import json
-import shlex
 import os
 import re
+import shlex
 import signal
 import subprocess
 import sys
