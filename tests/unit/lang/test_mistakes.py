@@ -13,15 +13,15 @@ from vrts.base.diagnostic import Severity
 MISTAKES = mistakes()
 RIGHT = right()
 HELD = {  # how many mistakes of all; they may rise
-    "place": 534,
-    "cause": 533,
-    "help": 530,
-    "count": 533,
-    "all": 528,
-    "edit": 225,
-    "severity": 533,
+    "place": 605,
+    "cause": 604,
+    "help": 602,
+    "count": 605,
+    "all": 601,
+    "edit": 255,
+    "severity": 601,
 }
-FALSE_WARNINGS = 3  # right programs of which the compiler complains; they may fall
+FALSE_WARNINGS = 2  # right programs of which the compiler complains; they may fall
 
 
 def test_cases_are_many_and_named_once() -> None:

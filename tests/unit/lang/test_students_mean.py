@@ -41,6 +41,14 @@ def told(body: str) -> tuple[int, str, str, str]:
         ("IF HERE == pick THEN\nREADY\nEND", 1, "`==`", "`DISTANCE(HERE, pick) < 1`"),
         ("WHILE pick <> HERE DO\nEND", 1, "`<>`", "`DISTANCE(pick, HERE) > 1`"),
         ("z[1] = 1\nTYPE LEN(z)", 2, "LEN", "nothing counts the elements"),
+        ("CALL put, measure", 1, "one program", "`CALL put`, `CALL measure`"),
+        ("n = 1\nIF n == None THEN\nREADY\nEND", 2, "`none`", "`NOT DEFINED(n)`"),
+        ("DRIVE J1, 45, 50", 1, "`j1`", "write `1`"),
+        ('PROMPT "?", $a\nIF $a == y THEN\nEND', 2, "`==`", '`$a == "y"`'),
+        ("x = TRUE\nIF x == 1 THEN\nREADY\nEND", 2, "never true", "`== ON`"),
+        ("DRAW 0, 0, 0.1", 1, "metres", "100"),
+        ("x = zeros(1, 3)\nx[1] = 2\nTYPE x[1]", 1, "`zeros`", "no size"),
+        ("x = time.time()\nTYPE x", 1, "`time.time`", "`TIMER(1)`"),
         ("SET p = pick, 2\nMOVE p", 1, "one value", "SHIFT(pick BY dx, dy, dz)"),
         ("WAIT SIG(2001)\nSIGNAL 2002", 1, "internal signal 2001", "`2002`"),
         ("FOR i = 1 TO 3\nz[i] = i\nEND\nFOR i = 0 TO 2\nTYPE z[i]\nEND", 4, "z[0]", "i = 1 TO 3"),
@@ -68,6 +76,24 @@ def test_the_first_message_names_the_cause(body: str, line: int, headline: str, 
         ("x = 1.200,5\nTYPE x", "x = 1200.5\nTYPE x"),
         ("CASE TIMER(1) OF\nVALUE 4-6:\nEND", "CASE TIMER(1) OF\nVALUE 4, 5, 6:\nEND"),
         ("CASE TIMER(1) OF\nVALUE 1 OR 2:\nEND", "CASE TIMER(1) OF\nVALUE 1, 2:\nEND"),
+        ("count = 1\ncount =+ 1\nTYPE count", "count = 1\ncount = count+1\nTYPE count"),
+        ("x = ATAN2(1, 2)*180/PI\nTYPE x", "x = ATAN2(1, 2)\nTYPE x"),
+        ("MOVES SHIFT(pick BY 0, 0, ...\n50)", "MOVES SHIFT(pick BY 0, 0, 50)"),
+        ("MOVES SHIFT(pick BY 0,\n0,\n50)", "MOVES SHIFT(pick BY 0, 0, 50)"),
+        ("DO MOVE pick", "MOVE pick"),
+        ("DO MOVE pick\nUNTIL SIG(1001)", "DO\n    MOVE pick\nUNTIL SIG(1001)"),
+        ("WAIT TIME 2", "DELAY 2"),
+        ('CALL "put"(pick, 5)', "CALL put(pick, 5)"),
+        ("DO 3 TIMES\nREADY\nEND", "FOR i = 1 TO 3\nREADY\nEND"),
+        ("MOVE pick TO over", "MOVE pick\nMOVE over"),
+        ("OUTPUT 2 = 1", "SIGNAL 2"),
+        ("IF TIMER(1) > 3 AND < 5 THEN\nEND", "IF (TIMER(1) > 3) AND (TIMER(1) < 5) THEN\nEND"),
+        ("x = MAX(1,2\nTYPE x", "x = MAX(1,2)\nTYPE x"),
+        ("IF (SIG(1001) THEN\nREADY\nEND", "IF (SIG(1001)) THEN\nREADY\nEND"),
+        ("z[1] = 2\nh = z(1)\nTYPE h", "z[1] = 2\nh = z[1]\nTYPE h"),
+        ("x = -|3|\nTYPE x", "x = -ABS(3)\nTYPE x"),
+        ("n = 2\nTYPE n:6:2", "n = 2\nTYPE /F6.2, n"),
+        ("SET p = pick + [0, 0, 50]\nMOVE p", "SET p = SHIFT(pick BY 0, 0, 50)\nMOVE p"),
         ("a = 3\nr = a*PI/180\nTYPE COS(r)", "a = 3\nr = a\nTYPE COS(r)"),
     ],
 )
@@ -100,3 +126,28 @@ def test_a_value_lost_is_told_once() -> None:
     """A variable that gets no value for its parentheses is not told to have none, too."""
     text = f".PROGRAM main\nCALL measure((h))\nTYPE h\n.END\n{MORE}{DATA}"
     assert [d.rule.code for d in said(compiled(text))] == ["V269"]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        'PROMPT "?", $a\nIF $a == "y" OR "Y" THEN\nREADY\nEND',
+        "MOVE READY",
+        "x = zeros(1, 3)\nx[1] = 2\nTYPE x[1]",
+        "z[1] = 1\nTYPE LEN(z)",
+        'INPUT "How many"; n\nTYPE n',
+        "MOVES SHIFT(pick BY 0,\n0,\n50)",
+        "n = 2\nTYPE n:6:2",
+        "SET p = {450,-120,-250,90,90,0}\nMOVE p",
+    ],
+)
+def test_one_mistake_is_told_once(body: str) -> None:
+    text = f".PROGRAM main\n{body}\n.END\n{MORE}{DATA}"
+    assert len(said(compiled(text))) == 1
+
+
+def test_a_part_may_be_pressed_by_a_few_millimetres() -> None:
+    """A sign that is wrong shows in tens of millimetres."""
+    for body, codes in (("APPROS pick, -2", []), ("APPROS pick, -20", ["V220"])):
+        text = f".PROGRAM main\nMOVE over\n{body}\nMOVES pick\n.END\n{MORE}{DATA}"
+        assert [d.rule.code for d in said(compiled(text))] == codes

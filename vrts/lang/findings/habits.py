@@ -9,6 +9,8 @@ from vrts.lang.findings.lost_speeds import check_speeds
 from vrts.lang.findings.motion_habits import check_motion
 from vrts.lang.findings.terminal_habits import check_terminal
 from vrts.lang.findings.values.begun_anew import check_begun_anew
+from vrts.lang.findings.values.sign_behind_equals import check_sign
+from vrts.lang.findings.values.units.converted import check_converted
 from vrts.lang.findings.ways.branches import check_branches
 from vrts.lang.findings.ways.breaks import check_breaks
 from vrts.lang.findings.ways.case_groups import check_groups
@@ -20,12 +22,13 @@ from vrts.lang.meaning.structure import Block
 from vrts.lang.problems import Problems
 from vrts.lang.syntax.expressions import Name
 from vrts.lang.syntax.program import ProgramText
-from vrts.lang.syntax.statements import Simple, SpeedStatement, Statement
+from vrts.lang.syntax.statements import Assignment, Simple, SpeedStatement, Statement
 
 CONSTANT_WAIT = Rule("V152", "constant-wait")
 NEGATIVE_APPROACH = Rule("V220", "negative-approach")
 HAND_ON_THE_WAY = Rule("V221", "hand-on-the-way")
 
+PRESSED = 5.0  # [mm] so far beyond a location a part may be pressed on purpose
 NEAR = 50  # steps that are looked through for the motion before or after
 _ARRIVING = frozenset({"MOVE", "MOVES"})
 _LEAVING = frozenset({"DEPART", "DEPARTS"})
@@ -48,14 +51,19 @@ def check_habits(
     """
     loops = LoopCheck(problems, scope)
     counting = CountingCheck(problems, scope, changed_by)
+    converted = "atan2" in problems.source.text.lower()
     for program in programs:
         steps = [s.statement for s in program.steps]
         for at, node in enumerate(steps):
+            if isinstance(node, Assignment):
+                check_sign(problems, node)
             if isinstance(node, Simple):
                 _waiting(problems, node)
                 _approach(problems, scope, program, node)
                 _hand(problems, steps, at, node)
         check_motion(problems, scope, program)
+        if converted and not problems.dialect.tolerant:
+            check_converted(problems, program)
         found = structures[program.name]
         empty: list[Block] = []
         if not problems.any_error:  # else the structures may be others
@@ -104,7 +112,7 @@ def _approach(problems: Problems, scope: Scope, program: ProgramText, node: Simp
         return
     operand = node.operands[away]
     distance = constant(scope, program.name, operand)
-    if operand is None or distance is None or distance >= 0:
+    if operand is None or distance is None or distance > -PRESSED:
         return
     approach = node.word.startswith("APPRO")
     problems.warning(

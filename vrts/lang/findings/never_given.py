@@ -18,6 +18,9 @@ from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 _FORMAT = re.compile(r"[FIGE]\d+(\.\d+)?", re.IGNORECASE)
 _TRUTHS = {"high": "ON", "low": "OFF", "yes": "TRUE", "no": "FALSE"}  # of other languages
+_NOTHING = frozenset({"none", "nil", "nan", "undefined", "null", "empty"})  # of other languages
+_COMPARED = re.compile(r"(?P<of>[$#]?[A-Za-z][\w.]*(?:\[[^\]]*\])?)[ \t]*(?P<sign>==|<>)[ \t]*$")
+_JOINT = re.compile(r"(?:j|jt|joint|axis|a|axe|gelenk)[_.]?([1-6])")
 _SIGNAL = re.compile(r"(?P<kind>[A-Z]+)[_.]?(?P<number>\d+)", re.IGNORECASE)
 _OF_A_NUMBER = frozenset({"IGNORE", "LOCK", "SIGNAL", "REACT", "REACTI", "SPEED", "DELAY"})
 _FIRST = re.compile(r"[ \t]*(?:\d+[ \t]+)?(?P<word>[A-Za-z]+)[ \t]+-?", re.ASCII)
@@ -74,6 +77,12 @@ def guess(resolver: Resolver, entry: Entry, at: Place, like: Callable[[], str | 
     )
     if special is not None:
         return special
+    nothing = _asked_for_nothing(resolver.problems, at) if name in _NOTHING else None
+    if nothing is not None:
+        return nothing
+    joint = _JOINT.fullmatch(name)
+    if joint is not None and _drives(resolver.problems, at):
+        return Guess(f"a joint is a number: write `{joint[1]}`", at, joint[1])
     if name in _TRUTHS:
         return Guess(f"write `{_TRUTHS[name]}`", at, _TRUTHS[name])
     other = _other_sign(resolver, entry)
@@ -124,6 +133,29 @@ def only_of_itself(entry: Entry) -> bool:
     if not entry.values or len(entry.values) != len(entry.writes) or entry.asked:
         return False
     return all(_reads(value, entry.name) for value in entry.values)
+
+
+def _asked_for_nothing(problems: Problems, at: Place) -> Guess | None:
+    """`IF found == None`: whether a variable has a value."""
+    text = problems.source.text
+    found = _COMPARED.search(text[text.rfind("\n", 0, at[0]) + 1 : at[0]])
+    if found is None:
+        return None
+    instead = f"DEFINED({found['of']})"
+    if found["sign"] == "==":
+        instead = f"NOT {instead}"
+    return Guess(
+        f"to ask whether it has a value write `{instead}`",
+        (at[0] - len(found.group()), at[1]),
+        instead,
+    )
+
+
+def _drives(problems: Problems, at: Place) -> bool:
+    """Whether a name stands where DRIVE takes its joint."""
+    text = problems.source.text
+    line = text[text.rfind("\n", 0, at[0]) + 1 : at[0]]
+    return re.fullmatch(r"[ \t]*(?:\d+[ \t]+)?DRIVE[ \t]+", line, re.IGNORECASE) is not None
 
 
 def _reads(value: Expression, name: str) -> bool:

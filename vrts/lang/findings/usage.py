@@ -163,6 +163,9 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
     if location and found == (TEACH, at, None):
         suggestions.untaught.append(entry)
         return
+    if upper in resolver.reserved and found.help.endswith("write it alone"):
+        _mend_reserved(resolver, upper, found.help)
+        return
     more = len(entry.reads) - 1
     if part is not None:
         suggestions.parts[part[0]] = [entry]
@@ -179,6 +182,13 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
         fix=problems.replace(*found.at, found.instead, sure=False) if found.instead else None,
         data={"name": entry.name},
     )
+
+
+def _mend_reserved(resolver: Resolver, upper: str, help_: str) -> None:
+    """`MOVE READY`: say in the one warning about READY what it is."""
+    for at, told in enumerate(resolver.problems.found):
+        if told.rule == KEYWORD_AS_NAME and told.headline.startswith(f"{upper} "):
+            resolver.problems.found[at] = replace(told, help=(help_,))
 
 
 def _mend_parts(resolver: Resolver, parts: dict[str, list[Entry]]) -> None:

@@ -44,6 +44,7 @@ _ORDER = "XYZOAT"
 ODD_QUOTES = re.compile(
     r"(?P<name>\$[^'’‘`“”„]*?)(?P<quote>['’‘`“”„])(?P<text>[^\"'’‘`“”„]*)['’‘`“”„]$"
 )
+_WHOLE = re.compile(rf"(?:{_NUMBER}[ \t,]+){{6}}(?=[^\W\d])")  # all values, and a word
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
 
 
@@ -218,6 +219,15 @@ def _words(text: str, kind: str, problems: Problems) -> _Mistake | None:
     if not match["rest"]:
         return _Mistake(
             f"`{match['name']}` has no value here", f"write its value behind it: `{FORMS[kind]}`"
+        )
+    whole = _WHOLE.match(match["rest"])
+    if whole is not None and kind == "locations":
+        at = match.start("rest") + whole.end()
+        mended = f"{text[:at].rstrip()} ; {text[at:]}"
+        return _Mistake(
+            "words behind the six values are taken for values",
+            f"a remark begins with `;`: write `{mended}`",
+            mended,
         )
     odd = next((w for w in re.split(r"[ \t,]+", match["rest"]) if not _NUMBERS.match(w)), None)
     if odd is None:

@@ -20,7 +20,7 @@ from vrts.lang.meaning.name_uses import Asked, NameUses, NoText
 from vrts.lang.meaning.scope import Entry
 from vrts.lang.meaning.type_mistakes import IN_WORDS, MAX_SUBSCRIPTS
 from vrts.lang.names import key
-from vrts.lang.steps.advice import OTHER_LANGUAGE
+from vrts.lang.steps.advising.adviser import OTHER_LANGUAGE
 from vrts.lang.syntax.expressions import (
     Application,
     Element,
@@ -46,7 +46,21 @@ Wanted: TypeAlias = Type | None  # None: any type; POSE also takes joints where 
 _CODES = {"r": Type.REAL, "s": Type.STRING, "p": Type.POSE, "l": Type.POSE, "$": Type.STRING}
 _DIVISIONS = frozenset({"/", "MOD"})  # operators whose right operand matters
 _LOOKED_INTO = frozenset(  # functions whose arguments matter
-    {"sig", "bits", "timer", "sqrt", "sin", "cos", "tan", "trans", "#ppoint", "rx", "ry", "rz"}
+    {
+        "sig",
+        "bits",
+        "timer",
+        "sqrt",
+        "sin",
+        "cos",
+        "tan",
+        "trans",
+        "#ppoint",
+        "rx",
+        "ry",
+        "rz",
+        "shift",
+    }
 )
 _COMPARISONS = frozenset({"==", "<>", "<", "<=", ">", ">="})
 
@@ -124,7 +138,7 @@ class ExpressionTypes(NameUses):
             for part in (node.left, node.right):
                 self.check(part, Type.STRING, "")
             type_mistakes.computed_strings(self.problems, node)
-            self.wrong_lines.add(self.problems.source.line_of(node.start))
+            self._only_this(node)
             return Type.DYNAMIC
         before = len(self.problems.found)
         if operator in ("AND", "OR"):
@@ -139,17 +153,21 @@ class ExpressionTypes(NameUses):
 
     def _krl_input(self, node: Expression) -> bool:
         """Report `$IN[3]` where a signal is asked for."""
-        problems = self.problems
-        if not asked_as_string(problems, OTHER_LANGUAGE, node):
+        if not asked_as_string(self.problems, OTHER_LANGUAGE, node):
             return False
+        self._only_this(node)
+        return True
+
+    def _only_this(self, node: Expression) -> None:
+        """Say of a line nothing more, nor how it is read: mended it is another."""
+        problems = self.problems
         line = problems.source.line_of(node.start)
         self.wrong_lines.add(line)
-        problems.found[:] = [  # with SIG there is no comparison
+        problems.found[:] = [
             d
             for d in problems.found
             if d.rule is not PRECEDENCE or d.primary is None or d.primary.span.line != line
         ]
-        return True
 
     def _part(self, node: Expression) -> None:
         """Note a location that is given within another one."""
@@ -225,6 +243,7 @@ class ExpressionTypes(NameUses):
         if signature is None:
             unknown.unknown_function(self.problems, node, self.functions, self.scope.programs)
             self._loose(node)
+            self.wrong_lines.add(self.problems.source.line_of(node.start))
             return Type.DYNAMIC
         if lower == "instr":
             node = node._replace(arguments=with_start(node.arguments))
@@ -338,6 +357,8 @@ class ExpressionTypes(NameUses):
             if isinstance(item, FormatItem):
                 if FORMAT.fullmatch(item.text) is None:
                     type_mistakes.unknown_format(self.problems, item)
+            elif isinstance(item, Infix) and item.operator == ":" and _is_width(item.right):
+                type_mistakes.pascal_format(self.problems, item)
             elif item is not None:
                 kind = Type.STRING if is_text(item) else Type.REAL
                 self.item_of_type = item if writes and kind is Type.STRING else None
@@ -406,6 +427,11 @@ class ExpressionTypes(NameUses):
             found = self.no_texts[at]
             self.no_texts[at] = found._replace(why=found.why or why)
             self.wrong_lines.add(self.problems.source.line_of(found.node.start))
+
+
+def _is_width(node: Expression) -> bool:
+    """Whether this is a number that may tell how wide another is written."""
+    return isinstance(node, Number) and node.value == round(node.value)
 
 
 def _taken(code: str) -> str:

@@ -25,6 +25,8 @@ from vrts.lang.syntax.expressions import (
 )
 from vrts.lang.syntax.statements import Assignment, Simple
 
+_SPEEDS_OF_KRL = ("$vel", "$ov_", "$acc")
+
 
 class _Help(NamedTuple):
     help: tuple[str, ...]
@@ -112,6 +114,8 @@ def _by_role(types: NameUses, found: NoText, role: Role, entry: Entry | None) ->
     if isinstance(around, Assignment):
         target = text[around.target.start : around.target.end]
         plain = f"`{target[1:]} = {written}`"
+        if target.lower().startswith(_SPEEDS_OF_KRL):
+            return _Help(("a speed is set by SPEED: `SPEED 50`, or `SPEED 100 MMPS` in mm/s",))
         if isinstance(found.node, Number):
             return _Help(
                 (
@@ -156,6 +160,11 @@ def _compared(types: NameUses, found: NoText, role: Role, entry: Entry | None) -
     def changed(node: Expression, instead: str) -> str:
         return text[around.start : node.start] + instead + text[node.end : around.end]
 
+    if found.name is not None and entry is not None and not _has_value(types, found.name, entry):
+        quoted = changed(found.node, f'"{written}"')
+        if not isinstance(other, Text):
+            fix = problems.replace(found.node.start, found.node.end, f'"{written}"')
+            return _Help((f"a text stands between double quotes: write `{quoted}`",), fix)
     if isinstance(other, Text):
         values = entry.values if entry is not None else ()
         asked = compared_with_word(problems, around, found.node, other, values)

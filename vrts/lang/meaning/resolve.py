@@ -10,7 +10,7 @@ from vrts.lang.meaning.scope import Passed
 from vrts.lang.meaning.set_or_equals import equals_behind_word, set_of_no_location
 from vrts.lang.meaning.type_mistakes import MAX_SUBSCRIPTS, WRONG_TYPE
 from vrts.lang.names import key
-from vrts.lang.steps.advice import OTHER_LANGUAGE
+from vrts.lang.steps.advising.adviser import OTHER_LANGUAGE
 from vrts.lang.steps.kawasaki_forms import BLOCK_WORD
 from vrts.lang.syntax.expressions import (
     Application,
@@ -63,6 +63,7 @@ _LOOKED_AT = frozenset(  # instructions whose operands matter
         "SIGNAL",
         "WAIT",
         "DELAY",
+        "DRAW",
         "DRIVE",
         "LOCK",
         "APPRO",

@@ -28,6 +28,7 @@ SUBSCRIPTS = Rule("V214", "subscripts")
 INVALID_SWITCH = Rule("V218", "invalid-switch")
 INVALID_PARAMETER = Rule("V219", "invalid-parameter")
 
+_STRING_COMPARED = re.compile(r"\$[\w.]+(?:\[[^\]]*\])?[ \t]*(?:==|<>)[ \t]*$", re.ASCII)
 _PLACE = r"(?P<other>[A-Za-z][\w.]*(?:\[[^\]]*\])?)"  # a location beside a comparison
 _SAME = r"[ \t]*(?P<sign>==|<>)[ \t]*"
 _COMPARED_BEFORE = re.compile(rf"{_PLACE}{_SAME}$", re.ASCII)
@@ -128,10 +129,20 @@ def _no_string(
 
 def computed_strings(problems: Problems, node: Infix) -> None:
     """Report `$a - "X"` and `$a OR $b`: of strings, the language has only sums and comparisons."""
-    left = problems.source.text[node.left.start : node.left.end]
+    text = problems.source.text
+    left = text[node.left.start : node.left.end]
+    right = text[node.right.start : node.right.end]
+    start, fix = node.start, None
     help_ = f"`+` joins strings; to take a part of one write `$MID({left}, first, count)`"
     if node.operator in ("AND", "OR"):
         help_ = f'compare each of them: `($s == "a") {node.operator} ($s == "b")`'
+        line = text[text.rfind("\n", 0, node.start) + 1 : node.start]
+        found = _STRING_COMPARED.search(line)
+        if found is not None:
+            start -= len(found.group())
+            instead = f"({found.group()}{left}) {node.operator} ({found.group()}{right})"
+            help_ = f"compare each of them: write `{instead}`"
+            fix = problems.replace(start, node.end, instead)
     problems.error(
         WRONG_TYPE,
         f"`{node.operator}` takes numbers, and these are strings",
@@ -139,6 +150,23 @@ def computed_strings(problems: Problems, node: Infix) -> None:
         node.end,
         notes=(TYPES_SAY,),
         help=(help_,),
+        fix=fix,
+    )
+
+
+def pascal_format(problems: Problems, node: Infix) -> None:
+    """Report `TYPE x:6:2`."""
+    text = problems.source.text
+    value, *widths = (part.strip() for part in text[node.start : node.end].split(":"))
+    instead = f"/F{'.'.join(widths)}, {value}" if len(widths) > 1 else f"/I{widths[0]}, {value}"
+    problems.error(
+        INVALID_FORMAT,
+        "`:` gives no format",
+        node.start,
+        node.end,
+        notes=(TYPES_SAY,),
+        help=(f"a format stands before its number: write `{instead}`",),
+        fix=problems.replace(node.start, node.end, instead),
     )
 
 

@@ -16,8 +16,8 @@ from vrts.lang.reading.literals import MAX_STRING
 from vrts.lang.reading.nesting import MAX_NESTING, too_deep
 from vrts.lang.reading.splitter import Line
 from vrts.lang.reading.tokeniser import tokenise
-from vrts.lang.steps.advice import Advice
-from vrts.lang.steps.advice import Line as AdvisedLine
+from vrts.lang.steps.advising.advice import Advice
+from vrts.lang.steps.advising.adviser import Line as AdvisedLine
 from vrts.lang.steps.habits import Habits
 from vrts.lang.steps.kawasaki_forms import (
     BLOCK_WORD,
@@ -72,8 +72,10 @@ class StepParser:
 
     def step(self, line: Line) -> Step:
         """Return the step of a line of a program."""
-        if self.advice.open_comment:
-            self.advice.inside_comment(line.start, line.end, line.text)
+        if line.start < self.advice.continued.joined_to:
+            return Step(line.number, None, None)
+        if self.advice.comments.open_comment:
+            self.advice.comments.inside_comment(line.start, line.end, line.text)
             return Step(line.number, None, Bad(None, (), line.start, line.end))
         label, text, at = read_label(line, self.problems, self.tolerated)
         statement = self._statement(text, at) if text else None
@@ -133,13 +135,14 @@ class StepParser:
         raw = self.problems.source.text[at : finish if finish >= 0 else None].rstrip()
         line = AdvisedLine(text, at, raw, node.word)
         if len(self.problems.look_alikes) > looks:  # pasted characters: told by themselves
-            advised = self.advice.comment(line, mark)
+            advised = self.advice.comments.comment(line, mark)
         else:
             advised = self.advice.explain(line, mark)
         if advised is None:
             return node
         del self.problems.look_alikes[looks:]
-        return node._replace(word=advised.word, meant=advised.meant)
+        names = names_in(raw) if ";" in raw else node.names  # `INPUT "How many"; n`
+        return node._replace(word=advised.word, meant=advised.meant, names=names)
 
     def _tried(self, problems: Problems, text: str) -> Statement | None:
         """Return a text as a step, tried out apart from the file."""

@@ -83,7 +83,7 @@ def _chain(types: NameUses, asked: Asked, node: Infix) -> bool:
         left = left.left
     operands.insert(0, left)
     equals = node.operator in ("==", "<>")
-    if equals and _is_truth(types, asked.program, node.right):
+    if equals and is_truth(types, asked.program, node.right):
         return False
     text = types.problems.source.text
     parts = [text[part.start : part.end] for part in operands]
@@ -112,7 +112,7 @@ def _negated(types: NameUses, asked: Asked, node: Infix, left: Prefix) -> bool:
     operand = left.operand
     if types.dialect.is_as:
         return False  # there no other operator surprises either
-    if any(_is_truth(types, asked.program, part) for part in (operand, node.right)):
+    if any(is_truth(types, asked.program, part) for part in (operand, node.right)):
         return False
     text = types.problems.source.text
     instead = f"NOT ({text[operand.start : node.end]})"
@@ -142,7 +142,7 @@ def _warn(types: NameUses, node: Infix, headline: str, help_: str, fix: Fix | No
     )
 
 
-def _is_truth(types: NameUses, program: str | None, node: Expression) -> bool:
+def is_truth(types: NameUses, program: str | None, node: Expression) -> bool:
     """Return whether an expression only ever is -1 or 0, as far as the text tells."""
     node = bare(node)
     if isinstance(node, Number):

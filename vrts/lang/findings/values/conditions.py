@@ -2,7 +2,7 @@
 
 from vrts.base.diagnostic import Fix, Rule
 from vrts.ir.ranges import INPUTS, INTERNAL, OUTPUTS
-from vrts.lang.findings.values.comparisons import operands_of
+from vrts.lang.findings.values.comparisons import is_truth, operands_of
 from vrts.lang.findings.values.complaints import NO_SUCH_SIGNAL
 from vrts.lang.findings.values.evaluate import evaluate, nothing_known
 from vrts.lang.findings.values.in_range import check_in_range
@@ -40,6 +40,10 @@ def check_condition(types: NameUses, asked: Asked, *, beside: bool) -> None:
         ):
             if value not in (-1.0, 0.0):
                 _compared(types, asked.node, call)
+        case Infix("==" | "<>", Name() as name, Number(1.0)) if is_truth(
+            types, asked.program, name
+        ):
+            _compared(types, asked.node, name)
         case If(condition) | While(condition) | Until(condition):
             value = number_of(condition)
             if value is not None and value not in _LOGICAL:
@@ -118,14 +122,17 @@ def _always(types: NameUses, node: Expression, text: str) -> None:
     )
 
 
-def _compared(types: NameUses, node: Infix, call: Application) -> None:
+def _compared(types: NameUses, node: Infix, call: Application | Name) -> None:
     problems = types.problems
     right = node.right
     fix: Fix | None = problems.replace(right.start, right.end, "ON")
     never = node.operator == "=="
+    of = (
+        f"{call.name.text.upper()} yields" if isinstance(call, Application) else f"`{call.text}` is"
+    )
     problems.warning(
         SIGNAL_COMPARED,
-        f"{call.name.text.upper()} yields -1 or 0: this is {'never' if never else 'always'} true",
+        f"{of} -1 or 0: this is {'never' if never else 'always'} true",
         node.start,
         node.end,
         notes=("TRUE and ON are -1, FALSE and OFF are 0",),

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from vrts.base.diagnostic import Fix, Rule
 from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.spelling import nearest
-from vrts.lang.syntax.expressions import Application, Text
+from vrts.lang.syntax.expressions import Application, Name, Number, Text
 from vrts.lang.vocabulary.functions import FOREIGN_FUNCTIONS
 
 UNKNOWN_FUNCTION = Rule("V209", "unknown-function")
@@ -28,6 +28,15 @@ _RENAMED = {  # functions of other languages that take the same
     "float": "VAL",
     "sgn": "SIGN",
 }
+_REWRITTEN = dict.fromkeys(
+    ("time.time", "time", "time.clock", "time.perf_counter", "clock", "millis", "gettime", "tic"),
+    "TIMER(1)",
+)
+_MAKERS = frozenset({"zeros", "ones", "array", "list", "new", "cell", "malloc", "np.zeros"})
+_MODULES = frozenset({"math", "np", "numpy", "m"})
+_COORDINATES = {"x": "DX", "y": "DY", "z": "DZ", "getx": "DX", "gety": "DY", "getz": "DZ"}
+_ASKED = frozenset({"input", "in", "digital_in", "get_input", "getinput", "read", "readinput"})
+_FIRST_INPUT = 1000
 _METHODS = {  # what other languages write behind the name of a string
     "length": "LEN({})",
     "len": "LEN({})",
@@ -49,6 +58,7 @@ def unknown_function(
     shown = len(problems.found) < LIMIT  # what is not shown needs no suggestion
     meant = nearest(lower, known) if shown and len(lower) >= _SHORTEST else None
     fix: Fix | None = None
+    of = node.arguments[0] if node.arguments else None
     module, _, last = lower.rpartition(".")
     if module[:1] == "$" and last in _METHODS:
         instead = _METHODS[last].format(node.name.text[: len(module)])
@@ -61,16 +71,33 @@ def unknown_function(
         fix = problems.replace(node.start - len(line.lstrip()), node.end, prompt)
     elif module[:1] == "$":
         help_ = ("functions of strings are LEN, $MID, POS, VAL, ASC, as in `LEN($s)`",)
+    elif lower in _COORDINATES and len(node.arguments) == 1 and isinstance(of, Name):
+        help_ = (f"a coordinate of a location is `{_COORDINATES[lower]}({of.text})`",)
+        fix = problems.replace(node.name.start, node.name.end, _COORDINATES[lower])
+    elif lower in _ASKED and isinstance(of, Number) and of.value > _FIRST_INPUT:
+        help_ = (f"a signal is asked for by SIG: write `SIG({of.value:g})`",)
+        fix = problems.replace(node.name.start, node.name.end, "SIG")
+    elif lower in _REWRITTEN:
+        help_ = (f"write `{_REWRITTEN[lower]}`: seconds, counted up since the step `TIMER 1 = 0`",)
+        fix = problems.replace(node.start, node.end, _REWRITTEN[lower])
+    elif lower in _MAKERS:
+        help_ = (_made(problems, node),)
     elif lower in FOREIGN_FUNCTIONS:
         help_ = (FOREIGN_FUNCTIONS[lower],)
         if lower in _RENAMED:
             fix = problems.replace(node.name.start, node.name.end, _RENAMED[lower])
-    elif module in ("math", "np", "numpy") and last in known:
+    elif module in _MODULES and last in FOREIGN_FUNCTIONS:
+        help_ = (FOREIGN_FUNCTIONS[last],)
+    elif module in _MODULES and last in known:
         help_ = (f"write `{last.upper()}` alone",)
         fix = problems.replace(node.name.start, node.name.end, last.upper())
     elif meant is not None:
         help_ = (f"did you mean `{meant.upper()}`?",)
         fix = problems.replace(node.name.start, node.name.end, meant.upper())
+    elif _is_array(problems.source.text, node.name.text):
+        written = problems.source.text[node.name.end : node.end].strip()[1:-1]
+        help_ = (f"an element of an array is written with brackets: `{node.name.text}[{written}]`",)
+        fix = problems.replace(node.name.end, node.end, f"[{written}]")
     elif lower in programs:
         help_ = (f"a program gives no value back: write {_call(problems, node)}",)
     elif _is_number(problems.source.text, node.name.text):
@@ -91,6 +118,19 @@ def unknown_function(
         help=help_,
         fix=fix,
     )
+
+
+def _made(problems: Problems, node: Application) -> str:
+    """Say what to do instead of `count = zeros(1, 3)`."""
+    line = problems.source.text[: node.start].rpartition("\n")[2]
+    target = _TARGET.fullmatch(line)
+    name = target["target"] if target is not None else "values"
+    return f"leave it out: an array has no size, and an element begins with `{name}[1] = 0`"
+
+
+def _is_array(text: str, name: str) -> bool:
+    """Whether a file writes an element of an array of this name."""
+    return re.search(rf"(?<![\w.$#]){re.escape(name)}[ \t]*\[", text, re.I) is not None
 
 
 def _is_number(text: str, name: str) -> bool:

@@ -9,6 +9,10 @@ _JOINT = "<movej|move_j|ptp|jmove|jmov|move_ptp|move_joint|moveptp|moveto|move_t
 _LINE = "<movel|move_l|lin|lmove|lmov|movelin|move_lin|move_line|move_linear|moveline|linear|mvs|straight|move_straight|moves_to|movs>"
 
 MOVING = (
+    Idiom("move_<from|> {v}_to_{v2}", "MOVE {v}\nMOVE {v2}", says="MOVE takes one location, and no TO"),
+    Idiom("moves_<from|> {v}_to_{v2}", "MOVES {v}\nMOVES {v2}", says="MOVES takes one location, and no TO"),
+    Idiom("move_{v} , {d} , {d2} , {d3}", "MOVE SHIFT({v} BY {d}, {d2}, {d3})", says="MOVE takes the location alone"),
+    Idiom("moves_{v} , {d} , {d2} , {d3}", "MOVES SHIFT({v} BY {d}, {d2}, {d3})", says="MOVES takes the location alone"),
     Idiom("move_to_{e} , {e2}", "APPRO {e}, {e2}", says="MOVE takes the location alone", sure=False),
     Idiom("<move|moves>_<to|the|at> ( {v} )", "MOVE {v}", says="MOVE takes the location alone"),
     Idiom("move_<to|at>_{e}", "MOVE {e}", says="MOVE takes the location alone"),

@@ -120,6 +120,12 @@ SIGNS = (
         "write `BAND` for the bits of numbers, `AND` for conditions",
     ),
     Signs(
+        re.compile(r"(?<=[-=(+*/,<>])([ \t]*)\|([^|]+)\|"),
+        r"\1ABS(\2)",
+        "`|` is not an operator of VAL-II",
+        "write `ABS(x)` for the size of a number",
+    ),
+    Signs(
         re.compile(r"[ \t]*(?<!\|)\|(?!\|)[ \t]*(?=\^[BH]|\d+[ \t]*(?:\)|$))", re.I),
         " BOR ",
         "`|` is not an operator of VAL-II",

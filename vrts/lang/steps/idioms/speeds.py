@@ -16,6 +16,7 @@ SPEEDS = (
     Idiom("speed_<=|to|:=|:|at|is> {d} <%|>", "SPEED {d}", says="SPEED takes the number alone"),
     Idiom("speed <=|:=|:|,> {d} <%|>", "SPEED {d}", says="SPEED takes the number alone"),
     Idiom("speed <=|:=|:|,> {d} " + _MM, "SPEED {d} MMPS", says="SPEED takes the number and its unit"),
+    Idiom("always_{r}", "{r} ALWAYS", says="ALWAYS stands last"),
     Idiom("speed_always_{d}", "SPEED {d} ALWAYS", says="ALWAYS stands last"),
     Idiom("speed {d} , <always|all>", "SPEED {d} ALWAYS", says="ALWAYS follows without a comma"),
     Idiom("speed {d} <allways|alway|allway|alwais|allways.>", "SPEED {d} ALWAYS", says="ALWAYS is misspelt"),

@@ -18,8 +18,8 @@ from vrts.lang.steps.idioms.values import VALUES
 IDIOMS = (
     *FACTORY,
     *BLOCKS,
-    *TERMINAL,
     *SIGNALS,
+    *TERMINAL,
     *PLACES,
     *MOVING,
     *APPROACHING,

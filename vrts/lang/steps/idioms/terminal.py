@@ -16,6 +16,8 @@ TERMINAL = (
     Idiom("<print|println|writeln|write|disp> <(|> <)|>", "TYPE", "another language"),
     Idiom("cout << {s}", "TYPE {s}", "C++"),
     Idiom("cout << {e} << endl", "TYPE {e}", "C++"),
+    Idiom("type {s} % {e}", "", "Python", help="write the value behind a comma: `TYPE {s}, {e}`, and take the `%` out of the text"),
+    Idiom("type {s} . format ( {e} )", "", "Python", help="write the value behind a comma: `TYPE {s}, {e}`, and take the braces out of the text"),
     Idiom("type {s}_{e}", "TYPE {s}, {e}", says="a comma is missing behind the text"),
     Idiom("type_{e} + {s}", "TYPE {e}, {s}", says="`+` joins strings, and this is a number", sure=False),
     Idiom("type_{e} & {e2}", "TYPE {e}, {e2}", "BASIC"),

@@ -1,5 +1,7 @@
 """`WAIT SIG 1001`, `SHIFT part BY 0, 0, 50`: a function without its parentheses."""
 
+from itertools import pairwise
+
 from vrts.lang.steps.broken_step import BrokenStep
 from vrts.lang.steps.other_forms import INVALID_EXPRESSION
 from vrts.lang.syntax.token import Token
@@ -19,12 +21,19 @@ def function_without_parentheses(step: BrokenStep) -> bool:
     signature = FUNCTIONS.get(before.text.lower())
     if before.kind not in ("NAME", "STRINGNAME") or signature is None or signature.bare:
         return False
+    if before.text.upper() == "TIME" and step.word is not None and step.word.text == "WAIT":
+        return False  # `WAIT TIME 2`, which DELAY does
     operand = _operand(step.tokens[step.failure.at :], signature)
     text = step.problems.source.text
     name = before.text.upper()
     written = text[operand[0].start : operand[-1].end]
     fix = None
-    if not any(token.kind in ("INFIX", "MINUS", "PLUS") for token in operand):
+    signs = [
+        token
+        for before_, token in pairwise([before, *operand])
+        if token.kind == "INFIX" or (token.kind in ("MINUS", "PLUS") and before_.kind != "COMMA")
+    ]
+    if not signs:
         blank = before.end, operand[0].start
         fix = step.problems.replace(blank[0], operand[-1].end, f"({written})")
     help_ = f"write `{name}({written})`"

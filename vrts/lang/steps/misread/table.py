@@ -13,6 +13,7 @@ from vrts.lang.steps.misread.functions_given import given_function
 from vrts.lang.steps.misread.hand_words import named_hand
 from vrts.lang.steps.misread.joined_strings import joined_strings
 from vrts.lang.steps.misread.left_out.blank import glued_number
+from vrts.lang.steps.misread.left_out.compared import left_out_operand
 from vrts.lang.steps.misread.left_out.quotes import unquoted_text
 from vrts.lang.steps.misread.left_out.times import missing_times
 from vrts.lang.steps.misread.meant import Meant
@@ -42,6 +43,7 @@ def meant_by_line(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
         or surplus_parenthesis(text, repair)
         or equals_behind(text, repair, dialect)
         or joined_strings(text, repair)
+        or left_out_operand(text, repair)
         or missing_times(text, repair)
         or prose(text)
     )

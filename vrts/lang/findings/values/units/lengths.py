@@ -1,6 +1,7 @@
 """Lengths that look like metres or inches, and locations whose hand points up: data and TRANS."""
 
 import math
+from collections.abc import Sequence
 
 from vrts.base.diagnostic import Rule
 from vrts.base.pose import Pose
@@ -27,9 +28,10 @@ METRES = 2.0  # [mm] a location whose coordinates are all below is taken for one
 TOO_NEAR = 60.0  # [mm] no arm reaches so near its middle: taken for inches
 ONE_PERCENT = 1.0  # [%] a speed below is hardly meant, unless others are given in percent
 SMALL = 0.5  # [mm, %] distances and speeds below are hardly meant; half of one now and then is
+TINY = 0.004  # [mm] offsets up to this are no metres either: nobody moves by so few millimetres
 _GOALS = frozenset({"MOVE", "MOVES", "APPRO", "APPROS"})
 _DISTANCE = {"APPRO": 1, "APPROS": 1, "DEPART": 0, "DEPARTS": 0}
-MOTIONS = _GOALS | _DISTANCE.keys()
+MOTIONS = _GOALS | _DISTANCE.keys() | {"DRAW"}
 _COORDINATES = 3
 _ALL_BUT_ONE = 5  # values of TRANS
 _WITHOUT_ANGLES = 4  # words of a line of data: a name and three numbers
@@ -70,6 +72,10 @@ def check_lengths(types: NameUses, asked: Asked, absolute: frozenset[str]) -> No
             check_trans_reach(types, node.operands[0])
     if isinstance(node, Application) and node.name.text.lower() == "trans":
         _five(types, node)
+    if isinstance(node, Application) and node.name.text.lower() == "shift":
+        _offsets(types, asked.program, "SHIFT", node.arguments[1:])
+    if isinstance(node, Simple) and node.word == "DRAW":
+        _offsets(types, asked.program, "DRAW", node.operands)
 
 
 def check_data(types: NameUses, data: list[Datum], absolute: frozenset[str]) -> None:
@@ -146,6 +152,28 @@ def _distance(types: NameUses, program: str, word: str, operand: Item) -> None:
         "a fraction of a millimetre",
         help=(f"write `{1000.0 * distance:g}`",),
         data={"distance_mm": distance},
+    )
+
+
+def _offsets(
+    types: NameUses, program: str | None, word: str, offsets: Sequence[Item | None]
+) -> None:
+    """`SHIFT(part BY 0, 0, 0.05)`: all of them are fractions of a millimetre."""
+    if program is None or types.problems.dialect.tolerant:
+        return
+    given = [offset for offset in offsets if offset is not None]
+    values = [constant(types.scope, program, offset) for offset in given]
+    sizes = [abs(value) for value in values if value is not None]
+    if len(sizes) < len(given) or not TINY < max(sizes, default=0.0) < SMALL:
+        return
+    written = ", ".join(f"{1000.0 * value:g}" for value in values if value is not None)
+    types.problems.warning(
+        LENGTH_UNIT,
+        f"{word} by {max(sizes):g} mm looks like metres: lengths are in millimetres",
+        given[0].start,
+        given[-1].end,
+        "fractions of a millimetre",
+        help=(f"write `{written}`",),
     )
 
 

@@ -16,6 +16,7 @@ _STEPS = (
     "PRINT INPUT REM CALL GOSUB GOTO SET LET REPEAT LOOP"
 )
 _OF_ENGLISH, _OF_STEPS = frozenset(_ENGLISH.split()), frozenset(_STEPS.split())
+_BETWEEN = re.compile(r"MOVES?[ \t]+(?:FROM[ \t]+)?\w+[ \t]+TO[ \t]+\w+", re.IGNORECASE)
 _LONG = 4  # words from which on a line that begins with an instruction is prose
 _ARTICLES = frozenset({"the", "a", "an", "is", "are", "this", "that"})
 
@@ -26,6 +27,8 @@ def prose(text: str) -> Meant | None:
         return None
     words = text.lower().rstrip(".!").split()
     if words[0].upper() in _OF_STEPS or not _OF_ENGLISH.intersection(words[1:]):
+        return None
+    if _BETWEEN.fullmatch(text):
         return None
     if len(words) < _LONG and not _ARTICLES.intersection(words):
         return None

@@ -1,0 +1,52 @@
+"""Signs of other languages within a step, told and mended."""
+
+from collections.abc import Iterable
+
+from vrts.base.diagnostic import Diagnostic, Severity
+from vrts.lang.steps.advising.adviser import OTHER_LANGUAGE, PRECISE, Advised, Adviser, Line
+from vrts.lang.steps.idioms import signs
+from vrts.lang.steps.idioms.wording import (
+    smallest_change,
+)
+
+
+class SignAdvice(Adviser):
+    """Explains lines by signs of other languages."""
+
+    def decimal(self, line: Line, mark: int) -> Advised | None:
+        """`IF x > 2,5 THEN`, where the parser would break the step at the comma."""
+        return self.explain(line, mark, signs.decimals(line.text), at_once=True)
+
+    def explain(
+        self,
+        line: Line,
+        mark: int,
+        ways: Iterable[tuple[signs.Signs, str]] | None = None,
+        *,
+        at_once: bool = False,
+    ) -> Advised | None:
+        """Signs of other languages; `at_once`: with nothing else to mend."""
+        for found, text in signs.replaced(line.text) if ways is None else ways:
+            tried = self.repair.steps(text)
+            if tried is None or (at_once and tried.fixes):
+                continue
+            told = self.problems.found[mark]
+            self.problems.forget(mark)
+            start, end, instead = smallest_change(line.text, tried.text)
+            primary = self.problems.label(line.at + start, line.at + max(end, start))
+            precise = (told.rule in PRECISE and not at_once) or not found.says
+            self.problems.add(
+                Diagnostic(
+                    told.rule if precise else OTHER_LANGUAGE,
+                    Severity.ERROR,
+                    found.says or told.headline,
+                    (told.primary or primary) if precise else primary,
+                    notes=told.notes,
+                    help=(found.help,),
+                    fix=self.problems.replace(
+                        line.at + start, line.at + end, instead, sure=found.sure
+                    ),
+                )
+            )
+            return Advised(self._word_of(tried.text))
+        return None
