@@ -21,6 +21,7 @@ COMMANDS = {  # name: where it is, what it does
         "runs.verify_command",
         "run a program and check everything; mark it if there is a task",
     ),
+    "why": ("runs.why_command", "tell why points are lost: causes backward to the step to blame"),
     "prove": (
         "runs.prove_command",
         "look at every future of a program: all inputs, at every moment",

@@ -1,0 +1,100 @@
+"""`vrts why`."""
+
+import sys
+
+import click
+
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, use_color
+from vrts.cli.shared.options import (
+    Language,
+    color_option,
+    controller_option,
+    form_option,
+    lab_option,
+    language_options,
+    placed,
+    scenario_option,
+    scene_option,
+    task_option,
+)
+from vrts.cli.shared.programs import given_program
+from vrts.pipeline.where import Where
+
+EPILOG = """\b
+Examples:
+  vrts why examples/04-final-project/submissions/loop-variable-lost.v2
+  vrts why prog.v2 --at 6.2
+  vrts why prog.v2 --of can2
+  vrts why prog.v2 --of 'p[1]' --at 6.2
+  vrts why prog.v2 --format json
+"""
+
+
+@click.command(name="why", epilog=EPILOG)
+@click.argument("program")
+@scene_option("Name or path of a scene: ask in it, without a mark.")
+@task_option(packed=True)
+@scenario_option()
+@click.option("--at", "time_s", type=float, help="Why the arm does what it does at a time in s.")
+@click.option("--of", "name", help="Why a thing is where it is, or a variable what it is.")
+@click.option(
+    "--for",
+    "reader",
+    type=click.Choice(["student", "grader"]),
+    default="student",
+    help="Who asks: a student is told no more than the [hints] of the task allow.",
+)
+@form_option("full", "json")
+@lab_option
+@controller_option
+@language_options
+@color_option
+@guarded
+@placed
+def command(
+    program: str,
+    where: Where,
+    time_s: float | None,
+    name: str | None,
+    reader: str,
+    form: str,
+    language: Language,
+    color: str,
+) -> None:
+    """Tell why points are lost: causes backward to the step that is to blame.
+
+    Of all losses, else of a time, a thing of the scene or a variable. A chain has at most five
+    lines, what came last first. Exit status 1 when something is wrong.
+    """
+    from vrts.assignments.packed import found_setting
+    from vrts.cli.runs.verify_command import status_of
+    from vrts.cli.shared.requests import verify_request
+    from vrts.pipeline.assess import assess
+    from vrts.report.audience import Audience
+    from vrts.report.because import asked, because, told_to
+    from vrts.report.formats.json_text import json_text
+    from vrts.report.formats.why_json import chains_json
+    from vrts.report.screen.causes.why_text import why_text
+    from vrts.why.asking import Unknown
+
+    given = given_program(program)
+    setting = found_setting(given.path, where)
+    if setting is None:
+        fail(
+            "nothing says in which scene to ask: there is no task.toml beside the program",
+            ("give `--scene NAME` or `--task FILE`",),
+        )
+    found = assess(verify_request(given, setting, language))
+    level = told_to(found, Audience(reader))
+    if found.run is not None and time_s is not None and not 0.0 <= time_s <= found.run.horizon_s:
+        fail(f"the run lasts from 0 to {found.run.horizon_s:.1f} s", (), status=WRONG)
+    try:
+        of_one = asked(found, name, time_s) if name is not None or time_s is not None else None
+    except Unknown as problem:
+        fail(str(problem), ("`vrts scene show` lists the things of a scene",), status=WRONG)
+    chains = because(found) if of_one is None else (of_one,)
+    if form == "json":
+        out(json_text(chains_json(found, chains, level)))
+    else:
+        out(why_text(found, chains, level, whole=of_one is None, color=use_color(color)))
+    sys.exit(HOLDS if of_one is not None else status_of(found))

@@ -1,0 +1,213 @@
+"""Things that were never done: the step that would have done it, and why it did not come to it."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from vrts.base.pose import Pose, Vector, distance
+from vrts.base.source import Span
+from vrts.engine.memory.cells import Array, Cell, cells_of
+from vrts.ir.control import BeginFor, Jump, JumpIf, NextFor, TestCase, TestFor
+from vrts.ir.expressions import Constant, Place
+from vrts.ir.instructions import Instruction
+from vrts.ir.module import Program
+from vrts.why.chain import Link
+from vrts.why.executed import Executed, Steps
+from vrts.why.hands import box_at, gap
+from vrts.why.read import element, places_in, reading
+from vrts.why.shown import value
+from vrts.why.sources import chain_of, element_text
+
+AT_IT = 0.12  # [m] from a thing: a location so near is for it [assumed]
+
+
+class Use(NamedTuple):
+    """A step of the source that names a place, and how often it was executed."""
+
+    program: Program
+    base: int
+    within: int  # its index in the program
+    place: Place
+
+    @property
+    def span(self) -> Span:
+        """Where it stands."""
+        return self.program.origins[self.within].span
+
+
+def never_reached(steps: Steps, body: str) -> Iterator[Link]:
+    """Yield why no motion went to a thing, though the program knows its place."""
+    unused: Cell | None = None
+    for cell in _cells_at(steps, body):
+        uses = list(uses_of(steps, cell))
+        unused = cell if not uses and unused is None else unused
+        for use in uses:
+            numbers = steps.times(use.base + use.within)
+            if not numbers:
+                yield Link(
+                    None, use.span, f"this step would use `{cell.name}`, and is never executed"
+                )
+                yield from _skipped(steps, use)
+                return
+            if any(_meant(steps, n, use.place) == cell.name for n in numbers):
+                continue
+            used = ", ".join(dict.fromkeys(f"`{_meant(steps, n, use.place)}`" for n in numbers))
+            last = steps.step(numbers[-1])
+            assert last is not None
+            says = f"`{element_text(use.place)}` is only {used} here, never `{cell.name}`"
+            yield Link(steps.time_of(last), use.span, says)
+            yield from _loop_left(steps, use, numbers[-1])
+            return
+    if unused is not None:
+        yield from no_use(steps, unused)
+
+
+def no_use(steps: Steps, cell: Cell) -> Iterator[Link]:
+    """Yield that no step names a location that the file teaches."""
+    datum = steps.data.get(cell.name)
+    if datum is not None:
+        yield Link(None, datum.span, f"no step goes to `{cell.name}`")
+
+
+def _cells_at(steps: Steps, body: str) -> list[Cell]:
+    """Return variables whose value is a place at a thing: elements of arrays first."""
+    box = box_at(steps, body, 0.0)
+    found: list[tuple[bool, float, Cell]] = []
+    for bound in steps.history.memory.bound:
+        cells = list(bound.elements.values()) if isinstance(bound, Array) else [bound]
+        for cell in cells:
+            last = cell.at(steps.history.finished)
+            if isinstance(last, Pose) and gap(box, last.translation) < AT_IT:
+                middle = tuple((a + b) / 2 for a, b in zip(box.lower, box.upper, strict=True))
+                apart = distance(last.translation, (middle[0], middle[1], middle[2]))
+                found.append((not isinstance(bound, Array), apart, cell))
+    return [cell for _, _, cell in sorted(found, key=lambda one: one[:2])]
+
+
+def places_at(steps: Steps, point: Vector, within: float) -> list[Cell]:
+    """Return variables whose value is a place within a distance of a point [m]."""
+    cells = (cell for bound in steps.history.memory.bound for cell in cells_of(bound))
+    found: list[Cell] = []
+    for cell in cells:
+        last = cell.at(steps.history.finished)
+        if isinstance(last, Pose) and distance(last.translation, point) <= within:
+            found.append(cell)
+    return found
+
+
+def uses_of(steps: Steps, cell: Cell) -> Iterator[Use]:
+    """Yield the steps that name a variable, or its array with computed subscripts."""
+    name = cell.name.partition("[")[0]
+    code = steps.history.code
+    for program, base in zip(code.programs, code.bases, strict=True):
+        for index, instruction in enumerate(program.instructions):
+            written = getattr(instruction, "place", None)
+            for place in places_in(tuple(instruction)):
+                if place.variable.name != name or place is written:
+                    continue
+                fixed = all(isinstance(each, Constant) for each in place.subscripts)
+                if fixed and element_text(place).replace(" ", "") != cell.name:
+                    continue
+                yield Use(program, base, index, place)
+
+
+def _meant(steps: Steps, number: int, place: Place) -> str:
+    step = steps.step(number)
+    assert step is not None
+    return element(steps, place, number - 1, step.activation)
+
+
+def _loop_left(steps: Steps, use: Use, last: int) -> Iterator[Link]:
+    """Yield why the loop round a step ended, after a statement."""
+    loop = _loop_round(use.program.instructions, use.within)
+    if loop is None:
+        return
+    instruction = use.program.instructions[loop]
+    if not isinstance(instruction, TestFor):
+        return
+    tests = [n for n in steps.times(use.base + loop) if n > last]
+    if not tests:
+        return
+    test = steps.step(tests[0])
+    assert test is not None
+    begun = _begin_of(use.program.instructions, instruction.loop)
+    was = reading(steps, instruction.place, test.number - 1, test.activation)
+    ended = f"the loop ends here with `{element_text(instruction.place)}` at {value(was.value)}"
+    span = use.program.origins[begun].span if begun is not None else test.cause.span
+    yield Link(steps.time_of(test), span, ended)
+    writer = _written_inside(steps, was.cell, test.number - 1)
+    if writer is not None:
+        yield from writer
+
+
+def _written_inside(steps: Steps, cell: Cell | None, before: int) -> Iterator[Link] | None:
+    """Return where another step than FOR and its END wrote a loop's variable, if one did last."""
+    if cell is None:
+        return None
+    for since in reversed([n for n in cell.since if n <= before]):
+        step = steps.step(since)
+        if step is None or isinstance(step.instruction, BeginFor):
+            return None
+        if isinstance(step.instruction, NextFor):
+            continue
+        return _wrote(steps, step, cell)
+    return None
+
+
+def _wrote(steps: Steps, step: Executed, cell: Cell) -> Iterator[Link]:
+    place = getattr(step.instruction, "place", None)
+    if not isinstance(place, Place):
+        return
+    after = reading(steps, place, step.number, step.activation)
+    yield from chain_of(steps, after)
+
+
+def _loop_round(instructions: tuple[Instruction, ...], index: int) -> int | None:
+    """Return the test of the innermost FOR round an instruction."""
+    for k in range(index, -1, -1):
+        one = instructions[k]
+        if isinstance(one, TestFor) and one.leave > index:
+            return k
+    return None
+
+
+def _begin_of(instructions: tuple[Instruction, ...], loop: int) -> int | None:
+    for k, one in enumerate(instructions):
+        if isinstance(one, BeginFor) and one.loop == loop:
+            return k
+    return None
+
+
+def _skipped(steps: Steps, use: Use) -> Iterator[Link]:
+    """Yield the branch that led past a step that was never executed."""
+    for k in range(use.within - 1, -1, -1):
+        one = use.program.instructions[k]
+        target = one.leave if isinstance(one, TestFor) else getattr(one, "target", None)
+        if isinstance(one, TestCase):
+            target = one.otherwise
+        if not isinstance(target, int) or target <= use.within:
+            continue
+        numbers = steps.times(use.base + k)
+        if not numbers:
+            continue
+        step = steps.step(numbers[-1])
+        assert step is not None
+        if isinstance(one, Jump):
+            says = "the program goes past it from here"
+        else:
+            says = "the program goes past it because of this"
+        yield Link(steps.time_of(step), step.cause.span, says)
+        if isinstance(one, JumpIf):
+            for place in places_in(one.condition):
+                was = reading(steps, place, step.number - 1, step.activation)
+                if was.known:
+                    yield from chain_of(steps, was)
+                    return
+        return
+    yield from _never_called(steps, use)
+
+
+def _never_called(steps: Steps, use: Use) -> Iterator[Link]:
+    """Yield that the program of a step was never called, or that a run ended before the step."""
+    if any(steps.times(use.base + k) for k in range(len(use.program.instructions))):
+        return
+    yield Link(None, use.program.span, f"`{use.program.name}` is never called")

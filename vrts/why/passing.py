@@ -1,0 +1,149 @@
+"""Via points, time and demands as effects: which motion, how far off, by which setting."""
+
+import math
+from collections.abc import Iterator
+
+from vrts.base.pose import distance, rotation_angle, subtract
+from vrts.base.source import Span
+from vrts.check.mark.grade import Loss
+from vrts.check.mark.reasons import PROGRAM_ENDS
+from vrts.check.verdicts.vias import Lack, Visits
+from vrts.why.chain import Link
+from vrts.why.executed import Steps
+from vrts.why.left_out import no_use, places_at, uses_of
+from vrts.why.shown import length, offset, point
+from vrts.why.stopped import last_error
+from vrts.why.ways import decided, leads, speed_of
+
+MUCH = 0.15  # of the whole time: a step that takes so long is named
+
+
+def missed_point(steps: Steps, visits: Visits, lack: Lack) -> Iterator[Link]:
+    """Yield why the tool did not pass a via point as it was asked for."""
+    run, via = steps.run, visits.via
+    if lack is Lack.ORDER:
+        yield from _order(steps, visits)
+        return
+    time_s = min(visits.best_s, run.horizon_s)
+    number = steps.motion_at(time_s)
+    stop = last_error(run)
+    if stop is not None and run.ending not in PROGRAM_ENDS and stop.cause is not None:
+        says = f"the program stops here, before the tool comes to `{via.name}`"
+        yield Link(stop.time_s, stop.cause.span, says)
+        return
+    if number is None:
+        return
+    motion = run.motions[number]
+    at = run.at(time_s).X_WT.translation
+    says = f"the tool comes nearest to `{via.name}` at {point(at)}"
+    toward, amount = "", ""
+    if lack is Lack.PLACE:
+        direction, how_far = offset(subtract(at, via.point))
+        toward = direction
+        within = f"within {length(via.radius)} mm counts"
+        amount = f"{how_far}; `{via.name}` is at {point(via.point)}, {within}"
+    yield Link(time_s, motion.cause.span, says, toward, amount)
+    for beside in (number, number - 1):
+        if not 0 <= beside < len(run.motions):
+            continue
+        one = run.motions[beside]
+        if one.blended and distance(one.X_WT.translation, via.point) <= via.radius:
+            says = "this motion would come to it, but its end is rounded into the next motion"
+            yield Link(one.start_s, one.cause.span, says)
+            return
+    if lack in {Lack.TOO_FAST, Lack.TOO_SLOW}:
+        link = speed_of(steps, number)
+        if link is not None:
+            yield link
+        return
+    unused = [c for c in places_at(steps, via.point, via.radius) if not any(uses_of(steps, c))]
+    if unused:
+        yield from no_use(steps, unused[0])
+        return
+    nearest = min(
+        (n for n in (number - 1, number, number + 1) if 0 <= n < len(run.motions)),
+        key=lambda n: distance(run.motions[n].X_WT.translation, via.point),
+    )
+    yield leads(steps, nearest)
+    yield from decided(steps, nearest)
+
+
+def _order(steps: Steps, visits: Visits) -> Iterator[Link]:
+    for start, _ in visits.intervals[:2]:
+        number = steps.motion_at(start)
+        if number is None:
+            continue
+        motion = steps.run.motions[number]
+        says = f"the tool passes `{visits.via.name}` here, but not at its turn"
+        yield Link(start, motion.cause.span, says)
+
+
+def too_slow(steps: Steps) -> Iterator[Link]:
+    """Yield where the time went: the speed under which most of it passed, and long waits."""
+    run = steps.run
+    total = (run.ended_s or run.horizon_s) - run.started_s or 1.0
+    by_speed: dict[Span | None, tuple[float, Link | None]] = {}
+    for number, motion in enumerate(run.motions):
+        link = speed_of(steps, number)
+        key = None if link is None else link.span
+        spent, _ = by_speed.get(key, (0.0, None))
+        by_speed[key] = (spent + motion.end_s - motion.start_s, link)
+    order = sorted(by_speed.values(), key=lambda one: one[0], reverse=True)
+    for spent, link in order[:2]:
+        if link is None or spent < MUCH * total:
+            continue
+        says = f"{spent:.1f} of {total:.1f} s pass at this speed"
+        yield Link(link.time_s, link.span, says, "too slow", "")
+    slowest = max(range(len(run.motions)), key=lambda n: _lasts(steps, n), default=None)
+    if slowest is not None and _lasts(steps, slowest) > 0.0:
+        one = run.motions[slowest]
+        says = (
+            f"the longest motion: {_lasts(steps, slowest):.1f} s to {point(one.X_WT.translation)}"
+        )
+        yield Link(one.start_s, one.cause.span, says)
+    yield from _waits(steps, total)
+
+
+def _lasts(steps: Steps, number: int) -> float:
+    one = steps.run.motions[number]
+    return one.end_s - one.start_s
+
+
+def _waits(steps: Steps, total: float) -> Iterator[Link]:
+    """Yield steps that wait for long: for a signal, a time."""
+    history = steps.history
+    moving = [(m.start_s, m.end_s) for m in steps.run.motions]
+    for before, after in zip(history.ticks, [*history.ticks[1:], None], strict=False):
+        start = before * history.tick_s
+        end = (steps.run.ended_s or start) if after is None else after * history.tick_s
+        idle = end - start - sum(max(0.0, min(e, end) - max(s, start)) for s, e in moving)
+        if idle > MUCH * total:
+            step = steps.step(history.finished_at(start) + 1) or steps.step(
+                history.finished_at(start)
+            )
+            if step is not None:
+                yield Link(start, step.cause.span, f"{idle:.1f} s pass here without a motion")
+
+
+def demanded(steps: Steps, loss: Loss) -> Iterator[Link]:
+    """Yield what led to a demand that is not kept, or a limit that is broken."""
+    if loss.moment is None:
+        return
+    time_s = loss.moment.time_s
+    number = steps.motion_at(time_s)
+    if number is None:
+        return
+    run = steps.run
+    motion = run.motions[number]
+    start = run.at(min(motion.start_s, run.horizon_s)).X_WT.translation
+    says = f"the tool is on its way from {point(start)} to {point(motion.X_WT.translation)}"
+    before = run.at(min(motion.start_s, run.horizon_s)).X_WT
+    turned = math.degrees(rotation_angle(before.rotation, motion.X_WT.rotation))
+    if turned > 1.0:
+        says += f", and turns by {turned:.0f} degrees"
+    yield Link(motion.start_s, motion.cause.span, says)
+    if loss.kind == "limit":
+        link = speed_of(steps, number)
+        if link is not None:
+            yield link
+    yield from decided(steps, number)

@@ -1,0 +1,152 @@
+"""Motions as causes: where one leads and why there, and by which settings."""
+
+import math
+from collections.abc import Iterator
+
+from vrts.base.pose import IDENTITY, Pose, distance, rotation_angle
+from vrts.engine.memory.events import HandCommanded
+from vrts.ir.expressions import Compose, Constant
+from vrts.ir.motion import (
+    Depart,
+    Draw,
+    Drive,
+    Move,
+    SetBase,
+    SetBaseFrame,
+    SetSpeed,
+    SetTool,
+)
+from vrts.why.chain import Link
+from vrts.why.entered import reacted
+from vrts.why.executed import Executed, Steps
+from vrts.why.read import Reading, element, places_in, readings
+from vrts.why.shown import point
+from vrts.why.sources import chain_of, element_text, written
+
+SAME = 1e-6  # of poses that are told apart
+GIVEN = 1e-3  # [m] a location so near to one of the scene is that one
+GIVEN_TURN = math.radians(1.0)
+
+
+def leads(steps: Steps, motion: int) -> Link:
+    """Return that a motion leads to a place."""
+    one = steps.run.motions[motion]
+    verb = "goes to" if one.arrives and not one.blended else "sets out for"
+    says = f"the tool {verb} {point(one.X_WT.translation)}{_chosen(steps, motion)}"
+    return Link(one.start_s, one.cause.span, says)
+
+
+def _chosen(steps: Steps, motion: int) -> str:
+    """Return which elements a motion took, where their subscripts are computed."""
+    step = steps.of_motion(motion)
+    found: dict[str, str] = {}
+    for each in () if step is None else readings(steps, step):
+        if any(places_in(each.place.subscripts)) and each.known:
+            real = element(steps, each.place, each.before, each.activation)
+            found[element_text(each.place)] = real
+    return "".join(f", where `{text}` is `{real}`" for text, real in found.items())
+
+
+def decided(steps: Steps, motion: int) -> Iterator[Link]:
+    """Yield why a motion leads where it does: settings, values, numbers of the source."""
+    step = steps.of_motion(motion)
+    if step is None:
+        return
+    yield from _settings(steps, step)
+    instruction = step.instruction
+    if isinstance(instruction, Depart | Draw) and _written_out(instruction):
+        return  # the line of the motion says it itself
+    found = doubtful(steps, step)
+    compound = isinstance(instruction, Move) and isinstance(instruction.target, Compose)
+    for each in reversed(found) if compound else found[:1]:  # what is nearest the tool first
+        yield from chain_of(steps, each)
+    yield from reacted(steps, step)
+
+
+def doubtful(steps: Steps, step: Executed) -> list[Reading]:
+    """Return what a step read that may be wrong: not locations as the scene gives them."""
+    found = [r for r in readings(steps, step) if r.known]
+    return [r for r in found if not is_given(steps, r.value)]
+
+
+def is_given(steps: Steps, content: object) -> bool:
+    """Return whether a value is a location that the scene names."""
+    if not isinstance(content, Pose):
+        return False
+    return any(near(content, pose) for pose in steps.run.scene.locations.values())
+
+
+def _written_out(instruction: Depart | Draw) -> bool:
+    parts = (instruction.distance,) if isinstance(instruction, Depart) else instruction.offsets
+    return all(part is None or isinstance(part, Constant) for part in parts)
+
+
+def _settings(steps: Steps, step: Executed) -> Iterator[Link]:
+    """Yield TOOL, BASE and the like where they are not what they were at the start."""
+    memory = steps.history.memory
+    at_first = steps.run.scene.X_FT, IDENTITY
+    for name, cell, usual in zip(
+        ("tool", "base"), (memory.tool, memory.base), at_first, strict=True
+    ):
+        source = written(steps, cell, step.number - 1)
+        if source is None or source.step is None:
+            continue
+        if isinstance(source.step.instruction, SetTool | SetBase | SetBaseFrame):
+            now = cell.at(step.number - 1)
+            if isinstance(now, Pose) and not _alike(now, usual):
+                says = f"the {name} set here is in force"
+                yield Link(source.time_s, source.step.cause.span, says)
+
+
+def near(one: Pose, other: Pose) -> bool:
+    """Return whether two poses are within a millimetre and a degree."""
+    apart = distance(one.translation, other.translation)
+    return apart < GIVEN and rotation_angle(one.rotation, other.rotation) < GIVEN_TURN
+
+
+def _alike(one: Pose, other: Pose) -> bool:
+    numbers = zip(
+        (*one.rotation, *one.translation), (*other.rotation, *other.translation), strict=True
+    )
+    return all(math.isclose(a, b, abs_tol=SAME) for a, b in numbers)
+
+
+def speed_of(steps: Steps, motion: int) -> Link | None:
+    """Return the SPEED by which a motion went."""
+    step = steps.of_motion(motion)
+    if step is None:
+        return None
+    nearest: Executed | None = None
+    for number in range(step.number - 1, 0, -1):
+        found = steps.step(number)
+        if found is None or not isinstance(found.instruction, SetSpeed):
+            continue
+        always = found.instruction.scope.value == "always"
+        if always or not _moved_between(steps, number, step.number):
+            nearest = found
+            break
+    if nearest is None:
+        return None
+    says = f"this speed is in force: {steps.run.motions[motion].speed_fraction * 100:g} %"
+    return Link(steps.time_of(nearest), nearest.cause.span, says)
+
+
+def _moved_between(steps: Steps, first: int, last: int) -> bool:
+    """Return whether a motion was asked for between two statements."""
+    for number in range(first + 1, last):
+        found = steps.step(number)
+        if found is not None and isinstance(found.instruction, Move | Depart | Drive | Draw):
+            return True
+    return False
+
+
+def hand_told(steps: Steps, time_s: float, action: str) -> Link | None:
+    """Return the step that told the hand to do something, the last before a time."""
+    last = [
+        e
+        for e in steps.run.events
+        if isinstance(e, HandCommanded) and e.action == action and e.time_s <= time_s + 1e-9
+    ]
+    if not last or last[-1].cause is None:
+        return None
+    return Link(last[-1].time_s, last[-1].cause.span, f"the hand is told to {action} here")
