@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from tests.collision_runs import Record, Story, down, fixed, movable, scene_of
 from tests.places import ROOT
-from vrts.base.pose import IDENTITY, Pose, translation
+from vrts.base.pose import IDENTITY, Pose, rotation_about, translation
 from vrts.base.source import SourceFile
 from vrts.check.collision.collision import check_collisions
 from vrts.check.proof.record import Certified, certified
@@ -16,6 +16,9 @@ from vrts.scene.model import Scene
 from vrts.scene.reading.scene_file import read_scene
 
 CAN = Piece(Cylinder(0.03, 0.0575), translation(0.0, 0.0, 0.0575))
+HALVES = tuple(  # the upper one first
+    Piece(Cylinder(0.03, 0.02875), translation(0.0, 0.0, z)) for z in (0.08625, 0.02875)
+)
 TABLE = fixed("table", Piece(Box((0.4, 0.7, 0.02)), IDENTITY), at=(1.0, 0.0, -0.32))
 GRIP = down(0.9, 0.0, -0.225)
 POST = Hull(tuple((x, y, z) for x in (-0.02, 0.02) for y in (-0.02, 0.02) for z in (-0.05, 0.05)))
@@ -37,8 +40,9 @@ def above(X_WP: Pose, height: float) -> Pose:
 
 @cache
 def case(name: str) -> Case:
-    """Return a case by its name: "free", "contact", "fall" or "serial"."""
-    story = {"free": free, "contact": contact, "fall": fall, "serial": serial}[name]()
+    """Return a case by its name: "free", "contact", "fall", "again" or "serial"."""
+    stories = {"free": free, "contact": contact, "fall": fall, "again": again, "serial": serial}
+    story = stories[name]()
     run = story.record()
     report = check_collisions(story.scene, run)
     return Case(story.scene, run, report, certified(story.scene, run, report))
@@ -84,6 +88,28 @@ def fall() -> Story:
     story.release("can1", "table", 0.2)
     story.wait(0.5)
     story.line(above(GRIP, 0.3))
+    return story
+
+
+def again() -> Story:
+    """A can comes near its table again on the way, and open fingers come near it after that."""
+    can = movable("can1", *HALVES, at=(0.9, 0.0, -0.3), on="table")
+    story = Story(scene_of(TABLE, can), (0.0, -1.0, 1.5, 0.0, 1.0, 0.0))
+    turn = Pose(rotation_about((0.0, 0.0, 1.0), 0.5), (0.0, 0.0, 0.0))  # boxes show less then
+    grip = Pose((turn @ GRIP).rotation, GRIP.translation)
+    story.q = story.solved(grip)
+    story.grasp("can1")
+    put = Pose(grip.rotation, (0.9, 0.1, GRIP.translation[2]))
+    for height in (0.004, 0.002):  # nearer than a near miss, as it is on purpose
+        story.line(above(grip, height))
+    for at, height in ((grip, 0.03), (grip, 0.01), (put, 0.03), (put, 0.012), (put, 0.03)):
+        story.line(above(at, height))
+    story.line(put)
+    story.release("can1", "table")
+    story.wait(0.3)
+    for aside in (0.003, 0.0):  # fingers 10 mm from the can on either side
+        story.line(put @ translation(0.0, aside, 0.0))
+    story.line(above(put, 0.2))
     return story
 
 

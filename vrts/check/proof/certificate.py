@@ -32,8 +32,9 @@ from vrts.engine.storage.plain import Json, listed, named, number, text
 from vrts.engine.storage.plain import whole as count
 from vrts.scene.model import NO_FILES
 
-# 1 had no files of the scene, 2 did not show until when things that part are near each other
-NUMBER = 3
+# 1 had no files of the scene; 2 did not show until when things that part are near each other,
+# nor 3 that they do not come near again before
+NUMBER = 4
 FORMAT = f"vrts.proof/{NUMBER}"
 MANIFEST, FILES = "proof.json", "files"
 COLUMNS = {  # kind of number, and how many in a row; 0: no rows
@@ -113,6 +114,7 @@ def certificate_bytes(
         "claims": {
             "contacts": [list(meeting) for meeting in claims.meetings],
             "clearance_m": claims.clearance_m,
+            "near_miss_m": claims.near_miss_m,
             "let_go": [list(row) for row in claims.let_go],
             "parted": [list(row) for row in claims.parted],
         },
@@ -228,7 +230,10 @@ def _table(data: bytes, kind: str, columns: int) -> Table:
 
 
 def _claims(said: Mapping[str, Json]) -> Claims:
-    floor = said.get("clearance_m")
+    floor, near_miss = (
+        None if said.get(name) is None else number(said.get(name))
+        for name in ("clearance_m", "near_miss_m")
+    )
     meetings: list[Meeting] = []
     for row in listed(said.get("contacts")):
         first, second, from_s, to_s = listed(row, 4)
@@ -242,8 +247,7 @@ def _claims(said: Mapping[str, Json]) -> Claims:
     for row in listed(said.get("parted")):
         body, stay, other, from_s, to_s = listed(row, 5)
         parted.append(Parted(text(body), count(stay), text(other), number(from_s), number(to_s)))
-    clearance = None if floor is None else number(floor)
-    return Claims(tuple(meetings), clearance, tuple(let_go), tuple(parted))
+    return Claims(tuple(meetings), floor, near_miss, tuple(let_go), tuple(parted))
 
 
 def _evidence(tables: Mapping[str, Table]) -> Evidence:

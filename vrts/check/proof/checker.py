@@ -26,6 +26,7 @@ ROUNDING = 1e-6  # [m] of double precision, taken from every bound
 EVENT_GAP = 0.5  # [s] contacts less than this apart are one event
 UNSHOWN = "nothing shows that they keep apart"
 SLACK = 3e-4  # [m] by which two points may be farther apart than the smallest distance claimed
+SHRUNK = 1e-5  # [m] what is nearer by less than at the look before is no nearer
 
 
 def at_zero(arm: Arm) -> list[tuple[Array, Array]]:
@@ -126,14 +127,6 @@ class Moments:
         return (np.abs(dot(v, n)) + turning) * half_s + 0.5 * curve * half_s**2
 
 
-def boxes(of: Solids, solid: Indices, rotation: Array, origin: Array) -> tuple[Array, Array]:
-    """Return lower and upper corners of the boxes round solids along the axes of W, (m, 3)."""
-    ways = [np.tile(axis, (len(solid), 1)) for axis in np.eye(3)]
-    high = [of.reach(solid, rotation, way) for way in ways]
-    low = [of.reach(solid, rotation, -way) for way in ways]
-    return origin - np.stack(low, axis=1), origin + np.stack(high, axis=1)
-
-
 def least(of: Solids, at: Moments, a: Indices, b: Indices, k: Indices, n: Array) -> Array:
     """Return how far solids keep apart throughout intervals k at least; n zero: by boxes."""
     count, still = len(at.time_s), (of.frame[b] == 0) & ~of.falls[b]
@@ -146,7 +139,7 @@ def least(of: Solids, at: Moments, a: Indices, b: Indices, k: Indices, n: Array)
     nearer = seen[of.frame[b], at_a] + np.where(of.falls[b], seen[6, at_b], 0)
     size, found = np.linalg.norm(n, axis=1), np.empty(len(a))
     x = np.flatnonzero(size == 0)
-    low, high = boxes(of, solid, rotation, origin)
+    low, high = tables.boxes(of, solid, rotation, origin)
     found[x] = tables.between(low[at_a[x]], high[at_a[x]], low[at_b[x]], high[at_b[x]]) - nearer[x]
     y = np.flatnonzero(size > 0)
     a, b, k, n, at_a, at_b = a[y], b[y], k[y], n[y] / size[y, None], at_a[y], at_b[y]
@@ -185,6 +178,7 @@ class Check:
             rotation, origin, _ = at.place(of, solid, k)
             inside = tables.inside(of, solid, p.corners[:, side], p.weights)
             self.spots[:, side] = origin + turned(rotation, inside)
+        self.apart = np.linalg.norm(self.spots[:, 0] - self.spots[:, 1], axis=1)
 
     def require(self, good: given.Flags, what: str, row: Indices, time_s: Array) -> None:
         """Go on where something is so of rows at times; else tell the first that is not."""
@@ -224,7 +218,7 @@ class Check:
         at = Moments(self.arm, self.move, edges[:-1], edges[1:])
         solid, k, place = tables.once(still, count)
         rotation, origin, centre = at.place(of, solid, k)
-        low, high = (x[place] for x in boxes(of, solid, rotation, origin))
+        low, high = (x[place] for x in tables.boxes(of, solid, rotation, origin))
         seen = at.travel(of, solid, k, centre)[1][:, place]
         # whole unions of solids first: most are far apart in most intervals
         members, starts, sides = tables.unions_of(self.todo)
@@ -255,16 +249,25 @@ class Check:
             self.require(far > self.rows.least[row], UNSHOWN, row, edges[k])
 
     def near(self) -> None:
-        """At every instant before things are said to be apart, two points are not, by so much."""
-        p, apart = self.by.points, np.linalg.norm(self.spots[:, 0] - self.spots[:, 1], axis=1)
-        for first, stays, times, most_m in self.todo.near:
-            for t in times:
-                there = [s for x in stays if x.span[0] <= t <= x.span[1] for s in x.solids]
-                pair = np.isin(p.solids[:, 0], first) & np.isin(p.solids[:, 1], there)
-                near = (apart <= most_m) & (p.use == given.NEAR) & (np.abs(p.time_s - t) < 1e-9)
-                if not (pair & near).any():
-                    parts = (self.all_of.parts[first[0]], stays[0].body)
+        """Before things are said to be apart, two points are not, nor do they come near again."""
+        p, beyond_m, again = self.by.points, tables.beyond_m(self.claims), list[given.Apart]()
+        for one in self.todo.near:
+            before_m = 0.0
+            for t in one.times:
+                shown, pairs = tables.looked(one, t, p)
+                apart = self.apart[shown & (self.apart <= one.most_m)]
+                if not len(apart):
+                    parts = (self.all_of.parts[one.first[0]], one.stays[0].body)
                     raise Wrong("nothing shows that they are not yet apart", t, parts)
+                if before_m > beyond_m:
+                    again += [given.Apart(i, j, t, before_m - SHRUNK) for i, j in pairs]
+                before_m = float(apart.min())
+        a, b, times, least_m, n = tables.columns_of(again, p, self.spots)
+        at = Moments(self.arm, self.move, times, times)
+        wrong = np.flatnonzero(least(self.all_of, at, a, b, np.arange(len(a)), n) < least_m)
+        for k in wrong[:1].tolist():
+            parts = (self.all_of.parts[int(a[k])], self.all_of.parts[int(b[k])])
+            raise Wrong("nothing shows that they do not come near again", float(times[k]), parts)
 
     def meetings(self) -> None:
         """Points deep inside both show that there is contact, from its start to its end."""
@@ -287,10 +290,10 @@ class Check:
         """Return the distance of two points that come as near as the smallest distance claimed."""
         if self.claims.clearance_m is None:
             return None
-        p, apart = self.by.points, np.linalg.norm(self.spots[:, 0] - self.spots[:, 1], axis=1)
-        shown = np.flatnonzero(p.use == given.NEAREST)[:, None]
-        counting = [k for k in shown if any(d.counts for d in tables.demands_of(self.todo, p, k))]
-        found = min((float(apart[k[0]]) for k in counting), default=np.inf)
+        shown = np.flatnonzero(self.by.points.use == given.NEAREST)[:, None]
+        demands = ((k, tables.demands_of(self.todo, self.by.points, k)) for k in shown)
+        counting = [k for k, those in demands if any(d.counts for d in those)]
+        found = min((float(self.apart[k[0]]) for k in counting), default=np.inf)
         if self.claims.meetings or found > self.claims.clearance_m + SLACK:
             raise Wrong("nothing shows that something comes as near as is claimed")
         return found

@@ -8,7 +8,7 @@ from math import inf, isfinite
 
 from vrts.base.pose import rotate, translation
 from vrts.check.proof import given
-from vrts.check.proof.given import Claims, Covered, Records, Span, Stay, Told, Window, common
+from vrts.check.proof.given import Claims, Covered, Near, Records, Span, Stay, Told, Window, common
 from vrts.engine.memory.records import Lie, Placement
 from vrts.scene.model import Mobility, Scene
 
@@ -54,7 +54,7 @@ def covered(scene: Scene, run: Records, moves: Span, claims: Claims) -> Covered:
                 if window.open_s < window.until_s:
                     step_s, far = (FINE, APART) if window.depth_m > DEEP else (COARSE, AWAY)
                     times = given.steps(window.open_s, window.span[1], step_s)
-                    todo.near.append(given.Near(finger, own, times, far))
+                    todo.near.append(Near(finger, own, times, far))
                 for stay in own:
                     span = common(window.span, stay.span)
                     todo.keep(sides, finger, stay.solids, span, window.depth_m, window.counts)
@@ -78,8 +78,8 @@ def covered(scene: Scene, run: Records, moves: Span, claims: Claims) -> Covered:
                 low = min(max(from_s, both[0]), both[1]) if other.body == stay.before else both[0]
                 high = max(min(to_s, both[1]), both[0]) if other.body == stay.after else both[1]
                 todo.keep(sides, stay.solids, other.solids, (low, high), inf)
-                times = given.steps(both[0], low, COARSE) + given.steps(both[1], high, COARSE)
-                todo.near.append(given.Near(stay.solids, [other], times, AWAY))
+                for way in ((both[0], low), (both[1], high)):
+                    todo.near.append(Near(stay.solids, [other], given.steps(*way, COARSE), AWAY))
     return todo
 
 

@@ -22,7 +22,7 @@ Span: TypeAlias = tuple[float, float]  # start and end [s]
 EXACT = 1e-9  # [m, 1] so exactly points lie in solids, and weights sum up
 DEEPEST = 30  # halvings of a root interval
 BOXES, DIRECTION, EXCUSED = range(3)  # what settles a leaf
-NEAR, WITNESS, NEAREST = range(3)  # what points show
+NEAR, WITNESS, NEAREST, KEEPS = range(4)  # what points show; see `Points`
 
 
 class Motions(Protocol):
@@ -67,7 +67,7 @@ class Leaves(NamedTuple):
 class Points(NamedTuple):
     """Pairs of points, one in each of two solids: means of corners of both, with weights."""
 
-    use: Indices  # (p,) for pads, for a contact, or for the smallest distance
+    use: Indices  # (p,) for what is near, a contact, the smallest distance, what comes no nearer
     time_s: Array  # (p,)
     solids: Indices  # (p, 2)
     corners: Array  # (p, 2, 4, 3) in the frames of the pieces [m]
@@ -111,8 +111,18 @@ class Claims(NamedTuple):
 
     meetings: tuple[Meeting, ...]  # and no other contacts
     clearance_m: float | None  # nothing that counts comes nearer; None: nothing is said
+    near_miss_m: float | None  # what was farther apart counts again when it comes nearer
     let_go: tuple[LetGo, ...]
     parted: tuple[Parted, ...]
+
+
+class Apart(NamedTuple):
+    """Two solids that have to be so far apart at an instant."""
+
+    first: int
+    second: int
+    time_s: float
+    least_m: float
 
 
 class Evidence(NamedTuple):

@@ -32,7 +32,8 @@ from vrts.check.proof.given import (
 )
 from vrts.check.proof.look import Look, points_of
 from vrts.check.proof.meeting_points import parted
-from vrts.check.proof.parting import let_go, near_on_purpose, near_points
+from vrts.check.proof.nearby import near_points
+from vrts.check.proof.parting import let_go, near_on_purpose
 from vrts.check.proof.tables import rows_of, spans_of, within
 from vrts.check.proof.witnesses import nearest_points, witnesses
 from vrts.check.verdict import CollisionReport
@@ -72,12 +73,11 @@ def certified(scene: Scene, run: Records, report: CollisionReport) -> Certified:
     edges = _edges(
         move, rows_of(todo, claims), falls=any(s.falls_from_s is not None for s in todo.solids)
     )
-    leaves, meetings = _halved(
-        Check(scene, run, claims, Evidence(edges, _NO_LEAVES, points_of(0, [])))
-    )
+    it = Check(scene, run, claims, Evidence(edges, _NO_LEAVES, points_of(0, [])))
+    leaves, meetings = _halved(it)
     claims = claims._replace(meetings=meetings)
     look = Look(scene.robot.arm, move, solids(todo.solids))
-    shown = [near_points(look, todo), nearest_points(look, todo, report.clearance)]
+    shown = [*near_points(look, it), nearest_points(look, todo, report.clearance)]
     shown += [
         witnesses(look, todo, meeting, event.deepest_s)
         for meeting in meetings
@@ -97,10 +97,10 @@ def _claims(scene: Scene, run: Records, move: Curves, report: CollisionReport) -
     meetings = tuple(
         Meeting(c.first, c.second, c.start_s - FRINGE, c.end_s + FRINGE) for c in report.contacts
     )
-    claims = Claims(meetings, floor, (), ())
+    near_miss = None if floor is None else report.near_miss_m
+    claims = Claims(meetings, floor, near_miss, (), ())
     todo = covered(scene, run, (move.start_s, move.end_s), claims)
     look = Look(scene.robot.arm, move, solids(todo.solids))
-    near_miss = None if floor is None else report.near_miss_m
     go = let_go(look, todo, near_miss)
     near = () if near_miss is None else near_on_purpose(look, todo.stays, near_miss)
     return claims._replace(let_go=go, parted=near)

@@ -10,8 +10,10 @@ from vrts.check.proof.given import (
     DIRECTION,
     EXACT,
     EXCUSED,
-    NEAREST,
+    KEEPS,
+    NEAR,
     WITNESS,
+    Apart,
     Array,
     Claims,
     Covered,
@@ -20,12 +22,16 @@ from vrts.check.proof.given import (
     Flags,
     Indices,
     Leaves,
+    Near,
     Points,
     Rows,
     Wrong,
 )
 from vrts.geometry.shapes import Box, Cylinder, Hull, Shape
 from vrts.geometry.solids import Solids
+
+LET_GO = 2e-4  # [m] nothing nearer than this has been apart
+SAME = 1e-9  # [s] times that differ by less are one
 
 
 def rows_of(todo: Covered, claims: Claims) -> Rows:
@@ -75,7 +81,7 @@ def check_places(by: Evidence, rows: Rows, solids: int) -> None:
     )
     numbers = [
         *zip(x[:5], limits, strict=True),
-        (by.points.use, NEAREST + 1),
+        (by.points.use, KEEPS + 1),
         (by.points.solids, solids),
     ]
     if any(((number < 0) | (number >= limit)).any() for number, limit in numbers):
@@ -167,6 +173,14 @@ def turned(rotation: Array, vector: Array) -> Array:
     return (rotation * vector[:, None, :]).sum(axis=2)
 
 
+def boxes(of: Solids, solid: Indices, rotation: Array, origin: Array) -> tuple[Array, Array]:
+    """Return lower and upper corners of the boxes round solids along the axes of W, (m, 3)."""
+    ways = [np.tile(axis, (len(solid), 1)) for axis in np.eye(3)]
+    high = [of.reach(solid, rotation, way) for way in ways]
+    low = [of.reach(solid, rotation, -way) for way in ways]
+    return origin - np.stack(low, axis=1), origin + np.stack(high, axis=1)
+
+
 def between(low_a: Array, high_a: Array, low_b: Array, high_b: Array) -> Array:
     """Return the distances of boxes, less than zero where they overlap."""
     gap = np.maximum(low_b - high_a, low_a - high_b)
@@ -194,6 +208,54 @@ def once(still: Flags, count: int) -> tuple[Indices, Indices, Indices]:
     solid = np.repeat(np.arange(len(each)), each)
     place = first[:, None] + np.where(still[:, None], 0, np.arange(count))
     return solid, np.arange(len(solid)) - first[solid], place
+
+
+def beyond_m(claims: Claims) -> float:
+    """Return how far apart things count again when they come nearer; inf: no distance counts.
+
+    Raises:
+        Wrong: It is not said.
+    """
+    if claims.clearance_m is None:
+        return inf
+    if claims.near_miss_m is None:
+        raise Wrong("it does not say what a near miss is")
+    return max(claims.near_miss_m, LET_GO)
+
+
+def looked(one: Near, t: float, points: Points) -> tuple[Flags, list[tuple[int, int]]]:
+    """Return which points show how near two unions are at an instant, and all pairs of solids."""
+    there = [s for x in one.stays if x.span[0] <= t <= x.span[1] for s in x.solids]
+    shown = np.isin(points.solids[:, 0], one.first) & np.isin(points.solids[:, 1], there)
+    shown &= (points.use == NEAR) & (np.abs(points.time_s - t) < SAME)
+    return shown, [(i, j) for i in one.first for j in there]
+
+
+def columns_of(
+    rows: Sequence[Apart], points: Points, spots: Array
+) -> tuple[Indices, Indices, Array, Array, Array]:
+    """Return pairs of solids, instants, and how far apart they are to be, as columns.
+
+    Args:
+        rows: The pairs.
+        points: Those that show by their directions that pairs keep apart.
+        spots: Where points are, (p, 2, 3), in W.
+
+    Returns:
+        Solids, solids, times, least distances, and directions (r, 3): zero where none is shown.
+    """
+    ways: dict[tuple[int, int], list[tuple[float, int]]] = {}
+    for k in np.flatnonzero(points.use == KEEPS).tolist():
+        i, j = points.solids[k].tolist()
+        ways.setdefault((i, j), []).append((float(points.time_s[k]), k))
+    n = np.zeros((len(rows), 3))
+    for own, row in zip(n, rows, strict=True):
+        for time_s, k in ways.get((row.first, row.second), ()):
+            if abs(time_s - row.time_s) < SAME:
+                own[:] = spots[k, 1] - spots[k, 0]
+    first, second = (np.array([row[k] for row in rows], dtype=np.int64) for k in (0, 1))
+    time_s, least = (np.array([row[k] for row in rows], dtype=np.float64) for k in (2, 3))
+    return first, second, time_s, least, n
 
 
 def demands_of(todo: Covered, points: Points, which: Indices) -> list[Demand]:

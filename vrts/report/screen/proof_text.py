@@ -6,6 +6,7 @@ from typing import NamedTuple
 from vrts.base.units import mm
 from vrts.check.proof.covered import DEEP, PRESSED
 from vrts.check.proof.given import Claims, Meeting, Proven
+from vrts.check.proof.tables import beyond_m
 from vrts.engine.run import Run
 from vrts.engine.storage.origin import Origin, module_digest
 from vrts.report.plain import one_line
@@ -44,7 +45,8 @@ def _lines(about: About, claims: Claims, proven: Proven) -> Iterator[str]:
         yield f"  at least {mm(claims.clearance_m):.2f} mm remain everywhere;"
         yield f"  two points come as near as {mm(proven.nearest_m):.2f} mm"
         if claims.let_go or claims.parted:
-            yield "  (fingers about what they grasp, and what is lifted and set down, do not count)"
+            yield "  (fingers about what they grasp, and what is lifted and set down, do not count"
+            yield f"  before they were {_beyond(claims)} apart and come nearer again)"
     yield "of:"
     for source in about.origin.programs.sources:
         yield f"  program     {one_line(source.name)}"
@@ -56,6 +58,10 @@ def _lines(about: About, claims: Claims, proven: Proven) -> Iterator[str]:
     yield "looked at:"
     yield f"  {proven.rows:,} pairs of pieces, {proven.leaves:,} intervals, boxes for the rest"
     yield f"  the tightest interval holds by {mm(proven.margin_m):.4f} mm; {about.size:,} bytes"
+
+
+def _beyond(claims: Claims) -> str:
+    return f"{mm(beyond_m(claims)):g} mm"
 
 
 def _contact(meeting: Meeting) -> str:

@@ -99,7 +99,7 @@ def formatted(data: bytes, number: int) -> bytes:
     return retold(data, lambda said: said.update(format=f"vrts.proof/{number}"))
 
 
-@pytest.mark.parametrize(("number", "older"), [(1, True), (2, True), (4, False), (20, False)])
+@pytest.mark.parametrize(("number", "older"), [(1, True), (3, True), (5, False), (20, False)])
 def test_another_format_is_named_before_anything_else_is_read(number: int, older: bool) -> None:
     parts = members(formatted(written(), number))
     del parts["files"], parts["edges"]
@@ -165,6 +165,8 @@ CHANGES: list[Change] = [
     lambda said: said["claims"].update(contacts=[["robot", 1, 0.0, 1.0]]),
     lambda said: said["claims"].update(clearance_m="far"),
     lambda said: said["claims"].update(clearance_m=True),
+    lambda said: said["claims"].update(near_miss_m="far"),
+    lambda said: said["claims"].update(near_miss_m=[0.005]),
     lambda said: said["claims"].update(let_go=[["can1", 0.5, 0, 0.0, 0.0]]),
     lambda said: said["claims"].update(parted=[[]]),
 ]
@@ -182,7 +184,7 @@ def test_what_a_certificate_says_of_itself_is_read_without_trust(
 @given(st.data())
 def test_no_altered_byte_is_an_exception_or_proves_something_else(data: st.DataObject) -> None:
     """Bytes of a column, or of the whole file: refused, or what is proven is the same."""
-    name = data.draw(st.sampled_from(["free", "contact", "fall"]))
+    name = data.draw(st.sampled_from(["free", "contact", "fall", "again"]))
     one, whole = case(name), written(name)
     which = data.draw(st.sampled_from([None, *COLUMNS, MANIFEST]))
     bytes_ = bytearray(whole if which is None else members(whole)[which])

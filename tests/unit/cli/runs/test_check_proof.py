@@ -164,7 +164,7 @@ def test_a_certificate_of_another_format_is_told_as_such_and_how_to_write_it_ane
     proofs: Path, tmp_path: Path
 ) -> None:
     old = tmp_path / "old.cert"
-    for number, which in ((1, "an older"), (2, "an older"), (4, "a newer")):
+    for number, which in ((1, "an older"), (3, "an older"), (5, "a newer")):
         old.write_bytes(formatted((proofs / "run.cert").read_bytes(), number))
         result = vrts("check-proof", old, SOLUTION, *COLOR)
         assert result.returncode == 1
@@ -172,7 +172,7 @@ def test_a_certificate_of_another_format_is_told_as_such_and_how_to_write_it_ane
         text = result.stderr.decode()
         assert "error[V550 certificate-format]" in text
         assert f"old.cert` was written by {which} vrts" in text
-        assert f"its format is `vrts.proof/{number}`, not `vrts.proof/3`" in text
+        assert f"its format is `vrts.proof/{number}`, not `vrts.proof/4`" in text
         assert "help: write it again with `vrts verify PROGRAM --certificate FILE`" in text
 
 

@@ -7,7 +7,8 @@ clearance and near misses only once they have been farther apart than the near-m
 come nearer again, and an object that is set down leaves them with the final approach.
 """
 
-from collections.abc import Generator, Sequence
+import math
+from collections.abc import Generator, Iterator, Sequence
 from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
@@ -28,6 +29,8 @@ FINE = 14e-3  # [s] between instants at which separation is looked for: half a t
 COARSE = 56e-3  # [s] between instants at which the way apart and back is followed [assumed]
 BATCH = 16  # instants looked at together, at first
 AWAY = 50e-3  # [m] a pair this far apart has parted [assumed]
+SHRUNK = 1e-6  # [m] what is nearer by less than at the look before is no nearer
+SOONER = 1e-9  # [s] no instant so near to the end is looked at
 
 
 class Window(NamedTuple):
@@ -83,9 +86,10 @@ def finger_windows(
         close_s = max(grip.close_s, at)
         until = held[number + 1].close_s if number + 1 < len(held) else end_s
         windows.append(Window(at, close_s, allowed=False, counts=True))
-        apart, away = until, until
-        if grip.open_s < until:
-            apart, away = yield from _parting(grip.open_s, until, SEPARATED, near_miss)
+        apart = yield from _apart(grip.open_s, until)
+        away = apart
+        if near_miss is not None:
+            away = max(apart, (yield from _away(grip.open_s, until, near_miss)))
         windows.append(Window(close_s, apart, allowed=True, counts=False))
         windows.append(Window(apart, away, allowed=False, counts=False))
         at = away
@@ -95,45 +99,49 @@ def finger_windows(
 
 def counted_from(start_s: float, end_s: float, near_miss: float = NEAR_MISS) -> Asking[float]:
     """Return when a pair that starts together comes nearer after it was apart; `end_s` if never."""
-    return (yield from _parting(start_s, end_s, near_miss, near_miss))[1]
+    return (yield from _away(start_s, end_s, near_miss))
 
 
 def counted_until(start_s: float, end_s: float, near_miss: float = NEAR_MISS) -> Asking[float]:
     """Return when a pair that ends together begins its final approach; `start_s` if at once."""
-    parting = _parting(start_s, end_s, near_miss, near_miss, mirrored=start_s + end_s)
-    return start_s + end_s - (yield from parting)[1]
+    away = _away(start_s, end_s, near_miss, mirrored=start_s + end_s)
+    return start_s + end_s - (yield from away)
 
 
-def _parting(
-    start_s: float,
-    end_s: float,
-    apart: float,
-    near_miss: float | None,
-    mirrored: float | None = None,
-) -> Asking[tuple[float, float]]:
-    """Return when a gap first exceeds `apart`, and when it is no longer that of parting.
+def _apart(start_s: float, end_s: float) -> Asking[float]:
+    """Return when a finger is first seen to be apart from what it held; `end_s` if never."""
+    for times in _looks(start_s, end_s, FINE):
+        gaps = yield times
+        for t, distance in zip(times.tolist(), gaps, strict=True):
+            if distance > SEPARATED:
+                return t
+    return end_s
 
-    Parting is over when, beyond `near_miss`, the gap first shrinks, or when it exceeds `AWAY`; with
-    None, as soon as the gap exceeds `apart`.
-    To look backward in time, times are asked for as `mirrored` minus what they are.
+
+def _away(
+    start_s: float, end_s: float, near_miss: float, mirrored: float | None = None
+) -> Asking[float]:
+    """Return when a gap is no longer that of parting; `end_s` if it always is.
+
+    That is so when, beyond `near_miss`, it is seen to be smaller than at the look before, or when
+    it exceeds `AWAY`. To look backward in time, times are asked for as `mirrored` minus what they
+    are.
     """
-    separated: float | None = None
-    before = -np.inf
-    first = start_s
-    count = BATCH
-    while first < end_s:
-        step_s = FINE if separated is None else COARSE
-        times = np.minimum(first + step_s * np.arange(count), end_s)
+    far, before = max(near_miss, SEPARATED), -np.inf
+    for times in _looks(start_s, end_s, COARSE):
         gaps = yield times if mirrored is None else mirrored - times
         for t, distance in zip(times.tolist(), gaps, strict=True):
-            if separated is None and distance > apart:
-                separated = t
-                if near_miss is None:
-                    return t, t
-            shrinks = near_miss is not None and before > near_miss and distance < before - 1e-6
-            if shrinks or distance > AWAY:
-                return (t if separated is None else separated), t
+            if (before > far and distance < before - SHRUNK) or distance > AWAY:
+                return t
             before = distance
-        first = float(times[-1]) + step_s
-        count *= 1 if separated is None else 2
-    return (end_s if separated is None else separated), end_s
+    return end_s
+
+
+def _looks(start_s: float, end_s: float, step_s: float) -> Iterator[Array]:
+    """Yield the instants from one time on, a step apart, before another: more and more at once."""
+    total = math.ceil(max(end_s - start_s - SOONER, 0.0) / step_s)
+    first, count = 0, BATCH
+    while first < total:
+        times = np.arange(first, min(first + count, total), dtype=np.float64)
+        yield start_s + step_s * times
+        first, count = first + count, 2 * count
