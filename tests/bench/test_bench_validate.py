@@ -12,6 +12,7 @@ from vrts.base.units import DEG
 from vrts.report.formats.run_csv import run_csv
 from vrts.validate.comparison import read_and_compare
 from vrts.validate.fitting import fit_robot
+from vrts.validate.log.log import GivenLog
 from vrts.validate.offsets import Wanted
 from vrts.validate.reports.comparison_page import comparison_page
 from vrts.validate.reports.comparison_text import comparison_text
@@ -38,13 +39,13 @@ def test_a_log_of_a_minute_at_100_hz() -> None:
         comparing: list[float] = []
         for _ in range(ROUNDS):
             begin = processor_s()
-            read_and_compare(run, data, "log.csv", wanted)
+            read_and_compare(run, GivenLog("log.csv", (data,)), wanted)
             comparing.append(processor_s() - begin)
         print(
             f"\n{run.horizon_s:.0f} s at 100 Hz ({len(data):,} bytes), fit of {name}:"
             f" {median(comparing):.2f} s of processor time"
         )
-    found = read_and_compare(run, data, "log.csv", Wanted())
+    found = read_and_compare(run, GivenLog("log.csv", (data,)), Wanted())
     begin = processor_s()
     comparison_text(found)
     page = comparison_page(found, "minute.v2")
@@ -55,7 +56,10 @@ def test_a_log_of_a_minute_at_100_hz() -> None:
 def test_numbers_of_a_robot(logs: int, tmp_path: Path) -> None:
     true = run_of(speeds_run_text(), LAB, tmp_path)
     assumed = run_of(speeds_run_text())
-    given = [(f"{k}.csv", log_of(true, Imperfect(seed=k, clock_s=3.0 * k))) for k in range(logs)]
+    given = [
+        GivenLog(f"{k}.csv", (log_of(true, Imperfect(seed=k, clock_s=3.0 * k)),))
+        for k in range(logs)
+    ]
     begin = processor_s()
     found = fit_robot(assumed, given)
     spent = processor_s() - begin

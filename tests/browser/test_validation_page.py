@@ -9,6 +9,7 @@ from tests.browser.support import opened
 from tests.browser.test_accessibility import ALL_LOOKS, AXE, faults
 from tests.unit.validate.support import EXAMPLE, path_run
 from vrts.validate.comparison import read_and_compare
+from vrts.validate.log.log import GivenLog
 from vrts.validate.offsets import Wanted
 from vrts.validate.reports.comparison_page import comparison_page
 
@@ -19,7 +20,9 @@ pytestmark = pytest.mark.browser
 def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return the page of the lesson's log."""
     data = (EXAMPLE / "robot.csv").read_bytes()
-    found = read_and_compare(path_run(), data, "robot.csv", Wanted(time=True, base=True))
+    found = read_and_compare(
+        path_run(), GivenLog("robot.csv", (data,)), Wanted(time=True, base=True)
+    )
     page = tmp_path_factory.mktemp("validation") / "report.html"
     page.write_text(comparison_page(found, "path.v2"), encoding="utf-8")
     return page

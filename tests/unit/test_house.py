@@ -27,6 +27,8 @@ DOORS = {  # imports within functions below `cli`, each with its reason beside i
     ("vrts.marking.submission.report_files", "vrts.report.recording"),
     ("vrts.marking.supervise.limits", "resource"),
     ("vrts.validate.camera.compare", "vrts.report.recording.through_camera"),
+    ("vrts.validate.log.log_formats", "vrts.validate.log.bags.joint_states"),
+    ("vrts.validate.log.log_formats", "vrts.validate.log.matlab"),
     # numpy, which most runs of programs do without: a third of the time that they take
     ("vrts.engine.hand.hand", "vrts.engine.hand.settle"),
     ("vrts.robots.urdf.serial_robot", "vrts.robots.urdf.hulls"),

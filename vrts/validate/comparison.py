@@ -9,7 +9,7 @@ from vrts.engine.run import Run
 from vrts.pipeline.refused import Refused
 from vrts.validate.clock import clock_shift
 from vrts.validate.errors import Errors, errors_of, lengths, measures
-from vrts.validate.log.log import RobotLog, read_log
+from vrts.validate.log.log import GivenLog, RobotLog, read_log
 from vrts.validate.log.log_units import note
 from vrts.validate.offsets import Offsets, Wanted, fit_offsets
 from vrts.validate.sampling import extent_of, moving
@@ -40,10 +40,10 @@ class Comparison:
     findings: tuple[Diagnostic, ...]
 
 
-def read_and_compare(run: Run, data: bytes, name: str, wanted: Wanted) -> Comparison:
+def read_and_compare(run: Run, given: GivenLog, wanted: Wanted) -> Comparison:
     """Return the comparison of a log that is read first; raises as `read_log` and `compare`."""
     must_move(run)
-    return compare(run, read_log(data, name, extent_of(run)), wanted)
+    return compare(run, read_log(given, extent_of(run)), wanted)
 
 
 def must_move(run: Run) -> None:

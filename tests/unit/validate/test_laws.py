@@ -18,6 +18,7 @@ from tests.unit.validate.support import (
 from vrts.base.units import DEG, MM
 from vrts.validate.comparison import compare, read_and_compare
 from vrts.validate.errors import along_and_across, lengths, measures
+from vrts.validate.log.log import GivenLog
 from vrts.validate.log.log_columns import UNITS
 from vrts.validate.offsets import Wanted, rotation_vector, turned
 
@@ -27,7 +28,7 @@ CLOCK = Wanted()
 
 def test_the_log_of_a_run_itself_has_errors_of_rounding_only() -> None:
     """The table has 0.001 degrees and 0.01 mm."""
-    found = read_and_compare(path_run(), own_csv().encode(), "own.csv", CLOCK)
+    found = read_and_compare(path_run(), GivenLog("own.csv", (own_csv().encode(),)), CLOCK)
     assert [d.severity.value for d in found.findings] == []
     for errors in (found.before, found.after):
         assert errors.joints is not None

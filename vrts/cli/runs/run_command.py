@@ -17,6 +17,7 @@ from vrts.cli.shared.console import (
     show_diagnostics,
     write_file,
 )
+from vrts.cli.shared.mcap import write_mcap
 from vrts.cli.shared.options import (
     TASK_OR_ALONE,
     Language,
@@ -33,6 +34,7 @@ from vrts.cli.shared.options import (
     task_option,
 )
 from vrts.cli.shared.programs import Given, given_program
+from vrts.cli.shared.run_page import assessed
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
@@ -48,6 +50,7 @@ Examples:
   vrts run prog.v2 --scene cans-on-bases --csv motion.csv --rate 100
   vrts run prog.v2 --scene cans-on-bases --scenario gripper-slips.toml
   vrts run prog.v2 --scene cans-on-bases --lab lab.toml
+  vrts run prog.v2 --scene cans-on-bases --mcap run.mcap
   vrts run prog.v2 --save out.vrun
   vrts run out.vrun --at 3.2
 """
@@ -79,6 +82,7 @@ class _Span(NamedTuple):
 @click.option("--speed", type=float, help="Times as fast; negative is backward, 0 does not wait.")
 @click.option("--csv", "table", help="Write a table of arm, tool and signals; `-` is stdout.")
 @click.option("--rate", type=float, default=50.0, show_default=True, help="Rows a second, in Hz.")
+@file_option("--mcap", help="Write the run as messages of ROS 2, for Foxglove and PlotJuggler.")
 @file_option("--save", help="Write the run to a file (.vrun).")
 @click.option("--check", is_flag=True, help="Execute a saved run again and compare.")
 @overwrite_option()
@@ -99,6 +103,7 @@ def command(
     speed: float | None,
     table: str | None,
     rate: float,
+    mcap: Path | None,
     save: Path | None,
     check: bool,
     overwrite: bool,
@@ -119,7 +124,9 @@ def command(
         fail(f"--rate goes from {SLOWEST_HZ:g} to {FASTEST_HZ:g} Hz")
     if speed and not SLOWEST <= abs(speed) <= FASTEST:
         fail(f"--speed is 0, or from {SLOWEST:g} to {FASTEST:g}, or the same backward")
-    written = [path for path in (save, Path(table) if table not in (None, "-") else None) if path]
+    written = [
+        path for path in (save, mcap, Path(table) if table not in (None, "-") else None) if path
+    ]
     for path in written:
         if path.exists() and not overwrite:
             fail(f"`{path}` is there already", ("give another name, or `--overwrite`",))
@@ -140,6 +147,8 @@ def command(
     if run is None:
         sys.exit(WRONG)
     _write_files(found, run, save, table, rate)
+    if mcap is not None:
+        write_mcap(assessed(Path(program).stem, given.program.name, run), mcap)
     if check:
         _check(found, given.program.name, color)
     elif time_s is not None or statement is not None:

@@ -18,6 +18,7 @@ from vrts.cli.shared.console import (
     use_color,
     write_file,
 )
+from vrts.cli.shared.mcap import write_mcap
 from vrts.cli.shared.options import (
     Language,
     color_option,
@@ -73,6 +74,7 @@ Examples:
     help="Whom the page is for: a grader's has what is to be reviewed, and facts for an appeal.",
 )
 @file_option("--record", help="Write a Rerun recording (.rrd).")
+@file_option("--mcap", help="Write the run as messages of ROS 2, for Foxglove and PlotJuggler.")
 @file_option("--certificate", help="Write what proves the collision check, for `check-proof`.")
 @form_option("full", "json")
 @no_collisions_option
@@ -89,6 +91,7 @@ def command(
     html: Path | None,
     reader: str,
     record: Path | None,
+    mcap: Path | None,
     certificate: Path | None,
     form: str,
     no_collisions: bool,
@@ -141,6 +144,8 @@ def command(
         write_page(found, html, reader, setting.more)
     if record is not None:
         write_record(found, record)
+    if mcap is not None:
+        write_mcap(found, mcap)
     if certificate is not None:
         write_certificate(found, request, certificate)
     sys.exit(status_of(found))

@@ -25,12 +25,14 @@ from vrts.cli.shared.options import (
     language_options,
     overwrite_option,
 )
+from vrts.cli.validate.log_files import given_columns, given_log
 from vrts.cli.validate.shared import NOT_INSTALLED, run_of, setting_options
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
     from vrts.engine.run import Run
     from vrts.validate.comparison import Comparison
+    from vrts.validate.log.log import GivenLog
     from vrts.validate.offsets import Wanted
 
 EPILOG = """\b
@@ -44,10 +46,23 @@ points or commas; lines that begin with # are comments; empty fields and nan are
 missing values. `vrts run PROGRAM --csv` writes such a table.
 
 \b
+Read as they are, too: CSV of RTDE (`actual_q_0`) and of PlotJuggler
+(`/joint_states/joint_1/position`), bags of ROS 2 with joint states (.mcap, .db3, or
+their folder; needs vrts[ros]), arrays of MATLAB (`save -v7`; needs vrts[validate]).
+Other names: `--columns columns.toml`, with the names, units in brackets, and how
+the robot counts beside VAL:
+  time = "stamp [ms]"
+  joints = ["a1 [rad]", "a2 [rad]", "a3 [rad]", "a4 [rad]", "a5 [rad]", "a6 [rad]"]
+  position = ["px [m]", "py [m]", "pz [m]"]
+  count.sign = [1, -1, 1, 1, 1, 1]
+  count.add_deg = [0, 90, 0, 0, 0, 0]
+
+\b
 Examples:
   vrts validate path.v2 --log robot.csv
   vrts validate path.v2 --log robot.csv --align time,base --html report.html --record both.rrd
   vrts validate path.v2 --scene cans-on-bases --log robot.csv --json
+  vrts validate path.v2 --log bag_2026_11_24 --log robot.csv --columns columns.toml
   vrts validate speeds.v2 --log day1.csv --log day2.csv --fit -o robot.toml
 """
 OFFSETS = ("time", "base", "tool")
@@ -60,8 +75,9 @@ OFFSETS = ("time", "base", "tool")
     "logs",
     multiple=True,
     required=True,
-    help="Log of the real robot; several with --fit.",
+    help="Log of the real robot, or a folder with a bag of ROS 2; may be given several times.",
 )
+@file_option("--columns", help="A file that says which columns of the logs hold what.")
 @click.option(
     "--align",
     default="time",
@@ -84,6 +100,7 @@ OFFSETS = ("time", "base", "tool")
 def command(
     program: str,
     logs: Sequence[Path],
+    columns: Path | None,
     align: str,
     within: float | None,
     html: Path | None,
@@ -111,21 +128,22 @@ def command(
     for path in (html, record, output):
         if path is not None and path.exists() and not overwrite:
             fail(f"`{path}` is there already", ("give another name, or `--overwrite`",))
-    run, name = run_of(program, where, entry, language, color)
-    if fit:
-        if html is not None or record is not None or within is not None:
-            fail("--html, --record and --within belong to a comparison, not to --fit")
-        _fit(run, logs, output, as_json=as_json, color=color)
-        return
-    if output is not None:
+    if fit and (html is not None or record is not None or within is not None):
+        fail("--html, --record and --within belong to a comparison, not to --fit")
+    if not fit and output is not None:
         fail("-o belongs to --fit", ("reports are written by --html and --record",))
-    if len(logs) > 1:
-        fail("one log is compared at a time", ("several are for --fit",))
-    found = _compared(run, logs[0], _wanted(align))
-    show_diagnostics(found.findings, color)
+    if not fit and len(logs) > 1 and (html is not None or record is not None):
+        fail("--html and --record show one log", ("compare one log at a time for them",))
+    wanted, chosen = _wanted(align), given_columns(columns, color)
+    run, name = run_of(program, where, entry, language, color)
+    given = [given_log(path, chosen) for path in logs]
+    if fit:
+        _fit(run, given, output, as_json=as_json, color=color)
+        return
+    found = _compared(run, given, wanted, color)
     _show(found, as_json=as_json)
-    _write(found, name, html, record)
-    sys.exit(_status(found, within))
+    _write(found[0], name, html, record)
+    sys.exit(max(_status(one, within) for one in found))
 
 
 def _wanted(align: str) -> "Wanted":
@@ -138,23 +156,30 @@ def _wanted(align: str) -> "Wanted":
     return Wanted(*(name in words for name in OFFSETS))
 
 
-def _compared(run: "Run", path: Path, wanted: "Wanted") -> "Comparison":
-    from vrts.pipeline.files import read_bytes, shown
+def _compared(
+    run: "Run", logs: "Sequence[GivenLog]", wanted: "Wanted", color: str
+) -> "list[Comparison]":
     from vrts.validate.comparison import read_and_compare
 
-    return read_and_compare(run, read_bytes(path), shown(path), wanted)
+    found: list[Comparison] = []
+    for log in logs:
+        found.append(read_and_compare(run, log, wanted))
+        show_diagnostics(found[-1].findings, color)
+    return found
 
 
-def _show(found: "Comparison", *, as_json: bool) -> None:
+def _show(found: "Sequence[Comparison]", *, as_json: bool) -> None:
+    """Print the comparison of one log as it is, of several one after the other."""
     if as_json:
         from vrts.report.formats.json_text import json_text
         from vrts.validate.reports.comparison_json import comparison_json
 
-        out(json_text(comparison_json(found)))
+        each = [comparison_json(one) for one in found]
+        out(json_text(each[0] if len(each) == 1 else {"comparisons": each}))
     else:
         from vrts.validate.reports.comparison_text import comparison_text
 
-        out(comparison_text(found))
+        out("\n\n".join(comparison_text(one) for one in found))
 
 
 def _status(found: "Comparison", within: float | None) -> int:
@@ -182,16 +207,15 @@ def _write(found: "Comparison", name: str, html: Path | None, record: Path | Non
 
 
 def _fit(
-    run: "Run", logs: Sequence[Path], output: Path | None, *, as_json: bool, color: str
+    run: "Run", logs: "Sequence[GivenLog]", output: Path | None, *, as_json: bool, color: str
 ) -> None:
     try:
         from vrts.validate.fitting import fit_robot
     except ModuleNotFoundError:
         fail(NOT_INSTALLED, status=WRONG)
-    from vrts.pipeline.files import read_bytes, shown
     from vrts.validate.fitted_files import fitted_json, fitted_text, lab_file
 
-    found = fit_robot(run, [(shown(path), read_bytes(path)) for path in logs])
+    found = fit_robot(run, logs)
     show_diagnostics(found.findings, color)
     if as_json:
         from vrts.report.formats.json_text import json_text

@@ -6,29 +6,25 @@ Decides nothing.
 
 from pathlib import Path
 
-import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 
 from vrts.base.units import mm
-from vrts.check.collision.of_run import motion_of
-from vrts.engine.run import Run
 from vrts.report.assessment import Assessment
 from vrts.report.plain import one_line
+from vrts.report.poses.sampled import coordinates, times_of
 from vrts.report.recording.blueprint import blueprint
 from vrts.report.recording.lanes import send_lanes
 from vrts.report.recording.markers import send_markers
 from vrts.report.recording.motion import send_motion
-from vrts.report.recording.names import Array
 from vrts.report.recording.plots import prepare_plots, send_plots
 from vrts.report.recording.program_log import send_log, send_summary
 from vrts.report.recording.shapes import prepare_shapes, send_shapes
 from vrts.scene.model import Scene
 
-__all__ = ["APPLICATION", "RATE_HZ", "coordinates", "prepare", "times_of", "write_recording"]
+__all__ = ["APPLICATION", "prepare", "write_recording"]
 
 APPLICATION = "vrts"
-RATE_HZ = 50.0  # poses a second, as the original system broadcast them
 
 
 def write_recording(a: Assessment, path: Path) -> None:
@@ -46,7 +42,7 @@ def write_recording(a: Assessment, path: Path) -> None:
         stream.save(path, default_blueprint=_blueprint(a.scene))
         send_shapes(a)
         send_summary(a)
-        times = times_of(a)
+        times = times_of(a.run)
         states, rates = coordinates(a.run, times)
         send_motion(a, times, states)
         send_markers(a)
@@ -68,19 +64,3 @@ def prepare(scene: Scene) -> None:
 
 def _blueprint(scene: Scene) -> rrb.Blueprint:
     return blueprint(mm(scene.robot.gripper.opening_max))
-
-
-def times_of(a: Assessment) -> Array:
-    """Return the instants that are recorded: at a steady rate, and the end."""
-    assert a.run is not None
-    end = a.run.horizon_s
-    steady = np.arange(0.0, end, 1.0 / RATE_HZ)
-    return np.unique(np.concatenate([steady, [end]]))
-
-
-def coordinates(run: Run, times: Array) -> tuple[Array, Array]:
-    """Return joints [rad] and hand opening [m], shape (n, 7), and their rates."""
-    motion = motion_of(run)
-    rates = motion.velocities(times)
-    rates[times >= motion.end_s] = 0.0
-    return motion.values(times), rates

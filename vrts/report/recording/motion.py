@@ -1,14 +1,14 @@
 """Where links, hand and bodies are: poses only while they move, and the way of the tool."""
 
-from collections.abc import Sequence
 from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 import rerun as rr
 
-from vrts.engine.memory.records import GRAVITY, Lie, Placement
 from vrts.report.assessment import Assessment
+from vrts.report.poses.followed import followed
+from vrts.report.poses.quaternions import quaternions
 from vrts.report.recording.names import Array, at_times, of_body, of_finger, of_robot
 from vrts.report.recording.static import static_chunk
 from vrts.robots.kinematics.batch import flange_of, link_frames
@@ -49,45 +49,6 @@ def send_motion(a: Assessment, times: Array, states: Array) -> None:
         turn, at = followed(track, times, flange_r, flange_p)
         moving = (turn[1:] != turn[:-1]).any(axis=(1, 2)) | (at[1:] != at[:-1]).any(axis=1)
         _send(of_body(name), times, turn, at, np.concatenate([first, moving]))
-
-
-def followed(
-    track: Sequence[Placement], times: Array, flange_r: Array, flange_p: Array
-) -> tuple[Array, Array]:
-    """Return where a body is: rotations, shape (n, 3, 3), and origins, shape (n, 3) [m]."""
-    turn, at = np.empty((len(times), 3, 3)), np.empty((len(times), 3))
-    begins = [int(np.searchsorted(times, placement.start_s)) for placement in track]
-    for placement, begin, end in zip(track, begins, [*begins[1:], len(times)], strict=True):
-        now = slice(begin, end)
-        R, p = np.array(placement.X.rotation).reshape(3, 3), np.array(placement.X.translation)
-        if placement.lie is Lie.HELD:
-            turn[now] = flange_r[now] @ R
-            at[now] = flange_p[now] + flange_r[now] @ p
-            continue
-        turn[now], at[now] = R, p
-        if placement.lie is Lie.FALLING:
-            at[now, 2] -= 0.5 * GRAVITY * (times[now] - placement.start_s) ** 2
-    return turn, at
-
-
-def quaternions(rotations: Array) -> npt.NDArray[np.float32]:
-    """Return unit quaternions x, y, z, w, shape (n, 4), from the largest part of each.
-
-    With q = (x, y, z, w), the matrix 4 q q' follows from the rotation without a root; its row of
-    the largest part is a multiple of q.
-    """
-    xx, xy, xz, yx, yy, yz, zx, zy, zz = rotations.reshape(-1, 9).T.copy()
-    rows = np.array(
-        [
-            [1 + xx - yy - zz, yx + xy, zx + xz, zy - yz],
-            [yx + xy, 1 - xx + yy - zz, zy + yz, xz - zx],
-            [zx + xz, zy + yz, 1 - xx - yy + zz, yx - xy],
-            [zy - yz, xz - zx, yx - xy, 1 + xx + yy + zz],
-        ]
-    )
-    largest = np.argmax(np.einsum("iin->in", rows), axis=0)
-    q = rows[largest, :, np.arange(len(largest))]
-    return (q / np.linalg.norm(q, axis=1, keepdims=True)).astype(np.float32)
 
 
 def _send(path: str, times: Array, rotations: Array, origins: Array, moving: Mask) -> None:

@@ -13,9 +13,11 @@ from vrts.report.assessment import Assessment
 from vrts.report.picture.lighting import to_srgb
 from vrts.report.picture.solids import Solid, body_solids, link_solids
 from vrts.report.plain import one_line
-from vrts.report.recording import APPLICATION, times_of
+from vrts.report.poses.followed import followed
+from vrts.report.poses.quaternions import quaternions
+from vrts.report.poses.sampled import times_of
+from vrts.report.recording import APPLICATION
 from vrts.report.recording.blueprint import BACKGROUND, EYE, TARGET
-from vrts.report.recording.motion import followed, quaternions
 from vrts.report.recording.names import TIMELINE, Array, at_times, entity
 from vrts.robots.kinematics.batch import flange_of, link_frames
 from vrts.robots.model import Robot
@@ -61,7 +63,7 @@ def write_overlay(a: Assessment, real: Real, words: str, path: Path) -> None:
     )
     with stream:
         stream.save(path, default_blueprint=_blueprint(real))
-        times = times_of(a)
+        times = times_of(a.run)
         states = batch_of(a.run.timeline).values(times)
         _send_robot("virtual", a.scene.robot, times, states, None)
         _send_bodies(a.run, times, states)

@@ -10,7 +10,8 @@ import rerun.blueprint as rrb
 
 from vrts.report.assessment import Assessment
 from vrts.report.plain import one_line
-from vrts.report.recording import APPLICATION, coordinates, times_of
+from vrts.report.poses.sampled import coordinates, times_of
+from vrts.report.recording import APPLICATION
 from vrts.report.recording.blueprint import BACKGROUND
 from vrts.report.recording.motion import send_motion
 from vrts.report.recording.names import TIMELINE, Array
@@ -62,7 +63,7 @@ def write_through_camera(
     with stream:
         stream.save(path, default_blueprint=_blueprint())
         send_shapes(a)
-        times = times_of(a)
+        times = times_of(a.run)
         send_motion(a, times, coordinates(a.run, times)[0])
         rr.log("summary", rr.TextDocument(summary), static=True)
         _log_all(frames, eye, size_px)

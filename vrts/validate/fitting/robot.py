@@ -16,7 +16,7 @@ from vrts.validate.fitting.chains import Chain, Located, chains_of, located
 from vrts.validate.fitting.model import Shared
 from vrts.validate.fitting.solve import Solution, solve
 from vrts.validate.fitting.speeds import Leg, speeds
-from vrts.validate.log.log import RobotLog, read_log
+from vrts.validate.log.log import GivenLog, RobotLog, read_log
 from vrts.validate.sampling import extent_of
 
 FIT_PROGRAM = Rule("V893", "fit-program")
@@ -27,12 +27,12 @@ LIKELY = 2.0  # standard deviations
 PASSES = 2  # the second knows how long acceleration takes
 
 
-def fit_robot(run: Run, logs: Sequence[tuple[str, bytes]]) -> FittedRobot:
+def fit_robot(run: Run, logs: Sequence[GivenLog]) -> FittedRobot:
     """Return the numbers of the robot that made logs of a program.
 
     Args:
         run: The program, run with the numbers that are assumed.
-        logs: Name and bytes of each.
+        logs: Each as it was given.
 
     Raises:
         Refused: The program or a log tells nothing.
@@ -40,7 +40,7 @@ def fit_robot(run: Run, logs: Sequence[tuple[str, bytes]]) -> FittedRobot:
     must_move(run)
     _must_be_plain(run)
     chains, extent = chains_of(run), extent_of(run)
-    read = [read_log(data, name, extent) for name, data in logs]
+    read = [read_log(log, extent) for log in logs]
     told = [finding for log in read for finding in log.findings]
     arm = run.scene.robot.arm
     shared = Shared(arm.acceleration_time, 0.5 * (arm.blend_time or 2.0 * arm.acceleration_time))

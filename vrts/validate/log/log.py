@@ -2,15 +2,17 @@
 
 import hashlib
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from vrts.base.diagnostic import Diagnostic, Label, Rule, error, warning
 from vrts.pipeline.refused import Refused
+from vrts.validate.log.columns_file import ChosenColumns, chosen
 from vrts.validate.log.log_columns import Column, Columns, find_columns
-from vrts.validate.log.log_table import LogTable, line_span, numbers, read_table
+from vrts.validate.log.log_formats import table_of
+from vrts.validate.log.log_table import LogTable, line_span, numbers
 from vrts.validate.log.log_units import Extent, in_units, note
 
 LOG_TIME = Rule("V885", "log-time")
@@ -44,19 +46,25 @@ class RobotLog:
         return float(np.median(np.diff(self.times)))
 
 
-def read_log(data: bytes, name: str, extent: Extent) -> RobotLog:
+class GivenLog(NamedTuple):
+    """A log as it was given."""
+
+    name: str  # as shown
+    files: tuple[bytes, ...]  # one, or those of a bag
+    columns: ChosenColumns | None = None  # which of its columns hold what; None: by their names
+
+
+def read_log(given: GivenLog, extent: Extent) -> RobotLog:
     """Return a log.
 
     Args:
-        data: The bytes of the file.
-        name: As shown.
+        given: Its bytes.
         extent: How far the run goes that the log is to be compared with.
 
     Raises:
         Refused: It cannot be read; the diagnostics say what was expected and what came.
     """
-    table = _accepted(read_table(data, name))
-    columns = _accepted(find_columns(table))
+    table, columns = _table(given)
     told = list(columns.findings)
     if table.decimal_comma:
         told.append(note("commas taken as decimal signs"))
@@ -65,6 +73,8 @@ def read_log(data: bytes, name: str, extent: Extent) -> RobotLog:
     if times[kept[-1]] - times[kept[0]] < MOSTLY * extent.time_s:
         extent = Extent(extent.time_s, 0.0, 0.0)  # a part of the motion tells nothing of units
     joints = _values(table, columns.joints, extent, told) if columns.joints else None
+    if joints is not None and given.columns is not None:
+        joints = joints * np.array(given.columns.sign) + np.array(given.columns.add)
     positions = _values(table, columns.position, extent, told) if columns.position else None
     times, joints, positions = (
         times[kept],
@@ -73,9 +83,17 @@ def read_log(data: bytes, name: str, extent: Extent) -> RobotLog:
     )
     told += _missing(joints, positions)
     told += _gaps(times)
-    digest = hashlib.sha256(data).hexdigest()
+    digest = hashlib.sha256(b"".join(given.files)).hexdigest()
     synthetic = any(SYNTHETIC in words.lower() for words in table.comments)
-    return RobotLog(name, digest, times, joints, positions, synthetic, tuple(told))
+    return RobotLog(given.name, digest, times, joints, positions, synthetic, tuple(told))
+
+
+def _table(given: GivenLog) -> tuple[LogTable, Columns]:
+    numbered = given.columns is not None
+    table = _accepted(table_of(given.files, given.name, numbered=numbered))
+    if given.columns is not None:
+        return table, _accepted(chosen(table, given.columns))
+    return table, _accepted(find_columns(table))
 
 
 def _accepted(found: "Value | Diagnostic") -> "Value":

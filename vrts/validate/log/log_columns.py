@@ -12,6 +12,7 @@ LOG_COLUMNS = Rule("V882", "log-columns")
 LOG_JOINTS = Rule("V883", "log-joints")
 
 JOINTS, AXES = 6, 3
+OTHER_NAMES = "where the log has other names, `--columns FILE` says which are which"
 
 
 class Role(Enum):
@@ -51,7 +52,17 @@ _UNIT = re.compile(
     r"(?P<name>.*?)[\s_/]*(?:[\[(]\s*(?P<inside>[^\])]*?)\s*[\])]"
     r"|[\s_/](?P<after>deg|degrees?|°|rad|radians?|mm|cm|m|in|s|sec|ms|us|µs|μs|min))"
 )
-_TIME = re.compile(r"t|time|time[ _]?stamp|clock|zeit|seconds|sec")
+_TIME = re.compile(r"t|time|__time|time[ _]?stamp|clock|zeit|seconds|sec")
+_RTDE = re.compile(r"actual_q_([0-5])")  # as clients of Universal Robots' RTDE write it
+_TOPIC = re.compile(r"/?(?:.+/)?(?P<joint>[^/]+)/position")  # as PlotJuggler writes a topic of ROS
+UNIVERSAL = {  # the joints of Universal Robots as ROS knows them
+    "shoulder_pan_joint": 0,
+    "shoulder_lift_joint": 1,
+    "elbow_joint": 2,
+    "wrist_1_joint": 3,
+    "wrist_2_joint": 4,
+    "wrist_3_joint": 5,
+}
 _JOINT = re.compile(
     r"(?:jt|j|q|joint|axis|theta|a|gelenk|achse)[\s_.]*([1-6])(?:[\s_](?:pos|position|act|actual))?"
 )
@@ -88,7 +99,11 @@ def find_columns(table: LogTable) -> Columns | Diagnostic:
         key = (column.role, column.number)
         if key in found:
             other = table.header.cells[found[key].place]
-            return _wrong(table, f"columns `{other}` and `{name}` say the same")
+            return _wrong(
+                table,
+                f"columns `{other}` and `{name}` say the same",
+                remedy="`--columns FILE` says which of them counts",
+            )
         found[key] = column
     time = found.get((Role.TIME, 0))
     joints = tuple(found[Role.JOINT, k] for k in range(JOINTS) if (Role.JOINT, k) in found)
@@ -114,6 +129,9 @@ def find_columns(table: LogTable) -> Columns | Diagnostic:
 
 def column_of(place: int, name: str) -> Column | None:
     """Return what a column is by its name; None: nothing that is compared."""
+    ros = _of_ros(place, name.strip().lower())
+    if ros is not None:
+        return ros
     bare, unit = _split(name.strip().lower())
     if _TIME.fullmatch(bare) and (unit is None or unit in UNITS[Role.TIME]):
         spelled = "s" if unit is None and bare in ("seconds", "sec") else unit
@@ -127,6 +145,19 @@ def column_of(place: int, name: str) -> Column | None:
     return None
 
 
+def _of_ros(place: int, name: str) -> Column | None:
+    """Return a joint as programs write it that always mean rad, or None."""
+    rtde = _RTDE.fullmatch(name)
+    if rtde is not None:
+        return Column(place, Role.JOINT, int(rtde[1]), "rad")
+    topic = _TOPIC.fullmatch(name)
+    bare = topic["joint"] if topic is not None else _split(name)[0]
+    if bare in UNIVERSAL:
+        return Column(place, Role.JOINT, UNIVERSAL[bare], _split(name)[1] or "rad")
+    joint = _JOINT.fullmatch(bare) if topic is not None else None
+    return None if joint is None else Column(place, Role.JOINT, int(joint[1]) - 1, "rad")
+
+
 def _split(name: str) -> tuple[str, str | None]:
     """Return the name without its unit, and the unit."""
     match = _UNIT.fullmatch(name)
@@ -136,7 +167,7 @@ def _split(name: str) -> tuple[str, str | None]:
     return match["name"].strip(), SPELLINGS.get(unit, unit)
 
 
-def _wrong(table: LogTable, headline: str) -> Diagnostic:
+def _wrong(table: LogTable, headline: str, remedy: str = OTHER_NAMES) -> Diagnostic:
     return error(
         LOG_COLUMNS,
         headline,
@@ -145,6 +176,7 @@ def _wrong(table: LogTable, headline: str) -> Diagnostic:
             "expected `time_s`, and `jt1_deg` to `jt6_deg` or `x_mm`, `y_mm`, `z_mm` or both",
             "units may be deg, rad, mm, m, cm, s and ms, also as `JT1 [rad]`",
         ),
+        help=(remedy,),
     )
 
 

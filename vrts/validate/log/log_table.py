@@ -48,17 +48,18 @@ class LogTable(NamedTuple):
     decimal_comma: bool
 
 
-def read_table(data: bytes, name: str) -> LogTable | Diagnostic:
+def read_table(data: bytes, name: str, *, numbered: bool = False) -> LogTable | Diagnostic:
     """Return the table of a log, or what is wrong with it.
 
     Args:
         data: The bytes of the file.
         name: As shown.
+        numbered: Columns without names are read too, as 1, 2, ...
     """
     text = _text(data)
     if isinstance(text, str):
         source = SourceFile(name, text)
-        return _table(source)
+        return _table(source, numbered=numbered)
     return error(
         LOG_UNREADABLE,
         f"`{name}` is no table of text",
@@ -112,7 +113,7 @@ def _text(data: bytes) -> "str | _Refusal":
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _table(source: SourceFile) -> LogTable | Diagnostic:
+def _table(source: SourceFile, *, numbered: bool) -> LogTable | Diagnostic:
     comments: list[str] = []
     lines: list[tuple[int, str]] = []
     header_in_comment: tuple[int, str] | None = None
@@ -130,11 +131,22 @@ def _table(source: SourceFile) -> LogTable | Diagnostic:
         return _no_table(source, lines[MOST_ROWS][0], f"more than {MOST_ROWS:,} rows")
     if not lines:
         return _no_table(source, 1, "there are only comments")
-    if _looks_numeric(lines[0][1]):
-        if header_in_comment is None:
-            return _no_table(source, lines[0][0], "numbers, but no line that names the columns")
-        lines.insert(0, header_in_comment)
     delimiter = _delimiter(lines[0][1])
+    if _looks_numeric(lines[0][1]):
+        if header_in_comment is not None:
+            lines.insert(0, header_in_comment)
+            delimiter = _delimiter(header_in_comment[1])
+        elif numbered:
+            count = len(_cells(lines[0][1], delimiter))
+            names = (delimiter or " ").join(str(k + 1) for k in range(count))
+            lines.insert(0, (lines[0][0], names))
+        else:
+            return _no_table(
+                source,
+                lines[0][0],
+                "numbers, but no line that names the columns",
+                "write such a line, or say by `--columns FILE` which column holds what",
+            )
     rows = [Row(number, _cells(line, delimiter)) for number, line in lines]
     header, body = rows[0], rows[1:]
     if not body:

@@ -17,9 +17,10 @@ from vrts.pipeline.assess import assess
 from vrts.pipeline.requesting import request_for
 from vrts.pipeline.settings import setting_for
 from vrts.pipeline.where import Where
-from vrts.report.recording import RATE_HZ, times_of, write_recording
+from vrts.report.poses.quaternions import quaternions
+from vrts.report.poses.sampled import RATE_HZ, times_of
+from vrts.report.recording import write_recording
 from vrts.report.recording.lanes import states
-from vrts.report.recording.motion import quaternions
 from vrts.report.recording.names import Array, plain_markdown
 from vrts.report.recording.plots import TOLERANCE
 from vrts.report.recording.thinning import bends
@@ -128,7 +129,7 @@ def test_curves_hold_what_straight_lines_between_their_rows_would_not(tmp_path: 
     assert a.scene is not None
     write_recording(a, tmp_path / "run.rrd")
     times, values = column(tmp_path / "run.rrd", "/range", "Scalars:scalars")
-    every = times_of(a)
+    every = times_of(a.run)
     assert len(times) < 0.7 * len(every)
     arm = a.scene.robot.arm
     q = np.array([a.run.at(t).configuration for t in every])

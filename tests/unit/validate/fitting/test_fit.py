@@ -17,6 +17,7 @@ from vrts.validate.fitted_files import fitted_json, fitted_text, lab_file
 from vrts.validate.fitting import fit_robot
 from vrts.validate.fitting.model import progress
 from vrts.validate.fitting.speeds import Leg, speeds
+from vrts.validate.log.log import GivenLog
 from vrts.validate.synthetic import Imperfect, synthetic_log
 
 SPEEDS = (82.0, 76.0, 97.0, 170.0, 195.0, 160.0)
@@ -54,7 +55,7 @@ def log_of(run: Run, robot: Imperfect) -> bytes:
 def fitted(tmp_path_factory: pytest.TempPathFactory) -> tuple[FittedRobot, bytes]:
     true = run_of(speeds_run_text(), LAB, tmp_path_factory.mktemp("lab"))
     data = log_of(true, Imperfect(clock_s=40.0, seed=3))
-    return fit_robot(speeds_run(), [("day1.csv", data)]), data
+    return fit_robot(speeds_run(), [GivenLog("day1.csv", (data,))]), data
 
 
 def speeds_run_text() -> bytes:
@@ -100,7 +101,7 @@ def test_a_run_with_the_file_takes_as_long_as_the_real_robot(
 
 def test_lines_tell_the_speed_of_lines_and_what_is_not_told_is_kept(tmp_path: Path) -> None:
     data = log_of(run_of(LINES, LAB, tmp_path), Imperfect(seed=4))
-    found = fit_robot(run_of(LINES), [("a.csv", data), ("b.csv", data)])
+    found = fit_robot(run_of(LINES), [GivenLog("a.csv", (data,)), GivenLog("b.csv", (data,))])
     assert found.linear_speed is not None
     assert found.linear_speed.value == pytest.approx(0.83, rel=WITHIN)
     assert found.linear_speed.motions == 6
@@ -130,7 +131,7 @@ TARGET = "MOVE #b\n.END\n.LOCATIONS\n#b 90 -60 90 0 0 0\n.END\n"
 def test_programs_that_tell_nothing_are_refused(program: str, code: str, came: str) -> None:
     run = run_of(program.encode())
     with pytest.raises(Refused) as caught:
-        fit_robot(run, [("log.csv", log_of(speeds_run(), Imperfect()))])
+        fit_robot(run, [GivenLog("log.csv", (log_of(speeds_run(), Imperfect()),))])
     (found,) = caught.value.diagnostics
     assert found.rule.code == code
     assert came in found.notes[0]

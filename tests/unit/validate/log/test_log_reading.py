@@ -10,7 +10,7 @@ from tests.unit.validate.support import Array, path_run
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.units import DEG, MM
 from vrts.pipeline.refused import Refused
-from vrts.validate.log.log import RobotLog, read_log
+from vrts.validate.log.log import GivenLog, RobotLog, read_log
 from vrts.validate.sampling import extent_of, sampled
 
 TIMES = np.arange(0.0, 16.5, 0.05)
@@ -46,7 +46,7 @@ def table(
 
 def read(text: str | bytes) -> RobotLog:
     data = text.encode() if isinstance(text, str) else text
-    return read_log(data, "log.csv", extent_of(path_run()))
+    return read_log(GivenLog("log.csv", (data,)), extent_of(path_run()))
 
 
 def refused(text: str | bytes) -> Diagnostic:

@@ -8,6 +8,7 @@ import pytest
 from tests.unit.report.recording.test_recording_viewer import DRIVERS, loaded, viewer
 from tests.unit.validate.support import EXAMPLE, path_run
 from vrts.validate.comparison import read_and_compare
+from vrts.validate.log.log import GivenLog
 from vrts.validate.offsets import Wanted
 from vrts.validate.reports.comparison_recording import write_both
 
@@ -26,7 +27,7 @@ pytestmark = pytest.mark.skipif(
 
 def test_every_view_shows_what_it_should(tmp_path: Path) -> None:
     data = (EXAMPLE / "robot.csv").read_bytes()
-    found = read_and_compare(path_run(), data, "robot.csv", Wanted())
+    found = read_and_compare(path_run(), GivenLog("robot.csv", (data,)), Wanted())
     write_both(found, "path.v2", tmp_path / "both.rrd")
     with viewer(tmp_path, tmp_path / "both.rrd") as client:
         loaded(client)

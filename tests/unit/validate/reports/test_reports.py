@@ -14,6 +14,7 @@ from tests.unit.validate.support import EXAMPLE, path_run, run_of
 from vrts.report.formats.json_text import json_text
 from vrts.validate.comparison import Comparison, read_and_compare
 from vrts.validate.errors import measures
+from vrts.validate.log.log import GivenLog
 from vrts.validate.offsets import Wanted
 from vrts.validate.reports.comparison_json import comparison_json
 from vrts.validate.reports.comparison_page import comparison_page
@@ -27,13 +28,12 @@ HOSTILE = "<script>alert(1)</script>\x1b[31m::error::.csv"
 @cache
 def found(name: str = "robot.csv") -> Comparison:
     data = (EXAMPLE / "robot.csv").read_bytes()
-    return read_and_compare(path_run(), data, name, Wanted(time=True, base=True))
+    return read_and_compare(path_run(), GivenLog(name, (data,)), Wanted(time=True, base=True))
 
 
 def test_the_table_of_the_paper_is_reproduced() -> None:
-    plain = read_and_compare(
-        path_run(), (EXAMPLE / "robot.csv").read_bytes(), "robot.csv", Wanted()
-    )
+    data = (EXAMPLE / "robot.csv").read_bytes()
+    plain = read_and_compare(path_run(), GivenLog("robot.csv", (data,)), Wanted())
     x, y, _ = (measures(1e3 * plain.after.path[:, k]) for k in range(3))
     assert round(x.mean_square, 2) == 0.61
     assert round(y.mean_square, 2) == 0.94
@@ -85,7 +85,9 @@ def test_the_recording_holds_both_robots(tmp_path: Path, *, joints: bool) -> Non
     if not joints:
         lines = (EXAMPLE / "robot.csv").read_text().splitlines()[2:]
         kept = [",".join([row.split(",")[0], *row.split(",")[7:]]) for row in lines]
-        c = read_and_compare(path_run(), "\n".join(kept).encode(), "robot.csv", Wanted())
+        c = read_and_compare(
+            path_run(), GivenLog("robot.csv", ("\n".join(kept).encode(),)), Wanted()
+        )
     path = tmp_path / "both.rrd"
     write_both(c, "path.v2", path)
     viewer = Path(rerun_cli.__file__).parent / "rerun"
@@ -110,7 +112,10 @@ def test_another_robot_is_told_by_its_log() -> None:
     lines = (EXAMPLE / "path.v2").read_text()
     other = run_of(lines.replace("-250.00", "350.00").encode())
     data = (EXAMPLE / "robot.csv").read_bytes()
-    codes = [d.rule.code for d in read_and_compare(other, data, "robot.csv", Wanted()).findings]
+    codes = [
+        d.rule.code
+        for d in read_and_compare(other, GivenLog("robot.csv", (data,)), Wanted()).findings
+    ]
     assert "V891" in codes
 
 
