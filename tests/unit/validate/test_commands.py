@@ -93,7 +93,7 @@ def test_a_saved_run_is_compared_as_its_program_is() -> None:
         (("path.v2",), 2, "--log"),
         (("path.v2", "--log", "none.csv"), 2, "cannot read `none.csv`"),
         (("path.v2", "--log", "robot.csv", "--align", "arm"), 2, "--align takes time, base, tool"),
-        (("path.v2", "--log", "robot.csv", "--log", "robot.csv"), 2, "one log is compared"),
+        (("path.v2", *2 * ("--log", "robot.csv"), "--html", "x.html"), 2, "show one log"),
         (("path.v2", "--log", "robot.csv", "-o", "x.toml"), 2, "-o belongs to --fit"),
         (("path.v2", "--log", "robot.csv", "--fit", "--html", "x.html"), 2, "not to --fit"),
         (("path.v2", "--log", "robot.csv", "--html", "README.md"), 2, "is there already"),
@@ -125,3 +125,32 @@ def test_a_robot_without_faults_is_the_run() -> None:
     expected = sampled(path_run(), times)
     assert joints == pytest.approx(expected.joints, abs=1e-12)
     assert points == pytest.approx(expected.positions, abs=1e-12)
+
+
+COLUMNS = 'time = "time_s"\njoints = [' + ", ".join(f'"jt{k}_deg [deg]"' for k in range(1, 7)) + "]"
+
+
+def test_a_run_written_for_ros_is_read_as_a_log_of_itself(lesson: Path) -> None:
+    written = called("run", "path.v2", "--mcap", "bag/run.mcap")
+    assert written.exit_code == 2  # no folder is made unasked
+    (lesson / "bag").mkdir()
+    assert called("run", "path.v2", "--mcap", "bag/run.mcap").exit_code == 0
+    Path("columns.toml").write_text(COLUMNS)
+    for log in ("bag", "bag/run.mcap"):
+        result = called("validate", "path.v2", "--log", log, "--within", "0.01", "--json")
+        assert result.exit_code == 0, result.output
+    several = called(
+        *("validate", "path.v2", "--log", "robot.csv", "--log", "robot.csv"),
+        *("--columns", "columns.toml", "--json"),
+    )
+    assert several.exit_code == 0, several.output
+    first, second = json.loads(several.stdout)["comparisons"]
+    assert first == second
+    page = called(
+        *("validate", "path.v2", "--log", "bag", "--log", "bag", "--html", "page.html"),
+    )
+    assert page.exit_code == 2
+    Path("columns.toml").write_text("time = 3")
+    assert called("validate", "path.v2", "--log", "bag", "--columns", "columns.toml").exit_code == 1
+    (lesson / "empty").mkdir()
+    assert "holds no bag" in called("validate", "path.v2", "--log", "empty").output

@@ -52,18 +52,18 @@ def times_ns() -> list[int]:
 
 @cache
 def of_rosbags(plugin: StoragePlugin, mixed: bool = False) -> bytes:
-    """Return the file of a bag with the joints of the closed path; `mixed`: in another order."""
-    types = get_typestore(Stores.ROS2_HUMBLE)
-    order = [3, 0, 5, 1, 4, 2] if mixed else list(range(6))
-    names, nothing = [NAMES[k] for k in order], np.zeros(0)
+    """Return the file of a bag with the joints of the closed path; `mixed`: in any order."""
+    types, nothing = get_typestore(Stores.ROS2_HUMBLE), np.zeros(0)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "bag"
         with Writer(path, version=8, storage_plugin=plugin) as bag:
             topic = bag.add_connection("/joint_states", KIND, typestore=types)
             other = bag.add_connection("/gripper/joint_states", KIND, typestore=types)
             joints = sampled(path_run(), TIMES).joints
-            for time_ns, row in zip(times_ns(), joints, strict=True):
+            for count, (time_ns, row) in enumerate(zip(times_ns(), joints, strict=True)):
                 stamp = Header(Time(time_ns // 10**9, time_ns % 10**9), "")
+                order = [(k + mixed * count) % 6 for k in range(6)]
+                names = [NAMES[k] for k in order]
                 message = JointState(stamp, names, row[order], nothing, nothing)
                 bag.write(topic, time_ns, types.serialize_cdr(message, KIND))
             message = JointState(Header(Time(1, 0), ""), ["finger"], np.zeros(1), nothing, nothing)
