@@ -21,9 +21,7 @@ class _Form(NamedTuple):
 BAG, MAT = _Form("a bag of ROS 2", "vrts[ros]"), _Form("a file of MATLAB", "vrts[validate]")
 
 
-def table_of(
-    files: Sequence[bytes], name: str, *, numbered: bool = False
-) -> LogTable | Diagnostic:
+def table_of(files: Sequence[bytes], name: str, *, numbered: bool = False) -> LogTable | Diagnostic:
     """Return the table of a log, or what is wrong with it.
 
     Args:

@@ -84,14 +84,14 @@ def test_frames_lead_from_the_world_to_flange_and_can() -> None:
     ((_, still),) = messages()["/tf_static"]
     for time_s, message in messages()["/tf"][::53]:
         frames = {t.child_frame_id: t for t in [*still.transforms, *message.transforms]}
-        X_WF, frame = np.eye(4), "flange"
+        found, frame = np.eye(4), "flange"
         while frame != "world":
-            X_WF = matrix(frames[frame].transform) @ X_WF
+            found = matrix(frames[frame].transform) @ found
             frame = frames[frame].header.frame_id
         here = run().at(time_s)
         rotations, origins = flange_frames(run().scene.robot.arm, np.array([here.configuration]))
-        assert np.abs(X_WF[:3, :3] - rotations[0]).max() < 1e-5
-        assert np.abs(X_WF[:3, 3] - origins[0]).max() < 1e-5
+        assert np.abs(found[:3, :3] - rotations[0]).max() < 1e-5
+        assert np.abs(found[:3, 3] - origins[0]).max() < 1e-5
         can = matrix(frames["can1"].transform)
         assert np.abs(can - of_pose(here.poses["can1"])).max() < 1e-5
     fixed = {t.child_frame_id for t in still.transforms}
@@ -111,7 +111,7 @@ def test_a_controller_that_joins_points_by_cubics_follows_the_run(program: Path)
     covered = 0.0
     for way in ways(found):
         spline = CubicHermiteSpline(way.times, way.positions, way.velocities)
-        times = np.linspace(0.0, way.times[-1], 700)
+        times = np.linspace(0.0, float(way.times[-1]), 700)
         joints = np.array([found.at(way.start_s + t).configuration for t in times.tolist()])
         assert np.abs(spline(times) - joints).max() < 2.0 * TOLERANCE
         assert (way.velocities[[0, -1]] == 0.0).all()
@@ -156,7 +156,7 @@ def test_every_piece_that_is_tested_is_drawn_in_its_frame() -> None:
         assert marker.type == 11  # TRIANGLE_LIST
         assert len(marker.points) % 3 == 0
         assert marker.points
-        assert 0.0 <= min(marker.color.r, marker.color.g, marker.color.b)
+        assert min(marker.color.r, marker.color.g, marker.color.b) >= 0.0
         assert max(marker.color.r, marker.color.g, marker.color.b) <= 1.0
 
 

@@ -21,10 +21,13 @@ position = ["px [m]", "py [m]", "pz [m]"]
 count.sign = [1, -1, 1, 1, -1, 1]
 count.add_deg = [0, 90, 0, 0, 0, -30]
 """
-NUMBERED = NAMED.replace("axis a", "2")
-for number, name in enumerate(("b", "c", "d", "e", "f", "px", "py", "pz"), 3):
-    NUMBERED = NUMBERED.replace(f'"{name} [', f'"{number} [')
-NUMBERED = NUMBERED.replace("stamp", "1")
+NUMBERED = """
+time = "1 [ms]"
+joints = ["2 [rad]", "3 [rad]", "4 [rad]", "5 [rad]", "6 [rad]", "7 [rad]"]
+position = ["8 [m]", "9 [m]", "10 [m]"]
+count.sign = [1, -1, 1, 1, -1, 1]
+count.add_deg = [0, 90, 0, 0, 0, -30]
+"""
 
 
 def log(header: bool = True) -> bytes:

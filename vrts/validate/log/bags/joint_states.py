@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple, cast
 
-from rosbags.interfaces import Typestore
 from rosbags.serde import SerdeError
 from rosbags.typesys import Stores, get_typestore
+from rosbags.typesys.store import Typestore
 from rosbags.typesys.stores.ros2_humble import sensor_msgs__msg__JointState as JointState
 
 from vrts.validate.log.bags import mcap_file, sqlite_file
