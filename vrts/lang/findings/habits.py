@@ -19,10 +19,17 @@ from vrts.lang.findings.ways.repeated_values import check_values
 from vrts.lang.meaning.constants import constant, number_of
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.meaning.structure import Block
+from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.syntax.expressions import Name
 from vrts.lang.syntax.program import ProgramText
-from vrts.lang.syntax.statements import Assignment, Simple, SpeedStatement, Statement
+from vrts.lang.syntax.statements import (
+    Assignment,
+    CallStatement,
+    Simple,
+    SpeedStatement,
+    Statement,
+)
 
 CONSTANT_WAIT = Rule("V152", "constant-wait")
 NEGATIVE_APPROACH = Rule("V220", "negative-approach")
@@ -51,6 +58,12 @@ def check_habits(
     """
     loops = LoopCheck(problems, scope)
     counting = CountingCheck(problems, scope, changed_by)
+    called = {
+        key(node.program.text)
+        for program in programs
+        for step in program.steps
+        if isinstance(node := step.statement, CallStatement)
+    }
     converted = "atan2" in problems.source.text.lower()
     for program in programs:
         steps = [s.statement for s in program.steps]
@@ -67,7 +80,7 @@ def check_habits(
         found = structures[program.name]
         empty: list[Block] = []
         if not problems.any_error:  # else the structures may be others
-            check_speeds(problems, program)
+            check_speeds(problems, program, called=program.name in called)
             check_terminal(problems, program)
             empty = check_branches(problems, program, found)
             check_groups(problems, program)
@@ -127,6 +140,7 @@ def _approach(problems: Problems, scope: Scope, program: ProgramText, node: Simp
             + ": positive is away from the part",
         ),
         help=(f"write `{-distance:g}` to keep away from the part",),
+        fix=problems.replace(operand.start, operand.end, f"{-distance:g}", sure=False),
         data={"distance_mm": distance},
     )
 

@@ -16,14 +16,22 @@ from vrts.lang.syntax.statements import (
 
 SPEED_LOST = Rule("V249", "speed-lost")
 
-_STILL = frozenset({"SIGNAL", "TYPE", "PROMPT", "WAIT", "TOOL", "BASE", "RESET"})
+_STILL = frozenset(
+    {"SIGNAL", "TYPE", "PROMPT", "WAIT", "TOOL", "BASE", "RESET", "OPENI", "CLOSEI", "RELAXI"}
+    | {"BREAK", "DELAY"}
+)
+_MOVING = frozenset({"MOVE", "MOVES", "APPRO", "APPROS", "DEPART", "DEPARTS", "DRIVE", "READY"})
 _QUIET = (Assignment, SetLocation, Setting, Put, HereStatement)
 
 
-def check_speeds(problems: Problems, program: ProgramText) -> None:
-    """Warn of speeds that no motion gets to use."""
+def check_speeds(problems: Problems, program: ProgramText, *, called: bool) -> None:
+    """Warn of speeds that no motion gets to use.
+
+    `called`: whether another program of the file calls this one, and may move behind it.
+    """
     if problems.dialect.tolerant:
         return  # relatives have speeds of several kinds beside each other
+    moved = False
     since: dict[bool, SpeedStatement] = {}  # set since the last motion, with ALWAYS and without
     for step in program.steps:
         node = step.statement
@@ -35,8 +43,11 @@ def check_speeds(problems: Problems, program: ProgramText) -> None:
             if node.always in since:
                 _lost(problems, since[node.always], node)
             since[node.always] = node
-        elif since and not _keeps_still(node):
+        elif not _keeps_still(node):
             since = {}
+            moved = moved or (isinstance(node, Simple) and node.word in _MOVING)
+    if moved and not called and list(since) == [False]:
+        _behind(problems, since[False])
 
 
 def _plain(node: SpeedStatement) -> bool:
@@ -45,6 +56,18 @@ def _plain(node: SpeedStatement) -> bool:
 
 def _keeps_still(node: Statement) -> bool:
     return isinstance(node, _QUIET) or (isinstance(node, Simple) and node.word in _STILL)
+
+
+def _behind(problems: Problems, last: SpeedStatement) -> None:
+    """`MOVES part / SPEED 20 / .END`."""
+    problems.warning(
+        SPEED_LOST,
+        "this speed has no effect: no motion follows it in this program",
+        last.start,
+        last.end,
+        "for the next motion only",
+        help=("write SPEED before the motion that it is for",),
+    )
 
 
 def _lost(problems: Problems, first: SpeedStatement, second: SpeedStatement) -> None:

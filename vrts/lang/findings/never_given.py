@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from vrts.ir.values import Type
-from vrts.lang.findings.names.untaught import TEACH
+from vrts.lang.findings.names.untaught import TEACH, teaches
 from vrts.lang.meaning.resolve import Resolver
 from vrts.lang.meaning.scope import Entry, Place
 from vrts.lang.names import key
@@ -30,6 +30,12 @@ _JOINT_ANGLES = re.compile(
     r"[ \t]*[A-Za-z][\w.]*[ \t]*=?(?P<values>(?:[ \t]*,?[ \t]*[-+]?[.\d]+){6})[ \t\r]*", re.ASCII
 )
 _A_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)")
+_BLOCK = re.compile(
+    r"^[ \t]*(?:\d+[ \t]+)?(?P<word>FOR|IF|WHILE|CASE|END)\b(?P<rest>"
+    r"(?:[ \t]+(?P<counter>[A-Za-z][\w.]*)[ \t]*=(?!=))?.*)$",
+    re.IGNORECASE | re.MULTILINE,
+)
+_SHORT = 2  # letters of names that count
 _JOINTS = 6
 _FULL_TURN = 360.0
 _NEAREST = 300.0  # [mm] from the shoulder, where hardly any arm brings its tool [assumed]
@@ -93,7 +99,7 @@ def guess(resolver: Resolver, entry: Entry, at: Place, like: Callable[[], str | 
             return Guess(help_, at)
         help_ = f"did you mean `{other}`? `{name}` and `{other}` are two locations"
         return Guess(help_, at, other)
-    if name in resolver.scope.programs:
+    if name in resolver.scope.programs and not (location and not teaches(resolver.problems)):
         asked = None if location else _asked_for(resolver.problems, at)
         if asked is not None:
             return asked
@@ -111,6 +117,16 @@ def guess(resolver: Resolver, entry: Entry, at: Place, like: Callable[[], str | 
         return Guess(
             f"did you mean `${name}`? The name of a string begins with `$`", at, f"${name}"
         )
+    number = resolver.scope.entries.get(name[1:]) if name[0] == "$" else None
+    if number is not None and number.writes and number.type is not Type.STRING:
+        (first, *_) = sorted(number.writes)
+        line = resolver.problems.source.line_of(first[0])
+        help_ = f"write `{name}` in line {line} too: `{number.name}` without `$` is a number"
+        return Guess(help_, at)
+    counted = "" if location else _counted(resolver.problems, name, at)
+    if counted:
+        help_ = f"did you mean `{counted}`, which this FOR counts?"
+        return Guess(help_, at, counted)
     if name in FOREIGN_FUNCTIONS and not location and name in _VALUES:
         return Guess(FOREIGN_FUNCTIONS[name], at)
     meant = like()
@@ -149,6 +165,23 @@ def _asked_for_nothing(problems: Problems, at: Place) -> Guess | None:
         (at[0] - len(found.group()), at[1]),
         instead,
     )
+
+
+def _counted(problems: Problems, name: str, at: Place) -> str:
+    """Return the variable of the FOR around a place, where a short name is surely meant for it."""
+    if len(name) > _SHORT or not name.isalpha():
+        return ""
+    text = problems.source.text
+    above = text[text.upper().rfind(".PROGRAM", 0, at[0]) + 1 : at[0]]
+    open_: list[str] = []
+    for found in _BLOCK.finditer(above):
+        word = found["word"].upper()
+        if word == "END":
+            del open_[-1:]
+        elif word != "IF" or "GOTO" not in found["rest"].upper():
+            open_.append(found["counter"] or "")
+    counters = [counter for counter in open_ if counter]
+    return counters[0] if len(counters) == 1 and len(counters[0]) <= _SHORT else ""
 
 
 def _drives(problems: Problems, at: Place) -> bool:

@@ -114,6 +114,8 @@ class ExpressionTypes(NameUses):
         if operator == ":":
             for part in (node.left, node.right):
                 self.check(part, Type.POSE, "`:` joins locations")
+                if isinstance(part, Name) and part.text[0] == "#":  # all is said of `rack` with it
+                    self.bad_names.add(key(part.text)[1:])
             self._part(node.right)
             return Type.POSE
         if operator in "+-" and self.dialect.is_as and self._locations(wanted, node.left):

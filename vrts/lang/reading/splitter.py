@@ -308,17 +308,19 @@ class _Splitter:
             return
         if header.text:
             self.unended += noticed is not None
-            where = (
-                (self.problems.label(noticed.start, noticed.end, "the next section begins here"),)
-                if noticed is not None
-                else ()
-            )
+            named = _named(section.kind)
+            last = section.lines[-1] if section.lines else header
+            here = noticed or last
             self.problems.warning(
                 MISSING_END_LINE,
-                f"the {_named(section.kind)} that begins here has no .END",
-                header.start,
-                header.end,
-                secondary=where,
+                f"the {named} above this line has no .END"
+                if noticed is not None
+                else f"the {named} that ends here has no .END",
+                here.start,
+                here.end,
+                secondary=(self.problems.label(header.start, header.end, "it begins here"),)
+                if here is not header
+                else (),
                 help=("write .END after its last line",),
                 fix=self._insert_end(section.last),
             )

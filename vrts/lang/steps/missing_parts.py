@@ -56,6 +56,8 @@ def keyword(step: BrokenStep) -> bool:
     fix = step.problems.replace(before.end, before.end, f" {keyword}") if joins else None
     if here is not None and here.kind == "COMMA":
         fix = step.problems.replace(here.start, here.end, f" {keyword}")
+    elif keyword == "TO" and here is not None and here.start > before.end:
+        fix = step.problems.replace(before.end, before.end, f" {keyword}")  # `FOR i = 1 5`
     step.problems.error(
         MISSING_KEYWORD,
         f"{step.word.text} without {keyword}",

@@ -7,9 +7,11 @@ from vrts.base.diagnostic import Rule
 from vrts.lang.grammar.lalr import END
 from vrts.lang.problems import short
 from vrts.lang.steps.broken_step import OPERANDS, BrokenStep
+from vrts.lang.syntax.token import Token
 
 INVALID_EXPRESSION = Rule("V126", "invalid-expression")
 SINGLE_EQUALS = Rule("V127", "single-equals")
+_ASSIGNED = 2  # tokens of `= h`
 INVALID_FORMAT = Rule("V132", "invalid-format")
 
 
@@ -19,6 +21,8 @@ def beginning(step: BrokenStep) -> bool:
     if step.failure.at or here is None or here.kind in OPERANDS:
         return False
     comment = here.text in ("/", "*", "-")
+    if here.text == "=" and _turned(step, here):
+        return True
     step.problems.error(
         INVALID_EXPRESSION,
         f"a step does not begin with `{short(here.text)}`",
@@ -28,6 +32,28 @@ def beginning(step: BrokenStep) -> bool:
         help=("begin comments with `;`",)
         if comment
         else ("a step begins with an instruction, as in `MOVE part`, or assigns, as in `n = 1`",),
+    )
+    return True
+
+
+def _turned(step: BrokenStep, equals: Token) -> bool:
+    """`50 = h`, where the number was taken for a label."""
+    source = step.problems.source
+    begin = source.text.rfind("\n", 0, equals.start) + 1
+    number = source.text[begin : equals.start].strip()
+    if len(step.tokens) != _ASSIGNED or step.tokens[1].kind != "NAME" or not number.isdecimal():
+        return False
+    name = step.tokens[1]
+    start = equals.start - len(source.text[begin : equals.start].lstrip())
+    meant = f"{name.text} = {number}"
+    step.problems.error(
+        INVALID_EXPRESSION,
+        "the variable that gets a value stands left of `=`",
+        start,
+        name.end,
+        notes=("VAL-II says *Unknown instruction*",),
+        help=(f"write `{meant}`",),
+        fix=step.problems.replace(start, name.end, meant),
     )
     return True
 

@@ -96,7 +96,7 @@ def too_many(step: BrokenStep) -> bool:
     elif here.kind == "NAME" and step.before is not None and step.before.kind == "NAME":
         one = f"{step.before.text}.{here.text}"
         help_ = f"a name is one word, as `{one}` or `{one.replace('.', '_')}`"
-        help_ += "; between two names belongs a comma"
+        help_ += "; between two names belongs a comma, and before a remark `;`"
     elif _second_point(step, here):
         help_ = "a number has one decimal point"
     elif here.text.upper() in QUALIFIERS:

@@ -35,7 +35,11 @@ def spellings(dialect: Dialect) -> frozenset[str]:
 def reserved_words(dialect: Dialect) -> frozenset[str]:
     """Return every word, in upper case, that a name had better not be."""
     qualifiers = {text for text, word in QUALIFIERS.items() if dialect.has(word.dialects)}
-    functions = {name.upper() for name in applied_functions(dialect)}
+    functions = {
+        name.upper()
+        for name, signature in applied_functions(dialect).items()
+        if dialect.has(signature.dialects)
+    }
     return spellings(dialect) | qualifiers | OPERATORS.keys() | functions
 
 

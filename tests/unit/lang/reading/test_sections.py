@@ -84,7 +84,7 @@ def test_a_formal_that_stands_twice_still_counts() -> None:
         (".PROGRAM a\n MOVE p\np 500 0 -100 90 90 0\n.END\n", 3, "V165"),
         (".PROGRAM a\n SPEED v\n.END\nv 50\n", 4, "V165"),
         (".PROGRAM a\n READY\n.END\n.END\n", 4, "V140"),
-        (".PROGRAM a\n READY\n.PROGRAM b\n READY\n.END\n", 1, "V141"),
+        (".PROGRAM a\n READY\n.PROGRAM b\n READY\n.END\n", 3, "V141"),
         (".PROGRAM a\n READY\n.END.\n", 3, "V144"),
     ],
 )
@@ -97,7 +97,7 @@ def test_odd_ends_and_places_are_told_once_and_mended(wrong: str, line: int, cod
 def test_a_program_without_its_end_takes_a_later_one() -> None:
     """`.END` twice at the end closes two programs: nothing is told of the second."""
     text = ".PROGRAM a\n READY\n.PROGRAM b\n READY\n.END\n.END\n"
-    assert told(text) == [(1, "V141")]
+    assert told(text) == [(3, "V141")]
 
 
 def test_steps_outside_of_programs_are_not_a_second_main() -> None:

@@ -69,8 +69,11 @@ def _instruction(node: object) -> Iterator[tuple[Item | None, Complain]]:
         yield node.target, complaints.timer_set
     elif isinstance(node, ReactStatement) and node.word in ("REACT", "REACTI") and node.operands:
         yield node.operands[0], complaints.watched_signal
+        if len(node.operands) > _PRIORITY:
+            yield node.operands[_PRIORITY], complaints.priority
 
 
+_PRIORITY = 2  # of the operands of REACT
 _ARGUMENTS: dict[str, tuple[Complain, ...]] = {  # the last one again for all that follow
     "sig": (complaints.read_signal,),
     "bits": (complaints.read_signal, complaints.bits_count),

@@ -9,6 +9,7 @@ from vrts.ir import instructions as i
 from vrts.ir.expressions import Function
 from vrts.ir.module import Program
 from vrts.lang.findings.endless import ENDLESS_LOOP
+from vrts.lang.findings.ways.breaks import BREAK_IN_LOOP
 from vrts.lang.findings.ways.reached import ENDING, Endless, Reached, following
 from vrts.lang.meaning.structure import Block, label_key
 from vrts.lang.names import key
@@ -72,6 +73,9 @@ class LeavingCheck:
         """
         idle = self._idle_jumps() if alone else ()
         for loop in self.reached.endless:
+            if self._meant_to_break(loop, found):
+                self.told.update(self._stretch(loop.behind))
+                continue
             if loop.test in self.reached.instructions and not self._behind(loop) and alone:
                 condition = "UNTIL n == 10" if loop.goes_on != loop.test + 1 else "WHILE n < 10 DO"
                 self._computing(loop.goes_on, loop.condition, condition)
@@ -114,6 +118,26 @@ class LeavingCheck:
             ),
         )
         return True
+
+    def _meant_to_break(self, loop: Endless, found: Sequence[Block]) -> bool:
+        """Return whether a BREAK in a loop was told, by which its writer meant to leave it."""
+        breaks = [
+            told.primary.span.start
+            for told in self.problems.found
+            if told.rule == BREAK_IN_LOOP and told.primary is not None
+        ]
+        if not breaks:
+            return False
+        for block in found:
+            opener, end = (self.text.steps[at].statement for at in (block.opener, block.end))
+            if opener is None or end is None:
+                continue
+            start = opener.start if opener.start <= loop.condition.start else loop.condition.start
+            if start <= loop.condition.start <= end.end and any(
+                start <= at <= end.end for at in breaks
+            ):
+                return True
+        return False
 
     def _stretch(self, at: int) -> list[int]:
         """Return the instructions from one on that are never reached."""

@@ -35,7 +35,8 @@ def arguments_fit(problems: Problems, node: Application, signature: Signature) -
         fix = _with_by(problems, node)
     elif given < signature.required or omitted:
         headline = f"{name} needs {_arguments(signature.required)}, {given} given"
-        help_ = f"write `{form_of(signature)}`"
+        every = "all arguments" if signature.required > 1 else "it"
+        help_ = f"write {every}: `{form_of(signature)}`"
         parted = _parted(problems, node)
         if parted:
             help_ = f"write a comma between them: `{parted}`"

@@ -91,6 +91,8 @@ def unknown_function(
     elif module in _MODULES and last in known:
         help_ = (f"write `{last.upper()}` alone",)
         fix = problems.replace(node.name.start, node.name.end, last.upper())
+    elif lower in programs:
+        help_ = (f"a program gives no value back: write {_call(problems, node)}",)
     elif meant is not None:
         help_ = (f"did you mean `{meant.upper()}`?",)
         fix = problems.replace(node.name.start, node.name.end, meant.upper())
@@ -98,8 +100,6 @@ def unknown_function(
         written = problems.source.text[node.name.end : node.end].strip()[1:-1]
         help_ = (f"an element of an array is written with brackets: `{node.name.text}[{written}]`",)
         fix = problems.replace(node.name.end, node.end, f"[{written}]")
-    elif lower in programs:
-        help_ = (f"a program gives no value back: write {_call(problems, node)}",)
     elif _is_number(problems.source.text, node.name.text):
         behind = problems.source.text[node.name.end : node.end].strip()
         help_ = (f"`{node.name.text}` is a number: to multiply write `{node.name.text}*{behind}`",)

@@ -11,7 +11,7 @@ from dataclasses import replace
 from vrts.base.diagnostic import Fix
 from vrts.lang.grammar.shapes import UNEXPECTED_TEXT
 from vrts.lang.problems import LIMIT, Problems
-from vrts.lang.reading.nesting import MISSING_PARENTHESIS
+from vrts.lang.reading.nesting import MISSING_BRACKET, MISSING_PARENTHESIS
 from vrts.lang.steps.advising.adviser import OTHER_LANGUAGE, STRUCTURE, Advised, Adviser, Line
 from vrts.lang.steps.advising.comments_told import CommentAdvice
 from vrts.lang.steps.advising.continued import ContinuedAdvice
@@ -35,6 +35,7 @@ _CASE_LABEL = re.compile(
 _BLOCK_WORD = re.compile(
     r"^[ \t]*(?:\d+[ \t]+)?(IF|FOR|WHILE|CASE|DO|END|UNTIL)\b(.*)$", re.I | re.M
 )
+_BEHIND = re.compile(r"[ \t]*(?=[,)=:]|[-+*/]|[ \t](?:THEN|DO|OF|TO|STEP|GOTO)\b)", re.IGNORECASE)
 _GOES_ON = re.compile(r"[ \t]+(?=(?:THEN|DO|OF|TO|STEP|GOTO)\b)", re.IGNORECASE)
 _CLOSES_DO = re.compile(r"^[ \t]*(?:\d+[ \t]+)?(?:UNTIL|LOOP|WHILE|REPEAT|\}|END[ \t]*DO)", re.M)
 _NUMBER = re.compile(r"[ \t]*[\d.]+[ \t]*")
@@ -74,7 +75,8 @@ class Advice(Adviser):
             found = better(line, mark)
             if found is not None:
                 return found
-        if len(told) == 1 and told[0].rule == MISSING_PARENTHESIS and told[0].fix is None:
+        never_closed = (MISSING_PARENTHESIS, MISSING_BRACKET)
+        if len(told) == 1 and told[0].rule in never_closed and told[0].fix is None:
             self._closed(line, mark)
             return None
         if len(told) == 1 and told[0].fix is not None:
@@ -84,17 +86,18 @@ class Advice(Adviser):
     def _closed(self, line: Line, mark: int) -> None:
         """`IF (SIG(1001) THEN`, `MAX(1, 2`: where the parenthesis belongs, if in one place only."""
         told = self.problems.found[mark]
-        if not told.headline.startswith("`(`"):
+        sign = {"`(`": ")", "`[`": "]"}.get(told.headline[:3])
+        if sign is None:
             return
-        ends = [found.start() for found in _GOES_ON.finditer(line.text)]
+        ends = _GOES_ON if sign == ")" else _BEHIND
         good: list[int] = []
-        for at in (*ends, len(line.text.rstrip())):
-            tried = self.repair.steps(f"{line.text[:at]}){line.text[at:]}")
+        for at in (*(found.start() for found in ends.finditer(line.text)), len(line.text.rstrip())):
+            tried = self.repair.steps(f"{line.text[:at]}{sign}{line.text[at:]}")
             if tried is not None and not tried.fixes:
                 good.append(at)
         if len(good) == 1:
             at = line.at + good[0]
-            self.problems.found[mark] = replace(told, fix=self.problems.replace(at, at, ")"))
+            self.problems.found[mark] = replace(told, fix=self.problems.replace(at, at, sign))
 
     def _then(self, line: Line, mark: int) -> bool:
         """`THEN` below its IF, which was told to have none: one mistake, mended in both lines."""

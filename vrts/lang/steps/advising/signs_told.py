@@ -1,13 +1,17 @@
 """Signs of other languages within a step, told and mended."""
 
+import re
 from collections.abc import Iterable
 
 from vrts.base.diagnostic import Diagnostic, Severity
+from vrts.lang.grammar.shapes import TOO_MANY_OPERANDS
 from vrts.lang.steps.advising.adviser import OTHER_LANGUAGE, PRECISE, Advised, Adviser, Line
 from vrts.lang.steps.idioms import signs
 from vrts.lang.steps.idioms.wording import (
     smallest_change,
 )
+
+_USUAL = re.compile(r"(?:^|\.)(?:5|25|75)$")  # fractions that people choose
 
 
 class SignAdvice(Adviser):
@@ -33,16 +37,18 @@ class SignAdvice(Adviser):
             told = self.problems.found[mark]
             self.problems.forget(mark)
             start, end, instead = smallest_change(line.text, tried.text)
+            many = told.rule == TOO_MANY_OPERANDS and len(told.help) == 1
+            doubtful = many and not found.sure and _USUAL.search(instead) is None
             primary = self.problems.label(line.at + start, line.at + max(end, start))
-            precise = (told.rule in PRECISE and not at_once) or not found.says
+            precise = (told.rule in PRECISE and not at_once) or not found.says or doubtful
             self.problems.add(
                 Diagnostic(
                     told.rule if precise else OTHER_LANGUAGE,
                     Severity.ERROR,
-                    found.says or told.headline,
+                    told.headline if doubtful else found.says or told.headline,
                     (told.primary or primary) if precise else primary,
                     notes=told.notes,
-                    help=(found.help,),
+                    help=(*told.help, f"or else {found.help}") if doubtful else (found.help,),
                     fix=self.problems.replace(
                         line.at + start, line.at + end, instead, sure=found.sure
                     ),

@@ -3,7 +3,6 @@
 from vrts.lang.dialect import Dialect
 from vrts.lang.steps.misread.called_values import called_value
 from vrts.lang.steps.misread.chains import chain
-from vrts.lang.steps.misread.digits_first import digit_first
 from vrts.lang.steps.misread.equals_behind import equals_behind
 from vrts.lang.steps.misread.f_strings import f_string
 from vrts.lang.steps.misread.foreign.inputs import asked_input
@@ -17,6 +16,9 @@ from vrts.lang.steps.misread.left_out.compared import left_out_operand
 from vrts.lang.steps.misread.left_out.quotes import unquoted_text
 from vrts.lang.steps.misread.left_out.times import missing_times
 from vrts.lang.steps.misread.meant import Meant
+from vrts.lang.steps.misread.slips.digits_first import digit_first
+from vrts.lang.steps.misread.slips.letters_in_numbers import letters_in_number
+from vrts.lang.steps.misread.slips.twice import said_twice
 from vrts.lang.steps.misread.surplus_parenthesis import surplus_parenthesis
 from vrts.lang.steps.misread.units import unit_behind
 from vrts.lang.steps.misread.value_ranges import value_range
@@ -29,6 +31,8 @@ def meant_by_line(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
         return None
     return (
         chain(text)
+        or said_twice(text, repair)
+        or letters_in_number(text, repair)
         or asked_input(text, repair)
         or f_string(text, repair)
         or unit_behind(text, repair)

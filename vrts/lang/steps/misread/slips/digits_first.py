@@ -36,7 +36,7 @@ def digit_first(text: str) -> Meant | None:
             f"`{found.group()}` is no name: a name begins with a letter",
             found.start(),
             found.end(),
-            (f"write `{name}`, here and wherever it stands",),
+            (f"begin the name with a letter: write `{name}`, here and wherever it stands",),
             name,
             notes=("VAL-II says *Invalid program or variable name*",),
         )
