@@ -1,4 +1,4 @@
 """Steps with a slip of the pen: a sign twice, letters for digits, digits before letters.
 
-Takes the text of a step, gives what is meant by it. May not know other languages.
+In: the text of a line that is no step. Out: what is meant, and where it is clear, what to write.
 """
