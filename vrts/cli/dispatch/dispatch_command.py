@@ -13,6 +13,7 @@ SUBCOMMANDS = {
     "profile": "list the profiles of controllers, print one to be corrected",
     "emulate": "emulate a controller at a pseudo-terminal",
     "export": "write a verified program in the language of another controller",
+    "rehearse": "carry an exported folder out on LinuxCNC, and compare the motion",
 }
 
 

@@ -2,6 +2,7 @@
 
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
 
 import click
 
@@ -30,12 +31,17 @@ from vrts.cli.shared.options import (
 from vrts.cli.shared.programs import given_program
 from vrts.pipeline.where import Where
 
+if TYPE_CHECKING:
+    from vrts.pipeline.request import Request
+
 EPILOG = """\b
 Examples:
   vrts dispatch export solution.v2 --to vplus
   vrts dispatch export solution.v2 --to as -o solution.as
   vrts dispatch export prog.v2 --scene cans-on-bases --to as -o -
+  vrts dispatch export solution.v2 --to linuxcnc -o folder
 """
+LINUXCNC = "linuxcnc"
 
 
 @click.command(name="export", epilog=EPILOG)
@@ -43,15 +49,15 @@ Examples:
 @click.option(
     "--to",
     "target",
-    type=click.Choice(["val2", "vplus", "as"]),
+    type=click.Choice(["val2", "vplus", "as", LINUXCNC]),
     required=True,
-    help="VAL-II, V+ of Adept and Staeubli, or AS of Kawasaki.",
+    help="VAL-II, V+ of Adept and Staeubli, AS of Kawasaki, or G-code of LinuxCNC.",
 )
 @scene_option("Name or path of a scene to verify in.")
 @task_option()
 @scenario_option()
 @entry_option("Program to execute; otherwise the task's, or the first.")
-@click.option("-o", "--out", "place", help="File to write; `-` is stdout.")
+@click.option("-o", "--out", "place", help="File to write, or folder for LinuxCNC; `-` is stdout.")
 @lab_option
 @controller_option
 @language_options
@@ -72,7 +78,9 @@ def command(
     Words, angles and operators become those of the other language; comments and names stay. What
     is written is read again in that language and executed in the same scene: nothing is written
     unless it moves the arm the same within 0.01 mm at every time. Joint angles and READY stay
-    those of the arm that was simulated.
+    those of the arm that was simulated. For LinuxCNC a folder is written, with the robot's
+    configuration; `io.toml` in it says which pin is which signal, and is kept when it is there.
+    `vrts dispatch rehearse` then compares LinuxCNC's motion.
     """
     from vrts.cli.shared.requests import verify_request
     from vrts.dispatch.posts.export import default_name, exported
@@ -84,6 +92,8 @@ def command(
     setting = setting_for(path, where)
     if setting is None:
         fail("nothing says in which scene to verify the program", ("give `--scene NAME`",))
+    if target == LINUXCNC:
+        _linuxcnc(verify_request(given, setting, language, entry=entry), path, place, color)
     found = exported(verify_request(given, setting, language, entry=entry), target)
     show_diagnostics(found.diagnostics, color)
     if found.text is None:
@@ -103,4 +113,27 @@ def command(
         f"the same motion: largest difference {found.difference.most_mm:.4f} mm"
         f" of {TOLERANCE_MM:g} mm allowed"
     )
+    sys.exit(HOLDS)
+
+
+def _linuxcnc(request: "Request", path: Path | None, place: str | None, color: str) -> NoReturn:
+    from vrts.dispatch.linuxcnc.export import exported_folder
+    from vrts.dispatch.linuxcnc.table import TABLE
+    from vrts.pipeline.files import read_toml_source
+
+    if place == "-":
+        fail("a folder is written for LinuxCNC", ("give its name to `-o`",))
+    stem = Path(request.program.name).stem if path is None else str(path.with_suffix(""))
+    folder = Path(f"{stem}-linuxcnc" if place is None else place)
+    table = folder / TABLE
+    found = exported_folder(request, read_toml_source(table) if table.is_file() else None)
+    show_diagnostics(found.diagnostics, color)
+    if found.files is None:
+        sys.exit(WRONG)
+    for name, data in found.files.items():
+        file = folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        if name != TABLE or not table.is_file():
+            write_file(file, data)
+    say(f"wrote {folder}: program.ngc, the robot's configuration, what is claimed in sheet.md")
     sys.exit(HOLDS)

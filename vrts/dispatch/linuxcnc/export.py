@@ -1,0 +1,170 @@
+"""A verified program and its robot as a folder for LinuxCNC."""
+
+import csv
+import io
+from importlib.resources import files
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Diagnostic, Rule, error
+from vrts.base.source import SourceFile
+from vrts.base.units import MM, deg
+from vrts.check.verdict import Answer
+from vrts.controllers.model import CornerShape, LineTurn, WristChoice
+from vrts.dispatch.linuxcnc.machine import (
+    Robot,
+    acceleration_text,
+    hal_text,
+    ini_text,
+    setup_text,
+)
+from vrts.dispatch.linuxcnc.program_text import said
+from vrts.dispatch.linuxcnc.sheet import sheet_text
+from vrts.dispatch.linuxcnc.table import TABLE, Table, read_table, table_text, usual
+from vrts.dispatch.linuxcnc.used import used_signals
+from vrts.engine.run import Run
+from vrts.lang.compiler import Compilation, resolve_source
+from vrts.pipeline.assess import assess
+from vrts.pipeline.execution import compiled_for, entry_in
+from vrts.pipeline.request import Request
+from vrts.robots.model import SphericalWristArm
+from vrts.run_files.saving import saved_bytes
+from vrts.run_files.simulated import simulate
+
+OTHER_ROBOT = Rule("V872", "linuxcnc-robot")
+NOT_VERIFIED = Rule("V873", "linuxcnc-not-verified")
+
+PROGRAM, RUN, MOTIONS = "program.ngc", "expected.vrun", "expected.csv"
+INI, HAL, ACCELERATION, SHEET = "machine.ini", "machine.hal", "acceleration.hal", "sheet.md"
+LIBRARY, SETUP = "library", "library/v_setup.ngc"
+EMPTY = ("parameters.var", "tool.tbl")
+
+
+class Folder(NamedTuple):
+    """The files of a folder by name, or why there is none."""
+
+    files: dict[str, bytes] | None
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def exported_folder(request: Request, table: SourceFile | None) -> Folder:
+    """Verify a program and say it to LinuxCNC.
+
+    Args:
+        request: The program, and where it is verified.
+        table: The file that says which pin is which signal; None: pins in the order of signals.
+
+    Raises:
+        Refused: The table has errors, or the run cannot be saved.
+    """
+    compiled = compiled_for(request)
+    _, compilation, found = compiled
+    if compilation is None or compilation.module is None or compilation.module.main is None:
+        return Folder(None, found)
+    module = compilation.module
+    entry, chosen = entry_in(module, request)
+    if entry is None:
+        return Folder(None, (*found, *chosen))
+    verified = assess(request, compiled)
+    wrong = any(d.is_error for d in verified.findings)
+    if verified.judgement is None or wrong or verified.judgement.answer is not Answer.HOLDS:
+        return Folder(None, (*verified.findings, _not_verified(request.program.name)))
+    run = verified.run
+    assert run is not None
+    other = _other_robot(run)
+    if other is not None:
+        return Folder(None, (*found, other))
+    inputs, outputs = used_signals(module, entry)
+    pins = usual(inputs, outputs) if table is None else read_table(table)
+    return _written(request, compilation, run, entry, pins)
+
+
+def _written(
+    request: Request, compilation: Compilation, run: Run, entry: str, table: Table
+) -> Folder:
+    assert compilation.source is not None
+    assert compilation.module is not None
+    resolved = resolve_source(compilation.source, compilation.dialect)
+    assert resolved is not None
+    told = said(resolved, compilation.module, entry, table)
+    if told.diagnostics:
+        return Folder(None, told.diagnostics)
+    arm = run.scene.robot.arm
+    assert isinstance(arm, SphericalWristArm)
+    robot = Robot(arm, run, table)
+    texts = {
+        PROGRAM: told.text,
+        INI: ini_text(robot, PROGRAM),
+        HAL: hal_text(robot),
+        ACCELERATION: acceleration_text(),
+        TABLE: table_text(table),
+        SHEET: sheet_text(robot, request.program.name),
+        MOTIONS: motions_text(run),
+        SETUP: setup_text(robot),
+        **dict.fromkeys(EMPTY, ""),
+    }
+    data = {name: text.encode() for name, text in texts.items()}
+    for source in files("vrts.dispatch.linuxcnc").joinpath(LIBRARY).iterdir():
+        data[f"{LIBRARY}/{source.name}"] = source.read_bytes()
+    data[RUN] = saved_bytes(simulate(request))
+    return Folder(data, compilation.diagnostics)
+
+
+def motions_text(run: Run) -> str:
+    """Return the motions of a run as a table: what LinuxCNC is expected to do."""
+    out = io.StringIO()
+    rows = csv.writer(out, lineterminator="\n")
+    joints = [f"jt{k}_deg" for k in range(1, 7)]
+    names = ("motion", "program", "step", "kind", "rounded", "start_s", "end_s")
+    rows.writerow([*names, *joints, "x_mm", "y_mm", "z_mm"])
+    for number, motion in enumerate(run.motions, start=1):
+        rows.writerow(
+            [
+                number,
+                motion.cause.program,
+                motion.cause.step,
+                motion.interpolation.value,
+                int(motion.blended),
+                f"{motion.start_s:.3f}",
+                f"{motion.end_s:.3f}",
+                *(f"{deg(joint) + 0.0:.4f}" for joint in motion.goal),
+                *(f"{part / MM + 0.0:.3f}" for part in motion.X_WT.translation),
+            ]
+        )
+    return out.getvalue()
+
+
+def _other_robot(run: Run) -> Diagnostic | None:
+    """Return why LinuxCNC's kinematics or the library do not carry out what was verified."""
+    scene, scenario = run.scene, run.scenario
+    model = scene.controller
+    reason = ""
+    if not isinstance(scene.robot.arm, SphericalWristArm):
+        reason = f"the {scene.robot.arm.title} has no wrist of the PUMA family"
+    elif (
+        model.corners.shape is not CornerShape.QUARTIC
+        or model.lines.turn is not LineTurn.TWO_TURNS
+        or model.branches.wrist is not WristChoice.NEAREST
+    ):
+        reason = f"the controller model `{model.name}` rounds corners or turns the hand otherwise"
+    elif scenario.monitor_speed != 100.0:
+        reason = "the operator's speed is not 100 % in the scenario"
+    elif scenario.operator or scenario.faults:
+        reason = "the scenario has an operator's deeds or faults"
+    elif scenario.parameters:
+        reason = "the scenario sets parameters of the controller"
+    if not reason:
+        return None
+    return error(
+        OTHER_ROBOT,
+        f"this is not said to LinuxCNC: {reason}",
+        help=("use a scene with a PUMA, under the controller model `val2`, at full speed",),
+    )
+
+
+def _not_verified(name: str) -> Diagnostic:
+    return error(
+        NOT_VERIFIED,
+        f"`{name}` is not verified, so it is not written for LinuxCNC",
+        notes=("what is wrong here would be wrong on any robot",),
+        help=(f"mend it first: `vrts verify {name}`",),
+    )

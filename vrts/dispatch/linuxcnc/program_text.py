@@ -1,0 +1,193 @@
+"""The programs of a module as one file of G-code: a subroutine each, then the main one."""
+
+import re
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Diagnostic
+from vrts.dispatch.linuxcnc.cannot import CannotSay
+from vrts.dispatch.linuxcnc.locations import constant
+from vrts.dispatch.linuxcnc.memory import Memory
+from vrts.dispatch.linuxcnc.names import LONGEST, comment, number, plain
+from vrts.dispatch.linuxcnc.steps import STOP, Steps
+from vrts.dispatch.linuxcnc.structures import Structures
+from vrts.dispatch.linuxcnc.table import Table
+from vrts.dispatch.linuxcnc.under_way import looks, under_way
+from vrts.ir import instructions as ir
+from vrts.ir.module import Module, Program
+from vrts.lang.compiler import Resolved
+from vrts.lang.meaning.structure import word_of
+from vrts.lang.syntax.program import ProgramText, Step
+from vrts.lang.syntax.statements import Declare
+
+INDENT = "  "
+OURS = "v_"  # begins the names of the library's subroutines
+JUMPS = (ir.Jump, ir.JumpIf)
+ENDING = ("G94", "M2")
+INTERNAL = re.compile(r"#<_signal_\d+>")
+
+
+class Said(NamedTuple):
+    """Programs in G-code, as far as they could be said."""
+
+    text: str
+    diagnostics: tuple[Diagnostic, ...]  # errors: what could not be
+
+
+def said(found: Resolved, module: Module, entry: str, table: Table) -> Said:
+    """Return the file of a program and all that it calls.
+
+    Args:
+        found: The programs as syntax trees.
+        module: The same compiled.
+        entry: The program that is executed.
+        table: Pins of inputs and outputs.
+    """
+    main = module.programs[entry].span
+    try:
+        names = called_by(module, entry)
+        memory = Memory(module)
+        for name in names:
+            if plain(name).startswith(OURS):
+                raise CannotSay(f"`{name}` is a name of the library", "rename the program")
+    except CannotSay as cannot:
+        return Said("", (cannot.diagnostic(main),))
+    writer = _Writer(found, module, table, memory, under_way(module, entry))
+    texts = {program.name: program for program in found.programs}
+    bodies = {name: writer.program(texts[name], main=name == entry) for name in names}
+    written = [row for body in bodies.values() for row in body]
+    rows = [
+        f"; {plain(entry)}, written by vrts: each step stands before what became of it.",
+        "; What the v_ subroutines do is said in their own files, in the folder `library`.",
+        *(row for name in names if name != entry for row in bodies[name]),
+        "",
+        "G21 G90 G40 G49 G80 G94 G61.1",
+        "o<v_setup> call",
+        *_places(module, memory),
+        *(f"{name} = 0" for name in sorted(set(INTERNAL.findall("\n".join(written))))),
+        *bodies[entry],
+        *ENDING,
+    ]
+    return Said("\n".join(rows) + "\n", tuple(writer.errors))
+
+
+def called_by(module: Module, entry: str) -> list[str]:
+    """Return the programs that are executed, each after those that it calls.
+
+    Raises:
+        CannotSay: One comes to call itself.
+    """
+    order: list[str] = []
+
+    def visit(name: str, above: tuple[str, ...]) -> None:
+        if name in above:
+            raise CannotSay(f"`{name}` comes to call itself", "use a loop")
+        if name in order or name not in module.programs:
+            return
+        for instruction in module.programs[name].instructions:
+            if isinstance(instruction, ir.Call):
+                visit(instruction.program, (*above, name))
+        order.append(name)
+
+    visit(entry, ())
+    return order
+
+
+def _places(module: Module, memory: Memory) -> list[str]:
+    """Return where locations and arrays are kept, and what the data say of them."""
+    rows = ["; where locations and arrays are kept"]
+    rows += [f"#<{kept.parameter}> = {kept.address}" for kept in memory.kept.values()]
+    rows.append("; what the program was taught")
+    for datum in module.data:
+        kept, value = memory.kept.get(datum.name), datum.value
+        if isinstance(value, str):
+            continue
+        if kept is None:
+            if isinstance(value, float):
+                rows.append(f"#<_val_{plain(datum.name)}> = {number(value)}")
+            continue
+        at = f"#<{kept.parameter}>"
+        if datum.subscripts:
+            at += f" + {datum.subscripts[0] * kept.width}"
+        rows.append(
+            f"#[{at}] = {number(value)}" if isinstance(value, float) else constant(at, value)
+        )
+    return rows
+
+
+class _Writer:
+    def __init__(
+        self,
+        found: Resolved,
+        module: Module,
+        table: Table,
+        memory: Memory,
+        moving: frozenset[tuple[str, int]],
+    ) -> None:
+        self.module, self.table = module, table
+        self.memory, self.moving = memory, moving
+        self.problems = found.resolver.problems
+        self.errors: list[Diagnostic] = []
+
+    def program(self, text: ProgramText, *, main: bool) -> list[str]:
+        """Return the lines of a program."""
+        program = self.module.programs[text.name]
+        steps = Steps(self.memory, self.table)
+        structures = Structures(steps)
+        rows = [""]
+        if not main:
+            rows.append(f"o<{plain(text.name)}> sub")
+            names = (plain(formal.name) for formal in program.formals)
+            rows += [f"{INDENT}#<{name}> = #{k}" for k, name in enumerate(names, start=1)]
+        base = 0 if main else 1
+        for step in text.steps:
+            node = step.statement
+            if node is None:
+                continue
+            depth = structures.depth
+            try:
+                self._step(program, step, steps, structures, main=main)
+            except CannotSay as cannot:
+                self.errors.append(cannot.diagnostic(self.problems.span(node.start, node.end)))
+                steps.take()
+                structures.pass_over(word_of(step) or "", depth)
+                continue
+            indent = INDENT * (base + min(depth, structures.depth))
+            words = self.problems.source.text[node.start : node.end]
+            rows.append(indent + comment(f"{step.number:>3}  {words}"))
+            rows += [indent + line for line in steps.take()]
+        rows.append(STOP if main else f"o<{plain(text.name)}> endsub")
+        return rows
+
+    def _step(
+        self, program: Program, step: Step, steps: Steps, structures: Structures, *, main: bool
+    ) -> None:
+        last = len(program.instructions) - 1  # the end of the program
+        at = [k for k, o in enumerate(program.origins) if o.step == step.number and k < last]
+        found = [program.instructions[k] for k in at]
+        if any(looks(instruction) for instruction in found):
+            if any((program.name, k) in self.moving for k in at):
+                raise CannotSay(
+                    "the arm may still move when this looks at the outside",
+                    "write BREAK before it: LinuxCNC reads inputs at rest",
+                )
+            steps.lines.append(STOP)
+        word = word_of(step)
+        if word is not None:
+            structures.write(word, found)
+        elif isinstance(step.statement, Declare):
+            raise CannotSay("G-code has no variables of a program's own", "use other names")
+        for instruction in found if word is None else ():
+            if isinstance(instruction, JUMPS):
+                raise CannotSay("G-code cannot jump", "use IF, WHILE, DO or FOR")
+            if isinstance(instruction, ir.Return):
+                _leave(program, instruction, steps, main=main)
+            else:
+                steps.write(instruction)
+        if any(len(line) > LONGEST for line in steps.lines):
+            raise CannotSay("the step is too long for a line of G-code", "work it out in parts")
+
+
+def _leave(program: Program, leave: ir.Return, steps: Steps, *, main: bool) -> None:
+    if leave.skip is not None:
+        raise CannotSay("G-code cannot skip steps of the caller")
+    steps.lines += [STOP, *ENDING] if main else [f"o<{plain(program.name)}> return"]

@@ -1,0 +1,115 @@
+"""Which pin of LinuxCNC is which signal of VAL-II: a small file that people edit."""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from vrts.base.diagnostic import Rule
+from vrts.base.source import SourceFile
+from vrts.base.toml.reading import read_toml
+from vrts.base.toml.table import Table as Toml
+from vrts.dispatch.linuxcnc.cannot import CannotSay
+from vrts.pipeline.refused import Refused
+
+TABLE = "io.toml"
+HIGHEST_PIN = 61  # of digital pins; the two above tell which kinematics holds
+PIN_TWICE = Rule("V871", "linuxcnc-table")
+
+
+class Table(NamedTuple):
+    """Pins by signal."""
+
+    inputs: dict[int, int]  # signal 1001 and above: number of motion.digital-in-NN
+    outputs: dict[int, int]  # signal 1 and above: number of motion.digital-out-NN
+    hand_open: int  # digital output that opens the hand
+    hand_close: int
+
+    def input(self, signal: int) -> int:
+        """Return the pin of an input."""
+        return self._pin(self.inputs, signal, "inputs")
+
+    def output(self, signal: int) -> int:
+        """Return the pin of an output."""
+        return self._pin(self.outputs, signal, "outputs")
+
+    def _pin(self, pins: dict[int, int], signal: int, where: str) -> int:
+        if signal not in pins:
+            raise CannotSay(f"signal {signal} is not in {TABLE}", f"add it to [{where}]")
+        return pins[signal]
+
+
+def usual(inputs: Iterable[int], outputs: Iterable[int]) -> Table:
+    """Return the table of a program for which nobody wrote one: pins in the order of signals."""
+    return Table(
+        {signal: pin for pin, signal in enumerate(sorted(set(inputs)))},
+        {signal: pin for pin, signal in enumerate(sorted(set(outputs)), start=2)},
+        hand_open=0,
+        hand_close=1,
+    )
+
+
+def table_text(table: Table) -> str:
+    """Return the file of a table."""
+    rows = [
+        "# Which digital pin of LinuxCNC is which signal. Edit it, then export again.",
+        "",
+        "[hand]  # motion.digital-out-NN of the two valves",
+        f"open = {table.hand_open}",
+        f"close = {table.hand_close}",
+        "",
+        "[inputs]  # signal = NN of motion.digital-in-NN",
+        *(f"{signal} = {pin}" for signal, pin in table.inputs.items()),
+        "",
+        "[outputs]  # signal = NN of motion.digital-out-NN",
+        *(f"{signal} = {pin}" for signal, pin in table.outputs.items()),
+    ]
+    return "\n".join(rows) + "\n"
+
+
+def read_table(source: SourceFile) -> Table:
+    """Return the table that a file holds.
+
+    Raises:
+        Refused: The file has errors.
+    """
+    top, problems = read_toml(source)
+    if top is None:
+        raise Refused(problems.in_order())
+    hand = top.table("hand", required=True)
+    inputs, outputs = top.table("inputs"), top.table("outputs")
+    top.finish()
+    if hand is None:
+        raise Refused(problems.in_order())
+    used: dict[int, str] = {}
+
+    def pin(table: Toml, key: str, taken: dict[int, str]) -> int:
+        value = table.integer(key, minimum=0, maximum=HIGHEST_PIN, required=True)
+        if value is None:
+            return 0
+        if value in taken:
+            problems.error(
+                PIN_TWICE,
+                f"pin {value} stands for `{taken[value]}` and `{key}`",
+                table.value_span(key),
+            )
+        taken[value] = key
+        return value
+
+    opens, closes = pin(hand, "open", used), pin(hand, "close", used)
+    hand.finish()
+
+    def pins(table: Toml | None, taken: dict[int, str]) -> dict[int, int]:
+        found: dict[int, int] = {}
+        for key in () if table is None else table.keys:
+            if not key.isdigit():
+                assert table is not None
+                problems.error(PIN_TWICE, f"`{key}` is no number of a signal", table.span_of(key))
+                table.integer(key)
+                continue
+            assert table is not None
+            found[int(key)] = pin(table, key, taken)
+        return found
+
+    read = Table(pins(inputs, {}), pins(outputs, used), opens, closes)
+    if problems.any_error:
+        raise Refused(problems.in_order())
+    return read

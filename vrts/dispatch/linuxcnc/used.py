@@ -1,0 +1,39 @@
+"""Which signals from outside a program looks at, and which it sets."""
+
+from vrts.dispatch.linuxcnc.parts import parts
+from vrts.dispatch.linuxcnc.values import FIRST_INPUT, FIRST_INTERNAL
+from vrts.ir import instructions as ir
+from vrts.ir.expressions import Apply, Constant, Function, Unary
+from vrts.ir.module import Module
+
+
+def used_signals(module: Module, entry: str) -> tuple[set[int], set[int]]:
+    """Return inputs and outputs that stand in a program, and in all that it calls, by number."""
+    inputs: set[int] = set()
+    outputs: set[int] = set()
+    seen: set[str] = set()
+    waiting = [entry]
+    while waiting:
+        name = waiting.pop()
+        if name in seen or name not in module.programs:
+            continue
+        seen.add(name)
+        for instruction in module.programs[name].instructions:
+            if isinstance(instruction, ir.Call):
+                waiting.append(instruction.program)
+            if isinstance(instruction, ir.Signal):
+                outputs |= _numbers(instruction.signals)
+            for part in parts(instruction):
+                if isinstance(part, Apply) and part.function is Function.SIG:
+                    inputs |= _numbers(part.arguments)
+    return (
+        {signal for signal in inputs if FIRST_INPUT <= signal < FIRST_INTERNAL},
+        {signal for signal in outputs if signal < FIRST_INPUT},
+    )
+
+
+def _numbers(arguments: tuple[object, ...]) -> set[int]:
+    plain = [a.operand if isinstance(a, Unary) else a for a in arguments]
+    return {
+        abs(round(e.value)) for e in plain if isinstance(e, Constant) and isinstance(e.value, float)
+    }

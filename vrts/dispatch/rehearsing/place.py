@@ -1,0 +1,72 @@
+"""The folder in which LinuxCNC rehearses: a copy of what was exported, and what records it."""
+
+import json
+import shutil
+from collections.abc import Iterable
+from importlib.resources import files
+from pathlib import Path
+
+from vrts.dispatch.linuxcnc.export import ACCELERATION, INI, PROGRAM, SETUP
+from vrts.dispatch.rehearsing.played import Change
+
+SAMPLES, OUTCOME = "samples.txt", "outcome.json"
+DEPTH = 20_000  # samples that may wait to be written
+OPEN_TO_ALL = 0o777
+GATE_OFF, GATE_ON = "#<_v_gate> = 0", "#<_v_gate> = 1"
+PINS = (
+    *(f"net c{k} joint.{k}.pos-cmd => sampler.0.pin.{k}" for k in range(6)),
+    "net rehearse-motion motion.analog-out-01 => sampler.0.pin.6",
+)
+
+
+def laid_out(exported: Path, place: Path, inputs: Iterable[Change]) -> None:
+    """Copy an exported folder and add what a rehearsal needs.
+
+    Args:
+        exported: The folder.
+        place: An empty folder, in which anybody may write afterwards.
+        inputs: What changes when.
+    """
+    shutil.copytree(exported, place, dirs_exist_ok=True)
+    for name in ("home", "tmp"):
+        (place / name).mkdir(exist_ok=True)
+    setup = place / SETUP
+    setup.write_text(setup.read_text("utf-8").replace(GATE_OFF, GATE_ON), "utf-8")
+    (place / "rehearsal.ini").write_text(_ini((place / INI).read_text("utf-8")), "utf-8")
+    (place / "rehearsal.hal").write_text("\n".join((*_recorder(), "")), "utf-8")
+    changes = [tuple(change) for change in inputs]
+    plan = {
+        "program": str(place / PROGRAM),
+        "acceleration": ACCELERATION,
+        "inputs": changes,
+        "signals": sorted({signal for _, _, signal, _ in changes}),
+    }
+    (place / "rehearsal.json").write_text(json.dumps(plan), "utf-8")
+    for name in ("enter", "display"):
+        source = files("vrts.dispatch.rehearsing").joinpath("files", name)
+        (place / name).write_bytes(source.read_bytes())
+    for path in (place, *place.rglob("*")):
+        path.chmod(OPEN_TO_ALL)
+
+
+def _ini(text: str) -> str:
+    rows: list[str] = []
+    for row in text.splitlines():
+        key = row.partition("=")[0].strip()
+        if key == "DISPLAY":
+            rows.append("DISPLAY = ./display")
+        elif key == "OPEN_FILE" or key == "POSTGUI_HALFILE":
+            continue
+        else:
+            rows.append(row)
+        if key == "HALFILE":
+            rows.append("HALFILE = rehearsal.hal")
+    return "\n".join(rows) + "\n"
+
+
+def _recorder() -> tuple[str, ...]:
+    return (
+        f"loadrt sampler depth={DEPTH} cfg=fffffff",
+        "addf sampler.0 servo-thread",
+        *PINS,
+    )
