@@ -15,7 +15,7 @@ from vrts.dispatch.rehearsing.samples import Samples, read_samples
 from vrts.engine.batch import batch_of
 from vrts.engine.run import Run
 from vrts.scene.model import Scenario
-from vrts.validate.log.log import read_log
+from vrts.validate.log.log import GivenLog, read_log
 from vrts.validate.sampling import extent_of
 
 PLACES = ".LOCATIONS\na 900 200 100 90 90 0\nb 900 -200 100 90 90 0\nc 900 -200 50 90 60 0\n.END\n"
@@ -115,7 +115,7 @@ def test_each_bound_of_the_sheet_counts_by_itself(bound: str, rounded: bool) -> 
 
 def test_the_log_is_read_by_validate(run: Run) -> None:
     text = "".join(log_text(robot(run)))
-    log = read_log(text.encode(), "linuxcnc.csv", extent_of(run))
+    log = read_log(GivenLog("linuxcnc.csv", (text.encode(),)), extent_of(run))
     assert log.joints is not None
     assert log.joints[-1] == pytest.approx(run.motions[-1].goal, abs=1e-6)
 
