@@ -1758,6 +1758,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/report/ros/test_bag.py",),
     ),
     Patch(
+        "programs with contacts are written as goals",
+        "vrts/dispatch/verified.py",
+        "    if judged.judgement is None or wrong or",
+        "    if judged.judgement is None or",
+        ("tests/unit/dispatch/test_ros_folder.py",),
+    ),
+    Patch(
         "a trajectory has a point at the ends of long pieces only",
         "vrts/report/ros/trajectories.py",
         "if b - a > SHORTEST and",

@@ -16,6 +16,7 @@ from vrts.cli.shared.console import (
     show_diagnostics,
     write_file,
 )
+from vrts.cli.shared.mcap import NOT_INSTALLED
 from vrts.cli.shared.options import (
     Language,
     color_option,
@@ -32,6 +33,8 @@ from vrts.cli.shared.programs import given_program
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from vrts.pipeline.request import Request
 
 EPILOG = """\b
@@ -40,8 +43,9 @@ Examples:
   vrts dispatch export solution.v2 --to as -o solution.as
   vrts dispatch export prog.v2 --scene cans-on-bases --to as -o -
   vrts dispatch export solution.v2 --to linuxcnc -o folder
+  vrts dispatch export solution.v2 --to ros -o folder
 """
-LINUXCNC = "linuxcnc"
+LINUXCNC, ROS = "linuxcnc", "ros"
 
 
 @click.command(name="export", epilog=EPILOG)
@@ -49,15 +53,17 @@ LINUXCNC = "linuxcnc"
 @click.option(
     "--to",
     "target",
-    type=click.Choice(["val2", "vplus", "as", LINUXCNC]),
+    type=click.Choice(["val2", "vplus", "as", LINUXCNC, ROS]),
     required=True,
-    help="VAL-II, V+ of Adept and Staeubli, AS of Kawasaki, or G-code of LinuxCNC.",
+    help="VAL-II, V+ of Adept and Staeubli, AS of Kawasaki, G-code of LinuxCNC, or ROS 2.",
 )
 @scene_option("Name or path of a scene to verify in.")
 @task_option()
 @scenario_option()
 @entry_option("Program to execute; otherwise the task's, or the first.")
-@click.option("-o", "--out", "place", help="File to write, or folder for LinuxCNC; `-` is stdout.")
+@click.option(
+    "-o", "--out", "place", help="File to write, or folder for LinuxCNC and ROS; `-` is stdout."
+)
 @lab_option
 @controller_option
 @language_options
@@ -80,7 +86,8 @@ def command(
     unless it moves the arm the same within 0.01 mm at every time. Joint angles and READY stay
     those of the arm that was simulated. For LinuxCNC a folder is written, with the robot's
     configuration; `io.toml` in it says which pin is which signal, and is kept when it is there.
-    `vrts dispatch rehearse` then compares LinuxCNC's motion.
+    `vrts dispatch rehearse` then compares LinuxCNC's motion. For ROS a folder is written, too: the
+    run as a bag, and a goal of a joint trajectory controller for each way from rest to rest.
     """
     from vrts.cli.shared.requests import verify_request
     from vrts.dispatch.posts.export import default_name, exported
@@ -94,6 +101,8 @@ def command(
         fail("nothing says in which scene to verify the program", ("give `--scene NAME`",))
     if target == LINUXCNC:
         _linuxcnc(verify_request(given, setting, language, entry=entry), path, place, color)
+    if target == ROS:
+        _ros(verify_request(given, setting, language, entry=entry), path, place, color)
     found = exported(verify_request(given, setting, language, entry=entry), target)
     show_diagnostics(found.diagnostics, color)
     if found.text is None:
@@ -121,19 +130,43 @@ def _linuxcnc(request: "Request", path: Path | None, place: str | None, color: s
     from vrts.dispatch.linuxcnc.table import TABLE
     from vrts.pipeline.files import read_toml_source
 
-    if place == "-":
-        fail("a folder is written for LinuxCNC", ("give its name to `-o`",))
-    stem = Path(request.program.name).stem if path is None else str(path.with_suffix(""))
-    folder = Path(f"{stem}-linuxcnc" if place is None else place)
+    folder = _folder(request, path, place, LINUXCNC)
     table = folder / TABLE
     found = exported_folder(request, read_toml_source(table) if table.is_file() else None)
     show_diagnostics(found.diagnostics, color)
     if found.files is None:
         sys.exit(WRONG)
-    for name, data in found.files.items():
-        file = folder / name
-        file.parent.mkdir(parents=True, exist_ok=True)
-        if name != TABLE or not table.is_file():
-            write_file(file, data)
+    kept = (TABLE,) if table.is_file() else ()
+    _write(folder, {name: data for name, data in found.files.items() if name not in kept})
     say(f"wrote {folder}: program.ngc, the robot's configuration, what is claimed in sheet.md")
     sys.exit(HOLDS)
+
+
+def _ros(request: "Request", path: Path | None, place: str | None, color: str) -> NoReturn:
+    folder = _folder(request, path, place, ROS)
+    try:
+        from vrts.dispatch.ros_folder import exported_messages
+    except ModuleNotFoundError:
+        fail(NOT_INSTALLED, status=WRONG)
+    found = exported_messages(request)
+    show_diagnostics(found.diagnostics, color)
+    if found.files is None:
+        sys.exit(WRONG)
+    _write(folder, found.files)
+    say(f"wrote {folder}: the run in bag, goals of a controller, what is claimed in sheet.md")
+    sys.exit(HOLDS)
+
+
+def _folder(request: "Request", path: Path | None, place: str | None, target: str) -> Path:
+    """Return the folder to write: the one that was given, or one beside the program."""
+    if place == "-":
+        fail(f"a folder is written for {target}", ("give its name to `-o`",))
+    stem = Path(request.program.name).stem if path is None else str(path.with_suffix(""))
+    return Path(f"{stem}-{target}" if place is None else place)
+
+
+def _write(folder: Path, files: "Mapping[str, bytes]") -> None:
+    for name, data in files.items():
+        file = folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        write_file(file, data)

@@ -8,7 +8,6 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.source import SourceFile
 from vrts.base.units import MM, deg
-from vrts.check.verdict import Answer
 from vrts.controllers.model import CornerShape, LineTurn, WristChoice
 from vrts.dispatch.linuxcnc.machine import (
     Robot,
@@ -21,17 +20,15 @@ from vrts.dispatch.linuxcnc.program_text import said
 from vrts.dispatch.linuxcnc.sheet import sheet_text
 from vrts.dispatch.linuxcnc.table import TABLE, Table, read_table, table_text, usual
 from vrts.dispatch.linuxcnc.used import used_signals
+from vrts.dispatch.verified import NotVerified, Verified, verified
 from vrts.engine.run import Run
-from vrts.lang.compiler import Compilation, resolve_source
-from vrts.pipeline.assess import assess
-from vrts.pipeline.execution import compiled_for, entry_in
+from vrts.lang.compiler import resolve_source
 from vrts.pipeline.request import Request
 from vrts.robots.model import SphericalWristArm
 from vrts.run_files.saving import saved_bytes
 from vrts.run_files.simulated import simulate
 
 OTHER_ROBOT = Rule("V872", "linuxcnc-robot")
-NOT_VERIFIED = Rule("V873", "linuxcnc-not-verified")
 
 PROGRAM, RUN, MOTIONS = "program.ngc", "expected.vrun", "expected.csv"
 INI, HAL, ACCELERATION, SHEET = "machine.ini", "machine.hal", "acceleration.hal", "sheet.md"
@@ -56,36 +53,24 @@ def exported_folder(request: Request, table: SourceFile | None) -> Folder:
     Raises:
         Refused: The table has errors, or the run cannot be saved.
     """
-    compiled = compiled_for(request)
-    _, compilation, found = compiled
-    if compilation is None or compilation.module is None or compilation.module.main is None:
-        return Folder(None, found)
-    module = compilation.module
-    entry, chosen = entry_in(module, request)
-    if entry is None:
-        return Folder(None, (*found, *chosen))
-    verified = assess(request, compiled)
-    wrong = any(d.is_error for d in verified.findings)
-    if verified.judgement is None or wrong or verified.judgement.answer is not Answer.HOLDS:
-        return Folder(None, (*verified.findings, _not_verified(request.program.name)))
-    run = verified.run
-    assert run is not None
+    found = verified(request)
+    if isinstance(found, NotVerified):
+        return Folder(None, found.diagnostics)
+    run = found.run
     other = _other_robot(run)
     if other is not None:
-        return Folder(None, (*found, other))
-    inputs, outputs = used_signals(module, entry)
+        return Folder(None, (*found.compilation.diagnostics, other))
+    inputs, outputs = used_signals(found.module, found.entry)
     pins = usual(inputs, outputs) if table is None else read_table(table)
-    return _written(request, compilation, run, entry, pins)
+    return _written(request, found, pins)
 
 
-def _written(
-    request: Request, compilation: Compilation, run: Run, entry: str, table: Table
-) -> Folder:
+def _written(request: Request, found: Verified, table: Table) -> Folder:
+    compilation, run = found.compilation, found.run
     assert compilation.source is not None
-    assert compilation.module is not None
     resolved = resolve_source(compilation.source, compilation.dialect)
     assert resolved is not None
-    told = said(resolved, compilation.module, entry, table)
+    told = said(resolved, found.module, found.entry, table)
     if told.diagnostics:
         return Folder(None, told.diagnostics)
     arm = run.scene.robot.arm
@@ -158,13 +143,4 @@ def _other_robot(run: Run) -> Diagnostic | None:
         OTHER_ROBOT,
         f"this is not said to LinuxCNC: {reason}",
         help=("use a scene with a PUMA, under the controller model `val2`, at full speed",),
-    )
-
-
-def _not_verified(name: str) -> Diagnostic:
-    return error(
-        NOT_VERIFIED,
-        f"`{name}` is not verified, so it is not written for LinuxCNC",
-        notes=("what is wrong here would be wrong on any robot",),
-        help=(f"mend it first: `vrts verify {name}`",),
     )

@@ -5,20 +5,18 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.units import deg
-from vrts.check.verdict import Answer
 from vrts.dispatch.posts.post import Settled
 from vrts.dispatch.posts.same_motion import TOLERANCE_MM, Difference, difference
 from vrts.dispatch.posts.written import POSTS, written
+from vrts.dispatch.verified import NotVerified, verified
 from vrts.engine.controller import execute
 from vrts.lang.compiler import Compilation
-from vrts.pipeline.assess import assess
 from vrts.pipeline.compiling.programs import compile_bytes
 from vrts.pipeline.compiling.reading import Reading
-from vrts.pipeline.execution import compiled_for, entry_in
+from vrts.pipeline.execution import compiled_for
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import scenario_of
 
-NOT_VERIFIED = Rule("V862", "not-verified")
 MOVES_OTHERWISE = Rule("V863", "moves-otherwise")
 OTHER_LANGUAGE = Rule("V864", "language-not-exported")
 
@@ -40,30 +38,25 @@ def exported(request: Request, target: str) -> Exported:
         request: The program, and where it is verified.
         target: A name of `POSTS`.
     """
-    compiled, name, setting = compiled_for(request), request.program.name, request.setting
-    _, compilation, found = compiled
-    if compilation is None or compilation.module is None or compilation.module.main is None:
-        return Exported(None, found)
-    if compilation.dialect.name not in LANGUAGES:
-        return Exported(None, (*found, _other_language(compilation)))
-    entry, chosen = entry_in(compilation.module, request)
-    if entry is None:
-        return Exported(None, (*found, *chosen))
-    verified = assess(request, compiled)
-    wrong = any(d.is_error for d in verified.findings)
-    if verified.judgement is None or wrong or verified.judgement.answer is not Answer.HOLDS:
-        return Exported(None, (*verified.findings, _not_verified(name)))
+    name, setting = request.program.name, request.setting
+    compiled = compiled_for(request)
+    compilation = compiled.compilation
+    if compilation is not None and compilation.dialect.name not in LANGUAGES:
+        return Exported(None, (*compilation.diagnostics, _other_language(compilation)))
+    found = verified(request, compiled)
+    if isinstance(found, NotVerified):
+        return Exported(None, found.diagnostics)
+    compilation = found.compilation
     ready = setting.scene.robot.arm.ready
     text, told = written(compilation, target, Settled(tuple(map(deg, ready))))
-    told = (*found, *told)
+    told = (*compilation.diagnostics, *told)
     if any(d.is_error for d in told):
         return Exported(None, told)
     other = _compiled(text, name, target)
     if other.module is None:
         return Exported(None, (*told, *other.diagnostics))
-    assert verified.run is not None
-    run = execute(other.module, setting.scene, scenario_of(setting), entry)
-    apart = difference(verified.run, run)
+    run = execute(other.module, setting.scene, scenario_of(setting), found.entry)
+    apart = difference(found.run, run)
     if not apart.is_none:
         return Exported(None, (*told, *run.findings, _moves_otherwise(target, apart)), apart)
     return Exported(text, told, apart)
@@ -85,15 +78,6 @@ def _other_language(compilation: Compilation) -> Diagnostic:
         OTHER_LANGUAGE,
         f"programs in {compilation.dialect.title} are not exported",
         help=("export a program in VAL-II or V+",),
-    )
-
-
-def _not_verified(name: str) -> Diagnostic:
-    return error(
-        NOT_VERIFIED,
-        f"`{name}` is not verified, so it is not exported",
-        notes=("what is wrong here would be wrong on any robot",),
-        help=(f"mend it first: `vrts verify {name}`",),
     )
 
 
