@@ -1760,8 +1760,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "programs with contacts are written as goals",
         "vrts/dispatch/verified.py",
-        "    if judged.judgement is None or wrong or",
-        "    if judged.judgement is None or",
+        " or wrong or judged.judgement.answer is not Answer.HOLDS:",
+        ":",
         ("tests/unit/dispatch/test_ros_folder.py",),
     ),
     Patch(
