@@ -2417,4 +2417,18 @@ PATCHES: tuple[Patch, ...] = (
         "    if best is None:\n",
         ("tests/unit/cli/language/test_fix_behaviour.py",),
     ),
+    Patch(
+        "futures that share an arm change its settings for each other",
+        "vrts/engine/futures/quiet.py",
+        "        if c.system.parts is not None:\n            before(c)\n",
+        "",
+        ("tests/unit/engine/futures/test_quiet.py",),
+    ),
+    Patch(
+        "a future in which nothing moves wakes up a tick late",
+        "vrts/engine/futures/quiet.py",
+        "machine.next_tick = max(machine.next_tick, machine.tick_of(wake))",
+        "machine.next_tick = max(machine.next_tick, machine.tick_of(wake) + 1)",
+        ("tests/unit/engine/futures/test_quiet.py",),
+    ),
 )

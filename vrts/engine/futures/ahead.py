@@ -49,8 +49,10 @@ class Ahead:
         mid = machine.mid
         if mid is None:
             return NONE
-        programs = in_turn(machine)[mid.turn :]
-        return NONE.union(*(self._of(c) for c in programs if c.running))
+        running = [c for c in in_turn(machine)[mid.turn :] if c.running]
+        if len(running) == 1:
+            return self._of(running[0])
+        return NONE.union(*(self._of(c) for c in running))
 
     def statements(self, c: Context) -> float:
         """Return how many statements a program executes at most, without its reactions."""
@@ -64,10 +66,13 @@ class Ahead:
         return most
 
     def _of(self, c: Context) -> frozenset[int]:
-        watched = [watch.signal for watch in c.watches]
         if c.watches or c.error_program is not None or (self._skips and len(c.frames) > 1):
-            return self._all.union(watched)
+            return self._all.union(watch.signal for watch in c.watches)
         loaded = c.system.programs.loaded
+        if len(c.frames) == 1 and c.cycles_left == 1:
+            frame = c.frames[0]
+            known = self._from[loaded[frame.program].program.name]
+            return known[min(frame.index, len(known) - 1)] if known else NONE
         found = NONE
         for frame in c.frames:
             known = self._from[loaded[frame.program].program.name]

@@ -7,9 +7,9 @@ is given to another.
 from vrts.engine.futures.named import Named
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.states.arm import arm
-from vrts.engine.machine.states.nearly import from_now
+from vrts.engine.machine.states.nearly import DIGITS
 from vrts.engine.machine.states.state import outside
-from vrts.engine.memory.records import Lie
+from vrts.engine.memory.records import Lie, Placement
 
 
 class AtRest:
@@ -18,33 +18,56 @@ class AtRest:
     def __init__(self, named: Named) -> None:
         """Give numbers as `named` does."""
         self._named = named
+        self._arms: dict[tuple[object, ...], tuple[int, object]] = {}
+        self._parts: tuple[object, ...] = (None,) * 10  # of the arm that was asked about last
+        self._ids: tuple[int, ...] = ()  # of these
         self._known: dict[tuple[object, ...], tuple[int, object]] = {}
 
     def arm(self, machine: Machine, now: float) -> int:
         """Return the number of what the arm is doing."""
         planner = machine.system.planner
-        end_s = planner.path_end
+        given, scale, settings = planner.given, planner.scale, planner.settings
+        end_s = scale.time(given.end_s)
         moves = (
             planner.pending is not None
             or end_s > now
             or planner.braking_until > now
-            or planner.scale.knots[-1].time_s > now
-            or planner.settings.next
+            or scale.knots[-1].time_s > now
+            or settings.next
         )
         if moves:
             return self._named.number(arm(machine, now, self._named))
-        parts = (
-            *(planner.configuration, planner.dest, planner.tool_at_dest, planner.branch),
-            *(planner.ghost, planner.given.stayed, planner.request, planner.settings.always),
-            *(planner.tool, planner.base),
-        )
         settles_s, held_s = end_s + planner.settling_s, planner.hold_until
-        waits = (from_now(settles_s, now), from_now(held_s, now))  # a DELAY holds the arm
-        key = ("arm", *waits, planner.scale.rate, planner.overdue, *map(id, parts))
-        known = self._known.get(key)
+        parts = self._parts
+        if (
+            planner.configuration is not parts[0]
+            or planner.dest is not parts[1]
+            or planner.tool_at_dest is not parts[2]
+            or planner.branch is not parts[3]
+            or planner.ghost is not parts[4]
+            or given.stayed is not parts[5]
+            or planner.request is not parts[6]
+            or settings.always is not parts[7]
+            or planner.tool is not parts[8]
+            or planner.base is not parts[9]
+        ):
+            parts = (
+                *(planner.configuration, planner.dest, planner.tool_at_dest, planner.branch),
+                *(planner.ghost, given.stayed, planner.request, settings.always),
+                *(planner.tool, planner.base),
+            )
+            self._parts, self._ids = parts, tuple(map(id, parts))
+        key = (
+            round(settles_s - now, DIGITS) if settles_s > now else 0.0,
+            round(held_s - now, DIGITS) if held_s > now else 0.0,  # a DELAY holds the arm
+            scale.rate,
+            planner.overdue,
+            self._ids,
+        )
+        known = self._arms.get(key)
         if known is None:
             number = self._named.number(arm(machine, now, self._named))
-            known = self._known[key] = (number, parts)
+            known = self._arms[key] = (number, parts)
         return known[0]
 
     def outside(self, machine: Machine, now: float) -> int:
@@ -56,20 +79,29 @@ class AtRest:
             or (bool(hand.strokes) and hand.strokes[-1].end_s > now)
             or bool(system.scheduled)
             or len(system.answers) > system.answers_read
-            or any(one.lie is Lie.FALLING or one.start_s > now for one in lie)
+            or _falls(lie, now)
         )
         if moves:
             return self._named.number(outside(machine, now, self._named))
-        parts = (*hand.strokes[-1:], *lie)
+        parts = (*hand.strokes[-1:], *lie) if hand.strokes else tuple(lie)
+        more = None
+        if system.switches or system.parameters or system.analog:
+            cells = [(cell.name, cell.value) for cell in system.parameters.values()]
+            more = (*sorted(system.switches.items()), *cells, *sorted(system.analog.items()))
         key = (
-            *("outside", hand.held, hand.slips, hand.misses, system.powered, system.warned),
-            *(system.draws, *map(id, parts)),
-            *sorted(system.switches.items()),
-            *[(cell.name, cell.value) for cell in system.cells()],
-            *sorted(system.analog.items()),
+            *(hand.held, hand.slips, hand.misses, system.powered, system.warned, system.draws),
+            *(system.held_tool.value, system.held_base.value, more, *map(id, parts)),
         )
         known = self._known.get(key)
         if known is None:
             number = self._named.number(outside(machine, now, self._named))
             known = self._known[key] = (number, parts)
         return known[0]
+
+
+def _falls(lie: list[Placement], now: float) -> bool:
+    """Return whether something falls, or has not come to lie yet."""
+    for one in lie:  # noqa: SIM110 -- half the time of `any`
+        if one.start_s > now or one.lie is Lie.FALLING:
+            return True
+    return False

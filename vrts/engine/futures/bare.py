@@ -66,9 +66,9 @@ class Fresh(EventLog):
 
     def copy(self) -> "Fresh":
         """Return an independent log."""
-        other = Fresh()
+        other = Fresh.__new__(Fresh)
         other._items, other._length = self._items.copy(), self._length
-        other.counted = self.counted
+        other._numbers, other._order, other.counted = self._numbers, self._order, self.counted
         return other
 
     def take(self) -> list[Event]:

@@ -13,6 +13,7 @@ from typing import Final
 from vrts.base.stack import deep_stack
 from vrts.engine.code.executable import Executable
 from vrts.engine.futures.bare import Fresh, without_past
+from vrts.engine.futures.quiet import guard, part, quick_tick, quiet
 from vrts.engine.machine.forget import forget_arm_and_hand
 from vrts.engine.machine.machine import Machine, statement_under_way
 from vrts.engine.machine.tick import begin_tick, end_tick, go_on, skip_ahead
@@ -58,6 +59,7 @@ def begin(
         turns: Whether it is decided which of two programs goes on first in a tick.
     """
     executable = Executable(module, scenario.limits.call_depth)
+    guard(executable)
     endless = replace(scenario, limits=replace(scenario.limits, **UNLIMITED))
     machine = without_past(Machine(executable, scene, endless))
     signals = machine.system.signals
@@ -77,6 +79,13 @@ def tick(machine: Machine) -> Question | None:
     Returns:
         What has to be decided before it can go on; None once the tick is over.
     """
+    if machine.system.parts is not None:
+        if machine.obeyed == len(machine.issued):
+            is_over, question = quick_tick(machine)
+            if is_over:
+                return question
+        else:
+            part(machine)
     on = _signals(machine)
     if machine.mid is None:
         if _would_grip(machine):
@@ -99,6 +108,7 @@ def tick(machine: Machine) -> Question | None:
     if not _looks(machine, on):
         skip_ahead(machine, progress=progress, stirred=stirred)
     forget_arm_and_hand(machine, machine.now - KEPT_S)
+    quiet(machine)
     return None
 
 
@@ -115,10 +125,12 @@ def decide(machine: Machine, question: Question, value: bool | str | float) -> N
         case Kind.INPUT, bool():
             _signals(machine).decided[question.number] = value
         case Kind.ANSWER, str():
+            part(machine)
             system.answers.append(value)
         case Kind.RANDOM, float():
             _outside(machine).draws.append(value)
         case Kind.GRIP, bool():
+            part(machine)
             hand = system.hand
             _outside(machine).gripped_s = hand.grasps_s
             if not value:

@@ -14,8 +14,10 @@ from vrts.engine.futures.named import Named
 from vrts.engine.machine.forever.nodes import all_nodes, number_of, tops
 from vrts.engine.machine.machine import Machine, in_turn, statement_under_way
 from vrts.engine.machine.states.nearly import DIGITS, from_now
-from vrts.engine.machine.states.state import programs
+from vrts.engine.machine.states.state import programs, waits_for
 from vrts.engine.memory.cells import UNDEFINED, Array, Bound
+from vrts.engine.memory.records import Ending
+from vrts.engine.programs.context import Context
 from vrts.engine.programs.outside import FreeSignals
 from vrts.ir.expressions import Apply, Binary, BinaryOperator, Constant, Function
 from vrts.ir.module import Module
@@ -90,13 +92,13 @@ class Keys:
             machine: The machine.
             more: What else tells states apart.
         """
-        now, system, named = machine.now, machine.system, self._named
+        now, on, named = machine.now, machine.system.signals.on, self._named
         return (
-            named.number(programs(machine, now, named)),
+            self._programs(machine, now),
             self._rest.arm(machine, now),
             self._rest.outside(machine, now),
             self._contents(machine, self._idle),
-            named.number(frozenset(system.signals.on)),
+            named.number(frozenset(on)) if on else -1,
             machine.next_tick - machine.last_tick,
             named.number((self._times(machine, now), self._within(machine), more)),
         )
@@ -105,23 +107,38 @@ class Keys:
         """Return the key of the same state without what some variables hold."""
         return (*key[:3], self._contents(machine, left_out), *key[4:])
 
+    def _programs(self, machine: Machine, now: float) -> int:
+        """Return the number of where programs are, and what they wait for."""
+        named, process = self._named, machine.process
+        if not process.frames and process.ending is Ending.NOT_STARTED:
+            brief = _briefly(machine.robot, now)
+            if brief is not None:
+                return named.number((brief, process.program))
+        return named.number(programs(machine, now, named))
+
     def _contents(self, machine: Machine, left_out: Collection[int]) -> int:
         """Return the number of what variables hold; of some only whether they hold anything."""
         bound = machine.system.memory.bound
         if not left_out:
-            return self._named.number(tuple([self._content(item) for item in bound]))
+            content = self._content
+            return self._named.number(
+                tuple([v if type(v := item.value) is float else content(item) for item in bound])
+            )
         held = [
             item.value is UNDEFINED if k in left_out else self._content(item)
             for k, item in enumerate(bound)
         ]
         return self._named.number(("but", *held))
 
-    def _times(self, machine: Machine, now: float) -> Key:
+    def _times(self, machine: Machine, now: float) -> Key | None:
         system, clocks = machine.system, self._clocks
+        since_start = self._since_start(machine)
+        if not (since_start or clocks.timers or clocks.random or machine.issued):
+            return None
         timers = sorted(system.timers.items()) if clocks.timers else []
         return (
             tuple([(n, round(min(now - t, clocks.most_s), DIGITS)) for n, t in timers]),
-            self._since_start(machine),
+            since_start,
             system.random_state if clocks.random else 0,
             tuple([(from_now(at, now), repr(order)) for at, order, _ in machine.issued]),
         )
@@ -131,7 +148,9 @@ class Keys:
         clocks = self._clocks
         if clocks.day or _is_told(machine):
             return machine.last_tick
-        return min(machine.now, clocks.most_s) if clocks.reads_since_start(machine) else 0
+        if not clocks.timers or not clocks.reads_since_start(machine):
+            return 0
+        return min(machine.now, clocks.most_s)
 
     def _within(self, machine: Machine) -> Key | None:
         """Return how far a tick has come, and what was decided that may still be looked at."""
@@ -140,9 +159,12 @@ class Keys:
             return None
         assert isinstance(on, FreeSignals)
         assert outside is not None
-        ahead = self._ahead.of(machine)
-        decided = frozenset((n, value) for n, value in on.decided.items() if n in ahead)
-        draws = tuple(outside.draws) if outside.place == statement_under_way(machine) else ()
+        decided: frozenset[tuple[int, bool]] | None = None
+        if on.decided:
+            ahead = self._ahead.of(machine)
+            decided = frozenset([it for it in on.decided.items() if it[0] in ahead]) or None
+        drawn = outside.draws and outside.place == statement_under_way(machine)
+        draws = tuple(outside.draws) if drawn else ()
         progress = machine.finished != mid.finished
         stirred = machine.system.signals.changes != mid.changes
         steps = mid.steps
@@ -162,6 +184,38 @@ class Keys:
 
     def _value(self, value: object) -> object:
         return self._named(cast("object", value)) if isinstance(value, tuple) else value
+
+
+def _briefly(c: Context, now: float) -> Key | None:
+    """Return where a program is that only goes on, step by step; None: there is more to it."""
+    if (
+        c.ending is not Ending.RUNNING
+        or len(c.frames) != 1
+        or c.frames[0].slots
+        or c.watches
+        or c.next_hand
+        or c.operands is not None
+        or c.fault is not None
+        or c.last_error is not None
+        or c.error_program is not None
+        or c.kept_cycles is not None
+        or c.steps_left is not None
+        or c.reactions_wait
+        or c.finishing
+        or c.at_once
+        or c.step_was_cut
+    ):
+        return None
+    frame, wake = c.frames[0], c.wake
+    inside = None
+    if frame.limits or frame.cases:
+        inside = (tuple(frame.limits), tuple(frame.increments), tuple(frame.cases))
+    waits: object = from_now(wake, now) if wake > now else 0.0
+    if c.phase:
+        motions = len(c.system.planner.given.motions)
+        waits = (waits, c.phase, waits_for(c, 0, c.phase, c.until, now, motions))
+    at = (frame.program, frame.index, frame.kind, c.priority)
+    return (*at, waits, c.program, c.cycles_left, inside)
 
 
 def _most_compared(module: Module, timers: int) -> float:

@@ -50,7 +50,7 @@ def _run_steps(machine: Machine, c: Context, mid: MidTick, left: int) -> None:
             continue
         before = machine.finished
         try:
-            unused = _run_frame(machine, c, share)
+            unused = run_frame(machine, c, share)
             if unused or machine.finished - before >= share:  # else it waits, or has ended
                 left += unused - share
             else:
@@ -66,7 +66,7 @@ def _run_steps(machine: Machine, c: Context, mid: MidTick, left: int) -> None:
     rest(c, machine.finished)
 
 
-def _run_frame(machine: Machine, c: Context, left: int) -> int:
+def run_frame(machine: Machine, c: Context, left: int) -> int:
     """Execute statements without a look at anything else; return how many more may follow."""
     frame, trace, finished = c.frames[-1], c.trace, machine.finished
     program = machine.system.programs.loaded[frame.program]

@@ -92,7 +92,7 @@ class Machine:
         self.initial_opening = scenario.hand_opening
         self.robot = Context(self.system, is_robot=True)
         self.process = Context(self.system, is_robot=False)
-        self._wire()
+        self.wire()
         for name, value in scenario.parameters.items():
             self.system.set_parameter(name.upper(), value, 0)
         self.system.locks, self.system.draws = scenario.locks, scenario.draws
@@ -134,10 +134,11 @@ class Machine:
             other.mid = self.mid.copy()
         if self.stopped is not None:
             other.stopped = self.stopped.copy(copies)
-        other._wire()
+        other.wire()
         return other
 
-    def _wire(self) -> None:
+    def wire(self) -> None:
+        """Let the parts know each other."""
         for c in (self.robot, self.process):
             c.robot, c.process = self.robot, self.process
         self.system.hand.planner = self.system.planner

@@ -64,6 +64,10 @@ class Frame:
 
 def activations_of(old: Activation | None, frames: list[Frame]) -> Activation | None:
     """Return the activations of copied frames; `old` are those of the frames copied."""
+    if old is None:
+        return None
+    if old.caller is None and len(frames) == 1:
+        return Activation(old.program, frames[0].slots, old.called_from, None)
     chain: list[Activation] = []
     while old is not None:
         chain.append(old)

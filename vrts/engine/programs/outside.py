@@ -14,6 +14,8 @@ class Kind(Enum):
     GRIP = "grip"
     TURN = "turn"  # which of two programs goes on first in a tick
 
+    __hash__ = object.__hash__  # a question is asked for at every decision
+
 
 class Question(NamedTuple):
     """Something outside that a statement looks at."""
@@ -119,5 +121,7 @@ class FreeSignals(set[int]):
     def copy(self) -> Self:
         """Return an independent copy."""
         other = type(self)(self, self.free)
-        other.decided, other.looked = self.decided.copy(), self.looked
+        if self.decided:
+            other.decided = self.decided.copy()
+        other.looked = self.looked
         return other

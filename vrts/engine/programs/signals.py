@@ -70,8 +70,8 @@ class Signals:
 
     def copy(self) -> "Signals":
         """Return an independent copy."""
-        other = Signals(self._inputs)
-        other.on = self.on.copy()
+        other = Signals.__new__(Signals)
+        other.on, other._inputs = self.on.copy(), self._inputs
         other._next, other._stuck, other.changes = self._next, self._stuck, self.changes
         return other
 

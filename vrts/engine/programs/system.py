@@ -1,5 +1,7 @@
 """What both programs share: memory, arm, hand, signals, terminal, settings of the controller."""
 
+from collections.abc import Callable
+
 from vrts.engine.hand.hand import Hand
 from vrts.engine.memory.cells import Bound, Cell, Memory
 from vrts.engine.memory.event_log import EventLog
@@ -15,33 +17,6 @@ from vrts.scene.model import Locks
 
 class System:
     """What both programs share, apart from the parts that have files of their own."""
-
-    __slots__ = (
-        "analog",
-        "answers",
-        "answers_read",
-        "clock_reads",
-        "draws",
-        "events",
-        "hand",
-        "held_base",
-        "held_tool",
-        "locks",
-        "memory",
-        "outside",
-        "parameters",
-        "planner",
-        "powered",
-        "programs",
-        "random_state",
-        "scheduled",
-        "signals",
-        "switches",
-        "terminal",
-        "timers",
-        "tracing",
-        "warned",
-    )
 
     def __init__(
         self,
@@ -78,28 +53,36 @@ class System:
         self.locks = Locks()  # what programs may not set
         self.draws: tuple[float, ...] = ()  # what RANDOM draws next, before the seed decides
         self.outside: Outside | None = None  # None: what is not known is waited for
+        # of a machine that shares what does not change with others (`futures.quiet`): parts them
+        self.parts: Callable[[], None] | None = None
 
     def copy(self, copies: dict[int, Bound]) -> "System":
         """Return an independent system that shares the past, still without its programs."""
+        other = self.half_copied(copies)
+        other.own()
+        return other
+
+    def half_copied(self, copies: dict[int, Bound]) -> "System":
+        """Return a system that shares what programs seldom change, until it has its `own`."""
         other = System.__new__(System)
-        other.programs = self.programs
+        other.__dict__.update(self.__dict__)
         other.memory = self.memory.copy(copies)
-        other.planner, other.hand = self.planner.copy(), self.hand.copy()
         other.signals, other.terminal = self.signals.copy(), self.terminal.copy()
-        other.random_state = self.random_state
         other.events = self.events.copy()
-        other.timers = self.timers.copy()
-        other.switches = self.switches.copy()
-        other.parameters = {name: cell.copy() for name, cell in self.parameters.items()}
-        other.analog = self.analog.copy()
-        other.scheduled = self.scheduled.copy()
-        other.answers, other.answers_read = self.answers.copy(), self.answers_read
-        other.clock_reads = self.clock_reads
-        other.held_tool, other.held_base = self.held_tool.copy(), self.held_base.copy()
-        other.powered, other.tracing, other.warned = self.powered, self.tracing, self.warned
-        other.locks, other.draws = self.locks, self.draws
         other.outside = None if self.outside is None else self.outside.copy()
         return other
+
+    def own(self) -> None:
+        """Have an arm, a hand and settings of its own."""
+        self.parts = None
+        self.planner, self.hand = self.planner.copy(), self.hand.copy()
+        self.timers = self.timers.copy()
+        self.switches = self.switches.copy()
+        self.parameters = {name: cell.copy() for name, cell in self.parameters.items()}
+        self.analog = self.analog.copy()
+        self.scheduled = self.scheduled.copy()
+        self.answers = self.answers.copy()
+        self.held_tool, self.held_base = self.held_tool.copy(), self.held_base.copy()
 
     def next_answer(self) -> str | None:
         """Take the next line for PROMPT; None when there is none yet.

@@ -47,12 +47,15 @@ class Memory(NamedTuple):
 
         Within a tick that is what the hand did in it so far, too.
         """
+        events = machine.system.events
+        if not (self.letting_go or self.coming or len(events)):
+            return (self.stood_on, (), ())
         now = machine.now
         letting_go = [
             (one.body, one.finger, round((now - one.since_s) % FINE, DIGITS) % FINE)
             for one in self.letting_go
         ]
-        new = [one for one in machine.system.events if isinstance(one, OF_HAND)]
+        new = [one for one in events if isinstance(one, OF_HAND)]
         coming = [_from_now(one, now) for one in (*self.coming, *new)]
         return (self.stood_on, tuple(letting_go), tuple(coming))
 

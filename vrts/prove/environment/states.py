@@ -38,6 +38,8 @@ class Behaviours:
 
     def told(self, states: object, signal: int, *, value: bool) -> Inputs:
         """Return the state once an input was looked at, and what it was."""
+        if not states:
+            return ()
         return tuple(
             (number, frozenset(s for s in own if s[0] is value) if number == signal else own)
             for number, own in cast("Inputs", states)

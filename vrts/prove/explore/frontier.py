@@ -54,6 +54,10 @@ class Frontier:
         """Return how many wait."""
         return len(self._heap)
 
+    def __bool__(self) -> bool:
+        """Return whether any waits."""
+        return bool(self._heap)
+
     def push(self, future: Future) -> None:
         """Let a future wait."""
         self._pushed += 1

@@ -23,6 +23,9 @@ class Way(NamedTuple):
     decided: Decided | None  # what a story tells of it; None: nothing has changed
 
 
+STAYS = (Way(False, 0, None), Way(True, 0, None))  # an input that is as it was
+
+
 class Outside:
     """Says what may be decided in futures of one environment."""
 
@@ -47,13 +50,11 @@ class Outside:
                 number = question.number
                 before = future.inputs.get(number, False)
                 values = self.behaviours.may(future.outside, number)
-                ordered = sorted(values, key=lambda value: value is not before)
-                return tuple(
-                    Way(value, 0, None)
-                    if value is before
-                    else Way(value, 1, Decided(now, What.INPUT, number, value, cause))
-                    for value in ordered
-                )
+                found = [STAYS[before]] if before in values else []
+                if (not before) in values:
+                    decided = Decided(now, What.INPUT, number, not before, cause)
+                    found.append(Way(not before, 1, decided))
+                return tuple(found)
             case Kind.ANSWER:
                 return tuple(
                     Way(text, k > 0, Decided(now, What.ANSWER, 0, text, cause))

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Severity
 from vrts.engine.futures.future import begin, command, decide, happened, tick
 from vrts.engine.futures.keys import Key, Keys
+from vrts.engine.futures.quiet import fork, let_go
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.states.nearly import nearly
 from vrts.engine.memory.events import Event, Found
@@ -197,7 +198,7 @@ class Search:
         behaviours = self.outside.behaviours
         state = self.graph.legs[future.leg].to
         for k, way in enumerate(ways):
-            machine = future.machine if k == len(ways) - 1 else future.machine.copy()
+            machine = future.machine if k == len(ways) - 1 else fork(future.machine)
             decide(machine, question, way.value)
             other = self._other(future, state, machine, way.cost, way.decided)
             if question.kind is Kind.INPUT:
@@ -293,12 +294,12 @@ class Search:
             self.grows.met(machine, known, future.leg)
             self.merged += 1
             self.tree.ends(future.branch, "merged", machine.now, known)
+            let_go(machine)
             return True
-        visit = Visit(
-            *(future.past, machine.last_tick, future.cost, *places(machine)),
-            asks=question is not None and self.outside.is_open(future, question),
-            leg=future.leg,
-        )
+        place, waits = places(machine)
+        asks = question is not None and self.outside.is_open(future, question)
+        tick, cost = machine.last_tick, future.cost
+        visit = Visit(future.past, tick, cost, place, waits, asks, future.leg)
         self._known[key] = state = graph.add(visit)
         self.frontier.visits(future)
         self.tree.visits(future.branch, state)
@@ -329,9 +330,10 @@ class Search:
         if machine.robot.running or machine.next_command_s is not None:
             if self.watch is not None:
                 self.watch.follow(future)
-            ticks = machine.next_tick - machine.last_tick
-            on = frozenset(machine.system.signals.on)
-            future.outside = self.outside.behaviours.advance(future.outside, ticks, on)
+            if future.outside:
+                ticks = machine.next_tick - machine.last_tick
+                on = frozenset(machine.system.signals.on)
+                future.outside = self.outside.behaviours.advance(future.outside, ticks, on)
 
     def _look(self, future: Future, events: Sequence[Event]) -> None:
         for event in events:

@@ -41,6 +41,8 @@ class Grows:
         self._counted = _counted(module, executable)
         self._looked_at = frozenset(self._counted) - self.idle
         self._shown = frozenset(self._counted) & self.idle
+        self._left_out = self._looked_at | self.idle
+        self._order = sorted(self._counted)
         numbers = [datum.value for datum in module.data if isinstance(datum.value, float)]
         numbers += compared(module)
         self._least, self._most = min(numbers, default=0.0), max(numbers, default=0.0)
@@ -53,7 +55,7 @@ class Grows:
         self._values.append(self._held(machine))
         if not self._looked_at:
             return False
-        rest = keys.apart(key, machine, self._looked_at | self.idle)
+        rest = keys.apart(key, machine, self._left_out)
         if rest in self._growing:
             return True
         alike = self._alike.setdefault(rest, [])
@@ -69,10 +71,10 @@ class Grows:
 
     def met(self, machine: Machine, known: int, leg: int) -> None:
         """Note that a future has come to a known state: its own, perhaps, with higher counts."""
-        if self._shown <= self.found.keys():
+        if not self._shown or self._shown <= self.found.keys():
             return
         held, before = self._held(machine), self._values[known]
-        for k, one, other in zip(sorted(self._counted), held, before, strict=True):
+        for k, one, other in zip(self._order, held, before, strict=True):
             if k in self._shown and one != other and self._is_behind(known, leg):
                 self.found.setdefault(k, self._counted[k])
 
@@ -83,7 +85,7 @@ class Grows:
 
     def _held(self, machine: Machine) -> tuple[object, ...]:
         bound = machine.system.memory.bound
-        return tuple([bound[k].value for k in sorted(self._counted)])
+        return tuple([bound[k].value for k in self._order])
 
     def _growth(self, alike: frozenset[int], state: int) -> list[int]:
         """Return what has grown round by round on the way to a state."""
@@ -98,7 +100,7 @@ class Grows:
         if len(rounds) < ROUNDS:
             return []
         found: list[int] = []
-        for n, k in enumerate(sorted(self._counted)):
+        for n, k in enumerate(self._order):
             steps = [values[n] for values in rounds if isinstance(values[n], float)]
             if k not in self._looked_at or len(steps) < ROUNDS:
                 continue

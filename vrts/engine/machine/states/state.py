@@ -85,7 +85,7 @@ def _program(c: Context, now: float, numbers: Numbers, named: Nearly) -> tuple[o
         c.running,
         c.finishing,
         from_now(c.wake, now),
-        _wait(c, inner, c.phase, c.until, now, motions),
+        waits_for(c, inner, c.phase, c.until, now, motions),
         named(c.operands),
         c.fault.number if c.fault is not None else None,
         tuple(c.next_hand),
@@ -99,7 +99,7 @@ def _program(c: Context, now: float, numbers: Numbers, named: Nearly) -> tuple[o
         tuple(
             wait
             and (
-                _wait(c, k, wait.phase, wait.until, now, motions),
+                waits_for(c, k, wait.phase, wait.until, now, motions),
                 (wait.phase, named(wait.operands), wait.priority),
                 wait.fault.number if wait.fault is not None else None,
             )
@@ -124,7 +124,7 @@ def _frame(frame: Frame, depth: int, numbers: Numbers) -> tuple[object, ...]:
     return (frame.kind, counts, tuple(held), inside)
 
 
-def _wait(c: Context, k: int, phase: int, until: float, now: float, motions: int) -> object:
+def waits_for(c: Context, k: int, phase: int, until: float, now: float, motions: int) -> object:
     """Return how long the instruction that a frame is at goes on, or which motion it began."""
     if phase == 0 or k < 0:
         return None
