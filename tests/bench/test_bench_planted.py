@@ -23,6 +23,7 @@ CLASSES = {
     "P": "two programs",
     "O": "stops, speeds, again",
     "Q": "properties",
+    "S": "sown later",
     "R": "right programs",
 }
 OUTCOMES = ("found", "held", "open", "undetermined", "missed", "accused")

@@ -111,7 +111,7 @@ def test_decisions_of_numbers_alone(name: str, text: str) -> None:
     that of a loop which takes 0.2 s where nothing else is done.
     """
     module = compiled(text)
-    cost(module, robot_alone())
+    found, _ = cost(module, robot_alone())
     runs: list[tuple[float, float]] = []
     for _ in range(5):
         found, took_s = cost(module, robot_alone())

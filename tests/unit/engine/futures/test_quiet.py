@@ -50,6 +50,10 @@ def module_of(body: str) -> Module:
     return compiled(program(body + GONE))
 
 
+def never_quiet(machine: Machine) -> None:
+    """Let a machine share nothing."""
+
+
 @deep_stack()
 def gone_through(body: str) -> list[object]:
     """Return what happens in all futures, one after another."""
@@ -100,7 +104,7 @@ def test_it_does_what_a_machine_does_that_shares_nothing(
 ) -> None:
     body = ASKS.format(INSIDE[inside])
     shared = gone_through(body)
-    monkeypatch.setattr(future, "quiet", lambda machine: None)
+    monkeypatch.setattr(future, "quiet", never_quiet)
     assert gone_through(body) == shared
 
 

@@ -14,6 +14,7 @@ import psutil
 import pytest
 from distributed import LocalCluster
 
+from tests.unit.marking import proven_task
 from tests.unit.marking.remote.support import CLASS, GOOD, configured, files, task
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
@@ -101,6 +102,25 @@ def test_a_worker_that_dies_costs_nothing(workers: Workers, marker: Marker, tmp_
     assert files(tmp_path / "out") == files(tmp_path / "here")
     again = list(mark_on_dask(marker, entries, out, NOWHERE))
     assert [d.entry.identifier for d in again if not d.reused] == ["dora", "gina"]
+
+
+@pytest.mark.thorough
+def test_every_future_is_proven_elsewhere_as_at_home(workers: Workers, tmp_path: Path) -> None:
+    place = str(proven_task.written(tmp_path / "lab") / "task.toml")
+    marker = Marker(Place(place), Wanted(pages=True))
+    texts = (proven_task.GOOD, proven_task.FITTED)
+    entries = [Entry(f"s{k}", f"s{k}.v2", texts[k % 2].encode()) for k in range(6)]
+    said: list[Diagnostic] = []
+    far = Layout(tmp_path / "out")
+    done = list(mark_on_dask(marker, entries, far, workers.backend, size=2, said=said.append))
+    assert said == []
+    list(mark_class(marker, entries, Layout(tmp_path / "here"), jobs=2))
+    assert files(tmp_path / "out") == files(tmp_path / "here")
+    marks = {one.entry.identifier: one.result.mark for one in done}
+    assert {marks[f"s{k}"] for k in (0, 2, 4)} == {10.0}
+    (fitted,) = {marks[f"s{k}"] for k in (1, 3, 5)}
+    assert fitted is not None
+    assert fitted <= 7.0
 
 
 @pytest.mark.thorough
