@@ -73,7 +73,7 @@ def _links(steps: Steps, judgement: Judgement, task: Task | None, loss: Loss) ->
                     return list(missed_point(steps, visits, lack))
             return []
         case "time":
-            return [] if loss.sentence == WAITS else list(too_slow(steps))
+            return [] if loss.sentence.startswith(WAITS) else list(too_slow(steps))
         case "limit" | "demand":
             return list(demanded(steps, loss))
         case _:

@@ -174,11 +174,18 @@ def losses_of(
     found = [loss for loss in found if loss.points]  # contacts beyond the cap cost nothing
     found.sort(key=lambda loss: (loss.kind != "limit", -loss.points))
     if time:
-        found.append(_time_loss(task, achieved, time))
+        hidden = None if found else _greatest(causes)
+        found.append(_time_loss(task, achieved, time, hidden))
     if most.rest:
         sentence = f"the task gives at most {float(task.mark.total - most.rest):g} points"
         found.append(Loss(most.rest, "task", sentence, "", None, None))
     return tuple(found)
+
+
+def _greatest(causes: Causes) -> Loss | None:
+    """Return what most is lost by, before it is rounded."""
+    every = [loss for loss in (*causes.targets, *causes.vias, *causes.costs) if loss.points]
+    return max(every, key=lambda loss: loss.points, default=None)
 
 
 def _forgive(causes: list[Loss], parts: Parts) -> None:
@@ -280,7 +287,15 @@ def broken_demands(task: Task, judgement: Judgement) -> list[Loss]:
     return found
 
 
-def _time_loss(task: Task, achieved: Achieved, lost: Fraction) -> Loss:
+def _time_loss(task: Task, achieved: Achieved, lost: Fraction, hidden: Loss | None) -> Loss:
+    """Return why points for speed are lost.
+
+    Args:
+        task: The task.
+        achieved: What the run comes to.
+        lost: The points.
+        hidden: What else is wrong, if that costs too little to be shown.
+    """
     if faultless(achieved) and achieved.duration_s is not None:
         took, par = beside(achieved.duration_s, exact_s(task.t_par), least=1, most=3)
         sentence = f"the program takes {took} s; full points are given up to {par} s"
@@ -288,6 +303,8 @@ def _time_loss(task: Task, achieved: Achieved, lost: Fraction) -> Loss:
     else:
         sentence = "points for speed are given only when nothing else is wrong"
         hint = "mend the other losses first"
+        if hidden is not None:
+            sentence, hint = f"{sentence}: {hidden.sentence}", hidden.hint
     return Loss(lost, "time", sentence, hint, None, None)
 
 

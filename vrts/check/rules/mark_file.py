@@ -25,7 +25,7 @@ def read_mark(top: Table, problems: Problems) -> MarkScheme:
             f"`total` must be a number of tenths, as marks are, not {float(total):g}",
             section.value_span("total"),
         )
-    usual = scaled(total)
+    before, usual = len(problems.found), scaled(total)
     words = tuple(choice.value for choice in Contacts)
     by = Contacts(section.string("contacts_by", usual.contacts_by.value, choices=words))
 
@@ -56,12 +56,15 @@ def read_mark(top: Table, problems: Problems) -> MarkScheme:
                 help=(f'write `contacts_by = "{meant.value}"`, or delete it',),
             )
     most = found.targets + found.vias + found.time_bonus
-    if most > total:
+    if most > total and len(problems.found) == before:
         problems.error(
             TOO_MANY_POINTS,
             f"the parts of the mark add up to {float(most):g}, more than {float(total):g}",
             section.span,
-            help=(f"targets + vias + time_bonus may be {float(total):g} at most",),
+            help=(
+                f"targets + vias + time_bonus may be {float(total):g} at most",
+                f"a mark out of more points: `total = {float(most):g}`",
+            ),
         )
     return found
 

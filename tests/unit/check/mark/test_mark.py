@@ -109,6 +109,15 @@ def test_the_reference_solution_is_ready() -> None:
     assert found.status is Status.GRADED
 
 
+def test_what_costs_too_little_to_be_shown_is_named_where_points_for_speed_are_lost() -> None:
+    found = graded(solution("1100.00   230.00", "1110.10   230.00"), task())
+    (loss,) = found.losses
+    wrong = "`can1` is 10.1 mm from its goal"
+    assert loss.points == Fraction(3, 2)
+    assert loss.sentence == f"points for speed are given only when nothing else is wrong: {wrong}"
+    assert loss.hint.startswith("look at the end of the replay")
+
+
 def test_an_empty_program_earns_nothing() -> None:
     found = graded(ran(".PROGRAM main\n.END\n", SCENE), task())
     assert found.mark == 0
