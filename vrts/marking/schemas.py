@@ -1,4 +1,4 @@
-"""The JSON Schemas of the files that marking writes."""
+"""The JSON Schemas of the files that marking writes, and of proofs over every future."""
 
 from typing import Any
 
@@ -7,11 +7,13 @@ import msgspec
 from vrts.marking.result import Result
 from vrts.marking.row import Class
 from vrts.marking.similarity.ranking import Ranking
+from vrts.report.formats.futures_schema import Futures
 
 SCHEMAS: dict[str, tuple[type, str]] = {
     "result": (Result, "Result of one VAL-II submission marked by vrts"),
     "class": (Class, "Marks of a class"),
     "similarity": (Ranking, "Programs of a class that are alike"),
+    "futures": (Futures, "Every future of a VAL-II program, as `vrts prove` found it"),
 }
 
 

@@ -2,8 +2,11 @@
 
 import json
 
+import msgspec
+
 from tests.unit.report.proofs import OPEN, VIOLATED
 from vrts.report.formats.futures_json import futures_json
+from vrts.report.formats.futures_schema import Futures
 from vrts.report.formats.json_text import json_text
 
 
@@ -35,3 +38,11 @@ def test_what_is_open_is_there() -> None:
     found = futures_json("lower.v2", OPEN)
     assert found["open"] == ["17 futures: the budget of states is spent"]
     assert found["covered"]["states"] == 1234  # type: ignore[index]
+
+
+def test_its_schema_names_all_that_it_holds_and_nothing_else() -> None:
+    for proof in (VIOLATED, OPEN):
+        text = json_text(futures_json("lower.v2", proof))
+        read = msgspec.json.decode(text, type=Futures)
+        assert read == json.loads(text)  # what the schema does not name is left out of the first
+        msgspec.json.decode(json_text(dict(read)), type=Futures)
