@@ -59,8 +59,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "DO before a step is the monitor's, whatever follows",
         "vrts/lang/steps/advising/advice.py",
-        "if tried is None or tried.fixes or _CLOSES_DO.search(rest):",
-        "if tried is None or tried.fixes:",
+        "if tried is None or _CLOSES_DO.search(rest):",
+        "if tried is None:",
         ("tests/unit/lang/test_students_mean.py",),
     ),
     Patch(

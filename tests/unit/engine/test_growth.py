@@ -70,6 +70,25 @@ KINDS: dict[str, tuple[Callable[[int], str], int]] = {
 }
 
 
+WRONG: dict[str, Callable[[int], str]] = {
+    "structures without an end": "IF x THEN\n".__mul__,
+    "structures that an UNTIL leaves open": lambda count: (
+        "DO\n" + "IF x THEN\n" * count + "UNTIL x\n"
+    ),
+    "an ELSE behind each IF with GOTO": "IF x GOTO 10\nELSE\n".__mul__,
+    "an END that ends nothing": "END\n".__mul__,
+}
+
+
+@pytest.mark.parametrize("kind", WRONG)
+def test_what_is_said_of_wrong_programs_grows_with_them(kind: str) -> None:
+    def compiling(count: int) -> Callable[[], object]:
+        source = SourceFile("main.v2", f".PROGRAM main\n{WRONG[kind](count)}.END\n")
+        return lambda: compile_source(source)
+
+    assert growth(compiling, 250) < MOST
+
+
 def simulated(text: str) -> Simulated:
     return simulate(Request(ProgramFile(text.encode(), "main.v2"), robot_alone()))
 

@@ -22,6 +22,7 @@ _NOTHING = frozenset({"none", "nil", "nan", "undefined", "null", "empty"})  # of
 _COMPARED = re.compile(r"(?P<of>[$#]?[A-Za-z][\w.]*(?:\[[^\]]*\])?)[ \t]*(?P<sign>==|<>)[ \t]*$")
 _JOINT = re.compile(r"(?:j|jt|joint|axis|a|axe|gelenk)[_.]?([1-6])")
 _SIGNAL = re.compile(r"(?P<kind>[A-Z]+)[_.]?(?P<number>\d+)", re.IGNORECASE)
+_OF_SIGNALS = re.compile(r"\b(SIGNAL|SIG|REACTI?)\b[^;]*$", re.IGNORECASE)
 _OF_A_NUMBER = frozenset({"IGNORE", "LOCK", "SIGNAL", "REACT", "REACTI", "SPEED", "DELAY"})
 _FIRST = re.compile(r"[ \t]*(?:\d+[ \t]+)?(?P<word>[A-Za-z]+)[ \t]+-?", re.ASCII)
 _VALUES = frozenset({"rnd", "rand", "clock", "random"})  # of other languages, bare
@@ -245,8 +246,8 @@ def _signal(problems: Problems, at: Place) -> Guess | None:
     """`SIGNAL DO5`, `SIG(IN3)`: signals have numbers, and no names."""
     text = problems.source.text
     found = _SIGNAL.fullmatch(text[at[0] : at[1]])
-    before = re.search(r"\b(SIGNAL|SIG|REACTI?)\b[^;\n]*$", text[: at[0]], re.IGNORECASE)
-    if found is None or before is None:
+    line = text[text.rfind("\n", 0, at[0]) + 1 : at[0]]
+    if found is None or _OF_SIGNALS.search(line) is None:
         return None
     kind, number = found["kind"].upper(), int(found["number"])
     if kind in _INPUTS and number < _FIRST_INPUT:

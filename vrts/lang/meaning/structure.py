@@ -131,15 +131,19 @@ def labels(
         known[label.number] = step.number
         places[label.number] = (label.start, label.end)
     shown = ", ".join(heapq.nsmallest(8, map(str, known), key=lambda text: (len(text), text)))
+    broken = [s.statement for s in program.steps if isinstance(s.statement, Bad)]
+    standing: dict[int | str, str] | None = None  # the labels of others, asked for once
     for step in program.steps:
         wanted = _label_wanted(step.statement)
         if wanted is None or label_key(wanted) in known or problems.full:
             continue
-        if _in_broken_line(program, label_key(wanted), problems):
+        if _in_broken_line(broken, label_key(wanted), problems):
             continue  # said there
         if isinstance(step.statement, Simple) and _decimal_comma(problems, step.statement, wanted):
             continue
-        elsewhere = _elsewhere(label_key(wanted), others)
+        if standing is None:
+            standing = _standing(others)
+        elsewhere = standing.get(label_key(wanted), "")
         here = "write the number at the start of the line to jump to"
         if known:
             here = f"labels of `{program.name}`: {shown}"
@@ -176,23 +180,23 @@ def _decimal_comma(problems: Problems, node: Simple, label: Number | Name) -> bo
     return True
 
 
-def _in_broken_line(program: ProgramText, label: int | str, problems: Problems) -> bool:
+def _in_broken_line(broken: list[Bad], label: int | str, problems: Problems) -> bool:
     """Whether a line that nobody could read begins or ends with a label."""
-    for step in program.steps:
-        node = step.statement
-        if isinstance(node, Bad):
-            words = problems.source.text[node.start : node.end].split()
-            if words and str(label) in (words[0].rstrip(":.)"), words[-1]) and len(words) > 1:
-                return words[0].upper() not in ("GOTO", "IF")
+    for node in broken:
+        words = problems.source.text[node.start : node.end].split()
+        if words and str(label) in (words[0].rstrip(":.)"), words[-1]) and len(words) > 1:
+            return words[0].upper() not in ("GOTO", "IF")
     return False
 
 
-def _elsewhere(label: int | str, others: Iterable[ProgramText]) -> str:
-    """Return a program that has a label."""
-    for program in others:
-        if any(s.label is not None and s.label.number == label for s in program.steps):
-            return program.name
-    return ""
+def _standing(programs: Iterable[ProgramText]) -> dict[int | str, str]:
+    """Return the first program that has each label."""
+    found: dict[int | str, str] = {}
+    for program in programs:
+        for step in program.steps:
+            if step.label is not None:
+                found.setdefault(step.label.number, program.name)
+    return found
 
 
 def _label_wanted(node: Statement | None) -> Number | Name | None:

@@ -25,9 +25,25 @@ class Tried(NamedTuple):
 class Repair:
     """Tries out what could be meant by a step."""
 
-    def __init__(self, dialect: Dialect, parse: Parse) -> None:
+    def __init__(self, dialect: Dialect, parse: Parse, plain: Parse) -> None:
+        """Know how a text is read: with advice where it is none, or `plain`, which is quick."""
         self._dialect = dialect
         self._parse = parse
+        self._plain = plain
+
+    def at_once(self, text: str) -> Tried | None:
+        """Return a text of one or more lines as steps; None where it is none, or needs a fix."""
+        rows = text.split("\n")
+        if len(rows) > MOST_LINES or not all(self._stands(row.strip()) for row in rows):
+            return None
+        return Tried("\n".join(row.rstrip() for row in rows), 0)
+
+    def _stands(self, text: str) -> bool:
+        if not text:
+            return False
+        problems = Problems(SourceFile("", text), self._dialect)
+        node = self._plain(problems, text)
+        return node is not None and not _is_wrong(node, problems)
 
     def steps(self, text: str) -> Tried | None:
         """Return a text of one or more lines as steps; None where it is none."""
@@ -49,10 +65,14 @@ class Repair:
             source = SourceFile("", text)
             problems = Problems(source, self._dialect)
             node = self._parse(problems, text)
-            if not problems.any_error and not problems.look_alikes and not isinstance(node, Bad):
+            if not _is_wrong(node, problems):
                 return Tried(indent + text, passed) if node is not None else None
             after = with_edits(text, edits_of(mendable(source, problems.found)))
             if after == text or "\n" in after:
                 return None
             text = after.strip()
         return None
+
+
+def _is_wrong(node: Statement | None, problems: Problems) -> bool:
+    return problems.any_error or bool(problems.look_alikes) or isinstance(node, Bad)

@@ -60,7 +60,9 @@ class StepParser:
         self.precedence = precedence
         self.depth = depth
         self.habits = Habits()
-        self.advice = Advice(problems, Repair(problems.dialect, self._tried), self.habits)
+        self.advice = Advice(
+            problems, Repair(problems.dialect, self._tried, self._tried_plainly), self.habits
+        )
         self.dialect = problems.dialect
         self.parser = TableParser(builders(problems, precedence or self.dialect.precedence))
         self.program_names: frozenset[str] = frozenset()
@@ -146,9 +148,16 @@ class StepParser:
 
     def _tried(self, problems: Problems, text: str) -> Statement | None:
         """Return a text as a step, tried out apart from the file."""
-        parser = StepParser(problems, self.precedence, depth=self.depth + 1)
+        return self._apart(problems, self.depth + 1)._statement(text, 0)
+
+    def _tried_plainly(self, problems: Problems, text: str) -> Statement | None:
+        """Return a text as a step, tried out apart from the file and without advice."""
+        return self._apart(problems, MOST_DEEP + 1)._statement(text, 0)
+
+    def _apart(self, problems: Problems, depth: int) -> "StepParser":
+        parser = StepParser(problems, self.precedence, depth=depth)
         parser.program_names = self.program_names
-        return parser._statement(text, 0)
+        return parser
 
     def _read(self, text: str, at: int) -> Statement | None:
         first = text.split(None, 1)[0]

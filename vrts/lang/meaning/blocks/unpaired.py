@@ -1,18 +1,22 @@
 """What is said of structure words without a partner: one diagnostic for one that is missing."""
 
+import math
+from collections.abc import Iterator
+
 from vrts.base.diagnostic import Fix, Label, Rule
 from vrts.lang.meaning.blocks.indentation import Missing, missing_ends
 from vrts.lang.meaning.blocks.pairing import (
     Block,
     Crossed,
     Late,
+    Mark,
     Pairing,
     Unmatched,
     marks,
     pair,
     word_of,
 )
-from vrts.lang.problems import Problems
+from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.syntax.program import ProgramText, Step
 from vrts.lang.syntax.statements import Bad, Goto, Statement, Structure, Until
 
@@ -25,9 +29,16 @@ CONTROL_SAYS = "VAL-II says *Control structure error*"
 
 def report_faults(program: ProgramText, pairing: Pairing, problems: Problems) -> None:
     """Report words without their partner, but not what follows from a line that is no step."""
+    unread = _unread(program)
+    found = marks(program.steps)
+    places = {mark: i for i, mark in enumerate(found)}
+    faults = pair(found).faults if pairing.unmatched else 0
     followed = False  # a group without its structure: the END that follows is of the same cause
-    for fault in pairing.unmatched:
-        early = _early_end(program, fault, problems)
+    for number, fault in enumerate(pairing.unmatched):
+        explained = _explained(program, unread, fault.mark.at)
+        early: Statement | None = None
+        if fault.mark.word == "ELSE" and not explained and number < LIMIT:  # more are not shown
+            early = _early_end(program, found, places[fault.mark], faults, problems)
         if early is not None:
             followed = True
             _too_early(program, fault, early, problems)
@@ -35,7 +46,7 @@ def report_faults(program: ProgramText, pairing: Pairing, problems: Problems) ->
         if followed and fault.mark.word in ("END", "UNTIL"):
             continue
         followed = followed or fault.mark.word not in ("END", "UNTIL")
-        if not _explained(program, fault.mark.at):
+        if not explained:
             _unmatched(program, fault, problems)
     behind: set[int] = set()  # groups that are not the last of theirs: told once each
     for late in pairing.late:
@@ -47,7 +58,8 @@ def report_faults(program: ProgramText, pairing: Pairing, problems: Problems) ->
     still = [
         block
         for block in (*inside, *pairing.open)
-        if not isinstance(_node(program, block.opener), Bad) and not _unread_below(program, block)
+        if not isinstance(_node(program, block.opener), Bad)
+        and not (unread and unread[-1] > block.opener)  # which may be its end
     ]
     columns = [
         _column(problems, step.statement) if step.statement is not None else 0
@@ -67,18 +79,31 @@ def report_faults(program: ProgramText, pairing: Pairing, problems: Problems) ->
         _open(program, block, pairing, problems)
 
 
-def _explained(program: ProgramText, at: int) -> bool:
+def _unread(program: ProgramText) -> list[int]:
+    """Return the steps that nobody could read."""
+    return [
+        i
+        for i, step in enumerate(program.steps)
+        if isinstance(step.statement, Bad) and step.statement.word is None
+    ]
+
+
+def _explained(program: ProgramText, unread: list[int], at: int) -> bool:
     """Whether a line above that nobody could read may be what opens the structure."""
-    steps = program.steps[: at + 1]
-    return any(isinstance(s.statement, Bad) and s.statement.word is None for s in steps) or (
-        isinstance(program.steps[at].statement, Bad)
-    )
+    above = bool(unread) and unread[0] <= at
+    return above or isinstance(program.steps[at].statement, Bad)
 
 
-def _unread_below(program: ProgramText, block: Block) -> bool:
-    """Whether a line below the opener that nobody could read may be its end."""
-    steps = program.steps[block.opener + 1 :]
-    return any(isinstance(s.statement, Bad) and s.statement.word is None for s in steps)
+def _above(program: ProgramText, at: int) -> Iterator[Statement]:
+    """The steps above one, from there on."""
+    steps = program.steps
+    return (node for i in range(at - 1, -1, -1) if (node := steps[i].statement) is not None)
+
+
+def _below(program: ProgramText, at: int) -> Iterator[Statement]:
+    """The steps below one."""
+    steps = program.steps
+    return (node for i in range(at + 1, len(steps)) if (node := steps[i].statement) is not None)
 
 
 def _node(program: ProgramText, at: int) -> Statement:
@@ -196,15 +221,18 @@ def _crossed(program: ProgramText, crossed: Crossed, problems: Problems) -> None
             fix=Fix.from_edits((*edits, *without.edits)) if without is not None else None,
         )
         return
+    least, looked = math.inf, crossed.mark.at  # of the columns of the steps from there on
     for block in reversed(crossed.open):
         opener = _node(program, block.opener)
+        for step in program.steps[block.opener + 1 : looked]:
+            if step.statement is not None:
+                least = min(least, _column(problems, step.statement))
+        looked = block.opener + 1
         if isinstance(opener, Bad):
             continue
         closer = "UNTIL" if block.word == "DO" else "END"
         # where a line is less deep than the structure, its end may belong above that line
-        column = _column(problems, opener)
-        between = (s.statement for s in program.steps[block.opener + 1 : crossed.mark.at])
-        deeper = all(_column(problems, node) > column for node in between if node is not None)
+        deeper = least > _column(problems, opener)
         problems.error(
             MISSING_END,
             f"this {block.word} has no {closer}",
@@ -229,22 +257,20 @@ def _line_start(problems: Problems, node: Statement) -> str:
     return before if not before.strip() else " " * len(before.expandtabs(8))
 
 
-def _early_end(program: ProgramText, fault: Unmatched, problems: Problems) -> Statement | None:
+def _early_end(
+    program: ProgramText, found: list[Mark], at: int, faults: int, problems: Problems
+) -> Statement | None:
     """Return the END right above an ELSE without which all words up to the next have partners."""
-    if fault.mark.word != "ELSE" or _explained(program, fault.mark.at):
-        return None
-    found = marks(program.steps)
-    at = found.index(fault.mark)
-    before = [s.statement for s in program.steps[: fault.mark.at] if s.statement is not None]
-    end = before[-1] if before else None
+    mark = found[at]
+    end = next(_above(program, mark.at), None)
     if at == 0 or end is None or found[at - 1].word != "END":
         return None
     if program.steps[found[at - 1].at].statement is not end:
         return None
-    if _column(problems, end) < _column(problems, _node(program, fault.mark.at)):
+    if _column(problems, end) < _column(problems, _node(program, mark.at)):
         return None
     without = pair([*found[: at - 1], *found[at:]])
-    return end if without.faults + 1 < pair(found).faults else None
+    return end if without.faults + 1 < faults else None
 
 
 def _too_early(program: ProgramText, fault: Unmatched, end: Statement, problems: Problems) -> None:
@@ -316,10 +342,10 @@ def _unmatched(program: ProgramText, fault: Unmatched, problems: Problems) -> No
             number = problems.span(jump.start, jump.end).line
             help_ = f"`IF ... GOTO` of line {number} takes no ELSE: write `IF ... THEN`"
             help_ += ", the GOTO on a line of its own, then ELSE"
-    elif word == "END" and all(s.statement is None for s in program.steps[fault.mark.at + 1 :]):
+    elif word == "END" and next(_below(program, fault.mark.at), None) is None:
         help_ = "take it out: `.END` alone ends a program"
         fix = _without_line(problems, node)
-    elif word == "END" and isinstance(_following(program, fault.mark.at), Until):
+    elif word == "END" and isinstance(next(_below(program, fault.mark.at), None), Until):
         help_ = "take it out: UNTIL alone ends a DO"
         fix = _without_line(problems, node)
     elif word == "END" and _is_surplus(program, fault.mark.at, problems):
@@ -339,17 +365,12 @@ def _unmatched(program: ProgramText, fault: Unmatched, problems: Problems) -> No
     )
 
 
-def _following(program: ProgramText, at: int) -> Statement | None:
-    below = (step.statement for step in program.steps[at + 1 :])
-    return next((node for node in below if node is not None), None)
-
-
 def _is_surplus(program: ProgramText, at: int, problems: Problems) -> bool:
     """Whether what stands above an END belongs to no structure, as its indentation tells."""
-    above = [s.statement for s in program.steps[:at] if s.statement is not None]
-    if not above:
+    last = next(_above(program, at), None)
+    if last is None:
         return True
-    last, column = above[-1], _column(problems, _node(program, at))
+    column = _column(problems, _node(program, at))
     ends = isinstance(last, Structure | Until) and word_of(Step(0, None, last)) != "ELSE"
     deep = _column(problems, last)
     return deep <= column if not ends else deep >= column
@@ -357,11 +378,10 @@ def _is_surplus(program: ProgramText, at: int, problems: Problems) -> bool:
 
 def _jump_above(program: ProgramText, at: int) -> Goto | None:
     """Return the `IF ... GOTO` that the lines above a word belong to, as its writer thinks."""
-    for step in reversed(program.steps[:at]):
-        node = step.statement
+    for node in _above(program, at):
         if isinstance(node, Goto):
             return node if node.condition is not None else None
-        if node is not None and word_of(step) is not None:
+        if word_of(Step(0, None, node)) is not None:
             return None
     return None
 

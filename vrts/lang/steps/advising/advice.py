@@ -92,8 +92,7 @@ class Advice(Adviser):
         ends = _GOES_ON if sign == ")" else _BEHIND
         good: list[int] = []
         for at in (*(found.start() for found in ends.finditer(line.text)), len(line.text.rstrip())):
-            tried = self.repair.steps(f"{line.text[:at]}{sign}{line.text[at:]}")
-            if tried is not None and not tried.fixes:
+            if self.repair.at_once(f"{line.text[:at]}{sign}{line.text[at:]}") is not None:
                 good.append(at)
         if len(good) == 1:
             at = line.at + good[0]
@@ -173,8 +172,8 @@ class Advice(Adviser):
         text = self.problems.source.text
         rest = text[line.at + len(line.text) :].upper().partition("\n.END")[0]
         step = line.text.split(None, 1)[-1]
-        tried = self.repair.steps(step)
-        if tried is None or tried.fixes or _CLOSES_DO.search(rest):
+        tried = self.repair.at_once(step)
+        if tried is None or _CLOSES_DO.search(rest):
             return None
         self.problems.forget(mark)
         self.problems.error(

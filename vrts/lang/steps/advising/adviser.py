@@ -62,8 +62,7 @@ class Adviser:
         return rows_of(text, spellings(self.problems.dialect), self._is_right)
 
     def _is_right(self, text: str) -> bool:
-        tried = self.repair.steps(text)
-        return tried is not None and not tried.fixes
+        return self.repair.at_once(text) is not None
 
     def _without(self, line: Line) -> Fix:
         """Return a fix that takes a step out: its whole line, where nothing else stands there."""

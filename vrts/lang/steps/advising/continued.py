@@ -32,8 +32,8 @@ class ContinuedAdvice(Adviser):
                 return None  # a step of its own, and what is above lacks an operand
             going_on = _OPEN.fullmatch(row)
             plain = f"{plain} {going_on['step'] or row if going_on else row}"
-            tried = self.repair.steps(plain)
-            if tried is not None and not tried.fixes:
+            tried = self.repair.at_once(plain)
+            if tried is not None:
                 self._told(line, mark, found["sign"] or "", tried.text, at)
                 return Advised(self._word_of(tried.text))
             if going_on is None:

@@ -59,8 +59,8 @@ class WordAdvice(Adviser):
         for found in _LETTERS.finditer(line.text, len(first_word(line.text))):
             for meant in slips(found.group().upper(), word.qualifiers):
                 text = f"{line.text[: found.start()]}{meant}{line.text[found.end() :]}"
-                tried = self.repair.steps(text)
-                if tried is None or tried.fixes:
+                tried = self.repair.at_once(text)
+                if tried is None:
                     continue
                 self.problems.forget(mark)
                 start, end = line.at + found.start(), line.at + found.end()

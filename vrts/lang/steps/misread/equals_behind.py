@@ -19,8 +19,8 @@ def equals_behind(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
     word = look_up(found["word"], dialect).word
     if word is None or word.text != found["word"].upper():
         return None
-    tried = repair.steps(f"{found['word']} {found['rest']}")
-    if tried is None or tried.fixes:
+    tried = repair.at_once(f"{found['word']} {found['rest']}")
+    if tried is None:
         return None
     return Meant(
         UNEXPECTED_TEXT,

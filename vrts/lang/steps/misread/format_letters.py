@@ -22,8 +22,8 @@ def letter_behind(text: str, repair: Repair) -> Meant | None:
     for found in reversed(places):
         right = f"/{found['letter'].upper()}{found['width']}"
         meant = f"{meant[: found.start('format')]}{right}{meant[found.end('format') :]}"
-    tried = repair.steps(meant)
-    if tried is None or tried.fixes:
+    tried = repair.at_once(meant)
+    if tried is None:
         return None
     start, end = places[0].start("format"), places[-1].end("format")
     return Meant(

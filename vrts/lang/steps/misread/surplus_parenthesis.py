@@ -38,8 +38,8 @@ def surplus_parenthesis(text: str, repair: Repair) -> Meant | None:
 
 
 def _is_step(text: str, repair: Repair) -> bool:
-    tried = repair.steps(text)
-    if tried is None or tried.fixes:
+    tried = repair.at_once(text)
+    if tried is None:
         return False
     return _GIVEN.match(text) is None or not _has_comma(text)
 

@@ -20,8 +20,8 @@ def unit_behind(text: str, repair: Repair) -> Meant | None:
     if not units or _SPEED.match(text):
         return None
     plain = _UNIT.sub(lambda found: found["number"] or found.group(), text)
-    tried = repair.steps(plain)
-    if tried is None or tried.fixes:
+    tried = repair.at_once(plain)
+    if tried is None:
         return None
     first, last = units[0], units[-1]
     return Meant(

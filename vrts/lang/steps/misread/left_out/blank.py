@@ -26,8 +26,8 @@ def glued_number(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
     if found["number"] == "1" and f"{word}I" in spellings(dialect):
         return None  # `OPEN1` is OPENI
     instead = f"{found['word']} {found['number']}"
-    tried = repair.steps(f"{found['before']}{instead}{found['rest']}")
-    if tried is None or tried.fixes:
+    tried = repair.at_once(f"{found['before']}{instead}{found['rest']}")
+    if tried is None:
         return None
     return Meant(
         UNKNOWN_INSTRUCTION,

@@ -23,8 +23,8 @@ def left_out_operand(text: str, repair: Repair) -> Meant | None:
     first = f"({found['of']} {found['sign']} {found['than']})"
     second = f"({found['of']} {found['second']} {found['last']})"
     instead = f"{first} {found['joins']} {second}"
-    tried = repair.steps(text[: found.start()] + instead + text[found.end() :])
-    if tried is None or tried.fixes:
+    tried = repair.at_once(text[: found.start()] + instead + text[found.end() :])
+    if tried is None:
         return None
     return Meant(
         INVALID_EXPRESSION,

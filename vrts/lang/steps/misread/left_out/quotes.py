@@ -21,8 +21,8 @@ def unquoted_text(text: str, repair: Repair) -> Meant | None:
         return None
     instead = f'"{found["text"]} "'
     step = f"{text[: found.start('text')]}{instead}, {found['variables']}"
-    tried = repair.steps(step)
-    if tried is None or tried.fixes:
+    tried = repair.at_once(step)
+    if tried is None:
         return None
     return Meant(
         UNEXPECTED_TEXT,

@@ -26,8 +26,8 @@ def missing_times(text: str, repair: Repair) -> Meant | None:
     meant = text
     for place in reversed(places):
         meant = f"{meant[:place].rstrip()}*{meant[place:]}"
-    tried = repair.steps(meant)
-    if tried is None or tried.fixes:
+    tried = repair.at_once(meant)
+    if tried is None:
         return None
     start, end = len(text[: places[0]].rstrip()), places[-1]
     return Meant(
