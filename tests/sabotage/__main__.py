@@ -7,7 +7,8 @@ examples, but for patches that say that only a `thorough` test notices.
 `--list` says which those are; `--chosen` asks what `python -m tests --changed` would have run.
 
 The test that noticed a patch last stands in `first.json` and runs first, alone: mostly that is all
-there is to run. `--remember` writes the file again. Verdicts are printed as they come.
+there is to run. `--remember` writes the file again. Verdicts are printed as they come, with the
+CPU time of the tests.
 """
 
 import json
@@ -16,6 +17,7 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from queue import SimpleQueue
 from typing import NamedTuple
 
 from tests.places import ROOT
@@ -23,16 +25,18 @@ from tests.sabotage import chosen
 from tests.sabotage.patches import PATCHES, Patch
 from tests.sabotage.trees import (
     ALL_SECONDS,
+    Failure,
     NoAnswerError,
     NoTestError,
     PatchError,
+    Tree,
     copy_tree,
     first_failure,
-    patched,
     run_tests,
 )
 
 FIRST = Path(__file__).with_name("first.json")
+AT_ONCE = (os.cpu_count() or 1) + 1  # some tests wait
 
 
 class Verdict(NamedTuple):
@@ -41,6 +45,7 @@ class Verdict(NamedTuple):
     patch: Patch
     test: str | None  # that notices
     problem: str = ""
+    cpu_s: float = 0.0
 
 
 def main(words: list[str]) -> int:
@@ -62,17 +67,24 @@ def main(words: list[str]) -> int:
             if run_tests(untouched, targets, *selection(thorough), "-n", "2", seconds=ALL_SECONDS):
                 print("the named tests fail without any patch")
                 return 1
-        with ThreadPoolExecutor(max_workers=2) as pool:
+        free: SimpleQueue[Tree] = SimpleQueue()
+        for i in range(AT_ONCE):
+            free.put(Tree(untouched, Path(folder) / f"patched-{i}"))
+        with ThreadPoolExecutor(max_workers=AT_ONCE) as pool:
             first: dict[str, str] = json.loads(FIRST.read_text(encoding="utf-8"))
-            jobs = [pool.submit(verdict, one, untouched, first.get(one.name)) for one in wanted]
+            jobs = [pool.submit(verdict, one, free, first.get(one.name)) for one in wanted]
             verdicts: list[Verdict] = []
             for job in jobs:
                 found = job.result()
                 verdicts.append(found)
                 said = "MISSED  " if found.test is None else "noticed "
-                print(f"{said} {found.patch.name}{found.problem}", flush=True)
+                print(f"{said}{found.cpu_s:6.1f} s  {found.patch.name}{found.problem}", flush=True)
     missed = [found for found in verdicts if found.test is None]
-    print(f"sabotage: {len(wanted) - len(missed)} of {len(wanted)} patches noticed")
+    cpu_s = sum(found.cpu_s for found in verdicts)
+    print(
+        f"sabotage: {len(wanted) - len(missed)} of {len(wanted)} patches noticed "
+        f"in {cpu_s:.0f} s of CPU time"
+    )
     if "--remember" in words:
         kept = {one.name: first[one.name] for one in PATCHES if one.name in first}
         kept |= {found.patch.name: found.test for found in verdicts if found.test is not None}
@@ -80,37 +92,46 @@ def main(words: list[str]) -> int:
     return 1 if missed else 0
 
 
-def verdict(patch: Patch, untouched: Path, first: str | None) -> Verdict:
+def verdict(patch: Patch, free: SimpleQueue[Tree], first: str | None) -> Verdict:
     """Return which test notices a patch, or what is wrong.
 
     Args:
         patch: The patch.
-        untouched: The tree without it.
+        free: Trees that nobody uses.
         first: The test that noticed it last; None: nobody knows.
     """
+    tree = free.get()
+    cpu_s = 0.0
     try:
-        with patched(patch, untouched) as tree:
-            noticed = None if first is None else _alone(tree, first, patch)
-            if noticed is None:
-                noticed = first_failure(tree, patch.tests, *selection(patch.thorough))
-    except PatchError as problem:
-        return Verdict(patch, None, f": {problem}")
-    except NoAnswerError as problem:
-        return Verdict(patch, None, f": {problem}")
-    return Verdict(patch, noticed, "" if noticed else ": no test failed")
+        with tree.patched(patch) as folder:
+            if first is not None and _may_notice(first, patch):
+                found = _alone(folder, first, patch)
+                cpu_s += found.cpu_s
+                if found.test is not None:
+                    return Verdict(patch, found.test, "", cpu_s)
+            found = first_failure(folder, patch.tests, *selection(patch.thorough))
+            cpu_s += found.cpu_s
+    except (PatchError, NoAnswerError) as problem:
+        return Verdict(patch, None, f": {problem}", cpu_s)
+    finally:
+        free.put(tree)
+    return Verdict(patch, found.test, "" if found.test else ": no test failed", cpu_s)
 
 
-def _alone(tree: Path, first: str, patch: Patch) -> str | None:
-    """Return the test that is tried first if it notices a patch, and is one that may."""
-    if not any(
-        first == test or first.startswith((f"{test}/", f"{test}::", f"{test}["))
-        for test in patch.tests
-    ):
-        return None
+def _may_notice(test: str, patch: Patch) -> bool:
+    """Return whether a test is one that a patch names."""
+    return any(
+        test == named or test.startswith((f"{named}/", f"{named}::", f"{named}["))
+        for named in patch.tests
+    )
+
+
+def _alone(tree: Path, first: str, patch: Patch) -> Failure:
+    """Try the test that noticed a patch last."""
     try:
         return first_failure(tree, [first], *selection(patch.thorough))
     except NoTestError:  # it has another name by now
-        return None
+        return Failure(None, 0.0)
 
 
 def selection(thorough: bool) -> tuple[str, ...]:

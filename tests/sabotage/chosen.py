@@ -15,7 +15,7 @@ from typing import NamedTuple
 from tests import changed
 from tests.places import ROOT
 from tests.sabotage.patches import Patch
-from tests.sabotage.trees import copy_tree, patched, run_tests
+from tests.sabotage.trees import Tree, copy_tree, run_tests
 
 EVERY = 15  # one of so many is run although it is named
 
@@ -43,7 +43,8 @@ def main(patches: list[Patch]) -> int:
     others = [patch for patch in patches if patch not in named]
     with tempfile.TemporaryDirectory() as folder:
         untouched = copy_tree(ROOT, Path(folder) / "untouched")
-        tried = [try_one(patch, untouched, taken[patch]) for patch in [*others, *named[::EVERY]]]
+        tree = Tree(untouched, Path(folder) / "patched")
+        tried = [try_one(patch, tree, taken[patch]) for patch in [*others, *named[::EVERY]]]
     for one in tried:
         said = "noticed" if one.noticed else "MISSED"
         print(f"{said:8}{one.took_s:6.1f} s  {one.patch.name} ({len(taken[one.patch])} files)")
@@ -56,9 +57,9 @@ def main(patches: list[Patch]) -> int:
     return 1 if missed else 0
 
 
-def try_one(patch: Patch, untouched: Path, taken: list[str]) -> Tried:
+def try_one(patch: Patch, lent: Tree, taken: list[str]) -> Tried:
     """Run what is chosen in a patched tree."""
-    with patched(patch, untouched) as tree:
+    with lent.patched(patch) as tree:
         start = time.perf_counter()
         noticed = run_tests(tree, [name for name in taken if (tree / name).exists()])
         return Tried(patch, noticed, time.perf_counter() - start)

@@ -1,17 +1,23 @@
-"""Copies of the tree, one with a patch, and tests run in them."""
+"""Copies of the tree that take one patch after another, and tests run in them."""
 
 import os
 import shutil
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
+from itertools import count
 from pathlib import Path
+from typing import NamedTuple
 
 from tests.sabotage import warm
 from tests.sabotage.patches import Patch
 
 COPIED = ("vrts", "tests", "examples", "scenes", "pyproject.toml", "README.md")
+COMPILED = "__pycache__"
 SECONDS = 300  # for the tests of a patch
 ALL_SECONDS = 1800  # for those of all patches
+MOMENTS = count(
+    1_000_000_000
+)  # [s] one for each patch: what Python compiled of it fits nothing else
 
 
 class PatchError(ValueError):
@@ -19,8 +25,8 @@ class PatchError(ValueError):
 
 
 def copy_tree(root: Path, to: Path) -> Path:
-    """Copy what the tests need, without what was compiled."""
-    ignore = shutil.ignore_patterns("__pycache__", "*.rrd", "bench")
+    """Copy what the tests need, and what Python compiled of it."""
+    ignore = shutil.ignore_patterns("*.rrd", "bench")
     to.mkdir(parents=True)
     for name in COPIED:
         source = root / name
@@ -31,26 +37,54 @@ def copy_tree(root: Path, to: Path) -> Path:
     return to
 
 
-@contextmanager
-def patched(patch: Patch, untouched: Path) -> Generator[Path]:
-    """Lend a tree with a patch.
+class Tree:
+    """A copy of the tree that takes one patch after another.
 
-    The copy is of links, and holds what Python has compiled of the untouched tree: this takes a
-    quarter less time.
-
-    Raises:
-        PatchError: Its text does not stand once.
+    What Python compiled stays for the next, but for what is patched: to compile takes more than
+    a short test. What a test left behind, or took away, goes with the whole copy.
     """
-    tree = untouched.with_name(patch.name.replace(" ", "-"))
-    shutil.copytree(untouched, tree, copy_function=os.link)
-    target = tree / patch.file
-    text = target.read_text(encoding="utf-8")
-    if text.count(patch.before) != 1:
-        raise PatchError(f"its text stands {text.count(patch.before)} times in {patch.file}")
-    target.unlink()  # a link: the untouched tree stays as it is
-    target.write_text(text.replace(patch.before, patch.after), encoding="utf-8")
-    yield tree
-    shutil.rmtree(tree)
+
+    def __init__(self, untouched: Path, folder: Path) -> None:
+        """Copy a tree into a folder that is not there yet."""
+        self._untouched = untouched
+        self.folder = copy_tree(untouched, folder)
+        self._as_copied = self._listed()
+
+    @contextmanager
+    def patched(self, patch: Patch) -> Generator[Path]:
+        """Lend the tree with a patch.
+
+        Raises:
+            PatchError: Its text does not stand once.
+        """
+        target = self.folder / patch.file
+        kept, times = target.read_bytes(), target.stat()
+        text = kept.decode("utf-8")
+        if text.count(patch.before) != 1:
+            raise PatchError(f"its text stands {text.count(patch.before)} times in {patch.file}")
+        target.write_text(text.replace(patch.before, patch.after), encoding="utf-8")
+        moment = next(MOMENTS)
+        os.utime(target, (moment, moment))
+        try:
+            yield self.folder
+        finally:
+            target.write_bytes(kept)
+            os.utime(target, ns=(times.st_atime_ns, times.st_mtime_ns))
+            if self._listed() != self._as_copied:
+                shutil.rmtree(self.folder)
+                copy_tree(self._untouched, self.folder)
+
+    def _listed(self) -> dict[str, tuple[int, int]]:
+        """Return size and time of every file, but for what Python compiled."""
+        found: dict[str, tuple[int, int]] = {}
+        for folder, below, names in os.walk(self.folder):
+            if COMPILED in below:
+                below.remove(COMPILED)
+            for name in names:
+                path = os.path.join(folder, name)
+                status = os.lstat(path)
+                found[path] = status.st_size, status.st_mtime_ns
+        return found
 
 
 class NoTestError(RuntimeError):
@@ -63,13 +97,20 @@ class NoAnswerError(RuntimeError):
 
 def run_tests(tree: Path, tests: Sequence[str], *options: str, seconds: float = SECONDS) -> bool:
     """Run tests in a tree; return whether any failed. A run that collects nothing raises."""
-    return first_failure(tree, tests, *options, seconds=seconds) is not None
+    return first_failure(tree, tests, *options, seconds=seconds).test is not None
+
+
+class Failure(NamedTuple):
+    """What tests came to."""
+
+    test: str | None  # that failed first; None: all pass
+    cpu_s: float
 
 
 def first_failure(
     tree: Path, tests: Sequence[str], *options: str, seconds: float = SECONDS
-) -> str | None:
-    """Run tests in a tree until one fails, and return which; None: all pass.
+) -> Failure:
+    """Run tests in a tree until one fails.
 
     Raises:
         NoTestError: There are no such tests.
@@ -77,11 +118,11 @@ def first_failure(
     """
     said = tree.with_name(f"{tree.name}.said")
     words = ["-x", "-q", "-p", "no:randomly", *options, *tests]
-    status, failed = warm.run(tree, words, seconds, said)
+    status, failed, cpu_s = warm.run(tree, words, seconds, said)
     if status is None:
         raise NoAnswerError(f"its tests did not end within {seconds:.0f} s, or died")
     if status not in (0, 1, 2):
         raise NoTestError(said.read_text(encoding="utf-8", errors="replace"))
     if status == 0:
-        return None
-    return failed or tests[0]
+        return Failure(None, cpu_s)
+    return Failure(failed or tests[0], cpu_s)

@@ -10,12 +10,20 @@ import sys
 from collections.abc import Sequence
 from multiprocessing.connection import Connection
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
 LIBRARIES = (
     *("pytest", "hypothesis", "hypothesis.strategies", "_hypothesis_pytestplugin", "xdist"),
     *("numpy", "pinocchio", "coal", "lark", "click", "trimesh"),
+    *(
+        "anyio.pytest_plugin",
+        "asyncio",
+        "xdist.plugin",
+        "xdist.looponfail",
+        "xml.etree.ElementTree",
+    ),
 )
 OURS = ("tests", "vrts")
 QUIET = "ignore::pytest.PytestAssertRewriteWarning"  # of plugins that are loaded already
@@ -39,9 +47,15 @@ class Outcome:
             self.first = report.nodeid
 
 
-def run(
-    tree: Path, words: Sequence[str], seconds: float, said: Path
-) -> tuple[int | None, str | None]:
+class Told(NamedTuple):
+    """What a child says at its end."""
+
+    status: int | None  # None: it took too long, or died
+    first: str | None  # the test that failed first
+    cpu_s: float  # of the child, and of the processes that it waited for
+
+
+def run(tree: Path, words: Sequence[str], seconds: float, said: Path) -> Told:
     """Run pytest in a tree.
 
     Args:
@@ -49,9 +63,6 @@ def run(
         words: Its options and tests.
         seconds: How long it may take [s].
         said: The file that takes what is printed.
-
-    Returns:
-        The exit status (None: it took too long, or died), and the first test that failed.
     """
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(list(LIBRARIES))
@@ -60,9 +71,9 @@ def run(
     child.start()
     there.close()
     try:
-        told: tuple[int | None, str | None] = here.recv() if here.poll(seconds) else (None, None)
+        told = Told(*here.recv()) if here.poll(seconds) else Told(None, None, seconds)
     except EOFError:  # it died
-        told = None, None
+        told = Told(None, None, 0.0)
     finally:
         here.close()
         child.join(5.0)
@@ -73,7 +84,8 @@ def run(
 
 
 def _pytest(tree: str, words: list[str], said: str, answer: Connection) -> None:
-    """Run pytest in this process, which is new, and send its exit status."""
+    """Run pytest in this process, which is new, and send what became of it."""
+    sys.dont_write_bytecode = False
     os.chdir(tree)
     os.environ["PYTHONPATH"] = tree
     sys.path.insert(0, tree)
@@ -85,5 +97,5 @@ def _pytest(tree: str, words: list[str], said: str, answer: Connection) -> None:
     outcome = Outcome()
     status = pytest.main(["-W", QUIET, *words], plugins=[outcome])
     sys.stdout.flush()
-    answer.send((int(status), outcome.first))
+    answer.send((int(status), outcome.first, sum(os.times()[:4])))
     answer.close()
