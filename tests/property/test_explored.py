@@ -30,6 +30,8 @@ MOST = 20_000  # of programs that are made to be looked at
 SCENARIOS = 8  # of each of these; tests/bench tries many more
 ALONE = robot_alone()
 USUAL, MANY = range(30), [pytest.param(k, marks=pytest.mark.thorough) for k in range(30, 330)]
+DEAR = (3, 16)  # of the programs that are drawn, those whose search takes seconds
+DRAWN = [pytest.param(k, marks=pytest.mark.thorough) if k in DEAR else k for k in USUAL]
 
 
 class Shuffled(Frontier):
@@ -83,7 +85,7 @@ def compare(apart: Search, merged: Search) -> None:
     assert merged.executed.numbers == apart.executed.numbers
 
 
-@pytest.mark.parametrize("number", [*USUAL, *MANY[:60]])
+@pytest.mark.parametrize("number", [*DRAWN, *MANY[:60]])
 @deep_stack()
 def test_merging_changes_no_answer_of_drawn_programs(number: int) -> None:
     given = drawn(number)
@@ -131,7 +133,7 @@ def test_the_order_changes_no_answer(number: int) -> None:
     in_any_order(compiled(looking(number)), ALONE, Environment(), number, MOST)
 
 
-@pytest.mark.parametrize("number", [*USUAL[:10], *MANY[:60]])
+@pytest.mark.parametrize("number", [*DRAWN[:10], *MANY[:60]])
 @deep_stack()
 def test_the_order_changes_no_answer_of_drawn_programs(number: int) -> None:
     given = drawn(number)
@@ -159,7 +161,7 @@ def stays(search: Search, told: Told) -> list[Machine]:
     return shown
 
 
-@pytest.mark.parametrize("number", [*USUAL, *MANY[:60]])
+@pytest.mark.parametrize("number", [*DRAWN, *MANY[:60]])
 @deep_stack()
 def test_what_a_scenario_shows_of_drawn_programs_is_among_the_futures(number: int) -> None:
     given = drawn(number)

@@ -25,9 +25,10 @@ from vrts.robots.kinematics.batch import link_frames
 HULL = Hull(((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, 0.0, 0.1)))
 SHAPES = Box((0.05, 0.02, 0.07)), Cylinder(0.03, 0.05), Cylinder(0.001, 0.1), HULL
 QUICK = 4
-# pads too deep before the grip, in it and after they came free; what is held on its support;
-# a pad deeper than the rest of its finger, but less far beyond what it may
-GRIPS = (1, 10, 36, 39, 23)
+# pads too deep in the grip and after they came free; then, each for some seconds: before it;
+# what is held on its support; a pad deeper than the rest of its finger, but less far beyond what
+# it may
+GRIPS = (10, 36, 1, 39, 23)
 
 
 @pytest.mark.parametrize("seed", first(QUICK, range(1, 161)))
@@ -37,7 +38,7 @@ def test_nothing_is_missed_or_made_up_and_nobody_who_proposes_changes_it(seed: i
     assert found.differ == found.moments == []
 
 
-@pytest.mark.parametrize("seed", first(len(GRIPS), GRIPS))
+@pytest.mark.parametrize("seed", first(2, GRIPS))
 def test_what_pads_and_supports_may_touch_and_when_is_judged_alike(seed: int) -> None:
     found = looked_at(seed, whole=False, pads=True)
     assert found.faults == {}
