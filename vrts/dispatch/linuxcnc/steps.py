@@ -9,7 +9,16 @@ from vrts.dispatch.linuxcnc.names import number, plain, printed
 from vrts.dispatch.linuxcnc.table import Table
 from vrts.dispatch.linuxcnc.values import FIRST_INTERNAL
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Constant, Expression, Format, FormatKind, Place, Slot
+from vrts.ir.expressions import (
+    Apply,
+    Constant,
+    Expression,
+    Format,
+    FormatKind,
+    Function,
+    Place,
+    Slot,
+)
 from vrts.ir.instructions import BranchRequest, HandAction, Interpolation, Scope, SpeedUnit
 from vrts.ir.values import Type
 
@@ -85,10 +94,7 @@ class Steps:
                 part, sign = ASKED[branch]
                 self.lines += [STOP, f"#<_v_ask_{part}> = {number(sign)}"]
             case ir.SetTool(pose):
-                at = "118" if pose is None else self.locations.address(pose)
-                if pose is None:
-                    raise CannotSay("TOOL without a location", "write `TOOL NULL`'s location")
-                self._call("tool", at)
+                self._call("tool", self.locations.address(pose or Apply(Function.NULL)))
             case ir.SetTurns(multiple=True) | ir.SetAccuracy() | ir.SetNulling():
                 pass
             case ir.SetIntegration():

@@ -10,6 +10,7 @@ from vrts.dispatch.linuxcnc.export import ACCELERATION, INI, PROGRAM, SETUP
 from vrts.dispatch.rehearsing.played import Change
 
 SAMPLES, OUTCOME = "samples.txt", "outcome.json"
+PATIENCE_S = 600  # in LinuxCNC's time: its own processes wait for one another on busy machines
 DEPTH = 20_000  # samples that may wait to be written
 OPEN_TO_ALL = 0o777
 GATE_OFF, GATE_ON = "#<_v_gate> = 0", "#<_v_gate> = 1"
@@ -55,6 +56,8 @@ def _ini(text: str) -> str:
         key = row.partition("=")[0].strip()
         if key == "DISPLAY":
             rows.append("DISPLAY = ./display")
+        elif key == "COMM_TIMEOUT":
+            rows.append(f"COMM_TIMEOUT = {PATIENCE_S}")
         elif key == "OPEN_FILE" or key == "POSTGUI_HALFILE":
             continue
         else:

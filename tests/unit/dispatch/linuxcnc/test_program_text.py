@@ -48,6 +48,10 @@ def steps_of(steps: str, more: str = "") -> list[str]:
         ("DELAY 0.5", ["o<v_delay> call [0.5]"]),
         ("OPENI", ["o<v_hand> call [1]"]),
         ("CLOSE", ["#<_v_hand> = 2"]),
+        (
+            "TOOL NULL",
+            ["o<v_trans> call [1000] [0] [0] [0] [90] [-90] [0]", "o<v_tool> call [1000]"],
+        ),
         ("SPEED 30", ["#<_v_speed_next> = [30/100]"]),
         ("SPEED 150 MMPS ALWAYS", ["#<_v_speed_always> = [150/#<_v_linear>]"]),
         ("FLIP", ["o<v_stop> call", "#<_v_ask_wrist> = [-1]"]),
