@@ -25,7 +25,7 @@ from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS
 from vrts.pipeline.assess import assess
 from vrts.pipeline.compiling.reading import ProgramFile
-from vrts.pipeline.request import Request
+from vrts.pipeline.request import Checks, Request
 from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.settings import setting_for
 from vrts.pipeline.where import Where
@@ -39,7 +39,7 @@ PAGE = Path(__file__).parent / "why.md"
 EXAMPLES = Path(__file__).parents[2] / "examples"
 BLOCK = re.compile(r"^```([\w+]+)\n(.*?)^```$", re.M | re.S)
 PARTS = ("asked", "scenario", "why")
-QUICK = 3  # submissions of the quick run
+QUICK = 1  # submissions of the quick run
 
 
 class Case(NamedTuple):
@@ -98,7 +98,9 @@ def told(case: Case) -> tuple[Chain, ...]:
         path = EXAMPLES / case.text.strip()
         setting = setting_for(path, Where())
         assert setting is not None
-        return because(assess(Request(ProgramFile(path.read_bytes(), path.name), setting)))
+        checks = Checks(causes=True)
+        file = ProgramFile(path.read_bytes(), path.name)
+        return because(assess(Request(file, setting, checks=checks)))
     asked = dict(each.split(" ", 1) for each in case.expected["asked"].splitlines())
     run = ran(case)
     at = float(asked["at"]) if "at" in asked else None

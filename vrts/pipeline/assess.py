@@ -11,6 +11,7 @@ from vrts.pipeline.execution import executed
 from vrts.pipeline.futures import proven
 from vrts.pipeline.request import Request
 from vrts.report.assessment import Assessment
+from vrts.why.losses import chains
 
 
 def assess(request: Request, compiled: Compiled | None = None) -> Assessment:
@@ -56,6 +57,8 @@ def assess(request: Request, compiled: Compiled | None = None) -> Assessment:
     marked = None if task is None else grade(task, run, judgement, found.diagnostics)
     proof = None if futures is None else futures.proof
     a = replace(a, judgement=judgement, grade=marked, proof=proof)
+    if checks.causes:
+        a = replace(a, chains=chains(run, judgement, task, marked))
     return with_curve(a) if checks.curve and checks.collisions else a
 
 

@@ -17,6 +17,7 @@ class Checks(NamedTuple):
     proposer: Proposer | None = None  # of directions and points; None: the best there is here
     second: Proposer | None = None  # gives a second opinion, which decides nothing; None: nobody
     curve: bool = False  # whether to sample the clearance over time, for charts
+    causes: bool = False  # whether to look for what led to each loss
 
 
 ALL_CHECKS = Checks()

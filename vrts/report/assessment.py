@@ -12,6 +12,7 @@ from vrts.engine.run import Run
 from vrts.ir.module import Module
 from vrts.prove.proof import Proof
 from vrts.scene.model import Scene
+from vrts.why.chain import Chain
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +31,7 @@ class Assessment:
     grade: Grade | None = None
     clearance: tuple[tuple[float, float], ...] = ()  # (time [s], smallest distance [m]), sampled
     proof: Proof | None = None  # of every future; None: no task asks for it
+    chains: tuple[Chain, ...] = ()  # what led to each loss, beside `grade.losses`; if asked for
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:

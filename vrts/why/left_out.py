@@ -16,6 +16,7 @@ from vrts.why.hands import box_at, gap
 from vrts.why.read import element, places_in, reading
 from vrts.why.shown import value
 from vrts.why.sources import chain_of, element_text
+from vrts.why.ways import is_given
 
 AT_IT = 0.12  # [m] from a thing: a location so near is for it [assumed]
 
@@ -71,7 +72,7 @@ def no_use(steps: Steps, cell: Cell) -> Iterator[Link]:
 def _cells_at(steps: Steps, body: str) -> list[Cell]:
     """Return variables whose value is a place at a thing: elements of arrays first."""
     box = box_at(steps, body, 0.0)
-    found: list[tuple[bool, float, Cell]] = []
+    found: list[tuple[bool, bool, float, Cell]] = []
     for bound in steps.history.memory.bound:
         cells = list(bound.elements.values()) if isinstance(bound, Array) else [bound]
         for cell in cells:
@@ -79,8 +80,9 @@ def _cells_at(steps: Steps, body: str) -> list[Cell]:
             if isinstance(last, Pose) and gap(box, last.translation) < AT_IT:
                 middle = tuple((a + b) / 2 for a, b in zip(box.lower, box.upper, strict=True))
                 apart = distance(last.translation, (middle[0], middle[1], middle[2]))
-                found.append((not isinstance(bound, Array), apart, cell))
-    return [cell for _, _, cell in sorted(found, key=lambda one: one[:2])]
+                given = is_given(steps, last)
+                found.append((not isinstance(bound, Array), not given, apart, cell))
+    return [cell for *_, cell in sorted(found, key=lambda one: one[:3])]
 
 
 def places_at(steps: Steps, point: Vector, within: float) -> list[Cell]:

@@ -125,6 +125,7 @@ def command(
             proposer=by.proposer,
             second=by.second,
             curve=html is not None or record is not None,
+            causes=True,
         )
         request = verify_request(given, setting, language, checks=checks)
         found = assess(request)

@@ -94,7 +94,7 @@ def _of_program(file: Path, where: Where, curve: bool) -> "Assessment":
     from vrts.pipeline.settings import setting_for
 
     setting = setting_for(file, where) or with_controller(robot_alone(), where.controller)
-    return assess(request_for(file, setting=setting, checks=Checks(curve=curve)))
+    return assess(request_for(file, setting=setting, checks=Checks(curve=curve, causes=True)))
 
 
 def _of_run(file: Path) -> "Assessment":

@@ -70,6 +70,7 @@ def command(
     from vrts.cli.runs.verify_command import status_of
     from vrts.cli.shared.requests import verify_request
     from vrts.pipeline.assess import assess
+    from vrts.pipeline.request import Checks
     from vrts.report.audience import Audience
     from vrts.report.because import asked, because, told_to
     from vrts.report.formats.json_text import json_text
@@ -84,7 +85,7 @@ def command(
             "nothing says in which scene to ask: there is no task.toml beside the program",
             ("give `--scene NAME` or `--task FILE`",),
         )
-    found = assess(verify_request(given, setting, language))
+    found = assess(verify_request(given, setting, language, checks=Checks(causes=True)))
     level = told_to(found, Audience(reader))
     if found.run is not None and time_s is not None and not 0.0 <= time_s <= found.run.horizon_s:
         fail(f"the run lasts from 0 to {found.run.horizon_s:.1f} s", (), status=WRONG)

@@ -59,7 +59,12 @@ def assessed(order: Order, setting: Setting, wanted: Wanted, by: By) -> Assessme
         Request(
             ProgramFile(order.data, order.title),
             setting,
-            checks=Checks(collisions=wanted.collisions, proposer=by.proposer, second=by.second),
+            checks=Checks(
+                collisions=wanted.collisions,
+                proposer=by.proposer,
+                second=by.second,
+                causes=wanted.pages,
+            ),
             identifier=order.identifier,
         )
     )

@@ -13,8 +13,11 @@ from vrts.controllers.model import ControllerModel
 from vrts.controllers.values import digest
 from vrts.engine.memory.events import Cause
 from vrts.report.assessment import Assessment
+from vrts.report.audience import Audience
+from vrts.report.because import because, told_to
 from vrts.report.first_screen import first_screen, status
 from vrts.report.formats.diagnostic_json import Json, diagnostic_json
+from vrts.report.formats.why_json import links_json
 from vrts.report.quantities import millimetres, rounded_data, seconds
 from vrts.report.review import review_of
 
@@ -47,6 +50,7 @@ def assessment_json(a: Assessment) -> Json:
     return {
         "schema": ASSESSMENT_SCHEMA,
         **result_json(a),
+        **_because(a),
         "obstacles": list(screen.obstacles),
         "task": a.task and {"name": a.task.name, "title": a.task.title, "sha256": a.task.digest},
         "scene": a.scene and {"name": a.scene.name, "sha256": a.scene.digest},
@@ -57,6 +61,15 @@ def assessment_json(a: Assessment) -> Json:
         "collisions": _collisions(a),
         "findings": [diagnostic_json(d) for d in a.findings],
     }
+
+
+def _because(a: Assessment) -> Json:
+    """Return the losses with what led to each, as far as the task lets students read it."""
+    if a.grade is None or not a.chains:
+        return {}
+    level = told_to(a, Audience.STUDENT)
+    losses = zip(_losses(a.grade), because(a), strict=True)
+    return {"losses": [{**loss, "because": links_json(chain, level)} for loss, chain in losses]}
 
 
 def _review(a: Assessment) -> Json | None:

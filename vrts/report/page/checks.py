@@ -10,9 +10,9 @@ from vrts.check.verdicts.demand_check import DEMAND
 from vrts.controllers.values import digest
 from vrts.report.assessment import Assessment
 from vrts.report.audience import needs_review
+from vrts.report.page.buttons import watch_button
 from vrts.report.page.html import Markup, element, prose
 from vrts.report.page.replay_data import contact_sentence
-from vrts.report.page.top import watch_button
 from vrts.report.plain import capital, one_line
 from vrts.report.quantities import MINUS, full, mark, points
 

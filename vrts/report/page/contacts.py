@@ -8,11 +8,11 @@ from vrts.base.source import SourceFile
 from vrts.check.verdict import CollisionReport, ContactEvent
 from vrts.engine.memory.events import Cause
 from vrts.report.assessment import Assessment
+from vrts.report.page.buttons import watch_button
 from vrts.report.page.html import Markup, element, joined
 from vrts.report.page.replay_data import contact_sentence, near_sentence
 from vrts.report.page.replay_lanes import line_of
 from vrts.report.page.stills import contact_name, contacts_of, worst_first
-from vrts.report.page.top import watch_button
 from vrts.report.plain import one_line
 from vrts.report.quantities import MINUS, millimetres, seconds
 

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from vrts.base.diagnostic import Diagnostic
+from vrts.report.page.buttons import watch_button
 from vrts.report.page.html import Markup, MarkupPalette, element, painted, prose
-from vrts.report.page.top import watch_button
 from vrts.report.plain import capital, one_line
 from vrts.report.screen.excerpt import excerpt
 from vrts.report.screen.text import moment_text

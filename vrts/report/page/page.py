@@ -7,8 +7,10 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic
 from vrts.report.assessment import Assessment
 from vrts.report.audience import Audience, for_student, needs_review
+from vrts.report.because import told_to
 from vrts.report.first_screen import first_screen
 from vrts.report.ordering import in_order
+from vrts.report.page.buttons import watch_button
 from vrts.report.page.checks import checks_section, facts_section, review_section
 from vrts.report.page.contacts import contacts_section
 from vrts.report.page.document import document_parts
@@ -18,7 +20,7 @@ from vrts.report.page.html import Markup, element, json_script, raw
 from vrts.report.page.listing import listing
 from vrts.report.page.replay_data import contact_rows, near_rows, run_data
 from vrts.report.page.stills import MOMENT
-from vrts.report.page.top import first_screen_section, watch_button
+from vrts.report.page.top import first_screen_section
 from vrts.report.page.viewer_data import scene_data
 from vrts.report.plain import one_line
 from vrts.report.quantities import millimetres, seconds
@@ -99,7 +101,9 @@ def page_parts(
         Part("model", "What was not modelled", _not_modelled(a)),
     ]
     body = [
-        first_screen_section(a, screen, stills.get(MOMENT), review=review, more=more),
+        first_screen_section(
+            a, screen, stills.get(MOMENT), review=review, more=more, level=told_to(a, audience)
+        ),
         _navigation(parts),
         *(part.section for part in parts),
         element("footer", element("p", "Written by vrts")),

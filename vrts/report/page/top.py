@@ -3,12 +3,15 @@
 import base64
 from fractions import Fraction
 
-from vrts.base.diagnostic import Moment
+from vrts.check.rules.hints import Hints
 from vrts.report.assessment import Assessment
+from vrts.report.because import because
 from vrts.report.first_screen import FirstScreen
+from vrts.report.page.buttons import moment_button, watch_button
+from vrts.report.page.causes import causes_fold
 from vrts.report.page.html import Markup, element, prose
 from vrts.report.plain import capital, one_line, yes_no
-from vrts.report.quantities import at_time, full, lost, mark, seconds, when
+from vrts.report.quantities import full, lost, mark, when
 
 HIGH, MIDDLE = Fraction(8, 10), Fraction(5, 10)  # shares of the total from which a mark is so
 
@@ -20,6 +23,7 @@ def first_screen_section(
     *,
     review: bool = False,
     more: int = 0,
+    level: Hints = Hints.EDIT,
 ) -> Markup:
     """Return the head of the page.
 
@@ -29,6 +33,7 @@ def first_screen_section(
         picture: A PNG of the moment.
         review: Whether a person has to look at the run.
         more: How many further checks there will be at marking.
+        level: How much of what led to the losses may be told.
     """
     task = f"{a.task.title} · " if a.task else ""
     scene = f"scene {a.scene.name}" if a.scene else ""
@@ -54,7 +59,7 @@ def first_screen_section(
         answer,
         element("h2", prose(screen.cause), class_="cause"),
         _hint(screen.hint) if screen.hint else None,
-        _loss_table(screen) if screen.losses else _verdict_table(screen),
+        _loss_table(a, screen, level) if screen.losses else _verdict_table(screen),
         _more(screen, more) if more else None,
         class_="words",
     )
@@ -86,17 +91,22 @@ def mark_badge(screen: FirstScreen) -> Markup:
     )
 
 
-def _loss_table(screen: FirstScreen) -> Markup:
+def _loss_table(a: Assessment, screen: FirstScreen, level: Hints) -> Markup:
     assert screen.mark is not None
-    rows = [
-        element(
-            "tr",
+    chains = because(a) if level is not Hints.NOTHING else ()
+    folds = [causes_fold(chain, level, unfolded=k == 0) for k, chain in enumerate(chains)]
+    folds += [None] * (len(screen.losses) - len(folds))
+    rows: list[Markup] = []
+    for loss, fold in zip(screen.losses, folds, strict=True):
+        button = moment_button(loss.moment) if loss.moment else None
+        cells = (
             element("td", lost(loss.points), class_="number"),
             element("td", prose(capital(one_line(loss.sentence)))),
-            element("td", moment_button(loss.moment) if loss.moment else None, class_="act"),
+            element("td", button, class_="act"),
         )
-        for loss in screen.losses
-    ]
+        rows.append(element("tr", *cells))
+        if fold is not None:
+            rows.append(element("tr", element("td", fold, colspan=3), class_="causes"))
     total = element(
         "tr",
         element("td", mark(screen.mark), class_="number"),
@@ -137,21 +147,3 @@ def _picture(screen: FirstScreen, picture: bytes | None) -> Markup | None:
     image = element("img", src=source, alt=f"{caption}. {screen.cause}", class_="still")
     button = watch_button(screen.moment.time_s, "Watch this moment") if screen.moment else None
     return element("figure", image, element("figcaption", caption + " ", button), class_="moment")
-
-
-def moment_button(moment: Moment) -> Markup:
-    """Return a button that shows a moment, and says so where a contact is deepest."""
-    return watch_button(moment.time_s, when(moment) if moment.deepest else None)
-
-
-def watch_button(time_s: float, text: str | None = None) -> Markup:
-    """Return a button that shows a moment in the replay, a second before it happens."""
-    label = text or f"{time_s:.1f} s"
-    return element(
-        "button",
-        label,
-        type="button",
-        class_="seek",
-        data_t=seconds(time_s),
-        title=f"Show the replay {at_time(time_s)}",
-    )

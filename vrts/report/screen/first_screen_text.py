@@ -3,7 +3,10 @@
 from collections.abc import Sequence
 from typing import TypeAlias
 
+from vrts.check.rules.hints import Hints
 from vrts.report.assessment import Assessment
+from vrts.report.audience import Audience
+from vrts.report.because import because, chain_lines, told_to
 from vrts.report.first_screen import FirstScreen, first_screen
 from vrts.report.plain import line_start, one_line, width, yes_no
 from vrts.report.quantities import full, lost, mark, when
@@ -12,6 +15,8 @@ from vrts.report.screen.palette import Palette, Style, worded
 from vrts.report.screen.sketch import sketch
 
 Row: TypeAlias = tuple[str, str]
+
+INDENT = " " * 9
 
 
 def first_screen_text(a: Assessment, palette: Palette) -> str:
@@ -31,7 +36,10 @@ def first_screen_text(a: Assessment, palette: Palette) -> str:
     rows += [line_start(screen.cause)]
     rows += [worded("hint", screen.hint, Style.NOTE, palette)] if screen.hint else []
     table = _loss_rows(screen) if screen.losses else _verdict_rows(screen)
-    parts = [rows, _table(table, palette) if table else [], _picture(a, screen, palette)]
+    shown = _table(table, palette) if table else []
+    if screen.losses:
+        shown = _with_causes(a, shown, palette)
+    parts = [rows, shown, _picture(a, screen, palette)]
     return "\n\n".join("\n".join(part) for part in parts if part)
 
 
@@ -73,6 +81,21 @@ def _verdict_rows(screen: FirstScreen) -> list[Row]:
         (v.answer.value, f"{one_line(v.check)}: {one_line(v.summary)}") for v in screen.verdicts
     ]
     return [("answer", "check"), *rows] if rows else []
+
+
+def _with_causes(a: Assessment, table: list[str], palette: Palette) -> list[str]:
+    """Return the losses with the causes of the first one, and what each other one comes from."""
+    level = told_to(a, Audience.STUDENT)
+    chains = because(a) if level is not Hints.NOTHING else ()
+    shown, more = table[:1], False
+    for k, row in enumerate(table[1:]):
+        lines = chain_lines(chains[k], level) if k < len(chains) else []
+        more = more or (k > 0 and len(lines) > 1)
+        lines = lines if k == 0 else lines[-1:]
+        shown += [row, *(palette.paint(Style.FAINT, f"{INDENT}{text}") for text in lines)]
+    if more:
+        shown.append(palette.paint(Style.FAINT, f"{INDENT}`vrts why` tells all that led to each"))
+    return shown
 
 
 def _table(rows: Sequence[Row], palette: Palette) -> list[str]:

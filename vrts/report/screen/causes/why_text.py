@@ -4,22 +4,15 @@ from collections.abc import Sequence
 
 from vrts.check.rules.hints import Hints
 from vrts.report.assessment import Assessment
+from vrts.report.because import chain_lines
 from vrts.report.plain import capital, line_start, one_line
 from vrts.report.quantities import lost
 from vrts.report.screen.palette import Palette, Style
-from vrts.why.chain import Chain, line
+from vrts.why.chain import Chain
 
-ARROW = "←"
 NOT_ALLOWED = "the task allows no hints"
 NOTHING = "nothing is wrong"
 NO_CAUSE = "no earlier cause is known"
-
-
-def chain_lines(chain: Chain, level: Hints) -> list[str]:
-    """Return the links of a chain as lines, as far as they may be told."""
-    if level is Hints.NOTHING:
-        return []
-    return [f"{ARROW} {one_line(line(link, level))}" for link in chain.links]
 
 
 def why_text(
