@@ -2431,4 +2431,18 @@ PATCHES: tuple[Patch, ...] = (
         "machine.next_tick = max(machine.next_tick, machine.tick_of(wake) + 1)",
         ("tests/unit/engine/futures/test_quiet.py",),
     ),
+    Patch(
+        "a chain of causes tells more than the task allows",
+        "vrts/why/chain.py",
+        "    return link.says if not more or hints < Hints.DIRECTION else",
+        "    return link.says if not more else",
+        ("tests/unit/report/test_because.py",),
+    ),
+    Patch(
+        "a chain takes the value after a step for the one that it read",
+        "vrts/why/read.py",
+        "    return Reading(place, cell, UNDEFINED if cell is None else cell.at(before), before,",
+        "    return Reading(place, cell, UNDEFINED if cell is None else cell.value, before,",
+        ("tests/spec/test_spec_why.py",),
+    ),
 )

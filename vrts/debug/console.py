@@ -6,6 +6,7 @@ from pathlib import Path
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
+from vrts.check.rules.hints import Hints
 from vrts.debug.debugger import Debugger
 from vrts.debug.evaluating import CannotTell, evaluate, worked_out
 from vrts.debug.frames import Frame, frames
@@ -19,18 +20,29 @@ from vrts.monitor.desk import Desk, Situation
 from vrts.monitor.folder import WorkingFolder
 from vrts.monitor.listings import value_text
 from vrts.monitor.monitor import Monitor
+from vrts.report.because import chain_lines
+from vrts.why.asking import Unknown, why_at, why_of
 
 _ASSIGNED = re.compile(
     r"\s*(?P<name>[$#]?[A-Za-z][\w.]*)\s*(?:\[(?P<index>[^\]=]{1,60})\])?\s*=\s*(?P<value>[^=].*)"
 )
+_WHY = re.compile(r"\s*why(?:\s+(?P<of>[$#]?[A-Za-z][\w.]*\s*(?:\[[-\d, ]+\])?))?\s*", re.I)
+NO_HINTS = "the task allows no hints"
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)")
 
 
 class Console:
     """Reads lines; what they change is another future of the run."""
 
-    def __init__(self, debugger: Debugger, folder: Path, sources: Sequence[SourceFile]) -> None:
-        """Take a debugger, the folder of files, and the sources that are in memory."""
+    def __init__(
+        self,
+        debugger: Debugger,
+        folder: Path,
+        sources: Sequence[SourceFile],
+        hints: Hints = Hints.EDIT,
+    ) -> None:
+        """Take a debugger, the folder of files, the sources in memory, and what may be told."""
+        self._hints = hints
         self._debugger = debugger
         desk = Desk(WorkingFolder(folder), debugger.dialect, asks=False, replace=True)
         self._monitor = Monitor(desk)
@@ -61,6 +73,9 @@ class Console:
                 name, index = assigned["name"], assigned["index"]
                 shown = self.give(f"{name}[{index}]" if index else name, assigned["value"], frame)
                 return f"{shown}\n"
+            asked = _WHY.fullmatch(line)
+            if asked is not None and "why" not in debugger.state.variables:
+                return f"{self.why(asked['of'])}\n"
             try:
                 value = self.value(line, frame)
             except CannotTell as problem:
@@ -73,6 +88,24 @@ class Console:
         if turn.commands:
             text += _refused(debugger.change(turn.commands))
         return text
+
+    def why(self, name: str | None = None) -> str:
+        """Return why the arm does what it does, or a variable or a thing is what it is.
+
+        Only what happened, and by which step: it compares nothing with what would be right.
+        """
+        debugger = self._debugger
+        if self._hints is Hints.NOTHING:
+            return NO_HINTS
+        at = debugger.at
+        try:
+            if name:
+                chain = why_of(debugger.run, name, at.time_s, at.finished)
+            else:
+                chain = why_at(debugger.run, at.time_s)
+        except Unknown as problem:
+            return str(problem)
+        return "\n".join([chain.effect, *(f"  {each}" for each in chain_lines(chain, Hints.PLACE))])
 
     def value(self, text: str, frame: Frame | None = None) -> Value:
         """Return the value of an expression; `frame` as for `enter`.

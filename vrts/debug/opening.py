@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
+from vrts.check.rules.hints import Hints
 from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger
 from vrts.debug.files import Files
@@ -65,7 +66,8 @@ def opened(asked: Asked, near_miss_m: float | None = None) -> Opened:
     near = near_miss_m if task is None else task.near_miss
     debugger = Debugger(run, compilation.dialect, near)
     sources = _sources(debugger)
-    console = Console(debugger, path.parent, sources)
+    hints = Hints.EDIT if task is None else task.hints
+    console = Console(debugger, path.parent, sources, hints)
     return Opened(debugger, console, sources, found.diagnostics, files)
 
 

@@ -62,8 +62,14 @@ def _waiting(steps: Steps, time_s: float) -> Executed | None:
     return steps.step(finished + 1) or steps.step(finished)
 
 
-def why_of(run: Run, name: str, time_s: float | None = None) -> Chain:
-    """Return why a thing is where it is, or a variable what it is: now or at the end.
+def why_of(run: Run, name: str, time_s: float | None = None, finished: int | None = None) -> Chain:
+    """Return why a thing is where it is, or a variable what it is.
+
+    Args:
+        run: What happened.
+        name: Of a thing, a variable, an element, or an argument of the innermost program.
+        time_s: When [s]; None: at the end.
+        finished: Statements finished then, within a tick; None: all of it.
 
     Raises:
         Unknown: Neither the scene nor the programs know the name.
@@ -74,10 +80,10 @@ def why_of(run: Run, name: str, time_s: float | None = None) -> Chain:
     for body in run.scene.bodies:
         if body.name.lower() == wanted and body.mobility is Mobility.MOVABLE:
             return _of_body(steps, body.name, time_s)
-    cell = _cell(steps, wanted, time_s)
+    finished = run.history.finished_at(time_s) if finished is None else finished
+    cell = _cell(steps, wanted, finished)
     if cell is None:
         raise Unknown(f"neither a thing of the scene nor a variable is called `{name}`")
-    finished = run.history.finished_at(time_s)
     place = Place(Global(cell.name, Type.DYNAMIC))
     was = Reading(place, cell, cell.at(finished), finished, None)
     if not was.known:
@@ -116,10 +122,9 @@ def _held(steps: Steps, grip: Grasped) -> Iterator[Link]:
     yield from moving or brought(steps, began)
 
 
-def _cell(steps: Steps, wanted: str, time_s: float) -> Cell | None:
+def _cell(steps: Steps, wanted: str, finished: int) -> Cell | None:
     """Return the variable of a name: an argument of the innermost program first."""
     name, bracket, subscripts = wanted.partition("[")
-    finished = steps.history.finished_at(time_s)
     activation = steps.history.robot.trace.activation(finished)
     bound: Bound | None = None
     if activation is not None:

@@ -60,6 +60,7 @@ class Keyboard:
             "V": lambda: self._say(outside.rerun(debugger.at.time_s)),
             "a": lambda: self._ask(f"alarms that stop ({_alarm_words()}): ", self._alarms),
             "w": lambda: self._ask("stop when this changes: ", self._watch),
+            "y": lambda: self._say(*self._console.why().split("\n")),
             ":": lambda: self._ask(":", self._command),
         }
 

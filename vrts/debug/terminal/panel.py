@@ -35,7 +35,8 @@ Forward                         Backward
   up, down    choose a line       b  breakpoint at the line
   g           run to the line     j  go on with the line next (another future)
   a           which alarms stop   w  stop when a variable or signal changes
-  :           a command of the monitor, an expression, or `x = 5`
+  y           why the arm does what it does
+  :           a command of the monitor, an expression, `x = 5`, or `why x`
   p           robot program or process control program
   v           see this moment in 3D   V  in the Rerun viewer
   r           again from the beginning, with the files as they are now

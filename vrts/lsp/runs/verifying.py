@@ -20,6 +20,7 @@ from vrts.lsp.channel.findings import Finding, Found, told
 from vrts.lsp.channel.verification import CPU_S, Answer, Asked, asked_of, header_of, line_of
 from vrts.lsp.documents.documents import Document
 from vrts.lsp.runs.bounds import bounded, said_by
+from vrts.lsp.runs.causes import with_causes
 from vrts.lsp.runs.futures import for_some_inputs
 from vrts.lsp.runs.motion_times import timings
 from vrts.lsp.runs.speeds import with_speeds
@@ -87,6 +88,8 @@ def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Ans
     found = with_speeds(SourceFile(path, asked.text), run, judgement, setting.task, again)
     tell(Answer(all_timings, shown([*of_run, *found])))
     known = [one.diagnostic for one in (*of_run, *found)]
+    of_run = with_causes(of_run, run, judgement, setting.task)
+    found = with_causes(found, run, judgement, setting.task)
     found += for_some_inputs(request, module, known, SEARCH_CPU_S)
     return Answer(all_timings, shown([*of_run, *found]), is_whole=True)
 

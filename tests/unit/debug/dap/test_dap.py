@@ -118,6 +118,8 @@ def test_the_console_takes_commands_and_expressions(client: Client, program: Pat
     assert client.value("n", "repl") == "3"
     assert client.value("SPEED 50", "repl") == ""
     assert "50" in client.shown()["Arm"]["speed"]["value"]
+    assert client.value("why n", "repl").startswith("`n` is 3")
+    assert "the arm stands still" in client.value("why", "repl")
     assert "no value" in client.value("nosuch", "repl")
     assert "nobody" in client.value("nobody 5", "repl").lower() or client.value("!", "repl")
 
