@@ -50,6 +50,7 @@ def told(body: str) -> tuple[int, str, str, str]:
         ("x = zeros(1, 3)\nx[1] = 2\nTYPE x[1]", 1, "`zeros`", "no size"),
         ("x = time.time()\nTYPE x", 1, "`time.time`", "`TIMER(1)`"),
         ("SET p = pick, 2\nMOVE p", 1, "one value", "SHIFT(pick BY dx, dy, dz)"),
+        ("CALL put(pikc, 60)\nMOVE pick", 1, "`pikc`", "did you mean `pick`"),
         ('TYPE "Area",, 5', 1, "`,` stands twice", "remove one"),
         ("APPRO pick, 1O0", 1, "the letter O", "the digit 0"),
         ("50 = h\nTYPE h", 1, "left of `=`", "`h = 50`"),

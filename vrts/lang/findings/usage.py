@@ -137,10 +137,12 @@ def _truncated(resolver: Resolver, entry: Entry) -> None:
 
 
 def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) -> None:
-    if not entry.reads:
+    handed = () if entry.reads or resolver.problems.any_error else _handed(resolver, entry)
+    if not entry.reads and not handed:
         return
     if resolver.scope.may_have_value(entry) and not only_of_itself(entry):
         return
+    entry.reads.extend(handed)
     problems = resolver.problems
     if {problems.source.line_of(start) for start, _ in entry.reads} <= resolver.wrong_lines:
         return  # the lines were reported
@@ -182,6 +184,16 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
         fix=problems.replace(*found.at, found.instead, sure=False) if found.instead else None,
         data={"name": entry.name},
     )
+
+
+def _handed(resolver: Resolver, entry: Entry) -> tuple[Place, ...]:
+    """Return where a name is handed to programs that all only look at it: `CALL fetch(feader)`."""
+    formals = [resolver.scope.formal(passed) for passed in entry.passed]
+    if entry.array is not None or entry.slot is not None:
+        return ()
+    if not all(formal is not None and formal.reads for formal in formals):
+        return ()
+    return tuple(passed.at for passed in entry.passed if passed.at[1])
 
 
 def _mend_reserved(resolver: Resolver, upper: str, help_: str) -> None:

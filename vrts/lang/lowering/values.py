@@ -23,7 +23,7 @@ from vrts.lang.syntax.expressions import (
     Text,
     Variable,
 )
-from vrts.lang.vocabulary.functions import CONSTANTS, Signature
+from vrts.lang.vocabulary.functions import CONSTANTS, Signature, has_more_axes
 
 _NO_TURN = (90.0, -90.0, 0.0)  # O, A, T of TRANS without angles [manual language/locations#trans]
 
@@ -124,6 +124,8 @@ class ValueLowering:
         function = signature.function
         given = node.arguments
         arguments: tuple[x.Argument, ...]
+        if self.dialect.is_as and has_more_axes(signature.name, len(given)):
+            return x.Apply(x.Function.OPAQUE, (x.Constant(signature.name.upper()),), span)
         match function:
             case x.Function.TRANS if self.dialect.angles is Angles.ZYZ:
                 function = x.Function.TRANS_ZYZ

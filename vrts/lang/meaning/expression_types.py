@@ -35,7 +35,7 @@ from vrts.lang.syntax.expressions import (
     Text,
     Variable,
 )
-from vrts.lang.vocabulary.functions import CONSTANTS, Signature
+from vrts.lang.vocabulary.functions import CONSTANTS, Signature, has_more_axes
 from vrts.lang.vocabulary.lookup import hardly_a_name, instructions_of
 
 FORMAT = re.compile(r"/[DFIGEHOCXUBSJKLN](\d{0,3}(\.\d{1,2})?)?", re.IGNORECASE)
@@ -249,9 +249,10 @@ class ExpressionTypes(NameUses):
             return Type.DYNAMIC
         if lower == "instr":
             node = node._replace(arguments=with_start(node.arguments))
-        if signature.opaque:
+        of_axes = self.dialect.is_as and has_more_axes(lower, len(node.arguments))
+        if signature.opaque or of_axes:
             self.warn_not_simulated(node.name.text.upper(), node.name.start, node.name.end)
-            if self._count(node, signature):
+            if of_axes or self._count(node, signature):
                 named = signature.parameters[:1] == ("n",)  # a word of the controller
                 for argument in node.arguments[named:]:
                     self.loosely(argument)

@@ -41,6 +41,9 @@ class Signature(NamedTuple):
         return self.function is Function.OPAQUE
 
 
+AXES = 6  # of the arms that are simulated
+MOST_AXES = 18  # that controllers of AS move, as programs of their maker have it
+
 _EVERYWHERE = "12+a"
 _R, _S, _P, _J = Type.REAL, Type.STRING, Type.POSE, Type.JOINTS
 
@@ -203,6 +206,11 @@ def applied_functions(dialect: Dialect) -> dict[str, Signature]:
 def bare_functions(dialect: Dialect) -> dict[str, Signature]:
     """Return the functions that a dialect takes without parentheses."""
     return {name: s for name, s in FUNCTIONS.items() if s.bare and dialect.has(s.bare)}
+
+
+def has_more_axes(name: str, given: int) -> bool:
+    """Return whether TRANS or #PPOINT of AS is for a robot with more than six axes."""
+    return name in ("trans", "#ppoint") and AXES < given <= MOST_AXES
 
 
 # Functions of relatives, and what a VAL-II programmer writes instead.
