@@ -4,6 +4,8 @@ python -m tests.mutants                     the table of those in `tests/data/mu
 python -m tests.mutants make                makes them anew: the same, unless marks have changed
 python -m tests.mutants make FOLDER SEED    makes others, of seeds from SEED on, in another folder
 python -m tests.mutants show ID ...         the lines that a mutant changes
+python -m tests.mutants score FILE [N]      mends those (N of them) that FILE has no row of yet;
+                                            with `--of FOLDER` at the end, those of another folder
 """
 
 import sys
@@ -14,6 +16,7 @@ from tests.mutants.choosing import one_mistake, two_mistakes
 from tests.mutants.given import mutants, written
 from tests.mutants.hunks import Hunk
 from tests.mutants.originals import FOLDER, Original, originals
+from tests.mutants.scoring import score, scores
 from tests.mutants.table import table
 
 NUMBERS = {True: (84, 22), False: (30, 7)}  # with one mistake and two: of solutions, of others
@@ -28,6 +31,8 @@ def main(words: list[str]) -> int:
             make(FOLDER, 0)
         case ["make", folder, seed] if seed.isdecimal():
             make(Path(folder), int(seed))
+        case ["score", file, *rest]:
+            return _score(Path(file), rest)
         case ["show", *names]:
             for mutant in mutants():
                 if mutant.id in names:
@@ -55,6 +60,22 @@ def make(folder: Path, first_seed: int) -> None:
 def is_solution(original: Original) -> bool:
     """Return whether a right program is the solution of an example."""
     return original.program.parent == original.example
+
+
+def _score(file: Path, rest: list[str]) -> int:
+    """Mend mutants, and print the table of what became of them."""
+    match rest:
+        case [*count, "--of", folder] if len(count) < 2:
+            given = mutants(Path(folder))
+        case [] | [_]:
+            count, given = rest, mutants()
+        case _:
+            count, given = ["?"], []
+    if not all(word.isdecimal() for word in count):
+        print(__doc__)
+        return 2
+    print(scores(score(given, file, *map(int, count))))
+    return 0
 
 
 def show(edits: Iterable[Hunk]) -> None:

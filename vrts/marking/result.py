@@ -135,6 +135,16 @@ class Versions(Record, frozen=True):
     engine: Annotated[str | None, Meta(description="what measured distances")]
 
 
+class Mending(Record, frozen=True):
+    """What would earn the full mark; for those who mark, where they ask for it."""
+
+    cause: Annotated[str, Meta(description="what is wrong, in words that others share")]
+    sentence: str
+    lines: tuple[int, ...]
+    changes: Annotated[int, Meta(description="how many mistakes that mends")]
+    executions: Annotated[int, Meta(description="how often a changed program was executed")]
+
+
 class Result(Record, frozen=True, omit_defaults=True):
     """What vrts found out about one submission."""
 
@@ -166,6 +176,7 @@ class Result(Record, frozen=True, omit_defaults=True):
         Named | None, Meta(description="model that the run went by; null: vrts-1, the first")
     ] = None
     total: Annotated[Mark, Meta(description="the mark is out of so many points")] = 10.0
+    mending: Mending | None = None
 
     @property
     def exact_total(self) -> Fraction:

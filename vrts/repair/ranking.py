@@ -22,11 +22,17 @@ class Repair(NamedTuple):
     text: str  # the program with the change
     mark: Fraction
     weight: float = 1.0  # how much its line is to blame
+    doubt: float = 0.0  # what a teacher says against it, beside what is implausible
+
+    @property
+    def against(self) -> float:
+        """All that speaks against it."""
+        return self.cost + self.doubt + sum(implausible(part) for part in self.change.each)
 
 
 def ranked(found: Sequence[Repair]) -> tuple[Repair, ...]:
     """Return repairs, the likeliest first."""
-    return tuple(sorted(found, key=lambda each: round(each.cost + implausible(each.change), 6)))
+    return tuple(sorted(found, key=lambda each: round(each.against, 6)))
 
 
 def standing_out(found: Sequence[Repair]) -> Repair | None:
@@ -34,14 +40,19 @@ def standing_out(found: Sequence[Repair]) -> Repair | None:
     if not found:
         return None
     best = found[0]
-    mine = best.cost + implausible(best.change)
-    if implausible(best.change) >= ILLEGAL:
+    if any(implausible(part) >= ILLEGAL for part in best.change.each):
         return None
     for other in found[1:]:
-        near = other.cost + implausible(other.change) < mine + CLEARLY
-        if near and abs(other.change.line - best.change.line) > 1:
+        near = other.against < best.against + CLEARLY
+        if near and _elsewhere(other.change, best.change):
             return None
     return best
+
+
+def _elsewhere(change: Change, other: Change) -> bool:
+    """Return whether two changes blame different lines."""
+    mine, theirs = ([part.line for part in each.each] for each in (change, other))
+    return any(min(abs(line - one) for one in theirs) > 1 for line in mine)
 
 
 def implausible(change: Change) -> float:

@@ -1,33 +1,42 @@
 """The search: candidates executed cheapest first, until good ones stand out."""
 
 import gc
+import math
 from collections.abc import Generator
 from contextlib import contextmanager
 from heapq import heapify, heappop, heappush
 from typing import NamedTuple
 
+from vrts.base.remembered import Memory
 from vrts.base.source import SourceFile
 from vrts.check.judgement import Judgement
 from vrts.check.mark.grade import Grade
 from vrts.engine.run import Run
 from vrts.lang.dialect import VAL2
 from vrts.repair.blame.blame import Blame, blame
-from vrts.repair.edit import Candidate, changed
+from vrts.repair.edit import Candidate, both, changed
 from vrts.repair.ranking import Repair, ranked
 from vrts.repair.table.asked import Asked
 from vrts.repair.table.table import candidates
+from vrts.repair.trying.touched import known_touches
 from vrts.repair.trying.trial import Place, Stage, Tried, tried
 from vrts.repair.written import read
 
+DOUBTED = 0.25  # of a repair against which a teacher says so much others are looked for longer
+FARTHER = 0.0015  # more than a line that a step more adds to those that move something
 FRUITLESS = 0.08  # how much dearer a group gets with each of it that comes to nothing
 
 
 class Budget(NamedTuple):
     """How much is executed at most."""
 
-    executions: int = 400
+    executions: int = 1000  # in all
+    one: int = 400  # for one change
     band: float = 0.5  # how much dearer than the first good candidate others are looked at
-    more: int = 20  # executions after the first good candidate
+    more: int = 30  # executions after the first good candidate
+    alone: int = 200  # for one change, before changes that help are taken for the first of two
+    helpers: int = 5  # changes that help at most, at a time
+    second: int = 100  # for the second change beside each of them
 
 
 class Search(NamedTuple):
@@ -52,36 +61,125 @@ def settled() -> Generator[None]:
 def search(
     place: Place, source: SourceFile, run: Run, judgement: Judgement, grade: Grade, budget: Budget
 ) -> Search:
-    """Return changes of a program that earn the full mark."""
-    dialect = place.options.dialect or VAL2
-    written = read(source, dialect)
-    blamed = blame(run, place.task, judgement, grade)
-    asked = Asked(written, place.scene, place.task, blamed)
-    found: list[Repair] = []
-    base = tried(place, source.text).gained
-    queue = _Queue(candidates(asked))
-    seen = {_code(source.text)}
-    count, left = 0, budget.executions
-    while count < left:
-        candidate = queue.next()
-        if candidate is None or (found and candidate.cost > found[0].cost + budget.band):
+    """Return changes of a program that earn the full mark: one at a time, else two."""
+    memory = Memory()
+    level = _Level(place, source, (run, judgement, grade), memory, budget)
+    level.go(min(budget.alone, budget.executions))
+    count = 0
+    two: list[Repair] = []
+    for most in (budget.one, 0):
+        helpers = [] if level.found else level.helping(budget.helpers)
+        for n, helper in enumerate(helpers):
+            left = budget.executions - level.count - count
+            if two or left <= 0:
+                break
+            second = _Level(place, *_next(place, source, helper), memory, budget)
+            second.go(min(budget.second * (1 if n else 2), left))
+            count += second.count
+            two += _together(source, helper, second.found)
+        if two or level.found:
             break
-        text = changed(source.text, candidate.change.edits)
-        code = _code(text)
-        if code in seen:
-            continue
-        seen.add(code)
-        result = tried(place, text)
-        if result.stage is Stage.COMPILES_NOT:
-            continue
-        count += 1
-        if result.stage is Stage.FULL:
-            if not found:
-                left = min(left, count + budget.more)
-            found.append(_repair(candidate, text, result, blamed))
-        else:
-            queue.failed(candidate, better=result.gained > base)
-    return Search(ranked(found), count, blamed)
+        level.go(min(most, budget.executions - count))
+    return Search(ranked(level.found or two), level.count + count, level.blamed)
+
+
+class _Helper(NamedTuple):
+    """A change that does not earn the full mark, but comes farther."""
+
+    candidate: Candidate
+    text: str
+    result: Tried
+
+
+class _Level:
+    """One change looked for in a program, as long as somebody wants."""
+
+    def __init__(
+        self,
+        place: Place,
+        source: SourceFile,
+        judged: tuple[Run, Judgement, Grade],
+        memory: Memory,
+        budget: Budget,
+    ) -> None:
+        self.place, self.source, self.memory, self.budget = place, source, memory, budget
+        written = read(source, place.options.dialect or VAL2)
+        run, judgement, grade = judged
+        self.blamed = blame(run, place.task, judgement, grade)
+        self._queue = _Queue(candidates(Asked(written, place.scene, place.task, self.blamed)))
+        self._base = tried(place, source.text, memory).come
+        self._touches = known_touches(run, judgement.collisions)
+        self._seen = {_code(source.text)}
+        self._helpers: list[_Helper] = []
+        self._tried: set[tuple[float, int]] = set()  # how far those came, and their lines
+        self.found: list[Repair] = []
+        self.count = 0  # executions
+
+    def go(self, most: int) -> None:
+        """Look until a number of executions is reached, or good changes stand out."""
+        left, enough = most, math.inf
+        while self.count < left:
+            candidate = self._queue.next()
+            if candidate is None or candidate.cost > enough:
+                break
+            text = changed(self.source.text, candidate.change.edits)
+            code = _code(text)
+            if code in self._seen:
+                continue
+            self._seen.add(code)
+            result = tried(self.place, text, self.memory, self._touches)
+            if result.stage is Stage.COMPILES_NOT:
+                continue
+            self.count += 1
+            if result.stage is Stage.FULL:
+                repair = _repair(candidate, text, result, self.blamed)
+                doubted = repair.against - repair.cost >= DOUBTED
+                if not doubted or not self.found:
+                    more = self.budget.more * (3 if doubted else 1)
+                    left = min(left, self.count + more) if not doubted else self.count + more
+                enough = min(enough, repair.against + self.budget.band)
+                self.found.append(repair)
+                continue
+            better = result.come > self._base + FARTHER
+            if better:
+                self._helpers.append(_Helper(candidate, text, result))
+            self._queue.failed(candidate, better=better)
+
+    def helping(self, most: int) -> list[_Helper]:
+        """Return the changes that come farthest; of those that come as far the cheapest."""
+        self._helpers.sort(key=lambda each: (-round(each.result.come, 3), each.candidate.cost))
+        taken: dict[tuple[float, int], _Helper] = {}
+        for helper in self._helpers:
+            place = (round(helper.result.come, 4), helper.candidate.change.line)
+            if place not in self._tried:
+                taken.setdefault(place, helper)
+        best = [place for place in taken if place[0] > self._base + 0.3 * self._gain][:most]
+        self._tried.update(best)
+        return [taken[place] for place in best]
+
+    @property
+    def _gain(self) -> float:
+        """How much farther the best of them comes."""
+        return max((each.result.come for each in self._helpers), default=0.0) - self._base
+
+
+def _next(
+    place: Place, source: SourceFile, helper: _Helper
+) -> tuple[SourceFile, tuple[Run, Judgement, Grade]]:
+    """Return a program with a change that helps, and what is still wrong with it."""
+    return SourceFile(source.name, helper.text), helper.result.judged(place)
+
+
+def _together(source: SourceFile, helper: _Helper, found: list[Repair]) -> list[Repair]:
+    """Return the changes that are good beside one that helps, each with it."""
+    first = helper.candidate
+    made: list[Repair] = []
+    for repair in found:
+        change = both(source, first.change, repair.change)
+        if change is not None:
+            cost, doubt = first.cost + repair.cost, first.doubt + repair.doubt
+            made.append(repair._replace(change=change, cost=cost, doubt=doubt))
+    return made
 
 
 class _Queue:
@@ -110,7 +208,7 @@ class _Queue:
 def _repair(candidate: Candidate, text: str, result: Tried, blamed: Blame) -> Repair:
     assert result.mark is not None
     weight = blamed.weight(candidate.change.line)
-    return Repair(candidate.change, candidate.cost, text, result.mark, weight)
+    return Repair(candidate.change, candidate.cost, text, result.mark, weight, candidate.doubt)
 
 
 def _code(text: str) -> str:

@@ -2,30 +2,57 @@
 
 from collections.abc import Sequence
 
+from vrts.base.source import SourceFile
 from vrts.check.rules.hints import Hints
 from vrts.repair.edit import Change, Does
 from vrts.repair.ranking import Repair, standing_out
+from vrts.repair.trying.reach import Reach
+
+COUNTED = ("no", "one", "two")
 
 
-def sentence(found: Sequence[Repair], level: Hints) -> str | None:
-    """Return what may be told of ranked repairs; None: nothing."""
+def sentence(found: Sequence[Repair], level: Hints, reach: Reach | None = None) -> str | None:
+    """Return what may be told of ranked repairs; None: nothing.
+
+    Args:
+        found: What earns the full mark, likeliest first.
+        level: What the task allows.
+        reach: Of the number that the likeliest writes: which others would do.
+    """
     if not found or level is Hints.NOTHING:
         return None
     best = standing_out(found)
-    first = found[0]
     if best is None or level is Hints.PLACE:
-        return f"look at line {first.change.line}"
+        return place(found[0].change)
     if level is Hints.EDIT:
-        where = f"line {best.change.line}: {does(best.change)}"
-        return f"one change away: {float(best.mark):g} with {where}"
+        return f"{away(best, reach)}"
     way = direction(found, best)
     if way is None:
-        return f"look at line {best.change.line}"
+        return place(best.change)
+    look = f"{place(best.change)}: {best.change.old} is {way}"
     if level is Hints.DIRECTION:
-        return f"look at line {best.change.line}: {best.change.old} is {way}"
-    return (
-        f"look at line {best.change.line}: {best.change.old} is {way}, {best.change.new} would do"
-    )
+        return look
+    return f"{look}, {best.change.new} would do{_also(reach)}"
+
+
+def place(change: Change) -> str:
+    """Return where a change is to be looked for, in words."""
+    lines = [str(part.line) for part in change.each]
+    return f"look at line{'s' * (len(lines) > 1)} {' and '.join(lines)}"
+
+
+def away(repair: Repair, reach: Reach | None = None) -> str:
+    """Return how far a program is from the full mark, in words."""
+    parts = repair.change.each
+    changes = f"{COUNTED[len(parts)]} change{'s' * (len(parts) > 1)} away"
+    said = ", and ".join(f"line {part.line}: {does(part)}" for part in parts)
+    return f"{changes}: {float(repair.mark):g} with {said}{_also(reach)}"
+
+
+def _also(reach: Reach | None) -> str:
+    if reach is None or reach.low == reach.high:
+        return ""
+    return f"; from {reach.low:g} to {reach.high:g} would do, tried at {reach.tried} values"
 
 
 def direction(found: Sequence[Repair], best: Repair) -> str | None:
@@ -41,7 +68,9 @@ def direction(found: Sequence[Repair], best: Repair) -> str | None:
 def does(change: Change) -> str:
     """Return what a change does, in words."""
     if change.does is Does.ADD:
-        return f"`{change.new}` is missing before it"
+        return f"`{change.new}` is missing {change.old or 'before it'}"
+    if change.old.startswith("every "):
+        return f"{change.old}: {change.new}"
     if change.does is Does.REMOVE:
         return f"`{change.old}` is too much"
     if change.does is Does.ORDER and change.old == change.new:
@@ -54,6 +83,25 @@ def does(change: Change) -> str:
     if more and change.does is Does.NUMBER:
         return f"`{change.new}` for `{change.old}`, and so {more} more place{'s' * (more > 1)}"
     return f"`{change.new}` for `{change.old}`"
+
+
+def cause(change: Change, source: SourceFile) -> str:
+    """Return what is wrong in words that programs share whose authors made the same mistake."""
+    words = source.line_text(change.line).split()
+    step = words[0] if words else ""
+    match change.does:
+        case Does.ADD:
+            return f"`{change.new.split()[0]}` is missing"
+        case Does.REMOVE:
+            return f"`{change.old.split()[0]}` is too much"
+        case Does.ORDER:
+            return "something stands in the wrong order"
+        case Does.NUMBER:
+            return f"a number of `{step}` is {_way(change)}"
+        case Does.ROW:
+            return f"the location `{step if change.old else change.new.split()[0]}` is wrong"
+        case _:
+            return does(change)
 
 
 def _way(change: Change) -> str:

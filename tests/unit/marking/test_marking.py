@@ -178,3 +178,19 @@ def test_students_get_nothing_of_hidden_checks(tmp_path: Path) -> None:
         for secret in (b"secretgate", b"612.34", b"345.67", b"staff", str(tmp_path).encode()):
             assert secret not in path.read_bytes(), path
     assert json.loads((layout.student("anna") / "result.json").read_text())["mark"] == 10.0
+
+
+def test_what_would_mend_a_program_is_for_those_who_mark(tmp_path: Path) -> None:
+    """And only where they ask: marks, and what students get, are the same without it."""
+    wrong = GOOD.replace(b"OPENI                           ; let go", b"CLOSEI ; let go")
+    assert wrong != GOOD
+    entry = Entry("ben", "ben.v2", wrong)
+    plain = mark(tmp_path / "plain", entry).by_id["ben"]
+    asked = mark(tmp_path / "asked", entry, wanted=Wanted(pages=False, mending=60)).by_id["ben"]
+    assert plain.result.mending is None
+    assert asked.result.mending is not None
+    assert asked.result.mending.cause == "`OPENI` for `CLOSEI`"
+    assert asked.result.mending.lines == (21,)
+    assert asked.student == plain.student
+    assert asked.result.mark == plain.result.mark
+    assert asked.result.key != plain.result.key

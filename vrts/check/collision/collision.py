@@ -78,7 +78,7 @@ def check_collisions(
         clearance=clearance,
         near=threshold if clearance else None,
     )
-    _look_once(todo, prober, found)
+    look_once(todo, prober, found)
     contacts = episodes(found.contacts, pairs)
     open_ = apart_from(episodes(found.open, pairs), contacts)
     grazes = apart_from(episodes(found.grazes, pairs), [*contacts, *open_])
@@ -136,7 +136,7 @@ def _events(told: Sequence[Told[ContactEvent]]) -> tuple[ContactEvent, ...]:
     return tuple(one.event for one in told)
 
 
-def _look_once(todo: Plan, prober: Prober, found: Findings) -> None:
+def look_once(todo: Plan, prober: Prober, found: Findings) -> None:
     """Add what pairs that do not move one against the other have to say."""
     rigid = todo.rigid
     if not len(rigid.first):

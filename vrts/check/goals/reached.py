@@ -50,6 +50,7 @@ def judged_at(run: Run, task: Task) -> float:
     latest = run.started_s + task.t_max
     for end_s, gained in overruns(run):
         latest -= gained if end_s <= latest else 0.0
+    latest = max(latest, run.started_s)
     ended = run.ended_s
     return min(latest, run.horizon_s) if ended is None else min(latest, ended)
 

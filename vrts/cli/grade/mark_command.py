@@ -12,6 +12,7 @@ import click
 from vrts.cli.grade.export_command import NAMES, export, given_page
 from vrts.cli.grade.options import (
     again_option,
+    mend_option,
     no_pages_option,
     recordings_option,
     results_option,
@@ -111,6 +112,7 @@ change, each with --help. Sessions of the live server: vrts grade [TASK] --sessi
 @again_option
 @no_pages_option()
 @recordings_option()
+@mend_option()
 @no_collisions_option
 @engine_option()
 @form_option("full", "json")
@@ -134,6 +136,7 @@ def command(
     again: bool,
     no_pages: bool,
     recordings: bool,
+    mend: int,
     no_collisions: bool,
     engine: str | None,
     form: str,
@@ -152,6 +155,9 @@ def command(
     alike are in `staff`. A second call marks only what has changed since, and one that was
     interrupted (exit status 130) goes on. Exit status 0 when every row has a result.
 
+    With --mend N the results for staff, and the overview, tell what change of a program would earn
+    the full mark, and how many have made the same mistake. Students are told nothing of it.
+
     With --pseudonyms no name of a person or file is in the output but in staff/names.csv, which
     only its owner may read; ids are made with the key in staff/pseudonyms.key, and stay the same
     when it does. What students write into their programs is not changed.
@@ -167,7 +173,7 @@ def command(
     place, found = what_to_mark(task, submissions, lab)
     require_folder(folder)
     pages = folder is not None and not no_pages
-    wanted = Wanted(not no_collisions, engine, pages, recordings and folder is not None)
+    wanted = Wanted(not no_collisions, engine, pages, recordings and folder is not None, mend)
     marker = Marker(place, wanted)
     layout = None if folder is None else Layout(folder)
     if formats and layout is None:

@@ -29,6 +29,17 @@ def recordings_option(says: str = "Write a Rerun recording of every run.") -> Op
     return click.option("--recordings", is_flag=True, help=says)
 
 
+def mend_option() -> Option[Any]:
+    """Return `--mend`."""
+    return click.option(
+        "--mend",
+        type=click.IntRange(0, 5000),
+        default=0,
+        metavar="N",
+        help="Look for what would earn the full mark: with N changed programs for each, as 300.",
+    )
+
+
 def roster_option(also: str = "") -> Option[Any]:
     """Return `--roster`; `also` is what else a command takes from it."""
     says = "Moodle's grading worksheet, or the grade book of Canvas: names, ids, who is missing"

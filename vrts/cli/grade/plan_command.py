@@ -6,6 +6,7 @@ from pathlib import Path
 import click
 
 from vrts.cli.grade.options import (
+    mend_option,
     no_pages_option,
     recordings_option,
     roster_option,
@@ -60,6 +61,7 @@ and at home again:
 @zone_option
 @no_pages_option("Results only, no pages.")
 @recordings_option("A Rerun recording of every run.")
+@mend_option()
 @no_collisions_option
 @engine_option()
 @lab_option
@@ -76,6 +78,7 @@ def command(
     zone: str | None,
     no_pages: bool,
     recordings: bool,
+    mend: int,
     no_collisions: bool,
     engine: str | None,
     lab: Path | None,
@@ -102,7 +105,7 @@ def command(
         hints = ("`--force` plans anew; results of the old plan cannot be merged then",)
         fail(f"there is a plan in `{folder}` already", hints)
     place, found = what_to_mark(task, submissions, lab)
-    marker = Marker(place, Wanted(not no_collisions, engine, not no_pages, recordings))
+    marker = Marker(place, Wanted(not no_collisions, engine, not no_pages, recordings, mend))
     how = HowTo(
         os.cpu_count() or 1,
         table=table,

@@ -36,7 +36,7 @@ def mend_behaviour(
                 ("give `--task`, or put a `task.toml` beside the program",),
             )
         request = verify_request(given, setting, Language(dialect=dialect))
-        found = mended(request)
+        found = mended(request, reaching=not (show or write))
         status = max(status, _done(found, given, show=show, write=write))
     return status
 
@@ -60,7 +60,7 @@ def _done(found: Mended, given: Given, *, show: bool, write: bool) -> int:
     elif (show or write) and best is not None:
         _changed(found, best, given, write=write)
         return HOLDS
-    told = sentence(found.repairs, task.hints)
+    told = sentence(found.repairs, task.hints, found.reach)
     if told is None:
         say(f"{name}: {float(grade.mark):g}; no single change was found that earns the full mark")
         return WRONG

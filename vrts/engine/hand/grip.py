@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from vrts.base.pose import X_AXIS, Z_AXIS, Pose, Vector, dot, rotate, transpose
+from vrts.base.remembered import is_remembering, remembered
 from vrts.geometry.shapes import Piece
 from vrts.geometry.support import Interval, extent_of, reach
 from vrts.robots.model import Gripper
@@ -38,6 +39,13 @@ class Between(NamedTuple):
 
 def between(gripper: Gripper, pieces: Sequence[Piece], X_PO: Pose) -> Between | None:
     """Return how a body lies between the pads; None when no part of it does."""
+    if not is_remembering():
+        return _between(gripper, pieces, X_PO)
+    key = ("between", id(gripper), id(pieces), X_PO)
+    return remembered(key, lambda: _between(gripper, pieces, X_PO), alive=(gripper, pieces))
+
+
+def _between(gripper: Gripper, pieces: Sequence[Piece], X_PO: Pose) -> Between | None:
     half_width, half_length = gripper.pad_width / 2.0, gripper.pad_length / 2.0
     half_opening = gripper.opening_max / 2.0
     found: list[Interval] = []

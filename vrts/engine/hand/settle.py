@@ -24,6 +24,7 @@ from vrts.base.pose import (
     subtract,
     translation,
 )
+from vrts.base.remembered import is_remembering, remembered
 from vrts.engine.hand.resting import Rest, Standing
 from vrts.geometry.hull import faces
 from vrts.geometry.proving.scalar import nearest
@@ -78,6 +79,17 @@ def _descend(
     meet before their widest gap is closed at its own rate, and where it is to the side it stays the
     widest, for steeper ones close faster: such pieces are passed by for good.
     """
+    if not is_remembering():
+        return _descended(pieces, X_WO, others)
+    beneath = tuple((each.name, id(each.pieces), each.X_WO) for each in others)
+    alive = (pieces, tuple(each.pieces for each in others))
+    key = ("descend", id(pieces), X_WO, beneath)
+    return remembered(key, lambda: _descended(pieces, X_WO, others), alive=alive)
+
+
+def _descended(
+    pieces: Sequence[Piece], X_WO: Pose, others: Sequence[Standing]
+) -> tuple[float, Standing, Piece, Piece] | None:
     mine = bounds(pieces, X_WO)
     below = [
         (standing, piece)

@@ -9,6 +9,7 @@ space, and a joint motion and a line in the joints of both.
 from typing import NamedTuple
 
 from vrts.base.pose import Pose
+from vrts.base.remembered import is_remembering, remembered
 from vrts.controllers.model import Branches, CornerShape
 from vrts.engine.memory.records import INSTANT
 from vrts.engine.motion.lines.path import Course, LinePath, rounded
@@ -93,6 +94,20 @@ def round_corner(
         intent: The next, from the end of the first.
         state: Configuration and velocity in path time at the start of the zone.
     """
+    if not is_remembering():
+        return _rounded_corner(arm, X_FT, leg, intent, state)
+    key = ("corner", id(arm), X_FT, leg, *intent.told_apart, state)
+    alive = (arm, intent.model)
+    return remembered(key, lambda: _rounded_corner(arm, X_FT, leg, intent, state), alive=alive)
+
+
+def _rounded_corner(
+    arm: Arm,
+    X_FT: Pose,
+    leg: Leg,
+    intent: Intent,
+    state: tuple[Configuration, Configuration],
+) -> Corner | None:
     half = half_width(leg, intent, arm)
     at_rest = intent.model.corners.shape is CornerShape.PARABOLA  # as each would be by itself
     before = leg.profile._replace(fall=half, to_rest=at_rest)

@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple, TypeAlias
 
+from vrts.base.remembered import is_remembering, remembered
 from vrts.engine.motion.lines.set_points import Piece
 from vrts.engine.motion.paths import JointPath
 from vrts.engine.motion.plan import Intent, joint_profile, line_profile
@@ -33,6 +34,13 @@ class Fastest(NamedTuple):
 
 def fastest(pieces: Sequence[Piece], limits: Configuration) -> Fastest:
     """Return the joint that comes nearest to its speed limit, or is farthest above it."""
+    if not is_remembering():
+        return _fastest(pieces, limits)
+    key = ("fastest", id(pieces), limits)
+    return remembered(key, lambda: _fastest(pieces, limits), alive=pieces)
+
+
+def _fastest(pieces: Sequence[Piece], limits: Configuration) -> Fastest:
     found = Fastest(0.0, 0, 0.0)
     for start, end, rows in pieces:
         for joint, (row, limit) in enumerate(zip(rows, limits, strict=True)):

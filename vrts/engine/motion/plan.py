@@ -1,8 +1,10 @@
 """One motion from rest to rest: its path, its time scaling, and what stops it on the way."""
 
+from collections.abc import Hashable
 from typing import NamedTuple
 
 from vrts.base.pose import Pose
+from vrts.base.remembered import is_remembering, remembered
 from vrts.base.source import Span
 from vrts.controllers.model import ControllerModel, NoLength
 from vrts.engine.faults import RuntimeFault
@@ -45,6 +47,11 @@ class Intent(NamedTuple):
         if isinstance(path, JointPath):
             return all(abs(change) <= ROUNDING for change in path.change)
         return path.length <= ROUNDING and path.turned <= ROUNDING
+
+    @property
+    def told_apart(self) -> tuple[Hashable, ...]:
+        """All that makes it another motion; its model by the address."""
+        return (id(self.model), *self[:9], self.keeps_request)
 
     @property
     def takes_no_time(self) -> bool:
@@ -144,6 +151,19 @@ def line_profile(
 
 def from_rest(arm: Arm, X_FT: Pose, intent: Intent) -> Planned:
     """Return a motion from rest to rest; a line ends early where it cannot be followed."""
+    if not is_remembering():
+        return _from_rest(arm, X_FT, intent)
+    key = ("from rest", id(arm), X_FT, *intent.told_apart)
+    alive = (arm, intent.model)
+    return remembered(key, lambda: _from_rest(arm, X_FT, intent), alive=alive, worth=_whole)
+
+
+def _whole(planned: Planned) -> bool:
+    """Return whether nothing is wrong: a fault is told of one step, and gets its advice later."""
+    return planned.fault is None
+
+
+def _from_rest(arm: Arm, X_FT: Pose, intent: Intent) -> Planned:
     path = intent.path
     if isinstance(path, JointPath):
         assert intent.goal is not None

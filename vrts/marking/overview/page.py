@@ -1,5 +1,6 @@
 """The page of a class: marks, what goes wrong, what is to be looked at, and every submission."""
 
+from vrts.marking.overview.causes import causes
 from vrts.marking.overview.changes import changes
 from vrts.marking.overview.reviews import reviews
 from vrts.marking.overview.table import table
@@ -27,6 +28,7 @@ def overview_page(
     parts = {
         "To be reviewed": ("review", reviews(every, pages=pages)),
         "Checks": ("checks", checks(every)),
+        "Mistakes": ("causes", causes(every, pages=pages)),
         "Slowest": ("slowest", slowest(every, pages=pages)),
         "Contacts": ("contacts", most_contacts(every, pages=pages)),
         "Late and changed": ("changes", changes(every, pages=pages)),
@@ -45,6 +47,7 @@ def overview_page(
         element("nav", *links, aria_label="On this page"),
         found["review"],
         found["checks"],
+        found["causes"],
         _beside(found["slowest"], found["contacts"]),
         found["changes"],
         found["all"],

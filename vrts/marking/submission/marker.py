@@ -21,11 +21,12 @@ from vrts.controllers.models import FIRST
 from vrts.controllers.values import digest
 from vrts.marking.proposer.by_name import By, by_name
 from vrts.marking.result import SCORING, Damaged, Kind, Record, Result, key_of
+from vrts.marking.submission.mending import would_do
 from vrts.marking.submission.one import Marked, Order, Wanted, mark, refused
 from vrts.marking.submission.report_files import FAULT, RECORDING, REPORT, Reader, write_files
 from vrts.marking.submission.setting import Place, load
 from vrts.marking.submission.summary import result_of, unmarked
-from vrts.marking.supervise.limits import Limits, for_states
+from vrts.marking.supervise.limits import Limits, for_mending, for_states
 from vrts.pipeline.setting import Setting
 from vrts.report.audience import for_student
 
@@ -70,24 +71,30 @@ class Marker:
         settings = {id(one): one for one in (self.whole, self.public, *self.whole.variants)}
         tasks = [setting.task for setting in settings.values()]
         proofs = [task.proof for task in tasks if task is not None and task.proof is not None]
-        return for_states(sum(proof.states for proof in proofs))
+        limits = for_states(sum(proof.states for proof in proofs))
+        return for_mending(limits, self.wanted.mending)
 
     def key(self, data: bytes) -> str:
         """Return the digest of everything that the result for the staff depends on."""
-        return self._key(data, (self.whole, self.public, *self.whole.variants))
+        settings = (self.whole, self.public, *self.whole.variants)
+        return self._key(data, settings, mending=self.wanted.mending)
 
     def public_key(self, data: bytes) -> str:
         """Return the same for the student: nothing of hidden checks is in it."""
         return self._key(data, (self.public,))
 
-    def _key(self, data: bytes, settings: Iterable[Setting]) -> str:
+    def _key(self, data: bytes, settings: Iterable[Setting], mending: int = 0) -> str:
         digests: list[str] = []
         for setting in settings:
             assert setting.task is not None
             digests += [setting.task.digest, setting.scene.digest]
             if setting.scene.controller != FIRST:  # of which results did not tell
                 digests += [digest(setting.scene.controller)]
-        wanted = msgspec.json.encode(self.wanted).decode()
+        asked: dict[str, object] = msgspec.to_builtins(self.wanted)
+        del asked["mending"]  # of which results did not tell
+        if mending:
+            asked["mending"] = mending
+        wanted = msgspec.json.encode(asked).decode()
         return key_of(data, *digests, *versions_of_scoring(), wanted)
 
     @property
@@ -105,7 +112,7 @@ class Marker:
         reference = None if is_packed(Path(self.place.task)) else reference_of(self.folder)
         program = IDLE if reference is None else reference.read_bytes()
         order = Order("warm-up", "warm-up.v2", program)
-        quiet = msgspec.structs.replace(self.wanted, recordings=False)
+        quiet = msgspec.structs.replace(self.wanted, recordings=False, mending=0)
         if self.wanted.recordings:
             from vrts.report.recording import prepare  # rerun is optional, and heavy
 
@@ -122,7 +129,11 @@ class Marker:
             staff = self._mark(order, self.whole, wanted, by)
             same = self.public is self.whole
             student = staff if same else self._mark(order, self.public, wanted, by)
-        return self._finished(staff, student, order.data, folder, wanted)
+        marks = self._finished(staff, student, order.data, folder, wanted)
+        if not wanted.mending or staff.fault is not None:
+            return marks
+        mending = would_do(order, self.public, wanted.mending)
+        return Marks(msgspec.structs.replace(marks.staff, mending=mending), marks.student)
 
     def _mark(self, order: Order, setting: Setting, wanted: Wanted, by: By) -> Marked:
         return mark(order, setting, wanted, by)

@@ -40,6 +40,7 @@ class Wanted(Record, frozen=True):
     engine: str | None = None
     pages: bool = True
     recordings: bool = False
+    mending: int = 0  # executions of changed programs at most, to find what would mend one
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 STATE_S = 0.01  # [s] of processor for a state of a future: 30 times what is usual [assumed]
+EXECUTION_S = 1.0  # [s] for a changed program: 50 times what is usual [assumed]
 STATE_BYTES = 40_000  # four times what is usual [assumed]
 
 
@@ -19,6 +20,14 @@ class Limits:
     file: int = 64_000_000  # bytes of any file it writes
     files: int = 256  # open at once
     answer: int = 8_000_000  # bytes of its answer
+
+
+def for_mending(limits: Limits, executions: int) -> Limits:
+    """Return what a process may use that executes so many changed programs, too."""
+    longer = executions * EXECUTION_S
+    return replace(
+        limits, cpu_s=limits.cpu_s + math.ceil(longer), wall_s=limits.wall_s + 2.0 * longer
+    )
 
 
 def for_states(states: int) -> Limits:

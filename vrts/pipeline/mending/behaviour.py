@@ -8,8 +8,9 @@ from vrts.pipeline.assess import assess
 from vrts.pipeline.execution import compiled_for
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import scenario_of
-from vrts.repair.ranking import Repair
+from vrts.repair.ranking import Repair, implausible, standing_out
 from vrts.repair.search import Budget, search
+from vrts.repair.trying.reach import Reach, reach
 from vrts.repair.trying.trial import Place
 from vrts.report.assessment import Assessment
 
@@ -21,13 +22,27 @@ class Mended(NamedTuple):
     repairs: tuple[Repair, ...]  # likeliest first
     executions: int
     refused: str | None = None  # why nothing was looked for
+    reach: Reach | None = None  # of the number that stands out: which others would do
 
 
-def mended(request: Request, budget: Budget | None = None) -> Mended:
-    """Return what would mend a program that compiles and loses points in its task."""
+def mended(
+    request: Request,
+    budget: Budget | None = None,
+    *,
+    reaching: bool = False,
+    hints: Hints | None = None,
+) -> Mended:
+    """Return what would mend a program that compiles and loses points in its task.
+
+    Args:
+        request: The program and its setting.
+        budget: How much is executed.
+        reaching: Whether to look how far a number may go, where one stands out.
+        hints: What may be told, whatever the task allows: of those who mark. None: as it says.
+    """
     compiled = compiled_for(request)
     found = assess(request, compiled)
-    why = _refused(request, found)
+    why = _refused(request, found, hints)
     if why is not None:
         return Mended(found, (), 0, why)
     task, grade, run, judgement = found.task, found.grade, found.run, found.judgement
@@ -49,15 +64,19 @@ def mended(request: Request, budget: Budget | None = None) -> Mended:
         request.entry or (task.program and task.program.lower()),
     )
     result = search(place, found.source, run, judgement, grade, budget or Budget())
-    return Mended(found, result.repairs, result.executions)
+    best = standing_out(result.repairs) if reaching else None
+    far = None
+    if best is not None and task.hints >= Hints.NUMBER:
+        far = reach(place, found.source, best.change, lambda each: implausible(each) == 0)
+    return Mended(found, result.repairs, result.executions, reach=far)
 
 
-def _refused(request: Request, found: Assessment) -> str | None:
+def _refused(request: Request, found: Assessment, hints: Hints | None) -> str | None:
     """Return why nothing may or can be looked for."""
     task = found.task
     if task is None:
         return "only a task says what would be right: give `--task`, or put a `task.toml` beside it"
-    if task.hints is Hints.NOTHING:
+    if (task.hints if hints is None else hints) is Hints.NOTHING:
         return "the task allows no hints"
     if found.run is None:
         return "the program does not compile: `vrts fix` mends what is certain of its language"

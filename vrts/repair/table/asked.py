@@ -1,5 +1,6 @@
 """What candidates are made from, and how they are priced."""
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from functools import cached_property
@@ -72,6 +73,7 @@ class Asked:
         priced: float | None = None,
         trust: float | None = None,
         group: int | None = None,
+        doubt: float = 0.0,
     ) -> Candidate:
         """Return a candidate with its price.
 
@@ -87,6 +89,7 @@ class Asked:
             priced: Nodes that count for the price, where a mistake is one but for its places.
             trust: What it costs that the line is not to blame; None: as usual.
             group: Where it belongs: of those at one place that come to nothing the rest waits.
+            doubt: What a teacher says against it, even if it earns the full mark.
         """
         blamed = self.against(line) if against is None else against
         counted = size if priced is None else priced
@@ -95,7 +98,7 @@ class Asked:
         made = tuple(edits)
         at = made[0].span.start if group is None and made else group
         change = Change(does, line, made, round(size), old, new)
-        return Candidate(cost, change, (does.value, at or 0))
+        return Candidate(cost, change, (does.value, at or 0), doubt)
 
     def instead(
         self,
@@ -106,12 +109,24 @@ class Asked:
         *,
         size: float = 1,
         unusual: float = 0.0,
+        trust: float | None = None,
+        doubt: float = 0.0,
     ) -> Candidate:
         """Return the candidate that writes a text in place of an expression."""
         source = self.written.source
         old = source.text[item.start : item.end]
         edit = replacement(source, item.start, item.end, text)
-        return self.candidate(does, line, (edit,), size=size, unusual=unusual, old=old, new=text)
+        return self.candidate(
+            does,
+            line,
+            (edit,),
+            size=size,
+            unusual=unusual,
+            old=old,
+            new=text,
+            trust=trust,
+            doubt=doubt,
+        )
 
     def text_of(self, item: Item) -> str:
         """Return an expression as it is written."""
@@ -158,6 +173,12 @@ class Asked:
                 case _:
                     pass
         return frozenset(found)
+
+    @cached_property
+    def series(self) -> frozenset[str]:
+        """Names with numbers in them that data have at least twice, without their numbers."""
+        found = Counter(series(name) for name in self.row_names)
+        return frozenset(name for name, times in found.items() if times > 1 and "#" in name)
 
     @cached_property
     def used(self) -> Counter[str]:
@@ -211,6 +232,11 @@ class Asked:
     def taught(self) -> dict[str, tuple[float, ...]]:
         """The scene's own locations: X, Y, Z [mm], O, A, T [deg]."""
         return {key(name): components(pose) for name, pose in self.scene.locations.items()}
+
+
+def series(name: str) -> str:
+    """Return a name with its numbers left out: those of a series are alike."""
+    return re.sub(r"\d+", "#", name)
 
 
 def components(pose: Pose) -> tuple[float, ...]:

@@ -15,10 +15,14 @@ from vrts.lang.syntax.expressions import (
 from vrts.lang.syntax.statements import CallNamed, CallStatement, SetLocation, Simple
 from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.nodes import nodes, operands, parts
-from vrts.repair.table.asked import MOVES_TO, TRUST, Asked, name_of, names_in, target_of
+from vrts.repair.table.asked import MOVES_TO, TRUST, Asked, name_of, names_in, series, target_of
 from vrts.repair.written import WrittenStep
 
+NOT_NAMED = 0.4  # what a teacher says against a name far from the one that nothing defines
+PARTED = 0.6  # what a teacher says against going near one location and then to another
+NEAR = 3  # steps between two motions that belong together
 FEW = 2  # letters in which a misspelt name differs
+LEFT = 0.5  # what a teacher says against leaving a location that was taught and named unused
 
 
 def other_names(asked: Asked) -> Iterator[Candidate]:
@@ -48,9 +52,24 @@ def letters_apart(a: str, b: str) -> int:
     return row[-1]
 
 
+def slipped(wrong: str, right: str) -> bool:
+    """Return whether of two names the one is more likely mistyped than the other.
+
+    A letter is doubled, or something is hung on; else one is left out.
+    """
+    for k in range(len(wrong)):
+        if wrong[:k] + wrong[k + 1 :] == right:
+            return k + 1 == len(wrong) or (k > 0 and wrong[k - 1] == wrong[k])
+    for k in range(1, len(right) - 1):
+        if right[:k] + right[k + 1 :] == wrong:
+            return right[k - 1] != right[k] and right[k] != right[k + 1]
+    return False
+
+
 def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
     defined = asked.defined | asked.taught.keys()
     target = target_of(step)
+    beside = _visited_beside(asked, step)
     for name in names_in(step):
         mine = key(name.text)
         others = _like(asked, mine, step)
@@ -67,12 +86,41 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
                 unusual += 0.4
             elif other in asked.idle:
                 unusual -= 0.5
-            yield asked.instead(Does.NAME, step.line, name, other, unusual=unusual)
+            doubt = LEFT if asked.used[mine] == 1 and mine in asked.row_names else 0.0
+            if mine not in asked.defined:
+                doubt = 0.0 if apart <= FEW else NOT_NAMED
+                if mine in asked.taught or series(mine) in asked.series or slipped(other, mine):
+                    doubt, unusual = doubt + 0.3, unusual + 0.3  # its row is misspelt, not it
+            if mine in beside:
+                unusual, doubt = unusual + 0.3, doubt + PARTED
+            elif other in beside:
+                unusual -= 0.3
+            yield asked.instead(Does.NAME, step.line, name, other, unusual=unusual, doubt=doubt)
     if isinstance(step.statement, CallStatement):
         program = step.statement.program
         for other in asked.written.programs[1:]:
             if other.name != key(program.text):
-                yield asked.instead(Does.NAME, step.line, program, other.name, unusual=0.2)
+                forgotten = other.name not in asked.called
+                unusual = -0.7 if forgotten else 0.2
+                yield asked.instead(Does.NAME, step.line, program, other.name, unusual=unusual)
+
+
+def _visited_beside(asked: Asked, step: WrittenStep) -> set[str]:
+    """Return the locations that the motions to locations before and after one go to."""
+    if not _visits(step):
+        return set()
+    steps = asked.written.steps
+    k = steps.index(step)
+    found: set[str] = set()
+    for way in (steps[:k][::-1], steps[k + 1 :]):
+        near = next((each for each in way[:NEAR] if _visits(each)), None)
+        if near is not None and near.program == step.program:
+            found |= {key(name.text) for name in names_in(near)}
+    return found
+
+
+def _visits(step: WrittenStep) -> bool:
+    return isinstance(step.statement, Simple) and step.statement.word in MOVES_TO
 
 
 def _like(asked: Asked, name: str, step: WrittenStep) -> set[str]:
@@ -188,8 +236,18 @@ def _swap(asked: Asked, step: WrittenStep, one: Item, other: Item, unusual: floa
         replacement(source, other.start, other.end, a),
     )
     size = min(nodes(one) + nodes(other), 2 * min(nodes(one), nodes(other)))
+    if isinstance(one, Element) and isinstance(other, Element):
+        alike = [asked.text_of(x)[len(x.name.text) :] for x in (one, other)]
+        size = 2 if alike[0] == alike[1] else size
     return asked.candidate(
-        Does.ORDER, step.line, edits, size=size, unusual=unusual, old=f"{a}, {b}", new=f"{b}, {a}"
+        Does.ORDER,
+        step.line,
+        edits,
+        priced=min(size, 2),
+        size=size,
+        unusual=unusual,
+        old=f"{a}, {b}",
+        new=f"{b}, {a}",
     )
 
 
@@ -208,13 +266,16 @@ def _definitions(asked: Asked, used: set[str]) -> Iterator[Candidate]:
             if mine in used and letters_apart(mine, other) > FEW:
                 continue
             near = letters_apart(mine, other) <= FEW
+            meant = other in asked.taught or series(other) in asked.series
+            meant = meant or slipped(mine, other)
+            right = mine in asked.taught or series(mine) in asked.series or slipped(other, mine)
             edit = replacement(asked.written.source, name.start, name.end, other)
             yield asked.candidate(
                 Does.NAME,
                 line,
                 (edit,),
                 against=0.3,
-                unusual=-0.8 if near else 0.3,
+                unusual=(-0.8 if near else 0.3) - (0.2 if meant else 0.0) + (0.6 if right else 0.0),
                 old=name.text,
                 new=other,
             )

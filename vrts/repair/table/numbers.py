@@ -2,7 +2,9 @@
 
 from collections.abc import Iterator
 from enum import Enum
+from statistics import median_high
 
+from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Application, Element, Infix, Item, Number, Prefix
 from vrts.lang.syntax.statements import (
     Assignment,
@@ -16,15 +18,23 @@ from vrts.lang.syntax.statements import (
 )
 from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.nodes import operands, parts
-from vrts.repair.table.asked import Asked, written_number
+from vrts.repair.table.asked import Asked, names_in, written_number
 from vrts.repair.written import WrittenStep
 
 FACTORS = (-1.0, 10.0, 0.1, 25.4, 1 / 25.4, 100.0, 0.01, 1000.0, 0.001)
 LADDER = (40, 60, 80, 100, 120, 150, 200, 250, 300)
-SPEEDS = (20.0, 30.0, 50.0, 100.0, 10.0, 40.0, 80.0)
+SPEEDS = (100.0, 50.0, 30.0, 20.0, 80.0, 40.0, 10.0)
+FULL = 100.0  # per cent
+FAST = 0.5  # what it speaks against a speed above it
 BESIDE = (20, 40, 80, 150, 10, 250, 400)
 SMALL = 12  # a whole number up to this may count something
+COUNTED = 1.3  # what it speaks against a number that counts that its line is not to blame
 FAR = 5000.0  # [mm] no distance is longer
+
+
+AWAY = frozenset({"APPRO", "APPROS", "DEPART", "DEPARTS"})
+ODD = 0.5  # of the usual distance: a smaller one is likely mistyped
+FAR_AWAY = 0.4  # what a teacher says against a distance far beyond all others
 
 
 class Role(Enum):
@@ -39,6 +49,7 @@ class Role(Enum):
 def other_numbers(asked: Asked) -> Iterator[Candidate]:
     """Yield every step with another number, and steps that are alike with another one together."""
     alike: dict[tuple[str, str, float], list[tuple[WrittenStep, Item]]] = {}
+    usual = _usual(asked)
     elsewhere = _elsewhere(asked)
     for step in asked.steps:
         for item, role in numbers_of(step.statement):
@@ -46,9 +57,28 @@ def other_numbers(asked: Asked) -> Iterator[Candidate]:
             word = word_of(step.statement)
             alike.setdefault((word, role.value, value), []).append((step, item))
             for unusual, other in _others(asked, value, role, word, elsewhere):
+                odd, doubt = 0.0, 0.0
+                if word in AWAY and usual:
+                    odd = -0.5 if value < ODD * usual else 0.0
+                    doubt = FAR_AWAY if other > max(250.0, 2.0 * usual) else 0.0
                 yield asked.instead(
-                    Does.NUMBER, step.line, item, written_number(other), unusual=unusual
+                    Does.NUMBER,
+                    step.line,
+                    item,
+                    written_number(other),
+                    unusual=unusual + odd,
+                    doubt=doubt,
+                    trust=COUNTED if role is Role.COUNT else None,
                 )
+            if role is Role.COUNT and word != "For":
+                beside = {key(name.text) for name in names_in(step)} & asked.numbers
+                for name in sorted(asked.numbers):
+                    unusual = -0.4 if name in beside else 0.2
+                    yield asked.instead(
+                        Does.NAME, step.line, item, name, unusual=unusual, trust=COUNTED
+                    )
+            if isinstance(step.statement, For) and item is step.statement.increment:
+                yield asked.instead(Does.NUMBER, step.line, item, "1", trust=COUNTED)
     for (word, role, value), places in alike.items():
         if len(places) > 1:
             kind = Role(role)
@@ -73,6 +103,18 @@ def _together(
         old=asked.text_of(places[0][1]),
         new=text,
     )
+
+
+def _usual(asked: Asked) -> float:
+    """Return the usual distance of APPRO and DEPART in a program; 0: there is none."""
+    found = [
+        value_of(item)
+        for step in asked.written.steps
+        if word_of(step.statement) in AWAY
+        for item, role in numbers_of(step.statement)
+        if role is Role.DISTANCE
+    ]
+    return median_high(found) if len(found) > 1 else 0.0
 
 
 def numbers_of(statement: Statement) -> Iterator[tuple[Item, Role]]:
@@ -166,11 +208,11 @@ def _others(
         add(0.4, -value)
     if role is Role.SPEED:
         for k, other in enumerate((value * 10, value / 10, value * 3, value * 2, value * 5)):
-            add(0.1 * k, other)
+            add(0.1 * k + (FAST if other > FULL else 0.0), other)
         for k, other in enumerate(SPEEDS):
             add(0.1 + 0.05 * k, other)
         for other in elsewhere.get(word, ()):
-            add(0.05, other)
+            add(0.05 + (FAST if other > FULL else 0.0), other)
         return [(unusual, other) for other, unusual in found.items() if other > 0]
     if role is Role.COUNT:
         return [(unusual, other) for other, unusual in found.items()]

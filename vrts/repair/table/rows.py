@@ -3,16 +3,30 @@
 from collections.abc import Callable, Iterator, Sequence
 
 from vrts.base.oat import rotation_from_oat
-from vrts.base.pose import IDENTITY_ROTATION, Rotation, rotate, transpose
+from vrts.base.pose import IDENTITY_ROTATION, Pose, Rotation, rotate, transpose
 from vrts.base.units import DEG
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Element, Name, Number
 from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.table.asked import Asked, components, name_of, names_in, written_number
-from vrts.repair.table.numbers import BESIDE, FACTORS, mistyped, value_of
+from vrts.repair.table.numbers import (
+    AWAY,
+    BESIDE,
+    FACTORS,
+    mistyped,
+    numbers_of,
+    value_of,
+    word_of,
+)
 from vrts.repair.written import WrittenRow
 
 Row = Sequence[float]
+ASKED = 0.6  # [mm] so near to what geometry asks for an explained value is the one that was meant
+MEANT = -0.8  # what it speaks for a value that geometry asks for and a slip explains
+ONE_DIGIT = -0.2  # and for a value that differs in one digit
+UNEXPLAINED = 0.15  # and against a value that neither a slip nor geometry explains
+AS_TAUGHT = 0.6  # what speaks against another value where a row is as the scene says
+UNROUND = 0.3  # what a teacher says against a number that nobody measures
 SAME = 0.02  # [mm], [deg] of two values that differ by less neither is another
 POSE = 6
 TURNS = (90.0, -90.0, 180.0, -180.0, 10.0, -10.0, 20.0, -20.0, 30.0, -30.0, 45.0, -45.0)
@@ -66,6 +80,8 @@ def _single(
     values = values_of(row)
     taught = asked.taught.get(key(name_of(row.node.target)))
     near = _nearest(asked, values)
+    beside = _beside(asked, row)
+    as_taught = AS_TAUGHT if _as_taught(asked, row, row.node.target) else 0.0
     for n, value in enumerate(values):
         others = Others(value)
         add = others.add
@@ -73,13 +89,44 @@ def _single(
             add(-0.9, taught[n])
         for k, other in enumerate(near):
             add(0.15 + 0.1 * k, other[n])
+        for each in beside:
+            add(0.05, each[n])
         if n < 3:
             _lengths(asked, n, value, columns[n], frames, add)
         else:
             _angles(value, columns[n], add)
+            for X_WT in asked.blame.poses:
+                wanted = components(X_WT)
+                if all(abs(values[k] - wanted[k]) < 1.0 for k in range(3, POSE) if k != n):
+                    add(-0.4, wanted[n])
         item = row.node.values[n]
         for other, unusual in others.found.items():
-            yield asked.instead(Does.NUMBER, row.line, item, written_number(other), unusual=unusual)
+            doubt = 0.0 if unusual <= MEANT or is_round(other) else UNROUND
+            doubt += UNEXPLAINED if unusual > 0.25 else 0.0
+            yield asked.instead(
+                Does.NUMBER,
+                row.line,
+                item,
+                written_number(other),
+                unusual=unusual + 0.5 * as_taught,
+                doubt=doubt + as_taught,
+            )
+
+
+def _beside(asked: Asked, row: WrittenRow) -> list[Row]:
+    """Return the locations that steps name just before and after one: ways are mostly square."""
+    mine = key(name_of(row.node.target))
+    known = {key(name_of(each.node.target)): each for each in asked.written.rows if _is_pose(each)}
+    named = [key(each.text) for step in asked.written.steps for each in names_in(step)]
+    named = [name for name in named if name in known]
+    beside = {
+        named[j]: None
+        for k, name in enumerate(named)
+        if name == mine
+        for j in (k - 1, k + 1)
+        if 0 <= j < len(named) and named[j] != mine
+    }
+    return [values_of(known[name]) for name in beside]
 
 
 class Others:
@@ -105,23 +152,61 @@ def _lengths(
     frames: Sequence[Rotation],
     add: Callable[[float, float], None],
 ) -> None:
-    for k, factor in enumerate(FACTORS):
-        add(0.08 * k, value * factor)
+    slips = {0.08 * k: tidy(value * factor, factor) for k, factor in enumerate(FACTORS)}
+    for unusual, other in slips.items():
+        add(unusual, other)
     for other in mistyped(value):
         add(0.25, other)
+    explained = [*slips.values(), *mistyped(value)]
     for k, frame in enumerate(frames):
         for residual in asked.blame.residuals:
             by = rotate(frame, residual)[n]
             if abs(by) > 0.5:
-                add(0.05 + 0.1 * min(k, 3), value + by)
+                _wanted(value, value + by, explained, 0.05 + 0.1 * min(k, 3), add)
     for X_WT in asked.blame.poses:
-        add(0.1, components(X_WT)[n])
+        _wanted(value, components(X_WT)[n], explained, 0.1, add)
     for other in column:
         add(0.3, other)
         add(0.5, -other)
     for k, by in enumerate(BESIDE):
         add(0.5 + 0.05 * k, value + by)
         add(0.5 + 0.05 * k, value - by)
+
+
+def tidy(value: float, factor: float = 1.0) -> float:
+    """Return the whole number that a value is but for what was rounded before a factor."""
+    whole = float(round(value))
+    return whole if abs(value - whole) <= 0.006 * max(abs(factor), 1.0) else value
+
+
+def is_round(value: float) -> bool:
+    """Return whether a value is one that people measure: whole millimetres or degrees."""
+    return abs(value - round(value)) < 0.01
+
+
+def _wanted(
+    value: float,
+    wanted: float,
+    explained: Sequence[float],
+    unusual: float,
+    add: Callable[[float, float], None],
+) -> None:
+    """Take what geometry asks for: as the value that a slip explains, or as a whole number."""
+    near = min(explained, key=lambda other: abs(other - wanted))
+    if abs(near - wanted) <= ASKED:
+        add(MEANT, near)
+    elif _one_digit(value, wanted):
+        add(unusual + ONE_DIGIT, float(round(wanted)))
+    else:
+        nearest = float(round(wanted))
+        add(unusual, nearest if abs(nearest - wanted) < 0.1 else wanted)
+
+
+def _one_digit(value: float, wanted: float) -> bool:
+    """Return whether two whole numbers differ in one digit."""
+    a, b = f"{value:.0f}", f"{wanted:.0f}"
+    whole = is_round(value) and abs(wanted - round(wanted)) < ASKED
+    return whole and len(a) == len(b) and sum(x != y for x, y in zip(a, b, strict=True)) == 1
 
 
 def _angles(value: float, column: Sequence[float], add: Callable[[float, float], None]) -> None:
@@ -149,7 +234,7 @@ def _several(asked: Asked, row: WrittenRow) -> Iterator[Candidate]:
                     other[i], other[j] = other[j], other[i]
                     yield _row(asked, row, other, Does.ORDER, 0.1 - 0.3)
     for k, unit in enumerate(UNITS):
-        other = [*(x * unit for x in values[:3]), *values[3:]]
+        other = [*(tidy(x * unit, unit) for x in values[:3]), *values[3:]]
         yield _row(asked, row, other, Does.ROW, 0.1 + 0.1 * k, priced=1.6)
     for residual in asked.blame.residuals:
         other = [*(x + d for x, d in zip(values, residual, strict=False)), *values[3:]]
@@ -229,9 +314,12 @@ def _exchanged(asked: Asked, rows: Sequence[WrittenRow]) -> Iterator[Candidate]:
 
 def _as_taught(asked: Asked, row: WrittenRow, name: Name | Element) -> bool:
     """Return whether the scene teaches the values of a row under another name."""
-    taught = asked.taught.get(key(name_of(name)))
-    return taught is not None and all(
-        abs(a - b) <= SAME for a, b in zip(values_of(row), taught, strict=True)
+    known = key(name_of(name))
+    things = [components(body.X_WO) for body in asked.scene.bodies if body.name == known]
+    taught = asked.taught.get(known)
+    return any(
+        all(abs(a - b) <= SAME for a, b in zip(values_of(row), each, strict=True))
+        for each in (*things, *(() if taught is None else (taught,)))
     )
 
 
@@ -261,18 +349,23 @@ def _all_rows(asked: Asked, rows: Sequence[WrittenRow]) -> Iterator[Candidate]:
         )
 
     for unit in UNITS:
-        others = [[*(x * unit for x in values_of(row)[:3]), *values_of(row)[3:]] for row in rows]
-        yield together(others, 0.3, "every row", f"every row, times {unit:g}")
+        others = [
+            [*(tidy(x * unit, unit) for x in values_of(row)[:3]), *values_of(row)[3:]]
+            for row in rows
+        ]
+        whole = together(others, 0.3, "every row", f"times {unit:g}")
+        yield whole
+        yield _with_steps(asked, whole, unit)
     for i, j in ((0, 1), (1, 2), (0, 2), (3, 4), (4, 5), (3, 5)):
         others = [list(values_of(row)) for row in rows]
         for each in others:
             each[i], each[j] = each[j], each[i]
-        said = f"every row, {'XYZOAT'[i]} and {'XYZOAT'[j]} exchanged"
+        said = f"{'XYZOAT'[i]} and {'XYZOAT'[j]} exchanged"
         yield together(others, 0.4, "every row", said)
     taught = [asked.taught.get(key(name_of(row.node.target))) for row in rows]
     if any(taught):
         others = [t or values_of(row) for t, row in zip(taught, rows, strict=True)]
-        yield together(others, 0.9, "every row", "every row as the scene says")
+        yield together(others, 0.9, "every row", "as the scene says")
 
 
 def _missing(asked: Asked) -> Iterator[Candidate]:
@@ -281,26 +374,70 @@ def _missing(asked: Asked) -> Iterator[Candidate]:
     used = {key(part.text) for step in written.steps for part in names_in(step)}
     source = written.source
     for name in sorted(used - asked.defined):
-        taught = asked.taught.get(name)
-        if taught is None:
+        if name in asked.arrays:
             continue
-        numbers = " ".join(f"{written_number(x):>9}" for x in taught)
-        line = f"{name:<13}{numbers}\n"
-        lines = sorted(written.data_lines)
-        if lines:
-            at = written.line_start(lines[0] + 1)
-            text = line
-        else:
-            at = len(written.text)
-            ended = "" if written.text.endswith("\n") else "\n"
-            text = f"{ended}.LOCATIONS\n{line}.END\n"
-        where = lines[0] + 1 if lines else len(source.line_starts)
-        yield asked.candidate(
-            Does.ROW,
-            where,
-            (replacement(source, at, at, text),),
-            size=7,
-            priced=1,
-            against=0.0,
-            new=line.strip(),
-        )
+        taught = asked.taught.get(name)
+        given = [(0.0, taught)] if taught is not None else _guessed(asked, name)
+        for unusual, values in given:
+            numbers = " ".join(f"{written_number(x):>9}" for x in values)
+            line = f"{name:<13}{numbers}\n"
+            lines = sorted(written.data_lines)
+            if lines:
+                at = written.line_start(lines[0] + 1)
+                text = line
+            else:
+                at = len(written.text)
+                ended = "" if written.text.endswith("\n") else "\n"
+                text = f"{ended}.LOCATIONS\n{line}.END\n"
+            where = lines[0] + 1 if lines else len(source.line_starts)
+            yield asked.candidate(
+                Does.ROW,
+                where,
+                (replacement(source, at, at, text),),
+                size=7,
+                priced=1,
+                against=0.0,
+                unusual=unusual,
+                new=line.strip(),
+            )
+
+
+def _with_steps(asked: Asked, whole: Candidate, unit: float) -> Candidate:
+    """Return the table in another unit, with the distances of the steps in that unit, too."""
+    source = asked.written.source
+    distances = [
+        replacement(source, item.start, item.end, written_number(tidy(value_of(item) * unit, unit)))
+        for step in asked.written.steps
+        if word_of(step.statement) in AWAY
+        for item, _ in numbers_of(step.statement)
+    ]
+    edits = (*whole.change.edits, *distances)
+    new = f"times {unit:g}, and so every distance"
+    change = whole.change._replace(edits=edits, size=len(edits), new=new)
+    return whole._replace(cost=whole.cost + 0.1, change=change)
+
+
+def _guessed(asked: Asked, name: str) -> Iterator[tuple[float, Row]]:
+    """Yield where a location may be that nobody taught: of things, of goals, beside its neighbours.
+
+    A way that goes round something mostly changes one of X, Y and Z at a time.
+    """
+    for body in asked.scene.bodies:
+        if body.name == name:
+            yield 0.0, components(body.X_WO)
+    for goal in asked.task.goals:
+        for choice in goal.choices:
+            yield 0.4, components(choice.X_WG)
+    known = {key(name_of(row.node.target)): values_of(row) for row in asked.written.rows}
+    named = [key(each.text) for step in asked.written.steps for each in names_in(step)]
+    k = named.index(name) if name in named else 0
+    before = next((known[n] for n in reversed(named[:k]) if n in known), None)
+    after = next((known[n] for n in named[k + 1 :] if n in known), None)
+    if before is None or after is None or len(before) < POSE or len(after) < POSE:
+        return
+    for via in asked.task.vias:
+        place = components(Pose(IDENTITY_ROTATION, via.point))
+        yield 0.3, (*place[:3], *after[3:])
+    for x, y, z in ((1, 0, 1), (0, 1, 0), (1, 0, 0), (0, 1, 1), (0, 0, 1), (1, 1, 0)):
+        mixed = [(before, after)[way][n] for n, way in enumerate((x, y, z))]
+        yield 0.35, (*mixed, *after[3:])

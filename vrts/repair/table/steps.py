@@ -1,6 +1,7 @@
 """A step more, a step less, and steps in another order."""
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from itertools import permutations
 
@@ -31,7 +32,9 @@ BLOCKS = (For, If, While, Until, Case, ValueGroup, Structure, Declare)
 PLAIN = ("OPENI", "CLOSEI", "BREAK", "READY", "SPEED 100 ALWAYS")
 DEPARTURES = (60, 100, 120, 150, 200)
 APPROACHES = (120, 100, 60, 150)
+LEFT = 0.5  # what a teacher says against leaving a location that was taught and named unused
 FARTHEST = 6  # steps that a step may have to be moved by
+RARE = frozenset({"BASE", "TOOL", "DRIVE", "SINGLE", "RETURN", "STOP", "HALT", "PAUSE", "DELAY"})
 SAYS_NOTHING = frozenset({"TYPE"})  # steps that move nothing: not copied elsewhere
 
 
@@ -68,14 +71,24 @@ def _without(asked: Asked, step: WrittenStep, steps: tuple[WrittenStep, ...]) ->
     k = steps.index(step)
     beside = [steps[j].text for j in (k - 1, k + 1) if 0 <= j < len(steps)]
     again = any(_same(step.text, text) for text in beside)
+    near = steps[max(k - 4, 0) : k + 5]
+    twice = sum(each.program == step.program and _same(step.text, each.text) for each in near) > 1
+    rare = step.text.split()[0].upper() in RARE
+    plain = isinstance(step.statement, Simple) and not any(names_in(step))
+    alone = any(
+        asked.used[name] == 1 and name in asked.row_names
+        for name in (key(each.text) for each in names_in(step))
+    )
     return asked.candidate(
         Does.REMOVE,
         step.line,
         (replacement(written.source, start, end, ""),),
         size=nodes_of_step(step.statement),
         priced=1,
-        unusual=-0.4 if again else 0.25,
+        unusual=-0.4 if again else -0.25 if twice else -0.3 if rare else 0.25,
+        trust=0.8 if rare else None,
         old=step.text,
+        doubt=LEFT if alone else -0.3 if again or twice else 0.0 if plain else 0.25,
     )
 
 
@@ -99,16 +112,21 @@ def _wanted(asked: Asked) -> Iterator[Wanted]:
         for other in _next_in_series(step.text):
             if other not in seen:
                 seen.add(other)
-                yield Wanted(other, nodes_of_step(step.statement), 0.3)
+                if any(re.search(rf"\b{re.escape(name)}\b", other) for name in asked.idle):
+                    yield Wanted(other, nodes_of_step(step.statement), -0.6, 1.0)
+                else:
+                    yield Wanted(other, nodes_of_step(step.statement), 0.3)
         for other in _of_idle(asked, step):
             if other not in seen:
                 seen.add(other)
                 yield Wanted(other, nodes_of_step(step.statement), -0.5, 1.2)
     for name in sorted(asked.undefined - asked.arrays):
         for one in sorted(asked.idle):
-            yield Wanted(f"SET {name} = {one}", 3, -0.5, 1.0)
+            yield Wanted(f"SET {name} = {one}", 3, -0.5, 0.2)
             for other in sorted(asked.idle - {one}):
-                yield Wanted(f"SET {name} = {one}:{other}", 5, -0.5, 1.0)
+                yield Wanted(f"SET {name} = {one}:{other}", 5, -0.5, 0.2)
+    for counter in _uncounted(asked):
+        yield Wanted(f"{counter} = {counter}+1", 4, -0.6, 0.3)
     for program in asked.written.programs[1:]:
         text = f"CALL {program.name}"
         if not program.formals and text not in seen:
@@ -124,6 +142,19 @@ def _wanted(asked: Asked) -> Iterator[Wanted]:
             if text not in seen:
                 seen.add(text)
                 yield Wanted(text, 2, 0.5)
+
+
+def _uncounted(asked: Asked) -> list[str]:
+    """Return the variables of conditions of WHILE that are set once, before: nobody counts."""
+    found = [
+        name.text
+        for step in asked.written.steps
+        if isinstance(step.statement, While)
+        for name in names_in(step)
+    ]
+    targets = [target_of(step) for step in asked.written.steps]
+    times = Counter(key(target.text) for target in targets if isinstance(target, Name))
+    return [name for name in dict.fromkeys(found) if times[key(name)] == 1]
 
 
 def _of_idle(asked: Asked, step: WrittenStep) -> Iterator[str]:
@@ -168,14 +199,25 @@ def _more(asked: Asked, k: int, wanted: list[Wanted]) -> Iterator[Candidate]:
         against = asked.against(step.line)
         if before is not None:
             against = min(against, asked.against(before.line))
+        opens = _opens(asked, k)
         for each in near:
             fits = _fits(each.text, before, step)
+            if opens and each.text == "OPENI":
+                fits = -0.5
             yield _added(asked, step.line, step, each, against, fits)
     if last and asked.matters(step.line):
         for each in near:
             fits = _fits(each.text, step, None)
             line = step.line + 1
             yield _added(asked, line, step, each, asked.against(step.line), fits)
+
+
+def _opens(asked: Asked, k: int) -> bool:
+    """Return whether a step is the first motion of the file, and the hand was not moved before."""
+    before = [getattr(step.statement, "word", "") for step in asked.written.steps[:k]]
+    step = asked.written.steps[k]
+    moves = getattr(step.statement, "word", "") in MOVES_TO
+    return moves and not any(word in MOVES_TO or "OPEN" in word for word in before)
 
 
 def _added(
@@ -194,6 +236,7 @@ def _added(
         trust=each.trust,
         unusual=each.unusual + fits,
         new=each.text,
+        doubt=0.2 * (each.size - 1),
         group=-at if each.size == 1 else hash_of(each.text),
     )
 
@@ -234,6 +277,12 @@ def _fits(text: str, before: WrittenStep | None, step: WrittenStep | None) -> fl
     if _same(text, before.text if before else "") or _same(text, step.text if step else ""):
         return 0.8
     moves_in = above[:1] in (["MOVES"], ["MOVE"])
+    if new[1:2] == ["="] and below[:1] == ["END"]:
+        return -0.3
+    if word == "SET":
+        if above[:1] == ["SET"]:
+            return -0.3
+        return -0.2 if before is None or below[:1] == ["SET"] else 0.2
     if word in ("CLOSEI", "OPENI"):
         if above[:1] in (["CLOSEI"], ["OPENI"]):
             return 0.6
@@ -324,5 +373,6 @@ def _everywhere(asked: Asked) -> Iterator[Candidate]:
                     size=len(steps),
                     priced=1.8,
                     unusual=0.4,
-                    new=f"{text} {said} every {word}",
+                    old=f"{said} every `{word}`",
+                    new=text,
                 )

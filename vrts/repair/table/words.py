@@ -1,9 +1,10 @@
 """Other keywords and operators: MOVE for MOVES, APPRO for MOVE, ALWAYS, a condition's sense."""
 
+import math
 from collections.abc import Iterator
 from types import MappingProxyType
 
-from vrts.lang.syntax.expressions import Infix, Number, Prefix
+from vrts.lang.syntax.expressions import Infix, Item, Number, Prefix
 from vrts.lang.syntax.statements import (
     Goto,
     If,
@@ -64,6 +65,7 @@ def other_words(asked: Asked) -> Iterator[Candidate]:
     for (word, other), steps in alike.items():
         if len(steps) > 1:
             yield _words(asked, steps, word, other)
+    yield from _waiting(asked)
 
 
 def keyword_end(asked: Asked, step: WrittenStep) -> int:
@@ -80,8 +82,9 @@ def _word(
 ) -> Candidate:
     end = keyword_end(asked, step)
     edit = replacement(asked.written.source, step.start, end, other)
+    doubt = 0.15 if (word, other) == ("MOVE", "MOVES") else 0.0
     return asked.candidate(
-        Does.WORD, step.line, (edit,), size=size, unusual=unusual, old=word, new=other
+        Does.WORD, step.line, (edit,), size=size, unusual=unusual, old=word, new=other, doubt=doubt
     )
 
 
@@ -91,6 +94,28 @@ def _words(asked: Asked, steps: list[WrittenStep], word: str, other: str) -> Can
     line = min((step.line for step in steps), key=asked.against)
     return asked.candidate(
         Does.WORD, line, edits, size=len(steps), priced=1.6, unusual=0.3, old=word, new=other
+    )
+
+
+def _waiting(asked: Asked) -> Iterator[Candidate]:
+    """Yield OPENI for every OPEN and CLOSEI for every CLOSE: nobody waits for the hand."""
+    source = asked.written.source
+    steps = [s for s in asked.steps if getattr(s.statement, "word", "") in ("OPEN", "CLOSE")]
+    words = dict.fromkeys(getattr(step.statement, "word", "") for step in steps)
+    if len(words) < 2:
+        return
+    ends = [keyword_end(asked, step) for step in steps]
+    edits = [replacement(source, end, end, "I") for end in ends]
+    line = min((step.line for step in steps), key=asked.against)
+    yield asked.candidate(
+        Does.WORD,
+        line,
+        edits,
+        size=len(steps),
+        priced=1.2,
+        unusual=-0.2,
+        old="every OPEN and CLOSE",
+        new="OPENI and CLOSEI, which wait for the hand",
     )
 
 
@@ -115,13 +140,43 @@ def _near(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
     if statement.word in NEAR.values() and len(given) == 2:
         bare = "MOVE" + statement.word.removeprefix("APPRO")
         old = source.text[step.start : given[1].end]
+        again = 0.5 if _approached_before(asked, step, given[0]) else 0.0
+        if _lacks(asked, given[1]):
+            again += 0.5
         for k, word in enumerate((bare, "MOVES" if bare == "MOVE" else "MOVE")):
             new = f"{word}{source.text[end : given[0].end]}"
             edit = replacement(source, step.start, given[1].end, new)
             size = 1 + nodes(given[1])
             yield asked.candidate(
-                Does.WORD, step.line, (edit,), size=size, unusual=0.1 + 0.2 * k, old=old, new=new
+                Does.WORD,
+                step.line,
+                (edit,),
+                size=size,
+                unusual=0.1 + 0.2 * k - again,
+                old=old,
+                new=new,
             )
+
+
+def _lacks(asked: Asked, distance: Item) -> bool:
+    """Return whether a thing is just as far from where it should be as a step says."""
+    if not isinstance(distance, Number):
+        return False
+    return any(abs(math.hypot(*each) - distance.value) < 1.0 for each in asked.blame.residuals)
+
+
+def _approached_before(asked: Asked, step: WrittenStep, target: Item) -> bool:
+    """Return whether a step shortly before one approaches the same location."""
+    steps = asked.written.steps
+    k = steps.index(step)
+    return any(
+        before.program == step.program
+        and isinstance(before.statement, Simple)
+        and before.statement.word in NEAR.values()
+        and before.statement.operands[0] is not None
+        and asked.text_of(before.statement.operands[0]) == asked.text_of(target)
+        for before in steps[max(k - 4, 0) : k]
+    )
 
 
 def _heights(asked: Asked) -> list[float]:

@@ -10,28 +10,40 @@ from enum import IntEnum
 from fractions import Fraction
 from typing import NamedTuple
 
+from vrts.base.remembered import Memory
 from vrts.base.source import SourceFile
 from vrts.check.collision.collision import check_collisions
+from vrts.check.collision.touching import touching
 from vrts.check.goals.reached import reached
 from vrts.check.judge import judge
 from vrts.check.judgement import Judgement
 from vrts.check.mark.grade import Grade
 from vrts.check.mark.mark import grade
+from vrts.check.task.score import divided
 from vrts.check.task.task import Task
+from vrts.check.verdicts.vias import passed
 from vrts.engine.controller import advance, commands_of, start
 from vrts.engine.hand.told import DROP_HEIGHT
-from vrts.engine.memory.events import Released, Toppled
+from vrts.engine.memory.events import Grasped, Released, Toppled
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
 from vrts.ir.module import Module
 from vrts.lang.compiler import Options, compile_source
+from vrts.repair.trying.touched import KnownTouch, still_touching
 from vrts.repair.written import without_comments
 from vrts.scene.model import Scenario, Scene
 
 STRIDE = 3.0  # [s] of simulated time after which a run is looked at
 AFTERWARDS = 10.0  # [s] as the engine gives things to come to rest
+HOPELESS = 2  # things dropped, after which it is not worth while to go on
+SETTLED = 1.0  # [s] after which what was dropped lies still
 STATEMENTS = 20_000  # more than this a candidate may not execute before it is verified
 SLACK = Fraction(1, 20)  # of the time in which the bonus falls to nothing: what rounding forgives
+ENDED = 0.1  # what it counts for how far a candidate came that it comes to its end
+LINE = 0.001  # and each line that moves something, of one that stops before
+HELD = 0.02  # and each thing that was gripped
+VIAS = 0.2  # and all via points, and time, less
+TOUCH = 0.05  # and each contact, and each thing dropped, less
 ENDS = (Ending.COMPLETED, Ending.HALTED)
 
 
@@ -50,11 +62,18 @@ class Tried(NamedTuple):
     """What a candidate earns."""
 
     stage: Stage
-    gained: Fraction = Fraction(0)  # how much of the goals is reached, to tell progress by
+    come: float = 0.0  # how far it came, to tell progress by: more is farther, of any stage
     mark: Fraction | None = None  # exact where it is good, or was judged without contacts
     run: Run | None = None
     judgement: Judgement | None = None
     grade: Grade | None = None
+
+    def judged(self, place: "Place") -> tuple[Run, Judgement, Grade]:
+        """Return its run with all that the checks say of it."""
+        assert self.run is not None
+        report = check_collisions(place.scene, self.run, clearance=False)
+        judgement = judge(place.scene, self.run, place.task, report=report)
+        return self.run, judgement, grade(place.task, self.run, judgement)
 
 
 class Place(NamedTuple):
@@ -77,29 +96,57 @@ def compiled(place: Place, text: str) -> tuple[Module, str] | None:
     return None if entry is None or entry not in module.programs else (module, entry)
 
 
-def tried(place: Place, text: str) -> Tried:
-    """Return how far a candidate comes."""
+def tried(place: Place, text: str, memory: Memory, touches: tuple[KnownTouch, ...] = ()) -> Tried:
+    """Return how far a candidate comes.
+
+    Args:
+        place: Where it runs.
+        text: The program.
+        memory: Motions that others had are not planned again.
+        touches: Contacts of the program that it is made from.
+    """
     found = compiled(place, without_comments(text))
     if found is None:
         return Tried(Stage.COMPILES_NOT)
-    run = _executed(place, *found)
+    with memory.in_use():
+        run = _executed(place, *found)
     task = place.task
     results = reached(run, task)
     total = sum((each.goal.weight for each in results), Fraction(0))
     gained = sum((each.goal.weight * each.share for each in results), Fraction(0))
     gained = gained / total if total else Fraction(1)
-    if _hopeless(run) or run.ending not in ENDS:
-        return Tried(Stage.STOPS, gained, run=run)
+    mishaps = _mishaps(run)
+    still = still_touching(run, touches)
+    come = float(gained) - TOUCH * (mishaps + still)
+    come += HELD * len({event.body for event in run.events if isinstance(event, Grasped)})
+    if run.ending not in ENDS:
+        come += LINE * len({motion.cause.span.line for motion in run.motions})
+        return Tried(Stage.STOPS, come, run=run)
+    come += ENDED
+    if mishaps:
+        return Tried(Stage.STOPS, come, run=run)
     if gained < 1:
-        return Tried(Stage.GOALS, gained, run=run)
+        return Tried(Stage.GOALS, come, run=run)
+    points = passed(run, task).number if _asks_for_vias(task) else 0
+    if points < len(task.vias):
+        return Tried(Stage.POINTS, come - VIAS * (1.0 - points / len(task.vias)), run=run)
     judgement = judge(place.scene, run, task, collisions=False)
     marked = grade(task, run, judgement)
     if marked.mark < marked.total:
-        return Tried(Stage.POINTS, gained, marked.mark, run)
-    report = check_collisions(place.scene, run, clearance=False, near_miss=task.near_miss)
-    if report.contacts or report.undetermined:
-        return Tried(Stage.TOUCHES, gained, run=run)
+        share = float(marked.mark / marked.total)
+        return Tried(Stage.POINTS, come - VIAS * (1.0 - share), marked.mark, run)
+    if still:
+        return Tried(Stage.TOUCHES, come, run=run)
+    found = touching(place.scene, run)
+    if found.events:
+        return Tried(Stage.TOUCHES, come - TOUCH * found.events, run=run)
     return verified_text(place, text)
+
+
+def _asks_for_vias(task: Task) -> bool:
+    """Return whether a via point that is missed costs points for certain."""
+    _, points = divided(task.mark, targets=bool(task.targets), vias=bool(task.vias))
+    return points > 0
 
 
 def verified(place: Place, module: Module, entry: str) -> Tried:
@@ -108,9 +155,7 @@ def verified(place: Place, module: Module, entry: str) -> Tried:
     judgement = judge(place.scene, run, place.task)
     marked = grade(place.task, run, judgement)
     full = marked.mark == marked.total
-    return Tried(
-        Stage.FULL if full else Stage.TOUCHES, Fraction(1), marked.mark, run, judgement, marked
-    )
+    return Tried(Stage.FULL if full else Stage.TOUCHES, 0.0, marked.mark, run, judgement, marked)
 
 
 def verified_text(place: Place, text: str) -> Tried:
@@ -142,16 +187,18 @@ def _executed(place: Place, module: Module, entry: str) -> Run:
         return _run(module, place.scene, scenario, entry)
     horizon = limits.time_s + AFTERWARDS
     run = advance(start(module, place.scene, scenario), STRIDE, commands, closed=True)
-    while run.until_s < horizon and run.ending is Ending.RUNNING and not _hopeless(run):
+    while run.until_s < horizon and run.ending is Ending.RUNNING and _mishaps(run) < HOPELESS:
         run = advance(run, min(run.until_s + STRIDE, horizon), closed=True)
-    if run.until_s < horizon and not _hopeless(run):
+    if _mishaps(run) >= HOPELESS:
+        return advance(run, run.until_s + SETTLED, closed=True)
+    if run.until_s < horizon:
         run = advance(run, horizon, closed=True)
     return run
 
 
-def _hopeless(run: Run) -> bool:
-    """Return whether something happened after which no program has the full mark."""
-    return any(
+def _mishaps(run: Run) -> int:
+    """Return how often something was dropped or toppled: then no program has the full mark."""
+    return sum(
         (isinstance(event, Released) and event.height_m > DROP_HEIGHT) or isinstance(event, Toppled)
         for event in run.events
     )

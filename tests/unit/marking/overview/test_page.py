@@ -9,7 +9,7 @@ from tests.places import TESTS
 from tests.support_rows import plain_result, plain_row, some_class
 from tests.unit.report.page.test_html import Reader
 from vrts.marking.overview.page import overview_page
-from vrts.marking.result import Kind, Metrics
+from vrts.marking.result import Kind, Mending, Metrics
 from vrts.marking.row import Change, Class, HandedIn, Lateness, Row, Student, row_of
 
 DATA = TESTS / "data" / "hostile_strings.json"
@@ -145,3 +145,19 @@ def test_nothing_foreign_gets_through(text: str) -> None:
 
 def test_the_same_rows_give_the_same_page() -> None:
     assert overview_page(some_class(50)) == overview_page(some_class(50))
+
+
+def test_those_who_made_the_same_mistake_stand_together() -> None:
+    one = Mending("`OPENI` is missing", "one change away: 10 with line 5", (5,), 1, 30)
+    other = Mending("`SPEED 3` is too much", "look at line 9", (9,), 1, 60)
+    rows = [
+        plain_row("anna", mark=3.0, mending=other),
+        plain_row("ben", mark=2.0, mending=one),
+        plain_row("cara", mark=4.0, mending=one),
+        plain_row("dora"),
+    ]
+    read = page(*rows)
+    told = section(read, "What would earn the full mark", "Slowest programs")
+    assert told.index("OPENI") < told.index("cara") < told.index("ben") < told.index("anna")
+    assert "dora" not in told
+    assert "What would earn the full mark" not in page(plain_row("anna")).text
