@@ -2445,4 +2445,25 @@ PATCHES: tuple[Patch, ...] = (
         "    return Reading(place, cell, UNDEFINED if cell is None else cell.value, before,",
         ("tests/spec/test_spec_why.py",),
     ),
+    Patch(
+        "two changes are told as one of which one changes what the other wrote",
+        "vrts/repair/edit.py",
+        "        if (start < behind and first < end) or start == first:\n",
+        "        if start > first and start < behind and first < end:\n",
+        ("tests/unit/repair/test_telling.py",),
+    ),
+    Patch(
+        "students read what would mend their program, whatever their task allows",
+        "vrts/marking/submission/marker.py",
+        "structs.replace(marks.staff, mending=mending), marks.student)\n",
+        "marks.staff, structs.replace(marks.student, mending=mending))\n",
+        ("tests/unit/marking/test_marking.py",),
+    ),
+    Patch(
+        "a motion is taken for another one that was planned in another search",
+        "vrts/base/remembered.py",
+        "            _memory.reset(token)\n",
+        "            pass\n",
+        ("tests/unit/base/test_remembered.py",),
+    ),
 )

@@ -36,6 +36,7 @@ class Budget(NamedTuple):
     more: int = 30  # executions after the first good candidate
     alone: int = 200  # for one change, before changes that help are taken for the first of two
     helpers: int = 5  # changes that help at most, at a time
+    others: int = 2  # that are looked at after the first that is one of two good changes
     second: int = 100  # for the second change beside each of them
 
 
@@ -66,17 +67,19 @@ def search(
     level = _Level(place, source, (run, judgement, grade), memory, budget)
     level.go(min(budget.alone, budget.executions))
     count = 0
+    good = 0  # helpers looked at since one was good, that one too
     two: list[Repair] = []
     for most in (budget.one, 0):
         helpers = [] if level.found else level.helping(budget.helpers)
         for n, helper in enumerate(helpers):
             left = budget.executions - level.count - count
-            if two or left <= 0:
+            if left <= 0 or good > budget.others:
                 break
             second = _Level(place, *_next(place, source, helper), memory, budget)
             second.go(min(budget.second * (1 if n else 2), left))
             count += second.count
             two += _together(source, helper, second.found)
+            good += bool(two)
         if two or level.found:
             break
         level.go(min(most, budget.executions - count))

@@ -12,6 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import msgspec
+from msgspec import structs
 
 from vrts import __version__
 from vrts.assignments.packed import is_packed
@@ -112,7 +113,7 @@ class Marker:
         reference = None if is_packed(Path(self.place.task)) else reference_of(self.folder)
         program = IDLE if reference is None else reference.read_bytes()
         order = Order("warm-up", "warm-up.v2", program)
-        quiet = msgspec.structs.replace(self.wanted, recordings=False, mending=0)
+        quiet = structs.replace(self.wanted, recordings=False, mending=0)
         if self.wanted.recordings:
             from vrts.report.recording import prepare  # rerun is optional, and heavy
 
@@ -133,7 +134,7 @@ class Marker:
         if not wanted.mending or staff.fault is not None:
             return marks
         mending = would_do(order, self.public, wanted.mending)
-        return Marks(msgspec.structs.replace(marks.staff, mending=mending), marks.student)
+        return Marks(structs.replace(marks.staff, mending=mending), marks.student)
 
     def _mark(self, order: Order, setting: Setting, wanted: Wanted, by: By) -> Marked:
         return mark(order, setting, wanted, by)
@@ -190,7 +191,7 @@ class Marker:
         key = (self.public_key if student else self.key)(data or b"")
         if row.fault is not None:
             found = result_of(a, setting, data, key, hidden)
-            return msgspec.structs.replace(found, kind=Kind.FAULT, mark=None, review=(found.cause,))
+            return structs.replace(found, kind=Kind.FAULT, mark=None, review=(found.cause,))
         return result_of(a, setting, data, key, hidden)
 
 

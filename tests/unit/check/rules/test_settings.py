@@ -179,6 +179,15 @@ def graded(run: Run, task: Task) -> Grade:
     return grade(task, run, judge(SCENE, run, task))
 
 
+def test_goals_are_not_judged_before_a_run_begins(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However much motions gain that are too fast for a joint."""
+    task, _ = read("")
+    assert task is not None
+    run = execute(compiled(LINE.format(100)), SCENE)
+    monkeypatch.setattr("vrts.check.goals.reached.overruns", lambda _: ((0.1, 500.0),))
+    assert judged_at(run, task) == run.started_s
+
+
 def test_a_joint_that_is_too_fast_is_a_fault_and_gains_no_time() -> None:
     task, _ = read("")
     assert task is not None
