@@ -32,6 +32,7 @@ def other_names(asked: Asked) -> Iterator[Candidate]:
         yield from _in_step(asked, step)
         yield from _compounds(asked, step)
         yield from _arguments(asked, step)
+    yield from _everywhere(asked)
     yield from _definitions(asked, used)
     yield from _headers(asked, used)
     yield from _exchanged(asked)
@@ -249,6 +250,36 @@ def _swap(asked: Asked, step: WrittenStep, one: Item, other: Item, unusual: floa
         old=f"{a}, {b}",
         new=f"{b}, {a}",
     )
+
+
+def _everywhere(asked: Asked) -> Iterator[Candidate]:
+    """Yield a name that nothing defines as one that is like it, wherever it stands: one mistake."""
+    source = asked.written.source
+    for name in sorted(asked.undefined):
+        places = [
+            (step.line, part)
+            for step in asked.written.steps
+            for part in names_in(step)
+            if key(part.text) == name
+        ]
+        if len(places) < 2:
+            continue
+        for other in sorted(asked.defined | asked.taught.keys()):
+            if letters_apart(name, other) > FEW:
+                continue
+            edits = [replacement(source, part.start, part.end, other) for _, part in places]
+            meant = slipped(name, other) or other in asked.taught or series(other) in asked.series
+            yield asked.candidate(
+                Does.NAME,
+                places[0][0],
+                edits,
+                size=len(edits),
+                priced=1,
+                against=0.3,
+                unusual=-0.8 - (0.2 if meant else 0.0),
+                old=name,
+                new=other,
+            )
 
 
 def _definitions(asked: Asked, used: set[str]) -> Iterator[Candidate]:

@@ -193,7 +193,7 @@ def _wanted(
 ) -> None:
     """Take what geometry asks for: as the value that a slip explains, or as a whole number."""
     near = min(explained, key=lambda other: abs(other - wanted))
-    if abs(near - wanted) <= ASKED:
+    if abs(near - wanted) <= min(ASKED, 0.02 * abs(near)):
         add(MEANT, near)
     elif _one_digit(value, wanted):
         add(unusual + ONE_DIGIT, float(round(wanted)))
@@ -353,7 +353,7 @@ def _all_rows(asked: Asked, rows: Sequence[WrittenRow]) -> Iterator[Candidate]:
             [*(tidy(x * unit, unit) for x in values_of(row)[:3]), *values_of(row)[3:]]
             for row in rows
         ]
-        whole = together(others, 0.3, "every row", f"times {unit:g}")
+        whole = together(others, 0.0, "every row", f"times {unit:g}")
         yield whole
         yield _with_steps(asked, whole, unit)
     for i, j in ((0, 1), (1, 2), (0, 2), (3, 4), (4, 5), (3, 5)):
@@ -361,7 +361,7 @@ def _all_rows(asked: Asked, rows: Sequence[WrittenRow]) -> Iterator[Candidate]:
         for each in others:
             each[i], each[j] = each[j], each[i]
         said = f"{'XYZOAT'[i]} and {'XYZOAT'[j]} exchanged"
-        yield together(others, 0.4, "every row", said)
+        yield together(others, -0.1, "every row", said)
     taught = [asked.taught.get(key(name_of(row.node.target))) for row in rows]
     if any(taught):
         others = [t or values_of(row) for t, row in zip(taught, rows, strict=True)]

@@ -32,6 +32,7 @@ BLOCKS = (For, If, While, Until, Case, ValueGroup, Structure, Declare)
 PLAIN = ("OPENI", "CLOSEI", "BREAK", "READY", "SPEED 100 ALWAYS")
 DEPARTURES = (60, 100, 120, 150, 200)
 APPROACHES = (120, 100, 60, 150)
+IDLE_HAND = 0.4  # what a teacher says against a step of the hand that moves no finger
 LEFT = 0.5  # what a teacher says against leaving a location that was taught and named unused
 FARTHEST = 6  # steps that a step may have to be moved by
 RARE = frozenset({"BASE", "TOOL", "DRIVE", "SINGLE", "RETURN", "STOP", "HALT", "PAUSE", "DELAY"})
@@ -212,6 +213,19 @@ def _more(asked: Asked, k: int, wanted: list[Wanted]) -> Iterator[Candidate]:
             yield _added(asked, line, step, each, asked.against(step.line), fits)
 
 
+def _idle_hand(asked: Asked, line: int, text: str) -> bool:
+    """Return whether a step of the hand does again what the hand did last, as the text stands."""
+    if text not in ("OPENI", "CLOSEI"):
+        return False
+    last = ""
+    for step in asked.written.steps:
+        word = getattr(step.statement, "word", "")
+        if step.line >= line:
+            break
+        last = word if word.startswith(("OPEN", "CLOSE")) else last
+    return last[:4] == text[:4]
+
+
 def _opens(asked: Asked, k: int) -> bool:
     """Return whether a step is the first motion of the file, and the hand was not moved before."""
     before = [getattr(step.statement, "word", "") for step in asked.written.steps[:k]]
@@ -236,7 +250,7 @@ def _added(
         trust=each.trust,
         unusual=each.unusual + fits,
         new=each.text,
-        doubt=0.2 * (each.size - 1),
+        doubt=0.2 * (each.size - 1) + (IDLE_HAND if _idle_hand(asked, line, each.text) else 0.0),
         group=-at if each.size == 1 else hash_of(each.text),
     )
 

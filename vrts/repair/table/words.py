@@ -44,6 +44,7 @@ INSTEAD = MappingProxyType(
     }
 )
 NEAR = MappingProxyType({"MOVE": "APPRO", "MOVES": "APPROS"})  # with a distance
+UNVISITED = 0.4  # what a teacher says against going near a location that nothing goes to
 HEIGHTS = (120, 100, 80, 60, 150, 200, 40)
 COMPARED = ("<", "<=", ">", ">=", "==", "<>")
 SUMS = ("+", "-")
@@ -127,6 +128,7 @@ def _near(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
     source = asked.written.source
     end = keyword_end(asked, step)
     given = [each for each in statement.operands if each is not None]
+    doubt = 0.0 if given and _visited(asked, given[0]) > 1 else UNVISITED
     if statement.word in NEAR and len(given) == 1:
         for k, height in enumerate(_heights(asked)):
             text = f"{NEAR[statement.word]}{source.text[end : given[0].end]}, "
@@ -135,7 +137,14 @@ def _near(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
             unusual = 0.1 + 0.08 * k
             old = source.text[step.start : given[0].end]
             yield asked.candidate(
-                Does.WORD, step.line, (edit,), size=2, unusual=unusual, old=old, new=new
+                Does.WORD,
+                step.line,
+                (edit,),
+                size=2,
+                unusual=unusual,
+                old=old,
+                new=new,
+                doubt=doubt,
             )
     if statement.word in NEAR.values() and len(given) == 2:
         bare = "MOVE" + statement.word.removeprefix("APPRO")
@@ -156,6 +165,18 @@ def _near(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
                 old=old,
                 new=new,
             )
+
+
+def _visited(asked: Asked, target: Item) -> int:
+    """Return how many motions go to a location or near it."""
+    text = asked.text_of(target)
+    return sum(
+        isinstance(step.statement, Simple)
+        and step.statement.word in (*NEAR, *NEAR.values())
+        and step.statement.operands[0] is not None
+        and asked.text_of(step.statement.operands[0]) == text
+        for step in asked.written.steps
+    )
 
 
 def _lacks(asked: Asked, distance: Item) -> bool:

@@ -184,7 +184,11 @@ def test_goals_are_not_judged_before_a_run_begins(monkeypatch: pytest.MonkeyPatc
     task, _ = read("")
     assert task is not None
     run = execute(compiled(LINE.format(100)), SCENE)
-    monkeypatch.setattr("vrts.check.goals.reached.overruns", lambda _: ((0.1, 500.0),))
+
+    def gaining(_run: Run) -> tuple[tuple[float, float], ...]:
+        return ((0.1, 500.0),)
+
+    monkeypatch.setattr("vrts.check.goals.reached.overruns", gaining)
     assert judged_at(run, task) == run.started_s
 
 
