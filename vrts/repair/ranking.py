@@ -11,6 +11,7 @@ ILLEGAL = 1.5  # what a value speaks against a change that no controller or teac
 HARMLESS = 1.0  # what it speaks against it that a step goes that moves nothing
 FARTHEST = 600.0  # [mm] of a usual distance of APPRO and DEPART
 ABOVE_ZERO = frozenset({"DEPART", "DEPARTS", "APPRO", "APPROS", "DELAY", "SPEED"})
+GOES_TO = frozenset({"MOVE", "MOVES", "APPRO", "APPROS"})
 TALKS = frozenset({"TYPE", "PROMPT"})
 
 
@@ -40,13 +41,19 @@ def standing_out(found: Sequence[Repair]) -> Repair | None:
     if not found:
         return None
     best = found[0]
-    if any(implausible(part) >= ILLEGAL for part in best.change.each):
+    if any(implausible(part) >= ILLEGAL or _detour(part) for part in best.change.each):
         return None
     for other in found[1:]:
         near = other.against < best.against + CLEARLY
         if near and _elsewhere(other.change, best.change):
             return None
     return best
+
+
+def _detour(change: Change) -> bool:
+    """Return whether a motion to a location is added: many ways round may earn as much."""
+    words = change.new.upper().split()
+    return change.does is Does.ADD and bool(words) and words[0] in GOES_TO
 
 
 def _elsewhere(change: Change, other: Change) -> bool:
