@@ -36,6 +36,48 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "locations of a file that teaches none are warned of, though a scene may hold them",
+        "vrts/lang/findings/names/untaught.py",
+        "severity=Severity.NOTE,",
+        "severity=Severity.WARNING,",
+        (LANG,),
+    ),
+    Patch(
+        "a sign that stands twice is told as a value that is missing",
+        "vrts/lang/steps/misread/table.py",
+        "or said_twice(text, repair)",
+        "or None",
+        ("tests/unit/lang/test_students_mean.py",),
+    ),
+    Patch(
+        "a letter O in a number is no digit 0",
+        "vrts/lang/steps/misread/table.py",
+        "or letters_in_number(text, repair)",
+        "or None",
+        ("tests/unit/lang/test_students_mean.py",),
+    ),
+    Patch(
+        "a location of X Y Z alone points the hand up without a word",
+        "vrts/lang/findings/values/units/lengths.py",
+        "elif len(words) == _WITHOUT_ANGLES:",
+        "elif not words:",
+        (LANG,),
+    ),
+    Patch(
+        "a reaction may have the priority 0",
+        "vrts/lang/findings/values/questions.py",
+        "yield node.operands[_PRIORITY], complaints.reaction",
+        "yield node.operands[_PRIORITY], complaints.priority",
+        (LANG,),
+    ),
+    Patch(
+        "a missing .END is told where its program begins, not where it belongs",
+        "vrts/lang/reading/splitter.py",
+        "here = noticed or last",
+        "here = header",
+        ("tests/unit/lang/reading/test_sections.py",),
+    ),
+    Patch(
         "a range of Python is counted one too far",
         "vrts/lang/steps/idioms/idiom.py",
         "return str(int(part) - 1) if part.isdecimal() else",

@@ -89,7 +89,7 @@ def test_eight_signals_can_be_watched() -> None:
 
 @pytest.mark.parametrize("level", [0, 128, -3])
 def test_priorities_are_1_to_127(level: int) -> None:
-    assert words(runs(f"REACT 1003, sub, {level}", SUB)) == ["Illegal value"]
+    assert words(runs(f"n = {level}\nREACT 1003, sub, n", SUB)) == ["Illegal value"]
 
 
 def test_a_program_that_is_not_there_is_an_error_at_react() -> None:

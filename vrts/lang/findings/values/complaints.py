@@ -112,6 +112,17 @@ def priority(value: Interval) -> Complaint | None:
     )
 
 
+def reaction(value: Interval) -> Complaint | None:
+    """REACT gives a reaction its priority."""
+    return _outside(
+        value,
+        1,
+        HIGHEST_PRIORITY,
+        "a reaction cannot have the priority {}",
+        "priorities of reactions are 1 to 127",
+    )
+
+
 def subscript(value: Interval) -> Complaint | None:
     """Index of an array."""
     headline = "an index cannot be {}"

@@ -70,7 +70,7 @@ def _instruction(node: object) -> Iterator[tuple[Item | None, Complain]]:
     elif isinstance(node, ReactStatement) and node.word in ("REACT", "REACTI") and node.operands:
         yield node.operands[0], complaints.watched_signal
         if len(node.operands) > _PRIORITY:
-            yield node.operands[_PRIORITY], complaints.priority
+            yield node.operands[_PRIORITY], complaints.reaction
 
 
 _PRIORITY = 2  # of the operands of REACT

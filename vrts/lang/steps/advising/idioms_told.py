@@ -172,7 +172,7 @@ class IdiomAdvice(Adviser):
         self.problems.forget(mark)
         self.problems.error(
             OTHER_LANGUAGE,
-            f"VAL-II has no {else_word(line.text)}",
+            f"{self.problems.dialect.title} has no {else_word(line.text)}",
             line.at,
             line.at + len(line.text),
             help=("write ELSE, in the line below a new IF, and an END of its own for that",),
