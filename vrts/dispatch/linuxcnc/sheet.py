@@ -37,9 +37,11 @@ ASSUMED = """
 - Lines do not keep to the speed of single joints, in LinuxCNC as in VAL-II: vrts checked that.
 - Reals are in double precision, and EQ takes numbers as equal that differ by less than 0.0001:
   VAL-II has single precision and is exact.
-- Straight lines stop, and joint motions too, from and to rest; corners are {corner:g} s wide.
+- Motions begin and end at rest, but for rounded corners, which take {corner:g} s each.
 - Before rounded motions the arm waits {lead:g} s, so that the set points of what comes are there.
 - A wait for an input is repeated without an end, as WAIT is.
+- In simulation, without a real-time kernel, LinuxCNC lost its place once in a hundred rehearsals
+  on a very busy machine and took another way. Nobody has tried this under a real-time kernel.
 
 ## Before the robot moves
 

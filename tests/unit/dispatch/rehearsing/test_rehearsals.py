@@ -25,6 +25,9 @@ from vrts.pipeline.settings import setting_for
 from vrts.pipeline.where import Where
 
 SPEED = 10.0
+# LinuxCNC without a real-time kernel loses its place about once in a hundred rehearsals on a busy
+# machine (manual/linuxcnc.md); a program that is said wrongly moves otherwise every time
+TRIED_AGAIN = 2
 PROGRAMS = ROOT / "tests" / "data" / "linuxcnc"
 EXAMPLES = ROOT / "examples"
 LINUXCNC = installed()
@@ -103,7 +106,10 @@ def test_there_are_programs_enough_and_both_ways_of_each_decision() -> None:
 @pytest.mark.parametrize("case", [pytest.param(case, id=case.name) for case in CASES])
 def test_linuxcnc_moves_as_vrts_verified(case: Case, tmp_path: Path) -> None:
     found = rehearsed(case, tmp_path, required())
-    if "V875" in {d.rule.code for d in found.diagnostics}:  # once in some sixty, without real time
+    for _ in range(TRIED_AGAIN):
+        if found.diagnostics == ():
+            break
+        print(f"rehearsed again: {[d.headline for d in found.diagnostics]}")
         found = rehearsed(case, tmp_path, required())
     assert found.diagnostics == ()
     moving = {k for k, m in enumerate(found.run.motions, start=1) if m.end_s > m.start_s}
