@@ -1,6 +1,7 @@
 """The folder in which LinuxCNC rehearses: a copy of what was exported, and what records it."""
 
 import json
+import os
 import shutil
 from collections.abc import Iterable
 from importlib.resources import files
@@ -12,7 +13,9 @@ from vrts.dispatch.rehearsing.played import Change
 SAMPLES, OUTCOME = "samples.txt", "outcome.json"
 PATIENCE_S = 600  # in LinuxCNC's time: its own processes wait for one another on busy machines
 DEPTH = 20_000  # samples that may wait to be written
-OPEN_TO_ALL = 0o777
+ENTER, PLACE = "enter", "place"
+NOBODY = 65534  # as whom LinuxCNC runs where root starts it
+TO_PASS, TO_RUN, OWN = 0o711, 0o755, 0o700
 GATE_OFF, GATE_ON = "#<_v_gate> = 0", "#<_v_gate> = 1"
 PINS = (
     *(f"net c{k} joint.{k}.pos-cmd => sampler.0.pin.{k}" for k in range(6)),
@@ -20,14 +23,18 @@ PINS = (
 )
 
 
-def laid_out(exported: Path, place: Path, inputs: Iterable[Change]) -> None:
-    """Copy an exported folder and add what a rehearsal needs.
+def laid_out(exported: Path, room: Path, inputs: Iterable[Change], *, root: bool) -> Path:
+    """Copy an exported folder into a room and add what a rehearsal needs; return the copy.
+
+    What starts LinuxCNC lies beside the copy, where only its owner writes.
 
     Args:
         exported: The folder.
-        place: An empty folder, in which anybody may write afterwards.
+        room: An empty folder.
         inputs: What changes when.
+        root: Whether LinuxCNC is to run as nobody, whose the copy becomes.
     """
+    place = room / PLACE
     shutil.copytree(exported, place, dirs_exist_ok=True)
     for name in ("home", "tmp"):
         (place / name).mkdir(exist_ok=True)
@@ -43,11 +50,16 @@ def laid_out(exported: Path, place: Path, inputs: Iterable[Change]) -> None:
         "signals": sorted({signal for _, _, signal, _ in changes}),
     }
     (place / "rehearsal.json").write_text(json.dumps(plan), "utf-8")
-    for name in ("enter", "display"):
-        source = files("vrts.dispatch.rehearsing").joinpath("files", name)
-        (place / name).write_bytes(source.read_bytes())
-    for path in (place, *place.rglob("*")):
-        path.chmod(OPEN_TO_ALL)
+    for path in (room / ENTER, place / "display"):
+        source = files("vrts.dispatch.rehearsing").joinpath("files", path.name)
+        path.write_bytes(source.read_bytes())
+        path.chmod(TO_RUN)
+    if root:
+        room.chmod(TO_PASS)
+        for path in (place, *place.rglob("*")):
+            os.chown(path, NOBODY, NOBODY, follow_symlinks=False)
+    place.chmod(OWN)
+    return place
 
 
 def _ini(text: str) -> str:

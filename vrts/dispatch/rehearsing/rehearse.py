@@ -47,20 +47,25 @@ def expected(folder: Path) -> Run:
     """
     missing = [name for name in NEEDED if not (folder / name).is_file()]
     if missing:
-        raise Refused(
-            (
-                error(
-                    NOT_A_FOLDER,
-                    f"`{folder}` has no `{missing[0]}`",
-                    notes=(f"a folder for LinuxCNC holds it, and the folder `{LIBRARY}`",),
-                    help=("write it: `vrts dispatch export PROGRAM --to linuxcnc -o FOLDER`",),
-                ),
-            )
-        )
+        note = f"a folder for LinuxCNC holds it, and the folder `{LIBRARY}`"
+        raise Refused((_no_folder(f"`{folder}` has no `{missing[0]}`", note),))
+    linked = [path for path in sorted(folder.rglob("*")) if path.is_symlink()]
+    if linked:
+        note = "it is copied, and a link may lead anywhere"
+        raise Refused((_no_folder(f"`{linked[0]}` is a link", note),))
     found = load_run((folder / RUN).read_bytes(), RUN, folder)
     if found.run is None:
         raise Refused(found.diagnostics)
     return found.run
+
+
+def _no_folder(headline: str, note: str) -> Diagnostic:
+    return error(
+        NOT_A_FOLDER,
+        headline,
+        notes=(note,),
+        help=("write it: `vrts dispatch export PROGRAM --to linuxcnc -o FOLDER`",),
+    )
 
 
 def with_scenario(run: Run, scenario: Scenario) -> Run:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from vrts.dispatch.rehearsing.installed import Installed
-from vrts.dispatch.rehearsing.place import OUTCOME, SAMPLES, laid_out
+from vrts.dispatch.rehearsing.place import ENTER, OUTCOME, SAMPLES, laid_out
 from vrts.dispatch.rehearsing.played import changes
 from vrts.engine.run import Run
 
@@ -39,10 +39,10 @@ def rehearsed(exported: Path, run: Run, what: Installed, speed: float) -> Outcom
         speed: How many times faster than the clock.
     """
     with tempfile.TemporaryDirectory(prefix="vrts-rehearsal-", dir=WHERE) as name:
-        place = Path(name)
-        laid_out(exported, place, changes(run))
+        room = Path(name)
+        place = laid_out(exported, room, changes(run), root=what.root)
         patience = PATIENCE_S + PAUSES * run.horizon_s / speed
-        log = _started(place, what, speed, patience)
+        log = _started(room, place, what, speed, patience)
         samples, outcome = place / SAMPLES, place / OUTCOME
         text = samples.read_text("utf-8") if samples.exists() else ""
         if not outcome.exists():
@@ -51,10 +51,10 @@ def rehearsed(exported: Path, run: Run, what: Installed, speed: float) -> Outcom
         return Outcome(text, tuple(told["errors"]), tuple(told["words"]), log)
 
 
-def _started(place: Path, what: Installed, speed: float, patience_s: float) -> str:
+def _started(room: Path, place: Path, what: Installed, speed: float, patience_s: float) -> str:
     command = [
         *("unshare", *ROOMS, *(() if what.root else OWN_USER)),
-        *(str(place / "enter"), str(place), f"{speed:g}", what.faketime, "1"),
+        *(str(room / ENTER), str(place), f"{speed:g}", what.faketime, "1"),
     ]
     process = subprocess.Popen(  # noqa: S603 - our own command, on names of our own
         command,

@@ -10,10 +10,13 @@ from tests.support_programs import ran
 from vrts.base.units import DEG
 from vrts.dispatch.rehearsing.log_text import log_text
 from vrts.dispatch.rehearsing.measured import Stretch, extra, measured
+from vrts.dispatch.rehearsing.place import laid_out
 from vrts.dispatch.rehearsing.played import changes
+from vrts.dispatch.rehearsing.rehearse import NEEDED, expected
 from vrts.dispatch.rehearsing.samples import Samples, read_samples
 from vrts.engine.batch import batch_of
 from vrts.engine.run import Run
+from vrts.pipeline.refused import Refused
 from vrts.scene.model import Scenario
 from vrts.validate.log.log import GivenLog, read_log
 from vrts.validate.sampling import extent_of
@@ -146,3 +149,26 @@ def test_what_cannot_be_rehearsed_is_told(tmp_path: Path) -> None:
     assert said.returncode == 1
     assert "V874" in said.stderr
     assert "has no `program.ngc`" in said.stderr
+
+
+def test_a_link_in_a_folder_is_refused(tmp_path: Path) -> None:
+    for name in NEEDED:
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).touch()
+    (tmp_path / "library" / "v_more.ngc").symlink_to("/etc/hostname")
+    with pytest.raises(Refused) as caught:
+        expected(tmp_path)
+    assert caught.value.diagnostics[0].headline.endswith("v_more.ngc` is a link")
+
+
+def test_only_the_copy_of_a_folder_belongs_to_who_carries_it_out(tmp_path: Path) -> None:
+    exported, room = tmp_path / "exported", tmp_path / "room"
+    room.mkdir()
+    for name in NEEDED:
+        (exported / name).parent.mkdir(parents=True, exist_ok=True)
+        (exported / name).touch()
+    place = laid_out(exported, room, (), root=False)
+    assert place.parent == room
+    assert place.stat().st_mode & 0o777 == 0o700
+    assert not (place / "enter").exists()
+    assert (room / "enter").stat().st_mode & 0o022 == 0
