@@ -1471,6 +1471,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/dispatch/posts/test_posts.py",),
     ),
     Patch(
+        "formal arguments in AS are variables of every program",
+        "vrts/dispatch/posts/kawasaki_as.py",
+        "return _own(name) if key(node.text) in own else name",
+        "return name",
+        ("tests/unit/dispatch/posts/test_posts.py",),
+    ),
+    Patch(
         "a program that moves otherwise in another language is exported",
         "vrts/dispatch/posts/export.py",
         "    if not apart.is_none:",

@@ -11,6 +11,7 @@ from vrts.lang.compiler import Resolved
 from vrts.lang.dialect import AS
 from vrts.lang.names import key
 from vrts.lang.syntax import expressions, statements
+from vrts.lang.syntax.program import Formal
 
 COARSE_MM = 10.0  # ACCURACY for COARSE [assumed]
 FINE_MM = 1.0  # the same for FINE, AS's own default [manual language/dialects#accuracy]
@@ -151,17 +152,34 @@ class KawasakiAs(Post):
         if item is None or isinstance(item, expressions.FormatItem):
             return text
         if isinstance(item, expressions.Name | expressions.Element):
-            return f"&{text}" if self.type_of(item) in _LOCATIONS else text
+            return _by_reference(text) if self.type_of(item) in _LOCATIONS else text
         if not self.found.resolver.is_location(item):
             return text
         self._named += 1
-        name = f"passed.{self._named}"
-        if isinstance(item, expressions.Application) and item.name.text[0] == "#":
-            name = f"#{name}"
+        joints = isinstance(item, expressions.Application) and item.name.text[0] == "#"
+        name = _own(f"{'#' if joints else ''}passed.{self._named}")
         before.append(f"POINT {name} = {text}")
-        return f"&{name}"
+        return _by_reference(name)
+
+    def formal(self, formal: Formal) -> str:
+        """Return a formal argument: with a dot, and marked where it is a location."""
+        text = _own(super().formal(formal))
+        return _by_reference(text) if self.type_of(formal.name) in _LOCATIONS else text
+
+    def _write_auto(self, node: statements.Declare) -> tuple[str, ...]:
+        """Variables with a dot are a program's own: AS declares none."""
+        return (f"; {self._text(node)}",)
 
     # --- expressions ----------------------------------------------------------------------------
+
+    def variable(self, node: expressions.Name) -> str:
+        """Return a name; formals and a program's own variables have a dot, else AS has one of each.
+
+        [manual language/dialects#to-as]
+        """
+        own = self.found.resolver.scope.formals[self.program]
+        name = super().variable(node)
+        return _own(name) if key(node.text) in own else name
 
     def infix(self, node: expressions.Infix) -> str:
         """Return an operation; locations are joined by `+`, and by `-` with an inverse."""
@@ -258,3 +276,13 @@ class KawasakiAs(Post):
                 )
             if isinstance(part, tuple):
                 waiting.extend(part)  # pyright: ignore[reportUnknownArgumentType]
+
+
+def _own(name: str) -> str:
+    """Return the name of a variable that is a program's own."""
+    return f".{name}"
+
+
+def _by_reference(name: str) -> str:
+    """Return a location as it is passed, and as it is received: the mark stands behind the dot."""
+    return f".&{name[1:]}" if name.startswith(".") else f"&{name}"

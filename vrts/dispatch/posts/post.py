@@ -16,6 +16,7 @@ from vrts.lang.dialect import Angles, Dialect, Precedence
 from vrts.lang.grammar.operators import TABLE_A, TABLE_B
 from vrts.lang.names import key
 from vrts.lang.syntax import expressions, statements
+from vrts.lang.syntax.program import Formal
 from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions, bare_functions
 from vrts.lang.vocabulary.lookup import instructions_of, reserved_words
 
@@ -223,6 +224,10 @@ class Post:
                 "give the variable another name",
             )
         return name
+
+    def formal(self, formal: Formal) -> str:
+        """Return a formal argument as the header of its program has it."""
+        return f"{formal.name.text.lower()}{'[]' if formal.array else ''}"
 
     def function(self, node: expressions.Name) -> str:
         """Return the name of a function or constant."""

@@ -9,11 +9,10 @@ from vrts.dispatch.posts.kawasaki_as import KawasakiAs
 from vrts.dispatch.posts.post import CANNOT_WRITE, LEFT_OUT, CannotWrite, Post, Settled
 from vrts.dispatch.posts.val2 import Val2
 from vrts.dispatch.posts.vplus import VPlus
-from vrts.ir.values import Type
 from vrts.lang.compiler import Compilation, Resolved, resolve_source
 from vrts.lang.dialect import VAL2
 from vrts.lang.reading.splitter import Section, comment_start
-from vrts.lang.syntax.program import Formal, ProgramText, Step
+from vrts.lang.syntax.program import ProgramText, Step
 from vrts.lang.writing.layout import layout
 from vrts.lang.writing.store import data_text
 
@@ -87,14 +86,9 @@ class _Writer:
         return [*rows, ".END"]
 
     def _header(self, program: ProgramText) -> str:
-        formals = ", ".join(self._formal(formal) for formal in program.formals)
+        formals = ", ".join(self.post.formal(formal) for formal in program.formals)
         bare = not formals and self.post.dialect is VAL2
         return f".PROGRAM {program.name}" + ("" if bare else f"({formals})")
-
-    def _formal(self, formal: Formal) -> str:
-        located = self.post.type_of(formal.name) in (Type.POSE, Type.JOINTS)
-        mark = "&" if located and self.post.dialect.is_as else ""
-        return f"{mark}{formal.name.text.lower()}{'[]' if formal.array else ''}"
 
     def _rows(self, step: Step | None, raw: str) -> list[str]:
         """Return the lines of one line of the source; its comment stays behind the first."""

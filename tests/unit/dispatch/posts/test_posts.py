@@ -151,10 +151,20 @@ def test_comments_before_a_program_move_into_it() -> None:
 def test_locations_that_are_passed_are_marked_in_as() -> None:
     more = ".PROGRAM carry(p, #q, n)\nMOVE p\nDEPART n\nMOVE #q\n.END\n"
     text, _ = said("CALL carry(a:b, #p, 5)\nCALL carry(a, #p, n)", "as", more="" + more)
-    assert ".PROGRAM carry(&p, &#q, n)" in text
+    assert ".PROGRAM carry(.&p, .&#q, .n)\n        JMOVE .p\n        JDEPART .n" in text
     assert steps_in(text) == (
-        "POINT passed.1 = a+b\nCALL carry(&passed.1, &#p, 5)\nCALL carry(&a, &#p, n)"
+        "POINT .passed.1 = a+b\nCALL carry(.&passed.1, &#p, 5)\nCALL carry(&a, &#p, n)"
     )
+
+
+def test_a_subroutine_in_as_leaves_the_variables_of_its_caller_alone() -> None:
+    more = '.PROGRAM count(n, $s)\nAUTO k\nk = n+1\nn = 0\n$s = $s + "!"\nTYPE k, n, $s\n.END\n'
+    text, told = said('n = 7\nk = 8\nCALL count(3, "a")\nTYPE n, k', "as", "vplus", more)
+    assert not told
+    assert ".PROGRAM count(.n, .$s)\n; AUTO k\n        .k = .n+1\n        .n = 0\n" in text
+    assert steps_in(text) == 'n = 7\nk = 8\nCALL count(3,"a")\nPRINT n, k'
+    compilation = compile_source(SourceFile("main.as", text), Options(DIALECTS["as"]))
+    assert not [d for d in compilation.diagnostics if d.is_error]
 
 
 def test_angles_of_locations_become_those_of_the_language() -> None:
