@@ -59,8 +59,9 @@ def command(
 
     FOLDER is what `vrts dispatch export --to linuxcnc` wrote. LinuxCNC runs without a screen and
     without a robot, never as root and in namespaces of its own; the inputs of the scenario are
-    played. What `machine.hal` loads runs too: rehearse folders that you exported, or have read. Exit status 1 when LinuxCNC moves otherwise than the sheet claims or refuses the
-    program, 3 when LinuxCNC is not installed.
+    played. What `machine.hal` loads runs too: rehearse folders that you exported, or have read.
+    Exit status 1 when LinuxCNC moves otherwise than the sheet claims or refuses the program, 3
+    when LinuxCNC is not installed.
     """
     from vrts.dispatch.rehearsing.installed import REMEDY, installed
     from vrts.dispatch.rehearsing.log_text import log_text
