@@ -47,6 +47,7 @@ def check_terminal(problems: Problems, program: ProgramText) -> None:
 def _typed(problems: Problems, node: Simple) -> None:
     if node.operands:
         _behind_semicolon(problems, node)
+        _named(problems, node.operands)
         if not _formats(problems, node.operands):
             _of_other_languages(problems, node.operands)
 
@@ -149,6 +150,26 @@ def _of_other_languages(problems: Problems, items: tuple[Item | None, ...]) -> N
             fix=problems.replace(item.start, item.end, instead, sure=False) if instead else None,
         )
         return
+
+
+def _named(problems: Problems, items: tuple[Item | None, ...]) -> None:
+    """`TYPE "n = ", "n"`: the name of a variable between quotes, where its value is meant."""
+    for before, item in pairwise(items):
+        if not isinstance(before, Text) or not isinstance(item, Text):
+            continue
+        if not before.value.rstrip().endswith(("=", ":")) or not item.value.isidentifier():
+            continue
+        given = rf"^[ \t\d]*(?:FOR[ \t]+)?{re.escape(item.value)}[ \t]*=(?!=)"
+        if re.search(given, problems.source.text, re.IGNORECASE | re.MULTILINE) is None:
+            continue
+        problems.warning(
+            FORMAT_HABIT,
+            f"between quotes `{item.value}` is a text: its letters are written, not its value",
+            item.start,
+            item.end,
+            help=(f"leave the quotes out: write `{item.value}`",),
+            fix=problems.replace(item.start, item.end, item.value),
+        )
 
 
 def _parted(value: str, *, last: bool) -> str:

@@ -124,6 +124,17 @@ def _by_role(types: NameUses, found: NoText, role: Role, entry: Entry | None) ->
                 )
             )
         encoded = f"$ENCODE({written})"
+        if (
+            isinstance(found.node, Name)
+            and entry is not None
+            and not _has_value(types, found.node, entry)
+        ):
+            return _Help(
+                (
+                    f'text stands between double quotes: write `{target} = "{written}"`',
+                    f"the name of a string begins with `$`: `{target} = ${written}`",
+                )
+            )
         return _Help(
             (
                 f"$ENCODE turns a number into a string: `{target} = {encoded}`",

@@ -28,6 +28,7 @@ SUBSCRIPTS = Rule("V214", "subscripts")
 INVALID_SWITCH = Rule("V218", "invalid-switch")
 INVALID_PARAMETER = Rule("V219", "invalid-parameter")
 
+_FORMAT_BEHIND = re.compile(r"[ \t]*(?P<format>/(?:[CXUBSHO]|[FIGED])\d*(?:\.\d+)?)(?![\w.])", re.I)
 _STRING_COMPARED = re.compile(r"\$[\w.]+(?:\[[^\]]*\])?[ \t]*(?:==|<>)[ \t]*$", re.ASCII)
 _PLACE = r"(?P<other>[A-Za-z][\w.]*(?:\[[^\]]*\])?)"  # a location beside a comparison
 _SAME = r"[ \t]*(?P<sign>==|<>)[ \t]*"
@@ -60,6 +61,9 @@ def wrong_type(problems: Problems, node: Expression, found: Type, wanted: Type, 
     written = problems.source.text[node.start : node.end]
     if found is Type.STRING and wanted is not Type.STRING:
         help_, fix = _no_string(problems, node, wanted)
+        if why.startswith("FOR counts a number") and written[:1] == "$":
+            help_ = (f"the name of a number has no `$`: write `{written[1:]}`",)
+            fix = problems.replace(node.start, node.start + 1, "")
     elif wanted is Type.POSE and isinstance(node, Infix) and node.operator == "-":
         joined = written.replace(" ", "").replace("-", "_")
         help_ = (f"`-` subtracts; if this is meant as one name, write `{joined}`",)
@@ -118,6 +122,14 @@ def _no_string(
             fix = problems.replace(node.start, node.end, inner)
             return (f"a number stands without quotes: write `{inner}`",), fix
         if isinstance(node, Text):
+            slash = _FORMAT_BEHIND.match(problems.source.text, node.end)
+            if slash is not None:
+                written += f", {slash['format']}"
+                fix = problems.replace(node.end, slash.start("format"), ", ")
+                return (f"a comma stands before a format: write `{written}`",), fix
+            if NAME.fullmatch(inner) and problems.source.text[node.start - 1] == "[":
+                fix = problems.replace(node.start, node.end, inner)
+                return (f"a variable stands without quotes: write `{inner}`",), fix
             return ("write a number here; text stands in TYPE and in names with `$`",), None
         fix = problems.replace(node.start, node.end, f"VAL({written})")
         return (f"VAL turns the text of a number into the number: `VAL({written})`",), fix

@@ -144,7 +144,16 @@ def _behind(step: BrokenStep) -> tuple[str, ...]:
     """Return what to write where an operand is missing within a step."""
     if step.here is None and step.before is not None and step.before.text == ":":
         return ("write the name of the location in that frame behind `:`, as in `frame:part`",)
-    return (f"write `{step.word.usage}`",) if step.word and step.word.operands else ()
+    if step.word is not None and step.word.operands:
+        return (f"write `{step.word.usage}`",)
+    here, before = step.here, step.before
+    if here is not None and before is not None and before.kind != "EQUAL":
+        return (f"write a value between `{before.text}` and `{short(here.text)}`, or remove one",)
+    if here is not None or before is None:
+        return ("write a number, a variable or a sum there",)
+    if before.kind == "EQUAL":
+        return ("write a number, a variable or a sum behind `=`",)
+    return (f"write a value behind `{before.text}`, or remove `{before.text}`",)
 
 
 def _forms(word: Word) -> str:

@@ -18,6 +18,9 @@ _ALONE = {  # instructions without operands, and what may be meant by a name beh
     "BREAK": "write BREAK alone: it waits until the motion above it ends",
     "RETURN": "write RETURN alone: a program gives values back in its arguments",
 }
+_CONDITIONS = frozenset({"WAIT", "UNTIL"})
+_EMPTY = 3  # tokens of `READY()`
+_NUMBERS = ("no operand", "one operand", "two operands", "three operands", "few operands")
 _QUALIFIER_SAYS = "VAL-II says *Invalid qualifier*"
 
 
@@ -60,6 +63,10 @@ def text_after_structure(step: BrokenStep) -> bool:
         help_ = "write END alone: it ends the structure that is open"
     elif here.kind == "LPAREN":
         help_ = f"write {last} alone"
+        if here.text == "(" and step.tokens[-1].text == ")" and len(step.tokens) == _EMPTY:
+            whole = step.problems.replace(before.end, step.tokens[-1].end, "")
+            _report_extra(step, here, f"{last} has no parentheses", f"write `{last}`", whole)
+            return True
     elif last in _ALONE and len(step.tokens) == 2 and here.kind in ("NAME", "NUMBER"):
         _report_extra(
             step,
@@ -103,6 +110,27 @@ def too_many(step: BrokenStep) -> bool:
         help_ = f"{here.text.upper()} does not belong to {name or 'an assignment'}"
     elif step.word is not None:
         help_ = f"write `{step.word.usage}`"
+        written = step.problems.source.text
+        if step.before is not None and not step.inside:
+            rest = written[here.start : step.tokens[-1].end].strip()
+            kept = written[step.tokens[0].start : step.before.end]
+            help_ = f"take `{short(rest)}` out: write `{short(kept)}`"
+            if step.failure.at == 1:
+                fix = step.problems.replace(step.before.end, step.tokens[-1].end, "")
+            if step.word.text in _CONDITIONS and here.kind in OPERANDS:
+                help_ += "; conditions are joined by `AND` or `OR`"
+            if here.kind == "COMMA":
+                many = _NUMBERS[min(len(step.word.operands), len(_NUMBERS) - 1)]
+                takes = f"{step.word.text} takes {many}"
+                _report_extra(step, here, f"{takes}: `{short(rest)}` is too much", help_, fix)
+                return True
+    else:
+        help_ = "write an operator between them, as `+` or `*`, or take one of them out"
+        texts = ("STRING", "STRINGNAME")
+        if here.kind in texts:
+            help_ = "strings are joined by `+`"
+            if step.before is not None and step.before.kind in texts:
+                fix = step.problems.replace(step.before.end, here.start, " + ")
     _report_extra(step, here, f"the step ends before `{short(here.text)}`", help_, fix)
     return True
 

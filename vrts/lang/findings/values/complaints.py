@@ -84,6 +84,12 @@ def watched_signal(value: Interval) -> Complaint | None:
     return _no_signal(low, high, help_)
 
 
+def ignored_signal(value: Interval) -> Complaint | None:
+    """IGNORE forgets what REACT watches; one that nothing watches changes nothing."""
+    found = watched_signal(value)
+    return found and found._replace(certain=False)
+
+
 def joint(value: Interval) -> Complaint | None:
     """DRIVE turns joints 1 to 6."""
     return _outside(value, 1, JOINTS, "there is no joint {}", "joints are 1 to 6")

@@ -79,4 +79,8 @@ _ARGUMENTS: dict[str, tuple[Complain, ...]] = {  # the last one again for all th
     "bits": (complaints.read_signal, complaints.bits_count),
     "timer": (complaints.timer_read,),
 }
-_FIRST_OPERAND: dict[str, Complain] = {"DRIVE": complaints.joint, "LOCK": complaints.priority}
+_FIRST_OPERAND: dict[str, Complain] = {
+    "DRIVE": complaints.joint,
+    "IGNORE": complaints.ignored_signal,
+    "LOCK": complaints.priority,
+}

@@ -77,22 +77,40 @@ def _computed(types: NameUses, node: Simple) -> bool:
         elif isinstance(part, Infix) and part.operator in COMPARISONS:
             inner, sign = part.left, "-" if _is_off(part.right) else ""
             headline = "SIGNAL takes numbers of signals only: a comparison is no signal"
+        elif isinstance(part, Infix) and _lists(text, part):
+            inner, sign = part.left, ""
+            headline = f"`{part.operator}` makes one number of two: SIGNAL takes a list"
         else:
             continue
         instead = f"{sign}{text[inner.start : inner.end]}"
+        help_ = f"to switch it {'off' if sign else 'on'} write `SIGNAL {instead}`"
+        if isinstance(part, Infix) and part.operator not in COMPARISONS:
+            second = text[part.right.start : part.right.end]
+            instead += f", {'-' if part.operator == '-' else ''}{second}"
+            help_ = f"write commas between the signals: `SIGNAL {instead}`"
         problems.warning(
             NO_SUCH_SIGNAL,
             headline,
             part.start,
             part.end,
             notes=("a signal is switched off by its number with a minus sign",),
-            help=(f"to switch it {'off' if sign else 'on'} write `SIGNAL {instead}`",),
+            help=(help_,),
             fix=problems.replace(part.start, part.end, instead)
             if isinstance(inner, Number | Name | Element)
             else None,
         )
         return True
     return False
+
+
+def _lists(text: str, part: Infix) -> bool:
+    """`SIGNAL 5 AND 6`, `SIGNAL 5 + 6`, `SIGNAL 5 -6`: two signals, where the comma is missing."""
+    if not isinstance(part.left, Number) or not isinstance(part.right, Number):
+        return False
+    if part.operator != "-":
+        return part.operator in ("AND", "+")
+    between = text[part.left.end : part.right.start]
+    return between.startswith((" ", "\t")) and between.endswith("-")
 
 
 def _is_off(node: Item) -> bool:

@@ -2,10 +2,11 @@
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.meaning.constants import number_of
+from vrts.lang.meaning.roles import COMPARISONS
 from vrts.lang.problems import Problems
 from vrts.lang.syntax.expressions import Infix, Item, Number, Parenthesised
 from vrts.lang.syntax.program import ProgramText
-from vrts.lang.syntax.statements import ValueGroup
+from vrts.lang.syntax.statements import Case, ValueGroup
 
 VALUE_LIST = Rule("V270", "value-list")
 
@@ -14,10 +15,15 @@ _MOST_WRITTEN = 10  # numbers of a range that are written out
 
 def check_groups(problems: Problems, program: ProgramText) -> None:
     """Warn of values of a CASE that are worked out of two numbers."""
+    selector: Item | None = None
     for step in program.steps:
         node = step.statement
+        if isinstance(node, Case):
+            selector = node.selector
         if isinstance(node, ValueGroup):
             for value in node.values:
+                if _compares(problems, value, selector):
+                    continue
                 instead = _meant(value)
                 if value is not None and instead:
                     _report(problems, node, value, instead)
@@ -38,6 +44,29 @@ def _meant(value: Item | None) -> list[int]:
     if first is None or last is None or not 0 <= first < last or last - first >= _MOST_WRITTEN:
         return []
     return list(range(round(first), round(last) + 1))
+
+
+def _compares(problems: Problems, value: Item | None, selector: Item | None) -> bool:
+    """`VALUE x > 3:`: true and false are -1 and 0; return whether it was told."""
+    inner = value
+    while isinstance(inner, Parenthesised):
+        inner = inner.inner
+    if value is None or not isinstance(inner, Infix) or inner.operator not in COMPARISONS:
+        return False
+    text = problems.source.text
+    of = text[selector.start : selector.end].strip("() \t").lower() if selector is not None else ""
+    if of not in (text[side.start : side.end].lower() for side in (inner.left, inner.right)):
+        return False  # `CASE TRUE OF`
+    written = text[value.start : value.end]
+    problems.warning(
+        VALUE_LIST,
+        f"`{written}` is a condition: as a value it is -1 for true, 0 for false",
+        value.start,
+        value.end,
+        notes=("VALUE takes numbers: the CASE compares them with its expression",),
+        help=(f"list the numbers, or ask by IF: `IF {written} THEN`",),
+    )
+    return True
 
 
 def _numbers(value: Item) -> list[int]:

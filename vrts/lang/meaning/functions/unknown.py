@@ -27,7 +27,10 @@ _RENAMED = {  # functions of other languages that take the same
     "inttostr": "$ENCODE",
     "float": "VAL",
     "sgn": "SIGN",
+    "dist": "DISTANCE",
+    "arctan2": "ATAN2",
 }
+_WRITTEN_AS = {"pi": "PI", "inc": "{}+1", "succ": "{}+1", "dec": "{}-1"}
 _REWRITTEN = dict.fromkeys(
     ("time.time", "time", "time.clock", "time.perf_counter", "clock", "millis", "gettime", "tic"),
     "TIMER(1)",
@@ -86,6 +89,9 @@ def unknown_function(
         help_ = (FOREIGN_FUNCTIONS[lower],)
         if lower in _RENAMED:
             fix = problems.replace(node.name.start, node.name.end, _RENAMED[lower])
+        elif lower in _WRITTEN_AS and (lower == "pi") is (of is None):
+            given = problems.source.text[of.start : of.end] if of is not None else ""
+            fix = problems.replace(node.start, node.end, _WRITTEN_AS[lower].format(given))
     elif module in _MODULES and last in FOREIGN_FUNCTIONS:
         help_ = (FOREIGN_FUNCTIONS[last],)
     elif module in _MODULES and last in known:

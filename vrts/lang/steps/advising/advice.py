@@ -16,14 +16,14 @@ from vrts.lang.steps.advising.adviser import OTHER_LANGUAGE, STRUCTURE, Advised,
 from vrts.lang.steps.advising.comments_told import CommentAdvice
 from vrts.lang.steps.advising.continued import ContinuedAdvice
 from vrts.lang.steps.advising.idioms_told import IdiomAdvice
+from vrts.lang.steps.advising.open_case import in_case
 from vrts.lang.steps.advising.signs_told import SignAdvice
 from vrts.lang.steps.advising.words_told import WordAdvice
 from vrts.lang.steps.habits import Habits
 from vrts.lang.steps.idioms import comments
-from vrts.lang.steps.idioms.wording import (
-    indented,
-)
-from vrts.lang.steps.misread.table import meant_by_line
+from vrts.lang.steps.idioms.wording import indented, smallest_change
+from vrts.lang.steps.misread.meant import Meant
+from vrts.lang.steps.misread.table import meant_after_all, meant_by_line
 from vrts.lang.steps.missing_parts import MISSING_KEYWORD
 from vrts.lang.steps.one_line import INNER, ONE_LINE
 from vrts.lang.steps.repair import Repair
@@ -32,12 +32,10 @@ from vrts.lang.steps.unknown_words import MONITOR_COMMAND
 _CASE_LABEL = re.compile(
     r"(?P<margin>[ \t]*)(?P<value>\d+(?:[ \t]*,[ \t]*\d+)*)[ \t]*(?P<colon>:)(?P<rest>.*)"
 )
-_BLOCK_WORD = re.compile(
-    r"^[ \t]*(?:\d+[ \t]+)?(IF|FOR|WHILE|CASE|DO|END|UNTIL)\b(.*)$", re.I | re.M
-)
 _BEHIND = re.compile(r"[ \t]*(?=[,)=:]|[-+*/]|[ \t](?:THEN|DO|OF|TO|STEP|GOTO)\b)", re.IGNORECASE)
 _GOES_ON = re.compile(r"[ \t]+(?=(?:THEN|DO|OF|TO|STEP|GOTO)\b)", re.IGNORECASE)
 _CLOSES_DO = re.compile(r"^[ \t]*(?:\d+[ \t]+)?(?:UNTIL|LOOP|WHILE|REPEAT|\}|END[ \t]*DO)", re.M)
+_NEVER_CLOSED = (MISSING_PARENTHESIS, MISSING_BRACKET)
 _NUMBER = re.compile(r"[ \t]*[\d.]+[ \t]*")
 
 
@@ -62,6 +60,7 @@ class Advice(Adviser):
             return Advised(None)
         for better in (
             self.continued.explain,
+            self._semicolons,
             self._quoted,
             self.comments.leading,
             self._case_label,
@@ -69,14 +68,14 @@ class Advice(Adviser):
             self._at_the_monitor,
             self.idioms.explain,
             self._rows,
+            self._after_all,
             self.words.first,
             self.words.qualifier,
         ):
             found = better(line, mark)
             if found is not None:
                 return found
-        never_closed = (MISSING_PARENTHESIS, MISSING_BRACKET)
-        if len(told) == 1 and told[0].rule in never_closed and told[0].fix is None:
+        if len(told) == 1 and told[0].rule in _NEVER_CLOSED and told[0].fix is None:
             self._closed(line, mark)
             return None
         if len(told) == 1 and told[0].fix is not None:
@@ -126,6 +125,26 @@ class Advice(Adviser):
             advised = self.idioms.explain(line, mark) if text else None
             return advised or self.signs.explain(line, mark)
         return self.comments.behind(line, mark)
+
+    def _semicolons(self, line: Line, mark: int) -> Advised | None:
+        """`TRANS(1, 2, 3; 4, 5, 6)`: where a `;` breaks the step off, and a comma does not."""
+        told = self.problems.found[mark:]
+        if len(told) != 1 or told[0].rule not in _NEVER_CLOSED or ";" not in line.raw:
+            return None
+        tried = self.repair.at_once(line.raw.replace(";", ","))
+        if tried is None:
+            return None
+        self.problems.forget(mark)
+        start, end, instead = smallest_change(line.raw, tried.text)
+        self.problems.error(
+            OTHER_LANGUAGE,
+            "`;` begins a comment, a comma parts operands",
+            line.at + start,
+            line.at + end,
+            help=(f"write `,` instead of `;`: `{tried.text}`",),
+            fix=self.problems.replace(line.at + start, line.at + end, instead),
+        )
+        return Advised(self._word_of(tried.text))
 
     def _rows(self, line: Line, mark: int) -> Advised | None:
         """Several steps on one line; where the END of an open one belongs, the blocks say."""
@@ -193,7 +212,7 @@ class Advice(Adviser):
         text = self.problems.source.text
         begin = text.rfind("\n", 0, line.at) + 1
         found = _CASE_LABEL.fullmatch(text[begin : line.at] + line.text)
-        if found is None or not _in_case(text[:begin]):
+        if found is None or not in_case(text[:begin]):
             return None
         self.problems.forget(mark)
         start, end = begin + found.start("value"), begin + found.end("colon")
@@ -213,7 +232,14 @@ class Advice(Adviser):
         return Advised("VALUE")
 
     def _misread(self, line: Line, mark: int) -> Advised | None:
-        found = meant_by_line(line.text, self.repair, self.problems.dialect)
+        return self._meant(line, mark, meant_by_line(line.text, self.repair, self.problems.dialect))
+
+    def _after_all(self, line: Line, mark: int) -> Advised | None:
+        return self._meant(
+            line, mark, meant_after_all(line.text, self.repair, self.problems.dialect)
+        )
+
+    def _meant(self, line: Line, mark: int, found: Meant | None) -> Advised | None:
         if found is None:
             return None
         told = self.problems.found[mark:]
@@ -229,19 +255,9 @@ class Advice(Adviser):
             found.rule, found.headline, start, end, notes=found.notes, help=found.help, fix=fix
         )
         self.habits.note(self.problems, f"misread {found.headline}")
-        return Advised(line.kept)
-
-
-def _in_case(above: str) -> bool:
-    """Whether the innermost structure that lines leave open is a CASE, by their first words."""
-    begin = above.upper().rfind(".PROGRAM")
-    depth = 0
-    for word, rest in reversed(_BLOCK_WORD.findall(above[max(begin, 0) :])):
-        upper = word.upper()
-        if upper in ("END", "UNTIL"):
-            depth += 1
-        elif upper != "IF" or "GOTO" not in rest.upper():
-            if not depth:
-                return bool(upper == "CASE")
-            depth -= 1
-    return False
+        kept = line.kept
+        if kept is None and found.instead and found.instead[0] != ";":
+            meant = f"{line.text[: found.start]}{found.instead}{line.text[found.end :]}"
+            word = self._word_of(meant)
+            kept = word if word in STRUCTURE else None
+        return Advised(kept)

@@ -13,6 +13,7 @@ from vrts.lang.steps.advising.adviser import (
     Adviser,
     Line,
 )
+from vrts.lang.steps.advising.open_case import in_case
 from vrts.lang.steps.idioms.idiom import Idiom, Matched, filled
 from vrts.lang.steps.idioms.tables import matches
 from vrts.lang.steps.idioms.wording import (
@@ -32,6 +33,8 @@ from vrts.lang.steps.unknown_words import (
 from vrts.lang.vocabulary.lookup import look_up
 
 _CALL = "call_{n} , {e}"  # an argument, or another program
+_ANY = "ANY"  # which an IF has ELSE for
+_OF_IF = "in an IF the steps for where the condition is false stand behind ELSE"
 _KRL_LOOP = "LOOP"  # which begins what ENDLOOP ends
 _ENDLOOP = re.compile(r"^[ \t]*END[ _]?LOOP\b", re.I | re.M)
 ELSE_IF = "ELSEIF"  # `ELSEIF x THEN`, which stands for ELSE and IF
@@ -72,6 +75,11 @@ class IdiomAdvice(Adviser):
         if idiom.pattern == _CALL and self._is_program(found.parts["e"]):
             says, instead = "CALL runs one program", "CALL {n}\nCALL {e}"
             idiom = idiom._replace(says=says, instead=instead)
+            found = found._replace(idiom=idiom)
+        if idiom.word == _ANY and not in_case(self.problems.source.text[: line.at]):
+            if idiom.pattern.startswith("<others|"):
+                return None
+            idiom = idiom._replace(instead="ELSE", word="ELSE", note=_OF_IF)
             found = found._replace(idiom=idiom)
         if idiom.word == _KRL_LOOP:
             if not _ENDLOOP.search(self.problems.source.text, line.at):

@@ -5,6 +5,7 @@
 
 from vrts.lang.steps.idioms.idiom import Idiom
 
+_OTHERS = "in a CASE the steps for all other values stand behind ANY"
 _COUNTS = "a FOR of VAL-II reaches its last value, too"
 
 BLOCKS = (
@@ -27,7 +28,8 @@ BLOCKS = (
     Idiom("else : {r}", "ELSE\n    {r}", says="ELSE ends its line"),
     Idiom("else begin", "ELSE", "Pascal"),
     Idiom("else then", "ELSE", says="ELSE stands alone"),
-    Idiom("<otherwise|default> <:|>", "ANY", "C and MATLAB", note="in a CASE the steps for all other values stand behind ANY"),
+    Idiom("<others|other|all_others|all_other|any_other|rest|value_other|value_others|value_otherwise|value_default|value_any|value_all|value_rest> :", "ANY", says="ANY stands for all other values", note=_OTHERS, word="ANY"),
+    Idiom("<otherwise|default> <:|>", "ANY", "C and MATLAB", note=_OTHERS, word="ANY"),
     # ends
     Idiom("<endif|endfor|endwhile|endcase|endswitch|endtest|endselect|endloop|enddo|wend|fi|od|esac>", "END", says="every structure ends with END"),
     Idiom("end_<if|for|while|case|switch|select|loop|do|then|else|test>", "END", says="END stands alone"),
@@ -67,11 +69,17 @@ BLOCKS = (
     Idiom("for {n} = {e} , {e2} , {e3}", "FOR {n} = {e} TO {e2} STEP {e3}", "Fortran"),
     Idiom("for {n} = {e} , {e2}", "FOR {n} = {e} TO {e2}", says="FOR without TO"),
     Idiom("for {n} = {e}_downto_{e2}", "FOR {n} = {e} TO {e2} STEP -1", says="DOWNTO is not a word of VAL-II"),
+    Idiom("for {n} = {e}_to{d}", "FOR {n} = {e} TO {d}", says="a blank is missing behind TO"),
+    Idiom("for {n} = {d}to {e2}", "FOR {n} = {d} TO {e2}", says="a blank is missing before TO"),
     Idiom("for {n} == {e}_to_{e2}", "FOR {n} = {e} TO {e2}", says="`==` compares, `=` assigns"),
     Idiom("for {n} = {e} .. {e2}", "FOR {n} = {e} TO {e2}", "other languages"),
     Idiom("for {n} = {e}_<until|till|upto|thru>_{e2}", "FOR {n} = {e} TO {e2}", says="FOR without TO"),
     Idiom("for {n} = {e}_to_{e2}_<by|increment|inc|in_steps_of|steps>_{e3}", "FOR {n} = {e} TO {e2} STEP {e3}", says="the step of a FOR follows STEP"),
     Idiom("for {n} = {e}_to_{e2} , {e3}", "FOR {n} = {e} TO {e2} STEP {e3}", says="the step of a FOR follows STEP"),
+    Idiom("for = {e}_to_{e2}", "FOR i = {e} TO {e2}", says="FOR counts with a variable", sure=False, word="FOR"),
+    Idiom("for {n} = {e}_to_{e2}_step = {e3}", "FOR {n} = {e} TO {e2} STEP {e3}", says="STEP takes no `=`"),
+    Idiom("for {n} = {e}_to = {e2}", "FOR {n} = {e} TO {e2}", says="TO takes no `=`"),
+    Idiom("for {n} = {e}_step_{e3}_to_{e2}", "FOR {n} = {e} TO {e2} STEP {e3}", says="TO stands before STEP in a FOR"),
     Idiom("for_{n}_to_{e}", "FOR {n} = 1 TO {e}", says="FOR without a first value", sure=False),
     Idiom("foreach {r}", "", "other languages", word="FOR", help="write `FOR n = 1 TO count`"),
     Idiom("repeat_{d}_<times|>", "FOR i = 1 TO {d}", says="REPEAT is not a VAL-II instruction", sure=False, word="FOR"),
@@ -86,10 +94,12 @@ BLOCKS = (
     Idiom("while {e}_<then|loop>", "WHILE {e} DO", says="WHILE goes on with DO"),
     Idiom("while ( {e} ) <then|loop|begin>", "WHILE ({e}) DO", says="WHILE goes on with DO"),
     Idiom("<forever|loop_forever> <{|:|>", "WHILE TRUE DO", "other languages"),
+    Idiom("until_{e}_do", "WHILE {!e} DO", says="a loop with its condition first begins with WHILE", word="WHILE"),
     Idiom("until ( {e} ) <:|}>", "UNTIL {e}", "other languages"),
     # cases
     Idiom("<switch|test|select_case|select|match> {e} <{|:|of|>", "CASE {e} OF", "other languages"),
     Idiom("case_{e}_<do|then|:|{|is>", "CASE {e} OF", says="the line of a CASE ends with OF", word="CASE"),
+    Idiom("case_of_{e}", "CASE {e} OF", says="the line of a CASE ends with OF"),
     Idiom("<case|when>_else <:|>", "ANY", "BASIC"),
     Idiom("case {d} :", "VALUE {d}:", "C"),
     Idiom("case {d} , {e} :", "VALUE {d}, {e}:", "C"),
@@ -99,7 +109,7 @@ BLOCKS = (
     Idiom("<value|case> {d} : {r}", "VALUE {d}:\n    {r}", says="`:` ends its line"),
     Idiom("value_{e} <then|do>", "VALUE {e}:", says="a VALUE ends with a colon"),
     Idiom("value_{e}", "VALUE {e}:", says="a VALUE ends with a colon"),
-    Idiom("value = {e} :", "VALUE {e}:", says="VALUE takes no `=`"),
+    Idiom("value <=|==|is> {e} <:|>", "VALUE {e}:", says="VALUE takes no `=`", word="VALUE"),
     Idiom("<any|value_any|value_else|else_any> :", "ANY", says="ANY stands for all other values"),
     # what else stands round steps
     Idiom("{", "", "C", help="leave it out: the word above opens the structure", drop=True),

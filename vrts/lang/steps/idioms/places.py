@@ -12,6 +12,9 @@ _SIX = "TRANS({e}, {e2}, {e3}, {e4}, {e5}, {e6})"
 _UNTURNED = "with the angles of the hand behind the lengths"  # without them it points up
 
 PLACES = (
+    Idiom("set_{v} == {e}", "SET {v} = {e}", says="`==` compares, `=` gives a value"),
+    Idiom("timer {d} == {e}", "TIMER {d} = {e}", says="`==` compares, `=` gives a value"),
+    Idiom("<invert|inverse> {v}", "SET {v} = INVERSE({v})", says="INVERSE is a function", sure=False),
     # locations out of numbers
     Idiom("<move|goto|movet>_<to|>" + _LIST6, "MOVE " + _SIX, says=_NUMBERS),
     Idiom("move ( " + _LIST6 + " )", "MOVE " + _SIX, says=_NUMBERS),

@@ -97,6 +97,7 @@ SIGNALS = (
     Idiom("<usleep|msleep|delay_ms|delayms|wait_ms> ( {r} )", "", "C", help="DELAY takes seconds: 500 ms is `DELAY 0.5`"),
     Idiom("wait sig ( {e} ) on", "WAIT SIG({e})", says="SIG alone is true while the signal is on"),
     Idiom("wait sig ( {d} ) off", "WAIT SIG(-{d})", says="a minus asks whether a signal is off"),
+    Idiom("<react|reacti> {d} <,|> goto_{r}", "", says="REACT calls a program, and jumps to no label", help="write the steps as a program of their own: `REACT {d}, program`, and `.PROGRAM program`"),
     Idiom("react {e} <,|> call_{n} <()|>", "REACT {e}, {n}", says="REACT takes the name of the program, without CALL"),
     Idiom("reacti {e} <,|> call_{n} <()|>", "REACTI {e}, {n}", says="REACTI takes the name of the program, without CALL"),
     Idiom("pcexecute_call_{n}", "PCEXECUTE {n}", says="PCEXECUTE takes the name of the program, without CALL"),

@@ -107,11 +107,42 @@ SIGNS = (
         "write `a[r, c]`",
     ),
     Signs(re.compile(r"\bgo[ \t]+to\b", re.I), "GOTO", "GO TO is one word", "write `GOTO`"),
+    Signs(
+        re.compile(r"#(?=\d)"),
+        "",
+        "a number has no `#`",
+        "leave `#` out: it begins joint locations",
+    ),
+    *(
+        Signs(
+            re.compile(rf"(?<=[\w)\]])[ \t]+(?:{words})[ \t]+(?=[\w(])", re.I),
+            sign,
+            "sums are written with signs in VAL-II",
+            f"write `{sign}`",
+        )
+        for words, sign in (
+            ("plus", "+"),
+            ("minus", "-"),
+            ("times", "*"),
+            ("divided by", "/"),
+        )
+    ),
+    Signs(
+        re.compile(r"(?<=[\w)\]])[ \t]+x[ \t]+(?=[\w(])", re.I),
+        "*",
+        "`x` is no operator: it is a name",
+        "write `*` to multiply",
+    ),
     Signs(re.compile(r"~="), "<>", "`~=` is not an operator of VAL-II", "write `<>`"),
     Signs(re.compile(r"/="), "<>", "`/=` is not an operator of VAL-II", "write `<>`"),
     Signs(re.compile(r"==="), "==", "`===` is not an operator of VAL-II", "write `==`"),
     Signs(re.compile(r"!=="), "<>", "`!==` is not an operator of VAL-II", "write `<>`"),
-    Signs(re.compile(r"!(?!=)[ \t]*"), "NOT ", "`!` is not an operator of VAL-II", "write `NOT`"),
+    Signs(
+        re.compile(r"(?<![\w)\]])!(?!=)[ \t]*"),
+        "NOT ",
+        "`!` is not an operator of VAL-II",
+        "write `NOT`",
+    ),
     Signs(re.compile(r"~(?!=)[ \t]*"), "NOT ", "`~` is not an operator of VAL-II", "write `NOT`"),
     Signs(
         re.compile(r"[ \t]*(?<!&)&(?!&)[ \t]*(?=\^[BH]|\d+[ \t]*\))", re.I),
@@ -201,13 +232,13 @@ SIGNS = (
         "write `SIG(1001)`",
     ),
     Signs(
-        re.compile(r"\bgreater[ \t]+than\b|\bis[ \t]+greater[ \t]+than\b", re.I),
+        re.compile(r"\b(?:is[ \t]+)?(?:greater|bigger|larger|more|above)(?:[ \t]+than)?\b", re.I),
         ">",
         "comparisons are signs in VAL-II",
         "write `>`",
     ),
     Signs(
-        re.compile(r"\b(?:is[ \t]+)?(?:less|smaller)[ \t]+than\b", re.I),
+        re.compile(r"\b(?:is[ \t]+)?(?:less|smaller|lower|below)(?:[ \t]+than)?\b", re.I),
         "<",
         "comparisons are signs in VAL-II",
         "write `<`",

@@ -13,11 +13,16 @@ from vrts.lang.steps.misread.hand_words import named_hand
 from vrts.lang.steps.misread.joined_strings import joined_strings
 from vrts.lang.steps.misread.left_out.blank import glued_number
 from vrts.lang.steps.misread.left_out.compared import left_out_operand
-from vrts.lang.steps.misread.left_out.quotes import unquoted_text
+from vrts.lang.steps.misread.left_out.quotes import opening_quote, unquoted_text
 from vrts.lang.steps.misread.left_out.times import missing_times
 from vrts.lang.steps.misread.meant import Meant
+from vrts.lang.steps.misread.slips.brackets import odd_brackets
 from vrts.lang.steps.misread.slips.digits_first import digit_first
+from vrts.lang.steps.misread.slips.fillers import filler
 from vrts.lang.steps.misread.slips.letters_in_numbers import letters_in_number
+from vrts.lang.steps.misread.slips.no_step import no_step
+from vrts.lang.steps.misread.slips.odd_names import odd_name
+from vrts.lang.steps.misread.slips.parted_words import parted_sign, parted_word
 from vrts.lang.steps.misread.slips.twice import said_twice
 from vrts.lang.steps.misread.surplus_parenthesis import surplus_parenthesis
 from vrts.lang.steps.misread.units import unit_behind
@@ -44,6 +49,10 @@ def meant_by_line(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
         or given_function(text, dialect)
         or called_value(text)
         or named_hand(text)
+        or parted_sign(text, repair)
+        or opening_quote(text, repair)
+        or odd_brackets(text, repair, dialect)
+        or parted_word(text, repair, dialect)
         or surplus_parenthesis(text, repair)
         or equals_behind(text, repair, dialect)
         or joined_strings(text, repair)
@@ -51,3 +60,10 @@ def meant_by_line(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
         or missing_times(text, repair)
         or prose(text)
     )
+
+
+def meant_after_all(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
+    """Return what is meant by a line that is no way of another language either."""
+    if not dialect.has("2"):
+        return None
+    return odd_name(text, repair) or no_step(text, repair, dialect) or filler(text, repair, dialect)

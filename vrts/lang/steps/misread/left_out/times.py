@@ -1,4 +1,4 @@
-"""`10(i+1)` and `(1+2)(3+4)`: a product without its `*`."""
+"""`10(i+1)`, `x = 2 y` and `(1+2)(3+4)`: a product without its `*`."""
 
 import re
 
@@ -11,6 +11,8 @@ _NO_SIGN = re.compile(
     r"(?<![\w.^$#\]])(?:\d+\.?\d*|\.\d+)[ \t]*(?=\()|\)(?=\w)|\)[ \t]*(?=\()",
     re.ASCII,
 )
+_GIVEN = re.compile(rf"{VARIABLE}[ \t]*=(?!=)", re.ASCII)
+_APART = re.compile(r"(?<![\w.^$#\]])(?:\d+\.?\d*|\.\d+)[ \t]+(?=[A-Za-z])", re.ASCII)  # `2 n`
 _OF_NUMBERS = re.compile(  # steps that compute with numbers, not with locations
     rf"{VARIABLE}[ \t]*=(?!=)|(?:IF|WHILE|UNTIL|FOR|CASE|TYPE|DRAW|DEPARTS?|DELAY|SPEED|DRIVE)\b",
     re.ASCII | re.IGNORECASE,
@@ -21,6 +23,8 @@ def missing_times(text: str, repair: Repair) -> Meant | None:
     """Return what is meant by a step that is right with `*` between two factors."""
     bare = _STRING.sub(lambda string: '"' * len(string.group()), text)
     places = [found.end() for found in _NO_SIGN.finditer(bare)]
+    if _GIVEN.match(text):
+        places = sorted({*places, *(found.end() for found in _APART.finditer(bare))})
     if not places or not _OF_NUMBERS.match(text):
         return None
     meant = text

@@ -1,0 +1,22 @@
+"""Whether a line stands in a CASE, by the words that its structures begin and end with."""
+
+import re
+
+_BLOCK_WORD = re.compile(
+    r"^[ \t]*(?:\d+[ \t]+)?(IF|FOR|WHILE|CASE|DO|END|UNTIL)\b(.*)$", re.I | re.M
+)
+
+
+def in_case(above: str) -> bool:
+    """Whether the innermost structure that lines leave open is a CASE, by their first words."""
+    begin = above.upper().rfind(".PROGRAM")
+    depth = 0
+    for word, rest in reversed(_BLOCK_WORD.findall(above[max(begin, 0) :])):
+        upper = word.upper()
+        if upper in ("END", "UNTIL"):
+            depth += 1
+        elif upper != "IF" or "GOTO" not in rest.upper():
+            if not depth:
+                return bool(upper == "CASE")
+            depth -= 1
+    return False
