@@ -56,6 +56,7 @@ def _check_branches(problems: Problems, program: ProgramText) -> None:
     """Warn of `RIGHTY`, `MOVES part` below `LEFTY`, `MOVE a`: a straight line keeps the branch."""
     settled: dict[str, Setting] = {}  # the branch that the arm is in for sure
     wanted: dict[str, Setting] = {}
+    pending: set[str] = set()  # what no joint motion has turned yet
     above: Setting | None = None  # the arm word of the step before
     for step in program.steps:
         node = step.statement
@@ -64,23 +65,29 @@ def _check_branches(problems: Problems, program: ProgramText) -> None:
             simple or isinstance(node, Setting) or _keeps_still(node)
         ):
             settled, wanted = {}, {}
+            pending.clear()
         if isinstance(node, Setting) and node.word in _ARMS:
             part = _ARMS[node.word]
             if above is not None and _ARMS[above.word] == part and above.always == node.always:
                 _lost(problems, part, above, node)
             wanted[part] = above = node
+            pending.add(part)
             continue
         above = None
         if isinstance(node, Simple) and node.word in ("READY", "DRIVE"):
             settled = {}
         elif isinstance(node, Simple) and node.word in _JOINT:
             settled.update(wanted)
+            pending.clear()
         elif isinstance(node, Simple) and node.word in _STRAIGHT:
             for part, setting in wanted.items():
                 before = settled.get(part)
-                if before is not None and before.word != setting.word:
+                if before is None and (setting.always or part not in pending):
+                    continue
+                if before is None or before.word != setting.word:
                     _turned(problems, node, part, before, setting)
                     settled, wanted = {}, {}
+                    pending.clear()
                     break
 
 
@@ -96,18 +103,28 @@ def _lost(problems: Problems, part: str, first: Setting, second: Setting) -> Non
     )
 
 
-def _turned(problems: Problems, node: Simple, part: str, before: Setting, setting: Setting) -> None:
+def _turned(
+    problems: Problems, node: Simple, part: str, before: Setting | None, setting: Setting
+) -> None:
     joint = {"MOVES": "MOVE", "MOVEST": "MOVET", "APPROS": "APPRO", "DEPARTS": "DEPART"}
     word = joint.get(node.word)
+    headline = f"{node.word} cannot turn the {part} to {setting.word}"
+    at: Simple | Setting = setting
+    motion = node.word
+    other = problems.label(node.start, node.end, "a straight line")
+    if before is not None:
+        headline = f"{node.word} cannot turn the {part} from {before.word} to {setting.word}"
+        at, motion = node, "this motion"
+        other = problems.label(setting.start, setting.end, "asks for the other side")
     problems.warning(
         STRAIGHT_TURNS_ARM,
-        f"{node.word} cannot turn the {part} from {before.word} to {setting.word}",
-        node.start,
-        node.end,
-        "a straight line",
-        secondary=(problems.label(setting.start, setting.end, "asks for the other side"),),
+        headline,
+        at.start,
+        at.end,
+        "a straight line" if before is not None else "no joint motion follows",
+        secondary=(other,),
         notes=("the arm passes from one side to the other in joint motion only",),
-        help=(f"write {word} for this motion" if word else "go to a location by MOVE first",),
+        help=(f"write {word} for {motion}" if word else "go to a location by MOVE first",),
         fix=problems.replace(node.start, node.start + len(node.word), word)
         if word and problems.source.text[node.start : node.end].upper().startswith(node.word)
         else None,

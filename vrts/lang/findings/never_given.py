@@ -21,6 +21,7 @@ _TRUTHS = {"high": "ON", "low": "OFF", "yes": "TRUE", "no": "FALSE"}  # of other
 _NOTHING = frozenset({"none", "nil", "nan", "undefined", "null", "empty"})  # of other languages
 _COMPARED = re.compile(r"(?P<of>[$#]?[A-Za-z][\w.]*(?:\[[^\]]*\])?)[ \t]*(?P<sign>==|<>)[ \t]*$")
 _JOINT = re.compile(r"(?:j|jt|joint|axis|a|axe|gelenk)[_.]?([1-6])")
+_NAMED = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
 _SIGNAL = re.compile(r"(?P<kind>[A-Z]+)[_.]?(?P<number>\d+)", re.IGNORECASE)
 _OF_SIGNALS = re.compile(r"\b(SIGNAL|SIG|REACTI?)\b[^;]*$", re.IGNORECASE)
 _OF_A_NUMBER = frozenset({"IGNORE", "LOCK", "SIGNAL", "REACT", "REACTI", "SPEED", "DELAY"})
@@ -65,6 +66,8 @@ def guess(resolver: Resolver, entry: Entry, at: Place, like: Callable[[], str | 
     """
     name, upper = entry.name, entry.name.upper()
     location = entry.type in (Type.POSE, Type.JOINTS)
+    written = _NAMED.match(resolver.problems.source.text, at[0], at[1])
+    alone = (at[0], written.end()) if written is not None else at  # without its subscript
     hand = _hand(resolver.problems, at)
     if hand is not None:
         return hand
@@ -116,7 +119,7 @@ def guess(resolver: Resolver, entry: Entry, at: Place, like: Callable[[], str | 
     string = resolver.scope.entries.get(f"${name}") if name[0] not in "$#" else None
     if string is not None and string.writes:
         return Guess(
-            f"did you mean `${name}`? The name of a string begins with `$`", at, f"${name}"
+            f"did you mean `${name}`? The name of a string begins with `$`", alone, f"${name}"
         )
     number = resolver.scope.entries.get(name[1:]) if name[0] == "$" else None
     if number is not None and number.writes and number.type is not Type.STRING:
@@ -132,7 +135,7 @@ def guess(resolver: Resolver, entry: Entry, at: Place, like: Callable[[], str | 
         return Guess(FOREIGN_FUNCTIONS[name], at)
     meant = like()
     if meant is not None:
-        return Guess(f"did you mean `{meant}`?", at, meant)
+        return Guess(f"did you mean `{meant}`?", alone, meant)
     if location and upper in INSTRUCTIONS and _stands_alone(upper):
         return Guess(f"{upper} is an instruction: write it alone", at)
     if location:

@@ -165,8 +165,18 @@ class NameUses:
             entry.types.setdefault(wanted, (node.start, node.end))
             if wanted is Type.POSE:
                 self.located.add(node.start)
-        self._reserved(node)
+        self._reserved(self._formal_name(entry, node))
         return entry
+
+    def _formal_name(self, entry: Entry, node: Name) -> Name:
+        """Return where a formal is named first, in the line of its program; else the use."""
+        if entry.slot is None or entry.automatic:
+            return node
+        for program in self.scope.programs.values():
+            named = [f.name for f in program.formals if f.name.text.upper() == node.text.upper()]
+            if named and program.start <= node.start <= program.finish[1]:
+                return named[0]
+        return node
 
     def _reserved(self, node: Name) -> None:
         upper = node.text.upper()

@@ -1,6 +1,7 @@
 """Pairs the structure words and labels of a program."""
 
 import heapq
+import re
 from collections.abc import Iterable
 
 from vrts.base.diagnostic import Rule
@@ -29,6 +30,8 @@ from vrts.lang.problems import Problems
 from vrts.lang.syntax.expressions import Name, Number
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import Bad, Goto, Simple, Statement
+
+_LETTERS = re.compile(r"^(?:[A-Za-z]+_?|#|\()(?=\d)", re.ASCII)  # `N100 MOVES part`
 
 DUPLICATE_LABEL = Rule("V134", "duplicate-label")
 UNDEFINED_LABEL = Rule("V135", "undefined-label")
@@ -184,7 +187,8 @@ def _in_broken_line(broken: list[Bad], label: int | str, problems: Problems) -> 
     """Whether a line that nobody could read begins or ends with a label."""
     for node in broken:
         words = problems.source.text[node.start : node.end].split()
-        if words and str(label) in (words[0].rstrip(":.)"), words[-1]) and len(words) > 1:
+        first = _LETTERS.sub("", words[0].rstrip(":.)")) if words else ""
+        if len(words) > 1 and str(label) in (first, words[-1]):
             return words[0].upper() not in ("GOTO", "IF")
     return False
 

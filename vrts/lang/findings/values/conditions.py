@@ -127,6 +127,8 @@ def _compared(types: NameUses, node: Infix, call: Application | Name) -> None:
     right = node.right
     fix: Fix | None = problems.replace(right.start, right.end, "ON")
     never = node.operator == "=="
+    if never:
+        fix = problems.replace(node.left.end, right.end, "")
     of = (
         f"{call.name.text.upper()} yields" if isinstance(call, Application) else f"`{call.text}` is"
     )
@@ -136,7 +138,7 @@ def _compared(types: NameUses, node: Infix, call: Application | Name) -> None:
         node.start,
         node.end,
         notes=("TRUE and ON are -1, FALSE and OFF are 0",),
-        help=("write `== ON`, or leave the comparison out",),
+        help=("leave the comparison out, or write `== ON`" if never else "write `<> ON`",),
         fix=fix,
     )
 

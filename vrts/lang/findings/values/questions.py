@@ -67,6 +67,8 @@ def _instruction(node: object) -> Iterator[tuple[Item | None, Complain]]:
         yield node.length, complaints.bits_count
     elif isinstance(node, Put) and node.word == "TIMER":
         yield node.target, complaints.timer_set
+    elif isinstance(node, ReactStatement) and node.word == "IGNORE" and node.operands:
+        yield node.operands[0], complaints.ignored_signal
     elif isinstance(node, ReactStatement) and node.word in ("REACT", "REACTI") and node.operands:
         yield node.operands[0], complaints.watched_signal
         if len(node.operands) > _PRIORITY:
@@ -81,6 +83,5 @@ _ARGUMENTS: dict[str, tuple[Complain, ...]] = {  # the last one again for all th
 }
 _FIRST_OPERAND: dict[str, Complain] = {
     "DRIVE": complaints.joint,
-    "IGNORE": complaints.ignored_signal,
     "LOCK": complaints.priority,
 }

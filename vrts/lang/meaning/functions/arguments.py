@@ -150,8 +150,18 @@ def default_angles(problems: Problems, node: Application) -> None:
         node.end,
         "taken as 90, -90, 0: not turned",
         notes=("other controllers take omitted angles as 0, 0, 0: the hand level",),
-        help=("write all six: `TRANS(x, y, z, 90, -90, 0)`",),
+        help=(f"write all six: `{_whole(problems, node)}`",),
+        fix=problems.replace(node.end - 1, node.end - 1, ", 90, -90, 0")
+        if len(node.arguments) == _ANGLES and None not in node.arguments
+        else None,
     )
+
+
+def _whole(problems: Problems, node: Application) -> str:
+    """Return a TRANS with the angles that are taken where it names none."""
+    if len(node.arguments) != _ANGLES or None in node.arguments:
+        return "TRANS(x, y, z, 90, -90, 0)"
+    return f"{problems.source.text[node.start : node.end - 1]}, 90, -90, 0)"
 
 
 def _arguments(count: int) -> str:

@@ -32,6 +32,7 @@ BLOCKS = (
     Idiom("<otherwise|default> <:|>", "ANY", "C and MATLAB", note=_OTHERS, word="ANY"),
     # ends
     Idiom("<endif|endfor|endwhile|endcase|endswitch|endtest|endselect|endloop|enddo|wend|fi|od|esac>", "END", says="every structure ends with END"),
+    Idiom("<end_if|end_for|end_while|end_case|end_switch|end_do|end_loop|end_select>", "END", says="every structure ends with END"),
     Idiom("end_<if|for|while|case|switch|select|loop|do|then|else|test>", "END", says="END stands alone"),
     Idiom("end <:|.|}|)>", "END", says="END stands alone"),
     Idiom("end_<program|main|sub|proc|procedure|function|def>", says="a program ends with `.END`", drop=True, help="leave this out: `.END` ends the program"),

@@ -8,6 +8,17 @@ from vrts.lang.steps.idioms.idiom import Idiom
 _JOINT = "<movej|move_j|ptp|jmove|jmov|move_ptp|move_joint|moveptp|moveto|move_to|movetcp|goto_point|move_absj|moveabsj|jump|movep>"
 _LINE = "<movel|move_l|lin|lmove|lmov|movelin|move_lin|move_line|move_linear|moveline|linear|mvs|straight|move_straight|moves_to|movs>"
 
+_PARTS = "<elbow|arm|shoulder|wrist|hand|robot|config|configuration|set_config|set|pose>"
+_ON = "<on|always_on|true|1|elbow|arm|shoulder|wrist|config|mode>"
+_BRANCHES = {  # what else the words of the arm's branch are called
+    "ABOVE": (f"{_PARTS} <=|:|> <above|up>", f"above {_ON}", "<elbow_up|elbowup|up_elbow>"),
+    "BELOW": (f"{_PARTS} <=|:|> <below|down>", f"below {_ON}", "<elbow_down|elbowdown>"),
+    "LEFTY": (f"{_PARTS} <=|:|> <lefty|left>", f"lefty {_ON}", "<left_arm|lefthand|left_hand>"),
+    "RIGHTY": (f"{_PARTS} <=|:|> <righty|right>", f"righty {_ON}", "<right_arm|righthand>"),
+    "FLIP": (f"{_PARTS} <=|:|> flip", f"flip {_ON}"),
+    "NOFLIP": (f"{_PARTS} <=|:|> <noflip|no_flip>", f"noflip {_ON}", "flip <off|false|0>"),
+}
+
 MOVING = (
     Idiom("move_<from|> {v}_to_{v2}", "MOVE {v}\nMOVE {v2}", says="MOVE takes one location, and no TO"),
     Idiom("moves_<from|> {v}_to_{v2}", "MOVES {v}\nMOVES {v2}", says="MOVES takes one location, and no TO"),
@@ -53,6 +64,11 @@ MOVING = (
     Idiom("<home|go_home|gohome|move_home|movehome|move_to_home|movetohome|park|rest|origin|homing|zero|go_ready|move_ready|init> <(|> <)|>", "READY", "other robot languages"),
     Idiom("move_{v} , {n}", "MOVE {v}\nMOVE {n}", says="MOVE takes one location", sure=False),
     Idiom("moves_{v} , {n}", "MOVES {v}\nMOVES {n}", says="MOVES takes one location", sure=False),
+    *(
+        Idiom(pattern, word, says=f"{word} stands alone")
+        for word, patterns in _BRANCHES.items()
+        for pattern in patterns
+    ),
     *(
         Idiom(f"move_{{v}}_{word.lower()}", f"{word}\nMOVE {{v}}", says="MOVE takes one location", help=f"a setting stands on the line before the motion it is for: `{word}`, `MOVE {{v}}`")
         for word in ("LEFTY", "RIGHTY", "ABOVE", "BELOW", "FLIP", "NOFLIP", "FINE", "COARSE")

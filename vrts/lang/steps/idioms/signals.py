@@ -100,5 +100,8 @@ SIGNALS = (
     Idiom("<react|reacti> {d} <,|> goto_{r}", "", says="REACT calls a program, and jumps to no label", help="write the steps as a program of their own: `REACT {d}, program`, and `.PROGRAM program`"),
     Idiom("react {e} <,|> call_{n} <()|>", "REACT {e}, {n}", says="REACT takes the name of the program, without CALL"),
     Idiom("reacti {e} <,|> call_{n} <()|>", "REACTI {e}, {n}", says="REACTI takes the name of the program, without CALL"),
+    Idiom("<pcstart|pc_start|pcrun|pcexec|pccall|pc_execute|startpc|pc_run|spawn|start_task|startthread|thread>_{n}", "PCEXECUTE {n}", says="a program beside the motions is begun by PCEXECUTE"),
+    Idiom("<pcstart|pc_start|pcrun|pcexec|pccall|startpc|spawn|start_task|startthread|thread> ( {n} )", "PCEXECUTE {n}", says="a program beside the motions is begun by PCEXECUTE"),
+    Idiom("<pcstop|pchalt|pckill|stop_pc|pc_end|pc_abort>", "PCABORT", says="a program beside the motions is ended by PCABORT"),
     Idiom("pcexecute_call_{n}", "PCEXECUTE {n}", says="PCEXECUTE takes the name of the program, without CALL"),
 )

@@ -24,6 +24,7 @@ from vrts.lang.steps.misread.slips.no_step import no_step
 from vrts.lang.steps.misread.slips.odd_names import odd_name
 from vrts.lang.steps.misread.slips.parted_words import parted_sign, parted_word
 from vrts.lang.steps.misread.slips.twice import said_twice
+from vrts.lang.steps.misread.slips.word_labels import word_label
 from vrts.lang.steps.misread.surplus_parenthesis import surplus_parenthesis
 from vrts.lang.steps.misread.units import unit_behind
 from vrts.lang.steps.misread.value_ranges import value_range
@@ -66,4 +67,9 @@ def meant_after_all(text: str, repair: Repair, dialect: Dialect) -> Meant | None
     """Return what is meant by a line that is no way of another language either."""
     if not dialect.has("2"):
         return None
-    return odd_name(text, repair) or no_step(text, repair, dialect) or filler(text, repair, dialect)
+    return (
+        word_label(text, repair, dialect)
+        or odd_name(text, repair)
+        or no_step(text, repair, dialect)
+        or filler(text, repair, dialect)
+    )

@@ -1,4 +1,4 @@
-"""Steps with a slip of the pen: a sign twice, letters for digits, digits before letters.
+"""Steps with a slip: signs, brackets, words, names and labels written a little otherwise.
 
 In: the text of a line that is no step. Out: what is meant, and where it is clear, what to write.
 """
