@@ -10,7 +10,7 @@ MENDED = [
     ("x = SQRT(2,25)", "x = SQRT(2.25)"),
     ("FOR n = 3 TO 1", "FOR n = 3 TO 1 STEP -1"),
     ("TYPE SIN(PI/2)", "TYPE SIN(90)"),
-    ("WAIT SIG(1001) == 1", "WAIT SIG(1001) == ON"),
+    ("WAIT SIG(1001) == 1", "WAIT SIG(1001)"),
     ('TYPE "n = "+5', 'TYPE "n = ", 5'),
 ]
 

@@ -32,7 +32,7 @@ BLOCKS = (
     Idiom("<otherwise|default> <:|>", "ANY", "C and MATLAB", note=_OTHERS, word="ANY"),
     # ends
     Idiom("<endif|endfor|endwhile|endcase|endswitch|endtest|endselect|endloop|enddo|wend|fi|od|esac>", "END", says="every structure ends with END"),
-    Idiom("<end_if|end_for|end_while|end_case|end_switch|end_do|end_loop|end_select>", "END", says="every structure ends with END"),
+    Idiom("<end_if|end_for|end_while|end_case|end_switch|end_do|end_loop|end_select>", "END", says="END stands alone"),
     Idiom("end_<if|for|while|case|switch|select|loop|do|then|else|test>", "END", says="END stands alone"),
     Idiom("end <:|.|}|)>", "END", says="END stands alone"),
     Idiom("end_<program|main|sub|proc|procedure|function|def>", says="a program ends with `.END`", drop=True, help="leave this out: `.END` ends the program"),
@@ -79,7 +79,6 @@ BLOCKS = (
     Idiom("for {n} = {e}_to_{e2} , {e3}", "FOR {n} = {e} TO {e2} STEP {e3}", says="the step of a FOR follows STEP"),
     Idiom("for = {e}_to_{e2}", "FOR i = {e} TO {e2}", says="FOR counts with a variable", sure=False, word="FOR"),
     Idiom("for {n} = {e}_to_{e2}_step = {e3}", "FOR {n} = {e} TO {e2} STEP {e3}", says="STEP takes no `=`"),
-    Idiom("for {n} = {e}_to = {e2}", "FOR {n} = {e} TO {e2}", says="TO takes no `=`"),
     Idiom("for {n} = {e}_step_{e3}_to_{e2}", "FOR {n} = {e} TO {e2} STEP {e3}", says="TO stands before STEP in a FOR"),
     Idiom("for_{n}_to_{e}", "FOR {n} = 1 TO {e}", says="FOR without a first value", sure=False),
     Idiom("foreach {r}", "", "other languages", word="FOR", help="write `FOR n = 1 TO count`"),

@@ -22,7 +22,7 @@ _WAYS = (  # what is written, what is meant, and what is told
     (re.compile(rf"(?<=[\w.])\(({_PIECE})\]"), r"[\1]", "`[` is closed by `]`"),
     (re.compile(rf"\{{({_PIECE})\}}"), r"(\1)", "parts of a sum stand in parentheses: `( )`"),
     (
-        re.compile(rf"(?<![\w.\])\s])([ \t]*)\[({_PIECE})\]"),
+        re.compile(rf"(?<![\w.\])\s])([ \t]*)\[({_PIECE}[A-Za-z+*/-]{_PIECE})\]"),
         r"\1(\2)",
         "parts of a sum stand in parentheses: `( )`",
     ),

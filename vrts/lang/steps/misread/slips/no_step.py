@@ -3,9 +3,9 @@
 import re
 
 from vrts.lang.dialect import Dialect
-from vrts.lang.grammar.shapes import UNEXPECTED_TEXT
 from vrts.lang.spelling import near
 from vrts.lang.steps.misread.meant import VARIABLE, Meant
+from vrts.lang.steps.other_forms import INVALID_EXPRESSION
 from vrts.lang.steps.repair import Repair
 from vrts.lang.vocabulary.foreign import FOREIGN
 from vrts.lang.vocabulary.lookup import look_up, spellings
@@ -20,7 +20,7 @@ _BOTH = re.compile(
 )
 _NUMBER = re.compile(r"[-+]?[ \t]*(?:\d+\.?\d*|\.\d+)", re.ASCII)
 _STRING = re.compile(r'"[^"]*"')
-_NOTES = ("VAL-II says *Unknown instruction*",)
+_NOTES = ("VAL-II says *Illegal expression syntax*",)
 
 
 def no_step(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
@@ -36,7 +36,7 @@ def no_step(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
             return None
         shown = ", ".join(f"`{step}`" for step in steps)
         return Meant(
-            UNEXPECTED_TEXT,
+            INVALID_EXPRESSION,
             "a step gives a value to one variable",
             0,
             len(text),
@@ -57,6 +57,8 @@ def no_step(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
         return doubled or (
             _told(text, by_one, "a sum alone is no step", repair, sure=False) if by_one else None
         )
+    if len(name) > 1 and look_up(name, dialect).candidates:
+        return None  # `DEP 50`
     number = _NUMBER.fullmatch(rest) is not None and rest[0].isdigit()
     if number or _STRING.fullmatch(rest):
         return _told(text, f"{name} = {rest}", "`=` is missing behind the name", repair, sure=False)
@@ -76,5 +78,12 @@ def _told(text: str, meant: str, says: str, repair: Repair, *, sure: bool) -> Me
     if repair.at_once(meant) is None:
         return None
     return Meant(
-        UNEXPECTED_TEXT, says, 0, len(text), (f"write `{meant}`",), meant, sure=sure, notes=_NOTES
+        INVALID_EXPRESSION,
+        says,
+        0,
+        len(text),
+        (f"write `{meant}`",),
+        meant,
+        sure=sure,
+        notes=_NOTES,
     )

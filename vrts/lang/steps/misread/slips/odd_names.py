@@ -2,7 +2,7 @@
 
 import re
 
-from vrts.lang.grammar.shapes import UNEXPECTED_TEXT
+from vrts.lang.reading.odd_signs import INVALID_NAME
 from vrts.lang.steps.misread.meant import Meant
 from vrts.lang.steps.repair import Repair
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
@@ -26,6 +26,8 @@ def odd_name(text: str, repair: Repair) -> Meant | None:
         if not {word.upper() for word in re.split(r"[ \t-]+", name)}.isdisjoint(INSTRUCTIONS):
             return None
         one, says = re.sub(r"[ \t]+|-", "_", name), "a name is one word"
+    elif re.search(r"\s", name):
+        return None
     else:
         one, says = _FOREIGN.sub("", name), "a name is made of letters, digits and points"
     if not _NAME.fullmatch(one) or one.upper() in INSTRUCTIONS:
@@ -35,7 +37,7 @@ def odd_name(text: str, repair: Repair) -> Meant | None:
     if repair.at_once(meant) is None:
         return None
     return Meant(
-        UNEXPECTED_TEXT,
+        INVALID_NAME,
         says,
         0,
         len(text),
