@@ -17,7 +17,6 @@ from vrts.cli.shared.console import (
     show_diagnostics,
     write_file,
 )
-from vrts.cli.shared.mcap import write_mcap
 from vrts.cli.shared.options import (
     TASK_OR_ALONE,
     Language,
@@ -34,7 +33,6 @@ from vrts.cli.shared.options import (
     task_option,
 )
 from vrts.cli.shared.programs import Given, given_program
-from vrts.cli.shared.run_page import assessed
 from vrts.pipeline.where import Where
 
 if TYPE_CHECKING:
@@ -148,6 +146,9 @@ def command(
         sys.exit(WRONG)
     _write_files(found, run, save, table, rate)
     if mcap is not None:
+        from vrts.cli.shared.mcap import write_mcap
+        from vrts.cli.shared.run_page import assessed
+
         write_mcap(assessed(Path(program).stem, given.program.name, run), mcap)
     if check:
         _check(found, given.program.name, color)

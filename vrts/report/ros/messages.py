@@ -15,6 +15,7 @@ from rosbags.typesys.stores.ros2_humble import std_msgs__msg__ColorRGBA as Color
 from rosbags.typesys.stores.ros2_humble import std_msgs__msg__Header as Header
 
 from vrts.robots.model import Arm
+from vrts.robots.urdf.universal import names
 
 __all__ = ["ColorRGBA", "Duration", "Header", "Point", "PoseMessage", "Quaternion", "Time"]
 
@@ -62,6 +63,6 @@ def link_frame(joint: int) -> str:
 
 def joint_names(arm: Arm) -> list[str]:
     """Return the names of the six joints: those of the maker's driver, where there is one."""
-    if arm.name.startswith("ur"):
+    if arm.name in names():
         return list(UNIVERSAL)
     return [f"joint_{k}" for k in range(1, 7)]

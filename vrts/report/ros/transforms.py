@@ -47,7 +47,11 @@ def moving_frames(run: Run, times: Array, states: Array) -> Iterator[tuple[int, 
         times: Shape (n,) [s].
         states: Joints [rad] and hand opening [m], shape (n, 7).
     """
-    tracks = [*_arm(run, states), *_fingers(run, states[:, 6]), *_bodies(run, times, states)]
+    arm = run.scene.robot.arm
+    rotations, origins = link_frames(arm, states[:, :6])
+    flange = flange_of(arm, rotations[6], origins[6])
+    tracks = [*_arm(rotations, origins, flange), *_fingers(run, states[:, 6])]
+    tracks += _bodies(run, times, flange)
     for k, time_s in enumerate(times.tolist()):
         time_ns = nanoseconds(time_s)
         frames = [
@@ -68,17 +72,15 @@ def still_frames(run: Run) -> TFMessage:
     return TFMessage(found)
 
 
-def _arm(run: Run, states: Array) -> Iterator[_Track]:
-    arm = run.scene.robot.arm
-    rotations, origins = link_frames(arm, states[:, :6])
+def _arm(rotations: Array, origins: Array, flange: tuple[Array, Array]) -> Iterator[_Track]:
     for k in LINKS:
         back = np.swapaxes(rotations[k - 1], 1, 2)
         turns = quaternions(back @ rotations[k]).astype(float)
         at = np.einsum("nij,nj->ni", back, origins[k] - origins[k - 1])
         yield _Track(link_frame(k - 1), link_frame(k), turns, at)
-    turned, flange = flange_of(arm, rotations[6], origins[6])
+    turned, tip = flange
     back = np.swapaxes(rotations[6], 1, 2)
-    at = np.einsum("nij,nj->ni", back, flange - origins[6])
+    at = np.einsum("nij,nj->ni", back, tip - origins[6])
     yield _Track(link_frame(6), FLANGE, quaternions(back @ turned).astype(float), at)
 
 
@@ -95,12 +97,9 @@ def frame_of_finger(name: str) -> str:
     return name.replace(" ", "_")
 
 
-def _bodies(run: Run, times: Array, states: Array) -> Iterator[_Track]:
-    arm = run.scene.robot.arm
-    rotations, origins = link_frames(arm, states[:, :6])
-    flange_r, flange_p = flange_of(arm, rotations[6], origins[6])
+def _bodies(run: Run, times: Array, flange: tuple[Array, Array]) -> Iterator[_Track]:
     for name, track in run.placements.items():
-        turns, at = followed(track, times, flange_r, flange_p)
+        turns, at = followed(track, times, *flange)
         yield _Track(WORLD, name, quaternions(turns).astype(float), at)
 
 

@@ -1,5 +1,6 @@
 """A run as messages of ROS 2: read back by Foxglove's library, which knows nothing of vrts."""
 
+from dataclasses import replace
 from functools import cache
 from io import BytesIO
 from pathlib import Path
@@ -23,6 +24,7 @@ from vrts.pipeline.where import Where
 from vrts.report.assessment import Assessment
 from vrts.report.ros.bag import write_bag
 from vrts.report.ros.file import mcap_bytes
+from vrts.report.ros.messages import joint_names
 from vrts.report.ros.trajectories import TOLERANCE, ways
 from vrts.robots.kinematics.batch import flange_frames
 
@@ -178,3 +180,9 @@ def test_the_folder_is_a_bag(tmp_path: Path) -> None:
     with AnyReader([tmp_path / "run"]) as bag:
         assert set(bag.topics) == set(messages())
         assert bag.duration == pytest.approx(1e9 * run().horizon_s, abs=2)
+
+
+def test_only_arms_of_universal_robots_have_the_names_of_their_driver() -> None:
+    arm = run().scene.robot.arm
+    assert joint_names(replace(arm, name="ur5"))[0] == "shoulder_pan_joint"
+    assert joint_names(replace(arm, name="urban"))[0] == "joint_1"
