@@ -1,10 +1,10 @@
 """A bundle: one file with everything that goes to a controller, and what was verified about it.
 
 It is a zip of `manifest.json`, `sheet.html`, `programs/NAME.v2` for every program, of
-`locations.lc`, `reals.rv` and `strings.st` as far as there are such data, and of a certificate
-`proofs/NUMBER.cert` for every scenario. The same content gives the same bytes. A bundle is opened
-without trusting it: names, sizes, hashes and characters are checked before anything is believed.
-That it is sound does not show who has made it.
+`locations.lc`, `reals.rv` and `strings.st` as far as there are such data, of a certificate
+`proofs/NUMBER.cert` for every scenario, and of the files in `given/` that it was planned from. The
+same content gives the same bytes. A bundle is opened without trusting it: names, sizes, hashes and
+characters are checked before anything is believed. That it is sound does not show who has made it.
 """
 
 import hashlib
@@ -18,7 +18,7 @@ import msgspec
 from vrts.base.diagnostic import Rule, error
 from vrts.base.source import SourceFile
 from vrts.base.zips import BadZip, Unpacker, packed
-from vrts.dispatch.manifest import WITHOUT_PROOFS, Manifest, Member
+from vrts.dispatch.manifest import SCHEMA, WITHOUT_PROOFS, Manifest, Member
 from vrts.pipeline.refused import Refused
 
 BAD_BUNDLE = Rule("V800", "bad-bundle")
@@ -31,11 +31,12 @@ MOST_CONTENTS = 1_000_000  # bytes of the table of contents
 MODE = 0o644  # of the files
 _PROGRAM = re.compile(r"programs/([a-z][a-z0-9._]{0,30})\.v2")
 _PROOF = re.compile(r"proofs/[1-9][0-9]{0,3}\.cert")
+_GIVEN = re.compile(r"given/[a-z]{1,20}(-[a-z]{1,20})?(-[1-9][0-9]{0,3})?")
 _TITLES = {LOCATIONS: ".LOCATIONS", REALS: ".REALS", STRINGS: ".STRINGS"}
 _TEXT = re.compile(r"[ -~\n]*\n")  # printable 7-bit ASCII in whole lines
 _ROW = re.compile(r"(\S+) +(\S.*)")
 NO_MEMBERS: tuple[Member, ...] = ()
-NO_PROOFS: Mapping[str, bytes] = MappingProxyType({})
+NO_FILES: Mapping[str, bytes] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +50,9 @@ class Bundle:
     strings: str  # .STRINGS section
     sheet: str  # the operator's page, HTML
     # certificates by name of the file
-    proofs: Mapping[str, bytes] = field(default_factory=lambda: NO_PROOFS)
+    proofs: Mapping[str, bytes] = field(default_factory=lambda: NO_FILES)
+    # what it was planned from, by name of the file
+    given: Mapping[str, bytes] = field(default_factory=lambda: NO_FILES)
 
     @property
     def profile(self) -> str:
@@ -66,7 +69,7 @@ def rows(section: str) -> tuple[tuple[str, str], ...]:
 def bundle_bytes(bundle: Bundle) -> bytes:
     """Return the file of a bundle; its manifest gains the list of files."""
     texts = {name: text.encode() for name, text in _texts(bundle).items()}
-    members = dict(sorted({**texts, **bundle.proofs}.items()))
+    members = dict(sorted({**texts, **bundle.proofs, **bundle.given}.items()))
     files = tuple(Member(name, digest_of(data), len(data)) for name, data in members.items())
     manifest = msgspec.structs.replace(bundle.manifest, files=files)
     said = msgspec.json.format(msgspec.json.encode(manifest), indent=1) + b"\n"
@@ -93,7 +96,13 @@ def read_bundle(data: bytes) -> Bundle:
         raise bad_bundle("its files are not those that its manifest lists")
     proofs = {name: data for name, data in held.items() if _PROOF.fullmatch(name)}
     _check_proofs(manifest, proofs)
-    texts = {name: _text(name, data) for name, data in held.items() if name not in proofs}
+    given = {name: data for name, data in held.items() if _GIVEN.fullmatch(name)}
+    if (manifest.schema == SCHEMA) != (manifest.asked is not None) or (
+        given and manifest.asked is None
+    ):
+        raise bad_bundle("it does not say what it was planned from")
+    own = proofs.keys() | given.keys()
+    texts = {name: _text(name, data) for name, data in held.items() if name not in own}
     if SHEET not in texts:
         raise bad_bundle(f"`{SHEET}` is missing")
     programs = {
@@ -112,6 +121,7 @@ def read_bundle(data: bytes) -> Bundle:
         data_texts[STRINGS],
         texts[SHEET],
         MappingProxyType(proofs),
+        MappingProxyType(given),
     )
 
 
@@ -166,7 +176,7 @@ def _texts(bundle: Bundle) -> dict[str, str]:
 def _check_contents(zipped: Unpacker) -> None:
     for name, member in zipped.members.items():
         known = name in (MANIFEST, SHEET, *_TITLES) or any(
-            form.fullmatch(name) is not None for form in (_PROGRAM, _PROOF)
+            form.fullmatch(name) is not None for form in (_PROGRAM, _PROOF, _GIVEN)
         )
         if not known or not member.plain:
             raise bad_bundle(f"its file `{name[:60]!a}` does not belong there")

@@ -9,7 +9,8 @@ from msgspec import Meta
 
 from vrts.marking.result import Digest, Record
 
-SCHEMA = "vrts.bundle/3"
+SCHEMA = "vrts.bundle/4"
+WITHOUT_WISH = "vrts.bundle/3"  # the format before bundles held what was asked for
 WITHOUT_FUTURES = "vrts.bundle/2"  # the format before bundles held a proof over every future
 WITHOUT_PROOFS = "vrts.bundle/1"  # the format before bundles held certificates
 
@@ -114,10 +115,31 @@ class Waiver(Record, frozen=True):
     finding: Annotated[str, Meta(pattern=r"^[0-9a-f]{0,6}$")] = ""  # which; "": all of the code
 
 
+class Asked(Record, frozen=True):
+    """What the plan was asked for: with the files in `given/`, enough to plan it again."""
+
+    program: Words  # name of its file
+    others: tuple[Words, ...]  # names of the files that were compiled with it
+    dialect: Words | None
+    precedence: Literal["A", "B"] | None
+    replace: bool
+    entry: Words | None  # program to execute, where somebody named it
+    scene: Words  # its name; of a robot alone: the robot
+    alone: bool  # whether there is no file of the scene
+    shapes: tuple[Annotated[str, Meta(max_length=200)], ...]  # files that the scene names
+    controller: Words  # name of the model that the runs go by
+    task: Words | None  # its name
+    proof: bool  # whether the task asks for a proof that is not hidden
+    task_environment: Words | None  # name of the file that the task names for it
+    environment: Words | None  # name of the file that was given
+    scenarios: tuple[Words | None, ...]  # names of their files; None: a run as it is
+    fails_first: bool  # whether it was asked which margin fails first
+
+
 class Manifest(Record, frozen=True):
     """The whole."""
 
-    schema: Literal["vrts.bundle/1", "vrts.bundle/2", "vrts.bundle/3"]
+    schema: Literal["vrts.bundle/1", "vrts.bundle/2", "vrts.bundle/3", "vrts.bundle/4"]
     vrts: Words  # version that verified
     title: Words  # name of the program's file
     entry: Words  # the program to execute
@@ -138,3 +160,4 @@ class Manifest(Record, frozen=True):
     files: tuple[Member, ...]  # every other file of the bundle, by name
     controller: Thing | None = None  # model that the runs went by; None: `vrts-1`, the first
     futures: tuple[Futures, ...] = ()  # one for each scenario; of the first formats none
+    asked: Asked | None = None  # None: only in the first formats

@@ -38,7 +38,7 @@ def read_profile(source: SourceFile) -> Profile:
     if top is None:
         raise Refused(problems.in_order())
     read = _Reader(problems)
-    profile = read.profile(top, hashlib.sha256(source.text.encode()).hexdigest())
+    profile = read.profile(top, source.text)
     if profile is None or problems.any_error:
         raise Refused(problems.in_order())
     return profile
@@ -48,7 +48,7 @@ class _Reader:
     def __init__(self, problems: Problems) -> None:
         self.problems = problems
 
-    def profile(self, top: Table, digest: str) -> Profile | None:
+    def profile(self, top: Table, text: str) -> Profile | None:
         """Return a profile; meaningless where problems were found, None where a part is missing."""
         names = ("profile", "limits", "printed", "serial", "typing", "patience")
         parts = {name: top.table(name, required=True) for name in (*names, *_DIALOGUE)}
@@ -74,7 +74,8 @@ class _Reader:
             prompts=self._prompts(prompts),
             commands=self._commands(commands),
             replies=self._replies(replies),
-            digest=digest,
+            digest=hashlib.sha256(text.encode()).hexdigest(),
+            text=text,
         )
         for table in tables:
             table.finish()

@@ -94,6 +94,7 @@ class Profile(NamedTuple):
     commands: Commands
     replies: Replies
     digest: str  # sha256 of the file's text
+    text: str = ""  # of the file
 
     @property
     def language(self) -> Dialect:

@@ -112,8 +112,24 @@ def with_environment(setting: Setting, folder: Path, home: Path | None = None) -
     if task is None or task.proof is None:
         return setting
     place = environment_file(task, folder)
-    if place is not None:
-        found, said = read_environment(read_toml_source(place, home))
+    return in_environment(setting, None if place is None else read_toml_source(place, home))
+
+
+def in_environment(setting: Setting, source: SourceFile | None) -> Setting:
+    """Return the setting of a task with the environment in which it asks for every future.
+
+    Args:
+        setting: Of the task; its digest then covers the environment too.
+        source: The file that the task names; None: it names none.
+
+    Raises:
+        Refused: The environment has errors.
+    """
+    task = setting.task
+    if task is None or task.proof is None:
+        return setting
+    if source is not None:
+        found, said = read_environment(source)
         environment = accepted(found, said)
         both = hashlib.sha256(f"{task.digest} {environment.digest}".encode()).hexdigest()
         task = replace(task, digest=both)
@@ -122,5 +138,5 @@ def with_environment(setting: Setting, folder: Path, home: Path | None = None) -
         environment = accepted(found, said)
     else:
         environment, said = Environment(), ()
-    told = (*setting.diagnostics, *said)
-    return replace(setting, task=task, diagnostics=told, environment=environment)
+    told, sources = (*setting.diagnostics, *said), setting.sources._replace(environment=source)
+    return replace(setting, task=task, diagnostics=told, environment=environment, sources=sources)

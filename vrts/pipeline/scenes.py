@@ -4,6 +4,7 @@ import hashlib
 from dataclasses import replace
 from pathlib import Path
 
+from vrts.base.source import SourceFile
 from vrts.ir.system import PARAMETERS
 from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.controllers import with_controller
@@ -48,14 +49,24 @@ def with_scenario(setting: Setting, path: Path, home: Path | None = None) -> Set
         CannotRead: The file is not there.
         Refused: It has errors.
     """
+    return with_scenario_text(setting, read_toml_source(path, home))
+
+
+def with_scenario_text(setting: Setting, source: SourceFile) -> Setting:
+    """Return a setting in which runs go as the text of a scenario file says.
+
+    Raises:
+        Refused: It has errors.
+    """
     numbers = PARAMETERS.keys() - {"NEST.POS"}  # which is six of them
-    scenario, found = read_scenario(read_toml_source(path, home), setting.scene, sorted(numbers))
+    scenario, found = read_scenario(source, setting.scene, sorted(numbers))
     file = accepted(scenario, found)
     task = setting.task
     if task is not None:
         both = hashlib.sha256(f"{task.digest} {file.digest}".encode()).hexdigest()
         task = replace(task, digest=both)
-    return replace(setting, task=task, diagnostics=(*setting.diagnostics, *found), scenario=file)
+    told, sources = (*setting.diagnostics, *found), setting.sources._replace(scenario=source)
+    return replace(setting, task=task, diagnostics=told, scenario=file, sources=sources)
 
 
 def free_setting(where: Where, beside: Path | None = None) -> Setting:

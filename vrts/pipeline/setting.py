@@ -1,7 +1,7 @@
 """What a program is verified in: scene, task and scenario, read and found right."""
 
 from dataclasses import dataclass, replace
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import SourceFile
@@ -12,6 +12,17 @@ from vrts.scene.model import Scenario, Scene
 from vrts.scene.planned import ScenarioFile
 
 Value = TypeVar("Value")
+
+
+class Sources(NamedTuple):
+    """The files that a setting was read from, beside that of its scene; None: there is none."""
+
+    task: SourceFile | None = None
+    environment: SourceFile | None = None  # that the task names
+    scenario: SourceFile | None = None
+
+
+NO_SOURCES = Sources()
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +43,7 @@ class Setting:
     more: int = 0  # checks that are not in `task` but will be at marking
     variants: tuple["Setting", ...] = ()  # the task in hidden scenes; the lowest mark counts
     environment: Environment | None = None  # in which the task asks for every future
+    sources: Sources = NO_SOURCES
 
 
 def scenario_of(setting: Setting) -> Scenario:

@@ -28,7 +28,7 @@ from vrts.pipeline.files import (
     task_beside,
 )
 from vrts.pipeline.scenes import load_scene, with_scenario
-from vrts.pipeline.setting import Setting, accepted
+from vrts.pipeline.setting import Setting, Sources, accepted
 from vrts.pipeline.where import ANYWHERE, Where
 
 
@@ -93,6 +93,7 @@ def load_task(
         stamps=stamps,
         hidden=hidden,
         more=0 if hidden else more,
+        sources=Sources(task=source),
     )
     setting = with_environment(setting, folder, home)
     if scenario is None and (folder / SCENARIO_FILE).is_file():

@@ -19,7 +19,7 @@ from vrts.dispatch.bundle import (
     rows,
     with_sheet,
 )
-from vrts.dispatch.manifest import SCHEMA, Manifest, Reads, Thing
+from vrts.dispatch.manifest import WITHOUT_WISH, Manifest, Reads, Thing
 from vrts.pipeline.refused import Refused
 
 THING = Thing("x", "0" * 64)
@@ -29,7 +29,7 @@ LOCATIONS = ".LOCATIONS\na[1,2]          1.00 2.00 3.00 90.000 -90.000 0.000\n.E
 def made() -> Bundle:
     """Return a small bundle."""
     manifest = Manifest(
-        SCHEMA,
+        WITHOUT_WISH,
         "0",
         "x.v2",
         "main",

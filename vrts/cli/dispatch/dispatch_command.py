@@ -6,6 +6,8 @@ import click
 
 SUBCOMMANDS = {
     "plan": "verify a program for a real controller, and write a bundle",
+    "verify": "prove everything in a bundle again, and say who has signed it",
+    "sign": "sign a bundle with a key of OpenSSH",
     "choose": "list the ready programs of a marking by clearance and mark",
     "send": "send a bundle to a controller and read everything back",
     "fetch": "fetch programs and locations from a controller",

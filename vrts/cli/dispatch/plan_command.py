@@ -134,6 +134,7 @@ def command(
     from vrts.dispatch.profile import find_profile
     from vrts.dispatch.proofs import check_proofs
     from vrts.pipeline.environments import load_environment
+    from vrts.pipeline.files import read_toml_source
     from vrts.pipeline.refused import Refused
 
     promises = promises_of(findings, reasons, people)
@@ -147,8 +148,19 @@ def command(
     if environment_file is not None:
         environment, said = load_environment(environment_file, first)
         show_diagnostics(said, color)
-    wish = Wish(request, profile, clearance_mm, promises, tuple(further), environment)
-    found = plan(wish._replace(fails_first=fails_first, jobs=jobs or os.cpu_count() or 1))
+    source = None if environment_file is None else read_toml_source(environment_file)
+    wish = Wish(
+        request,
+        profile,
+        clearance_mm,
+        promises,
+        tuple(further),
+        environment,
+        fails_first,
+        jobs or os.cpu_count() or 1,
+        source,
+    )
+    found = plan(wish)
     show_diagnostics(found.refused, color)
     if found.bundle is None:
         say("refused: no bundle was written")

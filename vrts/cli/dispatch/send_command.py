@@ -6,9 +6,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.dispatch.serial_line import connected, dated, transcript_option, write_new
+from vrts.cli.dispatch.serial_line import (
+    COPY,
+    LOG,
+    connected,
+    dated,
+    transcript_option,
+    write_new,
+)
 from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say
-from vrts.cli.shared.options import color_option
+from vrts.cli.shared.options import color_option, file_option
 
 if TYPE_CHECKING:
     from vrts.dispatch.profile import Profile
@@ -29,6 +36,7 @@ Examples:
 @click.option("--really", is_flag=True, help="Send. Without it nothing leaves: a dry run.")
 @click.option("--replace", is_flag=True, help="Replace what differs; a copy is kept in a file.")
 @click.option("--resume", is_flag=True, help="Go on where a transfer was broken off.")
+@file_option("--signers", help="File of allowed signers; then one of them has to have signed.")
 @click.option("--profile", help="A corrected copy of the bundle's profile: a file NAME.toml.")
 @transcript_option
 @color_option
@@ -39,6 +47,7 @@ def command(
     really: bool,
     replace: bool,
     resume: bool,
+    signers: Path | None,
     profile: str | None,
     transcript: Path | None,
     color: str,
@@ -50,7 +59,8 @@ def command(
     every prompt awaited. At the first fault it stops, leaves the editor and says what the
     controller holds. Then everything is listed and compared.
 
-    The certificates in it are checked first: nothing is sent if one does not hold.
+    The certificates in it are checked first: nothing is sent if one does not hold. With --signers
+    nothing is sent that none of them has signed (`vrts dispatch sign`).
 
     It never executes anything, never enables power and never calibrates. The transcript lies beside
     the bundle unless --transcript says where. Exit status 1 unless everything is verified.
@@ -63,7 +73,9 @@ def command(
     from vrts.dispatch.transfer.rehearsal import rehearsed
     from vrts.pipeline.files import read_bytes
 
-    read = read_bundle(read_bytes(bundle))
+    data = read_bytes(bundle)
+    read = read_bundle(data)
+    _look_who_signed(bundle, data, signers)
     known = find_profile(profile or read.profile)
     for note in check_proofs(read):
         say(f"note: {note}")
@@ -76,13 +88,33 @@ def command(
         fail("to send, a port is needed", ("name it: `--port /dev/ttyUSB0`",))
     lines = rehearsed(cargo, known)  # what may not be sent is refused before anything is
     if not really or port is None:
-        out("".join(f"{line.shown}\n" for line in lines), end=False)
+        out("".join(f"{line.shown}\n" for line in lines if not line.looks), end=False)
+        if any(line.looks for line in lines):
+            say("note: RETURN alone goes before each step: the editor has to ask for it still")
         say("dry run: nothing was sent; `--port PORT --really` sends")
         return
     beside = dated(bundle)
-    log = transcript or beside.with_name(f"{beside.name}.log")
-    copy = beside.with_name(f"{beside.name}.before.v2")
+    log = transcript or beside.with_name(f"{beside.name}{LOG}")
+    copy = beside.with_name(f"{beside.name}{COPY}")
     sys.exit(_send(port, log, copy, known, cargo, Options(replace, resume)))
+
+
+def _look_who_signed(bundle: Path, data: bytes, signers: Path | None) -> None:
+    from vrts.dispatch.verifying.signature import Trust, beside, signature_of
+
+    signature = beside(bundle)
+    if signers is not None:
+        found = signature_of(data, signature, signers)
+        if found.trust is not Trust.TRUSTED:
+            fail(
+                f"`{bundle.name}` is not signed by an allowed signer: {found.words}",
+                ("nothing was sent; `vrts dispatch verify` tells more",),
+            )
+        say(f"note: {found.words}")
+    elif signature.exists():
+        say("note: it is signed, and nobody has looked by whom: `--signers FILE` does")
+    else:
+        say("note: it is unsigned: nothing shows who has made it")
 
 
 def _send(

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from vrts.dispatch.profile import Profile
     from vrts.dispatch.transfer.talk import Talk
 
+LOG, COPY = ".log", ".before.v2"  # ends of names: the transcript, what was replaced
+
 port_option = click.option(
     "--port", required=True, help="Serial port of the controller: /dev/ttyUSB0, COM3."
 )
@@ -26,10 +28,13 @@ transcript_option = click.option(
 
 
 def dated(path: Path) -> Path:
-    """Return a file beside another, the time in its name, of which there is no `.log` yet."""
+    """Return a file beside another, the time in its name, that nothing of another call is beside.
+
+    That is neither a transcript nor a copy of what was replaced.
+    """
     name = f"{path.name}.{datetime.now():%Y%m%d-%H%M%S}"
     free, number = path.with_name(name), 1
-    while free.with_name(f"{free.name}.log").exists():  # of a call in the same second
+    while any(free.with_name(f"{free.name}{end}").exists() for end in (LOG, COPY)):
         number += 1
         free = path.with_name(f"{name}-{number}")
     return free

@@ -32,6 +32,7 @@ from vrts.dispatch.manifest import (
     Thing,
     Verified,
 )
+from vrts.dispatch.planning.asked import Kept
 from vrts.dispatch.planning.beside.dry_run import DryRun
 from vrts.dispatch.planning.printed import Printed
 from vrts.dispatch.planning.proving import Certified
@@ -66,6 +67,7 @@ class Made(NamedTuple):
     raised: DryRun
     proofs: Sequence[Certified]  # one for each scenario
     futures: tuple[Futures, ...]  # as many
+    kept: Kept  # what was asked for
 
 
 def bundle_of(made: Made, scened: Sequence[Scened], settings: Sequence[Setting]) -> Bundle:
@@ -78,7 +80,16 @@ def bundle_of(made: Made, scened: Sequence[Scened], settings: Sequence[Setting])
         for number, proof in enumerate(made.proofs, 1)
         if proof.certificate is not None
     }
-    bundle = Bundle(manifest, programs, texts.locations, texts.reals, texts.strings, "", proofs)
+    bundle = Bundle(
+        manifest,
+        programs,
+        texts.locations,
+        texts.reals,
+        texts.strings,
+        "",
+        proofs,
+        made.kept.files,
+    )
     facts = Sheet(
         bundle=bundle,
         content=content_digest(bundle),
@@ -126,6 +137,7 @@ def _manifest(made: Made, scened: Sequence[Scened], settings: Sequence[Setting])
         files=NO_MEMBERS,
         controller=Thing(scene.controller.name, digest(scene.controller)),
         futures=made.futures,
+        asked=made.kept.asked,
     )
 
 

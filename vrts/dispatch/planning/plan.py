@@ -12,6 +12,7 @@ from vrts.base.diagnostic import Diagnostic, Severity, error
 from vrts.base.units import MM
 from vrts.check.judge import judge
 from vrts.dispatch.bundle import Bundle
+from vrts.dispatch.planning.asked import kept
 from vrts.dispatch.planning.beside import margins
 from vrts.dispatch.planning.beside.dry_run import NO_DRY_RUN, DryRun, dry_run
 from vrts.dispatch.planning.beside.stops import stops
@@ -121,6 +122,7 @@ def plan(wish: Wish) -> Plan:
         raised,
         proofs,
         tuple(futures.told(wish.environment, proof) for proof in proven),
+        kept(wish),
     )
     bundle = bundle_of(made, scened, wish.settings)
     return result.plan._replace(bundle=bundle)

@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from vrts.base.source import SourceFile
 from vrts.dispatch.planning.reasons.futures import USUAL
 from vrts.dispatch.planning.reasons.refusals import Promise
 from vrts.dispatch.profile import Profile
@@ -25,6 +26,7 @@ class Wish(NamedTuple):
         False  # whether to look which margin fails first: takes longer than the rest
     )
     jobs: int = 1  # processes at a time
+    environment_source: SourceFile | None = None  # the file that it was given in
 
     @property
     def settings(self) -> tuple[Setting, ...]:

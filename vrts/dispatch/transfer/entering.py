@@ -103,6 +103,12 @@ _PAIRS = frozenset({"TS", "XD", "XY", "XP", "XQ", "XS"})  # commands of two lett
 
 
 def _enter_step(talk: Says, profile: Profile, number: int, row: str) -> None:
+    """Enter a step. RETURN alone comes first: an editor behind its last step asks again.
+
+    If the editor has ended by itself, the prompt for commands comes, and the step, which may be a
+    command too (`SIGNAL 1`), is never typed.
+    """
+    _taken(talk.say(""), _STEP, number, "RETURN", profile)
     if not through_insertion(row, profile):
         _taken(talk.say(row), _STEP, number + 1, row, profile)
         return

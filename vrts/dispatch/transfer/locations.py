@@ -7,12 +7,15 @@ from vrts.dispatch.profile_parts import Profile
 from vrts.dispatch.transfer.listed import Place
 from vrts.lang.dialect import Angles, Dialect
 
+_REST = 1e-9  # what is left of a difference of decimals
+
 
 def same_place(wanted: Place, found: Place, profile: Profile) -> bool:
     """Return whether two locations are the same within what the controller prints.
 
-    Positions and joints have to agree in the last decimal. The angles of a pose may be others as
-    long as they turn the same: they do not tell turns apart where the tool is vertical.
+    Positions and joints have to agree within half a unit of the last decimal: a controller may
+    round a half either way. The angles of a pose may be others as long as they turn the same: they
+    do not tell turns apart where the tool is vertical.
     """
     if wanted.is_joints != found.is_joints:
         return False
@@ -39,7 +42,7 @@ def _numbers(values: tuple[str, ...]) -> tuple[float, ...]:
 
 
 def _near(ours: tuple[float, ...], theirs: tuple[float, ...], within: float) -> bool:
-    return all(abs(a - b) < within for a, b in zip(ours, theirs, strict=True))
+    return all(abs(a - b) <= within + _REST for a, b in zip(ours, theirs, strict=True))
 
 
 def _turn_deg(ours: tuple[float, ...], theirs: tuple[float, ...], dialect: Dialect) -> float:

@@ -18,6 +18,11 @@ class Line(NamedTuple):
     text: str
 
     @property
+    def looks(self) -> bool:
+        """Whether it changes nothing and only looks whether the editor still asks for a step."""
+        return self.at.prompt is Prompt.STEP and not self.text
+
+    @property
     def shown(self) -> str:
         """The line behind what the controller would ask."""
         match self.at.prompt:
@@ -65,6 +70,8 @@ class Rehearsal:
                 return "", At(Prompt.READY)
             case Prompt.STEP if text == commands.insert:
                 return "", At(Prompt.INSERT, step)
+            case Prompt.STEP if not text:  # behind the last step it asks again
+                return "", self._at
             case Prompt.INSERT if not text:
                 return "", At(Prompt.STEP, step)
             case Prompt.STEP | Prompt.INSERT:

@@ -161,3 +161,12 @@ def test_calls_in_one_second_have_transcripts_of_their_own(tmp_path: Path) -> No
         (tmp_path / f"{name}.log").touch()
         names.add(name)
     assert len(names) == 3
+
+
+def test_two_replacements_in_one_second_keep_two_copies(tmp_path: Path) -> None:
+    names: set[str] = set()
+    for _ in range(3):  # their transcripts may lie elsewhere: `--transcript`
+        name = dated(tmp_path / "pick.bundle").name
+        (tmp_path / f"{name}.before.v2").touch()
+        names.add(name)
+    assert len(names) == 3

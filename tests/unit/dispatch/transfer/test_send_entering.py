@@ -17,11 +17,12 @@ from tests.support_emulator import (
     sending,
     talk_over,
 )
-from vrts.dispatch.profile import profile_names
+from vrts.dispatch.profile import Profile, profile_names
 from vrts.dispatch.steps import Steps
 from vrts.dispatch.transfer.cargo import Cargo
 from vrts.dispatch.transfer.held.looking import Options
 from vrts.dispatch.transfer.listed import Place
+from vrts.dispatch.transfer.locations import same_place
 from vrts.dispatch.transfer.rehearsal import rehearsed
 from vrts.dispatch.transfer.talk import Talk
 from vrts.dispatch.transfer.transcript import Transcript
@@ -206,6 +207,49 @@ def test_a_step_that_the_controller_refuses_stops_everything(tmp_path: Path) -> 
     assert "*Unknown instruction*" in told.value.diagnostics[0].headline
     assert machine.programs() == {"pick": ("READY",)}
     assert found.states["program pick"] == "steps 1 to 1 of 3, as sent"
+
+
+@pytest.mark.parametrize("after", range(4))
+def test_a_step_is_not_typed_when_the_editor_has_ended_without_a_word(
+    after: int, tmp_path: Path
+) -> None:
+    machine = Leaving(tmp_path, KNOWN, after)
+    outputs = Steps("lamps", "", ("SIGNAL 1", "SIGNAL 2", "SIGNAL 3", "SIGNAL 4"))
+    found = sending(talk_over(Wire(machine), KNOWN), KNOWN, Cargo((outputs,), (), ()))
+    with pytest.raises(Refused) as told:
+        found.run()
+    assert told.value.diagnostics[0].rule.code == "V834"
+    typed = [line for prompt, line in machine.lines if prompt == "." and line.startswith("SIGNAL")]
+    assert not typed, "at the prompt for commands it would switch an output"
+    assert found.states["program lamps"] in ("not there", f"steps 1 to {after} of 4, as sent")
+
+
+class Leaving(Watched):
+    """A controller whose editor ends by itself, after so many steps, and shows nothing."""
+
+    def __init__(self, folder: Path, known: Profile, after: int) -> None:
+        super().__init__(folder, known)
+        self.after = after
+        self.ended = False
+
+    def receive(self, character: int) -> bytes:
+        shown = super().receive(character)
+        steps = [line for _, line in self.lines if line.startswith("SIGNAL")]
+        editing = "?" in self.dialogue.prompt
+        if character == 0x0D and editing and len(steps) == self.after and not self.ended:
+            self.ended = True
+            self.dialogue.enter("E")
+        return shown
+
+
+@pytest.mark.parametrize("shown", ["12.34", "12.35"])
+def test_a_half_of_what_is_printed_may_be_rounded_either_way(shown: str) -> None:
+    coarse = KNOWN._replace(angle_decimals=2, length_decimals=2)
+    joints = Place("#a", ("12.345", *("0.00",) * 5))
+    assert same_place(joints, Place("#a", (shown, *("0.00",) * 5)), coarse)
+    pose = Place("a", ("12.345", "0.00", "0.00", "0.00", "90.00", "0.00"))
+    assert same_place(pose, Place("a", (shown, *pose.values[1:])), coarse)
+    assert not same_place(joints, Place("#a", ("12.36", *("0.00",) * 5)), coarse)
 
 
 def test_an_answer_that_is_neither_silence_nor_an_error_stops_everything(tmp_path: Path) -> None:

@@ -33,6 +33,7 @@ MOST_STEPS = 14  # lines about what it does
 MOST_PASSAGES = 5
 DENSE = 16  # bodies and lines of what it does: with more, the print is smaller
 SIGNS = {"holds": ("✓", "ok"), "violated": ("✗", "bad"), "undetermined": ("?", "bad")}
+SIGNED_ELSEWHERE = "Signature: vrts dispatch verify tells who has signed the bundle"
 SKIN = "default-src 'none'; style-src 'unsafe-inline'"
 
 
@@ -112,6 +113,7 @@ def _header(facts: Sheet) -> Markup:
             element("code", facts.content[:SHORT]),
             class_="for",
         ),
+        element("p", SIGNED_ELSEWHERE, class_="for"),
     )
     return element("header", title, badge)
 
