@@ -92,7 +92,8 @@ def command(
 
     Finds where the camera stands and how its lens sees from points that were marked in
     calibration pictures; writes stills and a recording (.rrd) in which the virtual camera stands
-    where the real one does, turns and zooms with it, and runs in time with the frames.
+    where the real one does, turns and zooms with it, and runs in time with the frames. A mark that
+    was mistaken is named and left out. Exit status 1 when the others do not agree with one camera.
     """
     try:
         calibrated = _calibrated(camera, color)
@@ -100,9 +101,9 @@ def command(
         if missing.name not in ("cv2", "scipy"):
             raise
         fail(NOT_INSTALLED, status=WRONG)
-    _show(calibrated, as_json=as_json)
+    status = _show(calibrated, as_json=as_json)
     if frames is None:
-        sys.exit(HOLDS)
+        sys.exit(status)
     if output is None:
         fail("nothing says where stills and recording go", ("give a folder to `-o`",))
     run, name = run_of(program, where, entry, language, color)
@@ -115,7 +116,7 @@ def command(
         _refuse(opened, color)
     shown = Shown(run, opened, _views(views, color), calibrated, starts)
     _write(shown, name, stills, output, color)
-    sys.exit(HOLDS)
+    sys.exit(status)
 
 
 def _calibrated(path: Path, color: str) -> "Calibrated":
@@ -123,10 +124,13 @@ def _calibrated(path: Path, color: str) -> "Calibrated":
     from vrts.pipeline.files import read_toml_source
     from vrts.validate.camera.calibrate import calibrate
     from vrts.validate.camera.calibration_file import read_marked
+    from vrts.validate.camera.wrong_marks import told
 
-    found = calibrate(read_marked(read_toml_source(path)))
+    marked = read_marked(read_toml_source(path))
+    found = calibrate(marked)
     if isinstance(found, Diagnostic):
         _refuse(found, color)
+    show_diagnostics(told(marked, found.left_out), color)
     return found
 
 
@@ -143,7 +147,8 @@ def _views(path: Path | None, color: str) -> "Views":
     return found
 
 
-def _show(found: "Calibrated", *, as_json: bool) -> None:
+def _show(found: "Calibrated", *, as_json: bool) -> int:
+    """Print a camera; return the exit status: whether the marks agree with it."""
     from vrts.validate.camera.summary import GOOD_PX, camera_json, camera_text
 
     if as_json:
@@ -157,6 +162,8 @@ def _show(found: "Calibrated", *, as_json: bool) -> None:
             f"the marks are {found.rms_px:.2f} px off, more than {GOOD_PX} px:"
             " look for a point that was mistaken, or a sign of pan or tilt"
         )
+        return WRONG
+    return HOLDS
 
 
 def _write(shown: "Shown", name: str, most: int, output: Path, color: str) -> None:

@@ -2,7 +2,8 @@
 
 Its own axes are right, down and forward. It looks about one fixed point, its eye: pan turns it
 about the vertical of its mount, positive to the right, then tilt about its own right axis, positive
-upward. The focal length is that at zoom 1, times the zoom. Pixels are counted from the top left
+upward. Where pan counts from is part of the mount; where tilt counts from is not, once the camera
+has panned. The focal length is that at zoom 1, times the zoom. Pixels are counted from the top left
 corner of the picture, whose centre of the first pixel is (0, 0), as OpenCV has it.
 """
 
@@ -35,12 +36,14 @@ class PtzCamera(NamedTuple):
     centre_px: tuple[float, float]  # column and row on the optical axis
     distortion: tuple[float, float] = (0.0, 0.0)  # k1, k2 of the lens
     size_px: tuple[int, int] = (0, 0)  # width and height of its pictures
+    tilt_zero: float = 0.0  # tilt where its scale says 0 [rad]
 
     def axes(self, view: View) -> Array:
         """Return rows right, down, forward in W of the camera as it looks, shape (3, 3)."""
         c, s = math.cos(view.pan), math.sin(view.pan)
         panned = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
-        c, s = math.cos(view.tilt), math.sin(view.tilt)
+        tilt = view.tilt + self.tilt_zero
+        c, s = math.cos(tilt), math.sin(tilt)
         tilted = np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
         return (panned @ tilted).T @ self.mount
 

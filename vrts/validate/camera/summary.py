@@ -28,9 +28,16 @@ def camera_text(found: Calibrated) -> str:
         f"at pan 0 and tilt 0 it looks to {azimuth:.1f} deg from X to Y, {slope}",
         f"focal length {camera.focal_px:.1f} px at zoom 1 ({angle:.1f} deg wide)",
         f"lens k1 {camera.distortion[0]:+.4f}  k2 {camera.distortion[1]:+.4f}",
+        *_tilt(camera),
         f"reprojection error of {marks} marks: {found.rms_px:.2f} px root mean square, {most}",
     ]
     return "\n".join(rows)
+
+
+def _tilt(camera: PtzCamera) -> tuple[str, ...]:
+    if camera.tilt_zero == 0.0:
+        return ()
+    return (f"tilt is {camera.tilt_zero / DEG:+.2f} deg where its scale says 0",)
 
 
 def camera_json(found: Calibrated) -> dict[str, Any]:
@@ -44,8 +51,18 @@ def camera_json(found: Calibrated) -> dict[str, Any]:
         "centre_px": list(camera.centre_px),
         "distortion_k1_k2": list(camera.distortion),
         "size_px": list(camera.size_px),
+        "tilt_zero_deg": camera.tilt_zero / DEG,
         "rms_px": found.rms_px,
         "largest_px": found.largest_px,
+        "left_out": [
+            {
+                "picture": one.picture + 1,
+                "point": one.name,
+                "miss_px": one.miss_px,
+                "exchanged_with": one.exchanged_with,
+            }
+            for one in found.left_out
+        ],
         "errors_px": [[float(e) for e in errors] for errors in found.errors],
         "angle_of_view_deg": 2 * math.atan2(camera.size_px[0] / 2, camera.focal_px) / DEG,
     }

@@ -211,7 +211,7 @@ def _figure(drawing: Markup, caption: str | None) -> Markup:
 
 def _cells(m: Measures, decimals: int) -> tuple[str, str, str]:
     return (
-        f"{m.mean_square:.{decimals}f}" if decimals < 4 else f"{m.mean_square:.2g}",
+        f"{m.mean_square:.{decimals}f}" if decimals < 4 else f"{m.mean_square:.6f}",
         f"{m.rms:.{decimals}f}",
         f"{m.largest:.{decimals}f}",
     )
