@@ -1492,6 +1492,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/dispatch/posts/test_posts.py",),
     ),
     Patch(
+        "texts for other controllers leave the scene's tool out",
+        "vrts/dispatch/posts/written.py",
+        'return [f"        {row}" for row in self.post.begun(start)]',
+        "return []",
+        ("tests/unit/dispatch/posts/test_posts.py",),
+    ),
+    Patch(
+        "joint values of another arm have the signs of ours",
+        "vrts/dispatch/posts/other_arm.py",
+        "return tuple(sign * ours_deg[k - 1] + zero for k, sign, zero in each)",
+        "return tuple(ours_deg[k - 1] + zero for k, sign, zero in each)",
+        ("tests/unit/dispatch/posts/test_posts.py",),
+    ),
+    Patch(
         "a program that moves otherwise in another language is exported",
         "vrts/dispatch/posts/export.py",
         "    if not apart.is_none:",

@@ -35,17 +35,18 @@ from vrts.pipeline.where import Where
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from vrts.dispatch.posts.other_arm import OtherArm
     from vrts.pipeline.request import Request
 
 EPILOG = """\b
 Examples:
   vrts dispatch export solution.v2 --to vplus
   vrts dispatch export solution.v2 --to as -o solution.as
-  vrts dispatch export prog.v2 --scene cans-on-bases --to as -o -
+  vrts dispatch export prog.v2 --scene cans-on-bases --to as --arm kawasaki.toml -o -
   vrts dispatch export solution.v2 --to linuxcnc -o folder
   vrts dispatch export solution.v2 --to ros -o folder
 """
-LINUXCNC, ROS = "linuxcnc", "ros"
+VAL2, LINUXCNC, ROS = "val2", "linuxcnc", "ros"
 
 
 @click.command(name="export", epilog=EPILOG)
@@ -53,7 +54,7 @@ LINUXCNC, ROS = "linuxcnc", "ros"
 @click.option(
     "--to",
     "target",
-    type=click.Choice(["val2", "vplus", "as", LINUXCNC, ROS]),
+    type=click.Choice([VAL2, "vplus", "as", LINUXCNC, ROS]),
     required=True,
     help="VAL-II, V+ of Adept and Staeubli, AS of Kawasaki, G-code of LinuxCNC, or ROS 2.",
 )
@@ -63,6 +64,12 @@ LINUXCNC, ROS = "linuxcnc", "ros"
 @entry_option("Program to execute; otherwise the task's, or the first.")
 @click.option(
     "-o", "--out", "place", help="File to write, or folder for LinuxCNC and ROS; `-` is stdout."
+)
+@click.option(
+    "--arm",
+    "arm_file",
+    metavar="FILE|same",
+    help="How the other arm counts its joints, for V+ and AS; `same`: as the simulated one.",
 )
 @lab_option
 @controller_option
@@ -76,6 +83,7 @@ def command(
     where: Where,
     entry: str | None,
     place: str | None,
+    arm_file: str | None,
     language: Language,
     color: str,
 ) -> None:
@@ -83,14 +91,17 @@ def command(
 
     Words, angles and operators become those of the other language; comments and names stay. What
     is written is read again in that language and executed in the same scene: nothing is written
-    unless it moves the arm the same within 0.01 mm at every time. Joint angles and READY stay
-    those of the arm that was simulated. For LinuxCNC a folder is written, with the robot's
-    configuration; `io.toml` in it says which pin is which signal, and is kept when it is there.
-    `vrts dispatch rehearse` then compares LinuxCNC's motion. For ROS a folder is written, too: the
-    run as a bag, and a goal of a joint trajectory controller for each way from rest to rest.
+    unless it moves the arm the same within 0.01 mm at every time. TOOL and BASE are set where the
+    program begins, and a sheet beside it says where HERE must show what. Another arm counts its
+    joints otherwise: joint values and READY are refused unless `--arm` says how.
+
+    For LinuxCNC a folder is written, with the robot's configuration; `io.toml` in it says which
+    pin is which signal, and is kept when it is there. `vrts dispatch rehearse` then compares
+    LinuxCNC's motion. For ROS a folder is written, too: the run as a bag, and a goal of a joint
+    trajectory controller for each way from rest to rest.
     """
     from vrts.cli.shared.requests import verify_request
-    from vrts.dispatch.posts.export import default_name, exported
+    from vrts.dispatch.posts.export import default_name, default_sheet, exported
     from vrts.dispatch.posts.same_motion import TOLERANCE_MM
     from vrts.pipeline.settings import setting_for
 
@@ -103,7 +114,8 @@ def command(
         _linuxcnc(verify_request(given, setting, language, entry=entry), path, place, color)
     if target == ROS:
         _ros(verify_request(given, setting, language, entry=entry), path, place, color)
-    found = exported(verify_request(given, setting, language, entry=entry), target)
+    arm = _arm(arm_file, target)
+    found = exported(verify_request(given, setting, language, entry=entry), target, arm)
     show_diagnostics(found.diagnostics, color)
     if found.text is None:
         sys.exit(WRONG)
@@ -118,11 +130,25 @@ def command(
             fail(f"`{place}` is the program itself", ("give another file to `-o`",))
         write_file(written, found.text.encode())
         say(f"wrote {written}")
+        assert found.sheet is not None
+        sheet = default_sheet(written)
+        write_file(sheet, found.sheet.encode())
+        say(f"wrote {sheet}: what is assumed, and where HERE must show what")
     say(
         f"the same motion: largest difference {found.difference.most_mm:.4f} mm"
         f" of {TOLERANCE_MM:g} mm allowed"
     )
     sys.exit(HOLDS)
+
+
+def _arm(name: str | None, target: str) -> "OtherArm | None":
+    """Return the arm that a text is for; VAL-II is taken to stay with the arm that it has."""
+    from vrts.dispatch.posts.other_arm import SAME, read_arm
+    from vrts.pipeline.files import read_toml_source
+
+    if name is None:
+        return SAME if target == VAL2 else None
+    return SAME if name == "same" else read_arm(read_toml_source(Path(name)))
 
 
 def _linuxcnc(request: "Request", path: Path | None, place: str | None, color: str) -> NoReturn:

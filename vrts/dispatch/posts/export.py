@@ -1,12 +1,16 @@
 """A verified program in the language of another controller, and proof that it moves the same."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.units import deg
-from vrts.dispatch.posts.post import Settled
+from vrts.dispatch.posts.checks import checks, with_checks
+from vrts.dispatch.posts.other_arm import SAME, OtherArm
+from vrts.dispatch.posts.post import Settled, Start
 from vrts.dispatch.posts.same_motion import TOLERANCE_MM, Difference, difference
+from vrts.dispatch.posts.sheet import Given, sheet_text
 from vrts.dispatch.posts.written import POSTS, written
 from vrts.dispatch.verified import NotVerified, verified
 from vrts.engine.controller import execute
@@ -16,6 +20,7 @@ from vrts.pipeline.compiling.reading import Reading
 from vrts.pipeline.execution import compiled_for
 from vrts.pipeline.request import Request
 from vrts.pipeline.setting import scenario_of
+from vrts.scene.model import Scenario
 
 MOVES_OTHERWISE = Rule("V863", "moves-otherwise")
 OTHER_LANGUAGE = Rule("V864", "language-not-exported")
@@ -29,14 +34,18 @@ class Exported(NamedTuple):
     text: str | None
     diagnostics: tuple[Diagnostic, ...]
     difference: Difference | None = None  # to the motion of the original
+    sheet: str | None = None  # for the operator, in Markdown
 
 
-def exported(request: Request, target: str) -> Exported:
+def exported(request: Request, target: str, arm: OtherArm | None = SAME) -> Exported:
     """Verify a program, write it in another language, read it again, and compare the motions.
+
+    What is read again counts joints as the arm that was simulated; what is given out, as the other.
 
     Args:
         request: The program, and where it is verified.
         target: A name of `POSTS`.
+        arm: That the text is for; None: how it counts its joints is not known.
     """
     name, setting = request.program.name, request.setting
     compiled = compiled_for(request)
@@ -47,19 +56,41 @@ def exported(request: Request, target: str) -> Exported:
     if isinstance(found, NotVerified):
         return Exported(None, found.diagnostics)
     compilation = found.compilation
-    ready = setting.scene.robot.arm.ready
-    text, told = written(compilation, target, Settled(tuple(map(deg, ready))))
+    scene = setting.scene
+    start = Start(found.entry, scene.X_FT)
+    settled = Settled(tuple(map(deg, scene.robot.arm.ready)), start, arm)
+    text, told = written(compilation, target, settled)
     told = (*compilation.diagnostics, *told)
     if any(d.is_error for d in told):
         return Exported(None, told)
-    other = _compiled(text, name, target)
+    holds = None if arm is None else arm.holds
+    alike = settled._replace(arm=SAME._replace(holds=holds))
+    other = _compiled(written(compilation, target, alike).text, name, target)
     if other.module is None:
         return Exported(None, (*told, *other.diagnostics))
-    run = execute(other.module, setting.scene, scenario_of(setting), found.entry)
+    scenario = _holding(scenario_of(setting), holds)
+    run = execute(other.module, scene, scenario, found.entry)
     apart = difference(found.run, run)
     if not apart.is_none:
         return Exported(None, (*told, *run.findings, _moves_otherwise(target, apart)), apart)
-    return Exported(text, told, apart)
+    dialect = POSTS[target].dialect
+    places = checks(found.run)
+    asked = holds if holds is not None and f"SIG({-holds})" in text else None
+    given = Given(name, dialect, found.run, arm, asked, apart)
+    noted = with_checks(text, found.entry, places, dialect)
+    return Exported(noted, told, apart, sheet_text(given, places))
+
+
+def _holding(scenario: Scenario, signal: int | None) -> Scenario:
+    """Return a scenario in which the signal of the hand is on: every grip succeeded."""
+    if signal is None:
+        return scenario
+    return replace(scenario, inputs=((0.0, signal, True), *scenario.inputs))
+
+
+def default_sheet(place: Path) -> Path:
+    """Return where the sheet of an exported program goes."""
+    return place.with_name(f"{place.stem}-sheet.md")
 
 
 def default_name(program: Path, target: str) -> Path:

@@ -5,7 +5,7 @@ See [manual language/dialects#to-as].
 
 from typing import ClassVar
 
-from vrts.dispatch.posts.post import TIGHTEST, CannotWrite, Post, Settled
+from vrts.dispatch.posts.post import TIGHTEST, CannotWrite, Post, Settled, Start
 from vrts.ir.values import Type
 from vrts.lang.compiler import Resolved
 from vrts.lang.dialect import AS
@@ -16,6 +16,7 @@ from vrts.lang.syntax.program import Formal
 COARSE_MM = 10.0  # ACCURACY for COARSE [assumed]
 FINE_MM = 1.0  # the same for FINE, AS's own default [manual language/dialects#accuracy]
 MM_PER_INCH = 25.4
+SWITCHES = frozenset({"CP", "MESSAGES"})  # that mean the same in AS [AS2015] 7
 _LOCATIONS = frozenset({Type.POSE, Type.JOINTS})
 
 
@@ -75,18 +76,30 @@ class KawasakiAs(Post):
             return ("OPEN" if opening.value > 0.0 else "CLOSE", motion)
         return (f"IF {self.listed((opening,))} > 0 THEN", "OPEN", "ELSE", "CLOSE", "END", motion)
 
-    def _write_ready(self, _: statements.Simple) -> tuple[str, ...]:
+    def begun(self, start: Start) -> tuple[str, ...]:
+        """TOOL and BASE take names of locations, and BASE the pose of the frame [AS2015] 6-112."""
+        name = _own("begin.tool")
+        return (f"POINT {name} = {self.pose(start.X_FT)}", f"TOOL {name}", "BASE NULL")
+
+    def _write_ready(self, node: statements.Simple) -> tuple[str, ...]:
         """READY of the arm that was simulated: HOME of AS is wherever it was set."""
-        joints = ", ".join(f"{joint:.9g}" for joint in self.settled.ready_deg)
-        return (f"JMOVE #PPOINT({joints})",)
+        return self.ready(node, "JMOVE")
 
     def _write_grasp(self, node: statements.Simple) -> tuple[str, ...]:
         """AS does not know how far a hand is open [AS2015] appendix 5."""
-        raise self.lacking(node, "GRASP", "use CLOSEI, and ask a signal of the hand with SIG")
+        return self.grasped(node)
 
     def _write_shift(self, node: statements.ShiftStatement) -> tuple[str, ...]:
         place = self.expression(node.target)
         return (f"POINT {place} = SHIFT({place} BY {self.listed(node.offsets)})",)
+
+    def _write_tool(self, node: statements.Simple) -> tuple[str, ...]:
+        """TOOL takes a name or a compound of names [AS2015] 6-113."""
+        (tool,) = node.operands or (None,)
+        if tool is None:
+            return ("TOOL NULL",)
+        text = self.listed((tool,))
+        return self._named_frame("TOOL", text, named=_is_named(tool))
 
     def _write_base(self, node: statements.Simple) -> tuple[str, ...]:
         """BASE of AS takes the pose of the new frame, the inverse of what VAL-II is told."""
@@ -94,7 +107,14 @@ class KawasakiAs(Post):
             return ("BASE NULL",)
         dx, dy, dz, turn = (*node.operands, None, None, None, None)[:4]
         lengths = [self.listed((item,)) or "0" for item in (dx, dy, dz)]
-        return (f"BASE -TRANS({', '.join(lengths)}, {self.listed((turn,)) or '0'}, 0, 0)",)
+        pose = f"-TRANS({', '.join(lengths)}, {self.listed((turn,)) or '0'}, 0, 0)"
+        return self._named_frame("BASE", pose, named=False)
+
+    def _named_frame(self, word: str, text: str, *, named: bool) -> tuple[str, ...]:
+        if named:
+            return (f"{word} {text}",)
+        name = _own(f"new.{word.lower()}")
+        return (f"POINT {name} = {text}", f"{word} {name}")
 
     def _write_speed(self, node: statements.SpeedStatement) -> tuple[str, ...]:
         (value, unit, *_), *more = node.levels
@@ -131,10 +151,18 @@ class KawasakiAs(Post):
         return (f"ONI {self.listed((signal,))} CALL {key(self._text(program))}{more}",)
 
     def _write_enable(self, node: statements.Simple) -> tuple[str, ...]:
-        raise self.lacking(node, "ENABLE", "set the switch at the monitor: its name, then ON")
+        return self._switched(node, "ON")
 
     def _write_disable(self, node: statements.Simple) -> tuple[str, ...]:
-        raise self.lacking(node, "DISABLE", "set the switch at the monitor: its name, then OFF")
+        return self._switched(node, "OFF")
+
+    def _switched(self, node: statements.Simple, state: str) -> tuple[str, ...]:
+        """A switch is set by its name, then ON or OFF [AS2015] 6-119."""
+        names = [key(o.text).upper() for o in node.operands if isinstance(o, expressions.Name)]
+        other = [name for name in names if name not in SWITCHES]
+        if other or not names:
+            raise self.lacking(node, f"the switch {', '.join(other)}" if other else node.word)
+        return (f"{', '.join(names)} {state}",)
 
     def statement(self, node: statements.Statement) -> tuple[str, ...]:
         """Return the steps of a statement; locations that are passed to a program are marked."""
@@ -276,6 +304,17 @@ class KawasakiAs(Post):
                 )
             if isinstance(part, tuple):
                 waiting.extend(part)  # pyright: ignore[reportUnknownArgumentType]
+
+
+def _is_named(item: expressions.Item) -> bool:
+    """Return whether a location is a name, an element, or a compound of them."""
+    match item:
+        case expressions.Name() | expressions.Element():
+            return True
+        case expressions.Infix(":", left, right):
+            return _is_named(left) and _is_named(right)
+        case _:
+            return False
 
 
 def _own(name: str) -> str:

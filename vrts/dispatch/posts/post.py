@@ -10,6 +10,10 @@ from collections.abc import Callable, Iterator
 from typing import ClassVar, NamedTuple
 
 from vrts.base.diagnostic import Rule
+from vrts.base.oat import components, plain_angles
+from vrts.base.pose import Pose
+from vrts.base.source import Span
+from vrts.dispatch.posts.other_arm import SAME, OtherArm
 from vrts.ir.values import Type
 from vrts.lang.compiler import Resolved
 from vrts.lang.dialect import Angles, Dialect, Precedence
@@ -56,10 +60,19 @@ class CannotWrite(Exception):  # noqa: N818 -- names the situation
         self.start, self.end, self.headline, self.remedy = start, end, headline, remedy
 
 
+class Start(NamedTuple):
+    """With which frames the program begins that is executed."""
+
+    program: str
+    X_FT: Pose  # the tool; the base is the robot's own
+
+
 class Settled(NamedTuple):
     """What a post asks about the robot."""
 
     ready_deg: tuple[float, ...]  # joints of READY
+    start: Start | None = None  # None: frames are not set where the program begins
+    arm: OtherArm | None = SAME  # that the text is for; None: nobody knows how it counts its joints
 
 
 class Post:
@@ -127,14 +140,82 @@ class Post:
         headline = f"{title} has nothing that means {word}"
         return CannotWrite(node.start, node.end, headline, remedy or "write the step without it")
 
+    def begun(self, start: Start) -> tuple[str, ...]:
+        """Return the steps that set tool and base: no controller knows those of the scene."""
+        return (f"TOOL {self.pose(start.X_FT)}", "BASE 0, 0, 0, 0")
+
+    def pose(self, pose: Pose) -> str:
+        """Return a pose that is known, in the angles of this language."""
+        x, y, z, *angles = components(pose)
+        if self.dialect.angles is Angles.ZYZ:
+            angles = list(plain_angles(*angles))
+        return f"TRANS({', '.join(f'{round(value, 6) + 0.0:.9g}' for value in (x, y, z, *angles))})"
+
     def grasped(self, node: statements.Simple) -> tuple[str, ...]:
-        """Return the steps of GRASP for a language without it: close, then look at the hand."""
-        least, *label = node.operands
-        missing = f"HAND < {self.listed((least,))}"
+        """Return the steps of GRASP for a language without it: close, then look at a signal."""
+        _, *label = node.operands
+        if self.settled.arm is None or self.settled.arm.holds is None:
+            raise self.lacking(
+                node, "GRASP", "say which signal tells: `--arm FILE`, `[hand] holds`"
+            )
+        missing = f"SIG({-self.settled.arm.holds})"
         if label:
             return ("CLOSEI", f"IF {missing} GOTO {self.listed(tuple(label))}")
-        said = f'{self.WORDS.get("TYPE", "TYPE")} "the hand closed too far"'
+        said = f'{self.WORDS.get("TYPE", "TYPE")} "nothing is in the hand"'
         return ("CLOSEI", f"IF {missing} THEN", said, "HALT", "END")
+
+    # --- joint values, which every arm counts in its own way ------------------------------------
+
+    def mapped(self, node: statements.Statement | expressions.Item | Span) -> OtherArm:
+        """Return how the other arm counts its joints.
+
+        Raises:
+            CannotWrite: Nobody said so.
+        """
+        if self.settled.arm is None:
+            headline = "how the other arm counts its joints is not known"
+            remedy = "describe it and give the file to `--arm`; `--arm same` when it is the same"
+            raise CannotWrite(node.start, node.end, headline, remedy)
+        return self.settled.arm
+
+    def ready(self, node: statements.Simple, word: str) -> tuple[str, ...]:
+        """Return READY of the arm that was simulated, as a motion to its joints."""
+        joints = self.mapped(node).joints(self.settled.ready_deg)
+        return (f"{word} #PPOINT({', '.join(f'{joint + 0.0:.9g}' for joint in joints)})",)
+
+    def _apply_ppoint(self, node: expressions.Application) -> str:
+        arm = self.mapped(node)
+        if arm.counts_alike:
+            return f"{self.function(node.name)}({self.arguments(node)})"
+        given = (*node.arguments, *(None for _ in range(6)))[:6]
+        each = zip(arm.order, arm.sign, arm.zero_deg, strict=True)
+        joints = [self._turned(given[k - 1], sign, zero) for k, sign, zero in each]
+        return f"{self.function(node.name)}({', '.join(joints)})"
+
+    def _turned(self, item: expressions.Item | None, sign: int, zero: float) -> str:
+        """Return `sign * item + zero`."""
+        value = 0.0 if item is None else _constant(item)
+        if value is not None:
+            return f"{sign * value + zero + 0.0:.9g}"
+        assert item is not None
+        if sign > 0:
+            return self.shifted(item, zero)
+        assert not isinstance(item, expressions.FormatItem)
+        turned = f"-{self.operand(item, TIGHTEST)}"
+        return f"{zero:.9g} {turned[0]} {turned[1:]}" if zero else turned
+
+    def _write_drive(self, node: statements.Simple) -> tuple[str, ...]:
+        arm = self.mapped(node)
+        if arm.counts_alike:
+            return (self.rewritten(node),)
+        joint, change, *speed = node.operands
+        ours = None if joint is None else _constant(joint)
+        if ours is None or round(ours) not in arm.order:
+            headline = "which joint DRIVE turns is worked out in the run"
+            raise CannotWrite(node.start, node.end, headline, "write its number")
+        at = arm.order.index(round(ours))
+        turn = self._turned(change, arm.sign[at], 0.0)
+        return (f"DRIVE {at + 1}, {turn}" + "".join(f", {self.listed((s,))}" for s in speed),)
 
     def _keyword(self, node: statements.Statement) -> str:
         """Return the keyword of a statement, as VAL-II writes it; empty where it stays."""

@@ -20,6 +20,10 @@ class VPlus(Post):
     LEFT_OUT: ClassVar[frozenset[str]] = frozenset({"INTON", "INTOFF"})
     LACKS_FUNCTIONS: ClassVar[frozenset[str]] = frozenset({"adc", "ioget"})
 
+    def _write_ready(self, node: statements.Simple) -> tuple[str, ...]:
+        """READY of the arm that was simulated: that of another arm is elsewhere."""
+        return self.ready(node, "MOVE")
+
     def _write_draw(self, node: statements.Simple) -> tuple[str, ...]:
         """DRAW is a straight motion to where the last one ends, shifted."""
         return (f"MOVES SHIFT(DEST BY {self.listed(node.operands)})",)

@@ -1,20 +1,27 @@
 """A whole source in another language: headers, steps, comments and data."""
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Severity, error
+from vrts.base.pose import Pose
 from vrts.base.source import SourceFile
 from vrts.base.stack import deep_stack
+from vrts.base.units import deg
 from vrts.dispatch.posts.kawasaki_as import KawasakiAs
 from vrts.dispatch.posts.post import CANNOT_WRITE, LEFT_OUT, CannotWrite, Post, Settled
 from vrts.dispatch.posts.val2 import Val2
 from vrts.dispatch.posts.vplus import VPlus
+from vrts.ir.module import Datum
 from vrts.lang.compiler import Compilation, Resolved, resolve_source
 from vrts.lang.dialect import VAL2
+from vrts.lang.names import key
 from vrts.lang.reading.splitter import Section, comment_start
 from vrts.lang.syntax.program import ProgramText, Step
+from vrts.lang.syntax.statements import CallStatement, Declare
 from vrts.lang.writing.layout import layout
 from vrts.lang.writing.store import data_text
+from vrts.robots.arms.primitives import degrees
 
 POSTS: dict[str, type[Post]] = {post.name: post for post in (Val2, VPlus, KawasakiAs)}
 
@@ -44,7 +51,7 @@ def written(compilation: Compilation, target: str, settled: Settled) -> Written:
     assert found is not None
     writer = _Writer(POSTS[target](found, settled), found)
     post = writer.post
-    raw = writer.programs() + data_text(module.data, post.dialect)
+    raw = writer.programs() + data_text(writer.data(module.data), post.dialect)
     text = layout(SourceFile(source.name, raw), post.dialect)
     return Written(text, (*writer.errors, *_left_out(post)))
 
@@ -69,6 +76,36 @@ class _Writer:
             at = section.finish[1]
         return "".join(f"{row}\n" for row in rows)
 
+    def data(self, given: Iterable[Datum]) -> list[Datum]:
+        """Return the data, joint values as the other arm counts them."""
+        found: list[Datum] = []
+        for datum in given:
+            if isinstance(datum.value, Pose) or not isinstance(datum.value, tuple):
+                found.append(datum)
+                continue
+            try:
+                arm = self.post.mapped(datum.span)
+            except CannotWrite as cannot:
+                self.errors.append(self._cannot(cannot))
+                continue
+            joints = arm.joints(tuple(map(deg, datum.value)))
+            found.append(datum if arm.counts_alike else datum._replace(value=degrees(*joints)))
+        return found
+
+    def _begun(self, program: ProgramText) -> list[str]:
+        """Return the steps that set the frames, where this is the program that is executed."""
+        start = self.post.settled.start
+        if start is None or program.name != start.program:
+            return []
+        called = (s.statement for p in self.found.programs for s in p.steps)
+        for statement in called:
+            if isinstance(statement, CallStatement) and key(statement.program.text) == program.name:
+                headline = "the program that is executed is called too, and would set TOOL anew"
+                remedy = "write another program that only calls it, and execute that"
+                cannot = CannotWrite(statement.start, statement.end, headline, remedy)
+                self.errors.append(self._cannot(cannot))
+        return [f"        {row}" for row in self.post.begun(start)]
+
     def _program(self, program: ProgramText, section: Section) -> list[str]:
         """Return a program from its header to its end."""
         self.post.program = program.name
@@ -79,11 +116,16 @@ class _Writer:
             end = self._line_end(at)
             rows[0] += self._comment(self.text[at:end].rstrip("\n"))
             at = end
+        begun = self._begun(program)
         for number in range(1, section.line_count + 1):
             end = self._line_end(at)
+            statement = None if number not in steps else steps[number].statement
+            if number in steps and not isinstance(statement, Declare):
+                rows += begun
+                begun = []
             rows += self._rows(steps.get(number), self.text[at:end].rstrip("\n"))
             at = end
-        return [*rows, ".END"]
+        return [*rows, *begun, ".END"]
 
     def _header(self, program: ProgramText) -> str:
         formals = ", ".join(self.post.formal(formal) for formal in program.formals)

@@ -45,8 +45,16 @@ def data_text(given: Iterable[Datum], dialect: Dialect, *, exact: bool = False) 
 
 
 def _section(title: str, data: Iterable[Datum], dialect: Dialect, *, exact: bool) -> list[str]:
-    rows = [f"{_name(d):<{NAME_WIDTH - 1}} {_value(d, dialect, exact=exact)}\n" for d in data]
+    rows = [_row(d, dialect, exact=exact) for d in data]
     return [f"{title}\n", *rows, ".END\n"] if rows else []
+
+
+def _row(datum: Datum, dialect: Dialect, *, exact: bool) -> str:
+    """Return a line of data; AS puts `=` behind the names of numbers and strings [ASPrograms]."""
+    value = _value(datum, dialect, exact=exact)
+    if dialect.is_as and isinstance(datum.value, float | str):
+        return f"{_name(datum)} = {value}\n"
+    return f"{_name(datum):<{NAME_WIDTH - 1}} {value}\n"
 
 
 def _name(datum: Datum) -> str:

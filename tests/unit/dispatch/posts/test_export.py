@@ -7,6 +7,7 @@ import pytest
 from tests.support_commands import vrts_text
 from tests.support_programs import ROOT, ran
 from vrts.dispatch.posts.export import Exported, exported
+from vrts.dispatch.posts.other_arm import SAME
 from vrts.dispatch.posts.same_motion import TOLERANCE_MM, difference
 from vrts.pipeline.compiling.reading import STRICT, ProgramFile, Reading
 from vrts.pipeline.request import Request
@@ -83,9 +84,51 @@ def test_the_command_writes_beside_the_program_and_says_so(tmp_path: Path) -> No
         (tmp_path / name).write_bytes((EXAMPLES[0].parent / name).read_bytes())
     done = vrts_text("dispatch", "export", tmp_path / "solution.v2", "--to", "as")
     assert done.returncode == 0, done.stderr
-    assert "JMOVE" in (tmp_path / "solution-as.as").read_text()
+    text = (tmp_path / "solution-as.as").read_text()
+    assert "JMOVE" in text
+    here = "MOVES start in carry: 800.00 -450.00 -225.00 0.00 180.00 0.00"
+    assert "; not tried on a controller; the arm stops where HERE shows (mm, degrees):\n" in text
+    assert f";   motion 3, {here}\n" in text
+    sheet = (tmp_path / "solution-as-sheet.md").read_text()
+    assert "**Not tried on a controller.**" in sheet
+    assert "0.00, 0.00, 150.00 mm from the flange" in sheet
+    assert "| 800.00 -450.00 -225.00 0.00 180.00 0.00 | not known |" in sheet
     assert "the same motion" in done.stderr
     itself = str(tmp_path / "solution.v2")
     done = vrts_text("dispatch", "export", itself, "--to", "val2", "-o", itself)
     assert done.returncode == 2
     assert "is the program itself" in done.stderr
+
+
+def test_another_arm_is_described_by_a_file(tmp_path: Path) -> None:
+    place = tmp_path / "prog.v2"
+    place.write_text(".PROGRAM main\nREADY\n.END\n")
+    arm = tmp_path / "arm.toml"
+    arm.write_text('title = "other"\n[joints]\nsign = [1,1,-1,1,1,1]\nzero_deg = [0,0,0,0,0,5]\n')
+    call = ("dispatch", "export", place, "--scene", "cans-on-bases", "--to", "as")
+    done = vrts_text(*call)
+    assert done.returncode == 1
+    assert "how the other arm counts its joints is not known" in done.stderr
+    done = vrts_text(*call, "--arm", arm)
+    assert done.returncode == 0, done.stderr
+    assert "JMOVE #PPOINT(0,-90,-90,0,0,5)" in (tmp_path / "prog-as.as").read_text()
+    arm.write_text('title = "other"\n[joints]\nsign = [1,2,1,1,1,1]\nzero_deg = [0,0,0,0,0,5]\n')
+    done = vrts_text(*call, "--arm", arm)
+    assert done.returncode == 1
+    assert "V865" in done.stderr
+
+
+def test_a_signal_stands_for_the_look_of_grasp(tmp_path: Path) -> None:
+    place = tmp_path / "prog.v2"
+    steps = "OPENI\nMOVE a\nGRASP 0, 10\nMOVE b\nHALT\n10 MOVE a\nMOVE b"
+    places = ".LOCATIONS\na 900 200 100 90 90 0\nb 900 -200 100 90 90 0\n.END\n"
+    place.write_text(f".PROGRAM main\n{steps}\n.END\n{places}")
+    setting = setting_for(place, Where("cans-on-bases"))
+    assert setting is not None
+    request = Request(ProgramFile(place.read_bytes(), place.name), setting)
+    found = exported(request, "as", SAME._replace(holds=1004))
+    assert found.text is not None, found.diagnostics
+    assert "IF SIG(-1004) GOTO 10" in found.text
+    assert found.sheet is not None
+    assert "Signal 1004 is on while the hand holds something" in found.sheet
+    assert exported(request, "as").text is None

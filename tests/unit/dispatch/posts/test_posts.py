@@ -5,22 +5,27 @@ from pathlib import Path
 import pytest
 
 from tests.support_programs import ROOT
+from vrts.base.pose import translation
 from vrts.base.source import SourceFile
-from vrts.dispatch.posts.post import Settled
+from vrts.dispatch.posts.other_arm import SAME, OtherArm
+from vrts.dispatch.posts.post import Settled, Start
 from vrts.dispatch.posts.written import Written, written
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS
 
 READY = Settled((0.0, -90.0, 90.0, 0.0, 0.0, 0.0))
+HOLDS = READY._replace(arm=SAME._replace(holds=1004))
 PLACES = "a 900 200 100 90 90 0\nb 900 -200 100 90 90 0\n#p 0 -90 90 0 0 0\n"
 
 
-def said(steps: str, target: str, dialect: str = "val2", more: str = "") -> Written:
+def said(
+    steps: str, target: str, dialect: str = "val2", more: str = "", settled: Settled = READY
+) -> Written:
     """Return a program with these steps in another language."""
     text = f".PROGRAM main\n{steps}\n.END\n{more}.LOCATIONS\n{PLACES}.END\n"
     compilation = compile_source(SourceFile("main.v2", text), Options(DIALECTS[dialect]))
     assert compilation.module is not None, compilation.diagnostics
-    return written(compilation, target, READY)
+    return written(compilation, target, settled)
 
 
 def steps_in(text: str) -> str:
@@ -36,11 +41,22 @@ def steps_in(text: str) -> str:
         ("MOVES a", "MOVES a", "LMOVE a"),
         ("APPROS a:b, 50", "APPROS a:b, 50", "LAPPRO a+b, 50"),
         ("DEPART 20+30", "DEPART 20+30", "JDEPART 20+30"),
-        ("READY", "READY", "JMOVE #PPOINT(0,-90,90,0,0,0)"),
+        ("READY", "MOVE #PPOINT(0,-90,90,0,0,0)", "JMOVE #PPOINT(0,-90,90,0,0,0)"),
         ("MOVET a, 30", "MOVET a, 30", "OPEN\nJMOVE a"),
         ("MOVEST a, 0", "MOVEST a, 0", "CLOSE\nLMOVE a"),
         ("DRAW 10,,20", "MOVES SHIFT(DEST BY 10,,20)", "DRAW 10,,20"),
-        ("GRASP 20, 10\n10 OPENI", "CLOSEI\nIF HAND < 20 GOTO 10\n10      OPENI", None),
+        (
+            "GRASP 20, 10\n10 OPENI",
+            "CLOSEI\nIF SIG(-1004) GOTO 10\n10      OPENI",
+            "CLOSEI\nIF SIG(-1004) GOTO 10\n10      OPENI",
+        ),
+        ("DISABLE CP", "DISABLE CP", "cp OFF"),
+        ("TOOL a", "TOOL a", "TOOL a"),
+        (
+            "TOOL TRANS(0,0,20,90,-90,0)",
+            "TOOL TRANS(0,0,20,0,0,0)",
+            "POINT .new.tool = TRANS(0,0,20,0,0,0)\nTOOL .new.tool",
+        ),
         ("FLIP", "FLIP", "DWRIST"),
         ("COARSE ALWAYS", "COARSE ALWAYS", "ACCURACY 10 ALWAYS"),
         ("FINE", "FINE", "ACCURACY 1"),
@@ -59,7 +75,11 @@ def steps_in(text: str) -> str:
             "POINT c = TRANS(1,,,x-90,90,x*2)",
         ),
         ("SET c = TRANS(1)", "SET c = TRANS(1)", "POINT c = TRANS(1)"),
-        ("BASE 10,,,30", "BASE 10,,,30", "BASE -TRANS(10,0,0,30,0,0)"),
+        (
+            "BASE 10,,,30",
+            "BASE 10,,,30",
+            "POINT .new.base = -TRANS(10,0,0,30,0,0)\nBASE .new.base",
+        ),
         ("y = ^17+x", "y = 15+x", "y = 15+x"),
         ("y = x AND x == 2", "y = x AND x == 2", "y = (x AND x) == 2"),
         ("y = x == 2 AND x", "y = x == 2 AND x", "y = x == (2 AND x)"),
@@ -73,13 +93,11 @@ def steps_in(text: str) -> str:
         ("INTOFF ALWAYS\nMOVE a", "; INTOFF ALWAYS\nMOVE a", "; INTOFF ALWAYS\nJMOVE a"),
     ],
 )
-def test_a_step_in_other_languages(step: str, vplus: str, kawasaki: str | None) -> None:
+def test_a_step_in_other_languages(step: str, vplus: str, kawasaki: str) -> None:
     more = ".PROGRAM halt1\nHALT\n.END\n"
     begun = f"x = 3\n{step}"
     for target, wanted in (("vplus", vplus), ("as", kawasaki)):
-        if wanted is None:
-            continue
-        text, told = said(begun, target, more=more)
+        text, told = said(begun, target, more=more, settled=HOLDS)
         assert not [d for d in told if d.is_error]
         assert steps_in(text) == f"x = 3\n{wanted}", target
 
@@ -89,7 +107,8 @@ def test_a_step_in_other_languages(step: str, vplus: str, kawasaki: str | None) 
     [
         ("IOPUT 1 = 2", "vplus", "V+ has nothing that means IOPUT"),
         ("PCABORT", "vplus", "V+ has nothing that means PCABORT"),
-        ("ENABLE CP", "as", "AS has nothing that means ENABLE"),
+        ("ENABLE DRY.RUN", "as", "AS has nothing that means the switch DRY.RUN"),
+        ("GRASP 20, 10\n10 OPENI", "vplus", "V+ has nothing that means GRASP"),
         ("PARAMETER HAND.TIME = 1", "as", "AS has nothing that means PARAMETER"),
         ("REACT 1001, main", "as", "AS has nothing that means REACT"),
         ("REACTI 1001", "as", "AS has nothing that means REACTI without a program"),
@@ -122,8 +141,8 @@ def test_powers_of_relatives_are_refused_for_val2() -> None:
 
 
 def test_all_that_cannot_be_written_is_told_at_once() -> None:
-    _, told = said("ENABLE CP\nMOVE a\nDISABLE CP", "as")
-    assert [d.headline.split()[-1] for d in told] == ["ENABLE", "DISABLE"]
+    _, told = said("PARAMETER HAND.TIME = 1\nMOVE a\nREACT 1001, main", "as")
+    assert [d.headline.split()[-1] for d in told] == ["PARAMETER", "REACT"]
 
 
 def test_what_is_left_out_is_told_once_with_its_places() -> None:
@@ -144,7 +163,8 @@ def test_comments_before_a_program_move_into_it() -> None:
     compilation = compile_source(SourceFile("main.v2", text), Options(DIALECTS["val2"]))
     found = written(compilation, "vplus", READY).text
     assert found.startswith(
-        ".PROGRAM main()\n; by Anna\n        READY\n.END\n.PROGRAM two()\n; the"
+        ".PROGRAM main()\n; by Anna\n        MOVE #PPOINT(0,-90,90,0,0,0)\n.END\n"
+        ".PROGRAM two()\n; the"
     )
 
 
@@ -186,3 +206,48 @@ def test_vplus_comes_back_as_val2() -> None:
 def _written(place: Path, dialect: str, target: str) -> str:
     source = SourceFile(place.name, place.read_text(encoding="utf-8"))
     return written(compile_source(source, Options(DIALECTS[dialect])), target, READY).text
+
+
+def test_tool_and_base_are_set_where_the_program_begins_and_nowhere_else() -> None:
+    settled = READY._replace(start=Start("main", translation(0.0, 0.0, 0.15)))
+    more = ".PROGRAM two\nMOVE a\n.END\n"
+    text, told = said("; first\nMOVE a\nCALL two", "as", more=more, settled=settled)
+    assert not told
+    assert steps_in(text) == (
+        "; first\nPOINT .begin.tool = TRANS(0,0,150,0,0,0)\nTOOL .begin.tool\nBASE NULL\n"
+        "JMOVE a\nCALL two"
+    )
+    assert text.count("TOOL") == 1
+    text, _ = said("AUTO n\nn = 1\nMOVE a", "vplus", "vplus", settled=settled)
+    assert steps_in(text) == "AUTO n\nTOOL TRANS(0,0,150,0,0,0)\nBASE 0, 0, 0, 0\nn = 1\nMOVE a"
+    _, told = said("IF x THEN\nCALL main\nEND", "as", settled=settled)
+    assert [d.headline.split(",")[0] for d in told if d.is_error] == [
+        "the program that is executed is called too"
+    ]
+
+
+def test_joint_values_become_those_of_the_other_arm_or_are_refused() -> None:
+    arm = OtherArm("other", (1, 3, 2, 4, 5, 6), (1, -1, 1, 1, -1, 1), (0, 5, -90, 0, 0, 10.5))
+    steps = "READY\nMOVE #PPOINT(1,2,x+1,,x)\nDRIVE 3, 20-x, 50\nDRIVE 2, 5\nMOVE #p"
+    text, told = said(f"x = 1\n{steps}", "as", settled=READY._replace(arm=arm))
+    assert not told
+    assert steps_in(text).split("\n")[1:] == [
+        "JMOVE #PPOINT(0,-85,-180,0,0,10.5)",
+        "JMOVE #PPOINT(1,5-(x+1),-88,0,-x,10.5)",
+        "DRIVE 2, -(20-x), 50",
+        "DRIVE 3, 5",
+        "JMOVE #p",
+    ]
+    assert "#p              0.0000 -85.0000 -180.0000 0.0000 0.0000 10.5000" in text
+    _, told = said(f"x = 1\n{steps}", "as", settled=READY._replace(arm=None))
+    places = [d.primary.span.text for d in told if d.is_error and d.primary is not None]
+    assert places[:4] == ["READY", "#PPOINT(1,2,x+1,,x)", "DRIVE 3, 20-x, 50", "DRIVE 2, 5"]
+    assert places[4].startswith("#p")
+    assert {d.headline for d in told} == {"how the other arm counts its joints is not known"}
+
+
+def test_numbers_and_strings_of_data_stand_behind_an_equals_sign_in_as() -> None:
+    more = '.REALS\nn 3\n.END\n.STRINGS\n$s "a"\n.END\n'
+    text, _ = said("x = n\nTYPE $s", "as", more=more)
+    assert ".REALS\nn = 3\n.END" in text
+    assert '.STRINGS\n$s = "a"\n.END' in text
