@@ -155,6 +155,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/spec/test_spec_lang.py",),
     ),
     Patch(
+        "an arm word at the beginning of a program asks for a turn",
+        "vrts/lang/findings/motion_habits.py",
+        "            if moved:\n                pending.add(part)\n",
+        "            pending.add(part)\n",
+        ("tests/spec/test_spec_lang.py",),
+    ),
+    Patch(
+        "trials of what a line may mean are not counted",
+        "vrts/lang/steps/trials.py",
+        "        self._line -= 1\n",
+        "",
+        ("tests/unit/lang/reading/test_limits.py",),
+    ),
+    Patch(
         "a range behind VALUE ends before its last number",
         "vrts/lang/findings/ways/case_groups.py",
         "range(round(first), round(last) + 1)",

@@ -73,7 +73,7 @@ def told(body: str) -> tuple[int, str, str, str]:
         ('n = 5\nTYPE "n = ", "n"', 2, "not its value", "write `n`"),
         ("SIGNAL 5 -6", 1, "takes a list", "`SIGNAL 5, -6`"),
         ("x = 2\ny = 3 x\nTYPE y", 2, "`*` is missing", "`y = 3*x`"),
-        ("LEFTY\nMOVES pick", 1, "to LEFTY", "MOVE for MOVES"),
+        ("DRIVE 1, 10, 50\nLEFTY\nMOVES pick", 2, "LEFTY does not turn", "MOVE for MOVES"),
         ("LEFTY ALWAYS\nMOVE pick\nx = 3\nx = x +", 4, "missing after `+`", "remove `+`"),
         ("x = 2\nCASE x OF\nVALUE x > 1:\nREADY\nEND", 3, "a condition", "`IF x > 1 THEN`"),
         ("IGNORE 5", 1, "cannot be watched", "1001"),

@@ -5,6 +5,7 @@ from vrts.lang.findings.values.complaints import OPERAND_RANGE
 from vrts.lang.meaning.constants import constant
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.problems import Problems
+from vrts.lang.syntax.expressions import Name
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import Setting, Simple, SpeedStatement, Statement
 
@@ -56,7 +57,8 @@ def _check_branches(problems: Problems, program: ProgramText) -> None:
     """Warn of `RIGHTY`, `MOVES part` below `LEFTY`, `MOVE a`: a straight line keeps the branch."""
     settled: dict[str, Setting] = {}  # the branch that the arm is in for sure
     wanted: dict[str, Setting] = {}
-    pending: set[str] = set()  # what no joint motion has turned yet
+    pending: set[str] = set()  # what was asked for under way, and no joint motion has turned yet
+    moved = False
     above: Setting | None = None  # the arm word of the step before
     for step in program.steps:
         node = step.statement
@@ -71,11 +73,13 @@ def _check_branches(problems: Problems, program: ProgramText) -> None:
             if above is not None and _ARMS[above.word] == part and above.always == node.always:
                 _lost(problems, part, above, node)
             wanted[part] = above = node
-            pending.add(part)
+            if moved:
+                pending.add(part)
             continue
         above = None
-        if isinstance(node, Simple) and node.word in ("READY", "DRIVE"):
-            settled = {}
+        moved = moved or not (node is None or _keeps_still(node))
+        if isinstance(node, Simple) and (node.word in ("READY", "DRIVE") or _to_joints(node)):
+            settled = {}  # the joints of a precision point may be on any branch
         elif isinstance(node, Simple) and node.word in _JOINT:
             settled.update(wanted)
             pending.clear()
@@ -108,27 +112,34 @@ def _turned(
 ) -> None:
     joint = {"MOVES": "MOVE", "MOVEST": "MOVET", "APPROS": "APPRO", "DEPARTS": "DEPART"}
     word = joint.get(node.word)
-    headline = f"{node.word} cannot turn the {part} to {setting.word}"
+    headline = f"{setting.word} does not turn the {part} for {node.word}"
     at: Simple | Setting = setting
     motion = node.word
-    other = problems.label(node.start, node.end, "a straight line")
+    note = f"where the arm is not {setting.word} already, the run stops at the straight line"
+    other = problems.label(node.start, node.end, "keeps the branch that the arm is on")
     if before is not None:
         headline = f"{node.word} cannot turn the {part} from {before.word} to {setting.word}"
         at, motion = node, "this motion"
+        note = "the arm passes from one side to the other in joint motion only"
         other = problems.label(setting.start, setting.end, "asks for the other side")
     problems.warning(
         STRAIGHT_TURNS_ARM,
         headline,
         at.start,
         at.end,
-        "a straight line" if before is not None else "no joint motion follows",
+        "a straight line" if before is not None else "a straight line follows",
         secondary=(other,),
-        notes=("the arm passes from one side to the other in joint motion only",),
+        notes=(note,),
         help=(f"write {word} for {motion}" if word else "go to a location by MOVE first",),
         fix=problems.replace(node.start, node.start + len(node.word), word)
         if word and problems.source.text[node.start : node.end].upper().startswith(node.word)
         else None,
     )
+
+
+def _to_joints(node: Simple) -> bool:
+    (to, *_) = (*node.operands, None)
+    return node.word in _JOINT and isinstance(to, Name) and to.text.startswith("#")
 
 
 def _drive(problems: Problems, scope: Scope, program: ProgramText, node: Simple) -> None:

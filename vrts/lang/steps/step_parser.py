@@ -1,7 +1,7 @@
 """One line of a program to a step. A bad line costs one diagnostic and becomes a `Bad` one."""
 
 import re
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 from vrts.base.diagnostic import Rule
@@ -29,6 +29,7 @@ from vrts.lang.steps.labels import read_label
 from vrts.lang.steps.mistakes import explain
 from vrts.lang.steps.repair import Repair
 from vrts.lang.steps.tolerated import Tolerated, completed
+from vrts.lang.steps.trials import Trials
 from vrts.lang.steps.unknown_words import refuse, structural_word
 from vrts.lang.syntax.expressions import Text
 from vrts.lang.syntax.program import DataLine, Step
@@ -53,16 +54,19 @@ class StepParser:
     """Parses the lines of one source."""
 
     def __init__(
-        self, problems: Problems, precedence: Precedence | None = None, *, depth: int = 0
+        self,
+        problems: Problems,
+        precedence: Precedence | None = None,
+        *,
+        depth: int = 0,
+        trials: Trials | None = None,
     ) -> None:
         """Parse for a collection of problems; `depth` counts trials within trials."""
         self.problems = problems
         self.precedence = precedence
         self.depth = depth
+        self.trials = trials or Trials()
         self.habits = Habits()
-        self.advice = Advice(
-            problems, Repair(problems.dialect, self._tried, self._tried_plainly), self.habits
-        )
         self.dialect = problems.dialect
         self.parser = TableParser(builders(problems, precedence or self.dialect.precedence))
         self.program_names: frozenset[str] = frozenset()
@@ -72,8 +76,15 @@ class StepParser:
         self.tolerated = Tolerated()
         self.block_steps: list[tuple[int, int]] = []  # lines of AS block steps
 
+    @cached_property
+    def advice(self) -> Advice:
+        """What explains lines that are no steps; most trials need none."""
+        repair = Repair(self.dialect, self._tried, self._tried_plainly)
+        return Advice(self.problems, repair, self.habits)
+
     def step(self, line: Line) -> Step:
         """Return the step of a line of a program."""
+        self.trials.begin_line()
         if line.start < self.advice.continued.joined_to:
             return Step(line.number, None, None)
         if self.advice.comments.open_comment:
@@ -148,16 +159,20 @@ class StepParser:
 
     def _tried(self, problems: Problems, text: str) -> Statement | None:
         """Return a text as a step, tried out apart from the file."""
-        return self._apart(problems, self.depth + 1)._statement(text, 0)
+        return self._apart(problems, text, self.depth + 1)
 
     def _tried_plainly(self, problems: Problems, text: str) -> Statement | None:
         """Return a text as a step, tried out apart from the file and without advice."""
-        return self._apart(problems, MOST_DEEP + 1)._statement(text, 0)
+        return self._apart(problems, text, MOST_DEEP + 1)
 
-    def _apart(self, problems: Problems, depth: int) -> "StepParser":
-        parser = StepParser(problems, self.precedence, depth=depth)
+    def _apart(self, problems: Problems, text: str, depth: int) -> Statement | None:
+        if not self.trials.take():
+            return Bad(None, (), 0, len(text))
+        parser = StepParser(problems, self.precedence, depth=depth, trials=self.trials)
         parser.program_names = self.program_names
-        return parser
+        node = parser._statement(text, 0)
+        parser.__dict__.pop("advice", None)  # a ring, and the collector is held back meanwhile
+        return node
 
     def _read(self, text: str, at: int) -> Statement | None:
         first = text.split(None, 1)[0]

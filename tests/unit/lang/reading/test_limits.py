@@ -8,10 +8,13 @@ from vrts.engine.controller import execute
 from vrts.ir.dump import dump
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import AS, VAL2, VAL2_PLUS, Dialect
-from vrts.lang.problems import LIMIT, MOST_KEPT
+from vrts.lang.problems import LIMIT, MOST_KEPT, Problems
 from vrts.lang.reading.decoding import MAX_BYTES, decode
 from vrts.lang.reading.splitter import MAX_STEPS
-from vrts.lang.reading.tokeniser import MOST_BAD
+from vrts.lang.reading.tokeniser import MOST_BAD, tokenise
+from vrts.lang.steps import step_parser
+from vrts.lang.steps.trials import MOST_OF_LINE
+from vrts.lang.syntax.token import Token
 from vrts.lang.writing.layout import layout
 from vrts.scene.default import robot_alone
 
@@ -150,3 +153,17 @@ def chain(count: int, call: str) -> str:
 def test_nothing_is_looked_at_again_and_again(dialect: Dialect, text: str) -> None:
     found = compile_source(SourceFile("a.v2", text), Options(dialect))
     assert found.module is not None or found.diagnostics
+
+
+@pytest.mark.parametrize("word", ["a ", "1 ", "+ ", '"a" ', "\u02c6"])
+def test_trials_of_one_line(word: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Words alike in a row were each left out in turn, and within that the next, and the next."""
+    read: list[str] = []
+
+    def counted(text: str, at: int, problems: Problems) -> list[Token] | None:
+        read.append(text)
+        return tokenise(text, at, problems)
+
+    monkeypatch.setattr(step_parser, "tokenise", counted)
+    assert len(codes(f"WAIT SIG(1001) OR (TIMER(1){word * 20} > 5)", VAL2_PLUS)) == 1
+    assert 1 < len(read) <= MOST_OF_LINE + 1
