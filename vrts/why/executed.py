@@ -29,6 +29,11 @@ class Executed(NamedTuple):
     instruction: Instruction
     activation: Activation | None
 
+    @property
+    def line(self) -> int:
+        """Where it stands in its source."""
+        return self.cause.span.line
+
 
 class Steps:
     """What was executed, by number of statement."""
@@ -47,6 +52,25 @@ class Steps:
             if index is not None:
                 return self._executed(program, index, number)
         return None
+
+    @cached_property
+    def of_robot(self) -> tuple[Executed, ...]:
+        """All steps that the robot program finished, in their order."""
+        robot, finished = self.history.robot, self.history.finished
+        numbers = (self.number_of(robot, k) for k in range(len(robot.trace.instructions)))
+        return tuple(
+            self._executed(robot, k, number)
+            for k, number in enumerate(numbers)
+            if number <= finished
+        )
+
+    def robot_index(self, number: int) -> int | None:
+        """Return where a statement of the robot program stands in `of_robot`."""
+        return self._index(self.history.robot, number)
+
+    def motion_index(self, motion: int) -> int | None:
+        """Return where the step that asked for a motion stands in `of_robot`."""
+        return self._motions.get(motion)
 
     def last(self, cause: Cause | None, time_s: float) -> Executed | None:
         """Return when an instruction was executed last, not later than a time."""
