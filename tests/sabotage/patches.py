@@ -2525,9 +2525,16 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "a repair is told that the usual checks have not seen",
         "vrts/repair/trying/trial.py",
-        "    return verified_text(place, text)\n",
-        "    return Tried(Stage.FULL, gained, marked.mark + 1, run)\n",
+        "    return Tried(Stage.FULL, come, marked.mark, run)\n",
+        "    return Tried(Stage.FULL, come, marked.mark + 1, run)\n",
         ("tests/unit/repair/test_mended.py",),
+    ),
+    Patch(
+        "a candidate goes on from a state behind the step that it changes",
+        "vrts/repair/trying/forking.py",
+        "self._runs[-1].statements + 2) - 2\n",
+        "self._runs[-1].statements + 2) + 20\n",
+        ("tests/unit/repair/test_forking.py",),
     ),
     Patch(
         "a hint tells more than the task allows",

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import TypeVar, cast
 
-MOST = 2000  # results kept: those that were asked for last
+MOST = 6000  # results kept: those that were asked for last
 
 T = TypeVar("T")
 

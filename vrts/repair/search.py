@@ -18,8 +18,9 @@ from vrts.repair.edit import Candidate, both, changed
 from vrts.repair.ranking import Repair, ranked
 from vrts.repair.table.asked import Asked
 from vrts.repair.table.table import candidates
+from vrts.repair.trying.lost import first_loss
 from vrts.repair.trying.touched import known_touches
-from vrts.repair.trying.trial import Place, Stage, Tried, tried
+from vrts.repair.trying.trial import Place, Stage, Tried, shared, tried, verified_text
 from vrts.repair.written import read
 
 DOUBTED = 0.25  # of a repair against which a teacher says so much others are looked for longer
@@ -30,7 +31,7 @@ FRUITLESS = 0.08  # how much dearer a group gets with each of it that comes to n
 class Budget(NamedTuple):
     """How much is executed at most."""
 
-    executions: int = 1000  # in all
+    executions: int = 600  # in all
     one: int = 400  # for one change
     band: float = 0.5  # how much dearer than the first good candidate others are looked at
     more: int = 30  # executions after the first good candidate
@@ -83,7 +84,16 @@ def search(
         if two or level.found:
             break
         level.go(min(most, budget.executions - count))
-    return Search(ranked(level.found or two), level.count + count, level.blamed)
+    found = _verified(place, ranked(level.found or two))
+    return Search(found, level.count + count, level.blamed)
+
+
+def _verified(place: Place, found: tuple[Repair, ...]) -> tuple[Repair, ...]:
+    """Return ranked changes from the first on that the usual run and checks confirm."""
+    for n, repair in enumerate(found):
+        if verified_text(place, repair.text).stage is Stage.FULL:
+            return found[n:]
+    return ()
 
 
 class _Helper(NamedTuple):
@@ -111,7 +121,9 @@ class _Level:
         self.blamed = blame(run, place.task, judgement, grade)
         self._queue = _Queue(candidates(Asked(written, place.scene, place.task, self.blamed)))
         self._base = tried(place, source.text, memory).come
+        self._shared = shared(place, source.text, memory)
         self._touches = known_touches(run, judgement.collisions)
+        self._loss = first_loss(run, self._touches)
         self._seen = {_code(source.text)}
         self._helpers: list[_Helper] = []
         self._tried: set[tuple[float, int]] = set()  # how far those came, and their lines
@@ -130,7 +142,7 @@ class _Level:
             if code in self._seen:
                 continue
             self._seen.add(code)
-            result = tried(self.place, text, self.memory, self._touches)
+            result = tried(self.place, text, self.memory, self._touches, self._shared, self._loss)
             if result.stage is Stage.COMPILES_NOT:
                 continue
             self.count += 1

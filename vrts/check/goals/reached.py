@@ -55,9 +55,15 @@ def judged_at(run: Run, task: Task) -> float:
     return min(latest, run.horizon_s) if ended is None else min(latest, ended)
 
 
-def reached(run: Run, task: Task) -> tuple[Reached, ...]:
-    """Return how every goal and every relation was met, in this order."""
-    time_s = judged_at(run, task)
+def reached(run: Run, task: Task, time_s: float | None = None) -> tuple[Reached, ...]:
+    """Return how every goal and every relation was met, in this order.
+
+    Args:
+        run: What happened.
+        task: What is asked for.
+        time_s: When goals are judged [s]; None: when the task says.
+    """
+    time_s = judged_at(run, task) if time_s is None else time_s
     state = run.at(time_s)
     placements, X_WF = state.placements, state.X_WF
     lying = {

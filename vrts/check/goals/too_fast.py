@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from typing import NamedTuple, TypeAlias
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import numpy.typing as npt
@@ -54,11 +55,22 @@ def over_limit(
     return found
 
 
+_known: "WeakKeyDictionary[Run, tuple[tuple[float, float], ...]]" = WeakKeyDictionary()
+
+
 def overruns(run: Run) -> tuple[tuple[float, float], ...]:
     """Return end [s] of every motion that is too fast for a joint, and what it gains [s], by time.
 
     Gained is how much longer the motion would take with the joint at its limit where it is fastest.
+    Several checks ask; runs are immutable, so once is enough.
     """
+    found = _known.get(run)
+    if found is None:
+        found = _known[run] = _overruns(run)
+    return found
+
+
+def _overruns(run: Run) -> tuple[tuple[float, float], ...]:
     segments = lasting_of(run.timeline.segments)
     if all(segment.motion is None for segment in segments):
         return ()

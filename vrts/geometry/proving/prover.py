@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vrts.base.pose import Pose
+from vrts.base.remembered import is_remembering, remembered
 from vrts.geometry.proposing.proposer import Proposer, Questions
 from vrts.geometry.proving import scalar
 from vrts.geometry.proving.placed import placed as support_of
@@ -117,14 +118,7 @@ class Prover:
             enough, deeper, strict=True,
         )  # fmt: skip
         found = [
-            scalar.of_supports(
-                support_of(one, X_WA),
-                support_of(other, X_WB),
-                (x, y, z),
-                tight,
-                apart=far,
-                deep=low,
-            )
+            _searched(_Question(one, X_WA, other, X_WB, (x, y, z), tight, far, low))
             for one, X_WA, other, X_WB, (x, y, z), far, low in columns
         ]
         return _bounds(found)
@@ -148,6 +142,38 @@ class Prover:
     def told(self, a: Placed, b: Placed) -> Bounds:
         """Return the same, the same bits whoever proposes."""
         return self.searched_for(a, b, np.full((len(a.solid), 3), np.nan), tight=scalar.TIGHT)
+
+
+class _Question(NamedTuple):
+    """What one search is about."""
+
+    one: Shape
+    X_WA: Pose
+    other: Shape
+    X_WB: Pose
+    way: tuple[float, float, float]
+    tight: float
+    apart: float
+    deep: float
+
+
+def _searched(asked: _Question) -> scalar.Proven:
+    if not is_remembering():
+        return _search(asked)
+    one, other = asked.one, asked.other
+    key = (_searched, id(one), asked.X_WA, id(other), *asked[3:])
+    return remembered(key, lambda: _search(asked), alive=(one, other))
+
+
+def _search(asked: _Question) -> scalar.Proven:
+    return scalar.of_supports(
+        support_of(asked.one, asked.X_WA),
+        support_of(asked.other, asked.X_WB),
+        asked.way,
+        asked.tight,
+        apart=asked.apart,
+        deep=asked.deep,
+    )
 
 
 def _shapes(shapes: Sequence[Shape], of: Placed) -> list[Shape]:

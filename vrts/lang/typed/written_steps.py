@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from vrts.base.remembered import remembered
 from vrts.base.source import SourceFile, Span
 from vrts.base.stack import deep_stack
 from vrts.lang.problems import Problems
@@ -21,9 +22,13 @@ class WrittenStep(NamedTuple):
     span: Span
 
 
-@deep_stack()
 def written_steps(source: SourceFile) -> tuple[WrittenStep, ...]:
     """Return the steps of every program of a file that compiles, in the order of the text."""
+    return remembered((written_steps, source.name, source.text), lambda: _read(source))
+
+
+@deep_stack()
+def _read(source: SourceFile) -> tuple[WrittenStep, ...]:
     problems = Problems(source, detect(source)[0])
     sections = [s for s in split(problems) if s.kind == "program"]
     sections = [s for s in sections if not is_remarks(s, problems.dialect)]

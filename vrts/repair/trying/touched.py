@@ -18,6 +18,7 @@ class KnownTouch(NamedTuple):
     rows: tuple[Row, ...]  # of the piece of a motion
     into_s: float  # when, from the start of the piece [s]
     around: Around  # where everything is then
+    time_s: float  # when, in the run that it is known of
 
 
 def known_touches(run: Run, report: CollisionReport | None) -> tuple[KnownTouch, ...]:
@@ -28,7 +29,7 @@ def known_touches(run: Run, report: CollisionReport | None) -> tuple[KnownTouch,
             if segment.start_s <= event.deepest_s < segment.end_s and segment.motion is not None:
                 into_s = event.deepest_s - segment.start_s
                 around = _around(run, event.deepest_s)
-                found.append(KnownTouch(segment.coefficients, into_s, around))
+                found.append(KnownTouch(segment.coefficients, into_s, around, event.deepest_s))
     return tuple(found)
 
 

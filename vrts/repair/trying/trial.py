@@ -23,16 +23,18 @@ from vrts.check.task.score import divided
 from vrts.check.task.task import Task
 from vrts.check.verdicts.vias import passed
 from vrts.engine.controller import advance, commands_of, start
-from vrts.engine.hand.told import DROP_HEIGHT
-from vrts.engine.memory.events import Grasped, Released, Toppled
+from vrts.engine.memory.events import Grasped
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
 from vrts.ir.module import Module
 from vrts.lang.compiler import Options, compile_source
+from vrts.repair.trying.forking import Shared
+from vrts.repair.trying.lost import Loss, lost_again, mishaps_of
 from vrts.repair.trying.touched import KnownTouch, still_touching
 from vrts.repair.written import without_comments
 from vrts.scene.model import Scenario, Scene
 
+APART = 1.0  # [s] of simulated time between the states from which candidates go on
 STRIDE = 3.0  # [s] of simulated time after which a run is looked at
 AFTERWARDS = 10.0  # [s] as the engine gives things to come to rest
 HOPELESS = 2  # things dropped, after which it is not worth while to go on
@@ -42,6 +44,7 @@ SLACK = Fraction(1, 20)  # of the time in which the bonus falls to nothing: what
 ENDED = 0.1  # what it counts for how far a candidate came that it comes to its end
 LINE = 0.001  # and each line that moves something, of one that stops before
 HELD = 0.02  # and each thing that was gripped
+NOWHERE = -1.0  # how far a candidate comes that loses the same first
 VIAS = 0.2  # and all via points, and time, less
 TOUCH = 0.05  # and each contact, and each thing dropped, less
 ENDS = (Ending.COMPLETED, Ending.HALTED)
@@ -96,7 +99,14 @@ def compiled(place: Place, text: str) -> tuple[Module, str] | None:
     return None if entry is None or entry not in module.programs else (module, entry)
 
 
-def tried(place: Place, text: str, memory: Memory, touches: tuple[KnownTouch, ...] = ()) -> Tried:
+def tried(
+    place: Place,
+    text: str,
+    memory: Memory,
+    touches: tuple[KnownTouch, ...] = (),
+    base: Shared | None = None,
+    same: Loss | None = None,
+) -> Tried:
     """Return how far a candidate comes.
 
     Args:
@@ -104,18 +114,25 @@ def tried(place: Place, text: str, memory: Memory, touches: tuple[KnownTouch, ..
         text: The program.
         memory: Motions that others had are not planned again.
         touches: Contacts of the program that it is made from.
+        base: The run of that program, to go on from.
+        same: What that program loses first: with that lost again nothing is better.
     """
     found = compiled(place, without_comments(text))
     if found is None:
         return Tried(Stage.COMPILES_NOT)
     with memory.in_use():
-        run = _executed(place, *found)
+        return _marked(place, _executed(place, *found, base, same), touches, same)
+
+
+def _marked(place: Place, run: Run, touches: tuple[KnownTouch, ...], same: Loss | None) -> Tried:
     task = place.task
-    results = reached(run, task)
+    if same is not None and lost_again(run, same):
+        return Tried(Stage.STOPS, NOWHERE, run=run)
+    results = reached(run, task, min(run.started_s + task.t_max, run.ended_s or run.horizon_s))
     total = sum((each.goal.weight for each in results), Fraction(0))
     gained = sum((each.goal.weight * each.share for each in results), Fraction(0))
     gained = gained / total if total else Fraction(1)
-    mishaps = _mishaps(run)
+    mishaps = len(mishaps_of(run))
     still = still_touching(run, touches)
     come = float(gained) - TOUCH * (mishaps + still)
     come += HELD * len({event.body for event in run.events if isinstance(event, Grasped)})
@@ -140,7 +157,7 @@ def tried(place: Place, text: str, memory: Memory, touches: tuple[KnownTouch, ..
     found = touching(place.scene, run)
     if found.events:
         return Tried(Stage.TOUCHES, come - TOUCH * found.events, run=run)
-    return verified_text(place, text)
+    return Tried(Stage.FULL, come, marked.mark, run)
 
 
 def _asks_for_vias(task: Task) -> bool:
@@ -170,8 +187,24 @@ def _run(module: Module, scene: Scene, scenario: Scenario, entry: str) -> Run:
     return advance(start(module, scene, scenario), horizon, commands, closed=True)
 
 
-def _executed(place: Place, module: Module, entry: str) -> Run:
-    """Return the run of a candidate, no longer than there is hope."""
+def shared(place: Place, text: str, memory: Memory) -> Shared | None:
+    """Return the run of a program with the states from which candidates go on; None: from none."""
+    found = compiled(place, without_comments(text))
+    if found is None or len(commands_of(place.scenario, found[1])) > 1:
+        return None
+    module, entry = found
+    scenario = _hurried(place)
+    horizon = scenario.limits.time_s + AFTERWARDS
+    with memory.in_use():
+        commands = commands_of(scenario, entry)
+        runs = [advance(start(module, place.scene, scenario), 0.0, commands, closed=True)]
+        while runs[-1].until_s < horizon and runs[-1].ending is Ending.RUNNING:
+            runs.append(advance(runs[-1], min(runs[-1].until_s + APART, horizon), closed=True))
+    return Shared(runs)
+
+
+def _hurried(place: Place) -> Scenario:
+    """Return a scenario in which a program has no longer than the full mark allows."""
     task, given = place.task, place.scenario.limits
     longest = task.t_max
     if task.mark.time_bonus:
@@ -181,24 +214,25 @@ def _executed(place: Place, module: Module, entry: str) -> Run:
         time_s=min(given.time_s, longest),
         statements=min(given.statements, STATEMENTS),
     )
-    scenario = replace(place.scenario, limits=limits)
+    return replace(place.scenario, limits=limits)
+
+
+def _executed(
+    place: Place, module: Module, entry: str, base: Shared | None, same: Loss | None
+) -> Run:
+    """Return the run of a candidate, no longer than there is hope."""
+    scenario = _hurried(place)
     commands = commands_of(scenario, entry)
     if len(commands) > 1:
         return _run(module, place.scene, scenario, entry)
-    horizon = limits.time_s + AFTERWARDS
-    run = advance(start(module, place.scene, scenario), STRIDE, commands, closed=True)
-    while run.until_s < horizon and run.ending is Ending.RUNNING and _mishaps(run) < HOPELESS:
+    horizon = scenario.limits.time_s + AFTERWARDS
+    run = None if base is None else base.before(module)
+    if run is None:
+        run = advance(start(module, place.scene, scenario), STRIDE, commands, closed=True)
+    while run.until_s < horizon and run.ending is Ending.RUNNING:
+        if len(mishaps_of(run)) >= HOPELESS:
+            return advance(run, run.until_s + SETTLED, closed=True)
+        if same is not None and lost_again(run, same):
+            return run
         run = advance(run, min(run.until_s + STRIDE, horizon), closed=True)
-    if _mishaps(run) >= HOPELESS:
-        return advance(run, run.until_s + SETTLED, closed=True)
-    if run.until_s < horizon:
-        run = advance(run, horizon, closed=True)
-    return run
-
-
-def _mishaps(run: Run) -> int:
-    """Return how often something was dropped or toppled: then no program has the full mark."""
-    return sum(
-        (isinstance(event, Released) and event.height_m > DROP_HEIGHT) or isinstance(event, Toppled)
-        for event in run.events
-    )
+    return advance(run, horizon, closed=True) if run.until_s < horizon else run
