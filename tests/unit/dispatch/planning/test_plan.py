@@ -316,7 +316,10 @@ def test_a_path_that_depends_on_what_was_not_tried_is_refused(
 @pytest.mark.parametrize(
     "steps",
     [
-        ("TIMER 1 = 0", "n = TIMER(1)", "IF n > 100 GOTO 10", "READY", "10 n = 0"),
+        pytest.param(
+            ("TIMER 1 = 0", "n = TIMER(1)", "IF n > 100 GOTO 10", "READY", "10 n = 0"),
+            marks=pytest.mark.thorough,
+        ),
         ("x = SIG(1002)", "SPEED 50+x ALWAYS", "READY"),
         ("CALL go(SIG(1003))", "READY"),
         ("REACT 1004, halted", "READY"),
@@ -365,8 +368,13 @@ DEEPER = ("MOVE SHIFT(safe BY 0, 0, -500)", "BREAK")
     "other",
     [
         main("READY", "IF SIG(1001) THEN", *DEEPER, "END", "READY"),  # another step
-        main("READY", "OPENI", "IF SIG(1001) THEN", *DOWN, "END", "READY"),  # another place
-        main("READY", "IF SIG(1001) THEN", "SPEED 50", *DOWN, "END", "READY"),
+        *(
+            pytest.param(main("READY", *steps, *DOWN, "END", "READY"), marks=pytest.mark.thorough)
+            for steps in (
+                ("OPENI", "IF SIG(1001) THEN"),  # another place
+                ("IF SIG(1001) THEN", "SPEED 50"),
+            )
+        ),
     ],
 )
 def test_a_waiver_covers_one_finding_at_one_place(other: str) -> None:
@@ -429,6 +437,7 @@ def test_what_may_be_typed_after_a_stop_stands_on_the_sheet(cans: Bundle) -> Non
     assert "After a stop: <code>PROCEED</code> or <code>RETRY</code> may be typed" in still.sheet
 
 
+@pytest.mark.thorough
 def test_which_margin_fails_first_is_told_where_it_is_asked_for() -> None:
     data = (CANS / "solution.v2").read_bytes()
     request = Request(ProgramFile(data, "solution.v2"), load_task(CANS))
@@ -439,6 +448,7 @@ def test_which_margin_fails_first_is_told_where_it_is_asked_for() -> None:
     assert "Fails first" in found.bundle.sheet
 
 
+@pytest.mark.thorough
 def test_several_processes_write_the_same_bundle(tmp_path: Path) -> None:
     """In processes of their own, without other threads: there children are forks."""
     (tmp_path / "x.v2").write_text(main("MOVE safe", "OPENI", "READY"), "utf-8")
