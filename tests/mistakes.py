@@ -18,7 +18,8 @@ from vrts.base.diagnostic import Diagnostic, Edit, Severity
 from vrts.base.mending import edits_of, mendable, with_edits
 from vrts.base.source import SourceFile
 from vrts.ir.dump import dump
-from vrts.lang.compiler import Compilation, compile_source
+from vrts.lang.compiler import Compilation, Options, compile_source
+from vrts.lang.dialect import Dialect
 
 ROUNDS = 3  # of edits: one may make room for another
 COLUMNS = ("place", "cause", "help", "count", "all", "edit", "severity")
@@ -60,9 +61,9 @@ class Score(NamedTuple):
         return 100.0 * self.held[column] / self.of[column] if self.of[column] else 100.0
 
 
-def compiled(text: str) -> Compilation:
-    """Return what compiling a text as VAL-II yields."""
-    return compile_source(SourceFile("main.v2", text))
+def compiled(text: str, dialect: Dialect | None = None) -> Compilation:
+    """Return what compiling a text as VAL-II yields, or in another dialect."""
+    return compile_source(SourceFile("main.v2", text), Options(dialect))
 
 
 def told_once(text: str) -> tuple[Diagnostic, str]:
@@ -82,7 +83,7 @@ def said(found: Compilation) -> list[Diagnostic]:
 
 def judge(mistake: Mistake) -> Outcome:
     """Return what holds of the messages about a mistake."""
-    found = compiled(mistake.wrong)
+    found = compiled(mistake.wrong, mistake.dialect)
     messages = said(found)
     if not messages:
         nothing = False if mistake.certain else None
@@ -102,14 +103,14 @@ def judge(mistake: Mistake) -> Outcome:
 
 def mends(mistake: Mistake) -> bool:
     """Return whether the edits of all messages make the program that was meant."""
-    meaning = _meaning(compiled(mistake.meant))
+    meaning = _meaning(compiled(mistake.meant, mistake.dialect))
     text = mistake.wrong
     for _ in range(ROUNDS):
-        found = compiled(text)
+        found = compiled(text, mistake.dialect)
         if meaning is not None and _meaning(found) == meaning:
             return True
         text = _edited(text, edits_of(said(found)))
-    return meaning is not None and _meaning(compiled(text)) == meaning
+    return meaning is not None and _meaning(compiled(text, mistake.dialect)) == meaning
 
 
 def names_one(text: str, words: Sequence[str]) -> bool:
@@ -180,7 +181,7 @@ def _row(name: str, outcomes: Sequence[Outcome]) -> str:
 def _failure(mistake: Mistake, outcome: Outcome) -> str:
     lost = [c for c in COLUMNS if c != "all" and getattr(outcome, c) is False]
     lines = [f"\n{mistake.family}/{mistake.name}: {', '.join(lost)}"]
-    for found in said(compiled(mistake.wrong)):
+    for found in said(compiled(mistake.wrong, mistake.dialect)):
         lines.append(f"  {_line(found)}: {found.severity.value}: {found.headline}")
         lines += [f"     help: {line}" for line in _help(found).splitlines()]
     expected = "/".join(map(str, sorted(mistake.lines)))

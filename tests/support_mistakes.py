@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tests.places import TESTS
+from vrts.lang.dialect import DIALECTS, Dialect
 
 FOLDER = TESTS / "data" / "mistakes"
 SEVERITIES = {
@@ -42,6 +43,7 @@ class Mistake:
     severities: frozenset[str]
     certain: bool  # whether an edit must make the program that was meant
     pair: str | None  # the situation that this one is easily confused with
+    dialect: Dialect | None  # in which it is compiled; None where the text tells
 
 
 class Right(NamedTuple):
@@ -85,8 +87,11 @@ def _mistake(family: str, match: re.Match[str]) -> Mistake:
     if first is None or first["severity"] not in SEVERITIES:
         raise BadCaseError(f"{name}: {head!r} is no severity and count")
     keys = dict(line.split(": ", 1) for line in rest)
-    if not {"about", "help"} <= keys.keys() <= {"about", "help", "pair"}:
-        raise BadCaseError(f"{name}: it needs about and help, and may have pair")
+    if not {"about", "help"} <= keys.keys() <= {"about", "help", "pair", "dialect"}:
+        raise BadCaseError(f"{name}: it needs about and help, and may have pair or dialect")
+    dialect = keys.get("dialect")
+    if dialect is not None and dialect not in DIALECTS:
+        raise BadCaseError(f"{name}: {dialect!r} is no dialect")
     wrong, meant, lines = _programs(name, match["body"].splitlines())
     low = int(first["low"])
     return Mistake(
@@ -101,6 +106,7 @@ def _mistake(family: str, match: re.Match[str]) -> Mistake:
         severities=SEVERITIES[first["severity"]],
         certain=first["edit"] is not None,
         pair=keys.get("pair"),
+        dialect=DIALECTS[dialect] if dialect is not None else None,
     )
 
 

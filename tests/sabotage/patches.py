@@ -169,6 +169,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/lang/reading/test_limits.py",),
     ),
     Patch(
+        "a task of V+ beside a loop changes nothing in it",
+        "vrts/lang/findings/endless.py",
+        '{"EXECUTE", "PCEXECUTE",',
+        '{"PCEXECUTE",',
+        ("tests/unit/lang/test_relatives_told.py",),
+    ),
+    Patch(
+        "a straight line out of HOME of AS is warned of",
+        "vrts/lang/findings/motion_habits.py",
+        " and not problems.dialect.is_as:  # HOME",
+        ":  # HOME",
+        ("tests/unit/lang/test_relatives_told.py",),
+    ),
+    Patch(
         "a range behind VALUE ends before its last number",
         "vrts/lang/findings/ways/case_groups.py",
         "range(round(first), round(last) + 1)",

@@ -13,13 +13,13 @@ from vrts.base.diagnostic import Severity
 MISTAKES = mistakes()
 RIGHT = right()
 HELD = {  # how many mistakes of all; they may rise
-    "place": 886,
-    "cause": 885,
-    "help": 883,
-    "count": 886,
-    "all": 882,
-    "edit": 352,
-    "severity": 875,
+    "place": 945,
+    "cause": 942,
+    "help": 932,
+    "count": 945,
+    "all": 929,
+    "edit": 433,
+    "severity": 933,
 }
 FALSE_WARNINGS = 2  # right programs of which the compiler complains; they may fall
 
@@ -92,8 +92,15 @@ def test_an_edit_that_mends_otherwise_than_meant_does_not_count() -> None:
 
 
 def test_what_was_meant_compiles_in_silence() -> None:
-    """Each program that was meant has neither an error nor a warning."""
-    told = {m.name: [d.headline for d in said(compiled(m.meant))] for m in MISTAKES}
+    """Each program that was meant has no error, and no warning but of what is not simulated."""
+    told = {
+        m.name: [
+            d.headline
+            for d in said(compiled(m.meant, m.dialect))
+            if m.dialect is None or not d.headline.endswith("is not simulated")
+        ]
+        for m in MISTAKES
+    }
     assert {name: found for name, found in told.items() if found} == {}
 
 

@@ -40,7 +40,7 @@ ENDLESS_LOOP = Rule("V222", "endless-loop")
 MOST_STEPS = 1000  # of a loop; longer ones are not looked into
 MOST_CALLED = 50  # programs that are followed from one loop
 MOST_LOOKED_AT = 1_000_000  # steps of all loops; after that no more loops are looked into
-_STARTERS = frozenset({"PCEXECUTE", "REACTE"})
+_STARTERS = frozenset({"EXECUTE", "PCEXECUTE", "REACTE"})
 _ENDINGS = frozenset({"STOP", "HALT", "PAUSE", "EXIT"})
 
 
@@ -168,7 +168,7 @@ def runs_beside(programs: list[ProgramText]) -> bool:
     """Return whether a reaction or a second program may run between the steps of another."""
     return any(
         isinstance(step.statement, ReactStatement)
-        or (isinstance(step.statement, Simple) and step.statement.word in _STARTERS)
+        or (isinstance(step.statement, Simple | Device | Bad) and step.statement.word in _STARTERS)
         for program in programs
         for step in program.steps
     )

@@ -44,7 +44,7 @@ def check_motion(problems: Problems, scope: Scope, program: ProgramText) -> None
         if isinstance(node, Simple):
             if node.word == "DRIVE" and not problems.dialect.tolerant:
                 _drive(problems, scope, program, node)
-            if node.word == "READY":
+            if node.word == "READY" and not problems.dialect.is_as:  # HOME of AS is taught
                 ready = node
             elif node.word in _STRAIGHT and ready is not None:
                 _straight(problems, node, ready)

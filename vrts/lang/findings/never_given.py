@@ -29,9 +29,11 @@ _FIRST = re.compile(r"[ \t]*(?:\d+[ \t]+)?(?P<word>[A-Za-z]+)[ \t]+-?", re.ASCII
 _VALUES = frozenset({"rnd", "rand", "clock", "random"})  # of other languages, bare
 _FIRST_INPUT = 1001
 _JOINT_ANGLES = re.compile(
-    r"[ \t]*[A-Za-z][\w.]*[ \t]*=?(?P<values>(?:[ \t]*,?[ \t]*[-+]?[.\d]+){6})[ \t\r]*", re.ASCII
+    r"[ \t]*[A-Za-z][\w.]*[ \t]*=?"
+    r"(?P<values>(?:[ \t]*,?[ \t]*[-+]?[.\d]+(?![.\d])){6})[ \t\r]*",
+    re.ASCII,
 )
-_A_NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)")
+_A_NUMBER = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)")
 _BLOCK = re.compile(
     r"^[ \t]*(?:\d+[ \t]+)?(?P<word>FOR|IF|WHILE|CASE|END)\b(?P<rest>"
     r"(?:[ \t]+(?P<counter>[A-Za-z][\w.]*)[ \t]*=(?!=))?.*)$",
@@ -137,13 +139,24 @@ def guess(resolver: Resolver, entry: Entry, at: Place, like: Callable[[], str | 
     if meant is not None:
         return Guess(f"did you mean `{meant}`?", alone, meant)
     if location and upper in INSTRUCTIONS and _stands_alone(upper):
-        return Guess(f"{upper} is an instruction: write it alone", at)
+        return _written_alone(resolver.problems, upper, at)
     if location:
         return Guess(TEACH, at)
     if _is_typed(resolver.problems, at) and entry.type is not Type.STRING:
         help_ = f'for text write `"{name}"`, between double quotes; '
         return Guess(f"{help_}else give it a value before it is used", at)
     return Guess("give it a value before it is used", at)
+
+
+def _written_alone(problems: Problems, word: str, at: Place) -> Guess:
+    """`MOVE READY`: an instruction where MOVE takes its location."""
+    text = problems.source.text
+    begin = text.rfind("\n", 0, at[0]) + 1
+    found = re.fullmatch(r"[ \t\d]*(?P<word>MOVES?[ \t]+)", text[begin : at[0]], re.IGNORECASE)
+    help_ = f"{word} is an instruction: write it alone"
+    if found is None or text[at[1] :].partition("\n")[0].partition(";")[0].strip():
+        return Guess(help_, at)
+    return Guess(help_, (begin + found.start("word"), at[1]), word)
 
 
 def only_of_itself(entry: Entry) -> bool:

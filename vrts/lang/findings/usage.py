@@ -18,7 +18,7 @@ from vrts.lang.findings.names.untaught import (
     UNDEFINED_LOCATION,
     report_untaught,
 )
-from vrts.lang.findings.never_given import guess, only_of_itself, part_of_location
+from vrts.lang.findings.never_given import Guess, guess, only_of_itself, part_of_location
 from vrts.lang.meaning.agreement import settle_types
 from vrts.lang.meaning.name_uses import KEYWORD_AS_NAME
 from vrts.lang.meaning.no_texts import report_no_texts
@@ -166,7 +166,7 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
         suggestions.untaught.append(entry)
         return
     if upper in resolver.reserved and found.help.endswith("write it alone"):
-        _mend_reserved(resolver, upper, found.help)
+        _mend_reserved(resolver, upper, found)
         return
     more = len(entry.reads) - 1
     if part is not None:
@@ -196,11 +196,12 @@ def _handed(resolver: Resolver, entry: Entry) -> tuple[Place, ...]:
     return tuple(passed.at for passed in entry.passed if passed.at[1])
 
 
-def _mend_reserved(resolver: Resolver, upper: str, help_: str) -> None:
+def _mend_reserved(resolver: Resolver, upper: str, found: Guess) -> None:
     """`MOVE READY`: say in the one warning about READY what it is."""
+    fix = resolver.problems.replace(*found.at, upper, sure=False) if found.instead else None
     for at, told in enumerate(resolver.problems.found):
         if told.rule == KEYWORD_AS_NAME and told.headline.startswith(f"{upper} "):
-            resolver.problems.found[at] = replace(told, help=(help_,))
+            resolver.problems.found[at] = replace(told, help=(found.help,), fix=fix)
 
 
 def _mend_parts(resolver: Resolver, parts: dict[str, list[Entry]]) -> None:

@@ -16,7 +16,7 @@ FORMS = {
     "reals": "name value",
     "strings": '$name "text"',
 }
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 _NAME = r"[$#]?[A-Za-z][\w.]*(?:[ \t]*\[[^\]]*\])?"
 _PLAIN = re.compile(
     rf"{_NAME}(?:[ \t]*=[ \t]*|[ \t]+){_NUMBER}(?:[ \t]*,[ \t]*{_NUMBER}|[ \t]+{_NUMBER})*$",

@@ -15,7 +15,7 @@ MISPLACED_END = Rule("V166", "dotted-end")
 
 DEFAULT_PROGRAM = "main"  # name given to steps outside any program [assumed]
 
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 _DATA = re.compile(
     rf"(?P<name>#?[A-Za-z][\w.]*)[ \t]*(?:\[[ \t\d,]*\])?[ \t]*(?P<equals>=[ \t]*)?(?<![\w.])"
     rf"(?P<values>{_NUMBER}(?:[ \t]*,[ \t]*{_NUMBER}|[ \t]+{_NUMBER})*)$",

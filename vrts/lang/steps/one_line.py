@@ -14,7 +14,11 @@ INNER = "    "
 _STRING = re.compile(r'"[^"]*"?')
 _WORD = re.compile(r"(?<![\w.$#])(?P<word>[A-Za-z]+)(?![\w.])(?![ \t]*(?:=(?!=)|\[))", re.ASCII)
 _ASSIGNED = re.compile(r"(?<![\w.$#])[$#]?[A-Za-z][\w.]*(?:\[[^\]]*\])?[ \t]*=(?!=)", re.ASCII)
-_BETWEEN = re.compile(r"(?:[ \t]*(?:[:;,&|]+|\b(?:AND|AND[ \t]+THEN)\b)[ \t]*)+$", re.IGNORECASE)
+_BETWEEN = re.compile(  # one way to match: with two, a hundred signs in a row took for ever
+    r"(?<![ \t:;,&|])[ \t]*(?:[:;,&|]|\bAND(?:[ \t]+THEN)?\b)"
+    r"(?:[ \t:;,&|]|\bAND(?:[ \t]+THEN)?\b)*$",
+    re.IGNORECASE,
+)
 _FOR_TAIL = re.compile(r"[ \t]+(?:DO|THEN|BEGIN|LOOP)$|[ \t]*[:{]$", re.IGNORECASE)
 _LACKS = {"IF": " THEN", "WHILE": " DO", "CASE": " OF"}
 ONE_LINE = {"IF": "IF THEN", "WHILE": "WHILE DO", "FOR": "FOR TO"}  # with a step behind them

@@ -33,6 +33,8 @@ from vrts.lang.steps.unknown_words import (
 from vrts.lang.vocabulary.lookup import look_up
 
 _CALL = "call_{n} , {e}"  # an argument, or another program
+_MMPS, _MM_S = "MMPS", "MM/S"  # of VAL-II and V+, and of AS
+_CONTINUE = "continue"
 _ANY = "ANY"  # which an IF has ELSE for
 _OF_IF = "in an IF the steps for where the condition is false stand behind ELSE"
 _KRL_LOOP = "LOOP"  # which begins what ENDLOOP ends
@@ -69,6 +71,7 @@ class IdiomAdvice(Adviser):
         return self._is_right(line.text[:shift] + edit.replacement + line.text[end:])
 
     def _fits(self, found: Matched, line: Line, mark: int) -> Advised | None:
+        found = self._in_dialect(found)
         idiom = found.idiom
         if idiom.word == ELSE_IF:
             return self._else_if(found, line, mark)
@@ -105,6 +108,16 @@ class IdiomAdvice(Adviser):
         word = idiom.word or (self._word_of(tried.text) if tried is not None else None)
         self._told(found, line, tried, told)
         return Advised(word)
+
+    def _in_dialect(self, found: Matched) -> Matched:
+        """An idiom with what the relatives of VAL-II have for it."""
+        idiom, dialect = found.idiom, self.problems.dialect
+        if dialect.is_as and _MMPS in idiom.instead:
+            says = idiom.says.replace(_MMPS, _MM_S)
+            idiom = idiom._replace(says=says, instead=idiom.instead.replace(_MMPS, _MM_S))
+        if dialect.is_vplus and idiom.pattern == _CONTINUE:
+            idiom = idiom._replace(instead="NEXT", help="")
+        return found._replace(idiom=idiom)
 
     def _is_program(self, name: str) -> bool:
         headed = rf"^[ \t]*\.PROGRAM[ \t]+{re.escape(name)}(?![\w.])"

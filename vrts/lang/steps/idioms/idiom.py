@@ -47,7 +47,7 @@ _PIECES = re.compile(
     r"\{(?P<place>[a-z]\d?)\}|<(?P<words>[^<>]*\|[^<>]*)>|(?P<blank>[ ])|(?P<blanks>_)|(?P<sign>.)"
 )
 _INPUTS = 1000  # input 1 is signal 1001
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
+_NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)"
 _KINDS = {
     "e": r".+?",
     "n": r"[A-Za-z][\w.]*",

@@ -7,7 +7,7 @@ from vrts.lang.steps.misread.meant import Meant
 from vrts.lang.steps.repair import Repair
 
 _UNIT = re.compile(
-    r'"[^"]*"|(?<![\w.])(?P<number>\d+\.?\d*|\.\d+)'
+    r'"[^"]*"|(?<![\w.])(?P<number>\d+(?:\.\d*)?|\.\d+)'
     r"(?P<unit>[ \t]*(?:mm|deg|degrees|millimeters?))(?![\w.])",
     re.ASCII | re.IGNORECASE,
 )

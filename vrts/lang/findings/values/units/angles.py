@@ -31,7 +31,7 @@ RADIANS = Rule("V234", "angle-in-radians")
 _ANGLES = {"sin": 0, "cos": 0, "tan": 0, "rx": 0, "ry": 0, "rz": 0, "trans": 3, "#ppoint": 0}
 _TURNS = frozenset({"SIN", "COS", "TAN"})  # alone among functions they may take any number,
 _FEW_DIGITS = 3  # and with fewer behind its point it may be an angle in degrees by chance
-_VALUE = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)")
+_VALUE = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)")
 _FROM_DEGREES = re.compile(
     r"(?P<before>[\w.]+|\([^()]*\))[ \t]*\*[ \t]*\(?PI[ \t]*/[ \t]*180(?:\.0*)?\)?"
     r"|\(?PI[ \t]*/[ \t]*180(?:\.0*)?\)?[ \t]*\*[ \t]*(?P<behind>[\w.]+|\([^()]*\))",

@@ -8,11 +8,11 @@ from vrts.lang.steps.repair import Repair
 
 _STRING = re.compile(r'"[^"]*"')
 _NO_SIGN = re.compile(
-    r"(?<![\w.^$#\]])(?:\d+\.?\d*|\.\d+)[ \t]*(?=\()|\)(?=\w)|\)[ \t]*(?=\()",
+    r"(?<![\w.^$#\]])(?:\d+(?:\.\d*)?|\.\d+)[ \t]*(?=\()|\)(?=\w)|\)[ \t]*(?=\()",
     re.ASCII,
 )
 _GIVEN = re.compile(rf"{VARIABLE}[ \t]*=(?!=)", re.ASCII)
-_APART = re.compile(r"(?<![\w.^$#\]])(?:\d+\.?\d*|\.\d+)[ \t]+(?=[A-Za-z])", re.ASCII)  # `2 n`
+_APART = re.compile(r"(?<![\w.^$#\]])(?:\d+(?:\.\d*)?|\.\d+)[ \t]+(?=[A-Za-z])", re.ASCII)  # `2 n`
 _OF_NUMBERS = re.compile(  # steps that compute with numbers, not with locations
     rf"{VARIABLE}[ \t]*=(?!=)|(?:IF|WHILE|UNTIL|FOR|CASE|TYPE|DRAW|DEPARTS?|DELAY|SPEED|DRIVE)\b",
     re.ASCII | re.IGNORECASE,

@@ -18,7 +18,7 @@ _BOTH = re.compile(
     rf"(?P<names>{VARIABLE}(?:[ \t]*,[ \t]*{VARIABLE})+)[ \t]*=(?!=)[ \t]*(?P<value>[^=,]+)",
     re.ASCII,
 )
-_NUMBER = re.compile(r"[-+]?[ \t]*(?:\d+\.?\d*|\.\d+)", re.ASCII)
+_NUMBER = re.compile(r"[-+]?[ \t]*(?:\d+(?:\.\d*)?|\.\d+)", re.ASCII)
 _STRING = re.compile(r'"[^"]*"')
 _NOTES = ("VAL-II says *Illegal expression syntax*",)
 
