@@ -183,6 +183,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/lang/test_relatives_told.py",),
     ),
     Patch(
+        "a function with nothing behind it is read as if there were something",
+        "vrts/lang/steps/misread/bare_functions.py",
+        "    if not operand:\n        return False  # `$SYSDATA THEN`\n",
+        "",
+        ("tests/property/test_lang_never_raises.py",),
+    ),
+    Patch(
         "a range behind VALUE ends before its last number",
         "vrts/lang/findings/ways/case_groups.py",
         "range(round(first), round(last) + 1)",

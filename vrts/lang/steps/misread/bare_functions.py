@@ -24,6 +24,8 @@ def function_without_parentheses(step: BrokenStep) -> bool:
     if before.text.upper() == "TIME" and step.word is not None and step.word.text == "WAIT":
         return False  # `WAIT TIME 2`, which DELAY does
     operand = _operand(step.tokens[step.failure.at :], signature)
+    if not operand:
+        return False  # `$SYSDATA THEN`
     text = step.problems.source.text
     name = before.text.upper()
     written = text[operand[0].start : operand[-1].end]
