@@ -2587,10 +2587,17 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "a chain takes the value after a step for the one that it read",
-        "vrts/why/read.py",
+        "vrts/why/slicing/read.py",
         "    return Reading(place, cell, UNDEFINED if cell is None else cell.at(before), before,",
         "    return Reading(place, cell, UNDEFINED if cell is None else cell.value, before,",
         ("tests/spec/test_spec_why.py",),
+    ),
+    Patch(
+        "a loop that never ends is blamed on whatever is asked in it",
+        "vrts/why/endless.py",
+        "    return any(not min(here) <= at <= max(here) for at in following)\n",
+        "    return True\n",
+        ("tests/unit/why/test_endless.py",),
     ),
     Patch(
         "two changes are told as one of which one changes what the other wrote",

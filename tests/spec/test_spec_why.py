@@ -1,8 +1,8 @@
 """Runs the chapter about chains of causes: `why.md`.
 
 A ```val2 block (or one of another dialect) is a program, run in the scene `cans-on-bases` without
-looking for contacts; a ```submission block is a file of the examples, marked by its task. What
-follows belongs to it:
+looking for contacts; a ```submission block is a file of the examples, marked by its task; a
+```marked block is a program, marked by the task of the first example. What follows belongs to it:
 
 - ```asked is `at T`, `of NAME`, or both on lines of their own; without it all losses are told;
 - ```scenario is what happens from outside;
@@ -38,8 +38,10 @@ from vrts.why.chain import MOST, Chain, line
 PAGE = Path(__file__).parent / "why.md"
 EXAMPLES = Path(__file__).parents[2] / "examples"
 BLOCK = re.compile(r"^```([\w+]+)\n(.*?)^```$", re.M | re.S)
+FIRST = "01-cans-on-bases/program.v2"
 PARTS = ("asked", "scenario", "why")
-QUICK = 1  # submissions of the quick run
+MARKED = ("submission", "marked")
+QUICK = 1  # of either, in the quick run
 
 
 class Case(NamedTuple):
@@ -65,10 +67,12 @@ def cases() -> list[Case]:
 
 def parameters() -> list[object]:
     given: list[object] = []
-    marked = 0
+    marked = dict.fromkeys(MARKED, 0)
     for case in cases():
-        marked += case.kind == "submission"
-        slow = case.kind == "submission" and marked > QUICK
+        slow = False
+        if case.kind in MARKED:
+            marked[case.kind] += 1
+            slow = marked[case.kind] > QUICK
         marks = [pytest.mark.thorough] if slow else []
         given.append(pytest.param(case, id=case.name, marks=marks))
     return given
@@ -94,12 +98,13 @@ def ran(case: Case) -> Run:
 
 
 def told(case: Case) -> tuple[Chain, ...]:
-    if case.kind == "submission":
-        path = EXAMPLES / case.text.strip()
+    if case.kind in MARKED:
+        submission = case.kind == "submission"
+        path = EXAMPLES / (case.text.strip() if submission else FIRST)
         setting = setting_for(path, Where())
         assert setting is not None
         checks = Checks(causes=True)
-        file = ProgramFile(path.read_bytes(), path.name)
+        file = ProgramFile(path.read_bytes() if submission else case.text.encode(), path.name)
         return because(assess(Request(file, setting, checks=checks)))
     asked = dict(each.split(" ", 1) for each in case.expected["asked"].splitlines())
     run = ran(case)

@@ -10,13 +10,13 @@ from vrts.ir.expressions import Global, Place
 from vrts.ir.values import Type
 from vrts.scene.model import Mobility
 from vrts.why.chain import Chain, Link, shortened
-from vrts.why.entered import called
-from vrts.why.executed import Executed, Steps
 from vrts.why.hands import brought, let_go, moving_then
 from vrts.why.missed import never
-from vrts.why.read import Reading
 from vrts.why.shown import length, point, where_of
-from vrts.why.sources import chain_of
+from vrts.why.slicing.entered import called
+from vrts.why.slicing.executed import Executed, Steps
+from vrts.why.slicing.read import Reading
+from vrts.why.slicing.sources import chain_of
 from vrts.why.stopped import of_step
 from vrts.why.ways import speed_of
 

@@ -13,9 +13,9 @@ from vrts.ir.motion import HandAction, MoveHand
 from vrts.scene.handling.places import BY_ITS_EDGE
 from vrts.scene.model import Body
 from vrts.why.chain import Link
-from vrts.why.executed import MOTIONS, Executed, Steps
 from vrts.why.shown import STRAIGHT_DOWN, length, offset, point, value
-from vrts.why.sources import written
+from vrts.why.slicing.executed import MOTIONS, Executed, Steps
+from vrts.why.slicing.sources import written
 from vrts.why.ways import decided, leads
 
 SOON = 1.0  # [s] in which the hand has closed on what it closes on

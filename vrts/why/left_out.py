@@ -11,11 +11,11 @@ from vrts.ir.expressions import Constant, Place
 from vrts.ir.instructions import Instruction
 from vrts.ir.module import Program
 from vrts.why.chain import Link
-from vrts.why.executed import Executed, Steps
 from vrts.why.hands import box_at, gap
-from vrts.why.read import element, places_in, reading
 from vrts.why.shown import value
-from vrts.why.sources import chain_of, element_text
+from vrts.why.slicing.executed import Executed, Steps
+from vrts.why.slicing.read import element, places_in, reading
+from vrts.why.slicing.sources import chain_of, element_text
 from vrts.why.ways import is_given
 
 AT_IT = 0.12  # [m] from a thing: a location so near is for it [assumed]
@@ -47,7 +47,7 @@ def never_reached(steps: Steps, body: str) -> Iterator[Link]:
                 yield Link(
                     None, use.span, f"this step would use `{cell.name}`, and is never executed"
                 )
-                yield from _skipped(steps, use)
+                yield from skipped(steps, use.program, use.base, use.within)
                 return
             if any(_meant(steps, n, use.place) == cell.name for n in numbers):
                 continue
@@ -179,16 +179,16 @@ def _begin_of(instructions: tuple[Instruction, ...], loop: int) -> int | None:
     return None
 
 
-def _skipped(steps: Steps, use: Use) -> Iterator[Link]:
+def skipped(steps: Steps, program: Program, base: int, within: int) -> Iterator[Link]:
     """Yield the branch that led past a step that was never executed."""
-    for k in range(use.within - 1, -1, -1):
-        one = use.program.instructions[k]
+    for k in range(within - 1, -1, -1):
+        one = program.instructions[k]
         target = one.leave if isinstance(one, TestFor) else getattr(one, "target", None)
         if isinstance(one, TestCase):
             target = one.otherwise
-        if not isinstance(target, int) or target <= use.within:
+        if not isinstance(target, int) or target <= within:
             continue
-        numbers = steps.times(use.base + k)
+        numbers = steps.times(base + k)
         if not numbers:
             continue
         step = steps.step(numbers[-1])
@@ -205,11 +205,11 @@ def _skipped(steps: Steps, use: Use) -> Iterator[Link]:
                     yield from chain_of(steps, was)
                     return
         return
-    yield from _never_called(steps, use)
+    yield from _never_called(steps, program, base)
 
 
-def _never_called(steps: Steps, use: Use) -> Iterator[Link]:
+def _never_called(steps: Steps, program: Program, base: int) -> Iterator[Link]:
     """Yield that the program of a step was never called, or that a run ended before the step."""
-    if any(steps.times(use.base + k) for k in range(len(use.program.instructions))):
+    if any(steps.times(base + k) for k in range(len(program.instructions))):
         return
-    yield Link(None, use.program.span, f"`{use.program.name}` is never called")
+    yield Link(None, program.span, f"`{program.name}` is never called")

@@ -11,10 +11,11 @@ from vrts.check.verdicts.vias import passed
 from vrts.engine.memory.events import Found, Released
 from vrts.engine.run import Run
 from vrts.why.chain import Chain, Link, shortened
-from vrts.why.executed import Steps
+from vrts.why.demands import demanded
 from vrts.why.hands import CLOSED_ON_NOTHING, let_go
 from vrts.why.missed import missed
-from vrts.why.passing import demanded, missed_point, too_slow
+from vrts.why.passing import missed_point, too_slow
+from vrts.why.slicing.executed import Steps
 from vrts.why.stopped import last_error, of_step, stopped
 from vrts.why.touching import contact
 
@@ -69,13 +70,17 @@ def _links(steps: Steps, judgement: Judgement, task: Task | None, loss: Loss) ->
             points = passed(run, task) if task else None
             pairs = zip(points.visits, points.lacks, strict=True) if points else ()
             for visits, lack in pairs:
-                if lack is not None and f" `{visits.via.name}` {lack.value}" in loss.sentence:
-                    return list(missed_point(steps, visits, lack))
+                if (
+                    points
+                    and lack is not None
+                    and f" `{visits.via.name}` {lack.value}" in loss.sentence
+                ):
+                    return list(missed_point(steps, visits, lack, points))
             return []
         case "time":
             return [] if loss.sentence.startswith(WAITS) else list(too_slow(steps))
         case "limit" | "demand":
-            return list(demanded(steps, loss))
+            return list(demanded(steps, loss, task))
         case _:
             return []
 

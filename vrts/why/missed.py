@@ -8,7 +8,6 @@ from vrts.check.goals.reached import Reached
 from vrts.check.task.goals import Goal
 from vrts.engine.memory.events import Grasped, Released
 from vrts.why.chain import Link
-from vrts.why.executed import Steps
 from vrts.why.hands import (
     NEAR,
     box_at,
@@ -20,6 +19,7 @@ from vrts.why.hands import (
 )
 from vrts.why.left_out import never_reached
 from vrts.why.shown import length
+from vrts.why.slicing.executed import Steps
 
 
 def missed(steps: Steps, result: Reached, at: Span | None = None) -> Iterator[Link]:

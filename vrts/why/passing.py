@@ -1,28 +1,27 @@
-"""Via points, time and demands as effects: which motion, how far off, by which setting."""
+"""Via points and time as effects: which motion, how far off, by which setting."""
 
-import math
 from collections.abc import Iterator
 
-from vrts.base.pose import distance, rotation_angle, subtract
+from vrts.base.pose import distance, subtract
 from vrts.base.source import Span
-from vrts.check.mark.grade import Loss
 from vrts.check.mark.reasons import PROGRAM_ENDS
-from vrts.check.verdicts.vias import Lack, Visits
+from vrts.check.verdicts.vias import Lack, Passed, Visits
 from vrts.why.chain import Link
-from vrts.why.executed import Steps
 from vrts.why.left_out import no_use, places_at, uses_of
 from vrts.why.shown import length, offset, point
+from vrts.why.slicing.executed import Steps
 from vrts.why.stopped import last_error
 from vrts.why.ways import decided, leads, speed_of
 
+FAR = 0.1  # [m] from a point: a motion that ends there is meant for something else [assumed]
 MUCH = 0.15  # of the whole time: a step that takes so long is named
 
 
-def missed_point(steps: Steps, visits: Visits, lack: Lack) -> Iterator[Link]:
+def missed_point(steps: Steps, visits: Visits, lack: Lack, points: Passed) -> Iterator[Link]:
     """Yield why the tool did not pass a via point as it was asked for."""
     run, via = steps.run, visits.via
     if lack is Lack.ORDER:
-        yield from _order(steps, visits)
+        yield from _order(steps, visits, points)
         return
     time_s = min(visits.best_s, run.horizon_s)
     number = steps.motion_at(time_s)
@@ -64,18 +63,40 @@ def missed_point(steps: Steps, visits: Visits, lack: Lack) -> Iterator[Link]:
         (n for n in (number - 1, number, number + 1) if 0 <= n < len(run.motions)),
         key=lambda n: distance(run.motions[n].X_WT.translation, via.point),
     )
-    yield leads(steps, nearest)
+    link = leads(steps, nearest)
+    if _nothing_leads_there(steps, visits):
+        yield link._replace(says=f"{link.says}, and no step leads to `{via.name}`")
+        return
+    yield link
     yield from decided(steps, nearest)
 
 
-def _order(steps: Steps, visits: Visits) -> Iterator[Link]:
-    for start, _ in visits.intervals[:2]:
-        number = steps.motion_at(start)
-        if number is None:
-            continue
-        motion = steps.run.motions[number]
-        says = f"the tool passes `{visits.via.name}` here, but not at its turn"
-        yield Link(start, motion.cause.span, says)
+def _nothing_leads_there(steps: Steps, visits: Visits) -> bool:
+    """Return whether no motion ends near a point, and no location has its name."""
+    via = visits.via
+    ends = (distance(m.X_WT.translation, via.point) for m in steps.run.motions)
+    return min(ends, default=FAR) >= FAR and via.name.lower() not in steps.named
+
+
+def _order(steps: Steps, visits: Visits, points: Passed) -> Iterator[Link]:
+    """Yield when the tool passed a point, and which it passed first that comes after it."""
+    mine = points.visits.index(visits)
+    for start, _ in visits.intervals[:1]:
+        yield from _passes(steps, start, f"the tool passes `{visits.via.name}` here")
+        for k, other in enumerate(points.visits):
+            for begin, _ in other.intervals[:1]:
+                if k > mine and begin < start:
+                    says = f"it has passed `{other.via.name}` here already, which comes after it"
+                    yield from _passes(steps, begin, says)
+                elif k < mine and begin > start:
+                    says = f"it passes `{other.via.name}` here only, which comes before it"
+                    yield from _passes(steps, begin, says)
+
+
+def _passes(steps: Steps, time_s: float, says: str) -> Iterator[Link]:
+    number = steps.motion_at(time_s)
+    if number is not None:
+        yield Link(time_s, steps.run.motions[number].cause.span, says)
 
 
 def too_slow(steps: Steps) -> Iterator[Link]:
@@ -123,27 +144,3 @@ def _waits(steps: Steps, total: float) -> Iterator[Link]:
             )
             if step is not None:
                 yield Link(start, step.cause.span, f"{idle:.1f} s pass here without a motion")
-
-
-def demanded(steps: Steps, loss: Loss) -> Iterator[Link]:
-    """Yield what led to a demand that is not kept, or a limit that is broken."""
-    if loss.moment is None:
-        return
-    time_s = loss.moment.time_s
-    number = steps.motion_at(time_s)
-    if number is None:
-        return
-    run = steps.run
-    motion = run.motions[number]
-    start = run.at(min(motion.start_s, run.horizon_s)).X_WT.translation
-    says = f"the tool is on its way from {point(start)} to {point(motion.X_WT.translation)}"
-    before = run.at(min(motion.start_s, run.horizon_s)).X_WT
-    turned = math.degrees(rotation_angle(before.rotation, motion.X_WT.rotation))
-    if turned > 1.0:
-        says += f", and turns by {turned:.0f} degrees"
-    yield Link(motion.start_s, motion.cause.span, says)
-    if loss.kind == "limit":
-        link = speed_of(steps, number)
-        if link is not None:
-            yield link
-    yield from decided(steps, number)

@@ -1,4 +1,4 @@
-"""Programs that stop, loops that never end: the step, what it read, and where that came from."""
+"""Programs that stop: the step, what it read, and where that came from."""
 
 from collections.abc import Iterator
 
@@ -6,18 +6,16 @@ from vrts.engine.faults import LINE_FROM_SINGULARITY
 from vrts.engine.memory.events import Found
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
-from vrts.ir.control import JumpIf, TestFor, Wait
-from vrts.ir.expressions import Place
-from vrts.ir.motion import Move
+from vrts.ir.control import Wait
+from vrts.ir.motion import Depart, Draw, Drive, Move
 from vrts.why.chain import Link
-from vrts.why.entered import called, reacted
-from vrts.why.executed import Executed, Steps
-from vrts.why.read import Reading, element, places_in, reading, readings
-from vrts.why.shown import value
-from vrts.why.sources import chain_of, element_text, passed
+from vrts.why.endless import endless, signals
+from vrts.why.shown import point
+from vrts.why.slicing.entered import called, reacted
+from vrts.why.slicing.executed import Executed, Steps
+from vrts.why.slicing.read import Reading, element, readings
+from vrts.why.slicing.sources import chain_of, passed
 from vrts.why.ways import decided, leads
-
-RECENT = 200  # statements looked at for what decides an endless loop
 
 
 def last_error(run: Run) -> Found | None:
@@ -28,10 +26,11 @@ def last_error(run: Run) -> Found | None:
 
 def stopped(steps: Steps, event: Found) -> Iterator[Link]:
     """Yield why a program stopped: what the step read that failed."""
-    if steps.run.ending is Ending.LIMIT:
+    step = steps.waiting(event.cause) or steps.last(event.cause, event.time_s)
+    waits = step is not None and isinstance(step.instruction, Wait)
+    if steps.run.ending is Ending.LIMIT and not waits:
         yield from endless(steps)
         return
-    step = steps.last(event.cause, event.time_s)
     if step is None:
         return
     if event.diagnostic.rule == LINE_FROM_SINGULARITY:
@@ -62,10 +61,26 @@ def of_step(steps: Steps, step: Executed) -> Iterator[Link]:
     target = known[:1] if isinstance(step.instruction, Move) else known
     for each in target[:2]:
         yield from chain_of(steps, each)
+    if isinstance(step.instruction, Wait):
+        yield from signals(steps, step)
+    if isinstance(step.instruction, Move | Depart | Draw | Drive) and not target:
+        yield from _from_where(steps, step)
     call = called(steps, step)
     if call is not None and not target:
         yield call
     yield from reacted(steps, step)
+
+
+def _from_where(steps: Steps, step: Executed) -> Iterator[Link]:
+    """Yield where a motion would have begun whose numbers stand in its own line."""
+    number = steps.motion_at(steps.time_of(step))
+    while number and steps.run.motions[number].cause == step.cause:
+        number -= 1  # what there is of the way itself
+    if number is None:
+        return
+    motion = steps.run.motions[number]
+    says = f"the way begins at {point(motion.X_WT.translation)}, where this step leads"
+    yield Link(motion.start_s, motion.cause.span, says)
 
 
 def _unset(steps: Steps, each: Reading, real: str) -> Iterator[Link]:
@@ -79,30 +94,3 @@ def _unset(steps: Steps, each: Reading, real: str) -> Iterator[Link]:
         inner = None if alias is None else alias.inner
     if inner is not None and not inner.place.subscripts:
         yield Link(None, None, f"no step and no line of data gives `{real}` a value")
-
-
-def endless(steps: Steps) -> Iterator[Link]:
-    """Yield what the tests of a loop that never ends go by, and where that was written last."""
-    finished = steps.history.finished
-    seen: set[str] = set()
-    for number in range(finished, max(finished - RECENT, 0), -1):
-        step = steps.step(number)
-        if step is None or not isinstance(step.instruction, JumpIf | TestFor | Wait):
-            continue
-        for place in _condition(step):
-            was = reading(steps, place, step.number - 1, step.activation)
-            name = element_text(place)
-            if not was.known or name in seen:
-                continue
-            seen.add(name)
-            says = f"`{name}` is {value(was.value)} here, each time"
-            yield Link(None, step.cause.span, says)
-            yield from chain_of(steps, was)
-            return
-
-
-def _condition(step: Executed) -> tuple[Place, ...]:
-    instruction = step.instruction
-    if isinstance(instruction, TestFor):
-        return (instruction.place,)
-    return tuple(places_in(getattr(instruction, "condition", None)))

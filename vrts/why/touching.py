@@ -11,15 +11,23 @@ from vrts.geometry.shapes import Piece
 from vrts.geometry.support import bounds, extent_of
 from vrts.scene.clearance import Placed, placed_hand
 from vrts.scene.handling.places import BY_ITS_EDGE
+from vrts.why.between import (
+    both_ends_free,
+    clear_height,
+    equally_high,
+    put_there,
+    stands_between,
+)
 from vrts.why.chain import Link
-from vrts.why.entered import called
-from vrts.why.executed import Steps
 from vrts.why.hands import SOON, box_at, gap, let_go, moving_then
 from vrts.why.shown import length, point
+from vrts.why.slicing.entered import called
+from vrts.why.slicing.executed import Steps
 from vrts.why.ways import decided
 
 ROBOT = "robot"
 FARTHEST = 0.3  # [m] a way out that is longer is no help
+OVER = 2.5  # a thing that is held is rather carried over something than beside it [assumed]
 LEANS = 0.38  # of a direction along an axis: below it the axis is not named
 
 
@@ -43,12 +51,25 @@ def contact(steps: Steps, event: ContactEvent) -> Iterator[Link]:
     toward, amount = ("", "") if closed else _out(steps, event, subtract(end, start))
     says = f"the tool is on its way from {point(start)} to {point(end)}"
     yield Link(motion.start_s, motion.cause.span, says, toward, amount)
-    if not closed:
-        yield from _end_to_blame(steps, number, event, low="low" in toward)
+    put = list(put_there(steps, event))
+    yield from put
+    found = [] if closed else list(_decided(steps, number, event, toward))
+    yield from found
     step = steps.of_motion(number)
-    call = None if step is None else called(steps, step)
+    call = None if step is None or found else called(steps, step)
     if call is not None:
         yield call
+
+
+def _decided(steps: Steps, number: int, event: ContactEvent, toward: str) -> Iterator[Link]:
+    """Yield what decided where a way leads along: a point that is missing, or one of its ends."""
+    start, end = _start(steps, number), steps.run.motions[number].X_WT.translation
+    low, high = "too low" in toward, "too high" in toward
+    across = math.dist(start[:2], end[:2]) > abs(start[2] - end[2])
+    if across and both_ends_free(steps, event, number) and (not low or equally_high(start, end)):
+        yield from stands_between(steps, event, number, beneath=high)
+    else:
+        yield from _end_to_blame(steps, number, event, low=low)
 
 
 def _start(steps: Steps, number: int) -> Vector:
@@ -71,7 +92,15 @@ def _end_to_blame(steps: Steps, number: int, event: ContactEvent, *, low: bool) 
     if from_start and number > 0:
         before = run.motions[number - 1]
         says = f"the way begins at {point(start)}, where this step leads"
-        yield Link(before.start_s, before.cause.span, says)
+        height = (
+            clear_height(steps, event) if low and both_ends_free(steps, event, number) else None
+        )
+        over = (
+            ""
+            if height is None
+            else f"the tool passes over `{event.second}` from Z {_mm(height)} on"
+        )
+        yield Link(before.start_s, before.cause.span, says, "", over)
         yield from decided(steps, number - 1)
     elif not from_start:
         yield from decided(steps, number)
@@ -100,7 +129,8 @@ def _out(steps: Steps, event: ContactEvent, along: Vector) -> tuple[str, str]:
         beyond = extent_of(other.pieces, other.X_WO, way).upper
         return beyond - extent_of(moving.pieces, moving.X_WO, way).lower
 
-    way, word = min(ways, key=lambda each: needed(each[0]))
+    beside = OVER if sides(event)[0] != ROBOT else 1.0
+    way, word = min(ways, key=lambda each: needed(each[0]) * (1.0 if each[1] else beside))
     size = needed(way)
     if not 0.0 < size < FARTHEST:
         return "", ""

@@ -17,11 +17,11 @@ from vrts.ir.motion import (
     SetTool,
 )
 from vrts.why.chain import Link
-from vrts.why.entered import reacted
-from vrts.why.executed import Executed, Steps
-from vrts.why.read import Reading, element, places_in, readings
 from vrts.why.shown import point
-from vrts.why.sources import chain_of, element_text, written
+from vrts.why.slicing.entered import reacted
+from vrts.why.slicing.executed import Executed, Steps
+from vrts.why.slicing.read import Reading, element, places_in, readings
+from vrts.why.slicing.sources import chain_of, chosen, element_text, written
 
 SAME = 1e-6  # of poses that are told apart
 GIVEN = 1e-3  # [m] a location so near to one of the scene is that one
@@ -52,7 +52,8 @@ def decided(steps: Steps, motion: int) -> Iterator[Link]:
     step = steps.of_motion(motion)
     if step is None:
         return
-    yield from _settings(steps, step)
+    settings = list(_settings(steps, step))
+    yield from settings
     instruction = step.instruction
     if isinstance(instruction, Depart | Draw) and _written_out(instruction):
         return  # the line of the motion says it itself
@@ -60,6 +61,9 @@ def decided(steps: Steps, motion: int) -> Iterator[Link]:
     compound = isinstance(instruction, Move) and isinstance(instruction.target, Compose)
     for each in reversed(found) if compound else found[:1]:  # what is nearest the tool first
         yield from chain_of(steps, each)
+    if not found and not settings:
+        for each in readings(steps, step)[:1]:
+            yield from chosen(steps, each)
     yield from reacted(steps, step)
 
 

@@ -8,8 +8,8 @@ from vrts.engine.controller import execute
 from vrts.engine.memory.events import Grasped
 from vrts.pipeline.scenes import load_scene
 from vrts.scene.model import Scenario
-from vrts.why.executed import Steps
 from vrts.why.hands import box_at, grip_heights
+from vrts.why.slicing.executed import Steps
 
 NEAR = 0.5  # mm
 

@@ -10,9 +10,9 @@ from typing import NamedTuple
 from vrts.engine.memory.events import Cause
 from vrts.engine.run import Run
 from vrts.ir.expressions import Place
-from vrts.why.executed import Executed, Steps
-from vrts.why.read import readings
-from vrts.why.sources import written
+from vrts.why.slicing.executed import Executed, Steps
+from vrts.why.slicing.read import readings
+from vrts.why.slicing.sources import written
 
 
 class Written(NamedTuple):

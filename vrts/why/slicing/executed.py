@@ -91,6 +91,24 @@ class Steps:
                 return found
         return None
 
+    def waiting(self, cause: Cause | None) -> Executed | None:
+        """Return the step that a program still waits in when the run is over; None: in none."""
+        finished = self.history.finished
+        for program in (self.history.robot, self.history.process):
+            resting = program.trace.resting
+            if cause is None or not resting or self.history.code.causes[resting[-1]] != cause:
+                continue
+            owner, within = self.program_of(resting[-1])
+            return Executed(
+                finished + 1,
+                resting[-1],
+                not program.is_robot,
+                cause,
+                owner.instructions[within],
+                program.trace.activation(finished),
+            )
+        return None
+
     def times(self, at: int, *, process: bool = False) -> list[int]:
         """Return the numbers of the statements that executed an instruction."""
         program = self.history.process if process else self.history.robot
@@ -129,7 +147,9 @@ class Steps:
         return isinstance(step.instruction, Call | CallNamed)
 
     def time_of(self, step: Executed) -> float:
-        """Return when a step was executed [s]."""
+        """Return when a step was executed [s]; of one that is not finished, when all was over."""
+        if step.number > self.history.finished:
+            return self.run.ended_s or self.run.horizon_s
         return self.history.time_of(step.number)
 
     def program_of(self, at: int) -> tuple[Program, int]:

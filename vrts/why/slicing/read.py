@@ -21,7 +21,7 @@ from vrts.ir.expressions import (
     UnaryOperator,
 )
 from vrts.ir.values import Value
-from vrts.why.executed import Executed, Steps
+from vrts.why.slicing.executed import Executed, Steps
 
 
 class Reading(NamedTuple):

@@ -10,9 +10,10 @@ from vrts.ir.control import BeginFor, Call, CallNamed, NextFor
 from vrts.ir.expressions import Place, Slot, WholeArray
 from vrts.ir.instructions import Assign
 from vrts.why.chain import Link
-from vrts.why.entered import reacted
-from vrts.why.executed import Executed, Steps
-from vrts.why.read import (
+from vrts.why.shown import value, where_of
+from vrts.why.slicing.entered import reacted
+from vrts.why.slicing.executed import Executed, Steps
+from vrts.why.slicing.read import (
     Reading,
     constants_in,
     element,
@@ -21,7 +22,6 @@ from vrts.why.read import (
     reading,
     readings,
 )
-from vrts.why.shown import value, where_of
 
 DEEPEST = 12  # values that a chain is followed through
 
@@ -69,6 +69,16 @@ def chain_of(steps: Steps, first: Reading, depth: int = 0) -> Iterator[Link]:
         yield from _of_step(steps, by, first, _named(first), depth)
     elif source.span is not None and first.cell is not None:
         yield Link(None, source.span, f"`{first.cell.name}` is {where_of(first.value)}")
+
+
+def chosen(steps: Steps, first: Reading) -> Iterator[Link]:
+    """Yield by what a variable was chosen whose value is right: its CALL, its subscripts."""
+    yield from _subscripts(steps, first, 0)
+    alias = _alias(steps, first)
+    if alias is not None:
+        yield alias.link
+        if alias.inner is not None:
+            yield from _subscripts(steps, alias.inner, 1)
 
 
 def _of_step(steps: Steps, step: Executed, first: Reading, name: str, depth: int) -> Iterator[Link]:

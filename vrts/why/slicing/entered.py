@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from vrts.why.chain import Link
-from vrts.why.executed import Executed, Steps
+from vrts.why.slicing.executed import Executed, Steps
 
 
 def reacted(steps: Steps, step: Executed) -> Iterator[Link]:
