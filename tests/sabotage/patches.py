@@ -2565,6 +2565,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/cli/language/test_fix_behaviour.py",),
     ),
     Patch(
+        "settings used up by a DELAY of another future",
+        "vrts/engine/futures/quiet.py",
+        "    if planner.settings.next:",
+        "    if False:",
+        ("tests/unit/engine/futures/test_quiet.py",),
+    ),
+    Patch(
         "futures that share an arm change its settings for each other",
         "vrts/engine/futures/quiet.py",
         "        if c.system.parts is not None:\n            before(c)\n",

@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vrts.engine.machine.forever.nodes import all_nodes, number_of, tops
+from vrts.engine.code.values.operands import number_of
+from vrts.engine.machine.forever.nodes import all_nodes, tops
 from vrts.engine.machine.forever.touches import signals_looked_at
 from vrts.engine.programs.signals import INPUTS
 from vrts.ir import instructions as ir

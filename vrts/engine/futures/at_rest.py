@@ -4,12 +4,16 @@ What stands still is asked about again and again. Objects are kept lest the id o
 is given to another.
 """
 
+from typing import Any
+
 from vrts.engine.futures.named import Named
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.states.arm import arm
 from vrts.engine.machine.states.nearly import DIGITS
 from vrts.engine.machine.states.state import outside
 from vrts.engine.memory.records import Lie, Placement
+
+MOST_KEPT = 256  # quiet arms and hands
 
 
 class AtRest:
@@ -22,9 +26,24 @@ class AtRest:
         self._parts: tuple[object, ...] = (None,) * 10  # of the arm that was asked about last
         self._ids: tuple[int, ...] = ()  # of these
         self._known: dict[tuple[object, ...], tuple[int, object]] = {}
+        # of quiet machines, which share what does not change: by that
+        self._quiet_arms: dict[tuple[int, float], tuple[object, int]] = {}
+        self._quiet_hands: dict[tuple[object, ...], tuple[object, int]] = {}
 
     def arm(self, machine: Machine, now: float) -> int:
         """Return the number of what the arm is doing."""
+        system, planner = machine.system, machine.system.planner
+        if system.parts is None or planner.settings.next:
+            return self._arm(machine, now)
+        held_s, given = planner.hold_until, planner.given
+        key = (id(given), round(held_s - now, DIGITS) if held_s > now else 0.0)
+        known = self._quiet_arms.get(key)
+        if known is None:
+            _keep_few(self._quiet_arms)
+            known = self._quiet_arms[key] = (given, self._arm(machine, now))
+        return known[1]
+
+    def _arm(self, machine: Machine, now: float) -> int:
         planner = machine.system.planner
         given, scale, settings = planner.given, planner.scale, planner.settings
         end_s = scale.time(given.end_s)
@@ -72,6 +91,17 @@ class AtRest:
 
     def outside(self, machine: Machine, now: float) -> int:
         """Return the number of what hand, objects and controller are doing."""
+        system = machine.system
+        if system.parts is None:
+            return self._outside(machine, now)
+        key = (id(system.hand), system.draws, system.warned)
+        known = self._quiet_hands.get(key)
+        if known is None:
+            _keep_few(self._quiet_hands)
+            known = self._quiet_hands[key] = (system.hand, self._outside(machine, now))
+        return known[1]
+
+    def _outside(self, machine: Machine, now: float) -> int:
         system, hand = machine.system, machine.system.hand
         lie = [track[-1] for track in hand.placements.values()]
         moves = (
@@ -97,6 +127,12 @@ class AtRest:
             number = self._named.number(outside(machine, now, self._named))
             known = self._known[key] = (number, parts)
         return known[0]
+
+
+def _keep_few(known: dict[Any, tuple[object, int]]) -> None:
+    """Forget what is long over: what is kept there keeps whole motions."""
+    if len(known) >= MOST_KEPT:
+        known.clear()
 
 
 def _falls(lie: list[Placement], now: float) -> bool:

@@ -7,11 +7,12 @@ import math
 from collections.abc import Collection, Iterator
 from typing import Any, NamedTuple, TypeAlias, cast
 
+from vrts.engine.code.values.operands import number_of
 from vrts.engine.code.values.volatile import CLOCKS
 from vrts.engine.futures.ahead import Ahead
 from vrts.engine.futures.at_rest import AtRest
 from vrts.engine.futures.named import Named
-from vrts.engine.machine.forever.nodes import all_nodes, number_of, tops
+from vrts.engine.machine.forever.nodes import all_nodes, tops
 from vrts.engine.machine.machine import Machine, in_turn, statement_under_way
 from vrts.engine.machine.states.nearly import DIGITS, from_now
 from vrts.engine.machine.states.state import programs, waits_for
@@ -80,7 +81,8 @@ class Keys:
             idle: Numbers of variables that decide nothing, whatever they hold.
         """
         self._idle = idle
-        self._clocks = Clocks.of(module)
+        self._clocks = clocks = Clocks.of(module)
+        self._timeless = not (clocks.timers or clocks.day or clocks.random)
         self._ahead = Ahead(module)
         self._named = Named()
         self._rest = AtRest(self._named)
@@ -132,6 +134,8 @@ class Keys:
 
     def _times(self, machine: Machine, now: float) -> Key | None:
         system, clocks = machine.system, self._clocks
+        if self._timeless and system.parts is not None and not machine.issued:
+            return None
         since_start = self._since_start(machine)
         if not (since_start or clocks.timers or clocks.random or machine.issued):
             return None

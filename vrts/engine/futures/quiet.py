@@ -58,9 +58,11 @@ def _own(c: Context) -> None:
 
 
 def _own_arm(c: Context) -> None:
-    """Part for a DELAY: it changes until when the arm is held, and nothing that is deeper."""
+    """Part for a DELAY: it changes until when the arm is held, and may use up settings."""
     planner = Planner.__new__(Planner)
     planner.__dict__.update(c.planner.__dict__)
+    if planner.settings.next:
+        planner.settings = planner.settings.copy()
     c.system.planner = c.planner = planner
 
 

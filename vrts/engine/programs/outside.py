@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 from enum import Enum
+from functools import cache
 from typing import NamedTuple, Self
 
 
@@ -27,10 +28,18 @@ class Question(NamedTuple):
 class Undecided(Exception):  # noqa: N818 -- names the situation
     """A statement looks at something that nobody has decided; the statement has not begun."""
 
-    def __init__(self, question: Question) -> None:
-        """Say what it looks at."""
-        super().__init__(question)
-        self.question = question
+    @property
+    def question(self) -> Question:
+        """What it looks at: the one argument that it was raised with."""
+        (question,) = self.args
+        assert isinstance(question, Question)
+        return question
+
+
+@cache
+def about(number: int) -> Question:
+    """Return the question what an input is."""
+    return Question(Kind.INPUT, number)
 
 
 class Outside:
@@ -115,7 +124,7 @@ class FreeSignals(set[int]):
         self.looked = True
         known = self.decided.get(number)
         if known is None:
-            raise Undecided(Question(Kind.INPUT, number))
+            raise Undecided(about(number))
         return known
 
     def copy(self) -> Self:

@@ -12,17 +12,13 @@ from vrts.ir.module import Module
 from vrts.prove.proof import Step
 
 
-class Executed(list[Any]):
+class Executed:
     """Takes the numbers of instructions as a trace does, and keeps each once."""
 
     def __init__(self) -> None:
         """Know none."""
-        super().__init__()
         self.numbers: set[int] = set()
-
-    def append(self, item: int) -> None:
-        """Note an instruction that begins."""
-        self.numbers.add(item)
+        self.append = self.numbers.add  # of an instruction that begins
 
     def pop(self, index: Any = -1) -> None:
         """Keep it although it waits: it was come to."""

@@ -6,7 +6,8 @@ their texts, rather too often than too seldom.
 
 from collections.abc import Iterable, Iterator
 
-from vrts.engine.machine.forever.nodes import number_of, tops
+from vrts.engine.code.values.operands import number_of
+from vrts.engine.machine.forever.nodes import tops
 from vrts.engine.machine.forever.touches import Changes, Looks, changes_of, looks_of, passed
 from vrts.ir import instructions as ir
 from vrts.ir.instructions import jumps_of

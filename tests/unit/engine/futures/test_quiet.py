@@ -121,3 +121,20 @@ def test_copies_share_the_arm_until_one_of_them_changes_it() -> None:
     tick(other)
     assert other.system.planner is not machine.system.planner
     assert other.system.planner.settings.always != machine.system.planner.settings.always
+
+
+@deep_stack()
+def test_a_delay_uses_up_no_settings_of_another_future() -> None:
+    body = "SPEED 10\nWAIT SIG(1001)\nIF SIG(1002) THEN\nDELAY 0.1\nEND\nMOVE a\n"
+    machine = begin(compiled(program(body)), robot_alone(), Scenario(), frozenset(INPUTS))
+    command(machine, Execute("main"))
+    comes = iter((False, False, False, True))
+    while (question := tick(machine)) is None or question.number == 1001:
+        if question is not None:
+            decide(machine, question, value=next(comes))
+    other = fork(machine)
+    assert "speed" in machine.system.planner.settings.next
+    decide(other, question, value=True)
+    tick(other)
+    assert "speed" not in other.system.planner.settings.next
+    assert "speed" in machine.system.planner.settings.next

@@ -3,7 +3,17 @@
 from vrts.base.numbers import round_half_away
 from vrts.base.source import Span
 from vrts.engine.faults import RuntimeFault
-from vrts.ir.expressions import Argument, Expression, Format, Load, Place, WholeArray
+from vrts.ir.expressions import (
+    Argument,
+    Constant,
+    Expression,
+    Format,
+    Load,
+    Place,
+    Unary,
+    UnaryOperator,
+    WholeArray,
+)
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.system import PARAMETERS
 from vrts.ir.taken import TAKEN_PARAMETERS
@@ -21,6 +31,17 @@ def expression_of(argument: Argument) -> Expression:
     if argument is None or isinstance(argument, WholeArray | Format):
         raise ValueError("an operand that must be there is missing")
     return argument
+
+
+def number_of(node: object) -> int | None:
+    """Return the whole number that is written there, or None for what is not a plain number."""
+    match node:
+        case Constant(value=float(value)):
+            return round_half_away(value)
+        case Unary(operator=UnaryOperator.MINUS, operand=Constant(value=float(value))):
+            return -round_half_away(value)
+        case _:
+            return None
 
 
 def parameter_cell(name: str, index: float | None, span: Span | None) -> str:

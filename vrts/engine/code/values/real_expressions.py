@@ -11,22 +11,27 @@ from vrts.base.source import Span
 from vrts.engine.code.closures import Real
 from vrts.engine.code.values.arithmetic import FALSE, TRUE, binary, overflow, unary
 from vrts.engine.code.values.compiler import Compiler
+from vrts.engine.code.values.operands import number_of
 from vrts.engine.code.values.static_types import of_reals
 from vrts.engine.faults import RuntimeFault
 from vrts.engine.programs.context import Context
 from vrts.ir.expressions import (
+    Apply,
     Binary,
     BinaryOperator,
     Constant,
     Expression,
+    Function,
     Unary,
     UnaryOperator,
 )
+from vrts.ir.ranges import INPUTS, INTERNAL, OUTPUTS
 from vrts.ir.runtime_errors import RuntimeErrorKind
 
 _pack = struct.Struct("<f").pack  # standard layout: packing what is too large raises
 _unpack = struct.Struct("<f").unpack
 
+SIGNALS = (INPUTS, OUTPUTS, INTERNAL)
 ARITHMETIC = {
     BinaryOperator.ADD,
     BinaryOperator.SUBTRACT,
@@ -92,8 +97,23 @@ def truth(compiler: Compiler, expression: Expression) -> Callable[[Context], boo
                 return lambda c: left(c) > right(c)
             case _:
                 return lambda c: left(c) >= right(c)
+    signal = one_signal(expression)
+    if signal is not None:
+        number, wanted = abs(signal), signal > 0
+        return lambda c: (number in c.signals.on) is wanted
     value = compiler.real(expression)
     return lambda c: value(c) != 0.0
+
+
+def one_signal(expression: Expression) -> int | None:
+    """Return the signal that SIG looks at, where that is all and there is such a signal."""
+    match expression:
+        case Apply(function=Function.SIG, arguments=(argument,)):
+            number = number_of(argument)
+            is_one = number is not None and any(abs(number) in known for known in SIGNALS)
+            return number if is_one else None
+        case _:
+            return None
 
 
 def _with_constant(operator: BinaryOperator, left: Real, right: Real, span: Span | None) -> Real:

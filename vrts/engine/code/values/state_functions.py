@@ -6,7 +6,14 @@ from vrts.base.numbers import round_half_away
 from vrts.base.pose import Pose
 from vrts.base.source import Span
 from vrts.engine.code.closures import Evaluate
-from vrts.engine.code.values.arithmetic import checked_string, integer, logical, rounded
+from vrts.engine.code.values.arithmetic import (
+    FALSE,
+    TRUE,
+    checked_string,
+    integer,
+    logical,
+    rounded,
+)
 from vrts.engine.code.values.compiler import Compiler
 from vrts.engine.code.values.controller_functions import (
     controller_function,
@@ -15,6 +22,7 @@ from vrts.engine.code.values.controller_functions import (
     speed,
 )
 from vrts.engine.code.values.operands import expression_of
+from vrts.engine.code.values.real_expressions import one_signal, truth
 from vrts.engine.code.values.string_functions import decoding, unpacking, written
 from vrts.engine.memory.cells import UNDEFINED, Bound, Cell
 from vrts.engine.motion.requests import half_turns
@@ -59,6 +67,9 @@ def state_function(compiler: Compiler, expression: Apply) -> Evaluate:
             return hand_state
         case Function.RANDOM:
             return _random
+        case Function.SIG if one_signal(expression) is not None:
+            holds = truth(compiler, expression)
+            return lambda c: TRUE if holds(c) else FALSE
         case Function.SIG:
             signals = tuple(compiler.real_argument(a) for a in expression.arguments)
             return lambda c: logical(

@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from typing import cast
 
-from vrts.base.numbers import round_half_away
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import (
     Apply,
@@ -13,7 +12,6 @@ from vrts.ir.expressions import (
     Load,
     Place,
     Unary,
-    UnaryOperator,
     WholeArray,
 )
 
@@ -31,17 +29,6 @@ def all_nodes(node: Node) -> Iterator[Node]:
     yield node
     for child in _children(node):
         yield from all_nodes(child)
-
-
-def number_of(node: object) -> int | None:
-    """Return the whole number that is written there, or None for what is not a plain number."""
-    match node:
-        case Constant(value=float(value)):
-            return round_half_away(value)
-        case Unary(operator=UnaryOperator.MINUS, operand=Constant(value=float(value))):
-            return -round_half_away(value)
-        case _:
-            return None
 
 
 def _children(node: Node) -> Iterator[Node]:

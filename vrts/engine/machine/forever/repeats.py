@@ -8,8 +8,9 @@ that the robot program looks at on its way round, the robot program is compared 
 
 from typing import NamedTuple
 
+from vrts.engine.code.values.operands import number_of
 from vrts.engine.machine.forever.idle import idle
-from vrts.engine.machine.forever.nodes import number_of, tops
+from vrts.engine.machine.forever.nodes import tops
 from vrts.engine.machine.forever.reach import ahead
 from vrts.engine.machine.forever.touches import Looks, changes_of, looks_of, passed
 from vrts.engine.machine.machine import Machine

@@ -7,8 +7,9 @@ an argument stands for every variable that any call passes.
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from vrts.engine.code.values.operands import number_of
 from vrts.engine.code.values.volatile import CLOCKS, SWAPS
-from vrts.engine.machine.forever.nodes import Node, all_nodes, number_of, tops
+from vrts.engine.machine.forever.nodes import Node, all_nodes, tops
 from vrts.engine.programs.signals import OUTPUTS
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Apply, Function, Global, Place, Slot, WholeArray

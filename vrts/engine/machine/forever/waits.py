@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from vrts.engine.machine.forever.nodes import number_of
+from vrts.engine.code.values.operands import number_of
 from vrts.engine.machine.forever.reach import ahead
 from vrts.engine.machine.forever.touches import Looks, changes_of, looks_of, passed
 from vrts.engine.machine.machine import Machine
