@@ -40,6 +40,8 @@ from vrts.ir.module import Module
 from vrts.lang.compiler import Compilation
 from vrts.pipeline.execution import compiled_for, entry_in
 from vrts.pipeline.setting import Setting, scenario_of
+from vrts.prove.environment.environment import Environment
+from vrts.prove.explore.answering import with_answers
 
 LONGEST_TITLE = 200  # characters of the title of a scenario
 
@@ -79,7 +81,8 @@ def plan(wish: Wish) -> Plan:
     asked = wish.clearance_mm * MM
     scened: list[Scened] = []
     for setting in wish.settings:
-        scened.append(_scened(setting, given, held, entry, asked, said))
+        world = _world(setting, held, wish.environment, entry)
+        scened.append(_scened(setting, world, given, held, entry, asked, said))
         request.step_done("verify")
     known = dependence.dependence(given)
     seen = coverage.covered([one.held.run for one in scened])
@@ -138,8 +141,19 @@ def _sorted(wish: Wish, found: Sequence[Diagnostic]) -> _Result:
     return _Result(Plan(None, result.refused, result.waived, result.idle), result)
 
 
+def _world(setting: Setting, module: Module, environment: Environment, entry: str) -> World:
+    """Return where a program runs; at PROMPT is typed what the environment allows, too."""
+    task, scenario = setting.task, scenario_of(setting)
+    if task is not None:
+        task = replace(task, proof=None)  # every future is looked at here for all scenarios
+    return World(
+        setting.scene, task, with_answers(module, setting.scene, scenario, environment, entry)
+    )
+
+
 def _scened(
     setting: Setting,
+    world: World,
     given: Module,
     held: Module,
     entry: str,
@@ -147,10 +161,6 @@ def _scened(
     said: Sequence[Diagnostic],
 ) -> Scened:
     title = "as it is" if setting.scenario is None else setting.scenario.title[:LONGEST_TITLE]
-    task = setting.task
-    if task is not None:
-        task = replace(task, proof=None)  # every future is looked at here for all scenarios
-    world = World(setting.scene, task, scenario_of(setting))
     first = _case(title, given, world, entry)._replace(said=tuple(said))
     case = _case(title, held, world, entry)
     near = nearness(world.scene, case.run, asked)

@@ -278,6 +278,15 @@ def test_what_nobody_says_of_answers_is_refused(tmp_path: Path) -> None:
     )
 
 
+def test_what_the_environment_says_is_typed_where_no_scenario_says_anything() -> None:
+    asks = main('PROMPT "how far? ", x', "DRIVE 1, x, 50", 'PROMPT "and? ", x, y', "READY")
+    told = Environment(title="1 to 2", answers=Answers(least=1, most=2, whole=True))
+    bundle = planned(asks, environment=told).bundle
+    assert bundle is not None
+    (one,) = bundle.manifest.scenarios
+    assert one.ending == "completed"
+
+
 def test_a_motion_that_no_future_executes_is_refused() -> None:
     found = planned(main("GOTO 10", "MOVE safe", "10 READY"))
     assert codes(found) == ["V810"]
