@@ -2565,6 +2565,27 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/cli/language/test_fix_behaviour.py",),
     ),
     Patch(
+        "a variable counts as only compared although its value is shown",
+        "vrts/engine/futures/regions.py",
+        " if met[name] == known[name]}",
+        "}",
+        ("tests/unit/engine/futures/test_regions.py",),
+    ),
+    Patch(
+        "a number on a boundary counts as one beside it",
+        "vrts/engine/futures/regions.py",
+        " + (k < len(numbers) and numbers[k] == value)",
+        "",
+        ("tests/unit/engine/futures/test_regions.py",),
+    ),
+    Patch(
+        "nothing is typed at PROMPT where only the environment answers",
+        "vrts/prove/explore/answering.py",
+        "    return replace(scenario, answers=(*scenario.answers, *typed))",
+        "    return scenario",
+        ("tests/unit/dispatch/planning/test_plan.py",),
+    ),
+    Patch(
         "settings used up by a DELAY of another future",
         "vrts/engine/futures/quiet.py",
         "    if planner.settings.next:",

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from vrts.base.stack import deep_stack
 from vrts.check.task.task import Task
 from vrts.check.verdict import Answer
+from vrts.engine.futures.regions import ever_new
 from vrts.engine.memory.events import Cause
 from vrts.ir.module import Module
 from vrts.prove.asking import Asking, Told
@@ -109,6 +110,11 @@ def _left(search: Search) -> tuple[str, ...]:
     left: list[str] = []
     if not search.is_over:
         left.append(f"{len(search.frontier)} futures were left after {search.counts.states} states")
+        left += [
+            f"step {step} of `{program}` makes a state of its own of each reading of TIMER: compare"
+            " TIMER(n) with a number, or a variable that holds it and nothing else"
+            for program, step in ever_new(search.module)
+        ]
     left += [
         f"`{one.name}` grows without bound: nobody knows what it comes to"
         for one in search.grows.looked_at

@@ -3,8 +3,7 @@
 Parts of a state come again far more often than states: each is kept once, under a number.
 """
 
-import math
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 from typing import Any, NamedTuple, TypeAlias, cast
 
 from vrts.engine.code.values.operands import number_of
@@ -12,6 +11,7 @@ from vrts.engine.code.values.volatile import CLOCKS
 from vrts.engine.futures.ahead import Ahead
 from vrts.engine.futures.at_rest import AtRest
 from vrts.engine.futures.named import Named
+from vrts.engine.futures.regions import Numbers, compared_only, most_compared, region
 from vrts.engine.machine.forever.nodes import all_nodes, tops
 from vrts.engine.machine.machine import Machine, in_turn, statement_under_way
 from vrts.engine.machine.states.nearly import DIGITS, from_now
@@ -20,21 +20,11 @@ from vrts.engine.memory.cells import UNDEFINED, Array, Bound
 from vrts.engine.memory.records import Ending
 from vrts.engine.programs.context import Context
 from vrts.engine.programs.outside import FreeSignals
-from vrts.ir.expressions import Apply, Binary, BinaryOperator, Constant, Function
+from vrts.ir.expressions import Apply, Function
 from vrts.ir.module import Module
 
 Key: TypeAlias = tuple[Any, ...]
 NOTHING: Collection[int] = frozenset()
-COMPARISONS = frozenset(
-    {
-        BinaryOperator.EQUAL,
-        BinaryOperator.NOT_EQUAL,
-        BinaryOperator.LESS,
-        BinaryOperator.LESS_EQUAL,
-        BinaryOperator.GREATER,
-        BinaryOperator.GREATER_EQUAL,
-    }
-)
 
 
 class Clocks(NamedTuple):
@@ -62,7 +52,7 @@ class Clocks(NamedTuple):
             frozenset(number_of(timer.arguments[0]) for timer in timers),
             bool(read - {Function.TIMER, Function.RANDOM}),
             Function.RANDOM in read,
-            _most_compared(module, len(timers)),
+            most_compared(module),
         )
 
     def reads_since_start(self, machine: Machine) -> bool:
@@ -84,6 +74,8 @@ class Keys:
         self._clocks = clocks = Clocks.of(module)
         self._timeless = not (clocks.timers or clocks.day or clocks.random)
         self._ahead = Ahead(module)
+        self._compared = compared_only(module)
+        self._regions: dict[int, Numbers] | None = None  # the same, by number of the variable
         self._named = Named()
         self._rest = AtRest(self._named)
 
@@ -120,17 +112,26 @@ class Keys:
 
     def _contents(self, machine: Machine, left_out: Collection[int]) -> int:
         """Return the number of what variables hold; of some only whether they hold anything."""
-        bound = machine.system.memory.bound
-        if not left_out:
+        bound, regions = machine.system.memory.bound, self._regions
+        if regions is None:
+            numbers = machine.executable.layout.numbers
+            regions = {numbers[k]: v for k, v in self._compared.items() if k in numbers}
+            self._regions = regions
+        if not (left_out or regions):
             content = self._content
             return self._named.number(
                 tuple([v if type(v := item.value) is float else content(item) for item in bound])
             )
-        held = [
-            item.value is UNDEFINED if k in left_out else self._content(item)
-            for k, item in enumerate(bound)
-        ]
-        return self._named.number(("but", *held))
+        held: list[object] = []
+        for k, item in enumerate(bound):
+            value = item.value
+            if k in left_out:
+                held.append(value is UNDEFINED)
+            elif k in regions and isinstance(value, float):
+                held.append(region(value, regions[k]))
+            else:
+                held.append(self._content(item))
+        return self._named.number(("but", *held) if left_out else tuple(held))
 
     def _times(self, machine: Machine, now: float) -> Key | None:
         system, clocks = machine.system, self._clocks
@@ -220,37 +221,6 @@ def _briefly(c: Context, now: float) -> Key | None:
         waits = (waits, c.phase, waits_for(c, 0, c.phase, c.until, now, motions))
     at = (frame.program, frame.index, frame.kind, c.priority)
     return (*at, waits, c.program, c.cycles_left, inside)
-
-
-def _most_compared(module: Module, timers: int) -> float:
-    """Return what is more than all that timers are compared with, where nothing else asks them.
-
-    Args:
-        module: The programs.
-        timers: How often they ask.
-    """
-    compared = [
-        number_of_side
-        for program in module.programs.values()
-        for instruction in program.instructions
-        for top in tops(instruction)
-        for node in all_nodes(top)
-        if isinstance(node, Binary) and node.operator in COMPARISONS
-        for number_of_side in _beside_timer(node)
-    ]
-    if len(compared) != timers:
-        return math.inf
-    return max((abs(number) for number in compared), default=0.0) + 1.0
-
-
-def _beside_timer(node: Binary) -> Iterator[float]:
-    """Yield the number that a timer is compared with."""
-    for one, other in ((node.left, node.right), (node.right, node.left)):
-        match one, other:
-            case Apply(function=Function.TIMER), Constant(value=float(number)):
-                yield number
-            case _:
-                pass
 
 
 def _is_told(machine: Machine) -> bool:
