@@ -1527,6 +1527,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/dispatch/posts/test_posts.py",),
     ),
     Patch(
+        "BASE of AS is what VAL-II is told",
+        "vrts/dispatch/posts/kawasaki_as.py",
+        'pose = f"-TRANS(',
+        'pose = f"TRANS(',
+        ("tests/unit/dispatch/posts/test_posts.py",),
+    ),
+    Patch(
         "texts for other controllers leave the scene's tool out",
         "vrts/dispatch/posts/written.py",
         'return [f"        {row}" for row in self.post.begun(start)]',

@@ -48,7 +48,7 @@ class KawasakiAs(Post):
     LACKS_FUNCTIONS: ClassVar[frozenset[str]] = frozenset(
         {
             *("adc", "ioget", "pendant", "status", "$unpack", "bcd", "dcb", "identical", "state"),
-            *("defined", "parameter", "tas", "last", "hand"),
+            *("defined", "parameter", "tas", "last", "hand", "scale"),
         }
     )
 
@@ -84,6 +84,29 @@ class KawasakiAs(Post):
     def _write_ready(self, node: statements.Simple) -> tuple[str, ...]:
         """READY of the arm that was simulated: HOME of AS is wherever it was set."""
         return self.ready(node, "JMOVE")
+
+    def _write_wait(self, node: statements.Simple) -> tuple[str, ...]:
+        """WAIT needs a condition [AS2015] 6-47."""
+        if not any(node.operands):
+            raise self.lacking(node, "WAIT without a condition")
+        return (self.rewritten(node),)
+
+    def _write_return(self, node: statements.Simple) -> tuple[str, ...]:
+        if any(node.operands):
+            raise self.lacking(node, "RETURN that skips steps of the caller")
+        return (self.rewritten(node),)
+
+    def _write_pulse(self, node: statements.Simple) -> tuple[str, ...]:
+        """PULSE needs a time [AS2015] 6-74."""
+        if len(node.operands) < 2:
+            raise self.lacking(node, "PULSE without a time", "write the time")
+        return (self.rewritten(node),)
+
+    def _write_accel(self, node: statements.SpeedStatement) -> tuple[str, ...]:
+        """ACCEL and DECEL take one number each [AS2015] 6-17."""
+        always = " ALWAYS" if node.always else ""
+        given = zip(("ACCEL", "DECEL"), node.levels, strict=False)
+        return tuple(f"{word} {self.expression(level.value)}{always}" for word, level in given)
 
     def _write_grasp(self, node: statements.Simple) -> tuple[str, ...]:
         """AS does not know how far a hand is open [AS2015] appendix 5."""
@@ -166,6 +189,8 @@ class KawasakiAs(Post):
 
     def statement(self, node: statements.Statement) -> tuple[str, ...]:
         """Return the steps of a statement; locations that are passed to a program are marked."""
+        if isinstance(node, statements.Structure) and node.word == "ANY":
+            return ("ANY :",)  # [AS2015] 6-68
         if not isinstance(node, statements.CallStatement) or not node.arguments:
             return super().statement(node)
         before: list[str] = []
@@ -211,6 +236,8 @@ class KawasakiAs(Post):
 
     def infix(self, node: expressions.Infix) -> str:
         """Return an operation; locations are joined by `+`, and by `-` with an inverse."""
+        if node.operator == "**":
+            return self._power(node)
         if node.operator != ":":
             return super().infix(node)
         level = self._table["+"]
@@ -220,6 +247,12 @@ class KawasakiAs(Post):
         if isinstance(right, expressions.Application) and right.name.text.lower() == "inverse":
             return f"{self.operand(node.left, level)}-{self._inverted(right)}"
         return f"{self.operand(node.left, level)}+{self.operand(node.right, level + 1)}"
+
+    def _power(self, node: expressions.Infix) -> str:
+        """`^` binds tighter than a minus before it [AS2015] 3.8.2, so both stand by themselves."""
+        left, right = (self.operand(part, TIGHTEST) for part in (node.left, node.right))
+        prefixed = isinstance(node.left, expressions.Prefix)
+        return f"({left})^{right}" if prefixed else f"{left}^{right}"
 
     def operand(self, node: expressions.Expression, level: int) -> str:
         """Return an operand; joined locations bind like a sum."""
@@ -309,7 +342,9 @@ class KawasakiAs(Post):
 def _is_named(item: expressions.Item) -> bool:
     """Return whether a location is a name, an element, or a compound of them."""
     match item:
-        case expressions.Name() | expressions.Element():
+        case expressions.Name(text):
+            return text.lower() not in ("base", "tool", "here", "dest")
+        case expressions.Element():
             return True
         case expressions.Infix(":", left, right):
             return _is_named(left) and _is_named(right)

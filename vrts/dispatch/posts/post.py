@@ -16,7 +16,7 @@ from vrts.base.source import Span
 from vrts.dispatch.posts.other_arm import SAME, OtherArm
 from vrts.ir.values import Type
 from vrts.lang.compiler import Resolved
-from vrts.lang.dialect import Angles, Dialect, Precedence
+from vrts.lang.dialect import VAL2, Angles, Dialect, Precedence
 from vrts.lang.grammar.operators import TABLE_A, TABLE_B
 from vrts.lang.names import key
 from vrts.lang.syntax import expressions, statements
@@ -122,7 +122,16 @@ class Post:
         known = self.WORDS.get(word, word) in instructions_of(self.dialect)
         if word and (word in self.LACKS or not known):
             raise self.lacking(node, word)
+        if not word and not isinstance(node, statements.Assignment):
+            self._first_word(node)
         return (self.rewritten(node),)
+
+    def _first_word(self, node: statements.Statement) -> None:
+        """Refuse what is written with a word of its own that only the original has, as IFSIG."""
+        begun = _WORD.match(self.source.text, node.start)
+        first = "" if begun is None else begun.group().upper()
+        if first in instructions_of(self.origin) and first not in instructions_of(self.dialect):
+            raise self.lacking(node, first)
 
     def rewritten(self, node: statements.Statement) -> str:
         """Return the text of a statement with its keyword and expressions in this language."""
@@ -139,6 +148,22 @@ class Post:
         title = self.dialect.title
         headline = f"{title} has nothing that means {word}"
         return CannotWrite(node.start, node.end, headline, remedy or "write the step without it")
+
+    def _write_halt(self, node: statements.Simple) -> tuple[str, ...]:
+        return self._told(node)
+
+    def _write_stop(self, node: statements.Simple) -> tuple[str, ...]:
+        return self._told(node)
+
+    def _write_pause(self, node: statements.Simple) -> tuple[str, ...]:
+        return self._told(node)
+
+    def _told(self, node: statements.Simple) -> tuple[str, ...]:
+        """HALT and its like tell nothing in other languages: what they say is written before."""
+        if not any(node.operands) or self.dialect is VAL2:
+            return (self.rewritten(node),)
+        said = self.WORDS.get("TYPE", "TYPE")
+        return (f"{said} {self.listed(node.operands)}", node.word)
 
     def begun(self, start: Start) -> tuple[str, ...]:
         """Return the steps that set tool and base: no controller knows those of the scene."""

@@ -18,7 +18,16 @@ class VPlus(Post):
     suffix = ".v2"
     LACKS: ClassVar[frozenset[str]] = frozenset({"DECOMPOSE"})  # its angles differ
     LEFT_OUT: ClassVar[frozenset[str]] = frozenset({"INTON", "INTOFF"})
-    LACKS_FUNCTIONS: ClassVar[frozenset[str]] = frozenset({"adc", "ioget"})
+    LACKS_FUNCTIONS: ClassVar[frozenset[str]] = frozenset({"adc", "ioget", "instr"})
+    FUNCTIONS: ClassVar[dict[str, str]] = {"maxval": "MAX", "minval": "MIN"}
+
+    def _write_react(self, node: statements.ReactStatement) -> tuple[str, ...]:
+        if node.always:
+            raise self.lacking(node, f"{node.word} ALWAYS")
+        return (self.rewritten(node),)
+
+    def _write_reacti(self, node: statements.ReactStatement) -> tuple[str, ...]:
+        return self._write_react(node)
 
     def _write_ready(self, node: statements.Simple) -> tuple[str, ...]:
         """READY of the arm that was simulated: that of another arm is elsewhere."""
@@ -26,6 +35,8 @@ class VPlus(Post):
 
     def _write_draw(self, node: statements.Simple) -> tuple[str, ...]:
         """DRAW is a straight motion to where the last one ends, shifted."""
+        if any(node.operands[3:]):
+            raise self.lacking(node, "DRAW that turns the hand or has a speed")
         return (f"MOVES SHIFT(DEST BY {self.listed(node.operands)})",)
 
     def _write_shift(self, node: statements.ShiftStatement) -> tuple[str, ...]:

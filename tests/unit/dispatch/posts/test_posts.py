@@ -50,6 +50,12 @@ def steps_in(text: str) -> str:
             "CLOSEI\nIF SIG(-1004) GOTO 10\n10      OPENI",
             "CLOSEI\nIF SIG(-1004) GOTO 10\n10      OPENI",
         ),
+        ('HALT "over"', 'TYPE "over"\nHALT', 'PRINT "over"\nHALT'),
+        (
+            "CASE x OF\nVALUE 1:\nMOVE a\nANY\nMOVE b\nEND",
+            "CASE x OF\nVALUE 1:\nMOVE a\nANY\nMOVE b\nEND",
+            "CASE x OF\nVALUE 1:\nJMOVE a\nANY:\nJMOVE b\nEND",
+        ),
         ("DISABLE CP", "DISABLE CP", "cp OFF"),
         ("TOOL a", "TOOL a", "TOOL a"),
         (
@@ -116,6 +122,8 @@ def test_a_step_in_other_languages(step: str, vplus: str, kawasaki: str) -> None
         ("y = BCD(3)", "as", "AS has nothing that means BCD"),
         ("y = SQR(RANDOM)", "as", "AS has no SQR, and its argument is a function"),
         ("SPEED 5 IPS\ny = SPEED(3)", "as", "SPEED would yield mm/s where it yields inches a"),
+        ("WAIT", "as", "AS has nothing that means WAIT without a condition"),
+        ("SET c = SCALE(a BY 0.9)", "as", "AS has nothing that means SCALE"),
         ("y = HAND", "as", "AS has nothing that means HAND"),
         ("GRASP 20, 10\n10 OPENI", "as", "AS has nothing that means GRASP"),
         ('y = POS("abc", "b")', "as", "AS looks for strings whatever the case"),
@@ -251,3 +259,19 @@ def test_numbers_and_strings_of_data_stand_behind_an_equals_sign_in_as() -> None
     text, _ = said("x = n\nTYPE $s", "as", more=more)
     assert ".REALS\nn = 3\n.END" in text
     assert '.STRINGS\n$s = "a"\n.END' in text
+
+
+def test_what_only_relatives_have_is_refused_or_said_otherwise() -> None:
+    for step, target, headline in (
+        ("IFSIG 1001 THEN 10\n10 READY", "as", "AS has nothing that means IFSIG"),
+        ("RETURN 1", "as", "AS has nothing that means RETURN that skips steps"),
+        ("PULSE 7", "as", "AS has nothing that means PULSE without a time"),
+        ("REACT 1001, main ALWAYS", "vplus", "V+ has nothing that means REACT ALWAYS"),
+        ("DRAW 1,2,3,4", "vplus", "V+ has nothing that means DRAW that turns"),
+    ):
+        _, told = said(step, target, "val2+")
+        assert next(d.headline for d in told if d.is_error).startswith(headline)
+    text, _ = said("x = 2\ny = (-x)**2\nACCEL 50, 70 ALWAYS", "as", "vplus")
+    assert steps_in(text) == "x = 2\ny = (-x)^2\nACCEL 50 ALWAYS\nDECEL 70 ALWAYS"
+    text, _ = said("x = 2\ny = MAXVAL(x, 1)", "vplus", "val2+")
+    assert steps_in(text) == "x = 2\ny = MAX(x,1)"
