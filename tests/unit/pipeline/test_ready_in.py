@@ -7,6 +7,7 @@ from vrts.pipeline.files import CHECKOUT
 from vrts.pipeline.settings import load_task
 from vrts.report.assessment import Assessment
 from vrts.report.first_screen import FINE, first_screen
+from vrts.report.formats.json_form import assessment_json
 from vrts.report.page.page import page
 from vrts.report.screen.assessment_text import assessment_text
 
@@ -28,11 +29,13 @@ def test_a_run_speaks_of_its_scenario_alone() -> None:
     a = assessed(load_task(CANS), SOLUTION)
     assert told(a) == "yes, in this scenario"
     assert "</b>, in this scenario" in page(a, {})
+    assert assessment_json(a)["ready_in"] == "this scenario"
 
 
 def test_a_proof_speaks_of_every_future(tmp_path: Path) -> None:
     a = assessed(load_task(written(tmp_path)), WAITS)
     assert told(a) == "yes, in every future"
+    assert assessment_json(a)["ready_in"] == "every future"
 
 
 def test_a_step_behind_a_semicolon_is_told_although_nothing_was_lost() -> None:
@@ -52,3 +55,4 @@ def test_a_step_behind_a_semicolon_is_told_although_nothing_was_lost() -> None:
 def test_a_cause_that_was_told_is_not_told_twice() -> None:
     a = assessed(load_task(CANS), SOLUTION.replace("        MOVES goal\n", ""))
     assert told(a) == "no"
+    assert assessment_json(a)["ready_in"] is None

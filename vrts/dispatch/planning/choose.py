@@ -9,6 +9,7 @@ from typing import NamedTuple
 from vrts.marking.row import Class, Row
 
 SAME_MM = 1.0  # clearances are compared in whole steps of this; then the mark counts
+IN = "each in the scenario of its task"  # marks say no more than what was executed
 
 
 class Choice(NamedTuple):
@@ -50,7 +51,7 @@ def choices_text(found: Iterable[Choice], total: int) -> str:
         )
     widths = [max(len(row[k]) for row in rows) for k in range(5)]
     lines = [_line(row, widths) for row in rows] if listed else []
-    lines.append(f"{len(listed)} of {total} programs are ready for the real robot")
+    lines.append(f"{len(listed)} of {total} programs are ready for the real robot, {IN}")
     return "\n".join(lines)
 
 

@@ -31,7 +31,7 @@ def _tiles(rows: Sequence[Row], found: Spread | None) -> Markup:
         tiles += [("mean mark", points(found.mean)), ("median", points(found.median))]
         tiles += [("full marks", full(found.total))] if found.total != TOTAL else []
     tiles += [
-        ("ready for the real robot", str(sum(row.result.ready for row in rows))),
+        ("ready, in the scenario of the task", str(sum(row.result.ready for row in rows))),
         ("to be reviewed", str(sum(to_review(row) for row in rows))),
     ]
     without = sum(row.final is None for row in rows)

@@ -51,6 +51,7 @@ def assessment_json(a: Assessment) -> Json:
         "schema": ASSESSMENT_SCHEMA,
         **result_json(a),
         **_because(a),
+        "ready_in": screen.ready_in or None,
         "obstacles": list(screen.obstacles),
         "task": a.task and {"name": a.task.name, "title": a.task.title, "sha256": a.task.digest},
         "scene": a.scene and {"name": a.scene.name, "sha256": a.scene.digest},

@@ -51,7 +51,7 @@ def send_summary(a: Assessment) -> None:
     """Send the answer in one look."""
     screen = first_screen(a)
     out_of = f"**{mark(screen.mark)} of {full(screen.total)}**, " if screen.mark is not None else ""
-    ready = "yes" if screen.ready else "no"
+    ready = f"yes, in {screen.ready_in}" if screen.ready else "no"
     title, cause = plain_markdown(one_line(a.title)), plain_markdown(screen.cause)
     text = f"# {title}\n\n{out_of}ready for the real robot: {ready}\n\n{cause}\n"
     document = rr.TextDocument(text, media_type="text/markdown")

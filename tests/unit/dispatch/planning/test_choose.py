@@ -16,6 +16,8 @@ from vrts.marking.row import class_from_bytes
 EXAMPLE = ROOT / "examples" / "01-cans-on-bases"
 CLASS = {"Vera Ready": "slow.v2", "Walter Hits": "hits-base.v2"}
 
+READY = "programs are ready for the real robot, each in the scenario of its task"
+
 
 def call(*words: str) -> Result:
     return CliRunner().invoke(vrts, list(words))
@@ -43,7 +45,7 @@ def test_ready_programs_stand_in_order_of_clearance_and_mark(tmp_path: Path) -> 
     assert "Xenia" in lines[1], "the same clearance, the higher mark"
     assert "Vera" in lines[2]
     assert "Walter" not in found.stdout
-    assert lines[-1] == "2 of 3 programs are ready for the real robot"
+    assert lines[-1] == f"2 of 3 {READY}"
     data = json.loads(call("dispatch", "choose", str(out), "--format", "json").stdout)
     assert [entry["mark"] for entry in data["ready"]] == sorted(
         (entry["mark"] for entry in data["ready"]), reverse=True
@@ -73,10 +75,10 @@ def test_a_larger_clearance_comes_first_and_less_than_a_millimetre_does_not_coun
 
 
 def test_the_list_says_when_there_is_none() -> None:
-    assert choices_text([], 4) == "0 of 4 programs are ready for the real robot"
+    assert choices_text([], 4) == f"0 of 4 {READY}"
     one = choices_text([Choice("a", "", None, 9.5, None)], 1)
     assert "9.5" in one
-    assert one.endswith("1 of 1 programs are ready for the real robot")
+    assert one.endswith(f"1 of 1 {READY}")
 
 
 def test_what_is_no_marking_is_refused(tmp_path: Path) -> None:
