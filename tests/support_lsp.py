@@ -53,8 +53,13 @@ class Driven(LanguageClient):
     def __init__(self, came: Callable[[str, Any], None]) -> None:
         super().__init__(protocol_cls=Recorder, converter_factory=default_converter)  # pyright: ignore[reportUnknownMemberType]
         register_lsp_features(self)
-        for method in (types.WORKSPACE_INLAY_HINT_REFRESH, types.WORKSPACE_SEMANTIC_TOKENS_REFRESH):
+        for method in (
+            types.WORKSPACE_INLAY_HINT_REFRESH,
+            types.WORKSPACE_SEMANTIC_TOKENS_REFRESH,
+            types.WORKSPACE_CODE_LENS_REFRESH,
+        ):
             self.feature(method)(_nothing)
+        self.feature(types.WINDOW_SHOW_MESSAGE_REQUEST)(_first)
         assert isinstance(self.protocol, Recorder)
         self.protocol.came = came
 
@@ -258,6 +263,11 @@ def _structured(method: str, params: dict[str, Any]) -> Any:
 
 def _nothing(_: None) -> None:
     """Answer a request that wants no more than an answer."""
+
+
+def _first(asked: types.ShowMessageRequestParams) -> types.MessageActionItem | None:
+    """Choose the first of the answers that are offered."""
+    return asked.actions[0] if asked.actions else None
 
 
 def place(at: tuple[int, int]) -> dict[str, int]:

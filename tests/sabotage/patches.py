@@ -2635,6 +2635,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/why/test_endless.py",),
     ),
     Patch(
+        "an editor offers to mend programs whatever their task allows",
+        "vrts/lsp/runs/causes.py",
+        "    edits = task.hints is Hints.EDIT and",
+        "    edits = task.hints is not Hints.NOTHING and",
+        ("tests/unit/lsp/runs/test_causes.py",),
+    ),
+    Patch(
         "two changes are told as one of which one changes what the other wrote",
         "vrts/repair/edit.py",
         "        if (start < behind and first < end) or start == first:\n",

@@ -25,12 +25,22 @@ class Asked(NamedTuple):
     is_called: bool = False  # by one of them, so it is no program by itself
 
 
+class Lost(NamedTuple):
+    """A place where points are lost, and why, as far as the task lets that be told."""
+
+    start: int
+    end: int
+    why: str
+
+
 class Answer(NamedTuple):
     """What is known so far."""
 
     timings: tuple[Timing, ...] = ()
     findings: tuple[Finding, ...] = ()
     is_whole: bool = False  # nothing more comes
+    lost: tuple[Lost, ...] = ()
+    mendable: bool = False  # points are lost, and the task lets the change be told that mends it
 
 
 def header_of(asked: Asked, entry: str | None = None) -> Label:
@@ -73,11 +83,13 @@ def asked_of(line: bytes) -> Asked:
 
 def answer_of(line: bytes) -> Answer:
     """Return an answer from the line that it was written as."""
-    times, findings, is_whole = json.loads(line)
+    times, findings, is_whole, lost, mendable = json.loads(line)
     return Answer(
         tuple(Timing(number, tuple(ends), *more) for number, ends, *more in times),
         tuple(_finding(row) for row in findings),
         is_whole,
+        tuple(Lost(*row) for row in lost),
+        mendable,
     )
 
 

@@ -20,10 +20,11 @@ from vrts.lsp.channel.findings import Finding, Found, told
 from vrts.lsp.channel.verification import CPU_S, Answer, Asked, asked_of, header_of, line_of
 from vrts.lsp.documents.documents import Document
 from vrts.lsp.runs.bounds import bounded, said_by
-from vrts.lsp.runs.causes import with_causes
+from vrts.lsp.runs.causes import causes_of, lost_of, with_causes
 from vrts.lsp.runs.futures import for_some_inputs
 from vrts.lsp.runs.motion_times import timings
 from vrts.lsp.runs.speeds import with_speeds
+from vrts.lsp.runs.stdin import end_with_server
 from vrts.marking.supervise.limits import Limits, impose
 from vrts.pipeline.alone import robot_alone
 from vrts.pipeline.compiling.reading import ProgramFile, Reading
@@ -88,10 +89,12 @@ def verify(asked: Asked, tell: Callable[[Answer], None] = lambda _: None) -> Ans
     found = with_speeds(SourceFile(path, asked.text), run, judgement, setting.task, again)
     tell(Answer(all_timings, shown([*of_run, *found])))
     known = [one.diagnostic for one in (*of_run, *found)]
-    of_run = with_causes(of_run, run, judgement, setting.task)
-    found = with_causes(found, run, judgement, setting.task)
+    causes = causes_of(run, judgement, setting.task, compiled.diagnostics)
+    of_run, found = with_causes(of_run, causes), with_causes(found, causes)
+    lost = lost_of(causes, path)
+    mendable = causes.mendable and not asked.others and not setting.hidden
     found += for_some_inputs(request, module, known, SEARCH_CPU_S)
-    return Answer(all_timings, shown([*of_run, *found]), is_whole=True)
+    return Answer(all_timings, shown([*of_run, *found]), True, lost, mendable)
 
 
 def _file(text: str, name: str) -> ProgramFile:
@@ -125,7 +128,7 @@ def _place(diagnostic: Diagnostic) -> str:
 def main() -> None:
     """Answer one request."""
     asked = asked_of(sys.stdin.buffer.readline())
-    Thread(target=_end_with_server, daemon=True).start()
+    Thread(target=end_with_server, daemon=True).start()
     impose(Limits(cpu_s=CPU_S))
     if hasattr(os, "nice"):
         os.nice(5)  # answers to the editor come first
@@ -136,13 +139,6 @@ def main() -> None:
         outgoing.flush()
 
     tell(verify(asked, tell))
-
-
-def _end_with_server() -> None:
-    """End when the other end of stdin is closed: nobody is left who would read the answer."""
-    while os.read(0, 4096):  # not by `sys.stdin`, whose lock would be held when this process ends
-        pass
-    os._exit(1)
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ from vrts.lsp.channel.findings import Finding, Mending
 from vrts.lsp.server.diagnostics import converted
 from vrts.lsp.server.places import Places
 from vrts.lsp.server.scenarios import keeping
+from vrts.lsp.server.searching import SEARCH, search_for, searched
 from vrts.lsp.server.session import Session
 
 
@@ -16,7 +17,7 @@ def register(session: Session) -> None:
 
     @session.feature(
         types.TEXT_DOCUMENT_CODE_ACTION,
-        types.CodeActionOptions([types.CodeActionKind.QuickFix]),
+        types.CodeActionOptions([types.CodeActionKind.QuickFix], resolve_provider=True),
     )
     async def actions(server: Session, params: types.CodeActionParams) -> list[types.CodeAction]:
         uri = params.text_document.uri
@@ -38,11 +39,22 @@ def register(session: Session) -> None:
             for finding in here
             if finding.mending is not None
         ]
+        answer = server.verifications.answer(document)
+        lost = any(one.start <= last and first <= one.end for one in answer.lost)
+        asked = answer.mendable and (here or lost)
+        if asked and _resolves(server.client_capabilities):
+            mended.append(search_for(uri))
         if not _makes_files(server.client_capabilities):
             return mended
         return mended + [
             _kept(finding, server.shown(finding, document)) for finding in here if finding.scenario
         ]
+
+    @session.feature(types.CODE_ACTION_RESOLVE)
+    async def resolve(server: Session, action: types.CodeAction) -> types.CodeAction:
+        if isinstance(action.data, str) and action.title == SEARCH:
+            return await searched(server, action, action.data)
+        return action
 
 
 def _touches(diagnostic: Diagnostic, first: int, last: int) -> bool:
@@ -69,6 +81,14 @@ def _makes_files(client: types.ClientCapabilities) -> bool:
     edits = None if workspace is None else workspace.workspace_edit
     made = () if edits is None else edits.resource_operations or ()
     return types.ResourceOperationKind.Create in made
+
+
+def _resolves(client: types.ClientCapabilities) -> bool:
+    """Return whether an edit may come when an action has been chosen."""
+    text = client.text_document
+    actions = None if text is None else text.code_action
+    resolve = None if actions is None or not actions.data_support else actions.resolve_support
+    return resolve is not None and "edit" in resolve.properties
 
 
 def _kept(finding: Finding, shown: types.Diagnostic) -> types.CodeAction:

@@ -7,6 +7,8 @@ from vrts.lsp.channel.timing import STEP_S, Timing, hint
 from vrts.lsp.documents.documents import Document
 from vrts.lsp.server.session import Session
 
+SHOWN = ""  # of a lens that does nothing when it is chosen
+
 
 def register(session: Session) -> None:
     """Answer what a program does when it runs."""
@@ -22,6 +24,9 @@ def register(session: Session) -> None:
                 types.Command(lens.title, lens.command, arguments=[uri, lens.entry]),
             )
             for lens in lenses(document)
+        ] + [
+            types.CodeLens(places.range(lost.start, lost.end), types.Command(lost.why, SHOWN))
+            for lost in server.verifications.answer(document).lost
         ]
 
     @session.feature(types.TEXT_DOCUMENT_INLAY_HINT)

@@ -18,6 +18,7 @@ from vrts.lsp.channel.findings import Finding
 from vrts.lsp.documents.documents import Document, Documents
 from vrts.lsp.documents.linking import group
 from vrts.lsp.documents.setting_files import setting_stamp
+from vrts.lsp.server.background.mending import Mending
 from vrts.lsp.server.background.reaching import Reaching
 from vrts.lsp.server.background.reading import Reading
 from vrts.lsp.server.background.verifying import Subject, Verifications
@@ -43,6 +44,7 @@ class Session(LanguageServer):
         self._found: dict[str, tuple[Document, tuple[Diagnostic, ...]]] = {}
         self.reading = Reading(self, self.documents, self._check_folder)
         self.reaching = Reaching()
+        self.mending = Mending()
         self.scenarios = Scenarios()
         self.verifications = Verifications(_background, self._learned)
         self._worker = ThreadPoolExecutor(1, "check")  # one: answers come first
@@ -167,6 +169,7 @@ class Session(LanguageServer):
         self.verifications.stop()
         self.reading.stop()
         self.reaching.stop()
+        self.mending.stop()
         self.scenarios.stop()
         for task in (*self._checks.values(), self._watch):
             if task is not None:
@@ -207,6 +210,9 @@ class Session(LanguageServer):
         hints = workspace.inlay_hint if workspace is not None else None
         if hints is not None and hints.refresh_support:
             self.workspace_inlay_hint_refresh(None)
+        lenses = workspace.code_lens if workspace is not None else None
+        if lenses is not None and lenses.refresh_support and self.verifications.is_whole(document):
+            self.workspace_code_lens_refresh(None)
 
 
 def _has_error(found: tuple[Diagnostic, ...]) -> bool:

@@ -76,6 +76,10 @@ class Verifications:
             return Answer()
         return known.answer if going is None or going[0] == known.subject else Answer()
 
+    def is_whole(self, document: Document) -> bool:
+        """Return whether all is known of a text."""
+        return self.answer(document).is_whole
+
     def findings(self, document: Document) -> tuple[Finding, ...]:
         """Return what to show in a text: what was found in it, or in the one before."""
         found = self.answer(document).findings
@@ -121,7 +125,7 @@ class Verifications:
         answer = Answer()
         try:
             async with asyncio.timeout(PATIENCE_S):
-                await asyncio.to_thread(_ask, process, asked)
+                await asyncio.to_thread(ask, process, asked)
                 while line := await asyncio.to_thread(process.stdout.readline):
                     answer = answer_of(line)
                     if not answer.is_whole:
@@ -141,7 +145,8 @@ class Verifications:
         self._tell(subject.document)
 
 
-def _ask(process: subprocess.Popen[bytes], asked: Asked) -> None:
+def ask(process: subprocess.Popen[bytes], asked: Asked) -> None:
+    """Write to a process what it is asked; waits where its pipe is full."""
     assert process.stdin is not None
     with suppress(BrokenPipeError):  # its answers have ended then too
         process.stdin.write(line_of(asked))

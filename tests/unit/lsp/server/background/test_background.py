@@ -171,7 +171,8 @@ def test_a_future_that_goes_wrong_links_to_its_scenario(tmp_path: Path) -> None:
         file = Path(unquote(urlsplit(uri).path))
         assert "signal = 1001" in file.read_text("utf-8")
         assert f"`vrts verify a.v2 --scenario {file}`" in link["message"]
-        (kept,) = client.about("codeAction", "a.v2", range=WHOLE, context={"diagnostics": []})
+        actions = client.about("codeAction", "a.v2", range=WHOLE, context={"diagnostics": []})
+        (kept,) = [action for action in actions if action.get("edit")]
         created, written = kept["edit"]["documentChanges"]
         assert created["kind"] == "create"
         assert created["uri"] == client.uri("a-scenario-2.toml"), "the other one is not lost"
