@@ -69,7 +69,7 @@ def compare(run: Run, log: RobotLog, wanted: Wanted) -> Comparison:
         Refused: The log has nothing that can be compared.
     """
     told = list(log.findings)
-    _log_must_move(log)
+    log_must_move(log)
     shift = clock_shift(run, log)
     begun = 0.0 if abs(shift) < SAME_CLOCK_S else shift
     if begun:
@@ -82,7 +82,7 @@ def compare(run: Run, log: RobotLog, wanted: Wanted) -> Comparison:
     before = errors_of(run, log, Offsets(begun))
     after = errors_of(run, log, offsets)
     if not len(after.times) or not len(before.times):
-        raise Refused((_still("the log and the run have no instant in common", "the same clock"),))
+        raise no_instant_in_common()
     told += fitted.findings
     told += _short(run, log, offsets)
     told += _other_motion(run, after)
@@ -99,12 +99,22 @@ def compare(run: Run, log: RobotLog, wanted: Wanted) -> Comparison:
     )
 
 
-def _log_must_move(log: RobotLog) -> None:
+def log_must_move(log: RobotLog) -> None:
+    """Refuse a log in which nothing moves.
+
+    Raises:
+        Refused: It is one.
+    """
     values = log.joints if log.joints is not None else log.positions
     assert values is not None
     known = values[np.isfinite(values).all(axis=1)]
     if len(known) < 2 or float(np.ptp(known, axis=0).max()) == 0.0:
         raise Refused((_still("the arm stands still in the log", "values that change"),))
+
+
+def no_instant_in_common() -> Refused:
+    """Return what is raised where a log is of another time than the run."""
+    return Refused((_still("the log and the run have no instant in common", "the same clock"),))
 
 
 def _still(headline: str, expected: str) -> Diagnostic:

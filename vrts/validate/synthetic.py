@@ -15,11 +15,22 @@ import numpy.typing as npt
 from vrts.base.units import DEG, MM
 from vrts.engine.batch import batch_of
 from vrts.engine.run import Run
+from vrts.robots.kinematics.batch import flange_frames
+from vrts.validate.identify.again import Again, with_links
+from vrts.validate.identify.causes import LINKS, Cause, Kind
 from vrts.validate.offsets import turned
-from vrts.validate.sampling import tool_poses
+from vrts.validate.sampling import tools_of
 
 Array = npt.NDArray[np.float64]
 
+FURTHER = (
+    ("zero_deg", "deg"),
+    ("link_mm", "mm"),
+    ("counted_link_mm", "mm"),
+    ("tool_mm", "mm"),
+    ("speeds_percent", "%"),
+    ("rate_percent", "%"),
+)
 STEPS = 32  # of a servo between two set points [FGL1987]_, from memory
 BEFORE_S = AFTER_S = 0.5  # logged before and after the run
 
@@ -34,6 +45,12 @@ class Imperfect(NamedTuple):
     base_turn_deg: float = 0.0  # about the vertical
     clock_s: float = 0.0  # what its clock shows when the run begins
     seed: int = 1
+    zero_deg: tuple[float, ...] = (0.0,) * 6  # by which joints stand off; encoders show it
+    link_mm: tuple[float, ...] = (0.0,) * 4  # by which a2, a3, d2, d4 of the arm are longer
+    counted_link_mm: tuple[float, ...] = (0.0,) * 4  # the same, of what the controller counts with
+    tool_mm: tuple[float, float, float] = (0.0, 0.0, 0.0)  # of the real tool in T
+    speeds_percent: float = 100.0  # of all speeds, of what is assumed
+    rate_percent: float = 0.0  # by which the clock of the log runs fast
 
 
 def synthetic_log(run: Run, robot: Imperfect, program: str) -> Iterator[str]:
@@ -48,8 +65,10 @@ def synthetic_log(run: Run, robot: Imperfect, program: str) -> Iterator[str]:
     names = ["time_s", *(f"jt{k}_deg" for k in range(1, 7)), "x_mm", "y_mm", "z_mm"]
     yield ",".join(names) + "\n"
     times, joints, positions = logged(run, robot)
-    rows = np.column_stack((times + robot.clock_s, joints / DEG, positions / MM))
-    form = ",".join(["%.3f", *["%.4f"] * 6, *["%.3f"] * 3])
+    shown = times * (1.0 + robot.rate_percent / 100.0) + robot.clock_s
+    rows = np.column_stack((shown, joints / DEG, positions / MM))
+    precise = "%.3f" if robot.rate_percent == 0.0 else "%.6f"
+    form = ",".join([precise, *["%.4f"] * 6, *["%.3f"] * 3])
     for row in (rows + 0.0).tolist():
         yield form % tuple(row) + "\n"
 
@@ -57,18 +76,35 @@ def synthetic_log(run: Run, robot: Imperfect, program: str) -> Iterator[str]:
 def logged(run: Run, robot: Imperfect) -> tuple[Array, Array, Array]:
     """Return times [s], shape (n,), joints [rad], (n, 6), and tool positions in W [m], (n, 3)."""
     chance = np.random.default_rng(robot.seed)
+    nominal, run = run.scene.robot.arm, Again(run).with_values(_counted(robot))
     tick = run.scene.robot.arm.tick
     count = round((run.horizon_s + BEFORE_S + AFTER_S) / tick)
     times: Array = tick * (np.arange(count, dtype=np.float64) - round(BEFORE_S / tick))
-    joints = _servo(run, times, tick, robot.lag_s)
+    joints = _servo(run, times, tick, robot.lag_s) + np.array(robot.zero_deg) * DEG
     noise = chance.normal(0.0, robot.noise_deg * DEG, joints.shape)
     step = robot.encoder_deg * DEG
     told = joints + noise
     if step > 0.0:
         told = np.round(told / step) * step
-    _, points = tool_poses(run, times, told)
+    arm = with_links(nominal, _links(robot.link_mm, Kind.LINK), Kind.LINK)
+    rotations, origins = flange_frames(arm, told)
+    tools = tools_of(run)
+    which = np.searchsorted(tools.starts, times, side="right")
+    tips = tools.origins[which] + tools.rotations[which] @ (np.array(robot.tool_mm) * MM)
+    points = origins + np.einsum("nij,nj->ni", rotations, tips)
     turn = turned(np.array([0.0, 0.0, robot.base_turn_deg * DEG]))
     return times, told, points @ turn.T + np.array(robot.base_mm) * MM
+
+
+def _counted(robot: Imperfect) -> dict[Cause, float]:
+    """Return what the controller has otherwise."""
+    speeds = {Cause(Kind.SPEEDS): robot.speeds_percent / 100.0 - 1.0}
+    return {**_links(robot.counted_link_mm, Kind.COUNTED_LINK), **speeds}
+
+
+def _links(longer_mm: tuple[float, ...], kind: Kind) -> dict[Cause, float]:
+    pairs = zip(LINKS, longer_mm, strict=True)
+    return {Cause(kind, 0, link): by * MM for link, by in pairs if by}
 
 
 def _servo(run: Run, times: Array, tick: float, lag_s: float) -> Array:
@@ -96,3 +132,15 @@ def _heading(robot: Imperfect, program: str) -> Iterator[str]:
         f" noise {robot.noise_deg:g} deg, base off by {base} mm"
         f" and {robot.base_turn_deg:g} deg, clock {robot.clock_s:g} s, seed {robot.seed}.\n"
     )
+    usual = Imperfect()
+    more = [
+        f"{name.rpartition('_')[0].replace('_', ' ')} {_plain(getattr(robot, name))} {unit}"
+        for name, unit in FURTHER
+        if getattr(robot, name) != getattr(usual, name)
+    ]
+    if more:
+        yield f"# Assumed, too: {', '.join(more)}.\n"
+
+
+def _plain(value: float | tuple[float, ...]) -> str:
+    return " ".join(f"{one:g}" for one in (value if isinstance(value, tuple) else (value,)))

@@ -64,6 +64,7 @@ Examples:
   vrts validate path.v2 --scene cans-on-bases --log robot.csv --json
   vrts validate path.v2 --log bag_2026_11_24 --log robot.csv --columns columns.toml
   vrts validate speeds.v2 --log day1.csv --log day2.csv --fit -o robot.toml
+  vrts validate path.v2 --log robot.csv --identify
 """
 OFFSETS = ("time", "base", "tool")
 
@@ -91,7 +92,8 @@ OFFSETS = ("time", "base", "tool")
 @file_option("--record", help="Write a recording (.rrd).")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 @click.option("--fit", is_flag=True, help="Find out numbers of the robot; needs vrts[validate].")
-@file_option("-o", "--output", help="With --fit: a lab to write.")
+@click.option("--identify", is_flag=True, help="Name what is wrong with the robot.")
+@file_option("-o", "--output", help="With --fit or --identify: a lab to write.")
 @overwrite_option()
 @setting_options
 @language_options
@@ -107,6 +109,7 @@ def command(
     record: Path | None,
     as_json: bool,
     fit: bool,
+    identify: bool,
     output: Path | None,
     overwrite: bool,
     where: Where,
@@ -119,8 +122,10 @@ def command(
     Tells the errors of the path and of the joints and how late each motion was, before and after
     the offsets were fitted. Positions are of the tool's tip in the frame of the robot's base.
     With --fit the log tells speeds, acceleration and corners of the robot instead; the lab that it
-    writes takes the place of what was assumed. `vrts validate simulate --help` makes a log to
-    practise with, `vrts validate camera --help` draws the simulated robot over real pictures.
+    writes takes the place of what was assumed. With --identify one sentence says first what is
+    wrong with the robot: joints, links, tool, base, clock, speeds or servos. `vrts validate
+    simulate --help` makes a log to practise with, `vrts validate camera --help` draws the simulated
+    robot over real pictures.
     """
     os.environ.setdefault(
         "OPENBLAS_NUM_THREADS", "1"
@@ -128,10 +133,15 @@ def command(
     for path in (html, record, output):
         if path is not None and path.exists() and not overwrite:
             fail(f"`{path}` is there already", ("give another name, or `--overwrite`",))
-    if fit and (html is not None or record is not None or within is not None):
-        fail("--html, --record and --within belong to a comparison, not to --fit")
-    if not fit and output is not None:
-        fail("-o belongs to --fit", ("reports are written by --html and --record",))
+    if fit and identify:
+        fail("--fit and --identify are two questions", ("ask one after the other",))
+    asked = "--fit" if fit else "--identify"
+    if (fit or identify) and (html is not None or record is not None or within is not None):
+        fail(f"--html, --record and --within belong to a comparison, not to {asked}")
+    if identify and output is not None and len(logs) > 1:
+        fail("-o takes one log", ("identify one log at a time for it",))
+    if not (fit or identify) and output is not None:
+        fail("-o belongs to --fit and --identify", ("reports are written by --html and --record",))
     if not fit and len(logs) > 1 and (html is not None or record is not None):
         fail("--html and --record show one log", ("compare one log at a time for them",))
     wanted, chosen = _wanted(align), given_columns(columns, color)
@@ -140,6 +150,8 @@ def command(
     if fit:
         _fit(run, given, output, as_json=as_json, color=color)
         return
+    if identify:
+        sys.exit(_identify(run, given, output, as_json=as_json, color=color))
     found = _compared(run, given, wanted, color)
     _show(found, as_json=as_json)
     _write(found[0], name, html, record)
@@ -226,3 +238,28 @@ def _fit(
     if output is not None:
         write_file(output, lab_file(found).encode())
         say(f"wrote {output}")
+
+
+def _identify(
+    run: "Run", logs: "Sequence[GivenLog]", output: Path | None, *, as_json: bool, color: str
+) -> int:
+    """Print what is wrong, and return the status: 1 where the model does not fit."""
+    from vrts.validate.identified_files import identified_lab
+    from vrts.validate.identify.identify import identify
+    from vrts.validate.reports.identified_text import identified_text
+
+    found = [identify(run, log) for log in logs]
+    for one in found:
+        show_diagnostics(one.findings, color)
+    if as_json:
+        from vrts.report.formats.json_text import json_text
+        from vrts.validate.reports.identified_json import identified_json
+
+        each = [identified_json(one) for one in found]
+        out(json_text(each[0] if len(each) == 1 else {"identified": each}))
+    else:
+        out("\n\n".join(identified_text(one) for one in found))
+    if output is not None:
+        write_file(output, identified_lab(found[0]).encode())
+        say(f"wrote {output}")
+    return HOLDS if all(one.fits for one in found) else WRONG

@@ -1,6 +1,8 @@
 """`vrts validate simulate`."""
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any, TypeVar
 
 import click
 
@@ -9,13 +11,27 @@ from vrts.cli.shared.options import Language, color_option, language_options, ov
 from vrts.cli.validate.shared import run_of, setting_options
 from vrts.pipeline.where import Where
 
+Command = TypeVar("Command", bound=Callable[..., Any])
+
 EPILOG = """\b
 Examples:
   vrts validate simulate path.v2 -o robot.csv
   vrts validate simulate path.v2 -o robot.csv --lag-ms 12 --base-mm 0.6 0.8 0 --seed 7
   vrts validate simulate path.v2 --scene cans-on-bases --lab true.toml -o robot.csv
+  vrts validate simulate path.v2 -o robot.csv --zero-deg 0 0 0.5 0 0 0 --speeds-percent 92
 """
 LARGEST = 1000.0
+
+
+def _several(name: str, count: int, words: str) -> Callable[[Command], Command]:
+    """Return an option that takes several numbers."""
+    return click.option(
+        name,
+        type=click.FloatRange(-LARGEST, LARGEST),
+        nargs=count,
+        default=(0.0,) * count,
+        help=words,
+    )
 
 
 @click.command(name="simulate", epilog=EPILOG)
@@ -57,6 +73,20 @@ LARGEST = 1000.0
     show_default=True,
     help="By how much the base is turned about the vertical.",
 )
+@_several("--zero-deg", 6, "By how much each joint stands off; its encoder shows it.")
+@_several("--link-mm", 4, "By how much a2 a3 d2 d4 of the arm are longer than in the scene.")
+@_several("--counted-link-mm", 4, "The same, of what the controller counts with.")
+@_several("--tool-mm", 3, "X Y Z by which the tool is off.")
+@click.option(
+    "--speeds-percent",
+    type=click.FloatRange(10.0, LARGEST),
+    default=100.0,
+    show_default=True,
+    help="All speeds, of what the scene says.",
+)
+@click.option(
+    "--rate-percent", type=click.FloatRange(-50.0, 50.0), default=0.0, help="How fast its clock is."
+)
 @click.option("--clock-s", type=float, default=0.0, help="What its clock shows at the start.")
 @click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of the noise.")
 @overwrite_option("Replace a file that is there.")
@@ -72,6 +102,12 @@ def command(
     noise_deg: float,
     base_mm: tuple[float, float, float],
     base_turn_deg: float,
+    zero_deg: tuple[float, ...],
+    link_mm: tuple[float, ...],
+    counted_link_mm: tuple[float, ...],
+    tool_mm: tuple[float, float, float],
+    speeds_percent: float,
+    rate_percent: float,
     clock_s: float,
     seed: int,
     overwrite: bool,
@@ -84,14 +120,28 @@ def command(
 
     A row every 28 ms: set points joined by straight lines, a servo that lags, encoders with steps,
     noise, a base that stands a little elsewhere. The same seed gives the same bytes. With --lab the
-    robot has other speeds than the scene says: something for --fit to find out.
+    robot has other speeds than the scene says: something for --fit or --identify to find out.
     """
     from vrts.validate.synthetic import Imperfect, synthetic_log
 
     if output != "-" and Path(output).exists() and not overwrite:
         fail(f"`{output}` is there already", ("give another name, or `--overwrite`",))
     run, name = run_of(program, where, entry, language, color)
-    robot = Imperfect(lag_ms / 1e3, encoder_deg, noise_deg, base_mm, base_turn_deg, clock_s, seed)
+    robot = Imperfect(
+        lag_ms / 1e3,
+        encoder_deg,
+        noise_deg,
+        base_mm,
+        base_turn_deg,
+        clock_s,
+        seed,
+        zero_deg,
+        link_mm,
+        counted_link_mm,
+        tool_mm,
+        speeds_percent,
+        rate_percent,
+    )
     text = "".join(synthetic_log(run, robot, Path(name).name))
     if output == "-":
         out(text, end=False)

@@ -1,0 +1,58 @@
+"""Where the motion of a run lies in a log: one shift of the clock, or one for every stretch.
+
+A controller that rests as long as it likes between motions is compared stretch by stretch.
+"""
+
+import numpy as np
+
+from vrts.engine.run import Run
+from vrts.validate.clock import clock_shift
+from vrts.validate.identify.forward import Clock, Rows, commanded, spans_of
+from vrts.validate.log.log import RobotLog
+
+LOOKED_S = np.concatenate((np.arange(-0.2, 0.4, 0.02), np.arange(0.4, 4.0, 0.05)))
+FEWEST = 4  # rows of a stretch
+FURTHER = 40  # rows that are compared, at most, when a stretch is looked for
+
+
+def whole(run: Run, log: RobotLog, rows: Rows) -> Clock:
+    """Return one shift for all rows."""
+    return Clock(np.array([clock_shift(run, log)]), np.zeros(len(rows.times), np.intp))
+
+
+def by_stretches(run: Run, rows: Rows, begin: Clock) -> Clock | None:
+    """Return a shift for every stretch, each looked for after the one before; None: not found."""
+    spans = spans_of(run)
+    if len(spans) < 2 or rows.joints is None:
+        return None
+    shifts: list[float] = []
+    rests = float(begin.shifts[0])
+    for start, end in spans.tolist():
+        tried = rests - LOOKED_S
+        off = [_off(run, rows, (start, end), shift) for shift in tried.tolist()]
+        if not np.isfinite(min(off)):
+            return None
+        rests = float(tried[int(np.argmin(off))])
+        shifts.append(rests)
+    found = np.array(shifts)
+    middles = 0.5 * (spans[:-1, 1] - found[:-1] + spans[1:, 0] - found[1:])
+    return Clock(found, np.searchsorted(middles, rows.times).astype(np.intp))
+
+
+def _off(run: Run, rows: Rows, span: tuple[float, float], shift: float) -> float:
+    assert rows.joints is not None
+    first, last = np.searchsorted(rows.times, [span[0] - shift, span[1] - shift])
+    if last - first < FEWEST:
+        return np.inf
+    every = max((last - first) // FURTHER, 1)
+    times = rows.times[first:last:every] + shift
+    joints = commanded(run, times, np.full(len(times), -np.inf), {})
+    return float(np.abs(rows.joints[first:last:every] - joints).mean())
+
+
+def moved(clock: Clock, before: Run, after: Run) -> Clock:
+    """Return a clock for a run with other numbers: the middles of stretches stay in the log."""
+    a, b = spans_of(before), spans_of(after)
+    if clock.whole:
+        return clock
+    return Clock(clock.shifts + b.mean(axis=1) - a.mean(axis=1), clock.which)

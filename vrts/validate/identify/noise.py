@@ -1,0 +1,94 @@
+"""What is left over: how large it is, how much of it is new from row to row, and its pattern."""
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+LONGEST_SHARE = 0.1  # of the rows: correlation is looked for so far apart
+TESTED = 8  # rows apart, in the test for a pattern
+LOOKED_AT = 300  # values in which the step of an encoder is looked for
+
+
+class Left(NamedTuple):
+    """The residuals of a fit."""
+
+    rms: Array  # of every channel, at least what a step of it makes [rad, m]
+    times_correlated: Array  # of every channel: so many rows tell as much as one
+    patterned: Array  # RMS of the part that lasts for several rows, of every channel
+
+    @property
+    def rows_each(self) -> float:
+        """How many rows tell as much as one, of the worst channel."""
+        return float(self.times_correlated.max())
+
+
+def resolution(values: Array) -> Array:
+    """Return the standard deviation that rounding makes, of every channel.
+
+    The step is the least distance between two values that are not the same.
+    """
+    found = np.zeros(values.shape[1])
+    for k in range(values.shape[1]):
+        gaps = np.diff(np.unique(np.round(values[:, k], 12)))
+        gaps = gaps[gaps > 1e-10]
+        found[k] = float(np.percentile(gaps, 5)) / np.sqrt(12.0) if len(gaps) else 1e-9
+    return found
+
+
+def left_over(residual: Array, least: Array) -> Left:
+    """Return what is to be said of residuals.
+
+    Args:
+        residual: Shape (n, channels).
+        least: What rounding makes, of every channel.
+    """
+    n = len(residual)
+    square = (residual**2).mean(axis=0)
+    times = np.ones(residual.shape[1])
+    pattern = np.zeros(residual.shape[1])
+    for k in range(residual.shape[1]):
+        correlation = _correlation(residual[:, k])
+        below = np.flatnonzero(correlation[1:] <= 2.0 / np.sqrt(n))
+        last = int(below[0]) + 1 if len(below) else len(correlation)
+        times[k] = max(1.0 + 2.0 * float(correlation[1:last].sum()), 1.0)
+        near = correlation[1 : TESTED + 1]
+        if n * float((near**2).sum()) > TESTED + 5.0 * np.sqrt(2.0 * TESTED):
+            pattern[k] = np.sqrt(square[k] * max(float(near[:2].mean()), 0.0))
+    return Left(np.sqrt(square + least**2), times, pattern)
+
+
+def _correlation(values: Array) -> Array:
+    """Return the autocorrelation, from 0 rows apart on."""
+    off = values - values.mean()
+    n = len(off)
+    most = max(int(LONGEST_SHARE * n), TESTED + 2)
+    size = 1 << (2 * n).bit_length()
+    spectrum = np.fft.rfft(off, size)
+    found = np.fft.irfft(spectrum * np.conj(spectrum), size)[:most]
+    return found / max(float(found[0]), 1e-300)
+
+
+def covariance(jacobian: Array, residual: Array, sigma: Array) -> Array:
+    """Return the covariance of fitted numbers, by the formula of Newey and West.
+
+    Rows that follow one another may have errors alike, and the channels of a row, too.
+
+    Args:
+        jacobian: Shape (n, channels, k).
+        residual: Shape (n, channels).
+        sigma: Of every channel.
+    """
+    n, _, k = jacobian.shape
+    white = jacobian / sigma[:, None]
+    scores = np.einsum("nck,nc->nk", white, residual / sigma)
+    flat = white.reshape(-1, k)
+    inverse = np.linalg.pinv(flat.T @ flat, rcond=1e-14, hermitian=True)
+    width = max(int(1.3 * n ** (1.0 / 3.0)), 1)
+    middle = scores.T @ scores
+    for lag in range(1, width + 1):
+        both = scores[lag:].T @ scores[:-lag]
+        middle += (1.0 - lag / (width + 1.0)) * (both + both.T)
+    return n / max(n - k, 1) * inverse @ middle @ inverse
