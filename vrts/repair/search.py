@@ -20,10 +20,11 @@ from vrts.repair.table.asked import Asked
 from vrts.repair.table.table import candidates
 from vrts.repair.trying.lost import first_loss
 from vrts.repair.trying.touched import known_touches
-from vrts.repair.trying.trial import Place, Stage, Tried, shared, tried, verified_text
+from vrts.repair.trying.trial import NOWHERE, Place, Stage, Tried, shared, tried, verified_text
 from vrts.repair.written import read
 
 DOUBTED = 0.25  # of a repair against which a teacher says so much others are looked for longer
+UNUSED = 0.3  # what a teacher says against it that locations stay that nothing names
 FARTHER = 0.0015  # more than a line that a step more adds to those that move something
 FRUITLESS = 0.08  # how much dearer a group gets with each of it that comes to nothing
 
@@ -31,13 +32,14 @@ FRUITLESS = 0.08  # how much dearer a group gets with each of it that comes to n
 class Budget(NamedTuple):
     """How much is executed at most."""
 
-    executions: int = 600  # in all
+    executions: int = 700  # in all
     one: int = 400  # for one change
     band: float = 0.5  # how much dearer than the first good candidate others are looked at
     more: int = 30  # executions after the first good candidate
     alone: int = 200  # for one change, before changes that help are taken for the first of two
     helpers: int = 5  # changes that help at most, at a time
     others: int = 2  # that are looked at after the first that is one of two good changes
+    again: int = 50  # of those given up early that are executed to their end, to find helpers
     second: int = 100  # for the second change beside each of them
 
 
@@ -71,7 +73,7 @@ def search(
     good = 0  # helpers looked at since one was good, that one too
     two: list[Repair] = []
     for most in (budget.one, 0):
-        helpers = [] if level.found else level.helping(budget.helpers)
+        helpers = [] if level.found else level.helping(budget.helpers, budget.again)
         for n, helper in enumerate(helpers):
             left = budget.executions - level.count - count
             if left <= 0 or good > budget.others:
@@ -119,13 +121,15 @@ class _Level:
         written = read(source, place.options.dialect or VAL2)
         run, judgement, grade = judged
         self.blamed = blame(run, place.task, judgement, grade)
-        self._queue = _Queue(candidates(Asked(written, place.scene, place.task, self.blamed)))
+        self._asked = Asked(written, place.scene, place.task, self.blamed)
+        self._queue = _Queue(candidates(self._asked))
         self._base = tried(place, source.text, memory).come
         self._shared = shared(place, source.text, memory)
         self._touches = known_touches(run, judgement.collisions)
         self._loss = first_loss(run, self._touches)
         self._seen = {_code(source.text)}
         self._helpers: list[_Helper] = []
+        self._given_up: list[tuple[Candidate, str]] = []  # for they lose the same first
         self._tried: set[tuple[float, int]] = set()  # how far those came, and their lines
         self.found: list[Repair] = []
         self.count = 0  # executions
@@ -147,7 +151,7 @@ class _Level:
                 continue
             self.count += 1
             if result.stage is Stage.FULL:
-                repair = _repair(candidate, text, result, self.blamed)
+                repair = _repair(candidate, text, result, self._asked)
                 doubted = repair.against - repair.cost >= DOUBTED
                 if not doubted or not self.found:
                     more = self.budget.more * (3 if doubted else 1)
@@ -155,13 +159,30 @@ class _Level:
                 enough = min(enough, repair.against + self.budget.band)
                 self.found.append(repair)
                 continue
-            better = result.come > self._base + FARTHER
-            if better:
-                self._helpers.append(_Helper(candidate, text, result))
+            if result.come == NOWHERE:
+                self._given_up.append((candidate, text))
+            better = self._helps(candidate, text, result)
             self._queue.failed(candidate, better=better)
 
-    def helping(self, most: int) -> list[_Helper]:
-        """Return the changes that come farthest; of those that come as far the cheapest."""
+    def _helps(self, candidate: Candidate, text: str, result: Tried) -> bool:
+        """Keep a change that comes farther than the program; return whether it does."""
+        better = result.come > self._base + FARTHER
+        if better:
+            self._helpers.append(_Helper(candidate, text, result))
+        return better
+
+    def helping(self, most: int, again: int) -> list[_Helper]:
+        """Return the changes that come farthest; of those that come as far the cheapest.
+
+        Args:
+            most: How many.
+            again: How many of those given up early are executed to their end before.
+        """
+        for candidate, text in self._given_up[:again]:
+            self.count += 1
+            result = tried(self.place, text, self.memory, self._touches, self._shared)
+            self._helps(candidate, text, result)
+        del self._given_up[:again]
         self._helpers.sort(key=lambda each: (-round(each.result.come, 3), each.candidate.cost))
         taken: dict[tuple[float, int], _Helper] = {}
         for helper in self._helpers:
@@ -220,10 +241,14 @@ class _Queue:
         self._dearer[candidate.group] = before + (-0.1 if better else FRUITLESS)
 
 
-def _repair(candidate: Candidate, text: str, result: Tried, blamed: Blame) -> Repair:
+def _repair(candidate: Candidate, text: str, result: Tried, asked: Asked) -> Repair:
     assert result.mark is not None
-    weight = blamed.weight(candidate.change.line)
-    return Repair(candidate.change, candidate.cost, text, result.mark, weight, candidate.doubt)
+    change = candidate.change
+    doubt = candidate.doubt
+    if asked.idle and not any(name in change.new.lower() for name in asked.idle):
+        doubt += UNUSED
+    weight = asked.blame.weight(change.line)
+    return Repair(change, candidate.cost, text, result.mark, weight, doubt)
 
 
 def _code(text: str) -> str:

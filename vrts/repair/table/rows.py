@@ -1,6 +1,8 @@
 """Other values in rows of locations: mistyped, of another unit, taught by the scene."""
 
+import math
 from collections.abc import Callable, Iterator, Sequence
+from statistics import median
 
 from vrts.base.oat import rotation_from_oat
 from vrts.base.pose import IDENTITY_ROTATION, Pose, Rotation, rotate, transpose
@@ -24,13 +26,15 @@ Row = Sequence[float]
 ASKED = 0.6  # [mm] so near to what geometry asks for an explained value is the one that was meant
 MEANT = -0.8  # what it speaks for a value that geometry asks for and a slip explains
 ONE_DIGIT = -0.2  # and for a value that differs in one digit
-UNEXPLAINED = 0.15  # and against a value that neither a slip nor geometry explains
+UNEXPLAINED = 0.25  # and against a value that neither a slip nor geometry explains
 AS_TAUGHT = 0.6  # what speaks against another value where a row is as the scene says
 UNROUND = 0.3  # what a teacher says against a number that nobody measures
 SAME = 0.02  # [mm], [deg] of two values that differ by less neither is another
 POSE = 6
 TURNS = (90.0, -90.0, 180.0, -180.0, 10.0, -10.0, 20.0, -20.0, 30.0, -30.0, 45.0, -45.0)
 ANGLES = (0.0, 90.0, -90.0, 180.0)
+SMALL = 0.1  # of what is usual: a location so near to the robot has another unit
+FITS = 0.8  # what speaks for the unit in which it is as far away as the others
 UNITS = (25.4, 10.0, 1000.0, 0.1, 1 / 25.4)
 
 
@@ -233,9 +237,15 @@ def _several(asked: Asked, row: WrittenRow) -> Iterator[Candidate]:
                     other = list(values)
                     other[i], other[j] = other[j], other[i]
                     yield _row(asked, row, other, Does.ORDER, 0.1 - 0.3)
+    usual = median(
+        math.hypot(*values_of(each)[:3]) for each in asked.written.rows if _is_pose(each)
+    )
+    small = math.hypot(*values[:3]) < SMALL * usual
     for k, unit in enumerate(UNITS):
         other = [*(tidy(x * unit, unit) for x in values[:3]), *values[3:]]
-        yield _row(asked, row, other, Does.ROW, 0.1 + 0.1 * k, priced=1.6)
+        fits = small and 0.5 * usual < math.hypot(*other[:3]) < 2.0 * usual
+        unusual = 0.1 + 0.1 * k - (FITS if fits else 0.0)
+        yield _row(asked, row, other, Does.ROW, unusual, priced=1.6)
     for residual in asked.blame.residuals:
         other = [*(x + d for x, d in zip(values, residual, strict=False)), *values[3:]]
         yield _row(asked, row, other, Does.ROW, 0.3)

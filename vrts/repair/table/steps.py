@@ -26,6 +26,7 @@ from vrts.lang.syntax.statements import (
 from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.nodes import nodes_of_step
 from vrts.repair.table.asked import MOVES_TO, Asked, names_in, target_of
+from vrts.repair.table.placing import fits, idle_hand, in_place, opens, same, there
 from vrts.repair.written import WrittenStep
 
 BLOCKS = (For, If, While, Until, Case, ValueGroup, Structure, Declare)
@@ -34,6 +35,10 @@ DEPARTURES = (60, 100, 120, 150, 200)
 APPROACHES = (120, 100, 60, 150)
 IDLE_HAND = 0.4  # what a teacher says against a step of the hand that moves no finger
 LEFT = 0.5  # what a teacher says against leaving a location that was taught and named unused
+NEEDED = 0.4  # what a teacher says against a motion that is too much, unless it is there twice
+EARLIER = 0.06  # of two steps that are alike the later one is too much
+THERE = 0.5  # what a teacher says against a step more that stands there already, nearly
+OTHERWISE = 0.6  # and against a program that nobody calls, called by another than the first
 FARTHEST = 6  # steps that a step may have to be moved by
 RARE = frozenset({"BASE", "TOOL", "DRIVE", "SINGLE", "RETURN", "STOP", "HALT", "PAUSE", "DELAY"})
 SAYS_NOTHING = frozenset({"TYPE"})  # steps that move nothing: not copied elsewhere
@@ -71,9 +76,16 @@ def _without(asked: Asked, step: WrittenStep, steps: tuple[WrittenStep, ...]) ->
     start, end = written.line_start(step.line), written.line_start(step.line + 1)
     k = steps.index(step)
     beside = [steps[j].text for j in (k - 1, k + 1) if 0 <= j < len(steps)]
-    again = any(_same(step.text, text) for text in beside)
+    again = any(same(step.text, text) for text in beside)
+    earlier = any(
+        same(step.text, each.text) for each in steps[k + 1 : k + 5] if each.program == step.program
+    )
     near = steps[max(k - 4, 0) : k + 5]
-    twice = sum(each.program == step.program and _same(step.text, each.text) for each in near) > 1
+    stops = step.text.strip().upper() == "BREAK"  # without it corners are rounded: that may be luck
+    twice = (
+        not stops
+        and sum(each.program == step.program and same(step.text, each.text) for each in near) > 1
+    )
     rare = step.text.split()[0].upper() in RARE
     plain = isinstance(step.statement, Simple) and not any(names_in(step))
     alone = any(
@@ -86,15 +98,12 @@ def _without(asked: Asked, step: WrittenStep, steps: tuple[WrittenStep, ...]) ->
         (replacement(written.source, start, end, ""),),
         size=nodes_of_step(step.statement),
         priced=1,
-        unusual=-0.4 if again else -0.25 if twice else -0.3 if rare else 0.25,
+        unusual=(-0.4 if again else -0.25 if twice else -0.3 if rare else 0.25)
+        + (EARLIER if earlier else 0.0),
         trust=0.8 if rare else None,
         old=step.text,
-        doubt=LEFT if alone else -0.3 if again or twice else 0.0 if plain else 0.25,
+        doubt=LEFT if alone else -0.3 if again or twice else NEEDED if stops or not plain else 0.0,
     )
-
-
-def _same(a: str, b: str) -> bool:
-    return a.split() == b.split()
 
 
 def _wanted(asked: Asked) -> Iterator[Wanted]:
@@ -147,15 +156,15 @@ def _wanted(asked: Asked) -> Iterator[Wanted]:
 
 def _uncounted(asked: Asked) -> list[str]:
     """Return the variables of conditions of WHILE that are set once, before: nobody counts."""
-    found = [
-        name.text
-        for step in asked.written.steps
-        if isinstance(step.statement, While)
-        for name in names_in(step)
-    ]
     targets = [target_of(step) for step in asked.written.steps]
     times = Counter(key(target.text) for target in targets if isinstance(target, Name))
-    return [name for name in dict.fromkeys(found) if times[key(name)] == 1]
+    found: list[str] = []
+    for step in asked.written.steps:
+        if isinstance(step.statement, While):
+            names = [name.text for name in names_in(step)]
+            if not any(times[key(name)] > 1 for name in names):
+                found += [name for name in names if times[key(name)] == 1]
+    return list(dict.fromkeys(found))
 
 
 def _of_idle(asked: Asked, step: WrittenStep) -> Iterator[str]:
@@ -196,46 +205,28 @@ def _more(asked: Asked, k: int, wanted: list[Wanted]) -> Iterator[Candidate]:
     last = k + 1 == len(steps) or steps[k + 1].program != step.program
     reached = asked.matters(step.line) or (before is not None and asked.matters(before.line))
     near = [*wanted, *_fitting(asked, before, step)]
+    after = steps[k + 1] if k + 1 < len(steps) and not last else None
     if reached:
         against = asked.against(step.line)
         if before is not None:
             against = min(against, asked.against(before.line))
-        opens = _opens(asked, k)
+        first = opens(asked, k)
         for each in near:
-            fits = _fits(each.text, before, step)
-            if opens and each.text == "OPENI":
-                fits = -0.5
-            yield _added(asked, step.line, step, each, against, fits)
+            fit = fits(each.text, before, step) + in_place(each.text, before, step, after)
+            if each.text.startswith("CALL ") and each.trust < 1.0:
+                fit += OTHERWISE if step.program else 0.3 if before is not None else -0.3
+            if first and each.text == "OPENI":
+                fit = -0.5
+            yield _added(asked, step.line, step, each, against, fit)
     if last and asked.matters(step.line):
         for each in near:
-            fits = _fits(each.text, step, None)
+            fit = fits(each.text, step, None)
             line = step.line + 1
-            yield _added(asked, line, step, each, asked.against(step.line), fits)
-
-
-def _idle_hand(asked: Asked, line: int, text: str) -> bool:
-    """Return whether a step of the hand does again what the hand did last, as the text stands."""
-    if text not in ("OPENI", "CLOSEI"):
-        return False
-    last = ""
-    for step in asked.written.steps:
-        word = getattr(step.statement, "word", "")
-        if step.line >= line:
-            break
-        last = word if word.startswith(("OPEN", "CLOSE")) else last
-    return last[:4] == text[:4]
-
-
-def _opens(asked: Asked, k: int) -> bool:
-    """Return whether a step is the first motion of the file, and the hand was not moved before."""
-    before = [getattr(step.statement, "word", "") for step in asked.written.steps[:k]]
-    step = asked.written.steps[k]
-    moves = getattr(step.statement, "word", "") in MOVES_TO
-    return moves and not any(word in MOVES_TO or "OPEN" in word for word in before)
+            yield _added(asked, line, step, each, asked.against(step.line), fit)
 
 
 def _added(
-    asked: Asked, line: int, beside: WrittenStep, each: Wanted, against: float, fits: float
+    asked: Asked, line: int, beside: WrittenStep, each: Wanted, against: float, fit: float
 ) -> Candidate:
     written = asked.written
     at = written.line_start(line)
@@ -248,9 +239,11 @@ def _added(
         priced=1 + 0.3 * (each.size - 1),
         against=against,
         trust=each.trust,
-        unusual=each.unusual + fits,
+        unusual=each.unusual + fit,
         new=each.text,
-        doubt=0.2 * (each.size - 1) + (IDLE_HAND if _idle_hand(asked, line, each.text) else 0.0),
+        doubt=0.2 * (each.size - 1)
+        + (IDLE_HAND if idle_hand(asked, line, each.text) else 0.0)
+        + (THERE if there(asked, beside, line, each.text) else 0.0),
         group=-at if each.size == 1 else hash_of(each.text),
     )
 
@@ -280,46 +273,6 @@ def _target(asked: Asked, step: WrittenStep) -> str | None:
             return asked.text_of(target)
         case _:
             return None
-
-
-def _fits(text: str, before: WrittenStep | None, step: WrittenStep | None) -> float:
-    """Return what the steps beside speak for or against a step between them."""
-    above = _words(before)
-    below = _words(step)
-    new = text.replace(",", " ").split()
-    word = new[0]
-    if _same(text, before.text if before else "") or _same(text, step.text if step else ""):
-        return 0.8
-    moves_in = above[:1] in (["MOVES"], ["MOVE"])
-    if new[1:2] == ["="] and below[:1] == ["END"]:
-        return -0.3
-    if word == "SET":
-        if above[:1] == ["SET"]:
-            return -0.3
-        return -0.2 if before is None or below[:1] == ["SET"] else 0.2
-    if word in ("CLOSEI", "OPENI"):
-        if above[:1] in (["CLOSEI"], ["OPENI"]):
-            return 0.6
-        if moves_in and below[:1] in (["DEPARTS"], ["DEPART"], ["MOVES"], ["MOVE"], ["APPRO"]):
-            return -0.35
-        return 0.0
-    if word in ("DEPARTS", "DEPART"):
-        return -0.45 if above[:1] in (["CLOSEI"], ["OPENI"]) else 0.4
-    if word in ("MOVES", "MOVE") and len(new) > 1:
-        if below[:1] in (["CLOSEI"], ["OPENI"]) and new[1] in above:
-            return -0.5
-        if below[:1] in (["CLOSEI"], ["OPENI"]):
-            return -0.2
-        return 0.1
-    if word in ("APPRO", "APPROS") and len(new) > 1:
-        return -0.45 if below[:1] in (["MOVES"], ["SPEED"]) and new[1] in below else 0.1
-    if word == "BREAK":
-        return 0.0 if above[:1] in (["MOVES"], ["MOVE"], ["APPRO"], ["DEPARTS"]) else 0.5
-    return 0.1
-
-
-def _words(step: WrittenStep | None) -> list[str]:
-    return [] if step is None else step.text.replace(",", " ").split()
 
 
 def _elsewhere(asked: Asked, k: int) -> Iterator[Candidate]:

@@ -44,6 +44,7 @@ INSTEAD = MappingProxyType(
     }
 )
 NEAR = MappingProxyType({"MOVE": "APPRO", "MOVES": "APPROS"})  # with a distance
+ANOTHER_WAY = 0.25  # what a teacher says against another way to the same place: it may be luck
 UNVISITED = 0.4  # what a teacher says against going near a location that nothing goes to
 HEIGHTS = (120, 100, 80, 60, 150, 200, 40)
 COMPARED = ("<", "<=", ">", ">=", "==", "<>")
@@ -83,7 +84,7 @@ def _word(
 ) -> Candidate:
     end = keyword_end(asked, step)
     edit = replacement(asked.written.source, step.start, end, other)
-    doubt = 0.15 if (word, other) == ("MOVE", "MOVES") else 0.0
+    doubt = ANOTHER_WAY if {word, other} == {"MOVE", "MOVES"} else 0.0
     return asked.candidate(
         Does.WORD, step.line, (edit,), size=size, unusual=unusual, old=word, new=other, doubt=doubt
     )

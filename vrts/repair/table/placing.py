@@ -1,0 +1,129 @@
+"""What the steps beside a place speak for or against a step more there."""
+
+import re
+
+from vrts.lang.names import key
+from vrts.lang.syntax.statements import CallStatement, For, If, Simple, While
+from vrts.repair.table.asked import MOVES_TO, Asked
+from vrts.repair.written import WrittenStep
+
+INSIDE = 4  # steps of a block in which a motion is looked for
+
+
+def idle_hand(asked: Asked, line: int, text: str) -> bool:
+    """Return whether a step of the hand does again what the hand did last, as the text stands."""
+    if text not in ("OPENI", "CLOSEI"):
+        return False
+    last = ""
+    for step in asked.written.steps:
+        word = getattr(step.statement, "word", "")
+        if step.line >= line:
+            break
+        last = word if word.startswith(("OPEN", "CLOSE")) else last
+    return last[:4] == text[:4]
+
+
+def opens(asked: Asked, k: int) -> bool:
+    """Return whether nothing has moved before a step of the first program, and the step moves."""
+    steps = asked.written.steps
+    if steps[k].program or not _sets_off(asked, k):
+        return False
+    return not any(
+        _sets_off(asked, j) or "OPEN" in getattr(steps[j].statement, "word", "") for j in range(k)
+    )
+
+
+def _sets_off(asked: Asked, k: int) -> bool:
+    """Return whether a step moves the arm, or calls or repeats what does."""
+    steps = asked.written.steps
+    match steps[k].statement:
+        case Simple(word) if word in MOVES_TO:
+            return True
+        case CallStatement(program):
+            names = [each.name for each in asked.written.programs]
+            return any(
+                names[step.program] == key(program.text)
+                and getattr(step.statement, "word", "") in MOVES_TO
+                for step in steps
+            )
+        case For() | While() | If():
+            return any(_sets_off(asked, j) for j in range(k + 1, min(k + INSIDE, len(steps))))
+        case _:
+            return False
+
+
+def there(asked: Asked, beside: WrittenStep, line: int, text: str) -> bool:
+    """Return whether a step of more than a word stands shortly before or behind a place already."""
+    if " " not in text:
+        return False
+    steps = [each for each in asked.written.steps if each.program == beside.program]
+    behind = [each for each in steps if each.line >= line][:2]
+    before = [each for each in steps if each.line < line][-2:]
+    return any(same(text, each.text) for each in (*before, *behind))
+
+
+def fits(text: str, before: WrittenStep | None, step: WrittenStep | None) -> float:
+    """Return what the steps beside speak for or against a step between them."""
+    above = _words(before)
+    below = _words(step)
+    new = text.replace(",", " ").split()
+    word = new[0]
+    if same(text, before.text if before else "") or same(text, step.text if step else ""):
+        return 0.8
+    moves_in = above[:1] in (["MOVES"], ["MOVE"])
+    if new[1:2] == ["="] and below[:1] == ["END"]:
+        return -0.3
+    if word == "SET":
+        if above[:1] == ["SET"]:
+            return -0.3
+        return -0.2 if before is None or below[:1] == ["SET"] else 0.2
+    if word in ("CLOSEI", "OPENI"):
+        if above[:1] in (["CLOSEI"], ["OPENI"]):
+            return 0.6
+        if moves_in and below[:1] in (["DEPARTS"], ["DEPART"], ["MOVES"], ["MOVE"], ["APPRO"]):
+            return -0.35
+        return 0.0
+    if word in ("DEPARTS", "DEPART"):
+        return -0.45 if above[:1] in (["CLOSEI"], ["OPENI"]) else 0.4
+    if word in ("MOVES", "MOVE") and len(new) > 1:
+        if below[:1] in (["CLOSEI"], ["OPENI"]) and new[1] in above:
+            return -0.5
+        if below[:1] in (["CLOSEI"], ["OPENI"]):
+            return -0.2
+        return 0.1
+    if word in ("APPRO", "APPROS") and len(new) > 1:
+        return -0.45 if below[:1] in (["MOVES"], ["SPEED"]) and new[1] in below else 0.1
+    if word == "BREAK":
+        return 0.0 if above[:1] in (["MOVES"], ["MOVE"], ["APPRO"], ["DEPARTS"]) else 0.5
+    return 0.1
+
+
+def in_place(
+    text: str, before: WrittenStep | None, step: WrittenStep, after: WrittenStep | None
+) -> float:
+    """Return what speaks for or against a place where a step more would do as well beside it."""
+    new = text.replace(",", " ").split()
+    above, below = _words(before), _words(step)
+    if new[0] in ("APPRO", "APPROS") and len(new) > 1:
+        slower = below[:1] == ["SPEED"] and below[-1] != "ALWAYS"
+        if slower and _words(after)[:1] in (["MOVES"], ["MOVE"]) and new[1] in _words(after):
+            return -0.6
+        if above[:1] == ["SPEED"] and above[-1] != "ALWAYS" and below[:1] == ["MOVES"]:
+            return 0.3
+    if new[0] == "SET" and above[:1] == ["SET"]:
+        mine, other = (
+            re.fullmatch(r"(\w+)\[(\d+)\]", new[1]),
+            re.fullmatch(r"(\w+)\[(\d+)\]", above[1]),
+        )
+        if mine and other and mine[1] == other[1]:
+            return -0.4 if int(mine[2]) == int(other[2]) + 1 else 0.2
+    return 0.0
+
+
+def _words(step: WrittenStep | None) -> list[str]:
+    return [] if step is None else step.text.replace(",", " ").split()
+
+
+def same(a: str, b: str) -> bool:
+    """Return whether two steps say the same."""
+    return a.split() == b.split()
