@@ -143,6 +143,9 @@ class Mending(Record, frozen=True):
     lines: tuple[int, ...]
     changes: Annotated[int, Meta(description="how many mistakes that mends")]
     executions: Annotated[int, Meta(description="how often a changed program was executed")]
+    mark: Annotated[
+        float | None, Meta(description="what it would earn: the full mark, or more")
+    ] = None
 
 
 class Result(Record, frozen=True, omit_defaults=True):

@@ -4,6 +4,7 @@ import gc
 import math
 from collections.abc import Generator
 from contextlib import contextmanager
+from fractions import Fraction
 from heapq import heapify, heappop, heappush
 from typing import NamedTuple
 
@@ -25,6 +26,7 @@ from vrts.repair.written import read
 
 DOUBTED = 0.25  # of a repair against which a teacher says so much others are looked for longer
 UNUSED = 0.3  # what a teacher says against it that locations stay that nothing names
+MOST_JUDGED = 3  # changes that come farthest, to tell which earns most
 FARTHER = 0.0015  # more than a line that a step more adds to those that move something
 FRUITLESS = 0.08  # how much dearer a group gets with each of it that comes to nothing
 
@@ -49,6 +51,7 @@ class Search(NamedTuple):
     repairs: tuple[Repair, ...]  # best first
     executions: int
     blame: Blame
+    better: Repair | None = None  # where nothing earns the full mark: what earns most
 
 
 @contextmanager
@@ -87,7 +90,8 @@ def search(
             break
         level.go(min(most, budget.executions - count))
     found = _verified(place, ranked(level.found or two))
-    return Search(found, level.count + count, level.blamed)
+    better = None if found else level.better(grade.mark)
+    return Search(found, level.count + count, level.blamed, better)
 
 
 def _verified(place: Place, found: tuple[Repair, ...]) -> tuple[Repair, ...]:
@@ -193,6 +197,20 @@ class _Level:
         self._tried.update(best)
         return [taken[place] for place in best]
 
+    def better(self, mark: Fraction) -> Repair | None:
+        """Return the change that earns most of those that come farthest; None: no more than a mark.
+
+        Each is verified by the usual run and the usual checks.
+        """
+        taken = sorted(self._helpers, key=lambda h: (-round(h.result.come, 3), h.candidate.cost))
+        best: Repair | None = None
+        for helper in taken[:MOST_JUDGED]:
+            result = verified_text(self.place, helper.text)
+            if result.mark is not None and result.mark > mark:
+                mark = result.mark
+                best = _repair(helper.candidate, helper.text, result, self._asked)
+        return best
+
     @property
     def _gain(self) -> float:
         """How much farther the best of them comes."""
@@ -203,7 +221,11 @@ def _next(
     place: Place, source: SourceFile, helper: _Helper
 ) -> tuple[SourceFile, tuple[Run, Judgement, Grade]]:
     """Return a program with a change that helps, and what is still wrong with it."""
-    return SourceFile(source.name, helper.text), helper.result.judged(place)
+    judged = verified_text(place, helper.text)  # from its beginning: its steps have other lines
+    assert judged.run is not None
+    assert judged.judgement is not None
+    assert judged.grade is not None
+    return SourceFile(source.name, helper.text), (judged.run, judged.judgement, judged.grade)
 
 
 def _together(source: SourceFile, helper: _Helper, found: list[Repair]) -> list[Repair]:

@@ -91,3 +91,15 @@ def test_what_does_not_compile_is_refused_with_a_sentence() -> None:
 def test_only_the_full_mark_counts() -> None:
     """The stages are in the order in which a candidate comes through them."""
     assert list(Stage)[-1] is Stage.FULL
+
+
+def test_where_nothing_earns_the_full_mark_what_earns_most_is_known() -> None:
+    """Two mistakes: within a few executions one of them is put right."""
+    wrong = RIGHT.replace("base1_put        ", "base1_putt       ")
+    wrong = wrong.replace("can1_grip, base2_put", "base2_put, base2_put")
+    found = of(wrong, Budget(executions=30, helpers=0))
+    grade = found.assessment.grade
+    assert not found.repairs
+    assert grade is not None
+    assert found.better is not None
+    assert grade.mark < found.better.mark < 10

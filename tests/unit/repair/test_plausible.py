@@ -33,4 +33,5 @@ def test_the_hand_that_is_closed_at_the_start_is_opened_at_the_start() -> None:
     found = mended(Request(ProgramFile(wrong.encode(), "p.v2"), load_task(example / "task.toml")))
     best = found.repairs[0].change
     assert best.new == "OPENI"
-    assert best.line <= right[: right.index("OPENI")].count("\n") + 2
+    at = right[: right.index("OPENI")].count("\n") + 1
+    assert best.line in (at, at + 1)

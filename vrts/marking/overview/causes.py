@@ -16,7 +16,7 @@ def causes(rows: Sequence[Row], *, pages: bool) -> Markup | None:
         return None
     return element(
         "section",
-        element("h2", "What would earn the full mark"),
+        element("h2", "What would earn the full mark, or more"),
         *(_group(cause, group, pages=pages) for cause, group in groups.items()),
         id="causes",
     )
@@ -29,8 +29,14 @@ def by_cause(rows: Sequence[Row]) -> dict[str, list[Row]]:
         if row.result.mending is not None:
             found.setdefault(one_line(row.result.mending.cause), []).append(row)
     for group in found.values():
-        group.sort(key=lambda row: -(row.final or 0.0))
+        group.sort(key=lambda row: (-_would_earn(row), -(row.final or 0.0)))
     return dict(sorted(found.items(), key=lambda item: (-len(item[1]), item[0])))
+
+
+def _would_earn(row: Row) -> float:
+    """Return the mark that the change would earn; what earlier results do not tell is 0."""
+    mending = row.result.mending
+    return 0.0 if mending is None else mending.mark or 0.0
 
 
 def _group(cause: str, rows: Sequence[Row], *, pages: bool) -> Markup:

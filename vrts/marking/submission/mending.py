@@ -13,7 +13,7 @@ from vrts.repair.telling import away, cause, place
 
 
 def would_do(order: Order, setting: Setting, executions: int) -> Mending | None:
-    """Return what would earn a program the full mark; None where nothing was found.
+    """Return what would earn a program the full mark, or more; None where nothing was found.
 
     What the task lets students know does not matter here: only those who mark read it.
 
@@ -24,10 +24,10 @@ def would_do(order: Order, setting: Setting, executions: int) -> Mending | None:
     """
     request = Request(ProgramFile(order.data, order.title), setting, identifier=order.identifier)
     found = mended(request, Budget(executions=executions), hints=Hints.EDIT)
-    if not found.repairs or found.assessment.source is None:
+    first = found.repairs[0] if found.repairs else found.better
+    if first is None or found.assessment.source is None:
         return None
-    best = standing_out(found.repairs)
-    first = found.repairs[0]
+    best = standing_out(found.repairs) if found.repairs else first
     changes = first.change.each
     return Mending(
         " and ".join(cause(part, found.assessment.source) for part in changes),
@@ -35,4 +35,5 @@ def would_do(order: Order, setting: Setting, executions: int) -> Mending | None:
         tuple(part.line for part in changes),
         len(changes),
         found.executions,
+        float(first.mark),
     )

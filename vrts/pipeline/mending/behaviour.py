@@ -23,6 +23,7 @@ class Mended(NamedTuple):
     executions: int
     refused: str | None = None  # why nothing was looked for
     reach: Reach | None = None  # of the number that stands out: which others would do
+    better: Repair | None = None  # where nothing earns the full mark: what earns most
 
 
 def mended(
@@ -68,7 +69,7 @@ def mended(
     far = None
     if best is not None and task.hints >= Hints.NUMBER:
         far = reach(place, found.source, best.change, lambda each: implausible(each) == 0)
-    return Mended(found, result.repairs, result.executions, reach=far)
+    return Mended(found, result.repairs, result.executions, reach=far, better=result.better)
 
 
 def _refused(request: Request, found: Assessment, hints: Hints | None) -> str | None:

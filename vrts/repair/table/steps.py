@@ -39,6 +39,7 @@ NEEDED = 0.4  # what a teacher says against a motion that is too much, unless it
 EARLIER = 0.06  # of two steps that are alike the later one is too much
 THERE = 0.5  # what a teacher says against a step more that stands there already, nearly
 OTHERWISE = 0.6  # and against a program that nobody calls, called by another than the first
+CLOSED = 0.3  # how little the first motion is to blame for a hand that nobody opened before
 FARTHEST = 6  # steps that a step may have to be moved by
 RARE = frozenset({"BASE", "TOOL", "DRIVE", "SINGLE", "RETURN", "STOP", "HALT", "PAUSE", "DELAY"})
 SAYS_NOTHING = frozenset({"TYPE"})  # steps that move nothing: not copied elsewhere
@@ -215,9 +216,9 @@ def _more(asked: Asked, k: int, wanted: list[Wanted]) -> Iterator[Candidate]:
             fit = fits(each.text, before, step) + in_place(each.text, before, step, after)
             if each.text.startswith("CALL ") and each.trust < 1.0:
                 fit += OTHERWISE if step.program else 0.3 if before is not None else -0.3
-            if first and each.text == "OPENI":
-                fit = -0.5
-            yield _added(asked, step.line, step, each, against, fit)
+            hand = first and each.text == "OPENI"  # closed when a run starts
+            fit, blamed = (-0.5, min(against, CLOSED)) if hand else (fit, against)
+            yield _added(asked, step.line, step, each, blamed, fit)
     if last and asked.matters(step.line):
         for each in near:
             fit = fits(each.text, step, None)

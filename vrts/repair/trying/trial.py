@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 from vrts.base.remembered import Memory
 from vrts.base.source import SourceFile
-from vrts.check.collision.collision import check_collisions
 from vrts.check.collision.touching import touching
 from vrts.check.goals.reached import reached
 from vrts.check.judge import judge
@@ -70,13 +69,6 @@ class Tried(NamedTuple):
     run: Run | None = None
     judgement: Judgement | None = None
     grade: Grade | None = None
-
-    def judged(self, place: "Place") -> tuple[Run, Judgement, Grade]:
-        """Return its run with all that the checks say of it."""
-        assert self.run is not None
-        report = check_collisions(place.scene, self.run, clearance=False)
-        judgement = judge(place.scene, self.run, place.task, report=report)
-        return self.run, judgement, grade(place.task, self.run, judgement)
 
 
 class Place(NamedTuple):
