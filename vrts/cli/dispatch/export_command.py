@@ -10,21 +10,16 @@ from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
     fail,
-    guarded,
     out,
     say,
     show_diagnostics,
     write_file,
 )
 from vrts.cli.shared.mcap import NOT_INSTALLED
+from vrts.cli.shared.one_program import executed_so
 from vrts.cli.shared.options import (
     Language,
-    color_option,
-    controller_option,
     entry_option,
-    lab_option,
-    language_options,
-    placed,
     scenario_option,
     scene_option,
     task_option,
@@ -71,12 +66,7 @@ VAL2, LINUXCNC, ROS = "val2", "linuxcnc", "ros"
     metavar="FILE|same",
     help="How the other arm counts its joints, for V+ and AS; `same`: as the simulated one.",
 )
-@lab_option
-@controller_option
-@language_options
-@color_option
-@guarded
-@placed
+@executed_so
 def command(
     program: str,
     target: str,

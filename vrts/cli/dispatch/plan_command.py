@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, say, show_diagnostics, write_file
+from vrts.cli.shared.one_program import of_one_program
 from vrts.cli.shared.options import (
     Language,
     color_option,
@@ -17,8 +18,6 @@ from vrts.cli.shared.options import (
     jobs_option,
     lab_option,
     placed,
-    scene_option,
-    task_option,
     with_option,
 )
 from vrts.cli.shared.programs import given_program
@@ -39,9 +38,7 @@ Examples:
 
 
 @click.command(name="plan", epilog=EPILOG)
-@click.argument("program")
-@scene_option("Name or path of a scene; without it the task's.")
-@task_option(packed=True)
+@of_one_program("Name or path of a scene; without it the task's.", packed=True)
 @file_option(
     "--scenario",
     "scenarios",

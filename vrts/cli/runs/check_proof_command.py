@@ -6,15 +6,11 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, show_diagnostics
+from vrts.cli.shared.console import HOLDS, WRONG, fail, out, show_diagnostics
+from vrts.cli.shared.one_program import executed_so
 from vrts.cli.shared.options import (
     Language,
-    color_option,
-    controller_option,
     file_option,
-    lab_option,
-    language_options,
-    placed,
     scenario_option,
     scene_option,
     task_option,
@@ -43,12 +39,7 @@ Examples:
 @task_option(packed=True)
 @scenario_option()
 @file_option("--run", help="A saved run (.vrun) that the certificate is to be about.")
-@lab_option
-@controller_option
-@language_options
-@color_option
-@guarded
-@placed
+@executed_so
 def command(
     certificate: Path,
     program: str | None,

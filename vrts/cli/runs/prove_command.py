@@ -11,27 +11,20 @@ from vrts.cli.shared.console import (
     HOLDS,
     UNDETERMINED,
     WRONG,
-    guarded,
     out,
     say,
     show_diagnostics,
     use_color,
     write_file,
 )
+from vrts.cli.shared.one_program import executed_so, of_one_program
 from vrts.cli.shared.options import (
     Language,
-    color_option,
-    controller_option,
     entry_option,
     file_option,
     form_option,
-    lab_option,
-    language_options,
     no_collisions_option,
-    placed,
     scenario_option,
-    scene_option,
-    task_option,
 )
 from vrts.cli.shared.programs import given_program
 from vrts.cli.shared.searching import searching
@@ -55,9 +48,7 @@ Examples:
 
 
 @click.command(name="prove", epilog=EPILOG)
-@click.argument("program")
-@scene_option("Name or path of a scene; without it the task's, or the robot alone.")
-@task_option(packed=True)
+@of_one_program("Name or path of a scene; without it the task's, or the robot alone.", packed=True)
 @file_option("--environment", help="What may come from outside; see `vrts new environment`.")
 @scenario_option("How every future begins, and what is the same in all: a scenario file.")
 @file_option("--html", help="Write a page with the tree of decisions and replays.")
@@ -75,12 +66,7 @@ Examples:
 @entry_option("Program to execute; without it the task's, or the main one.")
 @form_option("full", "json")
 @no_collisions_option
-@lab_option
-@controller_option
-@language_options
-@color_option
-@guarded
-@placed
+@executed_so
 def command(
     program: str,
     where: Where,

@@ -11,26 +11,19 @@ from vrts.cli.shared.console import (
     HOLDS,
     WRONG,
     fail,
-    guarded,
     out,
     say,
     show_diagnostics,
     write_file,
 )
+from vrts.cli.shared.one_program import executed_so, of_one_program
 from vrts.cli.shared.options import (
     TASK_OR_ALONE,
     Language,
-    color_option,
-    controller_option,
     entry_option,
     file_option,
-    lab_option,
-    language_options,
     overwrite_option,
-    placed,
     scenario_option,
-    scene_option,
-    task_option,
 )
 from vrts.cli.shared.programs import Given, given_program
 from vrts.pipeline.where import Where
@@ -66,9 +59,7 @@ class _Span(NamedTuple):
 
 
 @click.command(name="run", epilog=EPILOG)
-@click.argument("program")
-@scene_option(TASK_OR_ALONE)
-@task_option()
+@of_one_program(TASK_OR_ALONE)
 @scenario_option()
 @entry_option("Program of the file to execute; the main one, if not given.")
 @click.option("--at", "time_s", type=float, help="Print the state at a time in s, not the output.")
@@ -84,12 +75,7 @@ class _Span(NamedTuple):
 @file_option("--save", help="Write the run to a file (.vrun).")
 @click.option("--check", is_flag=True, help="Execute a saved run again and compare.")
 @overwrite_option()
-@lab_option
-@controller_option
-@language_options
-@color_option
-@guarded
-@placed
+@executed_so
 def command(
     program: str,
     where: Where,

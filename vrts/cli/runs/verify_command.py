@@ -11,7 +11,6 @@ from vrts.cli.shared.console import (
     UNDETERMINED,
     WRONG,
     fail,
-    guarded,
     out,
     say,
     show_diagnostics,
@@ -19,20 +18,14 @@ from vrts.cli.shared.console import (
     write_file,
 )
 from vrts.cli.shared.mcap import write_mcap
+from vrts.cli.shared.one_program import executed_so, of_one_program
 from vrts.cli.shared.options import (
     Language,
-    color_option,
-    controller_option,
     engine_option,
     file_option,
     form_option,
-    lab_option,
-    language_options,
     no_collisions_option,
-    placed,
     scenario_option,
-    scene_option,
-    task_option,
 )
 from vrts.cli.shared.programs import given_program
 from vrts.pipeline.where import Where
@@ -61,9 +54,7 @@ Examples:
 
 
 @click.command(name="verify", epilog=EPILOG)
-@click.argument("program")
-@scene_option("Name or path of a scene: verify in it, without a mark.")
-@task_option(packed=True)
+@of_one_program("Name or path of a scene: verify in it, without a mark.", packed=True)
 @scenario_option()
 @file_option("--html", help="Write a page with a replay.")
 @click.option(
@@ -79,12 +70,7 @@ Examples:
 @form_option("full", "json")
 @no_collisions_option
 @engine_option("Who proposes where parts are nearest; no answer depends on it.")
-@lab_option
-@controller_option
-@language_options
-@color_option
-@guarded
-@placed
+@executed_so
 def command(
     program: str,
     where: Where,

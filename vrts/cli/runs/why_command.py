@@ -4,18 +4,12 @@ import sys
 
 import click
 
-from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, use_color
+from vrts.cli.shared.console import HOLDS, WRONG, fail, out, use_color
+from vrts.cli.shared.one_program import executed_so, of_one_program
 from vrts.cli.shared.options import (
     Language,
-    color_option,
-    controller_option,
     form_option,
-    lab_option,
-    language_options,
-    placed,
     scenario_option,
-    scene_option,
-    task_option,
 )
 from vrts.cli.shared.programs import given_program
 from vrts.pipeline.where import Where
@@ -31,9 +25,7 @@ Examples:
 
 
 @click.command(name="why", epilog=EPILOG)
-@click.argument("program")
-@scene_option("Name or path of a scene: ask in it, without a mark.")
-@task_option(packed=True)
+@of_one_program("Name or path of a scene: ask in it, without a mark.", packed=True)
 @scenario_option()
 @click.option("--at", "time_s", type=float, help="Why the arm does what it does at a time in s.")
 @click.option("--of", "name", help="Why a thing is where it is, or a variable what it is.")
@@ -45,12 +37,7 @@ Examples:
     help="Who asks: a student is told no more than the [hints] of the task allow.",
 )
 @form_option("full", "json")
-@lab_option
-@controller_option
-@language_options
-@color_option
-@guarded
-@placed
+@executed_so
 def command(
     program: str,
     where: Where,
