@@ -44,7 +44,10 @@ def endless(steps: Steps) -> Iterator[Link]:
             yield from found
             return
     last = leaving[-1]
-    yield Link(None, last.cause.span, "this is asked each time, and always answered alike")
+    alike = "this is asked each time, and always answered alike"
+    if not any(True for _ in places_in(getattr(last.instruction, "condition", ()))):
+        alike += ": it goes by no variable"
+    yield Link(None, last.cause.span, alike)
 
 
 def asks(steps: Steps, step: Executed, round_: Round | None = None) -> Iterator[Link]:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from vrts.base.pose import Pose, Vector, distance
 from vrts.base.source import Span
 from vrts.engine.memory.cells import Array, Cell, cells_of
-from vrts.ir.control import BeginFor, Jump, JumpIf, NextFor, TestCase, TestFor
+from vrts.ir.control import BeginCase, BeginFor, Jump, JumpIf, NextFor, TestCase, TestFor
 from vrts.ir.expressions import Constant, Place
 from vrts.ir.instructions import Instruction
 from vrts.ir.module import Program
@@ -198,14 +198,33 @@ def skipped(steps: Steps, program: Program, base: int, within: int) -> Iterator[
         else:
             says = "the program goes past it because of this"
         yield Link(steps.time_of(step), step.cause.span, says)
-        if isinstance(one, JumpIf):
-            for place in places_in(one.condition):
-                was = reading(steps, place, step.number - 1, step.activation)
-                if was.known:
-                    yield from chain_of(steps, was)
-                    return
+        if isinstance(one, TestCase):
+            yield from _selected(steps, program, base, one.case, step.number)
+        elif isinstance(one, JumpIf):
+            yield from _first_known(steps, one.condition, step)
         return
     yield from _never_called(steps, program, base)
+
+
+def _selected(steps: Steps, program: Program, base: int, case: int, before: int) -> Iterator[Link]:
+    """Yield by which value a CASE chose, and where that was written."""
+    for index, one in enumerate(program.instructions):
+        if not isinstance(one, BeginCase) or one.case != case:
+            continue
+        numbers = [n for n in steps.times(base + index) if n <= before]
+        step = steps.step(numbers[-1]) if numbers else None
+        if step is not None:
+            yield from _first_known(steps, one.selector, step)
+        return
+
+
+def _first_known(steps: Steps, expression: object, step: Executed) -> Iterator[Link]:
+    """Yield where the value came from of the first variable of an expression that has one."""
+    for place in places_in(expression):
+        was = reading(steps, place, step.number - 1, step.activation)
+        if was.known:
+            yield from chain_of(steps, was)
+            return
 
 
 def _never_called(steps: Steps, program: Program, base: int) -> Iterator[Link]:

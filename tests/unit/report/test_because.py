@@ -30,17 +30,19 @@ EXACT = "can be gripped from Z -240"
 
 
 @cache
-def lost() -> Assessment:
-    path = ROOT / "examples" / "01-cans-on-bases" / "submissions" / "x-and-y-swapped.v2"
+def lost(
+    name: str = "01-cans-on-bases/submissions/x-and-y-swapped.v2", *, collisions: bool = False
+) -> Assessment:
+    path = ROOT / "examples" / name
     setting = setting_for(path, Where())
     assert setting is not None
     file = ProgramFile(path.read_bytes(), path.name)
-    checks = Checks(collisions=False, causes=True)
+    checks = Checks(collisions=collisions, causes=True)
     return assess(Request(file, setting, checks=checks))
 
 
-def at(level: Hints) -> Assessment:
-    a = lost()
+def at(level: Hints, a: Assessment | None = None) -> Assessment:
+    a = lost() if a is None else a
     assert a.task is not None
     return replace(a, task=replace(a.task, hints=level))
 
@@ -87,3 +89,13 @@ def test_a_loss_in_json_has_its_causes() -> None:
     assert [link["line"] for link in first] == [8, 7, 26]
     assert first[-1]["time_s"] is None
     assert losses[-1]["because"] == []
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("level", Hints)
+def test_the_height_that_would_do_is_told_with_numbers_alone(level: Hints) -> None:
+    between = lost("03-around-obstacles/submissions/hits-post.v2", collisions=True)
+    for name, text in outputs(at(level, between), Audience.STUDENT).items():
+        assert ("post stands between the two places" in text) is (level >= Hints.PLACE), name
+        assert ("a point on the way is missing" in text) is (level is Hints.DIRECTION), name
+        assert ("with the tool at z 35 or more" in text) is (level >= Hints.NUMBER), name

@@ -42,3 +42,11 @@ def test_an_output_that_was_switched_is_told_with_the_step() -> None:
     found = told("SIGNAL 5\n10 IF SIG(5) GOTO 10\n")
     assert found[0] == "line 3 `IF SIG(5) GOTO 10`: signal 5 is on each time"
     assert found[1].endswith("line 2 `SIGNAL 5`: it is switched on here last")
+
+
+@pytest.mark.thorough
+def test_a_condition_without_a_variable_is_told_as_such() -> None:
+    found = told("WHILE TRUE DO\n  m = 1\nEND\n")
+    (only,) = found
+    assert only.startswith("line 2 `WHILE TRUE DO`: this is asked each time")
+    assert only.endswith("it goes by no variable")
