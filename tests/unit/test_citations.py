@@ -195,7 +195,7 @@ def test_the_index_lists_every_page_and_every_rule_with_its_status() -> None:
         or name
         in (
             *("bundles", "collisions", "futures", "identify", "linuxcnc"),
-            *("proofs", "sources", "why"),
+            *("proofs", "sources", "urscript", "why"),
         )
     }
 

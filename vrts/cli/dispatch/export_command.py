@@ -40,8 +40,9 @@ Examples:
   vrts dispatch export prog.v2 --scene cans-on-bases --to as --arm kawasaki.toml -o -
   vrts dispatch export solution.v2 --to linuxcnc -o folder
   vrts dispatch export solution.v2 --to ros -o folder
+  vrts dispatch export prog.v2 --scene one-can-ur5 --to urscript -o folder
 """
-VAL2, LINUXCNC, ROS = "val2", "linuxcnc", "ros"
+VAL2, LINUXCNC, ROS, URSCRIPT = "val2", "linuxcnc", "ros", "urscript"
 
 
 @click.command(name="export", epilog=EPILOG)
@@ -49,9 +50,9 @@ VAL2, LINUXCNC, ROS = "val2", "linuxcnc", "ros"
 @click.option(
     "--to",
     "target",
-    type=click.Choice([VAL2, "vplus", "as", LINUXCNC, ROS]),
+    type=click.Choice([VAL2, "vplus", "as", LINUXCNC, ROS, URSCRIPT]),
     required=True,
-    help="VAL-II, V+ of Adept and Staeubli, AS of Kawasaki, G-code of LinuxCNC, or ROS 2.",
+    help="VAL-II, V+ of Adept, AS of Kawasaki, G-code of LinuxCNC, ROS 2, or URScript.",
 )
 @scene_option("Name or path of a scene to verify in.")
 @task_option()
@@ -88,7 +89,8 @@ def command(
     For LinuxCNC a folder is written, with the robot's configuration; `io.toml` in it says which
     pin is which signal, and is kept when it is there. `vrts dispatch rehearse` then compares
     LinuxCNC's motion. For ROS a folder is written, too: the run as a bag, and a goal of a joint
-    trajectory controller for each way from rest to rest.
+    trajectory controller for each way from rest to rest. For an arm of Universal Robots a folder
+    is written with the program in URScript, `io.toml` as above, and a sheet.
     """
     from vrts.cli.shared.requests import verify_request
     from vrts.dispatch.posts.export import default_name, default_sheet, exported
@@ -104,6 +106,8 @@ def command(
         _linuxcnc(verify_request(given, setting, language, entry=entry), path, place, color)
     if target == ROS:
         _ros(verify_request(given, setting, language, entry=entry), path, place, color)
+    if target == URSCRIPT:
+        _urscript(verify_request(given, setting, language, entry=entry), path, place, color)
     arm = _arm(arm_file, target)
     found = exported(verify_request(given, setting, language, entry=entry), target, arm)
     show_diagnostics(found.diagnostics, color)
@@ -155,6 +159,23 @@ def _linuxcnc(request: "Request", path: Path | None, place: str | None, color: s
     kept = (TABLE,) if table.is_file() else ()
     _write(folder, {name: data for name, data in found.files.items() if name not in kept})
     say(f"wrote {folder}: program.ngc, the robot's configuration, what is claimed in sheet.md")
+    sys.exit(HOLDS)
+
+
+def _urscript(request: "Request", path: Path | None, place: str | None, color: str) -> NoReturn:
+    from vrts.dispatch.linuxcnc.table import TABLE
+    from vrts.dispatch.urscript.export import exported_script
+    from vrts.pipeline.files import read_toml_source
+
+    folder = _folder(request, path, place, URSCRIPT)
+    table = folder / TABLE
+    found = exported_script(request, read_toml_source(table) if table.is_file() else None)
+    show_diagnostics(found.diagnostics, color)
+    if found.files is None:
+        sys.exit(WRONG)
+    kept = (TABLE,) if table.is_file() else ()
+    _write(folder, {name: data for name, data in found.files.items() if name not in kept})
+    say(f"wrote {folder}: program.script, not tried on a controller; read sheet.md")
     sys.exit(HOLDS)
 
 

@@ -1,0 +1,250 @@
+"""Numbers, conditions and locations as expressions of URScript.
+
+Lengths are in mm and angles in degrees, as in the program; what is given to UR is turned there.
+Locations are poses of URScript in the frame that VAL-II counts in.
+"""
+
+import math
+
+from vrts.base.pose import Pose, Rotation
+from vrts.dispatch.linuxcnc.cannot import CannotSay
+from vrts.dispatch.linuxcnc.names import plain
+from vrts.dispatch.linuxcnc.table import Table
+from vrts.ir.expressions import (
+    Apply,
+    Argument,
+    Binary,
+    BinaryOperator,
+    Compose,
+    Constant,
+    Expression,
+    Function,
+    Load,
+    Place,
+    Slot,
+    Unary,
+    UnaryOperator,
+)
+from vrts.ir.values import Type
+
+COMPARISONS = {
+    BinaryOperator.EQUAL: "==",
+    BinaryOperator.NOT_EQUAL: "!=",
+    BinaryOperator.LESS: "<",
+    BinaryOperator.LESS_EQUAL: "<=",
+    BinaryOperator.GREATER: ">",
+    BinaryOperator.GREATER_EQUAL: ">=",
+}
+LOGIC = {BinaryOperator.AND: "and", BinaryOperator.OR: "or", BinaryOperator.XOR: "xor"}
+ARITHMETIC = {
+    BinaryOperator.ADD: "+",
+    BinaryOperator.SUBTRACT: "-",
+    BinaryOperator.MULTIPLY: "*",
+    BinaryOperator.DIVIDE: "/",
+}
+ANGLES = {Function.SIN: "sin", Function.COS: "cos"}
+PART = {Function.DX: 0, Function.DY: 1, Function.DZ: 2}
+FIRST_INPUT, FIRST_INTERNAL = 1001, 2001
+HERE = "v_at"
+NOTHING = "p[0, 0, 0, 0, 0, 0]"
+SIX = 6
+_LETTER = {Type.REAL: "n", Type.POSE: "at", Type.JOINTS: "j"}
+
+
+def number(value: float) -> str:
+    """Return a number without an exponent."""
+    text = f"{value:.9f}".rstrip("0").rstrip(".")
+    return "0" if text in ("", "-0") else text
+
+
+def rotation_vector(turn: Rotation) -> tuple[float, float, float]:
+    """Return axis times angle [rad], by the quaternion, so that half turns are exact too."""
+    a, b, c, d, e, f, g, h, i = turn
+    squares = (1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i)
+    k = max(range(4), key=lambda n: squares[n])
+    rows = (
+        (squares[0], h - f, c - g, d - b),
+        (h - f, squares[1], b + d, c + g),
+        (c - g, b + d, squares[2], f + h),
+        (d - b, c + g, f + h, squares[3]),
+    )
+    w, *axis = rows[k]
+    if w < 0.0:
+        w, axis = -w, [-part for part in axis]
+    length = math.hypot(*axis)
+    if length == 0.0:
+        return (0.0, 0.0, 0.0)
+    angle = 2.0 * math.atan2(length, w)
+    x, y, z = (angle * part / length for part in axis)
+    return (x, y, z)
+
+
+def pose_text(pose: Pose) -> str:
+    """Return a pose that is known, in metres and radians."""
+    parts = (*pose.translation, *rotation_vector(pose.rotation))
+    return f"p[{', '.join(map(number, parts))}]"
+
+
+def joints_text(joints: tuple[float, ...]) -> str:
+    """Return six joints in radians."""
+    return f"[{', '.join(map(number, joints))}]"
+
+
+def name_of(place: Place) -> str:
+    """Return the name of a variable."""
+    variable = place.variable
+    if place.subscripts:
+        raise CannotSay("arrays are not written in URScript", "use variables")
+    if variable.type not in _LETTER:
+        raise CannotSay("strings are not written in URScript", "do without")
+    owner = "own" if isinstance(variable, Slot) else _LETTER[variable.type]
+    return f"{owner}_{plain(variable.name)}"
+
+
+class Values:
+    """Writes what the steps of a program work out."""
+
+    def __init__(self, table: Table) -> None:
+        """Know which input is which signal."""
+        self.table = table
+
+    def real(self, e: Argument) -> str:
+        """Return a number."""
+        match e:
+            case Constant(float(value)):
+                return number(value)
+            case Load(place):
+                return name_of(place)
+            case Unary(UnaryOperator.MINUS, operand):
+                return f"(-{self.real(operand)})"
+            case Binary(operator, left, right) if operator in ARITHMETIC:
+                return f"({self.real(left)} {ARITHMETIC[operator]} {self.real(right)})"
+            case Unary(UnaryOperator.NOT) | Binary() | Apply(Function.SIG):
+                return f"v_real({self.condition(e)})"
+            case Apply(function, arguments):
+                return self._apply(function, arguments)
+            case _:
+                raise CannotSay("URScript has nothing that means this")
+
+    def condition(self, e: Argument) -> str:
+        """Return True or False."""
+        match e:
+            case Binary(operator, left, right) if operator in COMPARISONS:
+                return f"({self.real(left)} {COMPARISONS[operator]} {self.real(right)})"
+            case Binary(operator, left, right) if operator in LOGIC:
+                return f"({self.condition(left)} {LOGIC[operator]} {self.condition(right)})"
+            case Unary(UnaryOperator.NOT, operand):
+                return f"(not {self.condition(operand)})"
+            case Apply(Function.SIG, arguments):
+                return f"({' and '.join(self._signal(a) for a in arguments)})"
+            case Binary(operator) if operator not in ARITHMETIC:
+                raise CannotSay(f"URScript has nothing that means {operator.value.upper()}")
+            case _:
+                return f"({self.real(e)} != 0)"
+
+    def signal(self, e: Argument) -> tuple[int, bool]:
+        """Return a signal and whether on is meant."""
+        match e:
+            case Constant(float(value)) if value:
+                return round(abs(value)), value > 0.0
+            case Unary(UnaryOperator.MINUS, Constant(float(value))) if value:
+                return round(abs(value)), value < 0.0
+            case _:
+                raise CannotSay("the number of a signal is worked out in the run", "write it")
+
+    def _signal(self, e: Argument) -> str:
+        signal, on = self.signal(e)
+        if signal >= FIRST_INTERNAL:
+            read = f"signal_{signal}"
+        elif signal >= FIRST_INPUT:
+            read = f"get_standard_digital_in({self.table.input(signal)})"
+        else:
+            raise CannotSay("an output is not read", "keep it in a variable")
+        return read if on else f"(not {read})"
+
+    def _apply(self, function: Function, arguments: tuple[Argument, ...]) -> str:
+        if function in PART:
+            return f"(1000 * v_part({self.location(arguments[0])}, {PART[function]}))"
+        if function is Function.DISTANCE:
+            one, other = (self.location(argument) for argument in arguments)
+            return f"v_distance({one}, {other})"
+        values = [self.real(argument) for argument in arguments]
+        if function in ANGLES:
+            return f"{ANGLES[function]}(v_rad * {values[0]})"
+        match function:
+            case Function.ABS:
+                return f"norm({values[0]})"
+            case Function.SQRT:
+                return f"sqrt({values[0]})"
+            case Function.SQR:
+                return f"({values[0]} * {values[0]})"
+            case Function.INT:
+                return f"v_int({values[0]})"
+            case Function.ATAN2:
+                return f"(atan2({values[0]}, {values[1]}) / v_rad)"
+            case _:
+                raise CannotSay(f"URScript has nothing that means {function.value.upper()}")
+
+    def is_joints(self, e: Argument) -> bool:
+        """Return whether a location is six joints."""
+        match e:
+            case Load(place):
+                return place.variable.type is Type.JOINTS
+            case Constant(value):
+                return isinstance(value, tuple) and not isinstance(value, Pose)
+            case Apply(function):
+                return function in (Function.PPOINT, Function.HERE_JOINTS, Function.DEST_JOINTS)
+            case _:
+                return False
+
+    def location(self, e: Argument) -> str:
+        """Return a location: a pose, or six joints."""
+        match e:
+            case Load(place):
+                return name_of(place)
+            case Constant(Pose() as pose):
+                return pose_text(pose)
+            case Constant(tuple(joints)):
+                return joints_text(joints)
+            case Compose((first, *others)):
+                text = self.location(first)
+                for other in others:
+                    text = f"pose_trans({text}, {self.location(other)})"
+                return text
+            case Apply(function, arguments):
+                return self._located(function, arguments)
+            case _:
+                raise CannotSay("URScript has nothing that means this location")
+
+    def _located(self, function: Function, arguments: tuple[Argument, ...]) -> str:
+        given = [*arguments, *(None for _ in range(SIX))]
+        match function:
+            case Function.HERE | Function.DEST:
+                return HERE
+            case Function.NULL:
+                return NOTHING
+            case Function.INVERSE:
+                return f"pose_inv({self.location(arguments[0])})"
+            case Function.SHIFT:
+                by = ", ".join(map(self._or_zero, given[1:4]))
+                return f"pose_trans(v_shift({by}), {self.location(arguments[0])})"
+            case Function.TRANS:
+                x, y, z, o, a, t = map(self._or_zero, given[:SIX])
+                return f"v_trans({x}, {y}, {z}, ({o} - 90), ({a} + 90), {t})"
+            case Function.TRANS_ZYZ:
+                return f"v_trans({', '.join(map(self._or_zero, given[:SIX]))})"
+            case Function.PPOINT:
+                angles = (f"v_rad * {self._or_zero(item)}" for item in given[:SIX])
+                return f"[{', '.join(angles)}]"
+            case _:
+                raise CannotSay(f"URScript has nothing that means {function.value.upper()}")
+
+    def _or_zero(self, e: Argument) -> str:
+        return "0" if e is None else self.real(e)
+
+
+def given(e: Argument) -> Expression:
+    """Return an argument that is there."""
+    if e is None or isinstance(e, Place) or not hasattr(e, "_fields"):
+        raise CannotSay("an argument is left out, or passed whole", "write it")
+    return e  # type: ignore[return-value]
