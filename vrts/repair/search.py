@@ -267,7 +267,8 @@ def _repair(candidate: Candidate, text: str, result: Tried, asked: Asked) -> Rep
     assert result.mark is not None
     change = candidate.change
     doubt = candidate.doubt
-    if asked.idle and not any(name in change.new.lower() for name in asked.idle):
+    said = f"{change.old} {change.new}".lower()
+    if asked.idle and not any(name in said for name in asked.idle):
         doubt += UNUSED
     weight = asked.blame.weight(change.line)
     return Repair(change, candidate.cost, text, result.mark, weight, doubt)

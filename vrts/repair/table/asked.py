@@ -41,6 +41,7 @@ TRUST = MappingProxyType(
     }
 )
 PRIOR = MappingProxyType({Does.WORD: -0.4, Does.REMOVE: -0.2, Does.NUMBER: 0.1})
+SAID = re.compile("[^aeiou][^aeiou]?[aeiou]")  # how most words begin
 MOVES_TO = frozenset({"MOVE", "MOVES", "APPRO", "APPROS", "MOVET", "MOVEST"})
 
 
@@ -196,6 +197,20 @@ class Asked:
     def undefined(self) -> frozenset[str]:
         """Names that steps use and nothing gives a value."""
         return frozenset(self.used) - self.defined
+
+    def familiar(self, name: str) -> int:
+        """Return how many parts of a name other names have, too, and how many can be said.
+
+        A misspelt part no other name has, and often nobody could say it.
+        """
+        parts = re.findall(r"[a-z]+", name)
+        return sum((self._parts[part] > 1) + bool(SAID.match(part)) for part in parts)
+
+    @cached_property
+    def _parts(self) -> Counter[str]:
+        """How many names of the program and the scene have each part."""
+        names = {*self.row_names, *self.used, *self.taught, *(b.name for b in self.scene.bodies)}
+        return Counter(part for name in names for part in set(re.findall(r"[a-z]+", name)))
 
     @cached_property
     def arrays(self) -> frozenset[str]:

@@ -90,7 +90,9 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
             doubt = LEFT if asked.used[mine] == 1 and mine in asked.row_names else 0.0
             if mine not in asked.defined:
                 doubt = 0.0 if apart <= FEW else NOT_NAMED
-                if mine in asked.taught or series(mine) in asked.series or slipped(other, mine):
+                right = mine in asked.taught or series(mine) in asked.series
+                right = right or asked.familiar(mine) > asked.familiar(other)
+                if right or slipped(other, mine):
                     doubt, unusual = doubt + 0.3, unusual + 0.3  # its row is misspelt, not it
             if mine in beside:
                 unusual, doubt = unusual + 0.3, doubt + PARTED
@@ -269,6 +271,7 @@ def _everywhere(asked: Asked) -> Iterator[Candidate]:
                 continue
             edits = [replacement(source, part.start, part.end, other) for _, part in places]
             meant = slipped(name, other) or other in asked.taught or series(other) in asked.series
+            meant = meant or asked.familiar(other) > asked.familiar(name)
             yield asked.candidate(
                 Does.NAME,
                 places[0][0],
@@ -298,7 +301,7 @@ def _definitions(asked: Asked, used: set[str]) -> Iterator[Candidate]:
                 continue
             near = letters_apart(mine, other) <= FEW
             meant = other in asked.taught or series(other) in asked.series
-            meant = meant or slipped(mine, other)
+            meant = meant or slipped(mine, other) or asked.familiar(other) > asked.familiar(mine)
             right = mine in asked.taught or series(mine) in asked.series or slipped(other, mine)
             edit = replacement(asked.written.source, name.start, name.end, other)
             yield asked.candidate(

@@ -68,7 +68,7 @@ def other_numbers(asked: Asked) -> Iterator[Candidate]:
                     written_number(other),
                     unusual=unusual + odd,
                     doubt=doubt,
-                    trust=COUNTED if role is Role.COUNT else None,
+                    trust=COUNTED if role is Role.COUNT or _may_count(value, role) else None,
                 )
             if role is Role.COUNT and word != "For":
                 beside = {key(name.text) for name in names_in(step)} & asked.numbers
@@ -188,6 +188,10 @@ def _elsewhere(asked: Asked) -> dict[str, list[float]]:
     return found
 
 
+def _may_count(value: float, role: Role) -> bool:
+    return role is Role.EITHER and value == round(value) and abs(value) <= SMALL
+
+
 def _others(
     asked: Asked, value: float, role: Role, word: str, elsewhere: dict[str, list[float]]
 ) -> list[tuple[float, float]]:
@@ -199,9 +203,7 @@ def _others(
         if other != value and abs(other) <= FAR:
             found[other] = min(unusual, found.get(other, unusual))
 
-    counts = role is Role.COUNT or (
-        role is Role.EITHER and value == round(value) and abs(value) <= SMALL
-    )
+    counts = role is Role.COUNT or _may_count(value, role)
     if counts:
         for by, unusual in ((1, 0.0), (-1, 0.0), (2, 0.3), (-2, 0.3), (3, 0.6)):
             add(unusual, value + by)

@@ -7,6 +7,7 @@ from vrts.lang.syntax.statements import CallStatement, For, If, Simple, While
 from vrts.repair.table.asked import MOVES_TO, Asked
 from vrts.repair.written import WrittenStep
 
+HAND = frozenset({"OPEN", "OPENI", "CLOSE", "CLOSEI"})
 INSIDE = 4  # steps of a block in which a motion is looked for
 
 
@@ -29,7 +30,17 @@ def opens(asked: Asked, k: int) -> bool:
     if steps[k].program or not _sets_off(asked, k):
         return False
     return not any(
-        _sets_off(asked, j) or "OPEN" in getattr(steps[j].statement, "word", "") for j in range(k)
+        _sets_off(asked, j) or getattr(steps[j].statement, "word", "") in HAND for j in range(k)
+    )
+
+
+def is_first_of_hand(asked: Asked, step: WrittenStep) -> bool:
+    """Return whether a step is the first of the hand, in the first program before it moves."""
+    k = asked.written.steps.index(step)
+    before = asked.written.steps[:k]
+    return step.program == 0 and not any(
+        _sets_off(asked, j) or getattr(each.statement, "word", "") in HAND
+        for j, each in enumerate(before)
     )
 
 
@@ -110,6 +121,8 @@ def in_place(
             return -0.6
         if above[:1] == ["SPEED"] and above[-1] != "ALWAYS" and below[:1] == ["MOVES"]:
             return 0.3
+    if new[0] == "MOVES" and len(new) == 2 and above[:1] == ["SPEED"] and below[:1] == ["CLOSEI"]:
+        return -0.3
     if new[0] == "SET" and above[:1] == ["SET"]:
         mine, other = (
             re.fullmatch(r"(\w+)\[(\d+)\]", new[1]),

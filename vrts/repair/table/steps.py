@@ -17,6 +17,7 @@ from vrts.lang.syntax.statements import (
     If,
     SetLocation,
     Simple,
+    SpeedStatement,
     Statement,
     Structure,
     Until,
@@ -205,8 +206,8 @@ def _more(asked: Asked, k: int, wanted: list[Wanted]) -> Iterator[Candidate]:
     before = steps[k - 1] if k and steps[k - 1].program == step.program else None
     last = k + 1 == len(steps) or steps[k + 1].program != step.program
     reached = asked.matters(step.line) or (before is not None and asked.matters(before.line))
-    near = [*wanted, *_fitting(asked, before, step)]
     after = steps[k + 1] if k + 1 < len(steps) and not last else None
+    near = [*wanted, *_fitting(asked, k, after)]
     if reached:
         against = asked.against(step.line)
         if before is not None:
@@ -254,9 +255,15 @@ def hash_of(text: str) -> int:
     return -sum(ord(sign) * 31**k for k, sign in enumerate(text.split()[0][:6]))
 
 
-def _fitting(asked: Asked, before: WrittenStep | None, step: WrittenStep) -> Iterator[Wanted]:
-    """Yield motions to the places that the steps beside name."""
-    for beside in (before, step):
+def _fitting(asked: Asked, k: int, after: WrittenStep | None) -> Iterator[Wanted]:
+    """Yield motions to the places that the steps beside name, over a step of SPEED too."""
+    steps = asked.written.steps
+    before = [each for each in steps[max(k - 2, 0) : k] if each.program == steps[k].program]
+    beside_it = before[-1:]
+    if beside_it and isinstance(beside_it[0].statement, SpeedStatement):
+        beside_it = before[:1]
+    following = after if isinstance(steps[k].statement, SpeedStatement) else steps[k]
+    for beside in (*beside_it, following):
         target = None if beside is None else _target(asked, beside)
         if target is None:
             continue

@@ -18,6 +18,7 @@ from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.nodes import nodes, operands, parts
 from vrts.repair.table.asked import Asked, written_number
 from vrts.repair.table.numbers import value_of
+from vrts.repair.table.placing import is_first_of_hand
 from vrts.repair.written import WrittenStep
 
 INSTEAD = MappingProxyType(
@@ -45,6 +46,7 @@ INSTEAD = MappingProxyType(
 )
 NEAR = MappingProxyType({"MOVE": "APPRO", "MOVES": "APPROS"})  # with a distance
 ANOTHER_WAY = 0.25  # what a teacher says against another way to the same place: it may be luck
+MISSING = 0.35  # and against going where one only goes near, if nothing goes near it before
 UNVISITED = 0.4  # what a teacher says against going near a location that nothing goes to
 HEIGHTS = (120, 100, 80, 60, 150, 200, 40)
 COMPARED = ("<", "<=", ">", ">=", "==", "<>")
@@ -85,8 +87,19 @@ def _word(
     end = keyword_end(asked, step)
     edit = replacement(asked.written.source, step.start, end, other)
     doubt = ANOTHER_WAY if {word, other} == {"MOVE", "MOVES"} else 0.0
+    against = None
+    if word.startswith("CLOSE") and other.startswith("OPEN") and is_first_of_hand(asked, step):
+        against, unusual = 0.0, unusual - 0.3  # the hand is closed when a run starts
     return asked.candidate(
-        Does.WORD, step.line, (edit,), size=size, unusual=unusual, old=word, new=other, doubt=doubt
+        Does.WORD,
+        step.line,
+        (edit,),
+        size=size,
+        unusual=unusual,
+        against=against,
+        old=word,
+        new=other,
+        doubt=doubt,
     )
 
 
@@ -151,6 +164,7 @@ def _near(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
         bare = "MOVE" + statement.word.removeprefix("APPRO")
         old = source.text[step.start : given[1].end]
         again = 0.5 if _approached_before(asked, step, given[0]) else 0.0
+        alone = 0.0 if again else MISSING
         if _lacks(asked, given[1]):
             again += 0.5
         for k, word in enumerate((bare, "MOVES" if bare == "MOVE" else "MOVE")):
@@ -165,6 +179,7 @@ def _near(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
                 unusual=0.1 + 0.2 * k - again,
                 old=old,
                 new=new,
+                doubt=alone,
             )
 
 
