@@ -1801,7 +1801,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "lsp: a verification outlives its server",
-        "vrts/lsp/runs/verifying.py",
+        "vrts/lsp/runs/stdin.py",
         "    os._exit(1)\n",
         "    return\n",
         (f"{VERIFYING}::test_a_verification_ends_where_its_input_ends",),
