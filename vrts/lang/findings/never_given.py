@@ -34,6 +34,7 @@ _JOINT_ANGLES = re.compile(
     re.ASCII,
 )
 _A_NUMBER = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)")
+_PROGRAM = re.compile(r"\.PROGRAM", re.IGNORECASE | re.ASCII)
 _BLOCK = re.compile(
     r"^[ \t]*(?:\d+[ \t]+)?(?P<word>FOR|IF|WHILE|CASE|END)\b(?P<rest>"
     r"(?:[ \t]+(?P<counter>[A-Za-z][\w.]*)[ \t]*=(?!=))?.*)$",
@@ -189,7 +190,8 @@ def _counted(problems: Problems, name: str, at: Place) -> str:
     if len(name) > _SHORT or not name.isalpha():
         return ""
     text = problems.source.text
-    above = text[text.upper().rfind(".PROGRAM", 0, at[0]) + 1 : at[0]]
+    begins = [found.start() for found in _PROGRAM.finditer(text, 0, at[0])]
+    above = text[begins[-1] + 1 if begins else 0 : at[0]]
     open_: list[str] = []
     for found in _BLOCK.finditer(above):
         word = found["word"].upper()

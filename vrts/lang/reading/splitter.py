@@ -216,7 +216,7 @@ class _Splitter:
         elif head.kind:
             self._begin(head.kind, line)
         else:
-            self._unknown(line, line.text[: head.end].upper())
+            self._unknown(line, head.end)
 
     def _begin(self, kind: str, header: Line) -> None:
         if self.open is not None:
@@ -249,15 +249,15 @@ class _Splitter:
         else:
             self._close((line.start, line.end))
 
-    def _unknown(self, line: Line, word: str) -> None:
+    def _unknown(self, line: Line, end: int) -> None:
         if self.open is not None:
             self._close_without_end(line)
         self.skipping = True
         self.problems.warning(
             UNKNOWN_SECTION,
-            f"the section {word} is not known and is skipped",
+            f"the section {line.text[:end].upper()} is not known and is skipped",
             line.start,
-            line.start + len(word),
+            line.start + end,
             help=("sections are .PROGRAM, .LOCATIONS, .REALS and .STRINGS",),
         )
 

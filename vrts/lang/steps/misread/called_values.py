@@ -6,7 +6,7 @@ from vrts.lang.grammar.shapes import UNEXPECTED_TEXT
 from vrts.lang.steps.misread.meant import VARIABLE, Meant
 
 _CALLED = re.compile(
-    rf"(?P<target>{VARIABLE})[ \t]*:?=(?!=)[ \t]*CALL[ \t]+(?P<program>[A-Za-z][\w.]*)"
+    rf"(?P<target>{VARIABLE})[ \t]*:?=(?!=)[ \t]*(?P<call>CALL)[ \t]+(?P<program>[A-Za-z][\w.]*)"
     r"[ \t]*(?:\((?P<given>.*)\)|(?P<loose>[^()]*))",
     re.ASCII | re.IGNORECASE,
 )
@@ -33,7 +33,7 @@ def called_value(text: str) -> Meant | None:
         return Meant(
             UNEXPECTED_TEXT,
             _NOTHING,
-            text.upper().index("CALL", found.end("target")),
+            found.start("call"),
             len(text),
             (help_,),
             notes=(_SAYS,),

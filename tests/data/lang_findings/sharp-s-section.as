@@ -1,0 +1,3 @@
+.PROGRAßßß main
+        GOTO 10
+.ENÄ
