@@ -94,6 +94,7 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
                 right = right or asked.familiar(mine) > asked.familiar(other)
                 if right or slipped(other, mine):
                     doubt, unusual = doubt + 0.3, unusual + 0.3  # its row is misspelt, not it
+                    unusual += 0.5 if other in asked.idle else 0.0  # so nobody used it
             if mine in beside:
                 unusual, doubt = unusual + 0.3, doubt + PARTED
             elif other in beside:
