@@ -23,6 +23,7 @@ from vrts.lang.findings.ways.reached import reached
 from vrts.lang.findings.ways.recursion import CallCheck
 from vrts.lang.joined import Joined
 from vrts.lang.lowering.programs import Lowering
+from vrts.lang.meaning.blocks.top_lines import check_declarations, check_groups
 from vrts.lang.meaning.data_sections import read_data, report_replaced
 from vrts.lang.meaning.resolve import Resolver
 from vrts.lang.meaning.scope import Scope, location_name
@@ -218,6 +219,8 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
         found = blocks(program, problems)
         if len(problems.found) == before:
             check_exits(program, found, problems)
+            check_groups(problems, program, found)
+        check_declarations(problems, program)
         structures[program.name] = (found, labels(program, problems, programs))
         check_jumps(problems, program, *structures[program.name])
     parser.habits.report(problems)

@@ -23,6 +23,19 @@ def told(body: str, dialect: Dialect) -> list[Diagnostic]:
         ("SPEED 200 MMS", VPLUS, "SPEED 200 MMPS"),
         ("FOR i = 1 TO 3\nCONTINUE\nEND", VPLUS, "FOR i = 1 TO 3\nNEXT\nEND"),
         ("MOVE READY", VAL2, "READY"),
+        ("ATTACH 0", VPLUS, "ATTACH (0)"),
+        ("WRITE lun, n", VPLUS, "WRITE (lun) n"),
+        ("MOVE a\nAUTO n", VPLUS, "AUTO n\nbusy = 1\nMOVE a"),
+        ("MOVE part\nDECOMPOSE part = x[0]", VPLUS, "MOVE part\nDECOMPOSE x[0] = part"),
+        ("LMOVE a", VPLUS, "MOVES a"),
+        ("MOVES a", AS, "LMOVE a"),
+        ("SWAIT SIG(1001)", AS, "SWAIT 1001"),
+        ("TWAIT 500 MS", AS, "TWAIT 0.5"),
+        ("ONI 1003, watch", AS, "ONI 1003 CALL watch"),
+        ('$s = "b"\nSCASE $s OF\nVALUE "a":\nEND', AS, 'SCASE $s OF\nSVALUE "a":\nEND'),
+        ("$.x = $s", AS, ".$x = $s"),
+        ("p = a+TRANS(1, 2, 3)", AS, "POINT p = a+TRANS(1, 2, 3)"),
+        ("LMOVE 100, part", AS, "LMOVE part, 100"),
     ],
 )
 def test_edits_are_of_the_dialect(step: str, dialect: Dialect, instead: str) -> None:
@@ -30,6 +43,30 @@ def test_edits_are_of_the_dialect(step: str, dialect: Dialect, instead: str) -> 
     assert found.primary is not None
     text = found.primary.span.source.text
     assert f"\n{instead}\n" in with_edits(text, edits_of([found]))
+
+
+@pytest.mark.parametrize(
+    ("body", "dialect"),
+    [
+        ("AUTO REAL n\nLOCAL LOC p\nATTACH (0)\nWRITE (n) n", VPLUS),
+        ("SWAIT 1001, -1002\nPULSE 4, 0.5\nSIGNAL 2001", AS),
+        ('SCASE $s OF\nSVALUE "a":\nEND\nCASE n OF\nVALUE 1:\nEND', AS),
+        (".$x = $s\nPOINT .p = a+b\n.n = .n+1", AS),
+    ],
+)
+def test_right_steps_are_no_slips(body: str, dialect: Dialect) -> None:
+    quiet = ("is not simulated", "never given a value in this file")
+    found = [d.headline for d in told(f"busy = 1\n{body}" if dialect is AS else body, dialect)]
+    assert [text for text in found if not text.endswith(quiet) and "never ends" not in text] == []
+
+
+@pytest.mark.parametrize("dialect", [VPLUS, AS])
+def test_an_input_is_not_set(dialect: Dialect) -> None:
+    step = "SIGNAL 1004" if dialect is VPLUS else "PULSE 1004, 0.5"
+    found = [d.headline for d in told(f"busy = 1\n{step}\nSIGNAL 1200", dialect)]
+    assert [text for text in found if "is an input" in text] == [
+        "signal 1004 is an input; a program cannot set it"
+    ]
 
 
 def test_a_task_beside_may_end_a_loop() -> None:

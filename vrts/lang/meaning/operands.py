@@ -1,5 +1,7 @@
 """Operands of the instructions that are a word and a list: which types they want."""
 
+from collections.abc import Sequence
+
 from vrts.base.diagnostic import Fix, Rule
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.values import Type
@@ -135,6 +137,8 @@ class OperandTypes(ExpressionTypes):
                     self._items(target.subscripts, Type.REAL)
                 self._values(node, 1, Type.REAL)
             case "DECOMPOSE":
+                if self._reversed(node, target, values):
+                    return
                 if isinstance(target, Element) and not target.subscripts:
                     target = target._replace(subscripts=(Number(0.0, target.start, target.end),))
                 self._write(target, Type.REAL, "DECOMPOSE stores numbers", None)
@@ -271,17 +275,39 @@ class OperandTypes(ExpressionTypes):
                 notes=("the arm is simulated with one form of acceleration",),
             )
 
+    def _reversed(self, node: Give, target: Item, values: Sequence[Item | None]) -> bool:
+        """`DECOMPOSE part = x[0]`, where `part` is a location above."""
+        array = values[0] if len(values) == 1 else None
+        if not isinstance(target, Name) or not isinstance(array, Element):
+            return False
+        if Type.POSE not in self.scope.entry(self.program, key(target.text)).types:
+            return False
+        text = self.problems.source.text
+        location, first = text[target.start : target.end], text[array.start : array.end]
+        self._location(target, "DECOMPOSE takes a location")
+        self._write(array, Type.REAL, "DECOMPOSE stores numbers", None)
+        self.problems.error(
+            WRONG_TYPE,
+            "DECOMPOSE has the array before `=`, and the location behind it",
+            target.start,
+            array.end,
+            help=(f"write `DECOMPOSE {first} = {location}`",),
+            fix=self.problems.replace(target.start, array.end, f"{first} = {location}"),
+        )
+        return True
+
     def _swapped(self, node: Simple, distance: Number, location: Name) -> None:
         """`APPRO 50, part`."""
         text = self.problems.source.text[distance.start : distance.end]
+        word = self.problems.source.text[node.start : distance.start].strip().upper()
         self.wrong_lines.add(self.problems.source.line_of(node.start))
         self.problems.error(
             WRONG_TYPE,
-            f"the location comes first in {node.word}",
+            f"the location comes first in {word}",
             distance.start,
             location.end,
             notes=(TYPES_SAY,),
-            help=(f"write `{node.word} {location.text}, {text}`",),
+            help=(f"write `{word} {location.text}, {text}`",),
             fix=self.problems.replace(distance.start, location.end, f"{location.text}, {text}"),
         )
 

@@ -68,6 +68,7 @@ _LOOKED_AT = frozenset(  # instructions whose operands matter
         "LOCK",
         "APPRO",
         "APPROS",
+        "PULSE",
         "DEPART",
         "DEPARTS",
         "MOVE",
@@ -224,7 +225,7 @@ class Resolver(OperandTypes):
             self._number_with_sign(name)
             self.check(value, Type.REAL, f"`{name.text[1:]}` holds a number")
             return
-        if name.text[0] == "#" or self.is_location(value):
+        if name.text[0] == "#" or self.is_location(value) or self._joined(value):
             self.assigned_location(node)
             if self.dialect.tolerant:
                 self._location(value, "a location is given a location")
@@ -248,6 +249,14 @@ class Resolver(OperandTypes):
             return
         self._write(target, Type.REAL, "`=` gives a value to a number", value)
         self.check(value, Type.REAL, f"`{name.text}` holds a number")
+
+    def _joined(self, value: Expression) -> bool:
+        """Whether a value of AS is a location by what is added: `pallet+TRANS(60, 0, 0)`."""
+        if not self.dialect.is_as or not isinstance(value, Infix) or value.operator not in "+-":
+            return False
+        return any(
+            self.is_location(part) or self._joined(part) for part in (value.left, value.right)
+        )
 
     def _text_given(self, target: Variable, name: Name, value: Expression) -> None:
         """Keep `name = "Ada"` for when it is known what else the name holds."""
@@ -309,14 +318,15 @@ class Resolver(OperandTypes):
         """Report `a = b` between locations."""
         if isinstance(node.value, Element) and len(node.value.subscripts) > MAX_SUBSCRIPTS:
             return  # `a = p[0.5, 0.2, 0.1, 0, 3.14, 0]`: what is said of the list says it all
+        verb = "POINT" if self.dialect.is_as else "SET"
         self.problems.error(
             ASSIGNED_LOCATION,
-            "a location is given a value by SET",
+            f"a location is given a value by {verb}",
             node.start,
             node.target.end,
             notes=("`=` is for numbers and strings", "VAL-II says *Illegal assignment*"),
-            help=(f"write `SET {self.problems.source.text[node.start : node.end]}`",),
-            fix=self.problems.replace(node.start, node.start, "SET "),
+            help=(f"write `{verb} {self.problems.source.text[node.start : node.end]}`",),
+            fix=self.problems.replace(node.start, node.start, f"{verb} "),
             severity=Severity.WARNING if self.dialect.tolerant else Severity.ERROR,
         )
 

@@ -26,7 +26,9 @@ from vrts.lang.steps.kawasaki_forms import (
     without_component,
 )
 from vrts.lang.steps.labels import read_label
+from vrts.lang.steps.misread.relatives.slips import READABLE, readable_slip
 from vrts.lang.steps.mistakes import explain
+from vrts.lang.steps.other_forms import INVALID_EXPRESSION
 from vrts.lang.steps.repair import Repair
 from vrts.lang.steps.tolerated import Tolerated, completed
 from vrts.lang.steps.trials import Trials
@@ -46,6 +48,10 @@ MAX_SEEN = 4096  # different lines whose tokens are kept
 MAX_KEPT = 64  # tokens of such a line
 MAX_TOKENS = 1_000_000  # of a file: with more it would not fit into memory
 _NAMES = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
+_LOCALS = re.compile(  # `.x`, `.$x`, and what is meant by `$.x`
+    r"(?<![\w.\])])(?:\.(?=[$#]?[A-Za-z])|(?=[$#]\.))(?P<sign>[$#]?)\.?(?P<name>[A-Za-z][\w.]*)",
+    re.ASCII,
+)
 _FIRST_WORD = re.compile(r"[A-Za-z][\w.]*", re.ASCII)
 _TEXT_WORDS = frozenset({"TYPE", "STOP", "PAUSE"})  # VAL: text without quotes follows
 
@@ -203,7 +209,9 @@ class StepParser:
         if self.dialect.tolerant:
             tokens, head, added = completed(tokens, head, self.dialect, self.program_names)
         node: Any = None
-        if not refuse(self.problems, tokens, head, self.program_names):
+        if self._slip(text, at, head):
+            node = None
+        elif not refuse(self.problems, tokens, head, self.program_names):
             node = self.parser.parse("step", tokens)
             if isinstance(node, Failure):
                 explain(self.problems, tokens, node, head.word)
@@ -217,6 +225,15 @@ class StepParser:
         if node is None:
             return Bad(structural_word(tokens, head), names_in(text), at, at + len(text))
         return node
+
+    def _slip(self, text: str, at: int, head: Head) -> bool:
+        """Whether a step is a mistake of V+ or AS that the grammar takes; report it."""
+        if head.word is None or head.word.text not in READABLE:
+            return False
+        says = readable_slip(text, self.dialect)
+        if says:
+            self.problems.error(INVALID_EXPRESSION, says, at, at + len(text))
+        return bool(says)
 
     def _counted(self, tokens: list[Token]) -> None:
         before = self.token_count
@@ -303,4 +320,8 @@ def operands_only(tokens: list[Token]) -> list[Token]:
 
 def names_in(text: str) -> tuple[str, ...]:
     """Return what could be names in a piece of text."""
-    return tuple(dict.fromkeys(key(name) for name in _NAMES.findall(text)))
+    found = dict.fromkeys(key(name) for name in _NAMES.findall(text))
+    if "." in text:
+        for match in _LOCALS.finditer(text):
+            found[f"{match['sign']}.{key(match['name'])}"] = None
+    return tuple(found)

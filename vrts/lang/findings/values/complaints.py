@@ -25,6 +25,7 @@ JOINTS = 6
 _WITH_MORE = range(1, 513)  # signals of each kind of the largest controllers of the family
 _BEYOND = 1e9  # numbers from here on are not looked at
 
+_SURE_INPUTS = range(1001, 1033)  # of V+ and AS; above them modules may be wired otherwise
 _SIGNALS = "outputs are 1 to 32, inputs 1001 to 1032, internal signals 2001 to 2256"
 
 
@@ -56,6 +57,19 @@ def set_signal(value: Interval) -> Complaint | None:
             certain=True,
         )
     return _no_signal(low, high, "set an output, 1 to 32, or an internal signal from 2001 on")
+
+
+def set_input(value: Interval) -> Complaint | None:
+    """SIGNAL and PULSE of V+ and AS; how many outputs there are differs."""
+    numbers = _numbers(value)
+    if numbers is None or numbers[0] not in _SURE_INPUTS or numbers[1] not in _SURE_INPUTS:
+        return None
+    return Complaint(
+        NO_SUCH_SIGNAL,
+        f"signal {_shown(*numbers)} is an input; a program cannot set it",
+        "outputs are numbered from 1, inputs from 1001, internal signals from 2001",
+        "set an output, a number from 1 on, or an internal signal from 2001 on",
+    )
 
 
 def read_signal(value: Interval) -> Complaint | None:

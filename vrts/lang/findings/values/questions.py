@@ -46,6 +46,9 @@ def _about(node: Item | Statement, *, ours: bool) -> Iterator[tuple[Item | None,
             yield from _applied(name, node.arguments)
     elif ours:
         yield from _instruction(node)
+    elif isinstance(node, Simple) and node.word in ("SIGNAL", "PULSE"):
+        for operand in node.operands if node.word == "SIGNAL" else node.operands[:1]:
+            yield operand, complaints.set_input
 
 
 def _applied(

@@ -115,6 +115,8 @@ class IdiomAdvice(Adviser):
         if dialect.is_as and _MMPS in idiom.instead:
             says = idiom.says.replace(_MMPS, _MM_S)
             idiom = idiom._replace(says=says, instead=idiom.instead.replace(_MMPS, _MM_S))
+        if dialect.is_as and idiom.instead.startswith("TYPE "):
+            idiom = idiom._replace(instead=idiom.instead.replace("TYPE ", "PRINT ", 1))
         if dialect.is_vplus and idiom.pattern == _CONTINUE:
             idiom = idiom._replace(instead="NEXT", help="")
         return found._replace(idiom=idiom)

@@ -2,8 +2,8 @@
 
 In a pattern a blank stands for any blanks or none, `_` for at least one (among words also for
 itself), `<a|b>` for one of several words. `{e}` is an expression, `{n}` a name, `{v}` a
-variable, `{d}` a number, `{q}` that of an input or internal signal, `{s}` a text in quotes,
-`{r}` anything; digits tell two of a kind apart.
+variable, `{l}` one that may be local in AS, `{d}` a number, `{q}` that of an input or internal
+signal, `{s}` a text in quotes, `{r}` anything; digits tell two of a kind apart.
 What is written instead names them again; `{e-1}` is one less,
 `{d+1000}` the signal of an input that others count from 1, `{!e}` the opposite of a condition.
 """
@@ -52,6 +52,7 @@ _KINDS = {
     "e": r".+?",
     "n": r"[A-Za-z][\w.]*",
     "v": r"[$#]?[A-Za-z][\w.]*(?:\[[^\]]*\])?",
+    "l": r"(?:\.?[$#]?|[$#]\.)[A-Za-z][\w.]*(?:\[[^\]]*\])?",
     "d": _NUMBER,
     "q": r"-?[12]\d{3}",
     "s": r"\"[^\"]*\"|'[^']*'|“[^”]*”",

@@ -16,6 +16,7 @@ from vrts.lang.steps.misread.left_out.compared import left_out_operand
 from vrts.lang.steps.misread.left_out.quotes import opening_quote, unquoted_text
 from vrts.lang.steps.misread.left_out.times import missing_times
 from vrts.lang.steps.misread.meant import Meant
+from vrts.lang.steps.misread.relatives.slips import slip
 from vrts.lang.steps.misread.slips.brackets import odd_brackets
 from vrts.lang.steps.misread.slips.digits_first import digit_first
 from vrts.lang.steps.misread.slips.fillers import filler
@@ -34,7 +35,7 @@ from vrts.lang.steps.repair import Repair
 def meant_by_line(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
     """Return what is meant by a line that is no step, where it is one of these."""
     if not dialect.has("2"):
-        return None
+        return slip(text, repair, dialect)
     return (
         chain(text)
         or said_twice(text, repair)
