@@ -33,6 +33,8 @@ ALIKE = 10.0  # causes whose gains differ by less cannot be told apart
 MATTERS = 0.2  # of what is left over: a cause that changes the log by less is none
 SEARCH_ROWS = 300
 PATTERN = 0.5  # of what is left over: no larger part of it may last for several rows
+OTHER_RESTS_S = 0.1  # of rests that differ by more a robot has its own
+NEARER = 0.1  # of what is left with one clock: so little is left with one for each stretch
 WIDE = 0.08  # a number that works through ticks lies within this share of the best
 
 
@@ -72,16 +74,22 @@ def choose(again: Again, log: RobotLog, rows: Rows) -> Choice:
     clock = whole(again.run, log, rows)
     every = max(len(rows.times) // SEARCH_ROWS, 1)
     decide = deciding(again)
-    found = _chosen(_Search(again, log, rows, _few(rows, every), least, clock, decide))
-    if explained(found):
-        return found
+    few = _few(rows, every)
+    one_clock = _Search(again, log, rows, few, least, clock, decide)
     parted = by_stretches(again.run, rows, clock)
-    if parted is None:
+    own, alone = None, solve(again, rows, clock, {}, (), least)
+    if parted is not None and not _plain(one_clock, alone):
+        own = _chosen(_Search(again, log, rows, few, least, parted, decide))
+        nearer = (own.fit.residual**2).mean() < NEARER**2 * (alone.residual**2).mean()
+        rests_differ = float(np.ptp(own.fit.clock.shifts)) > OTHER_RESTS_S
+        if rests_differ and (explained(own) or bool(nearer)):
+            return own
+    found = _chosen(one_clock)
+    if own is None or explained(found):
         return found
-    other = _chosen(_Search(again, log, rows, _few(rows, every), least, parted, decide))
-    more = len(parted.shifts) - 1 + _numbers(other) - _numbers(found)
+    more = len(own.fit.clock.shifts) - 1 + _numbers(own) - _numbers(found)
     dearer = more * (np.log(len(rows.times)) + WORTH)
-    return other if other.fit.objective + dearer < found.fit.objective else found
+    return own if own.fit.objective + dearer < found.fit.objective else found
 
 
 def explained(found: Choice) -> bool:

@@ -10,6 +10,7 @@ from vrts.validate.clock import clock_shift
 from vrts.validate.identify.forward import Clock, Rows, commanded, spans_of
 from vrts.validate.log.log import RobotLog
 
+FIRST_S = np.arange(-6.0, 6.0, 0.03)  # where the first stretch is looked for
 LOOKED_S = np.concatenate((np.arange(-0.2, 0.4, 0.02), np.arange(0.4, 4.0, 0.05)))
 FEWEST = 4  # rows of a stretch
 FURTHER = 40  # rows that are compared, at most, when a stretch is looked for
@@ -28,7 +29,7 @@ def by_stretches(run: Run, rows: Rows, begin: Clock) -> Clock | None:
     shifts: list[float] = []
     rests = float(begin.shifts[0])
     for start, end in spans.tolist():
-        tried = rests - LOOKED_S
+        tried = rests - (LOOKED_S if shifts else FIRST_S)
         off = [_off(run, rows, (start, end), shift) for shift in tried.tolist()]
         if not np.isfinite(min(off)):
             return None

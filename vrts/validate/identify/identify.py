@@ -93,8 +93,8 @@ def _numbers(again: Again, found: Choice) -> tuple[tuple[Number, ...], float]:
         ),
         axis=2,
     )
-    sigma = left_over(fit.residual, found.least).rms
-    spread = np.sqrt(np.clip(np.diag(covariance(J, fit.residual, sigma)), 0.0, None))
+    left = left_over(fit.residual, found.least)
+    spread = np.sqrt(np.clip(np.diag(covariance(J, left.rms, left.times_correlated)), 0.0, None))
     shifts = len(fit.clock.shifts)
     halves = dict(zip(smooth, (NORMAL * spread[shifts:]).tolist(), strict=True))
     alike = {

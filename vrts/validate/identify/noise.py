@@ -71,24 +71,20 @@ def _correlation(values: Array) -> Array:
     return found / max(float(found[0]), 1e-300)
 
 
-def covariance(jacobian: Array, residual: Array, sigma: Array) -> Array:
-    """Return the covariance of fitted numbers, by the formula of Newey and West.
+def covariance(jacobian: Array, sigma: Array, times_correlated: Array) -> Array:
+    """Return the covariance of fitted numbers.
 
-    Rows that follow one another may have errors alike, and the channels of a row, too.
+    A row counts as a part of one where errors of rows beside one another are alike.
 
     Args:
         jacobian: Shape (n, channels, k).
-        residual: Shape (n, channels).
         sigma: Of every channel.
+        times_correlated: Of every channel, so many rows tell as much as one.
     """
     n, _, k = jacobian.shape
     white = jacobian / sigma[:, None]
-    scores = np.einsum("nck,nc->nk", white, residual / sigma)
     flat = white.reshape(-1, k)
     inverse = np.linalg.pinv(flat.T @ flat, rcond=1e-14, hermitian=True)
-    width = max(int(1.3 * n ** (1.0 / 3.0)), 1)
-    middle = scores.T @ scores
-    for lag in range(1, width + 1):
-        both = scores[lag:].T @ scores[:-lag]
-        middle += (1.0 - lag / (width + 1.0)) * (both + both.T)
-    return n / max(n - k, 1) * inverse @ middle @ inverse
+    alike = (white * np.sqrt(times_correlated)[:, None]).reshape(-1, k)
+    found: Array = n / max(n - k, 1) * inverse @ (alike.T @ alike) @ inverse
+    return found

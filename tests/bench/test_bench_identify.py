@@ -1,0 +1,253 @@
+"""What is put into LinuxCNC's configuration is found in its log; and how honest intervals are."""
+
+import os
+import re
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from tests.unit.dispatch.rehearsing.test_rehearsals import PROGRAMS, SPEED, TRIED_AGAIN
+from tests.unit.validate.support import turning_run
+from vrts.base.units import DEG, MM
+from vrts.dispatch.linuxcnc.export import exported_folder
+from vrts.dispatch.rehearsing import place
+from vrts.dispatch.rehearsing.installed import installed
+from vrts.dispatch.rehearsing.rehearse import expected
+from vrts.dispatch.rehearsing.running import rehearsed
+from vrts.dispatch.rehearsing.samples import STEP_S, Samples, read_samples
+from vrts.engine.run import Run
+from vrts.pipeline.compiling.reading import ProgramFile
+from vrts.pipeline.request import Request
+from vrts.pipeline.settings import setting_for
+from vrts.validate.identify.again import Again
+from vrts.validate.identify.causes import Cause, Kind
+from vrts.validate.identify.forward import Clock, Rows, residuals
+from vrts.validate.identify.identified import Identified
+from vrts.validate.identify.identify import identify_log
+from vrts.validate.identify.noise import covariance, left_over, resolution
+from vrts.validate.identify.solve import clock_columns, columns, solve
+from vrts.validate.log.log import RobotLog
+from vrts.validate.reports.identified_text import sentence
+
+WHAT = installed()
+EVERY = 4  # samples: a row each 4 ms
+BEFORE = 100  # samples, from the first motion on
+NOISE, STEP = 0.01 * DEG, 0.005 * DEG
+SIMULATIONS = int(os.environ.get("VRTS_SIMULATIONS", "1000"))
+ONLY = os.environ.get("VRTS_CASES", "")
+
+
+class Changed(NamedTuple):
+    """A text of the exported folder with another number in it."""
+
+    file: str
+    pattern: str  # of which the first group stays
+    by: Callable[[float], float]
+
+
+@dataclass(frozen=True)
+class Case:
+    """What is wrong in LinuxCNC's configuration, and what has to be found."""
+
+    name: str
+    cause: Cause
+    true: float
+    changes: tuple[Changed, ...] = ()
+    zero: tuple[int, float] | None = None  # joint and what its encoder counts too much [rad]
+    program: str = "01-stops"
+
+
+SETUP, INI, HAL = "library/v_setup.ngc", "machine.ini", "machine.hal"
+
+
+def scaled(name: str, factor: float) -> Changed:
+    return Changed(SETUP, rf"({re.escape(name)} = )([\d.]+)", lambda value: value * factor)
+
+
+def speeds(factor: float, joints: tuple[int, ...], *, lines: bool) -> tuple[Changed, ...]:
+    found = [scaled(f"#{196 + joint}", factor) for joint in joints]
+    if lines:
+        found.append(scaled("#<_v_linear>", factor))
+    if lines and joints:
+        found.append(scaled("#<_v_angular>", factor))
+    return tuple(found)
+
+
+def link(name: str, dh: str, by_mm: float) -> tuple[Changed, ...]:
+    """Return another link in the subroutines and in the kinematics; a3 has another sign there."""
+    sign = -1.0 if name == "a3" else 1.0
+    # [-20.32] in the subroutines is 20.32 in Craig's convention
+    return (
+        Changed(SETUP, rf"(#<_v_{name}> = )\[?(-?[\d.]+)\]?", lambda value: value + by_mm),
+        Changed(HAL, rf"(genserkins\.{dh} )([\d.]+)", lambda value: value + sign * by_mm),
+    )
+
+
+def acceleration(seconds: float) -> tuple[Changed, ...]:
+    return (
+        Changed(SETUP, r"(#<_v_tacc> = )([\d.]+)", lambda _: seconds),
+        Changed(SETUP, r"(#<_v_half> = )([\d.]+)", lambda _: seconds),
+    )
+
+
+def period(ns: int) -> tuple[Changed, ...]:
+    return (Changed(INI, r"(SERVO_PERIOD = )(\d+)", lambda _: ns),)
+
+
+ALL = tuple(range(6))
+CASES = [
+    *(
+        Case(f"zero of joint {k + 1}", Cause(Kind.ZERO, k), by * DEG, zero=(k, by * DEG))
+        for k, by in enumerate((0.5, -0.3, 0.5, 0.4, 0.3, -0.5))
+    ),
+    Case("link a2", Cause(Kind.COUNTED_LINK, 0, "a2"), 2 * MM, link("a2", "A-2", 2.0)),
+    Case("link d4", Cause(Kind.COUNTED_LINK, 0, "d4"), -1.5 * MM, link("d4", "D-3", -1.5)),
+    Case("link d2", Cause(Kind.COUNTED_LINK, 0, "d2"), 1 * MM, link("d2", "D-2", 1.0)),
+    Case("link a3", Cause(Kind.COUNTED_LINK, 0, "a3"), 2 * MM, link("a3", "A-3", 2.0)),
+    Case("speeds -8 %", Cause(Kind.SPEEDS), -0.08, speeds(0.92, ALL, lines=True)),
+    Case("speeds +6 %", Cause(Kind.SPEEDS), 0.06, speeds(1.06, ALL, lines=True)),
+    Case("speeds -15 %", Cause(Kind.SPEEDS), -0.15, speeds(0.85, ALL, lines=True)),
+    Case("lines -10 %", Cause(Kind.LINE_SPEED), -0.1, speeds(0.9, (), lines=True)),
+    Case("joint 1 -25 %", Cause(Kind.SPEED, 0), -0.25, speeds(0.75, (0,), lines=False)),
+    Case("acceleration 280 ms", Cause(Kind.ACCELERATION), 0.056, acceleration(0.28)),
+    Case("acceleration 168 ms", Cause(Kind.ACCELERATION), -0.056, acceleration(0.168)),
+    Case("clock 990 us", Cause(Kind.RATE), -0.01, period(990_000)),
+    Case("clock 995 us", Cause(Kind.RATE), -0.005, period(995_000)),
+    Case("clock 1008 us", Cause(Kind.RATE), 0.008, period(1_008_000)),
+]
+
+
+def carried_out(case: Case) -> tuple[Run, Samples]:
+    """Return the run without the fault, and what LinuxCNC did with it."""
+    assert not isinstance(WHAT, str)
+    program = PROGRAMS / case.program / "program.v2"
+    setting = setting_for(program)
+    assert setting is not None
+    found = exported_folder(Request(ProgramFile(program.read_bytes(), program.name), setting), None)
+    assert found.files is not None
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for file, data in found.files.items():
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
+            (folder / file).write_bytes(data)
+        run = expected(folder)
+        for change in case.changes:
+            changed(folder / change.file, change)
+        with pytest.MonkeyPatch.context() as patch:
+            if case.zero is not None:
+                patch.setattr(place, "PINS", encoder(*case.zero))
+            outcome = rehearsed(folder, run, WHAT, SPEED)
+    assert outcome.errors == (), outcome.errors
+    return run, read_samples(outcome.samples)
+
+
+def changed(path: Path, change: Changed) -> None:
+    text = path.read_text()
+    found = re.search(change.pattern, text)
+    assert found, change.pattern
+    new = f"{found[1]}[{change.by(float(found[2])):g}]"
+    if change.file != SETUP:
+        new = new.replace("[", "").replace("]", "")
+    path.write_text(text[: found.start()] + new + text[found.end() :])
+
+
+def encoder(joint: int, by: float) -> tuple[str, ...]:
+    """Return HAL's pins with an encoder that counts too much."""
+    pins = [pin for pin in place.PINS if f"joint.{joint}." not in pin]
+    return (
+        *("loadrt scale count=1", "addf scale.0 servo-thread -2", "setp scale.0.gain 1"),
+        f"setp scale.0.offset {by / DEG:.9f}",
+        f"net counted joint.{joint}.pos-cmd => scale.0.in",
+        f"net c{joint} scale.0.out => sampler.0.pin.{joint}",
+        *pins,
+    )
+
+
+def log_of(samples: Samples, seed: int) -> RobotLog:
+    """Return the log with an encoder's steps and noise."""
+    first = max(int((samples.motions > 0).argmax()) - BEFORE, 0)
+    joints = samples.joints[first::EVERY]
+    noise = np.random.default_rng(seed).normal(0.0, NOISE, joints.shape)
+    told = np.round((joints + noise) / STEP) * STEP
+    times = STEP_S * EVERY * np.arange(len(told), dtype=np.float64)
+    return RobotLog("linuxcnc.csv", "0" * 64, times, told, None, synthetic=False, findings=())
+
+
+@pytest.mark.skipif(isinstance(WHAT, str), reason="needs LinuxCNC")
+def test_faults_of_linuxcnc_are_found_in_its_log() -> None:
+    cases = [case for case in CASES if ONLY in case.name]
+    named, errors = 0, []
+    for seed, case in enumerate(cases):
+        run, samples = carried_out(case)
+        found = identify_log(run, log_of(samples, seed))
+        first = bool(found.numbers) and found.numbers[0].cause == case.cause
+        named += first
+        off = _errors_off(found, case)
+        errors.append(off)
+        print(f"{case.name:22} {off:6.2f} standard errors  {sentence(found)}", flush=True)
+    print(
+        f"{len(cases)} cases: named first {named}, within two standard errors"
+        f" {sum(off <= 2.0 for off in errors)}, within four {sum(off <= 4.0 for off in errors)}"
+    )
+    assert named >= 0.9 * len(cases)
+
+
+def _errors_off(found: Identified, case: Case) -> float:
+    """Return by how many standard errors the number is off; infinite where it was not found."""
+    for number in found.numbers:
+        if number.cause == case.cause:
+            return abs(number.value - case.true) / max(number.half / 1.96, 1e-12)
+    return float("inf")
+
+
+COVERED: tuple[tuple[str, dict[Cause, float], float], ...] = (
+    ("joint zero, rate", {Cause(Kind.ZERO, 2): 0.2 * DEG, Cause(Kind.RATE): 1e-3}, 0.0),
+    ("joint zero, lag", {Cause(Kind.ZERO, 1): 0.1 * DEG, Cause(Kind.LAG): 0.02}, 0.0),
+    ("two zeros, errors alike", {Cause(Kind.ZERO, k): 0.1 * DEG for k in (0, 4)}, 0.5),
+    ("tool, base", {Cause(Kind.TOOL, 2): 1 * MM, Cause(Kind.BASE, 1): 1 * MM}, 0.0),
+)
+
+
+@pytest.mark.parametrize(("name", "true", "alike"), COVERED, ids=[c[0] for c in COVERED])
+def test_intervals_hold_what_they_say(name: str, true: dict[Cause, float], alike: float) -> None:
+    """Of intervals of 95 %, 93 to 97 of a hundred cover the number that was put in.
+
+    The causes are given here, and the clock is fitted with them. Errors of rows beside one another
+    may be alike (`alike` is their correlation); tool positions are measured to 0.1 mm.
+    """
+    again, chance = Again(turning_run()), np.random.default_rng(20)
+    times = np.arange(-0.5, again.run.horizon_s + 0.5, 0.028)
+    clock = Clock(np.array([0.0]), np.zeros(len(times), np.intp))
+    middle = float(0.5 * (times[0] + times[-1]))
+    zeros = np.zeros((len(times), 3))
+    exact = Rows(times, np.zeros((len(times), 6)), zeros, middle)
+    joints = -residuals(again, exact, clock, true)[:, :6]
+    covered = dict.fromkeys(true, 0)
+    for _ in range(SIMULATIONS):
+        noise = chance.normal(0.0, NOISE, joints.shape)
+        for k in range(1, len(noise)):
+            noise[k] = alike * noise[k - 1] + np.sqrt(1.0 - alike**2) * noise[k]
+        told = np.round((joints + noise) / STEP) * STEP
+        shown = -residuals(again, Rows(times, told, zeros, middle), clock, true)[:, 6:]
+        rows = Rows(times, told, shown + chance.normal(0.0, 0.1 * MM, shown.shape), middle)
+        least = resolution(rows.measured())
+        fit = solve(again, rows, clock, true, tuple(true), least)
+        J = np.concatenate(
+            (
+                clock_columns(again, rows, fit.clock, fit.values),
+                columns(again, rows, fit.clock, fit.values, tuple(true)),
+            ),
+            axis=2,
+        )
+        left = left_over(fit.residual, least)
+        spread = np.sqrt(np.diag(covariance(J, left.rms, left.times_correlated)))[1:]
+        for (cause, value), one in zip(true.items(), spread.tolist(), strict=True):
+            covered[cause] += abs(fit.values[cause] - value) <= 1.96 * one
+    shares = {f"{c.kind.value} {c.place}": n / SIMULATIONS for c, n in covered.items()}
+    print(f"\n{name}: {SIMULATIONS} simulations, covered {shares}", flush=True)
+    assert all(0.93 <= share <= 0.97 for share in shares.values())
