@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tests.unit.dispatch.rehearsing.test_rehearsals import PROGRAMS, SPEED, TRIED_AGAIN
+from tests.unit.dispatch.rehearsing.test_rehearsals import PROGRAMS, SPEED
 from tests.unit.validate.support import turning_run
 from vrts.base.units import DEG, MM
 from vrts.dispatch.linuxcnc.export import exported_folder
@@ -65,8 +65,29 @@ class Case:
 SETUP, INI, HAL = "library/v_setup.ngc", "machine.ini", "machine.hal"
 
 
+def times(factor: float) -> Callable[[float], float]:
+    def by(value: float) -> float:
+        return value * factor
+
+    return by
+
+
+def plus(more: float) -> Callable[[float], float]:
+    def by(value: float) -> float:
+        return value + more
+
+    return by
+
+
+def always(number: float) -> Callable[[float], float]:
+    def by(value: float) -> float:
+        return number
+
+    return by
+
+
 def scaled(name: str, factor: float) -> Changed:
-    return Changed(SETUP, rf"({re.escape(name)} = )([\d.]+)", lambda value: value * factor)
+    return Changed(SETUP, rf"({re.escape(name)} = )([\d.]+)", times(factor))
 
 
 def speeds(factor: float, joints: tuple[int, ...], *, lines: bool) -> tuple[Changed, ...]:
@@ -83,20 +104,20 @@ def link(name: str, dh: str, by_mm: float) -> tuple[Changed, ...]:
     sign = -1.0 if name == "a3" else 1.0
     # [-20.32] in the subroutines is 20.32 in Craig's convention
     return (
-        Changed(SETUP, rf"(#<_v_{name}> = )\[?(-?[\d.]+)\]?", lambda value: value + by_mm),
-        Changed(HAL, rf"(genserkins\.{dh} )([\d.]+)", lambda value: value + sign * by_mm),
+        Changed(SETUP, rf"(#<_v_{name}> = )\[?(-?[\d.]+)\]?", plus(by_mm)),
+        Changed(HAL, rf"(genserkins\.{dh} )([\d.]+)", plus(sign * by_mm)),
     )
 
 
 def acceleration(seconds: float) -> tuple[Changed, ...]:
     return (
-        Changed(SETUP, r"(#<_v_tacc> = )([\d.]+)", lambda _: seconds),
-        Changed(SETUP, r"(#<_v_half> = )([\d.]+)", lambda _: seconds),
+        Changed(SETUP, r"(#<_v_tacc> = )([\d.]+)", always(seconds)),
+        Changed(SETUP, r"(#<_v_half> = )([\d.]+)", always(seconds)),
     )
 
 
 def period(ns: int) -> tuple[Changed, ...]:
-    return (Changed(INI, r"(SERVO_PERIOD = )(\d+)", lambda _: ns),)
+    return (Changed(INI, r"(SERVO_PERIOD = )(\d+)", always(ns)),)
 
 
 ALL = tuple(range(6))
@@ -181,7 +202,8 @@ def log_of(samples: Samples, seed: int) -> RobotLog:
 @pytest.mark.skipif(isinstance(WHAT, str), reason="needs LinuxCNC")
 def test_faults_of_linuxcnc_are_found_in_its_log() -> None:
     cases = [case for case in CASES if ONLY in case.name]
-    named, errors = 0, []
+    named = 0
+    errors: list[float] = []
     for seed, case in enumerate(cases):
         run, samples = carried_out(case)
         found = identify_log(run, log_of(samples, seed))
