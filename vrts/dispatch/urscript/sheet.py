@@ -11,7 +11,8 @@ TEXT = """# `{name}` in URScript: not tried on a controller
 ## What is claimed
 
 - Each motion leads where vrts verified that it leads; steps, loops, decisions, calls, inputs and
-  outputs come in the same order. Tests read such texts by an interpreter made of UR's manual.
+  outputs come in the same order. Tests read such texts by an interpreter made of excerpts of UR's
+  manual.
 - Poses that UR is given count in UR's own base frame: X and Y are opposed to those of the scene.
 
 ## What is assumed
