@@ -1,4 +1,4 @@
-"""URScript as an interpreter made of excerpts of UR's manual carries it out, compared with the run."""
+"""URScript as an interpreter from excerpts of UR's manual carries it out, beside the run."""
 
 from dataclasses import replace
 from pathlib import Path
