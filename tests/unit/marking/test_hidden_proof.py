@@ -1,5 +1,6 @@
 """A hidden environment costs points and reaches nothing that a student gets."""
 
+import re
 import zipfile
 from pathlib import Path
 
@@ -14,8 +15,15 @@ FORMATS = ("moodle-feedback", "folders", "prairielearn")
 NAMES = {"anna": FITTED, "bert": GOOD}
 
 
+# of recordings: drawn, or a time and a count, so any digits may stand in one by chance
+IDENTIFIER = re.compile(
+    rb"[0-9A-Fa-f]{32}|[0-9A-Fa-f]{8}-(?:[0-9A-Fa-f]{4}-){3}[0-9A-Fa-f]{12}",
+)
+
+
 def told(data: bytes) -> list[str]:
     """Return the markers in some bytes, also where these are UTF-16."""
+    data = IDENTIFIER.sub(b"", data)
     return [m for m in MARKERS if m.encode() in data or m.encode("utf-16-le") in data]
 
 

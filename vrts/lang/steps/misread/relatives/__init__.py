@@ -1,4 +1,4 @@
 """Steps of V+ and AS with a mistake of their own: written as VAL-II or another word has it.
 
-Takes the text of a step, gives what is meant by it; it knows neither names nor other steps.
+In: the text of a step. Out: what is meant by it. Knows neither names nor other steps.
 """
