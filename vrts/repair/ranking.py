@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from vrts.repair.edit import Change, Does
 
+SOON = 4  # lines between two places of which either would do for a step that is missing
 CLEARLY = 0.3  # by so much the best must be better than those of other lines to stand out
 ILLEGAL = 1.5  # what a value speaks against a change that no controller or teacher would take
 HARMLESS = 1.0  # what it speaks against it that a step goes that moves nothing
@@ -57,7 +58,13 @@ def _detour(change: Change) -> bool:
 
 
 def _elsewhere(change: Change, other: Change) -> bool:
-    """Return whether two changes blame different lines."""
+    """Return whether two changes blame different lines.
+
+    The same step added a little sooner or later is the same advice.
+    """
+    added = change.does is other.does is Does.ADD and change.new == other.new
+    if added and abs(change.line - other.line) <= SOON:
+        return False
     mine, theirs = ([part.line for part in each.each] for each in (change, other))
     return any(min(abs(line - one) for one in theirs) > 1 for line in mine)
 
