@@ -30,7 +30,10 @@ from vrts.pipeline.where import Where
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from vrts.base.source import SourceFile
+    from vrts.dispatch.linuxcnc.export import Folder as CncFolder
     from vrts.dispatch.posts.other_arm import OtherArm
+    from vrts.dispatch.urscript.export import Folder as ScriptFolder
     from vrts.pipeline.request import Request
 
 EPILOG = """\b
@@ -147,36 +150,40 @@ def _arm(name: str | None, target: str) -> "OtherArm | None":
 
 def _linuxcnc(request: "Request", path: Path | None, place: str | None, color: str) -> NoReturn:
     from vrts.dispatch.linuxcnc.export import exported_folder
-    from vrts.dispatch.linuxcnc.table import TABLE
-    from vrts.pipeline.files import read_toml_source
 
     folder = _folder(request, path, place, LINUXCNC)
-    table = folder / TABLE
-    found = exported_folder(request, read_toml_source(table) if table.is_file() else None)
-    show_diagnostics(found.diagnostics, color)
-    if found.files is None:
-        sys.exit(WRONG)
-    kept = (TABLE,) if table.is_file() else ()
-    _write(folder, {name: data for name, data in found.files.items() if name not in kept})
+    _with_table(exported_folder(request, _table(folder)), folder, color)
     say(f"wrote {folder}: program.ngc, the robot's configuration, what is claimed in sheet.md")
     sys.exit(HOLDS)
 
 
 def _urscript(request: "Request", path: Path | None, place: str | None, color: str) -> NoReturn:
-    from vrts.dispatch.linuxcnc.table import TABLE
     from vrts.dispatch.urscript.export import exported_script
-    from vrts.pipeline.files import read_toml_source
 
     folder = _folder(request, path, place, URSCRIPT)
+    _with_table(exported_script(request, _table(folder)), folder, color)
+    say(f"wrote {folder}: program.script, not tried on a controller; read sheet.md")
+    sys.exit(HOLDS)
+
+
+def _table(folder: Path) -> "SourceFile | None":
+    """Return the user's own table of signals, where there is one already."""
+    from vrts.dispatch.linuxcnc.table import TABLE
+    from vrts.pipeline.files import read_toml_source
+
     table = folder / TABLE
-    found = exported_script(request, read_toml_source(table) if table.is_file() else None)
+    return read_toml_source(table) if table.is_file() else None
+
+
+def _with_table(found: "CncFolder | ScriptFolder", folder: Path, color: str) -> None:
+    """Write what was exported; a table of signals that is there already stays."""
+    from vrts.dispatch.linuxcnc.table import TABLE
+
     show_diagnostics(found.diagnostics, color)
     if found.files is None:
         sys.exit(WRONG)
-    kept = (TABLE,) if table.is_file() else ()
+    kept = (TABLE,) if (folder / TABLE).is_file() else ()
     _write(folder, {name: data for name, data in found.files.items() if name not in kept})
-    say(f"wrote {folder}: program.script, not tried on a controller; read sheet.md")
-    sys.exit(HOLDS)
 
 
 def _ros(request: "Request", path: Path | None, place: str | None, color: str) -> NoReturn:
