@@ -1,7 +1,7 @@
 """Other keywords and operators: MOVE for MOVES, APPRO for MOVE, ALWAYS, a condition's sense."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Sequence
 from types import MappingProxyType
 
 from vrts.lang.syntax.expressions import Infix, Item, Number, Prefix
@@ -46,7 +46,7 @@ INSTEAD = MappingProxyType(
 )
 NEAR = MappingProxyType({"MOVE": "APPRO", "MOVES": "APPROS"})  # with a distance
 ANOTHER_WAY = 0.25  # what a teacher says against another way to the same place: it may be luck
-MISSING = 0.35  # and against going where one only goes near, if nothing goes near it before
+MISSING = 0.35  # and against going where one only goes near, if no step beside it is about it
 UNVISITED = 0.4  # what a teacher says against going near a location that nothing goes to
 HEIGHTS = (120, 100, 80, 60, 150, 200, 40)
 COMPARED = ("<", "<=", ">", ">=", "==", "<>")
@@ -164,7 +164,7 @@ def _near(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
         bare = "MOVE" + statement.word.removeprefix("APPRO")
         old = source.text[step.start : given[1].end]
         again = 0.5 if _approached_before(asked, step, given[0]) else 0.0
-        alone = 0.0 if again else MISSING
+        alone = 0.0 if again or _is_gone_to_soon(asked, step, given[0]) else MISSING
         if _lacks(asked, given[1]):
             again += 0.5
         for k, word in enumerate((bare, "MOVES" if bare == "MOVE" else "MOVE")):
@@ -206,13 +206,31 @@ def _approached_before(asked: Asked, step: WrittenStep, target: Item) -> bool:
     """Return whether a step shortly before one approaches the same location."""
     steps = asked.written.steps
     k = steps.index(step)
+    return _leads_there(asked, steps[max(k - 4, 0) : k], step.program, NEAR.values(), target)
+
+
+def _is_gone_to_soon(asked: Asked, step: WrittenStep, target: Item) -> bool:
+    """Return whether a step shortly behind one goes to the same location."""
+    steps = asked.written.steps
+    k = steps.index(step)
+    return _leads_there(asked, steps[k + 1 : k + 5], step.program, NEAR.keys(), target)
+
+
+def _leads_there(
+    asked: Asked,
+    steps: Sequence[WrittenStep],
+    program: int,
+    words: Collection[str],
+    target: Item,
+) -> bool:
+    """Return whether a step of a program has one of the words, and a location as its first."""
     return any(
-        before.program == step.program
-        and isinstance(before.statement, Simple)
-        and before.statement.word in NEAR.values()
-        and before.statement.operands[0] is not None
-        and asked.text_of(before.statement.operands[0]) == asked.text_of(target)
-        for before in steps[max(k - 4, 0) : k]
+        each.program == program
+        and isinstance(each.statement, Simple)
+        and each.statement.word in words
+        and each.statement.operands[0] is not None
+        and asked.text_of(each.statement.operands[0]) == asked.text_of(target)
+        for each in steps
     )
 
 
