@@ -3,6 +3,8 @@
 The same is: every motion, signal and program event at the same time, and the same text typed.
 """
 
+from collections import Counter
+
 import pytest
 
 from tests.spec.test_spec_run import Case, cases, compiled_case, happened, ran, ran_module, typed
@@ -17,7 +19,13 @@ from vrts.lang.dialect import DIALECTS
 from vrts.scene.default import robot_alone
 
 CASES = [case for case in cases() if case.dialect.name in LANGUAGES]
-REFUSED = {"val2": 17, "vplus": 26, "as": 65}  # cases, at most; each reason has a test of its own
+REFUSED = {"val2": 17, "vplus": 24, "as": 56}  # cases, at most; each reason has a test of its own
+# and beside these, exactly, what the manuals of these languages do not have or leave to the cell
+LACKING = {
+    "val2": {},
+    "vplus": {"GRASP": 2},
+    "as": {"GRASP": 2, "SCALE": 1, "WAIT without a condition": 6},
+}
 
 
 def exported(case: Case, target: str) -> Written:
@@ -31,10 +39,14 @@ def exported(case: Case, target: str) -> Written:
 
 @pytest.mark.parametrize("target", sorted(REFUSED))
 def test_programs_are_the_same_in_another_language(target: str) -> None:
-    refused = 0
+    refused, lacking = 0, Counter[str]()
     for case in CASES:
         text, told = exported(case, target)
-        if any(d.is_error for d in told):
+        errors = [d.headline.partition("nothing that means ")[2] for d in told if d.is_error]
+        if errors and errors[0] in LACKING[target]:
+            lacking[errors[0]] += 1
+            continue
+        if errors:
             refused += 1
             continue
         again = compile_source(SourceFile("other", text), Options(DIALECTS[target]))
@@ -51,3 +63,4 @@ def test_programs_are_the_same_in_another_language(target: str) -> None:
         assert happened(one) == happened(other), (case.name, text)
     print(f"{target}: {refused} of {len(CASES)} refused")
     assert refused <= REFUSED[target]
+    assert lacking == LACKING[target]
