@@ -54,7 +54,18 @@ def load_environment(
         CannotRead: The file is not there.
         Refused: It has errors.
     """
-    found, said = read_environment(read_toml_source(path, home))
+    return environment_of(read_toml_source(path, home), setting)
+
+
+def environment_of(
+    source: SourceFile, setting: Setting
+) -> tuple[Environment, tuple[Diagnostic, ...]]:
+    """Return the environment that the text of a file describes; see `load_environment`.
+
+    Raises:
+        Refused: It has errors.
+    """
+    found, said = read_environment(source)
     return without_example(accepted(found, said), setting), said
 
 

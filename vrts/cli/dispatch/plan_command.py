@@ -130,7 +130,7 @@ def command(
     from vrts.dispatch.planning.wish import Wish
     from vrts.dispatch.profile import find_profile
     from vrts.dispatch.proofs import check_proofs
-    from vrts.pipeline.environments import load_environment
+    from vrts.pipeline.environments import environment_of
     from vrts.pipeline.files import read_toml_source
     from vrts.pipeline.refused import Refused
 
@@ -142,10 +142,10 @@ def command(
     first, *further = _settings(given.path, where, scenarios)
     request = verify_request(given, first, Language(others, dialect), entry=entry)
     environment = asked_of(first)
-    if environment_file is not None:
-        environment, said = load_environment(environment_file, first)
-        show_diagnostics(said, color)
     source = None if environment_file is None else read_toml_source(environment_file)
+    if source is not None:
+        environment, said = environment_of(source, first)
+        show_diagnostics(said, color)
     wish = Wish(
         request,
         profile,

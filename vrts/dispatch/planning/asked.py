@@ -18,12 +18,11 @@ from vrts.dispatch.planning.reasons.refusals import Promise
 from vrts.dispatch.planning.wish import Wish
 from vrts.dispatch.profile_file import read_profile
 from vrts.pipeline.compiling.reading import ProgramFile, Reading
-from vrts.pipeline.environments import in_environment, without_example
+from vrts.pipeline.environments import environment_of, in_environment
 from vrts.pipeline.request import Request
 from vrts.pipeline.scenes import with_scenario_text
 from vrts.pipeline.setting import Setting, Sources, accepted
 from vrts.prove.environment.environment import Environment
-from vrts.prove.environment.reading import read_environment
 from vrts.run_files.proving import base_name
 from vrts.scene.default import robot_alone
 from vrts.scene.model import Scene, controlled
@@ -158,8 +157,8 @@ class _Reader:
         """Return the environment that was given; None: nobody gave one."""
         if self.asked.environment is None:
             return None
-        found, said = read_environment(self.text(ENVIRONMENT, self.asked.environment))
-        return without_example(accepted(found, said), first)
+        found, _ = environment_of(self.text(ENVIRONMENT, self.asked.environment), first)
+        return found
 
     def _scene(self) -> Setting:
         asked = self.asked
