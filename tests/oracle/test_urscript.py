@@ -13,7 +13,7 @@ from tests.support_commands import vrts_text
 from tests.support_programs import ROOT
 from vrts.base.source import SourceFile
 from vrts.base.units import MM
-from vrts.dispatch.linuxcnc.table import read_table
+from vrts.dispatch.saying.table import read_table
 from vrts.dispatch.urscript.export import Folder, exported_script
 from vrts.dispatch.verified import Verified, verified
 from vrts.engine.run import Run

@@ -1598,7 +1598,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "linuxcnc: an input may be read while the arm moves",
-        "vrts/dispatch/linuxcnc/under_way.py",
+        "vrts/dispatch/saying/under_way.py",
         "if isinstance(instruction, MOTIONS):",
         "if isinstance(instruction, ir.Delay):",
         ("tests/unit/dispatch/linuxcnc/test_program_text.py",),
@@ -1619,10 +1619,10 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "linuxcnc: two signals may share a pin",
-        "vrts/dispatch/linuxcnc/table.py",
+        "vrts/dispatch/saying/table.py",
         "if value in taken:",
         "if value in taken.values():",
-        ("tests/unit/dispatch/linuxcnc/test_table.py",),
+        ("tests/unit/dispatch/saying/test_table.py",),
     ),
     Patch(
         "rehearsal: the end of a motion does not count",

@@ -168,7 +168,7 @@ def _urscript(request: "Request", path: Path | None, place: str | None, color: s
 
 def _table(folder: Path) -> "SourceFile | None":
     """Return the user's own table of signals, where there is one already."""
-    from vrts.dispatch.linuxcnc.table import TABLE
+    from vrts.dispatch.saying.table import TABLE
     from vrts.pipeline.files import read_toml_source
 
     table = folder / TABLE
@@ -177,7 +177,7 @@ def _table(folder: Path) -> "SourceFile | None":
 
 def _with_table(found: "CncFolder | ScriptFolder", folder: Path, color: str) -> None:
     """Write what was exported; a table of signals that is there already stays."""
-    from vrts.dispatch.linuxcnc.table import TABLE
+    from vrts.dispatch.saying.table import TABLE
 
     show_diagnostics(found.diagnostics, color)
     if found.files is None:

@@ -18,8 +18,8 @@ from vrts.dispatch.linuxcnc.machine import (
 )
 from vrts.dispatch.linuxcnc.program_text import said
 from vrts.dispatch.linuxcnc.sheet import sheet_text
-from vrts.dispatch.linuxcnc.table import TABLE, Table, read_table, table_text, usual
-from vrts.dispatch.linuxcnc.used import used_signals
+from vrts.dispatch.saying.signals import used_signals
+from vrts.dispatch.saying.table import TABLE, Table, read_table, table_text, usual
 from vrts.dispatch.verified import NotVerified, Verified, verified
 from vrts.engine.run import Run
 from vrts.lang.compiler import resolve_source
@@ -30,6 +30,7 @@ from vrts.run_files.simulated import simulate
 
 OTHER_ROBOT = Rule("V872", "linuxcnc-robot")
 
+PINS = ("digital pin of LinuxCNC", "NN of motion.digital-{}-NN")
 PROGRAM, RUN, MOTIONS = "program.ngc", "expected.vrun", "expected.csv"
 INI, HAL, ACCELERATION, SHEET = "machine.ini", "machine.hal", "acceleration.hal", "sheet.md"
 LIBRARY, SETUP = "library", "library/v_setup.ngc"
@@ -81,7 +82,7 @@ def _written(request: Request, found: Verified, table: Table) -> Folder:
         INI: ini_text(robot, PROGRAM),
         HAL: hal_text(robot),
         ACCELERATION: acceleration_text(),
-        TABLE: table_text(table),
+        TABLE: table_text(table, *PINS),
         SHEET: sheet_text(robot, request.program.name),
         MOTIONS: motions_text(run),
         SETUP: setup_text(robot),

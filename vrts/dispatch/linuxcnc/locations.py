@@ -5,11 +5,12 @@ from collections.abc import Iterable
 from vrts.base.oat import components
 from vrts.base.pose import Pose
 from vrts.base.units import deg
-from vrts.dispatch.linuxcnc.cannot import CannotSay
 from vrts.dispatch.linuxcnc.memory import WIDTH, Memory
-from vrts.dispatch.linuxcnc.names import number, plain
-from vrts.dispatch.linuxcnc.table import Table
+from vrts.dispatch.linuxcnc.names import number
 from vrts.dispatch.linuxcnc.values import Values
+from vrts.dispatch.saying.cannot import CannotSay
+from vrts.dispatch.saying.names import plain
+from vrts.dispatch.saying.table import Table
 from vrts.ir.expressions import Apply, Argument, Compose, Constant, Expression, Function, Load, Slot
 from vrts.ir.values import Type, Value
 

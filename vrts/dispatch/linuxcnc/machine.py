@@ -5,7 +5,7 @@ from typing import NamedTuple
 from vrts.base.units import MM, deg
 from vrts.dispatch.linuxcnc.locations import constant
 from vrts.dispatch.linuxcnc.names import number
-from vrts.dispatch.linuxcnc.table import Table
+from vrts.dispatch.saying.table import Table
 from vrts.engine.run import Run
 from vrts.robots.kinematics.branch import INITIAL_BRANCH, branch_of
 from vrts.robots.model import Configuration, Elbow, Shoulder, SphericalWristArm, Wrist

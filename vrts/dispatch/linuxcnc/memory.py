@@ -6,9 +6,9 @@ A pose takes twelve numbers (its rotation row by row, then x, y, z in mm), six j
 
 from typing import NamedTuple
 
-from vrts.dispatch.linuxcnc.cannot import CannotSay
-from vrts.dispatch.linuxcnc.names import plain
-from vrts.dispatch.linuxcnc.parts import parts
+from vrts.dispatch.saying.cannot import CannotSay
+from vrts.dispatch.saying.names import plain
+from vrts.dispatch.saying.parts import parts
 from vrts.ir.expressions import Constant, Expression, Global, Place
 from vrts.ir.module import Module
 from vrts.ir.values import Type

@@ -3,15 +3,17 @@
 import re
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Diagnostic
-from vrts.dispatch.linuxcnc.cannot import CannotSay
+from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.dispatch.linuxcnc.locations import constant
 from vrts.dispatch.linuxcnc.memory import Memory
-from vrts.dispatch.linuxcnc.names import LONGEST, comment, number, plain
+from vrts.dispatch.linuxcnc.names import LONGEST, comment, number
 from vrts.dispatch.linuxcnc.steps import STOP, Steps
 from vrts.dispatch.linuxcnc.structures import Structures
-from vrts.dispatch.linuxcnc.table import Table
-from vrts.dispatch.linuxcnc.under_way import looks, under_way
+from vrts.dispatch.saying.calls import called_by
+from vrts.dispatch.saying.cannot import CannotSay
+from vrts.dispatch.saying.names import plain
+from vrts.dispatch.saying.table import Table
+from vrts.dispatch.saying.under_way import looks, under_way
 from vrts.ir import instructions as ir
 from vrts.ir.module import Module, Program
 from vrts.lang.compiler import Resolved
@@ -19,6 +21,7 @@ from vrts.lang.meaning.structure import word_of
 from vrts.lang.syntax.program import ProgramText, Step
 from vrts.lang.syntax.statements import Declare
 
+CANNOT_SAY = Rule("V870", "linuxcnc-cannot")
 INDENT = "  "
 OURS = "v_"  # begins the names of the library's subroutines
 JUMPS = (ir.Jump, ir.JumpIf)
@@ -50,7 +53,7 @@ def said(found: Resolved, module: Module, entry: str, table: Table) -> Said:
             if plain(name).startswith(OURS):
                 raise CannotSay(f"`{name}` is a name of the library", "rename the program")
     except CannotSay as cannot:
-        return Said("", (cannot.diagnostic(main),))
+        return Said("", (cannot.diagnostic(CANNOT_SAY, main),))
     writer = _Writer(found, module, table, memory, under_way(module, entry))
     texts = {program.name: program for program in found.programs}
     bodies = {name: writer.program(texts[name], main=name == entry) for name in names}
@@ -68,28 +71,6 @@ def said(found: Resolved, module: Module, entry: str, table: Table) -> Said:
         *ENDING,
     ]
     return Said("\n".join(rows) + "\n", tuple(writer.errors))
-
-
-def called_by(module: Module, entry: str) -> list[str]:
-    """Return the programs that are executed, each after those that it calls.
-
-    Raises:
-        CannotSay: One comes to call itself.
-    """
-    order: list[str] = []
-
-    def visit(name: str, above: tuple[str, ...]) -> None:
-        if name in above:
-            raise CannotSay(f"`{name}` comes to call itself", "use a loop")
-        if name in order or name not in module.programs:
-            return
-        for instruction in module.programs[name].instructions:
-            if isinstance(instruction, ir.Call):
-                visit(instruction.program, (*above, name))
-        order.append(name)
-
-    visit(entry, ())
-    return order
 
 
 def _places(module: Module, memory: Memory) -> list[str]:
@@ -147,7 +128,9 @@ class _Writer:
             try:
                 self._step(program, step, steps, structures, main=main)
             except CannotSay as cannot:
-                self.errors.append(cannot.diagnostic(self.problems.span(node.start, node.end)))
+                self.errors.append(
+                    cannot.diagnostic(CANNOT_SAY, self.problems.span(node.start, node.end))
+                )
                 steps.take()
                 structures.pass_over(word_of(step) or "", depth)
                 continue

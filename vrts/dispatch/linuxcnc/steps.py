@@ -2,12 +2,13 @@
 
 from typing import TypeAlias
 
-from vrts.dispatch.linuxcnc.cannot import CannotSay
 from vrts.dispatch.linuxcnc.locations import Locations, called
 from vrts.dispatch.linuxcnc.memory import WIDTH, Memory
-from vrts.dispatch.linuxcnc.names import number, plain, printed
-from vrts.dispatch.linuxcnc.table import Table
-from vrts.dispatch.linuxcnc.values import FIRST_INTERNAL
+from vrts.dispatch.linuxcnc.names import number
+from vrts.dispatch.saying.cannot import CannotSay
+from vrts.dispatch.saying.names import plain, printed
+from vrts.dispatch.saying.signals import FIRST_INTERNAL, signal_of
+from vrts.dispatch.saying.table import Table
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import (
     Apply,
@@ -111,7 +112,7 @@ class Steps:
                 self._copy(place, "110" if place.variable.type is Type.POSE else "100")
             case ir.Signal(signals):
                 for signal in signals:
-                    self._signal(*self.values.signal(signal))
+                    self._signal(*signal_of(signal))
             case ir.Reset():
                 for pin in self.table.outputs.values():
                     self._call("output", str(pin), "0")

@@ -2,11 +2,12 @@
 
 from typing import NamedTuple
 
-from vrts.dispatch.linuxcnc.cannot import CannotSay
 from vrts.dispatch.linuxcnc.names import number
 from vrts.dispatch.linuxcnc.steps import Steps
+from vrts.dispatch.saying.cannot import CannotSay
+from vrts.dispatch.saying.parts import condition_of, constant
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Constant, Expression, Slot, Unary, UnaryOperator
+from vrts.ir.expressions import Expression, Slot
 
 OPENERS = frozenset({"IF", "WHILE", "DO", "FOR", "CASE"})
 CLOSERS = frozenset({"END", "UNTIL"})
@@ -47,15 +48,15 @@ class Structures:
         """
         match word:
             case "IF":
-                condition = self.steps.values.condition(_condition(found))
+                condition = self.steps.values.condition(condition_of(found))
                 label = self._opened("IF")
                 self.steps.lines.append(f"o{label} if {condition}")
             case "WHILE":
-                self._while(_condition(found))
+                self._while(condition_of(found))
             case "DO":
                 self.steps.lines.append(f"o{self._opened('DO')} do")
             case "UNTIL":
-                condition = self.steps.values.condition(_condition(found))
+                condition = self.steps.values.condition(condition_of(found))
                 self.steps.lines.append(f"o{self.open.pop().label} while [{condition} EQ 0]")
             case "FOR":
                 self._for(found)
@@ -143,18 +144,3 @@ class Structures:
             raise CannotSay("a CASE without VALUE", "leave it out")
         ending = {"FOR": "endwhile", "WHILE": "endwhile"}.get(now.word, "endif")
         lines.append(f"o{now.label} {ending}")
-
-
-def constant(e: Expression) -> float | None:
-    """Return a number that the text says; None: it is worked out in the run."""
-    match e:
-        case Constant(float(value)):
-            return value
-        case Unary(UnaryOperator.MINUS, Constant(float(value))):
-            return -value
-        case _:
-            return None
-
-
-def _condition(found: list[ir.Instruction]) -> Expression:
-    return next(i.condition for i in found if isinstance(i, ir.JumpIf))

@@ -6,10 +6,12 @@ made of it. What has to be worked out before the line is given to `before`.
 
 from collections.abc import Callable
 
-from vrts.dispatch.linuxcnc.cannot import CannotSay
 from vrts.dispatch.linuxcnc.memory import Memory
-from vrts.dispatch.linuxcnc.names import number, plain
-from vrts.dispatch.linuxcnc.table import Table
+from vrts.dispatch.linuxcnc.names import number
+from vrts.dispatch.saying.cannot import CannotSay
+from vrts.dispatch.saying.names import plain
+from vrts.dispatch.saying.signals import FIRST_INPUT, FIRST_INTERNAL, signal_of
+from vrts.dispatch.saying.table import Table
 from vrts.ir.expressions import (
     Apply,
     Argument,
@@ -48,7 +50,6 @@ FUNCTIONS = {
     Function.SQRT: "SQRT",
 }
 COORDINATES = {Function.DX: 9, Function.DY: 10, Function.DZ: 11}
-FIRST_INPUT, FIRST_INTERNAL = 1001, 2001  # VAL's numbers of signals
 
 Address = Callable[[Expression], str]
 
@@ -141,20 +142,10 @@ class Values:
         self.before.append(f"{name} = {value}")
         return name
 
-    def signal(self, e: Argument) -> tuple[int, bool]:
-        """Return a signal and whether on is meant; only plain numbers are taken."""
-        match e:
-            case Constant(float(value)) if value:
-                return round(abs(value)), value > 0.0
-            case Unary(UnaryOperator.MINUS, Constant(float(value))) if value:
-                return round(abs(value)), value < 0.0
-            case _:
-                raise CannotSay("the number of a signal is worked out in the run", "write a number")
-
     def _signals(self, arguments: tuple[Argument, ...]) -> str:
         parts: list[str] = []
         for argument in arguments:
-            signal, on = self.signal(argument)
+            signal, on = signal_of(argument)
             if signal >= FIRST_INTERNAL:
                 read = f"#<_signal_{signal}>"
             elif signal >= FIRST_INPUT:

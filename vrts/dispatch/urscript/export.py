@@ -5,8 +5,8 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.pose import distance
 from vrts.base.source import SourceFile
-from vrts.dispatch.linuxcnc.table import TABLE, Table, read_table, usual
-from vrts.dispatch.linuxcnc.used import used_signals
+from vrts.dispatch.saying.signals import used_signals
+from vrts.dispatch.saying.table import TABLE, Table, read_table, table_text, usual
 from vrts.dispatch.urscript.program_text import Arm, said
 from vrts.dispatch.urscript.sheet import sheet_text
 from vrts.dispatch.verified import NotVerified, verified
@@ -17,6 +17,7 @@ from vrts.robots.urdf.universal import names
 
 OTHER_ROBOT = Rule("V878", "urscript-robot")
 PROGRAM, SHEET = "program.script", "sheet.md"
+PINS = ("standard digital input or output", "standard digital {}put, 0 to 7")
 HIGHEST = 7  # of the standard digital inputs and outputs
 CORNER = 0.4  # of the shorter motion beside a corner that its radius takes at most
 
@@ -71,7 +72,7 @@ def exported_script(request: Request, table: SourceFile | None) -> Folder:
         return Folder(None, told.diagnostics)
     texts = {
         PROGRAM: told.text,
-        TABLE: table_text(pins),
+        TABLE: table_text(pins, *PINS),
         SHEET: sheet_text(run, request.program.name, pins),
     }
     return Folder({k: text.encode() for k, text in texts.items()}, compilation.diagnostics)
@@ -95,24 +96,6 @@ def radii(run: Run) -> dict[tuple[str, int], float]:
 
 def _length(run: Run, start_s: float, end_s: float) -> float:
     return distance(run.at(start_s).X_WT.translation, run.at(end_s).X_WT.translation)
-
-
-def table_text(table: Table) -> str:
-    """Return the file of a table."""
-    rows = [
-        "# Which standard digital input or output is which signal. Edit it, then export again.",
-        "",
-        "[hand]  # outputs 0 to 7 of the two valves",
-        f"open = {table.hand_open}",
-        f"close = {table.hand_close}",
-        "",
-        "[inputs]  # signal = standard digital input, 0 to 7",
-        *(f"{signal} = {pin}" for signal, pin in table.inputs.items()),
-        "",
-        "[outputs]  # signal = standard digital output, 0 to 7",
-        *(f"{signal} = {pin}" for signal, pin in table.outputs.items()),
-    ]
-    return "\n".join(rows) + "\n"
 
 
 def _other(run: Run, table: Table) -> Diagnostic | None:

@@ -3,27 +3,24 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from vrts.base.diagnostic import Diagnostic, Label, Rule, error
+from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.pose import Pose
-from vrts.base.source import Span
-from vrts.dispatch.linuxcnc.cannot import CannotSay
-from vrts.dispatch.linuxcnc.names import comment, plain
-from vrts.dispatch.linuxcnc.parts import parts
-from vrts.dispatch.linuxcnc.program_text import called_by
-from vrts.dispatch.linuxcnc.structures import constant
-from vrts.dispatch.linuxcnc.table import Table
-from vrts.dispatch.linuxcnc.under_way import looks, under_way
+from vrts.dispatch.saying.calls import called_by
+from vrts.dispatch.saying.cannot import CannotSay
+from vrts.dispatch.saying.names import decimal, plain, readable
+from vrts.dispatch.saying.parts import condition_of, constant, parts
+from vrts.dispatch.saying.signals import FIRST_INTERNAL
+from vrts.dispatch.saying.table import Table
+from vrts.dispatch.saying.under_way import looks, under_way
 from vrts.dispatch.urscript.steps import Steps, asks
 from vrts.dispatch.urscript.values import (
-    FIRST_INTERNAL,
     NOTHING,
     joints_text,
     name_of,
-    number,
     pose_text,
 )
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Constant, Expression, Global, Place, Slot
+from vrts.ir.expressions import Constant, Global, Place, Slot
 from vrts.ir.module import Module, Program
 from vrts.ir.values import Type
 from vrts.lang.compiler import Resolved
@@ -145,17 +142,17 @@ def said(
     try:
         names = called_by(module, entry)
     except CannotSay as cannot:
-        return Said("", (_cannot(cannot, module.programs[entry].span),))
+        return Said("", (cannot.diagnostic(CANNOT, module.programs[entry].span),))
     writer = _Writer(found, module, table, arm, radii, under_way(module, entry))
     texts = {program.name: program for program in found.programs}
     bodies = [row for name in names for row in writer.program(texts[name])]
     library = LIBRARY.format(
-        linear_mm=number(1000.0 * arm.linear_speed),
-        hand=number(arm.hand_s),
-        joint_a=number(arm.joint_speed / arm.acceleration_time),
-        joint_v=number(arm.joint_speed),
-        linear_a=number(arm.linear_speed / arm.acceleration_time),
-        linear_v=number(arm.linear_speed),
+        linear_mm=decimal(1000.0 * arm.linear_speed),
+        hand=decimal(arm.hand_s),
+        joint_a=decimal(arm.joint_speed / arm.acceleration_time),
+        joint_v=decimal(arm.joint_speed),
+        linear_a=decimal(arm.linear_speed / arm.acceleration_time),
+        linear_v=decimal(arm.linear_speed),
         hand_open=table.hand_open,
         hand_close=table.hand_close,
     )
@@ -171,10 +168,6 @@ def said(
         "end",
     ]
     return Said("\n".join(rows) + "\n", tuple(writer.errors))
-
-
-def _cannot(cannot: CannotSay, span: Span) -> Diagnostic:
-    return error(CANNOT, cannot.headline, Label(span), help=(cannot.remedy,))
 
 
 class _Writer:
@@ -209,7 +202,7 @@ class _Writer:
             if datum.subscripts or isinstance(datum.value, str):
                 continue
             kind = Type.REAL
-            text = number(datum.value) if isinstance(datum.value, float) else ""
+            text = decimal(datum.value) if isinstance(datum.value, float) else ""
             if isinstance(datum.value, Pose):
                 kind, text = Type.POSE, pose_text(datum.value)
             elif isinstance(datum.value, tuple):
@@ -235,12 +228,12 @@ class _Writer:
                 written = self._step(program, step, steps, blocks)
             except CannotSay as cannot:
                 span = self.problems.span(node.start, node.end)
-                self.errors.append(_cannot(cannot, span))
+                self.errors.append(cannot.diagnostic(CANNOT, span))
                 blocks.pass_over(word_of(step) or "", depth)
                 continue
             indent = INDENT * (1 + min(depth, blocks.depth))
             words = self.problems.source.text[node.start : node.end]
-            rows.append(indent + "#" + comment(f"{step.number:>3}  {words}")[1:])
+            rows.append(f"{indent}# {step.number:>3}  {readable(words)}")
             rows += [indent + line for line in written]
         return [*rows, f"{INDENT}return True", "end"]
 
@@ -292,14 +285,14 @@ class _Blocks:
         inner = INDENT + "sync()"
         match word:
             case "IF" | "WHILE":
-                text = self.values.condition(_condition(found))
+                text = self.values.condition(condition_of(found))
                 self.open.append(_Open(word))
                 return [f"{word.lower()} {text}:", inner]
             case "DO":
                 self.open.append(_Open(word))
                 return ["while True:", inner]
             case "UNTIL":
-                text = self.values.condition(_condition(found))
+                text = self.values.condition(condition_of(found))
                 self.open.pop()
                 return [f"  if {text}:", "    break", "  end", "end"]
             case "FOR":
@@ -337,7 +330,7 @@ class _Blocks:
             f"while {variable} {sign} {last}:",
             INDENT + "sync()",
         ]
-        self.open.append(_Open("FOR", variable, number(by)))
+        self.open.append(_Open("FOR", variable, decimal(by)))
         return rows
 
     def _group(self, found: list[ir.Instruction], inner: str) -> list[str]:
@@ -362,7 +355,3 @@ class _Blocks:
             self.open.append(_Open(word, groups=1))
         elif word in ("END", "UNTIL") and len(self.open) == depth and self.open:
             self.open.pop()
-
-
-def _condition(found: list[ir.Instruction]) -> Expression:
-    return next(i.condition for i in found if isinstance(i, ir.JumpIf))

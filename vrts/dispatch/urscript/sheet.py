@@ -1,7 +1,7 @@
 """The sheet beside a program in URScript: what is claimed, what is assumed, what is yours to do."""
 
 from vrts.base.units import MM, deg
-from vrts.dispatch.linuxcnc.table import Table
+from vrts.dispatch.saying.table import Table
 from vrts.engine.run import Run
 
 TEXT = """# `{name}` in URScript: not tried on a controller

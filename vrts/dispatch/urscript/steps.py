@@ -1,9 +1,10 @@
 """Steps of a program as lines of URScript."""
 
-from vrts.dispatch.linuxcnc.cannot import CannotSay
-from vrts.dispatch.linuxcnc.names import plain, printed
-from vrts.dispatch.linuxcnc.table import Table
-from vrts.dispatch.urscript.values import FIRST_INTERNAL, HERE, NOTHING, Values, name_of, number
+from vrts.dispatch.saying.cannot import CannotSay
+from vrts.dispatch.saying.names import decimal, plain, printed
+from vrts.dispatch.saying.signals import FIRST_INTERNAL, signal_of
+from vrts.dispatch.saying.table import Table
+from vrts.dispatch.urscript.values import HERE, NOTHING, Values, name_of
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Constant, Format, Load, Place, Slot
 from vrts.ir.instructions import HandAction, Interpolation, Scope, SpeedUnit
@@ -37,7 +38,7 @@ class Steps:
             CannotSay: URScript has nothing of the kind.
         """
         v = self.values
-        r = number(radius)
+        r = decimal(radius)
         match step:
             case ir.Move(opening=None):
                 return [self._move(step, r)]
@@ -78,7 +79,7 @@ class Steps:
             case ir.AssignHere(place, None) if place.variable.type is Type.POSE:
                 return [self._given(place, HERE)]
             case ir.Signal(signals):
-                return [self._signal(*v.signal(signal)) for signal in signals]
+                return [self._signal(*signal_of(signal)) for signal in signals]
             case ir.Reset():
                 return [
                     f"set_standard_digital_out({p}, False)" for p in self.table.outputs.values()

@@ -7,9 +7,10 @@ Locations are poses of URScript in the frame that VAL-II counts in.
 import math
 
 from vrts.base.pose import Pose, Rotation
-from vrts.dispatch.linuxcnc.cannot import CannotSay
-from vrts.dispatch.linuxcnc.names import plain
-from vrts.dispatch.linuxcnc.table import Table
+from vrts.dispatch.saying.cannot import CannotSay
+from vrts.dispatch.saying.names import decimal, plain
+from vrts.dispatch.saying.signals import FIRST_INPUT, FIRST_INTERNAL, signal_of
+from vrts.dispatch.saying.table import Table
 from vrts.ir.expressions import (
     Apply,
     Argument,
@@ -44,17 +45,10 @@ ARITHMETIC = {
 }
 ANGLES = {Function.SIN: "sin", Function.COS: "cos"}
 PART = {Function.DX: 0, Function.DY: 1, Function.DZ: 2}
-FIRST_INPUT, FIRST_INTERNAL = 1001, 2001
 HERE = "v_at"
 NOTHING = "p[0, 0, 0, 0, 0, 0]"
 SIX = 6
 _LETTER = {Type.REAL: "n", Type.POSE: "at", Type.JOINTS: "j"}
-
-
-def number(value: float) -> str:
-    """Return a number without an exponent."""
-    text = f"{value:.9f}".rstrip("0").rstrip(".")
-    return "0" if text in ("", "-0") else text
 
 
 def rotation_vector(turn: Rotation) -> tuple[float, float, float]:
@@ -82,12 +76,12 @@ def rotation_vector(turn: Rotation) -> tuple[float, float, float]:
 def pose_text(pose: Pose) -> str:
     """Return a pose that is known, in metres and radians."""
     parts = (*pose.translation, *rotation_vector(pose.rotation))
-    return f"p[{', '.join(map(number, parts))}]"
+    return f"p[{', '.join(map(decimal, parts))}]"
 
 
 def joints_text(joints: tuple[float, ...]) -> str:
     """Return six joints in radians."""
-    return f"[{', '.join(map(number, joints))}]"
+    return f"[{', '.join(map(decimal, joints))}]"
 
 
 def name_of(place: Place) -> str:
@@ -112,7 +106,7 @@ class Values:
         """Return a number."""
         match e:
             case Constant(float(value)):
-                return number(value)
+                return decimal(value)
             case Load(place):
                 return name_of(place)
             case Unary(UnaryOperator.MINUS, operand):
@@ -142,18 +136,8 @@ class Values:
             case _:
                 return f"({self.real(e)} != 0)"
 
-    def signal(self, e: Argument) -> tuple[int, bool]:
-        """Return a signal and whether on is meant."""
-        match e:
-            case Constant(float(value)) if value:
-                return round(abs(value)), value > 0.0
-            case Unary(UnaryOperator.MINUS, Constant(float(value))) if value:
-                return round(abs(value)), value < 0.0
-            case _:
-                raise CannotSay("the number of a signal is worked out in the run", "write it")
-
     def _signal(self, e: Argument) -> str:
-        signal, on = self.signal(e)
+        signal, on = signal_of(e)
         if signal >= FIRST_INTERNAL:
             read = f"signal_{signal}"
         elif signal >= FIRST_INPUT:

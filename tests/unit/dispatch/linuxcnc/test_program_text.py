@@ -5,7 +5,7 @@ import pytest
 from vrts.base.source import SourceFile
 from vrts.dispatch.linuxcnc.names import LONGEST, number
 from vrts.dispatch.linuxcnc.program_text import Said, said
-from vrts.dispatch.linuxcnc.table import Table
+from vrts.dispatch.saying.table import Table
 from vrts.lang.compiler import Options, compile_source, resolve_source
 from vrts.lang.dialect import VAL2
 

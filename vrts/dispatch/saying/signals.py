@@ -1,10 +1,24 @@
 """Which signals from outside a program looks at, and which it sets."""
 
-from vrts.dispatch.linuxcnc.parts import parts
-from vrts.dispatch.linuxcnc.values import FIRST_INPUT, FIRST_INTERNAL
+from vrts.dispatch.saying.cannot import CannotSay
+from vrts.dispatch.saying.parts import constant, parts
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Apply, Constant, Function, Unary
 from vrts.ir.module import Module
+
+FIRST_INPUT, FIRST_INTERNAL = 1001, 2001  # VAL's numbers of signals
+
+
+def signal_of(argument: object) -> tuple[int, bool]:
+    """Return a signal and whether on is meant.
+
+    Raises:
+        CannotSay: Its number is worked out in the run.
+    """
+    value = constant(argument)
+    if not value:
+        raise CannotSay("the number of a signal is worked out in the run", "write a number")
+    return round(abs(value)), value > 0.0
 
 
 def used_signals(module: Module, entry: str) -> tuple[set[int], set[int]]:

@@ -1,12 +1,12 @@
 """Where the arm may be moving while a step is carried out, in any run of the programs.
 
-VAL-II goes on with its steps while the arm moves; LinuxCNC reads an input when it stands. So what
-looks at the outside may stand only where the arm surely rests.
+VAL-II goes on with its steps while the arm moves; LinuxCNC and URScript read an input when it
+stands. So what looks at the outside may stand only where the arm surely rests.
 """
 
 from typing import NamedTuple
 
-from vrts.dispatch.linuxcnc.parts import parts
+from vrts.dispatch.saying.parts import parts
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Apply, Function
 from vrts.ir.module import Module

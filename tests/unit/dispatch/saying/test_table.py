@@ -3,7 +3,7 @@
 import pytest
 
 from vrts.base.source import SourceFile
-from vrts.dispatch.linuxcnc.table import read_table, table_text, usual
+from vrts.dispatch.saying.table import read_table, table_text, usual
 from vrts.pipeline.refused import Refused
 
 
@@ -11,7 +11,7 @@ def test_what_is_written_is_read() -> None:
     table = usual([1003, 1001], [4, 1])
     assert table.inputs == {1001: 0, 1003: 1}
     assert table.outputs == {1: 2, 4: 3}  # behind those of the hand
-    assert read_table(SourceFile("io.toml", table_text(table))) == table
+    assert read_table(SourceFile("io.toml", table_text(table, "pin", "NN of {}"))) == table
 
 
 @pytest.mark.parametrize(

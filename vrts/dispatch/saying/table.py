@@ -1,4 +1,4 @@
-"""Which pin of LinuxCNC is which signal of VAL-II: a small file that people edit."""
+"""Which pin of a controller is which signal of VAL-II: a small file that people edit."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -7,19 +7,19 @@ from vrts.base.diagnostic import Rule
 from vrts.base.source import SourceFile
 from vrts.base.toml.reading import read_toml
 from vrts.base.toml.table import Table as Toml
-from vrts.dispatch.linuxcnc.cannot import CannotSay
+from vrts.dispatch.saying.cannot import CannotSay
 from vrts.pipeline.refused import Refused
 
 TABLE = "io.toml"
-HIGHEST_PIN = 61  # of digital pins; the two above tell which kinematics holds
+HIGHEST_PIN = 61  # of LinuxCNC's digital pins; the two above tell which kinematics holds
 PIN_TWICE = Rule("V871", "linuxcnc-table")
 
 
 class Table(NamedTuple):
     """Pins by signal."""
 
-    inputs: dict[int, int]  # signal 1001 and above: number of motion.digital-in-NN
-    outputs: dict[int, int]  # signal 1 and above: number of motion.digital-out-NN
+    inputs: dict[int, int]  # signal 1001 and above: number of a digital input
+    outputs: dict[int, int]  # signal 1 and above: number of a digital output
     hand_open: int  # digital output that opens the hand
     hand_close: int
 
@@ -47,19 +47,25 @@ def usual(inputs: Iterable[int], outputs: Iterable[int]) -> Table:
     )
 
 
-def table_text(table: Table) -> str:
-    """Return the file of a table."""
+def table_text(table: Table, kind: str, written: str) -> str:
+    """Return the file of a table.
+
+    Args:
+        table: The table.
+        kind: What the controller calls a pin: `digital pin of LinuxCNC`.
+        written: How its numbers are written: `NN of motion.digital-{}-NN`, with `in` or `out`.
+    """
     rows = [
-        "# Which digital pin of LinuxCNC is which signal. Edit it, then export again.",
+        f"# Which {kind} is which signal. Edit it, then export again.",
         "",
-        "[hand]  # motion.digital-out-NN of the two valves",
+        f"[hand]  # {written.format('out')}, of the two valves",
         f"open = {table.hand_open}",
         f"close = {table.hand_close}",
         "",
-        "[inputs]  # signal = NN of motion.digital-in-NN",
+        f"[inputs]  # signal = {written.format('in')}",
         *(f"{signal} = {pin}" for signal, pin in table.inputs.items()),
         "",
-        "[outputs]  # signal = NN of motion.digital-out-NN",
+        f"[outputs]  # signal = {written.format('out')}",
         *(f"{signal} = {pin}" for signal, pin in table.outputs.items()),
     ]
     return "\n".join(rows) + "\n"
