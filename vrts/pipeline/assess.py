@@ -8,10 +8,9 @@ from vrts.check.mark.mark import grade, ungraded
 from vrts.pipeline.compiling.programs import Compiled
 from vrts.pipeline.curve import with_curve
 from vrts.pipeline.execution import executed
-from vrts.pipeline.futures import proven
+from vrts.pipeline.futures import causes, proven
 from vrts.pipeline.request import Request
 from vrts.report.assessment import Assessment
-from vrts.why.losses import chains
 
 
 def assess(request: Request, compiled: Compiled | None = None) -> Assessment:
@@ -58,7 +57,7 @@ def assess(request: Request, compiled: Compiled | None = None) -> Assessment:
     proof = None if futures is None else futures.proof
     a = replace(a, judgement=judgement, grade=marked, proof=proof)
     if checks.causes:
-        a = replace(a, chains=chains(run, judgement, task, marked))
+        a = replace(a, chains=causes(request, a, found.entry))
     return with_curve(a) if checks.curve and checks.collisions else a
 
 

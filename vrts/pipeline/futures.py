@@ -20,6 +20,9 @@ from vrts.prove.prove import prove
 from vrts.prove.telling.replays import replay
 from vrts.report.assessment import Assessment
 from vrts.report.proof_words import of_verdict, sentence
+from vrts.why.chain import Chain, shortened
+from vrts.why.elsewhere import in_that_future
+from vrts.why.losses import chains
 
 METHOD = "every future, tick by tick"
 AFTERWARDS_S = 1.5  # that is shown after something went wrong
@@ -121,3 +124,27 @@ def proven(setting: Setting, module: Module, entry: str, *, collisions: bool) ->
     findings = of_verdict(proof, task.proof.environment if task.proof.hidden else None)
     verdict = Verdict(CHECK, proof.answer, sentence(proof), findings, MappingProxyType(evidence))
     return Proven(verdict, proof)
+
+
+def causes(request: Request, a: Assessment, entry: str | None) -> tuple[Chain, ...]:
+    """Return a chain for each loss of an assessment, in their order, of futures not shown too.
+
+    Args:
+        request: What was asked for.
+        a: A program that was executed and judged.
+        entry: The program that was executed.
+    """
+    assert a.run is not None
+    assert a.judgement is not None
+    found = chains(a.run, a.judgement, a.task, a.grade)
+    if a.proof is None or not a.proof.found or a.grade is None or a.module is None or entry is None:
+        return found
+    first = a.proof.found[0]
+    scene, checks = request.setting.scene, request.checks
+    run = replay(a.module, scene, first, entry, AFTERWARDS_S)
+    judgement = judge(scene, run, None, collisions=checks.collisions, proposer=checks.proposer)
+    links = list(in_that_future(run, judgement, first.time_s))
+    return tuple(
+        shortened(loss.sentence, links, loss.kind) if loss.check == CHECK else chain
+        for loss, chain in zip(a.grade.losses, found, strict=True)
+    )

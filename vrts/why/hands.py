@@ -102,7 +102,7 @@ def closed(steps: Steps, closing: Closing, body: str) -> Iterator[Link]:
     toward, amount = _beside(steps, steps.run.scene.body(body), box, closing.at, time_s)
     yield Link(time_s, event.cause.span, says, toward, amount)
     moving = list(moving_then(steps, time_s))
-    yield from moving or brought(steps, time_s)
+    yield from moving or brought(steps, time_s, toward)
 
 
 def moving_then(steps: Steps, time_s: float) -> Iterator[Link]:
@@ -160,13 +160,19 @@ def _waits(steps: Steps, time_s: float) -> Executed | None:
     return None
 
 
-def brought(steps: Steps, time_s: float) -> Iterator[Link]:
-    """Yield how the hand came to where it was at a time: the motion, and what decided it."""
+def brought(steps: Steps, time_s: float, toward: str = "") -> Iterator[Link]:
+    """Yield how the hand came to where it was at a time: the motion, and what decided it.
+
+    Args:
+        steps: Of the run.
+        time_s: When [s].
+        toward: In which direction that is wrong; "" where nobody knows.
+    """
     number = steps.motion_at(time_s)
     if number is None:
         return
     yield leads(steps, number)
-    yield from decided(steps, number)
+    yield from decided(steps, number, toward)
 
 
 def _beside(steps: Steps, body: Body, box: Bounds, at: Vector, time_s: float) -> tuple[str, str]:
@@ -244,7 +250,7 @@ def let_go(steps: Steps, event: Released, goal: Pose | None) -> Iterator[Link]:
     span = event.cause.span if event.cause else None
     yield Link(event.time_s, span, says, toward, amount)
     moving = list(moving_then(steps, event.time_s))
-    yield from moving or brought(steps, time_s)
+    yield from moving or brought(steps, time_s, toward)
 
 
 def _pose(steps: Steps, body: str, time_s: float) -> Pose:

@@ -29,16 +29,20 @@ def chains(
 
     Without a task: for each contact and drop, and for what stopped the program.
     """
-    steps = Steps(run)
     if grade is None or task is None:
-        return tuple(_chain(steps, judgement, None, loss) for loss in _alone(run, judgement))
+        return tuple(chain for _, chain in alone(run, judgement))
+    steps = Steps(run)
     return tuple(_chain(steps, judgement, task, loss) for loss in grade.losses)
 
 
-def _alone(run: Run, judgement: Judgement) -> list[Loss]:
-    found = [mishap.loss for mishap in mishaps_of(run, judgement)]
-    stop = stopped_by(run)
-    return [*found, *([stop] if stop is not None else [])]
+def alone(run: Run, judgement: Judgement) -> list[tuple[float, Chain]]:
+    """Return when something went wrong, whatever a task asks for, and why."""
+    steps = Steps(run)
+    found = [(one.time_s, one.loss) for one in mishaps_of(run, judgement)]
+    stop, event = stopped_by(run), last_error(run)
+    if stop is not None:
+        found.append((run.horizon_s if event is None else event.time_s, stop))
+    return [(time_s, _chain(steps, judgement, None, loss)) for time_s, loss in found]
 
 
 def _chain(steps: Steps, judgement: Judgement, task: Task | None, loss: Loss) -> Chain:

@@ -69,7 +69,8 @@ def _decided(steps: Steps, number: int, event: ContactEvent, toward: str) -> Ite
     if across and both_ends_free(steps, event, number) and (not low or equally_high(start, end)):
         yield from stands_between(steps, event, number, beneath=high)
     else:
-        yield from _end_to_blame(steps, number, event, low=low)
+        lower = low or not (across or high)  # straight up or down, things stand at the lower end
+        yield from _end_to_blame(steps, number, event, toward, low=lower)
 
 
 def _start(steps: Steps, number: int) -> Vector:
@@ -80,7 +81,9 @@ def _start(steps: Steps, number: int) -> Vector:
     return steps.run.at(motion.start_s).X_WT.translation
 
 
-def _end_to_blame(steps: Steps, number: int, event: ContactEvent, *, low: bool) -> Iterator[Link]:
+def _end_to_blame(
+    steps: Steps, number: int, event: ContactEvent, toward: str, *, low: bool
+) -> Iterator[Link]:
     """Yield what decided the end of the way that is to blame: the lower one, or the nearer one."""
     run = steps.run
     motion = run.motions[number]
@@ -101,9 +104,9 @@ def _end_to_blame(steps: Steps, number: int, event: ContactEvent, *, low: bool) 
             else f"the tool passes over `{event.second}` from Z {_mm(height)} on"
         )
         yield Link(before.start_s, before.cause.span, says, "", over)
-        yield from decided(steps, number - 1)
+        yield from decided(steps, number - 1, toward)
     elif not from_start:
-        yield from decided(steps, number)
+        yield from decided(steps, number, toward)
 
 
 def _out(steps: Steps, event: ContactEvent, along: Vector) -> tuple[str, str]:

@@ -2,10 +2,11 @@
 
 import math
 from collections.abc import Iterator
+from typing import cast
 
 from vrts.base.pose import IDENTITY, Pose, distance, rotation_angle
 from vrts.engine.memory.events import HandCommanded
-from vrts.ir.expressions import Compose, Constant
+from vrts.ir.expressions import Apply, Compose, Constant, Function, Place
 from vrts.ir.motion import (
     Depart,
     Draw,
@@ -21,8 +22,10 @@ from vrts.why.shown import point
 from vrts.why.slicing.entered import reacted
 from vrts.why.slicing.executed import Executed, Steps
 from vrts.why.slicing.read import Reading, element, places_in, readings
-from vrts.why.slicing.sources import chain_of, chosen, element_text, written
+from vrts.why.slicing.sources import chain_of, chosen, element_text, telling, written
 
+AXES = (("+X", "-X"), ("+Y", "-Y"), ("too low", "too high", "+Z", "-Z"))  # of what a link says
+_NUMBERS_FROM = {Function.TRANS: 0, Function.TRANS_ZYZ: 0, Function.SHIFT: 1}  # X, then Y and Z
 SAME = 1e-6  # of poses that are told apart
 GIVEN = 1e-3  # [m] a location so near to one of the scene is that one
 GIVEN_TURN = math.radians(1.0)
@@ -47,8 +50,14 @@ def _chosen(steps: Steps, motion: int) -> str:
     return "".join(f", where `{text}` is `{real}`" for text, real in found.items())
 
 
-def decided(steps: Steps, motion: int) -> Iterator[Link]:
-    """Yield why a motion leads where it does: settings, values, numbers of the source."""
+def decided(steps: Steps, motion: int, toward: str = "") -> Iterator[Link]:
+    """Yield why a motion leads where it does: settings, values, numbers of the source.
+
+    Args:
+        steps: Of the run.
+        motion: Its number.
+        toward: In which direction its end is wrong, as a link says it: "too low for `can1`".
+    """
     step = steps.of_motion(motion)
     if step is None:
         return
@@ -58,13 +67,44 @@ def decided(steps: Steps, motion: int) -> Iterator[Link]:
     if isinstance(instruction, Depart | Draw) and _written_out(instruction):
         return  # the line of the motion says it itself
     found = doubtful(steps, step)
+    along = _along(instruction, toward)
+    if along:  # of the numbers that make a location, those in the direction that is wrong
+        found = [r for r in found if isinstance(r.value, Pose) or r.place in along] or found
     compound = isinstance(instruction, Move) and isinstance(instruction.target, Compose)
-    for each in reversed(found) if compound else found[:1]:  # what is nearest the tool first
-        yield from chain_of(steps, each)
+    beside = [] if compound else _numbers_beside(found)
+    if beside:  # what was given a value last is told last
+        most, *others = telling(steps, [found[0], *beside])
+        for each in others[:1]:
+            yield from (link._replace(minor=True) for link in chain_of(steps, each))
+        yield from chain_of(steps, most)
+    else:
+        for each in reversed(found) if compound else found[:1]:  # what is nearest the tool first
+            yield from chain_of(steps, each)
     if not found and not settings:
         for each in readings(steps, step)[:1]:
             yield from chosen(steps, each)
     yield from reacted(steps, step)
+
+
+def _along(node: object, toward: str) -> set[Place]:
+    """Return what the numbers of a location were read from that lie in a direction."""
+    axes = [axis for axis, words in enumerate(AXES) if any(word in toward for word in words)]
+    if len(axes) != 1 or not isinstance(node, tuple):
+        return set()
+    if isinstance(node, Apply) and node.function in _NUMBERS_FROM:
+        first = _NUMBERS_FROM[node.function]
+        there = node.arguments[first + axes[0] : first + axes[0] + 1]
+        return {*places_in(there), *_along(node.arguments[:first], toward)}
+    parts = cast("tuple[object, ...]", node)
+    return {place for part in parts for place in _along(part, toward)}
+
+
+def _numbers_beside(found: list[Reading]) -> list[Reading]:
+    """Return the numbers that lead away from a location: no subscripts of it."""
+    if not found or not isinstance(found[0].value, Pose):
+        return []
+    chose = {place for r in found for each in r.place.subscripts for place in places_in(each)}
+    return [r for r in found if not isinstance(r.value, Pose) and r.place not in chose]
 
 
 def doubtful(steps: Steps, step: Executed) -> list[Reading]:

@@ -135,12 +135,12 @@ def _read_by(steps: Steps, step: Executed, only: object, depth: int) -> Iterator
         if index is not None and index < len(arguments):
             inside = only_place(arguments[index])
             found = [r for r in found if inside is not None and r.place == inside]
-    for each in _telling(steps, found):
+    for each in telling(steps, found):
         yield from chain_of(steps, each, depth + 1)
         return
 
 
-def _telling(steps: Steps, found: list[Reading]) -> list[Reading]:
+def telling(steps: Steps, found: list[Reading]) -> list[Reading]:
     """Return values by what they tell: those that steps wrote, the last first; then data."""
 
     def late(r: Reading) -> int:
