@@ -9,6 +9,7 @@ import resource
 import subprocess
 import sys
 import time
+from collections import Counter
 from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
@@ -18,7 +19,7 @@ import pytest
 
 from tests.support_class import TASK, entries
 from vrts.marking.layout import Layout
-from vrts.marking.marking import Done, mark_class
+from vrts.marking.marking import Done, Entry, mark_class
 from vrts.marking.submission.marker import Marker
 from vrts.marking.submission.one import Wanted
 from vrts.marking.submission.setting import Place
@@ -27,6 +28,8 @@ COUNT, JOBS = 300, 2
 SAMPLE = 6  # of the cold processes
 VRTS = Path(sys.executable).parent / "vrts"
 MEMORY = 600_000_000  # bytes that a process may use
+EXAMPLES = Path(__file__).parents[2] / "examples"
+MOST_MARK = 10.0
 CONTACTS = 0.3  # share of submissions that touch something
 
 
@@ -100,3 +103,32 @@ def test_a_class_of_300(tmp_path: Path, full: bool) -> None:
         f"\n  ratio: {alone / each:.1f} in processor time;"
         f" {wall * COUNT / spent.wall[0]:.1f} in wall time against {JOBS} processes"
     )
+
+
+@pytest.mark.parametrize("example", ["01-cans-on-bases", "04-final-project"])
+def test_a_class_with_what_would_mend_it(tmp_path: Path, example: str) -> None:
+    """What `--mend` costs, what it finds, and that nobody's mark or page depends on it."""
+    folder = EXAMPLES / example
+    files = sorted((folder / "submissions").glob("*.v2"))
+    each = tuple(Entry(path.stem, path.name, path.read_bytes()) for path in files)
+    plain: dict[str, bytes] = {}
+    for executions in (0, 100, 300):
+        layout = Layout(tmp_path / f"mend-{executions}")
+        wanted = Wanted(pages=True, mending=executions)
+        with measured() as spent:
+            marker = Marker(Place(str(folder)), wanted)
+            done = list(mark_class(marker, each, layout, jobs=JOBS))
+        told(f"{example}, --mend {executions}", spent, len(each))
+        found = [one.result.mending for one in done if one.result.mending is not None]
+        full = [one for one in found if one.mark == MOST_MARK]
+        causes = Counter(one.cause for one in found).most_common(3)
+        print(f"\n  {len(full)} of {len(each)} one change from the full mark; {causes}", end="")
+        students = {
+            str(path.relative_to(layout.student(entry.identifier).parent)): path.read_bytes()
+            for entry in each
+            for path in sorted(layout.student(entry.identifier).rglob("*"))
+            if path.is_file()
+        }
+        plain = plain or students
+        assert students == plain, "what students get does not depend on it"
+        assert bool(found) == (executions > 0)
