@@ -16,12 +16,16 @@ from msgspec import Meta, Struct
 
 from vrts.base.diagnostic import Severity
 from vrts.check.rules.scheme import LARGEST_TOTAL
+from vrts.check.verdicts.every_future import CHECK
 
 SCHEMA = "vrts.result/1"
 SCORING = (
     2  # version of how marks are made of verdicts: raised when the same run may mark otherwise
 )
 LARGEST = 8_000_000  # bytes of a result
+
+PROVEN = "every future"  # in what a program is ready
+SHOWN = "the scenario of its task"
 
 
 class Kind(Enum):
@@ -190,6 +194,12 @@ class Result(Record, frozen=True, omit_defaults=True):
     def exact_mark(self) -> Fraction | None:
         """The mark, a multiple of a tenth."""
         return None if self.mark is None else Fraction(round(self.mark * 10), 10)
+
+    @property
+    def ready_in(self) -> str:
+        """In what a program is ready: only a proof speaks of more than was executed."""
+        proven = any(one.id == CHECK and one.answer == "holds" for one in self.checks)
+        return PROVEN if proven else SHOWN
 
     @property
     def is_fault(self) -> bool:

@@ -6,10 +6,10 @@ A line names a student where the marking does; where it was made with pseudonyms
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from vrts.marking.result import SHOWN
 from vrts.marking.row import Class, Row
 
 SAME_MM = 1.0  # clearances are compared in whole steps of this; then the mark counts
-IN = "each in the scenario of its task"  # marks say no more than what was executed
 
 
 class Choice(NamedTuple):
@@ -20,6 +20,7 @@ class Choice(NamedTuple):
     clearance_mm: float | None  # None: nothing is near
     mark: float | None  # final mark
     duration_s: float | None
+    ready_in: str = SHOWN  # or every future
 
 
 def choices(rows: Class) -> tuple[Choice, ...]:
@@ -51,7 +52,9 @@ def choices_text(found: Iterable[Choice], total: int) -> str:
         )
     widths = [max(len(row[k]) for row in rows) for k in range(5)]
     lines = [_line(row, widths) for row in rows] if listed else []
-    lines.append(f"{len(listed)} of {total} programs are ready for the real robot, {IN}")
+    where = dict.fromkeys(choice.ready_in for choice in listed) or {SHOWN: None}
+    each = " or ".join(f"in {one}" for one in where)
+    lines.append(f"{len(listed)} of {total} programs are ready for the real robot, each {each}")
     return "\n".join(lines)
 
 
@@ -62,7 +65,14 @@ def _line(row: tuple[str, ...], widths: list[int]) -> str:
 
 def _choice(row: Row) -> Choice:
     metrics = row.result.metrics
-    return Choice(row.id, row.student.name, metrics.clearance_mm, row.final, metrics.duration_s)
+    return Choice(
+        row.id,
+        row.student.name,
+        metrics.clearance_mm,
+        row.final,
+        metrics.duration_s,
+        row.result.ready_in,
+    )
 
 
 def _order(choice: Choice) -> tuple[float, float, str]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from vrts.check.rules.scheme import TOTAL
 from vrts.marking.overview.figures import BINS, Spread, spread
 from vrts.marking.overview.words import KINDS, to_review
+from vrts.marking.result import PROVEN
 from vrts.marking.row import Row
 from vrts.report.page.html import Markup, element
 from vrts.report.plain import one_line
@@ -30,8 +31,10 @@ def _tiles(rows: Sequence[Row], found: Spread | None) -> Markup:
     if found is not None:
         tiles += [("mean mark", points(found.mean)), ("median", points(found.median))]
         tiles += [("full marks", full(found.total))] if found.total != TOTAL else []
+    ready = [row.result for row in rows if row.result.ready]
+    proven = bool(ready) and all(one.ready_in == PROVEN for one in ready)
     tiles += [
-        ("ready, in the scenario of the task", str(sum(row.result.ready for row in rows))),
+        (f"ready, in {PROVEN if proven else 'the scenario of the task'}", str(len(ready))),
         ("to be reviewed", str(sum(to_review(row) for row in rows))),
     ]
     without = sum(row.final is None for row in rows)

@@ -85,3 +85,23 @@ def test_what_is_no_marking_is_refused(tmp_path: Path) -> None:
     found = call("dispatch", "choose", str(tmp_path))
     assert found.exit_code in (1, 2)
     assert "vrts grade" in found.output
+
+
+def test_only_a_proof_says_ready_in_every_future(tmp_path: Path) -> None:
+    task = tmp_path / "asks"
+    shutil.copytree(EXAMPLE, task, ignore=shutil.ignore_patterns("submissions"))
+    whole = (task / "task.toml").read_text()
+    (task / "task.toml").write_text(f"{whole}\n[prove]\nstates = 2000\n")
+    (tmp_path / "in").mkdir()
+    shutil.copy(EXAMPLE / "solution.v2", tmp_path / "in" / "best.v2")
+    out = tmp_path / "out"
+    done = call("grade", str(task), str(tmp_path / "in"), "-o", str(out))
+    assert done.exit_code == 0, done.output
+    found = call("dispatch", "choose", str(out))
+    assert found.stdout.splitlines()[-1] == (
+        "1 of 1 programs are ready for the real robot, each in every future"
+    )
+    data = json.loads(call("dispatch", "choose", str(out), "--format", "json").stdout)
+    assert data["ready"][0]["ready_in"] == "every future"
+    (overview,) = (out / "staff").glob("index.html")
+    assert "ready, in every future" in overview.read_text()
