@@ -2663,6 +2663,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/spec/test_spec_why.py",),
     ),
     Patch(
+        "a chain takes the first number of a place, whatever direction is wrong",
+        "vrts/why/ways.py",
+        "r.place in along] or found",
+        "r.place not in along] or found",
+        ("tests/spec/test_spec_why.py",),
+    ),
+    Patch(
+        "what goes wrong in a future that is not shown has no causes",
+        "vrts/pipeline/futures.py",
+        "if loss.check == CHECK else chain",
+        "if loss.check == METHOD else chain",
+        ("tests/unit/pipeline/test_causes_in_futures.py",),
+    ),
+    Patch(
         "a loop that never ends is blamed on whatever is asked in it",
         "vrts/why/endless.py",
         "    return any(not min(here) <= at <= max(here) for at in following)\n",
