@@ -205,6 +205,11 @@ def test_what_a_scenario_shows_is_among_the_futures(number: int) -> None:
     among_the_futures(number, SCENARIOS)
 
 
+@deep_stack()
+def test_a_corner_that_only_rounding_tells_from_another_is_among_the_futures() -> None:
+    among_the_futures(9, 14)  # a coefficient lies on a border between rounded numbers
+
+
 def among_the_futures(number: int, scenarios: int) -> None:
     """Look whether what so many scenarios of a program show is among its futures."""
     module = compiled(looking(number))
