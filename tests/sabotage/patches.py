@@ -2565,6 +2565,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/prove/telling/test_allowed.py",),
     ),
     Patch(
+        "paths that rounding tells apart are different states",
+        "vrts/engine/futures/named.py",
+        "                if np.abs(values - other).max() <= NO_FARTHER:",
+        "                if not (np.round(values, 9) - np.round(other, 9)).any():",
+        ("tests/unit/engine/futures/test_named.py",),
+    ),
+    Patch(
+        "paths whose sums are alike are one state",
+        "vrts/engine/futures/named.py",
+        "                if np.abs(values - other).max() <= NO_FARTHER:",
+        "                if abs(float(values.mean() - other.mean())) <= NO_FARTHER:",
+        ("tests/unit/engine/futures/test_named.py",),
+    ),
+    Patch(
         "futures that go on differently are drawn as one line",
         "vrts/report/page/futures/folding.py",
         "        shape = (what, place, knot.ends, below, alone)\n",
