@@ -1,4 +1,8 @@
-"""Carries out URScript: def, if, while, return, break, halt, and the functions below."""
+"""Carries out URScript: def, if, while, return, break, halt, and the functions below.
+
+Arrays, types and what is copied (sections 3 to 8 of the script manual for e-Series, SW 5.11) came
+later, from that manual, by somebody who knew what the export writes.
+"""
 
 import math
 import re
@@ -8,7 +12,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tests.oracle.urscript.lines import Line, blocks
 from tests.oracle.urscript.poses import Matrix, Pose, matrix, pose
+from tests.oracle.urscript.values import NotTaken, copied, element, kind_of
 
 TOKEN = re.compile(
     r"\s*(\"[^\"]*\"|\d+\.?\d*(?:[eE][+-]?\d+)?|p\[|[A-Za-z_]\w*|==|!=|<=|>=|[-+*/%()\[\],=<>])"
@@ -16,10 +22,6 @@ TOKEN = re.compile(
 LEVELS = (("or", "xor"), ("and",), ("==", "!=", "<", ">", "<=", ">="), ("+", "-"), ("*", "/", "%"))
 STEPS = 100_000
 WORDS = {"and", "or", "not", "xor", "if", "elif", "else", "while", "def", "end", "return"}
-
-
-class NotTaken(Exception):  # noqa: N818 -- names the situation
-    """What the manual does not allow."""
 
 
 class Halted(Exception):  # noqa: N818 -- names the situation
@@ -45,43 +47,6 @@ class Motion(NamedTuple):
     a: float
     v: float
     r: float
-
-
-class Line(NamedTuple):
-    """A line of a block."""
-
-    number: int
-    text: str
-    inner: "list[Line]"  # of what begins a block
-
-
-def blocks(text: str) -> list[Line]:
-    """Return lines nested by `:` and `end`."""
-    top: list[Line] = []
-    stack = [top]
-    for number, raw in enumerate(text.split("\n"), 1):
-        row = re.match(r"(?:[^\"#]|\"[^\"]*\")*", raw)
-        words = "" if row is None else row.group().strip()
-        if not words:
-            continue
-        first = re.split(r"[\s(:]", words)[0]
-        if first in ("end", "elif", "else"):
-            if len(stack) < 2:
-                raise NotTaken(f"line {number}: `{first}` without a beginning")
-            stack.pop()
-            if first == "end":
-                if words != "end":
-                    raise NotTaken(f"line {number}: `end` stands alone")
-                continue
-        line = Line(number, words, [])
-        stack[-1].append(line)
-        if first in ("def", "if", "elif", "else", "while"):
-            if not words.endswith(":"):
-                raise NotTaken(f"line {number}: `:` is missing")
-            stack.append(line.inner)
-    if len(stack) != 1:
-        raise NotTaken("`end` is missing")
-    return top
 
 
 class Robot:
@@ -195,6 +160,15 @@ class _Running:
             raise Halted
         if words == "return" or words.startswith("return "):
             raise Returned(self._value(words[7:], local) if words[7:] else None)
+        match = re.fullmatch(r"([A-Za-z_]\w*)\[(.+?)\] *=(?!=) *(.+)", words)
+        if match is not None:
+            name, at, text = match.groups()
+            held: Any = local[name] if name in local else self.globals.get(name)
+            number, value = self._value(at, local), self._value(text, local)
+            if kind_of(element(held, number)) != kind_of(value):
+                raise NotTaken("an element keeps its type")
+            held[number] = value
+            return
         match = re.fullmatch(r"(?:(global|local) )?([A-Za-z_]\w*) *=(?!=) *(.+)", words)
         if match is None:
             self._value(words, local)
@@ -202,7 +176,10 @@ class _Running:
         kind, name, text = match.groups()
         if name in WORDS:
             raise NotTaken(f"`{name}` is a word of the language")
-        value = self._value(text, local)
+        value = copied(self._value(text, local))
+        held = local.get(name) if kind != "global" and name in local else self.globals.get(name)
+        if kind != "local" and held is not None and kind_of(held) != kind_of(value):
+            raise NotTaken("a variable keeps the type that it was given first")
         if kind == "local" or (kind is None and name in local):
             local[name] = value
         elif kind == "global" or name in self.globals:
@@ -224,7 +201,7 @@ class _Running:
             if len(names) != len(given) or named:
                 raise NotTaken(f"{name} takes {len(names)} arguments")
             try:
-                self.body(lines, dict(zip(names, given, strict=True)))
+                self.body(lines, dict(zip(names, map(copied, given), strict=True)))
             except Returned as left:
                 return left.value
             return None
@@ -258,6 +235,7 @@ class _Running:
     def _sleep(self, seconds: float) -> None:
         if seconds < 0.0:
             raise NotTaken("a time is not negative")
+        self.robot.done.append(("sleep", seconds))
 
     def _sync(self) -> None:
         pass
@@ -286,6 +264,9 @@ class _Running:
 
     def _sin(self, x: float) -> float:
         return math.sin(x)
+
+    def _tan(self, x: float) -> float:
+        return math.tan(x)
 
     def _cos(self, x: float) -> float:
         return math.cos(x)
@@ -350,7 +331,7 @@ class _Expression:
         found = self.primary()
         while self.next() == "[":
             self.take()
-            found = found[round(self.level(0))]
+            found = element(found, self.level(0))
             self.take("]")
         return found
 
@@ -373,7 +354,7 @@ class _Expression:
         if token[0] == '"':
             return token[1:-1]
         if token[0].isdigit():
-            return float(token)
+            return int(token) if token.isdigit() else float(token)
         if token in ("True", "False"):
             return token == "True"
         if self.next() == "(":
@@ -416,6 +397,8 @@ def _operation(operator: str, a: Any, b: Any) -> Any:
         case "*":
             return a * b
         case "/":
+            if isinstance(a, int) and isinstance(b, int):
+                raise NotTaken("the manual does not say how whole numbers divide")
             return a / b
         case "%":
             return math.fmod(a, b)

@@ -1,6 +1,7 @@
 """Poses of URScript: a position in metres and a rotation vector in radians."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import numpy.typing as npt
@@ -37,3 +38,27 @@ def pose(given: Matrix) -> Pose:
     else:
         vector = angle * axis / (2.0 * math.sin(angle))
     return (*map(float, given[:3, 3]), *map(float, vector))
+
+
+def nearest(forward: Callable[[Pose], Matrix], target: Matrix, joints: Matrix) -> Matrix:
+    """Return the joints of a pose of the flange that Newton's steps reach from where an arm stands.
+
+    Every joint then is within half a turn of where it was.
+    """
+    at = joints.copy()
+    for _ in range(40):
+        error = _between(forward(tuple(at)), target)
+        if np.abs(error).max() < 1e-10:
+            break
+        columns = [
+            _between(forward(tuple(at)), forward(tuple(at + 1e-7 * np.eye(6)[k]))) / 1e-7
+            for k in range(6)
+        ]
+        step = np.linalg.lstsq(np.array(columns).T, error, rcond=1e-9)[0]
+        at = at + step * min(1.0, 0.3 / max(float(np.abs(step).max()), 1e-12))
+    return joints + np.remainder(at - joints + math.pi, 2.0 * math.pi) - math.pi
+
+
+def _between(one: Matrix, other: Matrix) -> Matrix:
+    turn = np.array(pose(other @ np.linalg.inv(one))[3:])
+    return np.concatenate([other[:3, 3] - one[:3, 3], turn])

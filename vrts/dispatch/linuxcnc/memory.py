@@ -6,16 +6,15 @@ A pose takes twelve numbers (its rotation row by row, then x, y, z in mm), six j
 
 from typing import NamedTuple
 
+from vrts.dispatch.saying.arrays import largest_subscripts
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain
-from vrts.dispatch.saying.parts import parts
-from vrts.ir.expressions import Constant, Expression, Global, Place
+from vrts.ir.expressions import Global, Place
 from vrts.ir.module import Module
 from vrts.ir.values import Type
 
 FIRST, LAST = 1000, 4999  # numbered parameters; those below are the library's
 WIDTH = {Type.POSE: 12, Type.JOINTS: 6, Type.REAL: 1}
-UNKNOWN = 24  # elements of an array of which no subscript is a plain number
 
 
 class Kept(NamedTuple):
@@ -40,7 +39,7 @@ class Memory:
         self._labels = 100  # of O-words
         self.kept: dict[str, Kept] = {}
         self._spelt: dict[str, str] = {}
-        largest = _subscripts(module)
+        largest = largest_subscripts(module)
         for name, (kind, subscript) in largest.items():
             if kind in WIDTH and (kind is not Type.REAL or subscript is not None):
                 self._keep(name, kind, subscript)
@@ -70,44 +69,3 @@ class Memory:
         width = WIDTH[kind]
         elements = None if subscript is None else subscript + 1
         self.kept[name] = Kept(spelt, self.more(width * (elements or 1)), width, elements)
-
-
-def _subscripts(module: Module) -> dict[str, tuple[Type, int | None]]:
-    """Return every global variable with its type and largest subscript; None: it is no array."""
-    found: dict[str, tuple[Type, int | None]] = {}
-    programs = module.programs.values()
-    places = (p for program in programs for p in parts(program.instructions))
-    for place in places:
-        if isinstance(place, Place) and isinstance(place.variable, Global):
-            name, kind = place.variable.name, place.variable.type
-            _note(found, name, kind, place.subscripts)
-    for datum in module.data:
-        known = found.get(datum.name)
-        if known is None or not datum.subscripts:
-            continue
-        first, *more = datum.subscripts
-        if more:
-            raise CannotSay(f"`{datum.name}` has two subscripts", "use one")
-        found[datum.name] = (known[0], max(known[1] or 0, first))
-    return found
-
-
-def _note(
-    found: dict[str, tuple[Type, int | None]],
-    name: str,
-    kind: Type,
-    subscripts: tuple[Expression, ...],
-) -> None:
-    if len(subscripts) > 1:
-        raise CannotSay(f"`{name}` has two subscripts", "use one")
-    _, before = found.get(name, (kind, None))
-    if not subscripts:
-        found[name] = (kind, before)
-        return
-    (subscript,) = subscripts
-    match subscript:
-        case Constant(float(number)):
-            value = round(number)
-        case _:
-            value = UNKNOWN
-    found[name] = (kind, max(before or 0, value))

@@ -81,7 +81,8 @@ def exported_script(request: Request, table: SourceFile | None) -> Folder:
 def radii(run: Run) -> dict[tuple[str, int], float]:
     """Return the blend radius of every step that always ends in a rounded corner [m]."""
     found: dict[tuple[str, int], float] = {}
-    for motion, following in zip(run.motions, [*run.motions[1:], None], strict=True):
+    for number, motion in enumerate(run.motions):
+        following = run.motions[number + 1] if number + 1 < len(run.motions) else None
         step = (motion.cause.program, motion.cause.step)
         radius = 0.0
         if motion.blended and following is not None:

@@ -1,6 +1,7 @@
 """The sheet beside a program in URScript: what is claimed, what is assumed, what is yours to do."""
 
 from vrts.base.units import MM, deg
+from vrts.dispatch.saying.arrays import UNKNOWN
 from vrts.dispatch.saying.table import Table
 from vrts.engine.run import Run
 
@@ -23,10 +24,11 @@ TEXT = """# `{name}` in URScript: not tried on a controller
   have a radius of at most {corner:.0f} mm, in UR's shape: vrts did not look whether it hits
   anything. Radii fit the run that was verified; where other inputs make ways shorter, UR may leave
   a rounding out.
-- UR takes the joints for a pose that are nearest to where the arm stands. vrts may have taken
-  others: compare the joints below, and teach joints where it matters.
-- The program goes on when a motion has ended. A step that looks at an input or sets an output while
-  the arm may move was refused.
+- UR takes the joints for a pose that are nearest to where the arm stands. Where a motion behind
+  another decision starts elsewhere, they may be others than vrts took: compare the joints below.
+- The program goes on when a motion has ended, or where its rounded corner begins. Outputs that
+  VAL-II sets as a motion begins stand before it. `sync()` in a loop may end a rounding there.
+- Lists hold {elements} elements where a subscript is worked out in the run; UR stops beyond them.
 - **Payload is not set**: scenes know no masses. Set it, with its centre, on the robot, or add
   `set_payload` behind `set_tcp`.
 - Safety planes, joint limits, forces and the stop are the robot's.
@@ -60,6 +62,7 @@ def sheet_text(run: Run, name: str, table: Table) -> str:
         name=" ".join(name.split()).replace("`", "'"),
         title=arm.title,
         motions=len(run.motions),
+        elements=UNKNOWN + 1,
         rounded=sum(motion.blended for motion in run.motions),
         corner=arm.linear_speed * arm.acceleration_time / MM,
         rows="\n".join(_row(run, k) for k in chosen),

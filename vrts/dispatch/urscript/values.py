@@ -9,6 +9,7 @@ import math
 from vrts.base.pose import Pose, Rotation
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import decimal, plain
+from vrts.dispatch.saying.parts import constant
 from vrts.dispatch.saying.signals import FIRST_INPUT, FIRST_INTERNAL, signal_of
 from vrts.dispatch.saying.table import Table
 from vrts.ir.expressions import (
@@ -18,13 +19,13 @@ from vrts.ir.expressions import (
     BinaryOperator,
     Compose,
     Constant,
-    Expression,
     Function,
     Load,
     Place,
     Slot,
     Unary,
     UnaryOperator,
+    Variable,
 )
 from vrts.ir.values import Type
 
@@ -43,12 +44,18 @@ ARITHMETIC = {
     BinaryOperator.MULTIPLY: "*",
     BinaryOperator.DIVIDE: "/",
 }
-ANGLES = {Function.SIN: "sin", Function.COS: "cos"}
+ANGLES = {Function.SIN: "sin", Function.COS: "cos", Function.TAN: "tan"}
 PART = {Function.DX: 0, Function.DY: 1, Function.DZ: 2}
 HERE = "v_at"
-NOTHING = "p[0, 0, 0, 0, 0, 0]"
+NOTHING = "p[0.0, 0.0, 0.0, 0.0, 0.0, 0.0]"
 SIX = 6
 _LETTER = {Type.REAL: "n", Type.POSE: "at", Type.JOINTS: "j"}
+
+
+def number(value: float) -> str:
+    """Return a number with a decimal point: URScript does not say how it divides whole ones."""
+    text = decimal(value)
+    return text if "." in text else f"{text}.0"
 
 
 def rotation_vector(turn: Rotation) -> tuple[float, float, float]:
@@ -76,23 +83,21 @@ def rotation_vector(turn: Rotation) -> tuple[float, float, float]:
 def pose_text(pose: Pose) -> str:
     """Return a pose that is known, in metres and radians."""
     parts = (*pose.translation, *rotation_vector(pose.rotation))
-    return f"p[{', '.join(map(decimal, parts))}]"
+    return f"p[{', '.join(map(number, parts))}]"
 
 
 def joints_text(joints: tuple[float, ...]) -> str:
     """Return six joints in radians."""
-    return f"[{', '.join(map(decimal, joints))}]"
+    return f"[{', '.join(map(number, joints))}]"
 
 
-def name_of(place: Place) -> str:
+def name_of(variable: Variable) -> str:
     """Return the name of a variable."""
-    variable = place.variable
-    if place.subscripts:
-        raise CannotSay("arrays are not written in URScript", "use variables")
+    if isinstance(variable, Slot):
+        return f"own_{plain(variable.name)}"
     if variable.type not in _LETTER:
         raise CannotSay("strings are not written in URScript", "do without")
-    owner = "own" if isinstance(variable, Slot) else _LETTER[variable.type]
-    return f"{owner}_{plain(variable.name)}"
+    return f"{_LETTER[variable.type]}_{plain(variable.name)}"
 
 
 class Values:
@@ -102,17 +107,36 @@ class Values:
         """Know which input is which signal."""
         self.table = table
 
+    def place(self, place: Place) -> str:
+        """Return a variable, or an element of a list."""
+        if not place.subscripts:
+            return name_of(place.variable)
+        kind = place.variable.type
+        if isinstance(place.variable, Slot):
+            raise CannotSay("URScript passes copies of arrays", "use an array of all programs")
+        if kind is Type.JOINTS:
+            raise CannotSay("URScript reads a list of joints as a matrix", "use variables")
+        subscript, *others = place.subscripts
+        if others:
+            raise CannotSay(f"`{place.variable.name}` has two subscripts", "use one")
+        at = constant(subscript)
+        index = f"v_index({self.real(subscript)})" if at is None else str(round(at))
+        return f"{name_of(place.variable)}[{index}]"
+
     def real(self, e: Argument) -> str:
         """Return a number."""
         match e:
             case Constant(float(value)):
-                return decimal(value)
+                return number(value)
             case Load(place):
-                return name_of(place)
+                return self.place(place)
             case Unary(UnaryOperator.MINUS, operand):
                 return f"(-{self.real(operand)})"
             case Binary(operator, left, right) if operator in ARITHMETIC:
                 return f"({self.real(left)} {ARITHMETIC[operator]} {self.real(right)})"
+            case Binary(BinaryOperator.MOD, left, right):
+                one, other = self.real(left), self.real(right)
+                return f"({one} - {other} * v_int({one} / {other}))"
             case Unary(UnaryOperator.NOT) | Binary() | Apply(Function.SIG):
                 return f"v_real({self.condition(e)})"
             case Apply(function, arguments):
@@ -131,10 +155,10 @@ class Values:
                 return f"(not {self.condition(operand)})"
             case Apply(Function.SIG, arguments):
                 return f"({' and '.join(self._signal(a) for a in arguments)})"
-            case Binary(operator) if operator not in ARITHMETIC:
+            case Binary(operator) if operator not in (*ARITHMETIC, BinaryOperator.MOD):
                 raise CannotSay(f"URScript has nothing that means {operator.value.upper()}")
             case _:
-                return f"({self.real(e)} != 0)"
+                return f"({self.real(e)} != 0.0)"
 
     def _signal(self, e: Argument) -> str:
         signal, on = signal_of(e)
@@ -148,7 +172,7 @@ class Values:
 
     def _apply(self, function: Function, arguments: tuple[Argument, ...]) -> str:
         if function in PART:
-            return f"(1000 * v_part({self.location(arguments[0])}, {PART[function]}))"
+            return f"(1000.0 * v_part({self.location(arguments[0])}, {PART[function]}))"
         if function is Function.DISTANCE:
             one, other = (self.location(argument) for argument in arguments)
             return f"v_distance({one}, {other})"
@@ -164,6 +188,12 @@ class Values:
                 return f"({values[0]} * {values[0]})"
             case Function.INT:
                 return f"v_int({values[0]})"
+            case Function.SIGN:
+                return f"v_sign({values[0]})"
+            case Function.FRACT:
+                return f"({values[0]} - v_int({values[0]}))"
+            case Function.MAX | Function.MIN if values:
+                return _largest(values, least=function is Function.MIN)
             case Function.ATAN2:
                 return f"(atan2({values[0]}, {values[1]}) / v_rad)"
             case _:
@@ -185,7 +215,7 @@ class Values:
         """Return a location: a pose, or six joints."""
         match e:
             case Load(place):
-                return name_of(place)
+                return self.place(place)
             case Constant(Pose() as pose):
                 return pose_text(pose)
             case Constant(tuple(joints)):
@@ -214,7 +244,7 @@ class Values:
                 return f"pose_trans(v_shift({by}), {self.location(arguments[0])})"
             case Function.TRANS:
                 x, y, z, o, a, t = map(self._or_zero, given[:SIX])
-                return f"v_trans({x}, {y}, {z}, ({o} - 90), ({a} + 90), {t})"
+                return f"v_trans({x}, {y}, {z}, ({o} - 90.0), ({a} + 90.0), {t})"
             case Function.TRANS_ZYZ:
                 return f"v_trans({', '.join(map(self._or_zero, given[:SIX]))})"
             case Function.PPOINT:
@@ -224,11 +254,11 @@ class Values:
                 raise CannotSay(f"URScript has nothing that means {function.value.upper()}")
 
     def _or_zero(self, e: Argument) -> str:
-        return "0" if e is None else self.real(e)
+        return "0.0" if e is None else self.real(e)
 
 
-def given(e: Argument) -> Expression:
-    """Return an argument that is there."""
-    if e is None or isinstance(e, Place) or not hasattr(e, "_fields"):
-        raise CannotSay("an argument is left out, or passed whole", "write it")
-    return e  # type: ignore[return-value]
+def _largest(values: list[str], *, least: bool) -> str:
+    first, *others = [f"(-{value})" for value in values] if least else values
+    for other in others:
+        first = f"v_max({first}, {other})"
+    return f"(-{first})" if least else first
