@@ -36,6 +36,27 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "who writes V+ or AS is told what VAL-II says",
+        "vrts/lang/compiler.py",
+        "told = in_words_of(dialect, compilation.diagnostics)",
+        "told = compilation.diagnostics",
+        ("tests/unit/lang/test_relatives_told.py",),
+    ),
+    Patch(
+        "`!=` in AS is taken in silence",
+        "vrts/lang/steps/step_parser.py",
+        'if odd is None and "!=" in text:',
+        "if False:",
+        ("tests/unit/lang/test_relatives_told.py",),
+    ),
+    Patch(
+        "AS takes the functions of V+",
+        "vrts/lang/vocabulary/functions.py",
+        "if dialect.is_as or dialect.is_vplus:",
+        "if dialect.is_vplus:",
+        ("tests/unit/lang/test_relatives_told.py",),
+    ),
+    Patch(
         "locations of a file that teaches none are warned of, though a scene may hold them",
         "vrts/lang/findings/names/untaught.py",
         "severity=Severity.NOTE,",

@@ -33,6 +33,7 @@ from vrts.lang.reading.detection import detect
 from vrts.lang.reading.headers import is_remarks, read_header
 from vrts.lang.reading.pasted_characters import report_pasted_characters
 from vrts.lang.reading.splitter import Section, split
+from vrts.lang.said_by_relatives import in_words_of
 from vrts.lang.steps.step_parser import StepParser, names_in
 from vrts.lang.syntax.program import Formal, ProgramText
 from vrts.lang.syntax.statements import Bad
@@ -88,6 +89,9 @@ def compile_source(source: SourceFile, options: Options = STRICT) -> Compilation
         dialect, found = detect(source)
     with uncollected():
         compilation = _compile(Problems(source, dialect), options)
+    told = in_words_of(dialect, compilation.diagnostics)
+    if told is not compilation.diagnostics:
+        compilation = replace(compilation, diagnostics=told)
     if found is None or _told_as_error(found, compilation.diagnostics):
         return compilation
     return replace(compilation, diagnostics=(found, *compilation.diagnostics))

@@ -36,6 +36,23 @@ def told(body: str, dialect: Dialect) -> list[Diagnostic]:
         ("$.x = $s", AS, ".$x = $s"),
         ("p = a+TRANS(1, 2, 3)", AS, "POINT p = a+TRANS(1, 2, 3)"),
         ("LMOVE 100, part", AS, "LMOVE part, 100"),
+        ("IF n != 3 THEN\nEND", AS, "IF n <> 3 THEN\nEND"),
+        ("IF n != 3 THEN\nEND", VPLUS, "IF n <> 3 THEN\nEND"),
+        ("WHILE n < 3\nEND", AS, "WHILE n < 3 DO\nEND"),
+        ("SPEED 100 MMPS ALWAYS", AS, "SPEED 100 MM/S ALWAYS"),
+        ("POINT p = a:TRANS(1, 2, 3)", AS, "POINT p = a+TRANS(1, 2, 3)"),
+        ("FOR .i = 9 TO 1 BY -2\nEND", AS, "FOR .i = 9 TO 1 STEP -2\nEND"),
+        ("ENABLE CP", AS, "CP ON"),
+        ("n = MAX(1, 2)", AS, "n = MAXVAL(1, 2)"),
+        ("n = MAXVAL(1, 2)", VPLUS, "n = MAX(1, 2)"),
+        ('n = POS($s, ",")', AS, 'n = INSTR($s, ",")'),
+        ("n = SQR(m+1)", AS, "n = (m+1)^2"),
+        ('$s = MID("abc", 1, 2)', AS, '$s = $MID("abc", 1, 2)'),
+        ('$s = LEFT("abc", 2)', VAL2, '$s = $MID("abc", 1, 2)'),
+        ("n = part.z()", VAL2, "n = DZ(part)"),
+        ("LMOVE slot(3)", AS, "LMOVE slot[3]"),
+        ("SLEEP 2", AS, "TWAIT 2"),
+        ("MOVE SHIFT(part,0,0,50)", VAL2, "MOVE SHIFT(part BY 0,0,50)"),
     ],
 )
 def test_edits_are_of_the_dialect(step: str, dialect: Dialect, instead: str) -> None:
@@ -81,3 +98,25 @@ def test_home_of_as_is_a_place_of_its_own() -> None:
     """A straight line may leave it, as it may not leave READY."""
     assert "V228" not in {d.rule.code for d in told("busy = 1\nHOME\nLMOVE a", AS)}
     assert "V228" in {d.rule.code for d in told("busy = 1\nREADY\nMOVES a", VAL2)}
+
+
+@pytest.mark.parametrize(
+    ("step", "dialect", "says"),
+    [
+        ("FLY a", VAL2, "VAL-II says *Unknown instruction*"),
+        ("FLY a", AS, "AS says P0109 Invalid statement"),
+        ("n = 1 +", AS, "AS says P0114 Illegal expression"),
+    ],
+)
+def test_a_controller_is_quoted_in_its_own_words(step: str, dialect: Dialect, says: str) -> None:
+    (found, *_) = told(f"busy = 1\n{step}", dialect)
+    assert says in found.notes
+
+
+@pytest.mark.parametrize("dialect", [AS, VPLUS])
+@pytest.mark.parametrize(
+    "step", ["FLY a", "n += 1", "x = 5 ? 1 : 2", "n = RND(3)", "IF n = 1 THEN"]
+)
+def test_nothing_is_said_of_val2_to_who_writes_another(step: str, dialect: Dialect) -> None:
+    for found in told(f"n = 1\nbusy = 1\n{step}", dialect):
+        assert "VAL-II" not in "\n".join((found.headline, *found.notes, *found.help))

@@ -338,10 +338,11 @@ class Post:
     def function(self, node: expressions.Name) -> str:
         """Return the name of a function or constant."""
         name = node.text.lower()
-        if name in self.LACKS_FUNCTIONS or name not in self._known:
+        spelt = self.FUNCTIONS.get(name, name.upper())
+        if name in self.LACKS_FUNCTIONS or spelt.lower() not in self._known:
             headline = f"{self.dialect.title} has nothing that means {name.upper()}"
             raise CannotWrite(node.start, node.end, headline, "work the value out in another way")
-        return self.FUNCTIONS.get(name, name.upper())
+        return spelt
 
     def application(self, node: expressions.Application) -> str:
         """Return a function with its arguments."""

@@ -79,9 +79,11 @@ class LoopCheck:
         if changed is None:
             return
         keys = {key(name.text) for name in names}
-        types = {self.scope.entry(program.name, name).type for name in keys}
-        if changed & keys or types != {Type.REAL}:
+        entries = [self.scope.entry(program.name, name) for name in keys]
+        if changed & keys or {entry.type for entry in entries} != {Type.REAL}:
             return
+        if not all(self.scope.may_have_value(entry) for entry in entries):
+            return  # told there: a name that is never given a value
         if self._told(body):
             return
         ordered = list(dict.fromkeys(key(name.text) for name in names))

@@ -112,6 +112,8 @@ class ExpressionTypes(NameUses):
     def _infix(self, node: Infix, wanted: Wanted) -> Type:
         operator = node.operator
         if operator == ":":
+            if self.dialect.is_as:
+                type_mistakes.joined_by_colon(self.problems, node)
             for part in (node.left, node.right):
                 self.check(part, Type.POSE, "`:` joins locations")
                 if isinstance(part, Name) and part.text[0] == "#":  # all is said of `rack` with it
@@ -243,7 +245,9 @@ class ExpressionTypes(NameUses):
             self._loose(node)
             return Type.DYNAMIC
         if signature is None:
-            unknown.unknown_function(self.problems, node, self.functions, self.scope.programs)
+            known, programs = self.functions, self.scope.programs
+            place = wanted is Type.POSE
+            unknown.unknown_function(self.problems, node, known, programs, is_place=place)
             self._loose(node)
             self.wrong_lines.add(self.problems.source.line_of(node.start))
             return Type.DYNAMIC

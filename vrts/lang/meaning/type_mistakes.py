@@ -207,6 +207,20 @@ def added_locations(problems: Problems, node: Infix) -> None:
     )
 
 
+def joined_by_colon(problems: Problems, node: Infix) -> None:
+    """Report `tray:part` in AS."""
+    at = node.operator_start
+    problems.error(
+        WRONG_TYPE,
+        "`:` does not join locations in AS",
+        at,
+        at + 1,
+        notes=("AS writes `+` where VAL and V+ have `:`",),
+        help=("write `+`",),
+        fix=problems.replace(at, at + 1, "+"),
+    )
+
+
 def format_here(problems: Problems, node: FormatItem) -> None:
     """Report a format in an expression."""
     problems.error(

@@ -67,7 +67,7 @@ def mistaken(written: str, start: int, problems: Problems) -> Token | None:
     plain = instead if instead in ("<>", "=", "AND", "OR") else None
     problems.error(
         STRAY_CHARACTER,
-        f"`{written}` is not an operator of VAL-II",
+        f"`{written}` is not an operator of {problems.dialect.title}",
         start,
         start + len(written),
         help=(f"write `{instead}`",),

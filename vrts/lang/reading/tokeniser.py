@@ -177,7 +177,8 @@ def _tolerated(written: str, dialect: Dialect) -> str | None:
     """Return the operator that a sign is taken for outside strict VAL-II."""
     if written == "**" and dialect.tolerant:
         return "**"
-    return "<>" if written in ("><", "!=") and dialect.tolerant else None
+    unlike = ("><",) if dialect.is_vplus else ("><", "!=")  # real files of AS have `!=`
+    return "<>" if written in unlike and dialect.tolerant else None
 
 
 def _belt(text: str, start: int, tokens: list[Token]) -> str | None:

@@ -6,7 +6,7 @@ from vrts.base.diagnostic import Edit, Fix, Rule
 from vrts.lang.names import key
 from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.reading.splitter import Line
-from vrts.lang.steps.tolerated import Tolerated
+from vrts.lang.steps.tolerated import Odd, Tolerated
 from vrts.lang.syntax.program import Label
 
 INVALID_LABEL = Rule("V133", "invalid-label")
@@ -16,6 +16,7 @@ MAX_LABEL = 65535  # [manual language/programs#labels]
 MAX_VAL2_LABEL = 32767  # beyond it VAL-II may refuse what V+ takes [assumed]
 _DIGITS = re.compile(r"\d+")
 _LISTED = re.compile(r"\d+\.(?=[ \t]*\?)[ \t]*\?|\d+\.(?=[ \t]|$)")  # `12.  MOVE a` of a listing
+_OF_LISTING = Odd("step numbers of a listing", "leave the numbers and their dots out")
 _DECIMAL = re.compile(r"(?P<whole>\d+)\.(?P<part>\d+)(?=[ \t]|$)")
 _ENDS = re.compile(r"^[ \t]*\.(?:PROGRAM|END)\b", re.IGNORECASE | re.MULTILINE)
 _NAMED_LABEL = re.compile(r"(?P<name>[A-Za-z][\w.]*):", re.ASCII)
@@ -54,7 +55,7 @@ def _numbered(
     elif rest.startswith("."):
         listed = _LISTED.match(line.text)
         if listed is not None and problems.dialect.tolerant:
-            tolerated.note("step numbers of a listing", start, line.start + listed.end())
+            tolerated.note(_OF_LISTING, start, line.start + listed.end())
             text = line.text[listed.end() :].lstrip().removesuffix("@").rstrip()
             start = line.start + line.text.index(text, listed.end()) if text else line.end
             relabelled = line._replace(text=text, start=start, end=start + len(text))

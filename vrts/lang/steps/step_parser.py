@@ -30,7 +30,7 @@ from vrts.lang.steps.misread.relatives.slips import READABLE, readable_slip
 from vrts.lang.steps.mistakes import explain
 from vrts.lang.steps.other_forms import INVALID_EXPRESSION
 from vrts.lang.steps.repair import Repair
-from vrts.lang.steps.tolerated import Tolerated, completed
+from vrts.lang.steps.tolerated import Odd, Tolerated, completed, unlike
 from vrts.lang.steps.trials import Trials
 from vrts.lang.steps.unknown_words import refuse, structural_word
 from vrts.lang.syntax.expressions import Text
@@ -205,9 +205,11 @@ class StepParser:
             return Bad(word, names_in(text), at, at + len(text))
         tokens, head = classified
         self._counted(tokens)
-        added = ""
+        odd: Odd | None = None
         if self.dialect.tolerant:
-            tokens, head, added = completed(tokens, head, self.dialect, self.program_names)
+            tokens, head, odd = completed(tokens, head, self.problems, self.program_names)
+            if odd is None and "!=" in text:
+                odd = unlike(text, at, tokens, self.problems)
         node: Any = None
         if self._slip(text, at, head):
             node = None
@@ -220,8 +222,8 @@ class StepParser:
                 node = None
         if isinstance(node, Rest):
             return node._replace(names=names_in(text))
-        if node is not None and added:
-            self.tolerated.note(added, tokens[0].start, tokens[-1].end)
+        if node is not None and odd is not None:
+            self.tolerated.note(odd, tokens[0].start, tokens[-1].end)
         if node is None:
             return Bad(structural_word(tokens, head), names_in(text), at, at + len(text))
         return node

@@ -74,18 +74,18 @@ _ALL = (
     _f(_F.ATAN2, "r r", _R, "angle whose tangent is y/x, in degrees"),
     _f(_F.COS, "r", _R, "cosine of an angle in degrees"),
     _f(_F.SIN, "r", _R, "sine of an angle in degrees"),
-    _f(_F.TAN, "r", _R, "tangent of an angle in degrees"),
-    _f(_F.FRACT, "r", _R, "part behind the point, with its sign"),
+    _f(_F.TAN, "r", _R, "tangent of an angle in degrees", "2+"),
+    _f(_F.FRACT, "r", _R, "part behind the point, with its sign", "2+"),
     _f(_F.INT, "r", _R, "part before the point"),
-    _f(_F.MAX, "r r*", _R, "largest"),
-    _f(_F.MIN, "r r*", _R, "smallest"),
-    _f(_F.OUTSIDE, "r r r", _R, "whether the second is not between the others"),
+    _f(_F.MAX, "r r*", _R, "largest", "2+"),
+    _f(_F.MIN, "r r*", _R, "smallest", "2+"),
+    _f(_F.OUTSIDE, "r r r", _R, "whether the second is not between the others", "2+"),
     _f(_F.RANDOM, "", _R, "a number from 0 to 1", bare=_EVERYWHERE),
-    _f(_F.SIGN, "r", _R, "1 or -1"),
-    _f(_F.SQR, "r", _R, "square"),
+    _f(_F.SIGN, "r", _R, "1 or -1", "2+"),
+    _f(_F.SQR, "r", _R, "square", "2+"),
     _f(_F.SQRT, "r", _R, "square root"),
-    _f(_F.BCD, "r", _R, "number to binary coded decimal"),
-    _f(_F.DCB, "r", _R, "binary coded decimal to number"),
+    _f(_F.BCD, "r", _R, "number to binary coded decimal", "2+"),
+    _f(_F.DCB, "r", _R, "binary coded decimal to number", "2+"),
     # locations
     _f(_F.DISTANCE, "p p", _R, "distance of two locations in mm"),
     _f(_F.DX, "p", _R, "X of a location in mm"),
@@ -93,7 +93,7 @@ _ALL = (
     _f(_F.DZ, "p", _R, "Z of a location in mm"),
     _f(_F.TRANS, "r? r? r? r? r? r?", _P, "location of three lengths and three angles"),
     _f(_F.NULL, "", _P, "the location that changes nothing", bare=_EVERYWHERE),
-    _f(_F.INVERSE, "p", _P, "inverse of a location"),
+    _f(_F.INVERSE, "p", _P, "inverse of a location", "2+"),
     _f(_F.NORMAL, "p", _P, "location without errors of rounding", "+"),
     _f(_F.FRAME, "p p p p", _P, "frame by two points on X, one towards Y, and its origin"),
     _f(_F.SHIFT, "p r? r? r?", _P, "location shifted in world axes", by=1),
@@ -101,7 +101,7 @@ _ALL = (
     _f(_F.RX, "r", _P, "rotation about X"),
     _f(_F.RY, "r", _P, "rotation about Y"),
     _f(_F.RZ, "r", _P, "rotation about Z"),
-    _f(_F.IDENTICAL, "l l", _R, "whether two locations are exactly equal"),
+    _f(_F.IDENTICAL, "l l", _R, "whether two locations are exactly equal", "2+"),
     _f(_F.PPOINT, "r? r? r? r? r? r?", _J, "precision point of six joints in degrees"),
     # the robot and the controller
     _f(_F.HERE, "", _P, "present pose of the tool", bare=_EVERYWHERE),
@@ -120,13 +120,13 @@ _ALL = (
     _f(_F.BITS, "r r", _R, "number on consecutive signals"),
     _f(_F.TIMER, "r", _R, "seconds of a timer"),
     _f(_F.SPEED, "r", _R, "speed in percent"),
-    _f(_F.DEFINED, "v", _R, "whether a variable has a value"),
+    _f(_F.DEFINED, "v", _R, "whether a variable has a value", "2+"),
     _f(_F.SWITCH, "n", _R, "whether a system switch is on"),
-    _f(_F.PARAMETER, "n r?", _R, "value of a parameter of the controller"),
+    _f(_F.PARAMETER, "n r?", _R, "value of a parameter of the controller", "2+"),
     _f(_F.ADC, "r r?", _R, "counts on an analog input", "2"),
     _f(_F.PENDANT, "r", _R, "a key of the manual control", "2+"),
     _f(_F.PRIORITY, "", _R, "present priority of the program", "+a", bare="+a"),
-    _f(_F.STATE, "r", _R, "state of the robot"),
+    _f(_F.STATE, "r", _R, "state of the robot", "2+"),
     _f(_F.STATUS, "s", _R, "state of a program", "2+"),
     _f(_F.ERROR, "r? r?", _R, "number of the last error", bare="a"),
     _f(_F.FREE, "r? r?", _R, "memory left", "+"),
@@ -145,7 +145,7 @@ _ALL = (
     _f(_F.CHR, "r", _S, "character of a code"),
     _f(_F.LEN, "s", _R, "number of characters"),
     _f(_F.MID, "s r? r?", _S, "part of a string"),
-    _f(_F.POS, "s s r?", _R, "where a string stands in another"),
+    _f(_F.POS, "s s r?", _R, "where a string stands in another", "2+"),
     _f(_F.VAL, "s r?", _R, "number at the start of a string"),
     _f(_F.STRDIF, "s s", _R, "-1, 0 or 1: how two strings are sorted", "+"),
     _f(_F.ENCODE, "f f*", _S, "text as TYPE would write it"),
@@ -173,13 +173,14 @@ _ALL = (
     _f(_F.PPOINT, "r? r? r? r? r? r?", _J, "precision point without its sign", "+", name="ppoint"),
 )
 
+_ALSO_OF_AS = frozenset({"task"})  # [AS manual, functions]
 _OPAQUE_OF_VPLUS = tuple(
     _f(
         _F.OPAQUE,
         row.parameters,
         _RESULTS[row.result],
         row.about,
-        "+",
+        "+a" if row.name in _ALSO_OF_AS else "+",
         name=row.name,
         bare="+" if row.bare else "",
     )
@@ -192,8 +193,10 @@ FUNCTIONS = {signature.name: signature for signature in (*_ALL, *_OPAQUE_OF_VPLU
 @cache
 def applied_functions(dialect: Dialect) -> dict[str, Signature]:
     """Return the functions that a dialect has, before parentheses, by name in lower case."""
-    if dialect.tolerant:
+    if dialect.takes_all or dialect.is_val:
         return FUNCTIONS
+    if dialect.is_as or dialect.is_vplus:
+        return {name: s for name, s in FUNCTIONS.items() if dialect.has(s.dialects)}
     return {
         name: signature
         for name, signature in FUNCTIONS.items()

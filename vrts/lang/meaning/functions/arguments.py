@@ -108,7 +108,8 @@ def _with_by(problems: Problems, node: Application) -> Fix | None:
     if len(node.arguments) < _ANGLES or node.arguments[0] is None or node.by is not None:
         return None
     comma = problems.source.text.find(",", node.arguments[0].end, node.end)
-    return problems.replace(comma, comma + 1, " BY") if comma >= 0 else None
+    blank = "" if problems.source.text[comma + 1 : comma + 2] in " \t" else " "
+    return problems.replace(comma, comma + 1, f" BY{blank}") if comma >= 0 else None
 
 
 def _is_wanted(parameters: tuple[str, ...], i: int) -> bool:

@@ -8,6 +8,7 @@ from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.spelling import nearest
 from vrts.lang.syntax.expressions import Application, Name, Number, Text
 from vrts.lang.vocabulary.functions import FOREIGN_FUNCTIONS
+from vrts.lang.vocabulary.functions_elsewhere import help_with, rewritten
 
 UNKNOWN_FUNCTION = Rule("V209", "unknown-function")
 
@@ -54,9 +55,14 @@ _METHODS = {  # what other languages write behind the name of a string
 
 
 def unknown_function(
-    problems: Problems, node: Application, known: Collection[str], programs: Collection[str]
+    problems: Problems,
+    node: Application,
+    known: Collection[str],
+    programs: Collection[str],
+    *,
+    is_place: bool = False,
 ) -> None:
-    """Report a function that the language does not have."""
+    """Report a function that the language does not have; `is_place` where a location belongs."""
     lower = node.name.text.lower()
     shown = len(problems.found) < LIMIT  # what is not shown needs no suggestion
     meant = nearest(lower, known) if shown and len(lower) >= _SHORTEST else None
@@ -80,6 +86,18 @@ def unknown_function(
     elif lower in _ASKED and isinstance(of, Number) and of.value > _FIRST_INPUT:
         help_ = (f"a signal is asked for by SIG: write `SIG({of.value:g})`",)
         fix = problems.replace(node.name.start, node.name.end, "SIG")
+    elif instead := rewritten(lower, _written(problems, node), problems.dialect):
+        help_ = (f"write `{instead}`",)
+        fix = problems.replace(node.start, node.end, instead)
+    elif words := help_with(lower, problems.dialect):
+        help_ = (words,)
+    elif last in _COORDINATES and module and not node.arguments:
+        instead = f"{_COORDINATES[last]}({node.name.text[: len(module)]})"
+        help_ = (f"a coordinate of a location is `{instead}`",)
+        fix = problems.replace(node.start, node.end, instead)
+    elif f"${lower}" in known:
+        help_ = (f"what gives a string begins with `$`: write `${node.name.text.upper()}`",)
+        fix = problems.replace(node.name.start, node.name.start, "$")
     elif lower in _REWRITTEN:
         help_ = (f"write `{_REWRITTEN[lower]}`: seconds, counted up since the step `TIMER 1 = 0`",)
         fix = problems.replace(node.start, node.end, _REWRITTEN[lower])
@@ -102,7 +120,7 @@ def unknown_function(
     elif meant is not None:
         help_ = (f"did you mean `{meant.upper()}`?",)
         fix = problems.replace(node.name.start, node.name.end, meant.upper())
-    elif _is_array(problems.source.text, node.name.text):
+    elif is_place or _is_array(problems.source.text, node.name.text):
         written = problems.source.text[node.name.end : node.end].strip()[1:-1]
         help_ = (f"an element of an array is written with brackets: `{node.name.text}[{written}]`",)
         fix = problems.replace(node.name.end, node.end, f"[{written}]")
@@ -124,6 +142,12 @@ def unknown_function(
         help=help_,
         fix=fix,
     )
+
+
+def _written(problems: Problems, node: Application) -> list[str]:
+    """Return the arguments as they are written; empty ones for those left out."""
+    text = problems.source.text
+    return [text[a.start : a.end] if a is not None else "" for a in node.arguments]
 
 
 def _made(problems: Problems, node: Application) -> str:

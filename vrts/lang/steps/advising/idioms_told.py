@@ -35,6 +35,7 @@ from vrts.lang.vocabulary.lookup import look_up
 _CALL = "call_{n} , {e}"  # an argument, or another program
 _MMPS, _MM_S = "MMPS", "MM/S"  # of VAL-II and V+, and of AS
 _CONTINUE = "continue"
+_TWAIT = "TWAIT holds the program for seconds, DELAY the arm"
 _ANY = "ANY"  # which an IF has ELSE for
 _OF_IF = "in an IF the steps for where the condition is false stand behind ELSE"
 _KRL_LOOP = "LOOP"  # which begins what ENDLOOP ends
@@ -117,6 +118,11 @@ class IdiomAdvice(Adviser):
             idiom = idiom._replace(says=says, instead=idiom.instead.replace(_MMPS, _MM_S))
         if dialect.is_as and idiom.instead.startswith("TYPE "):
             idiom = idiom._replace(instead=idiom.instead.replace("TYPE ", "PRINT ", 1))
+        if dialect.is_as and idiom.instead.startswith("DELAY "):
+            instead = idiom.instead.replace("DELAY ", "TWAIT ", 1)
+            idiom = idiom._replace(instead=instead, note=_TWAIT)
+        if dialect.is_as and "REACTE" in idiom.help:
+            idiom = idiom._replace(help=idiom.help.replace("REACTE", "ONE"))
         if dialect.is_vplus and idiom.pattern == _CONTINUE:
             idiom = idiom._replace(instead="NEXT", help="")
         return found._replace(idiom=idiom)

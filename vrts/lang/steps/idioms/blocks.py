@@ -63,6 +63,7 @@ BLOCKS = (
     Idiom("for {n} = {e} : {e2}", "FOR {n} = {e} TO {e2}", "MATLAB"),
     Idiom("for {n} := {e} to {e2} <do|>", "FOR {n} = {e} TO {e2}", "Pascal"),
     Idiom("for {n} := {e} downto {e2} <do|>", "FOR {n} = {e} TO {e2} STEP -1", "Pascal"),
+    Idiom("for_{v} = {e}_to_{e2}_<by|step_by|in_steps_of>_{e3}", "FOR {v} = {e} TO {e2} STEP {e3}", says="the step of a FOR stands behind STEP"),
     Idiom("for_{n}_from_{e}_to_{e2} <do|>", "FOR {n} = {e} TO {e2}", "RAPID"),
     Idiom("for_{n}_from_{e}_to_{e2}_step_{e3} <do|>", "FOR {n} = {e} TO {e2} STEP {e3}", "RAPID"),
     Idiom("for {n} = {e}_to_{e2}_<do|:|{|then>", "FOR {n} = {e} TO {e2}", says="a FOR ends its line behind the last value"),

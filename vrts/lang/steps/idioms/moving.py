@@ -39,6 +39,11 @@ MOVING = (
     Idiom("move_{s}", "", says="a location is named without quotes", help="leave the quotes out"),
     Idiom("move , {e}", "MOVE {e}", says="MOVE takes no comma first"),
     Idiom("<moves|move> {v} , {d} %", "", says="MOVE takes the location alone", help="write `SPEED {d}` before it"),
+    *(
+        Idiom(f"{word.lower()}_{{v}} , {{v2}} , {{v3}}{more}", f"{word} {{v}}\n{word} {{v2}}\n{word} {{v3}}{then}", says=f"{word} takes one location", help=f"write each on a line of its own: `{word} {{v}}`, `{word} {{v2}}`, `{word} {{v3}}`{also}; for one location by its numbers `{word} TRANS(x, y, z, o, a, t)`", sure=False)
+        for word in ("MOVE", "MOVES")
+        for more, then, also in (("", "", ""), (" , {v4}", f"\n{word} {{v4}}", f", `{word} {{v4}}`"))
+    ),
     Idiom("move_{v} , {d}", "APPRO {v}, {d}", says="MOVE takes the location alone, and no distance", help="to stop short of a location use `APPRO {v}, {d}`; SPEED sets the speed", sure=False),
     Idiom("moves_{v} , {d}", "APPROS {v}, {d}", says="MOVES takes the location alone", help="to stop short of a location use `APPROS {v}, {d}`; SPEED sets the speed", sure=False),
     Idiom("move_{v} <at|with|speed|at_speed|with_speed> {r}", "", says="MOVE takes the location alone", help="set the speed in the line before: `SPEED 50`"),

@@ -95,6 +95,18 @@ SIGNS = (
         "write `>=`",
     ),
     Signs(
+        re.compile(r"\bleft\$[ \t]*\(([^(),]*),[ \t]*([^(),]*)\)", re.I),
+        r"$MID(\1, 1, \2)",
+        "functions of strings begin with `$`",
+        "write `$MID`",
+    ),
+    Signs(
+        re.compile(r"\bstr\$(?=[ \t]*\()", re.I),
+        "$ENCODE",
+        "functions of strings begin with `$`",
+        "write `$ENCODE`",
+    ),
+    Signs(
         re.compile(r"\b([A-Za-z][\w.]*)\$"),
         r"$\1",
         "`$` stands before the name of a string, not behind",

@@ -57,6 +57,7 @@ VALUES = (
     Idiom("<def|void|proc|sub|function|procedure|int|func|fun>_{n} ( {r} ) <{|:|>", "", "other languages", help="write each program between `.PROGRAM name` and `.END`"),
     Idiom("<def|void|proc|sub|function|procedure|func|program>_{n}", "", "other languages", help="write each program between `.PROGRAM name` and `.END`"),
     Idiom("<end_program|endproc|endsub|end_sub|end_proc|end_function|endfunction|endfct|end_main|end_def>", "", "other languages", help="a program ends with `.END`: leave this out", drop=True),
+    Idiom("<try|except|catch|on_error|rescue|finally> {r}", "", "other languages", help="write `REACTE program`: that program is called when a step fails", drop=False),
     Idiom("<quit|end_program|stop_program|terminate> <(|> <)|>", "HALT", "other languages", sure=False),
     Idiom("go_to {d}", "GOTO {d}", says="GO TO is one word, GOTO"),
     Idiom("{v} = {e} ? {e2} : {e3}", "IF {e} THEN\n    {v} = {e2}\nELSE\n    {v} = {e3}\nEND", "C", says="VAL-II has no `?`: IF chooses", help="write `IF {e} THEN`, `{v} = {e2}`, `ELSE`, `{v} = {e3}`, `END`, each on a line of its own"),

@@ -15,6 +15,19 @@ _WORDS = (  # of VAL-II and V+, of AS, what it does
     ("DEPART", "JDEPART", "JDEPART departs by the joints in AS"),
 )
 _SECONDS = "TWAIT waits for seconds, and takes no `{w}`"
+_STRINGS = "CASE takes a number, SCASE a string in AS"
+_RENAMES = (  # words of VAL, VAL-II and V+ that AS has by another name
+    ("FLIP", "DWRIST"),
+    ("NOFLIP", "UWRIST"),
+    ("REACTE", "ONE"),
+    ("CALLS", "SCALL"),
+    ("TYPEI", "PRINT"),
+    ("WRITE", "PRINT"),
+    ("REST", "HOME"),
+    ("NEST", "HOME"),
+    ("GOSUB", "CALL"),
+    ("PCPROCEED", "PCCONTINUE"),
+)
 _ONE_DOT = "the dot of `{w}.{n}` stands before `{w}`"
 _SIGNALS = "SWAIT waits for signals by their numbers"
 _CALLED = "the program of {w} stands behind CALL"
@@ -98,6 +111,28 @@ AS_SLIPS = (
     Idiom("PCEXECUTE_{d}_{n}", "PCEXECUTE {d}: {n}", says="a colon stands behind the number of PCEXECUTE"),
     Idiom("<PCABORT|PCEND|PCKILL>_{d}", "{w} {d}:", says="a colon stands behind the number of a program beside this one"),
     Idiom("DECOMPOSE_{l} = {e}[ 0 ]", "DECOMPOSE {e}[0] = {l}", says="DECOMPOSE has the array before `=` and the location behind it", sure=False),
+    Idiom("SPEED_{e} MMPS", "SPEED {e} MM/S", says="MMPS is no unit of AS: millimetres a second are MM/S"),
+    Idiom("SPEED_{e} MMPS_ALWAYS", "SPEED {e} MM/S ALWAYS", says="MMPS is no unit of AS: millimetres a second are MM/S"),
+    Idiom("SPEED_{r} IPS {r2}", says="IPS is no unit of AS", help="write millimetres a second: `SPEED 100 MM/S`; an inch is 25.4 mm"),
+    Idiom("CASE_${n}_OF", "SCASE ${n} OF", says=_STRINGS, help="write `SCASE ${n} OF`, and SVALUE for each VALUE", sure=False),
+    Idiom("CASE_.${n}_OF", "SCASE .${n} OF", says=_STRINGS, help="write `SCASE .${n} OF`, and SVALUE for each VALUE", sure=False),
+    Idiom("ENABLE_{r}", "{r} ON", says="a switch of AS is turned on by ON behind its name"),
+    Idiom("DISABLE_{r}", "{r} OFF", says="a switch of AS is turned off by OFF behind its name"),
+    Idiom("ENABLE_POWER", says="AS turns no power on in a program", help="leave it out: power is turned on at the panel", drop=True),
+    *(Idiom(f"{old}_{{r}}", f"{new} {{r}}", says=f"{new} stands for {old} in AS") for old, new in _RENAMES),
+    *(Idiom(old, new, says=f"{new} stands for {old} in AS") for old, new in _RENAMES),
+    *(Idiom(f"{word}<_ALWAYS|>", "ACCURACY {w}", says=f"ACCURACY says in AS how near a motion must come: {word} is no step", help=f"write `ACCURACY {mm} ALWAYS`: the distance in mm") for word, mm in (("COARSE", "50"), ("FINE", "1"))),
+    *(Idiom(f"{word}<_ALWAYS|>", says=f"AS has no {word}", help="leave it out", drop=True) for word in ("NULL", "NONULL", "INTON", "INTOFF", "SINGLE", "MULTIPLE")),
+    *(Idiom(f"{word} ( {{r}} ) {{r2}}", says=f"AS has no {word}", help="leave it out: the robot is attached", drop=True) for word in ("ATTACH", "DETACH")),
+    *(Idiom(word, says=f"AS has no {word}", help="leave it out: the robot is attached", drop=True) for word in ("ATTACH", "DETACH")),
+    Idiom("DURATION_{e}", "SPEED {e} S", says="a motion is given a time by SPEED in AS"),
+    Idiom("DURATION_{e}_ALWAYS", "SPEED {e} S ALWAYS", says="a motion is given a time by SPEED in AS"),
+    Idiom("GRASP_{r}", says="AS has no GRASP", help="write `CLOSEI`, and ask a sensor: `IF SIG(1001) THEN`"),
+    Idiom("MOVET_{e} , {e2}", "JMOVE {e}", says="AS has no MOVET", help="write `OPEN` or `CLOSE`, and `JMOVE {e}` in the line below", sure=False),
+    Idiom("MOVEST_{e} , {e2}", "LMOVE {e}", says="AS has no MOVEST", help="write `OPEN` or `CLOSE`, and `LMOVE {e}` in the line below", sure=False),
+    Idiom("PARAMETER_{r}", says="AS has no PARAMETER", help="leave it out: parameters are set at the panel"),
+    Idiom("<START|RUN|SPAWN|THREAD|TASK>_{n}", says="PCEXECUTE runs a program beside this one", help="write `PCEXECUTE 1: {n}` to run it beside this one, or `CALL {n}` to wait for it"),
+    Idiom("<START|RUN|SPAWN|THREAD|TASK>_{n} ( )", says="PCEXECUTE runs a program beside this one", help="write `PCEXECUTE 1: {n}` to run it beside this one, or `CALL {n}` to wait for it"),
     Idiom("<CP|QTOOL|MESSAGES|OX.PREOUT|REP_ONCE|RPS|TEACH_LOCK> = ON", "{w} ON", says="a switch takes ON without `=`"),
     Idiom("<CP|QTOOL|MESSAGES|OX.PREOUT|REP_ONCE|RPS|TEACH_LOCK> = OFF", "{w} OFF", says="a switch takes OFF without `=`"),
 )

@@ -8,6 +8,16 @@ from vrts.lang.steps.idioms.idiom import Idiom
 _UNIT = "the number of a device stands in parentheses"
 _TYPES = "V+ declares AUTO REAL, AUTO DOUBLE and AUTO LOC; whole numbers are REAL too"
 _ONLY_NAMES = "{w} only names variables"
+_RENAMES = (  # words of AS, VAL and VAL-II that V+ has by another name
+    ("DWRIST", "FLIP"),
+    ("UWRIST", "NOFLIP"),
+    ("ONE", "REACTE"),
+    ("SCALL", "CALLS"),
+    ("TYPEI", "TYPE"),
+    ("REST", "READY"),
+    ("NEST", "READY"),
+    ("GOSUB", "CALL"),
+)
 _SEPARATE = "give the value on a separate line, below all declarations: `{v} = {e}`"
 
 _OF_DEVICES = tuple(
@@ -86,5 +96,21 @@ VPLUS_SLIPS = (
     Idiom("WAIT_SIG_{d}", "WAIT SIG({d})", says="SIG has its signal in parentheses"),
     Idiom("WAIT_UNTIL_{e}", "WAIT {e}", says="WAIT already waits until a condition holds"),
     Idiom("SWAIT_SIG ( {r} )", "WAIT SIG({r})", of="AS", says="WAIT waits for a condition in V+"),
+    *(Idiom(f"{old}_{{r}}", f"{new} {{r}}", of="AS", says=f"{new} stands for {old} in V+") for old, new in _RENAMES),
+    *(Idiom(old, new, of="AS", says=f"{new} stands for {old} in V+") for old, new in _RENAMES),
+    Idiom("ONI_{d}_CALL_{n}", "REACTI {d}, {n}", of="AS", says="REACTI watches a signal in V+"),
+    Idiom("ON_{d}_CALL_{n}", "REACT {d}, {n}", of="AS", says="REACT watches a signal in V+"),
+    Idiom("ONI_{d}_CALL_{n} , {d2}", "REACTI {d}, {n}, {d2}", of="AS", says="REACTI watches a signal in V+"),
+    Idiom("ON_{d}_CALL_{n} , {d2}", "REACT {d}, {n}, {d2}", of="AS", says="REACT watches a signal in V+"),
+    Idiom("SCASE_{e}_OF", "CASE {e} OF", of="AS", says="V+ has no SCASE", help="compare by IF: `IF {e} == \"text\" THEN`", sure=False),
+    Idiom("ACCURACY_{r}", "COARSE ALWAYS", of="AS", says="COARSE and FINE say in V+ how near a motion must come", help="write `COARSE ALWAYS` or `FINE ALWAYS`", sure=False),
+    Idiom("STABLE_{e}", "BREAK\nDELAY {e}", of="AS", says="BREAK waits in V+ until the arm stands still", sure=False),
+    Idiom("PCEXECUTE_{d} : {n}", "EXECUTE {d} {n}()", of="AS", says="EXECUTE runs a program beside this one in V+"),
+    Idiom("PCEXECUTE_{n}", "EXECUTE 1 {n}()", of="VAL-II", says="EXECUTE runs a program beside this one in V+", note="a task is told by its number"),
+    Idiom("PCABORT", "ABORT 1", of="VAL-II", says="ABORT ends a task by its number in V+", sure=False),
+    Idiom("TDRAW_{r}", says="V+ has no TDRAW", of="AS", help="write `MOVES HERE:TRANS(x, y, z, 0, 0, 0)`: along the axes of the tool"),
+    Idiom("DRAW_{e} , {e2} , {e3}", "MOVES SHIFT(HERE BY {e}, {e2}, {e3})", of="VAL", says="V+ has no DRAW", note="SHIFT moves a location along X, Y and Z of the world"),
+    Idiom("<START|RUN|SPAWN|THREAD|TASK>_{n}", says="EXECUTE runs a program beside this one in V+", help="write `EXECUTE 1 {n}()` to run it beside this one, or `CALL {n}()` to wait for it"),
+    Idiom("<START|RUN|SPAWN|THREAD|TASK>_{n} ( )", says="EXECUTE runs a program beside this one in V+", help="write `EXECUTE 1 {n}()` to run it beside this one, or `CALL {n}()` to wait for it"),
     Idiom("PULSE_{d} , {e}", "SIGNAL {d}\nDELAY {e}\nSIGNAL -{d}", of="AS", says="V+ has no PULSE", sure=False),
 )
