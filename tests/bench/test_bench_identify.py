@@ -171,7 +171,7 @@ def changed(path: Path, change: Changed) -> None:
     text = path.read_text()
     found = re.search(change.pattern, text)
     assert found, change.pattern
-    new = f"{found[1]}[{change.by(float(found[2])):g}]"
+    new = f"{found[1]}[{change.by(float(found[2])):.10g}]"
     if change.file != SETUP:
         new = new.replace("[", "").replace("]", "")
     path.write_text(text[: found.start()] + new + text[found.end() :])
