@@ -36,7 +36,7 @@ from vrts.engine.record import Record
 from vrts.ir.module import Module
 from vrts.ir.system import SWITCHES
 from vrts.ir.values import Value
-from vrts.robots.kinematics.kinematics import forward
+from vrts.robots.kinematics.kinematics import hand_pose
 from vrts.robots.model import Configuration
 
 E = TypeVar("E", bound=Event)
@@ -83,7 +83,7 @@ class State:
     @property
     def X_WF(self) -> Pose:
         """Pose of the flange."""
-        return forward(self._run.scene.robot.arm, self.configuration)
+        return hand_pose(self._run.scene.robot.arm, self.configuration)
 
     @property
     def X_FT(self) -> Pose:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import NamedTuple, TypeAlias
 
-from vrts.base.pose import Pose, translation
+from vrts.base.pose import Pose, Vector, translation
 from vrts.geometry.shapes import Piece
 
 Configuration: TypeAlias = tuple[float, float, float, float, float, float]
@@ -77,6 +77,39 @@ class Gripper:
         return (self.opening_max - self.opening_min) / self.stroke_time
 
 
+class Off(NamedTuple):
+    """By how much an arm as it stands differs from what its controller counts with."""
+
+    shown: Configuration = (0.0,) * 6  # by which joints stand off; encoders show it [rad]
+    zeros: Configuration = (0.0,) * 6  # the same, of which encoders show nothing [rad]
+    links: tuple[float, float, float, float] = (0.0,) * 4  # a2, a3, d2, d4 of the family [m]
+    tool: Vector = (0.0, 0.0, 0.0)  # of the hand, in F [m]
+    base: Vector = (0.0, 0.0, 0.0)  # of the whole arm, in W [m]
+    turn: Vector = (0.0, 0.0, 0.0)  # of the whole arm about the origin of W, rotation vector [rad]
+
+
+class Within(NamedTuple):
+    """How far the truth may be from what was found: half intervals, none negative."""
+
+    off: Off = Off()
+    speeds: Configuration = (0.0,) * 6  # shares of the largest joint speeds
+    lines: float = 0.0  # share of the speed of straight lines
+    acceleration_s: float = 0.0
+    blend_s: float = 0.0
+
+
+class Built(NamedTuple):
+    """An arm as it stands, where that is not what its controller counts with.
+
+    The frames are those of the arm of steel; commanded joints turn in them.
+    """
+
+    joints: tuple[Pose, ...]  # six: of L_k in L_(k-1) while joint k is commanded to zero
+    X_LF: Pose  # the flange in L_6
+    off: Off
+    within: Within = Within()
+
+
 @dataclass(frozen=True)
 class Named:
     """What an arm is called."""
@@ -128,6 +161,7 @@ class ArmData(Named):
     links: tuple[Link, ...]  # joint 0 to 6
     skipped_pairs: frozenset[frozenset[str]]  # link names never tested against each other
     blend_time: float | None = None  # of a rounded corner [s]; None: twice the acceleration time
+    built: Built | None = None  # as it stands; None: as its controller counts
 
 
 # The order of the bases gives that of the fields: name, geometry, the rest. Bundles hold a digest
@@ -148,6 +182,11 @@ class SerialArm(ArmData, SerialGeometry):
 
 
 Arm: TypeAlias = SphericalWristArm | SerialArm
+
+
+def flange_in_hand(arm: Arm) -> Pose:
+    """Return X_LF of the arm as it stands, the flange in L_6."""
+    return arm.X_LF if arm.built is None else arm.built.X_LF
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ from vrts.geometry.proving.scalar import nearest
 from vrts.geometry.shapes import Piece
 from vrts.geometry.support import Bounds, bounds
 from vrts.robots.kinematics.kinematics import link_poses
-from vrts.robots.model import Configuration, Gripper, Robot
+from vrts.robots.model import Configuration, Gripper, Robot, flange_in_hand
 from vrts.scene.model import Body
 
 
@@ -53,7 +53,7 @@ def placed_robot(robot: Robot, q: Configuration, opening: float) -> tuple[Placed
     links = tuple(
         Placed(link.name, link.pieces, poses[link.joint]) for link in robot.arm.links if link.pieces
     )
-    X_WF = poses[6] @ robot.arm.X_LF
+    X_WF = poses[6] @ flange_in_hand(robot.arm)
     return (*links, *placed_hand(robot.gripper, X_WF, opening))
 
 

@@ -8,7 +8,7 @@ import numpy.typing as npt
 from vrts.engine.run import Run
 from vrts.validate.log.log import RobotLog
 from vrts.validate.offsets import Offsets, predicted
-from vrts.validate.sampling import moving, sampled, tool_poses
+from vrts.validate.sampling import commanded, moving, sampled, tool_poses
 
 Array = npt.NDArray[np.float64]
 
@@ -48,7 +48,7 @@ def errors_of(run: Run, log: RobotLog, offsets: Offsets) -> Errors:
         real = log.positions
     else:
         assert log.joints is not None
-        _, real = tool_poses(run, times, log.joints)
+        _, real = tool_poses(run, times, commanded(run, log.joints))
     kept = under_way & np.isfinite(real).all(axis=1)
     times, real = times[kept], real[kept]
     joints = None

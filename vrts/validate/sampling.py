@@ -7,6 +7,7 @@ import numpy.typing as npt
 
 from vrts.engine.batch import batch_of
 from vrts.engine.run import Run
+from vrts.robots.built import shown_off
 from vrts.robots.kinematics.batch import flange_frames
 from vrts.validate.log.log_units import Extent
 
@@ -67,6 +68,11 @@ def tool_poses(run: Run, times: Array, q: Array) -> tuple[Array, Array]:
     )
 
 
+def commanded(run: Run, shown: Array) -> Array:
+    """Return what is commanded where encoders show joints, shape (n, 6) [rad]."""
+    return shown - np.array(shown_off(run.scene.robot.arm))
+
+
 def sampled(run: Run, times: Array) -> Samples:
     """Return a run at times, shape (n,) [s], of which any may lie outside the run."""
     batch = batch_of(run.timeline)
@@ -75,7 +81,8 @@ def sampled(run: Run, times: Array) -> Samples:
     _, before = tool_poses(run, times, batch.values(times - APART_S)[:, :JOINTS])
     _, after = tool_poses(run, times, batch.values(times + APART_S)[:, :JOINTS])
     velocities = (after - before) / (2.0 * APART_S)
-    return Samples(joints, batch.rates(times)[:, :JOINTS], rotations, positions, velocities)
+    shown = joints + np.array(shown_off(run.scene.robot.arm))
+    return Samples(shown, batch.rates(times)[:, :JOINTS], rotations, positions, velocities)
 
 
 def extent_of(run: Run) -> Extent:

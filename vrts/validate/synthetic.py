@@ -15,9 +15,10 @@ import numpy.typing as npt
 from vrts.base.units import DEG, MM
 from vrts.engine.batch import batch_of
 from vrts.engine.run import Run
+from vrts.robots.built import LINKS, shown_off
 from vrts.robots.kinematics.batch import flange_frames
 from vrts.validate.identify.again import Again, with_links
-from vrts.validate.identify.causes import LINKS, Cause, Kind
+from vrts.validate.identify.causes import Cause, Kind
 from vrts.validate.offsets import turned
 from vrts.validate.sampling import tools_of
 
@@ -80,14 +81,15 @@ def logged(run: Run, robot: Imperfect) -> tuple[Array, Array, Array]:
     tick = run.scene.robot.arm.tick
     count = round((run.horizon_s + BEFORE_S + AFTER_S) / tick)
     times: Array = tick * (np.arange(count, dtype=np.float64) - round(BEFORE_S / tick))
-    joints = _servo(run, times, tick, robot.lag_s) + np.array(robot.zero_deg) * DEG
+    shown = np.array(shown_off(nominal))
+    joints = _servo(run, times, tick, robot.lag_s) + np.array(robot.zero_deg) * DEG + shown
     noise = chance.normal(0.0, robot.noise_deg * DEG, joints.shape)
     step = robot.encoder_deg * DEG
     told = joints + noise
     if step > 0.0:
         told = np.round(told / step) * step
     arm = with_links(nominal, _links(robot.link_mm, Kind.LINK), Kind.LINK)
-    rotations, origins = flange_frames(arm, told)
+    rotations, origins = flange_frames(arm, told - shown)
     tools = tools_of(run)
     which = np.searchsorted(tools.starts, times, side="right")
     tips = tools.origins[which] + tools.rotations[which] @ (np.array(robot.tool_mm) * MM)

@@ -12,7 +12,7 @@ from vrts.engine.memory.events import Grasped
 from vrts.engine.memory.records import Lie
 from vrts.engine.run import Run
 from vrts.robots.kinematics.batch import flange_of, link_frames
-from vrts.robots.kinematics.kinematics import forward
+from vrts.robots.kinematics.kinematics import hand_pose
 from vrts.robots.kinematics.levers import levers
 from vrts.robots.model import Arm
 
@@ -41,7 +41,7 @@ def was_lifted(run: Run, body: str, height: float, until_s: float) -> bool:
         start = np.maximum(motion.starts, placement.start_s)
         end = np.minimum(motion.ends, min(placement.end_s, until_s))
         during = start < end
-        X_WF = forward(run.scene.robot.arm, run.at(placement.start_s).configuration)
+        X_WF = hand_pose(run.scene.robot.arm, run.at(placement.start_s).configuration)
         least = (X_WF @ placement.X).translation[2] + height - ROUNDING
         rise = _height(run.scene.robot.arm, placement.X, motion)
         if peak(rise, start[during], end[during], least).above_s is not None:

@@ -10,6 +10,7 @@ from vrts.base.pose import rotate, translation
 from vrts.check.proof import given
 from vrts.check.proof.given import Claims, Covered, Near, Records, Span, Stay, Told, Window, common
 from vrts.engine.memory.records import Lie, Placement
+from vrts.robots.model import flange_in_hand
 from vrts.scene.model import Mobility, Scene
 
 HAND = 6  # frame of the flange
@@ -26,11 +27,11 @@ def covered(scene: Scene, run: Records, moves: Span, claims: Claims) -> Covered:
     ends = [p.end_s for own in run.placements.values() for p in own if isfinite(p.end_s)]
     whole = (moves[0], max([moves[1], *ends]))
     links = [(x.joint, x.name, todo.add(x.pieces, x.joint, HERE, x.name)) for x in arm.links]
-    palm = todo.add(hand.body, HAND, arm.X_LF, "palm")
+    palm = todo.add(hand.body, HAND, flange_in_hand(arm), "palm")
     fingers: list[Sequence[int]] = []
     for finger in hand.fingers:
-        slide = rotate(arm.X_LF.rotation, (0.0, 0.5 * finger.side, 0.0))
-        fingers.append(todo.add(finger.pieces, HAND, arm.X_LF, finger.name, slide))
+        slide = rotate(flange_in_hand(arm).rotation, (0.0, 0.5 * finger.side, 0.0))
+        fingers.append(todo.add(finger.pieces, HAND, flange_in_hand(arm), finger.name, slide))
     # the arm against itself: all but neighbours, and what cannot meet by construction
     for joint, name, part in links:
         for other, its_name, its_part in links:
@@ -94,7 +95,7 @@ def _stays(todo: Covered, scene: Scene, run: Records, whole: Span) -> Iterator[S
         for number, p in enumerate(own):
             span, held, lowered = common((p.start_s, p.end_s), whole), p.lie is Lie.HELD, range(0)
             if span[1] > span[0]:
-                X = scene.robot.arm.X_LF @ p.X if held else p.X
+                X = flange_in_hand(scene.robot.arm) @ p.X if held else p.X
                 falls = p.start_s if p.lie is Lie.FALLING else None
                 solids = todo.add(body.pieces, HAND if held else 0, X, body.name, falls=falls)
                 if body.name in supports and p.lie in STILL:

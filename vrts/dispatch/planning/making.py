@@ -190,7 +190,9 @@ def _written(value: object) -> str:
         parts = cast("tuple[object, ...]", value)
         return f"{parts.__class__.__name__}({','.join(_written(part) for part in parts)})"
     if is_dataclass(value) and not isinstance(value, type):
-        named = (f"{f.name}={_written(getattr(value, f.name))}" for f in fields(value))
+        held = ((f.name, getattr(value, f.name)) for f in fields(value))
+        # what was found of an arm came later than digests did: where nothing was, they stay
+        named = (f"{name}={_written(v)}" for name, v in held if name != "built" or v is not None)
         return f"{value.__class__.__name__}({','.join(named)})"
     return repr(value)
 

@@ -25,7 +25,7 @@ from vrts.engine.memory.log import Log
 from vrts.engine.memory.records import GRAVITY, Lie, Placement, Stroke, stroke_at
 from vrts.engine.motion.planner import Planner
 from vrts.ir.instructions import HandAction
-from vrts.robots.kinematics.kinematics import forward
+from vrts.robots.kinematics.kinematics import hand_pose
 from vrts.robots.model import Gripper
 from vrts.scene.model import Mobility, Scene
 
@@ -148,7 +148,7 @@ class Hand:
 
     def _flange_at(self, time_s: float) -> Pose:
         planner = self.planner
-        return forward(planner.arm, planner.configuration_at(time_s))
+        return hand_pose(planner.arm, planner.configuration_at(time_s))
 
     def command(
         self,

@@ -3,7 +3,7 @@
 from vrts.base.pose import Pose
 from vrts.engine.memory.records import pose_of
 from vrts.engine.programs.system import System
-from vrts.robots.kinematics.kinematics import forward
+from vrts.robots.kinematics.kinematics import hand_pose
 from vrts.scene.model import Scenario, Scene
 from vrts.scene.sensors import is_on, movable_centres
 
@@ -32,7 +32,7 @@ class Sensing:
         if not self.sensors:
             return []
         planner = system.planner
-        X_WF = forward(planner.arm, planner.configuration_at(now))
+        X_WF = hand_pose(planner.arm, planner.configuration_at(now))
         where: dict[str, Pose] = {}
         for name, track in system.hand.placements.items():
             placement = next(p for p in reversed(track) if p.start_s <= now)

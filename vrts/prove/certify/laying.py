@@ -34,6 +34,7 @@ from vrts.geometry.solids import Solids, solids
 from vrts.prove.certify.situation import Lying, Part, What
 from vrts.prove.certify.stretches import Stretch
 from vrts.prove.certify.touching import Hope
+from vrts.robots.model import flange_in_hand
 from vrts.scene.model import Mobility, Scene
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -89,7 +90,7 @@ def touches(
     """
     laid = _laid(entries)
     motion = curves(laid.segments)
-    cast = Cast(-np.inf, np.inf, scene.robot.arm.X_LF)
+    cast = Cast(-np.inf, np.inf, flange_in_hand(scene.robot.arm))
     table = Table()
     rows = _Rows(scene, cast, table, pads)
     rows.add(laid)

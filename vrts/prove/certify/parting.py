@@ -19,7 +19,8 @@ from vrts.geometry.proving.prover import Prover
 from vrts.geometry.solids import solids
 from vrts.prove.certify.memory import LettingGo, place_at
 from vrts.prove.certify.stretches import configuration_at
-from vrts.robots.kinematics.kinematics import forward
+from vrts.robots.kinematics.kinematics import hand_pose
+from vrts.robots.model import flange_in_hand
 from vrts.scene.model import Scene
 
 MOST = 20_000  # distances that are remembered
@@ -51,7 +52,7 @@ class Parting:
         track = hand.placements[one.body]
         placement = track[place_at(track, time_s)]
         q = configuration_at(machine, time_s)
-        X_WF = forward(self._scene.robot.arm, q)  # type: ignore[arg-type]
+        X_WF = hand_pose(self._scene.robot.arm, q)  # type: ignore[arg-type]
         asked = (one.body, pose_of(placement, time_s, X_WF), q, hand.opening(time_s))
         known = self._known.get(asked)
         if known is None:
@@ -65,7 +66,7 @@ class Parting:
     ) -> tuple[float, ...]:
         """Return how far every finger is from a body [m]."""
         scene, arm = self._scene, self._scene.robot.arm
-        cast = Cast(-np.inf, np.inf, arm.X_LF)
+        cast = Cast(-np.inf, np.inf, flange_in_hand(arm))
         fingers = robot_solids(cast, scene.robot).fingers
         members = cast.add(scene.body(body).pieces, 0, X_WO, body)
         rows = tuple([(value,) for value in (*q, opening)])

@@ -9,7 +9,7 @@ from vrts.engine.memory.events import Cause
 from vrts.engine.programs.cycles import place
 from vrts.engine.programs.outside import FreeSignals
 from vrts.engine.run import Run
-from vrts.robots.kinematics.kinematics import forward
+from vrts.robots.kinematics.kinematics import hand_pose
 from vrts.robots.model import Configuration
 
 LITTLE = 1e-9  # [rad] a joint that turns no more in a tick stands still
@@ -56,7 +56,7 @@ def of_machine(machine: Machine, tick: int) -> Moment:
         signal,
         hand.opening(time_s),
         hand.held is not None,
-        (forward(planner.arm, q) @ planner.tool).translation,
+        (hand_pose(planner.arm, q) @ planner.tool).translation,
         _still(before, q),
         _step(place(machine.robot)),
     )

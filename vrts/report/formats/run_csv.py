@@ -18,6 +18,7 @@ from vrts.engine.memory.events import SignalChanged
 from vrts.engine.memory.records import Lie
 from vrts.engine.run import Run
 from vrts.report.formats.csv_field import text_field
+from vrts.robots.built import shown_off
 from vrts.robots.kinematics.batch import flange_frames
 
 Array = npt.NDArray[np.float64]
@@ -59,7 +60,7 @@ def _rows(run: Run, times: Array, changes: dict[int, tuple[list[float], list[boo
     numbers = np.column_stack(
         (
             times,
-            values[:, :JOINTS] / DEG,
+            (values[:, :JOINTS] + np.array(shown_off(run.scene.robot.arm))) / DEG,
             rates[:, :JOINTS] / DEG,
             origins / MM,
             _oat(rotations),

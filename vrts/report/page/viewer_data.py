@@ -18,7 +18,7 @@ from vrts.geometry.mesh import surface
 from vrts.geometry.shapes import Box, Cylinder, Hull, Piece
 from vrts.geometry.support import bounds
 from vrts.robots.kinematics.chain import fixed_frames
-from vrts.robots.model import Robot
+from vrts.robots.model import Robot, flange_in_hand
 from vrts.scene.model import Body, Mobility, Scene
 
 Json: TypeAlias = dict[str, object]
@@ -59,7 +59,7 @@ def robot_data(robot: Robot) -> Json:
             "name": arm.name,
             "title": arm.title,
             "joints": [pose_numbers(frame) for frame in fixed_frames(arm)],
-            "flange": pose_numbers(arm.X_LF),
+            "flange": pose_numbers(flange_in_hand(arm)),
             "shoulderHeight": arm.shoulder_height,
             "lower": _rounded(arm.lower, 9),
             "upper": _rounded(arm.upper, 9),

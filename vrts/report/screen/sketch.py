@@ -10,7 +10,7 @@ from typing import NamedTuple
 from vrts.base.pose import Pose, Vector, dot, translation
 from vrts.geometry.shapes import Piece
 from vrts.report.screen.palette import Palette, Style
-from vrts.robots.kinematics.kinematics import forward, link_poses
+from vrts.robots.kinematics.kinematics import hand_pose, link_poses
 from vrts.robots.model import Configuration
 from vrts.scene.model import Scene
 from vrts.scene.outline import Polygon, outline
@@ -91,7 +91,7 @@ def _pieces(
 ) -> list[_Placed]:
     arm, gripper = scene.robot.arm, scene.robot.gripper
     X_WL = link_poses(arm, q)
-    X_WF = forward(arm, q)
+    X_WF = hand_pose(arm, q)
     found = [_Placed(p, X_WL[link.joint], "robot") for link in arm.links for p in link.pieces]
     found += [_Placed(piece, X_WF, "robot") for piece in gripper.body]
     for finger in gripper.fingers:

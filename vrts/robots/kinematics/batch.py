@@ -1,11 +1,13 @@
-"""Forward kinematics of many configurations at once, in numpy."""
+"""Forward kinematics of many configurations at once, in numpy, of the arm as it stands."""
 
 from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
 
-from vrts.robots.model import Arm, SerialArm, SphericalWristArm
+from vrts.base.pose import Pose
+from vrts.robots.kinematics.chain import fixed_frames
+from vrts.robots.model import Arm, SerialArm, SphericalWristArm, flange_in_hand
 
 Array: TypeAlias = npt.NDArray[np.float64]
 
@@ -29,8 +31,8 @@ def link_frames(arm: Arm, q: Array) -> tuple[Array, Array]:
     rotations[0] = np.eye(3)
     origins[0] = 0.0
     cosines, sines = np.cos(q), np.sin(q)
-    if isinstance(arm, SerialArm):
-        _fill_serial(arm, rotations, origins, cosines, sines)
+    if arm.built is not None or isinstance(arm, SerialArm):
+        _fill_serial(fixed_frames(arm), rotations, origins, cosines, sines)
     else:
         _fill_spherical_wrist(arm, rotations, origins, cosines, sines)
     return rotations, origins
@@ -62,10 +64,10 @@ def _fill_spherical_wrist(
 
 
 def _fill_serial(
-    arm: SerialArm, rotations: Array, origins: Array, cosines: Array, sines: Array
+    fixed: tuple[Pose, ...], rotations: Array, origins: Array, cosines: Array, sines: Array
 ) -> None:
     """Fill the frames L_1 .. L_6 from those before them."""
-    for joint, before in enumerate(arm.joints):
+    for joint, before in enumerate(fixed):
         parent, child = rotations[joint], rotations[joint + 1]
         origins[joint + 1] = origins[joint] + parent @ np.array(before.translation)
         still = parent @ np.array(before.rotation).reshape(3, 3)
@@ -83,9 +85,9 @@ def flange_frames(arm: Arm, q: Array) -> tuple[Array, Array]:
 
 def flange_of(arm: Arm, rotations: Array, origins: Array) -> tuple[Array, Array]:
     """Return F in B, shapes (n, 3, 3) and (n, 3), where L_6 is known."""
-    if isinstance(arm, SphericalWristArm):
+    if arm.built is None and isinstance(arm, SphericalWristArm):
         return rotations, origins + arm.d6 * rotations[:, :, 2]
-    X_LF = arm.X_LF
+    X_LF = flange_in_hand(arm)
     turned = rotations @ np.array(X_LF.rotation).reshape(3, 3)
     return turned, origins + rotations @ np.array(X_LF.translation)
 

@@ -20,7 +20,9 @@ class Chain(NamedTuple):
 
 
 def fixed_frames(arm: Arm) -> tuple[Pose, ...]:
-    """Return the poses of L_k in L_(k-1) for k = 1 to 6, with joint k at zero."""
+    """Return the poses of L_k in L_(k-1), k = 1 to 6, of the arm as it stands, joint k at zero."""
+    if arm.built is not None:
+        return arm.built.joints
     if isinstance(arm, SerialArm):
         return arm.joints
     offsets = ((0.0, 0.0), (0.0, 0.0), (arm.a2, arm.d2), (arm.a3, 0.0), (0.0, arm.d4), (0.0, 0.0))
@@ -38,7 +40,7 @@ _QUARTER_TURNS = {
 
 
 def link_poses(arm: Arm, q: Configuration) -> tuple[Pose, ...]:
-    """Return the poses in B of the link frames L_0 .. L_6, each right after its joint's turn."""
+    """Return the poses in B of L_0 .. L_6 of the arm as it stands, each after its joint's turn."""
     pose = IDENTITY
     poses = [pose]
     for angle, before in zip(q, fixed_frames(arm), strict=True):

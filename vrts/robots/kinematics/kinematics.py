@@ -13,6 +13,7 @@ from vrts.robots.model import Arm, ArmBranch, Configuration, SphericalWristArm
 __all__ = [
     "branch_of",
     "forward",
+    "hand_pose",
     "joint_velocity",
     "limit_violations",
     "link_poses",
@@ -22,10 +23,20 @@ __all__ = [
 
 
 def forward(arm: Arm, q: Configuration) -> Pose:
-    """Return X_BF, the pose of the flange in the base frame."""
+    """Return X_BF, the pose of the flange in the base frame, as the controller counts."""
     if isinstance(arm, SphericalWristArm):
         return spherical_wrist.forward(arm, q)
     return chain.forward(arm, q)
+
+
+def hand_pose(arm: Arm, q: Configuration) -> Pose:
+    """Return where the flange really is, in the base frame: with the arm as it stands.
+
+    `forward` tells where its controller takes it to be.
+    """
+    if arm.built is None:
+        return forward(arm, q)
+    return link_poses(arm, q)[6] @ arm.built.X_LF
 
 
 def solve(arm: Arm, X_BF: Pose, branch: ArmBranch, near: Configuration) -> Configuration | None:

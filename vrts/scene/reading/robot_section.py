@@ -15,6 +15,8 @@ from vrts.robots.model import Arm, Configuration, Gripper, Robot
 from vrts.robots.urdf.description import UrdfFault
 from vrts.robots.urdf.reader import read_urdf
 from vrts.robots.urdf.serial_robot import Manner, serial_robot
+from vrts.scene.reading.built_section import SECTION as BUILT
+from vrts.scene.reading.built_section import read_built
 from vrts.scene.reading.files import FileFault, SceneFolder
 
 ROBOT_FILE = Rule("V421", "robot-file")
@@ -55,10 +57,11 @@ def read_robot(section: Table | None, gripper: Gripper, folder: SceneFolder) -> 
     turn = section.number("turn_deg", 0.0, minimum=-360.0, maximum=360.0) * DEG
     chosen = replace(chosen or robot(USUAL), gripper=gripper)
     chosen = replace(chosen, arm=_measured(section, chosen.arm))
+    X_FT = gripper.X_FP if tool is None else _pose(tool)
+    chosen = replace(chosen, arm=read_built(section.table(BUILT), chosen.arm, X_FT))
     section.finish()
     x, y = at or (0.0, 0.0)
     X_SW = Pose(rotation_about(Z_AXIS, turn), (x * MM, y * MM, 0.0))
-    X_FT = gripper.X_FP if tool is None else _pose(tool)
     return Installed(chosen, X_FT, IDENTITY if X_SW == IDENTITY else X_SW.inverse())
 
 

@@ -12,7 +12,7 @@ from vrts.engine.run import Run
 from vrts.ir.instructions import Interpolation
 from vrts.robots.kinematics.kinematics import forward
 from vrts.validate.log.log import RobotLog
-from vrts.validate.sampling import tool_poses
+from vrts.validate.sampling import commanded, tool_poses
 
 Array = npt.NDArray[np.float64]
 
@@ -131,7 +131,7 @@ def located(
     found: list[Located] = []
     tools = None
     if log.joints is not None and log.positions is None:
-        _, tools = tool_poses(run, log.times + shift_s, log.joints)
+        _, tools = tool_poses(run, log.times + shift_s, commanded(run, log.joints))
     points = log.positions if log.positions is not None else tools
     begin = 0
     for chain in chains:

@@ -7,8 +7,9 @@ from typing import cast
 from vrts.engine.controller import execute
 from vrts.engine.memory.events import ProgramStarted
 from vrts.engine.run import Run
+from vrts.robots.built import LINKS, as_built
 from vrts.robots.model import Arm, Configuration, SphericalWristArm
-from vrts.validate.identify.causes import BY_TICKS, LINKS, Cause, Kind
+from vrts.validate.identify.causes import BY_TICKS, Cause, Kind
 
 KEPT = 400  # runs that are remembered
 SHORTEST_S = 0.05
@@ -76,4 +77,8 @@ def with_links(arm: Arm, values: Mapping[Cause, float], kind: Kind) -> Arm:
     changed = {link: values.get(Cause(kind, 0, link), 0.0) for link in LINKS}
     if not any(changed.values()):
         return arm
+    if kind is Kind.LINK and arm.built is not None:  # it stands so, whatever is counted
+        off = arm.built.off
+        a, b, c, d = (one + by for one, by in zip(off.links, changed.values(), strict=True))
+        return as_built(arm, off._replace(links=(a, b, c, d)))
     return replace(arm, **{link: getattr(arm, link) + by for link, by in changed.items()})

@@ -4,6 +4,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from vrts.base.units import DEG, MM
+from vrts.robots.built import LINKS
 from vrts.robots.model import Arm, SphericalWristArm
 
 
@@ -48,8 +49,6 @@ class Cause(NamedTuple):
         return STEPS.get(self.kind, 0.0)
 
 
-LINKS = ("a2", "a3", "d2", "d4")  # d6 is the tool along Z
-AXES = "XYZ"
 STEPS = {
     Kind.ZERO: 0.01 * DEG,
     Kind.HIDDEN_ZERO: 0.01 * DEG,

@@ -52,8 +52,11 @@ def _off(run: Run, rows: Rows, span: tuple[float, float], shift: float) -> float
 
 
 def moved(clock: Clock, before: Run, after: Run) -> Clock:
-    """Return a clock for a run with other numbers: the middles of stretches stay in the log."""
+    """Return a clock for a run with other numbers: the middles of stretches stay in the log.
+
+    Where it stops more or fewer times nothing can be compared, and the clock stays.
+    """
     a, b = spans_of(before), spans_of(after)
-    if clock.whole:
+    if clock.whole or len(a) != len(b):
         return clock
     return Clock(clock.shifts + b.mean(axis=1) - a.mean(axis=1), clock.which)

@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from vrts.engine.batch import Batch, batch_of
 from vrts.engine.run import Run
+from vrts.robots.built import shown_off
 from vrts.robots.kinematics.batch import flange_frames
 from vrts.validate.identify.again import Again, with_links
 from vrts.validate.identify.causes import Cause, Kind
@@ -72,6 +73,11 @@ def spans_of(run: Run) -> Array:
                 found.append((start, motion.end_s))
             start = None
     return np.array(found).reshape(-1, 2)
+
+
+def alike(run: Run, clock: Clock) -> bool:
+    """Whether a run has a stretch for every number of a clock."""
+    return clock.whole or len(spans_of(run)) == len(clock.shifts)
 
 
 def bounds(run: Run, clock: Clock) -> tuple[Array, Array]:
@@ -155,18 +161,23 @@ def run_times(rows: Rows, clock: Clock, values: Values) -> Array:
 
 
 def residuals(again: Again, rows: Rows, clock: Clock, values: Values) -> Array:
-    """Return measured minus modelled, shape (n, channels) [rad, m]."""
+    """Return measured minus modelled, shape (n, channels) [rad, m].
+
+    Infinite where the robot would stop more or fewer times than the clock has stretches.
+    """
     run = again.with_values(values)
+    if not alike(run, clock):
+        return np.full((len(rows.times), rows.channels), np.inf)
     low, high = bounds(run, clock)
     times = np.clip(run_times(rows, clock, values), low, high)
     joints = commanded(run, times, low, values)
-    joints = joints + _six(values, Kind.ZERO)
+    joints = joints + _six(values, Kind.ZERO) + np.array(shown_off(again.run.scene.robot.arm))
     if rows.positions is None:
         assert rows.joints is not None
         return rows.joints - joints
     shown = joints if rows.joints is None else rows.joints + _six(values, Kind.HIDDEN_ZERO)
     arm = with_links(again.run.scene.robot.arm, values, Kind.LINK)
-    rotations, origins = flange_frames(arm, shown)
+    rotations, origins = flange_frames(arm, shown - np.array(shown_off(arm)))
     tools = tools_of(run)
     which = np.searchsorted(tools.starts, times, side="right")
     tip = tools.origins[which] + tools.rotations[which] @ _three(values, Kind.TOOL)

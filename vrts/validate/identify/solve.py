@@ -99,6 +99,8 @@ def solve(
     now = dict(values)
     residual = residuals(again, rows, clock, now)
     best = objective(residual, least)
+    if not np.isfinite(best):  # it stops elsewhere
+        return Fit(now, clock, residual, best)
     for _ in range(steps):
         sigma = np.sqrt((residual**2).mean(axis=0) + least**2)
         jacobian = np.concatenate(

@@ -3,7 +3,8 @@
 from typing import NamedTuple
 
 from vrts.base.units import DEG, MM
-from vrts.validate.identify.causes import AXES, BY_TICKS, Cause, Kind
+from vrts.robots.built import AXES
+from vrts.validate.identify.causes import BY_TICKS, Cause, Kind
 from vrts.validate.identify.identified import Number
 
 SHARES = (Kind.SPEEDS, Kind.SPEED, Kind.LINE_SPEED)

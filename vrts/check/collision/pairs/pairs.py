@@ -41,7 +41,7 @@ from vrts.geometry.proposing.choose import here
 from vrts.geometry.proposing.proposer import Proposer
 from vrts.geometry.proving.prover import Prover
 from vrts.geometry.solids import Solids, solids
-from vrts.robots.model import Robot
+from vrts.robots.model import Robot, flange_in_hand
 from vrts.scene.model import Scene
 
 Array: TypeAlias = npt.NDArray[np.float64]
@@ -124,7 +124,7 @@ def plan(
         for name in (body.rests_on, *(p.support for p in placements[body.name]))
         if name is not None
     )
-    cast = Cast(*interval, scene.robot.arm.X_LF)
+    cast = Cast(*interval, flange_in_hand(scene.robot.arm))
     arm = robot_solids(cast, scene.robot)
     stays = [
         stay

@@ -8,6 +8,10 @@ are off at once. *Sampled*: what stays near on purpose (taking, lifting, setting
 each object moved alone along X and Y, the base, both against each other, with other speeds, and
 with corners that are rounded more, less, or not at all.
 
+A lab may say how a robot was found to stand, and within which intervals. Any point of such a robot
+is off by no more than a bound that holds wherever all of its numbers are in their intervals: it is
+*proven*, on top of the other margins. *Sampled*: each number alone at both ends of its interval.
+
 A hand that closes on an object beside its middle pushes it to the middle, as far as it slides.
 Both ends of that are tried: the object stays as it lies; and it is in the middle between the pads,
 its place across them as it was. In both the pads give way by as much as it is off.
@@ -23,8 +27,11 @@ from vrts.dispatch.planning.beside import trials
 from vrts.dispatch.planning.beside.trials import BASE, FIRST_SPEED, OBJECTS, Subject, Trial
 from vrts.dispatch.planning.beside.trying import Failure, failures
 from vrts.dispatch.planning.reasons.refusals import NO_MARGIN
+from vrts.engine.memory.records import Lie
+from vrts.robots.built import doubt_m, reach_of
 
 FACTORS = (1.5, 2.0, 3.0)  # margins this many times as large are tried, to tell which fails first
+FOUND = "the robot as found, within its intervals"
 NOT_ASKED = "not looked at: `--fails-first` was not asked for"
 NOT_PROVEN = "not looked at: the program itself is not proven"
 
@@ -43,8 +50,10 @@ def margins(subject: Subject, jobs: int) -> tuple[Margin, ...]:
         ("speeds at their bounds", trials.speeds(subject, 1.0)),
         ("other corners", trials.corners(subject)),
         (f"at SPEED {FIRST_SPEED:g}", trials.first_run(subject)),
+        (FOUND, trials.found_robot(subject)),
     )
     named = [(name, list(worlds)) for name, worlds in families]
+    named = [(name, worlds) for name, worlds in named if worlds or name != FOUND]
     every = [trial for _, worlds in named for trial in worlds]
     failed = {failure.what: failure for failure in failures(subject, every, jobs)}
     found = [_contact_margin(subject)]
@@ -94,11 +103,15 @@ def first_to_fail(subject: Subject, jobs: int) -> str:
 def _contact_margin(subject: Subject) -> Margin:
     """Return what the certified clearance alone proves."""
     clearance = subject.clearance_m
-    needed = max(2.0 * OBJECTS, OBJECTS + BASE)
+    robot = robot_doubt(subject)
+    needed = max(2.0 * OBJECTS, OBJECTS + BASE) + robot
     enough = clearance is None or clearance > needed
     far = "nothing is ever near" if clearance is None else f"{mm(clearance):.1f} mm certified"
-    proven = f"no contact: {far}, {mm(needed):g} mm needed"
-    short = f"{far}, {mm(needed):g} mm needed to prove it"
+    proven = f"no contact: {far}, {round(mm(needed), 1):g} mm needed"
+    short = f"{far}, {round(mm(needed), 1):g} mm needed to prove it"
+    if robot:
+        proven += f", {mm(robot):.1f} of them for the robot as found"
+        short += f", {mm(robot):.1f} of them for the robot as found"
     answer: Literal["holds", "undetermined"] = "holds" if enough else "undetermined"
     return Margin(
         "all off at once",
@@ -107,6 +120,22 @@ def _contact_margin(subject: Subject) -> Margin:
         None if clearance is None else round(mm(clearance), 2),
         proven if enough else short,
     )
+
+
+def robot_doubt(subject: Subject) -> float:
+    """Return by how much a robot that was found may come nearer to anything than it is found [m].
+
+    Any point of it is off by a bound that holds for all of its numbers at once. What it carries was
+    taken where the hand then was and is let go where it is later, so twice that.
+    """
+    scene, run = subject.world.scene, subject.run
+    held = [
+        reach_of(scene.body(name).pieces, placement.X.translation)
+        for name, track in run.placements.items()
+        for placement in track
+        if placement.lie is Lie.HELD
+    ]
+    return 2.0 * doubt_m(scene.robot, held)
 
 
 # --- what is tried --------------------------------------------------------------------------------

@@ -10,13 +10,16 @@ from vrts.dispatch.planning.beside.worlds import (
     World,
     base_moved,
     objects_moved,
+    standing,
     touched,
     with_corners,
+    with_joint_speeds,
     with_speeds,
     with_time,
 )
 from vrts.engine.run import Run
 from vrts.ir.module import Module
+from vrts.robots.built import at_the_ends
 
 OBJECTS = 3.0 * MM  # an object may stand so far from its place
 BASE = 2.0 * MM  # the arm's base may
@@ -25,6 +28,7 @@ LINES = (0.5, 1.0)  # the same of straight lines: 0.5 m/s is what is told of the
 ACCELERATION = (0.75, 1.25)  # the same of the time of an acceleration [assumed]
 FIRST_SPEED = 10.0  # [%] the operator's speed of the first run
 SLOWER = 4.0  # a run may take this many times as long when something is slower
+LEAST_SHARE = 0.1  # of a time, however wide its interval is
 NO_ROOM = 1e6  # a corner so many times as wide fits between no two motions: each one stops
 CORNERS = {
     "no corner rounded": NO_ROOM,
@@ -102,6 +106,33 @@ def speeds(subject: Subject, factor: float) -> Iterator[Trial]:
         share = acceleration**factor
         other = with_speeds(world, acceleration=share)
         yield Trial(f"{share:.0%} of the time of an acceleration", other)
+
+
+def found_robot(subject: Subject) -> Iterator[Trial]:
+    """Every number of a robot that was found, alone, at both ends of its interval."""
+    arm = subject.world.scene.robot.arm
+    if arm.built is None:
+        return
+    for one in at_the_ends(arm.built):
+        yield Trial(one.what, standing(subject.world, one.off))
+    world, within = with_time(subject.world, SLOWER), arm.built.within
+    for sign, end in ((-1.0, "lower"), (1.0, "upper")):
+        ends = f"at the {end} end of {{}} interval"
+        if any(within.speeds):
+            a, b, c, d, e, f = (1.0 + sign * one for one in within.speeds)
+            other = with_joint_speeds(world, (a, b, c, d, e, f))
+            yield Trial(f"speeds of joints {ends.format('their')}", other)
+        if within.lines:
+            other = with_speeds(world, lines=1.0 + sign * within.lines)
+            yield Trial(f"speed of straight lines {ends.format('its')}", other)
+        if within.acceleration_s:
+            share = max(1.0 + sign * within.acceleration_s / arm.acceleration_time, LEAST_SHARE)
+            other = with_speeds(world, acceleration=share)
+            yield Trial(f"time of an acceleration {ends.format('its')}", other)
+        if within.blend_s:
+            blend = arm.blend_time or 2.0 * arm.acceleration_time
+            other = with_corners(world, max(1.0 + sign * within.blend_s / blend, LEAST_SHARE))
+            yield Trial(f"time of a rounded corner {ends.format('its')}", other)
 
 
 def first_run(subject: Subject) -> Iterator[Trial]:

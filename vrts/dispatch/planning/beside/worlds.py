@@ -14,7 +14,8 @@ from vrts.check.task.task import Task
 from vrts.engine.memory.events import Grasped
 from vrts.engine.memory.records import Lie
 from vrts.engine.run import Run
-from vrts.robots.model import Configuration
+from vrts.robots.built import as_built
+from vrts.robots.model import Configuration, Off
 from vrts.scene.model import Body, Mobility, Region, Scenario, Scene
 
 FLOOR = "floor"
@@ -123,6 +124,21 @@ def with_speeds(
         acceleration_time=arm.acceleration_time * acceleration,
     )
     robot = replace(world.scene.robot, arm=other)
+    return world._replace(scene=replace(world.scene, robot=robot))
+
+
+def standing(world: World, off: Off) -> World:
+    """Return a world in which the arm stands otherwise than it was found to."""
+    robot = world.scene.robot
+    robot = replace(robot, arm=as_built(robot.arm, off))
+    return world._replace(scene=replace(world.scene, robot=robot))
+
+
+def with_joint_speeds(world: World, shares: Configuration) -> World:
+    """Return a world in which each joint has its own share of its largest speed."""
+    robot = world.scene.robot
+    a, b, c, d, e, f = (one * share for one, share in zip(robot.arm.speed, shares, strict=True))
+    robot = replace(robot, arm=replace(robot.arm, speed=(a, b, c, d, e, f)))
     return world._replace(scene=replace(world.scene, robot=robot))
 
 

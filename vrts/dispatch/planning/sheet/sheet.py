@@ -19,6 +19,7 @@ from vrts.dispatch.planning.beside.trials import FIRST_SPEED
 from vrts.dispatch.planning.reasons.nearness import SHOWN, Passage
 from vrts.dispatch.planning.reasons.rounding import Difference
 from vrts.dispatch.planning.sheet.floor_plan import floor_plan
+from vrts.dispatch.planning.sheet.found import found_robot
 from vrts.dispatch.planning.sheet.order import order
 from vrts.dispatch.planning.sheet.places import Place, places
 from vrts.dispatch.planning.sheet.story import changed, story
@@ -70,6 +71,7 @@ def sheet(facts: Sheet) -> str:
         _header(facts),
         _waivers(facts),
         element("div", element("div", left), element("div", right), class_="columns"),
+        *found_robot(facts.scene.robot.arm),
         *_scene(facts),
         *_procedure(facts),
         element(
