@@ -20,6 +20,7 @@ SPEEDS, LINES = "speed_percent", "linear_percent"
 ACCELERATION, BLEND = "acceleration_s", "blend_s"
 MOST_DEG, MOST_MM = 20.0, 100.0  # more is another robot, not one that is off
 MOST_PERCENT, MOST_S = 50.0, 1.0
+NO_LINKS = (0.0, 0.0, 0.0, 0.0)
 
 
 def read_built(section: Table | None, arm: Arm, X_FT: Pose) -> Arm:
@@ -32,40 +33,47 @@ def read_built(section: Table | None, arm: Arm, X_FT: Pose) -> Arm:
     """
     if section is None:
         return arm
-    off = _off(section, X_FT, least_deg=-MOST_DEG, least_mm=-MOST_MM)
-    counted = _links(section, COUNTED, -MOST_MM)
-    doubts = section.table(WITHIN)
-    within = Within()
+    family = isinstance(arm, SphericalWristArm)  # others have no such links: their keys are unknown
+    off = _off(section, links=family, least=-1.0)
+    counted = _links(section, COUNTED, -MOST_MM) if family else NO_LINKS
+    doubts, within = section.table(WITHIN), Within()
     if doubts is not None:
-        both = _off(doubts, X_FT, least_deg=0.0, least_mm=0.0)
-        links = zip(both.links, _links(doubts, COUNTED, 0.0), strict=True)
-        speeds = doubts.numbers(SPEEDS, (0.0,) * 6, count=6, minimum=0.0, maximum=MOST_PERCENT)
-        within = Within(
-            both._replace(
-                links=cast("tuple[float, float, float, float]", tuple(a + b for a, b in links)),
-                tool=_boxed(X_FT, _vector(doubts, TOOL, MM, 0.0, MOST_MM)),
-            ),
-            cast(Configuration, tuple(0.01 * one for one in speeds or (0.0,) * 6)),
-            0.01 * doubts.number(LINES, 0.0, minimum=0.0, maximum=MOST_PERCENT),
-            doubts.number(ACCELERATION, 0.0, minimum=0.0, maximum=MOST_S),
-            doubts.number(BLEND, 0.0, minimum=0.0, maximum=MOST_S),
-        )
-        doubts.finish()
+        within = _within(doubts, X_FT, links=family)
     section.finish()
+    off = off._replace(tool=rotate(X_FT.rotation, off.tool))
     if isinstance(arm, SphericalWristArm):
         longer = zip(LINKS, counted, strict=True)
         arm = replace(arm, **{link: getattr(arm, link) + by for link, by in longer})
-        real = tuple(by - more for by, more in zip(off.links, counted, strict=True))
-        off = off._replace(links=cast("tuple[float, float, float, float]", real))
+        a, b, c, d = (by - more for by, more in zip(off.links, counted, strict=True))
+        off = off._replace(links=(a, b, c, d))
     return as_built(arm, off, within)
 
 
-def _off(section: Table, X_FT: Pose, *, least_deg: float, least_mm: float) -> Off:
+def _within(section: Table, X_FT: Pose, *, links: bool) -> Within:
+    off = _off(section, links=links, least=0.0)
+    if links:
+        a, b, c, d = map(sum, zip(off.links, _links(section, COUNTED, 0.0), strict=True))
+        off = off._replace(links=(a, b, c, d))
+    speeds = section.numbers(SPEEDS, (0.0,) * 6, count=6, minimum=0.0, maximum=MOST_PERCENT)
+    found = Within(
+        off._replace(tool=_boxed(X_FT, off.tool)),
+        cast(Configuration, tuple(0.01 * one for one in speeds or (0.0,) * 6)),
+        0.01 * section.number(LINES, 0.0, minimum=0.0, maximum=MOST_PERCENT),
+        section.number(ACCELERATION, 0.0, minimum=0.0, maximum=MOST_S),
+        section.number(BLEND, 0.0, minimum=0.0, maximum=MOST_S),
+    )
+    section.finish()
+    return found
+
+
+def _off(section: Table, *, links: bool, least: float) -> Off:
+    """Return the numbers of a section, the tool's along T; `least` is -1 where they have signs."""
+    least_deg, least_mm = least * MOST_DEG, least * MOST_MM
     return Off(
         _joints(section, SHOWN, least_deg),
         _joints(section, ZEROS, least_deg),
-        _links(section, LINK, least_mm),
-        rotate(X_FT.rotation, _vector(section, TOOL, MM, least_mm, MOST_MM)),
+        _links(section, LINK, least_mm) if links else NO_LINKS,
+        _vector(section, TOOL, MM, least_mm, MOST_MM),
         _vector(section, BASE, MM, least_mm, MOST_MM),
         _vector(section, TURN, DEG, least_deg, MOST_DEG),
     )
