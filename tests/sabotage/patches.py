@@ -2760,4 +2760,32 @@ PATCHES: tuple[Patch, ...] = (
         "            pass\n",
         ("tests/unit/base/test_remembered.py",),
     ),
+    Patch(
+        "collisions are looked for where the controller counts, not where the arm stands",
+        "vrts/robots/kinematics/batch.py",
+        "    if arm.built is not None or isinstance(arm, SerialArm):\n",
+        "    if isinstance(arm, SerialArm):\n",
+        ("tests/unit/robots/test_built.py", "tests/unit/dispatch/planning/test_found_robot.py"),
+    ),
+    Patch(
+        "a robot that was found is tried at one end of its intervals only",
+        "vrts/robots/built.py",
+        'for by, end in ((-half, "lower"), (half, "upper")):',
+        'for by, end in ((-half, "lower"),):',
+        ("tests/unit/robots/test_built.py", "tests/unit/dispatch/planning/test_found_robot.py"),
+    ),
+    Patch(
+        "what the hand carries does not lengthen the bound on a robot that was found",
+        "vrts/robots/built.py",
+        "        found.append(max(own[joint], found[-1] + step))\n",
+        "        found.append(max(own[joint], step))\n",
+        ("tests/unit/robots/test_built.py",),
+    ),
+    Patch(
+        "the lab of a robot forgets how far its joints stand off",
+        "vrts/validate/identified_files.py",
+        '    Kind.ZERO: ("stands_off_deg", DEG),\n',
+        "",
+        ("tests/unit/validate/identify/test_identified_lab.py",),
+    ),
 )

@@ -46,6 +46,8 @@ def read_built(section: Table | None, arm: Arm, X_FT: Pose) -> Arm:
         arm = replace(arm, **{link: getattr(arm, link) + by for link, by in longer})
         a, b, c, d = (by - more for by, more in zip(off.links, counted, strict=True))
         off = off._replace(links=(a, b, c, d))
+    if off == Off() and within == Within():
+        return arm
     return as_built(arm, off, within)
 
 
