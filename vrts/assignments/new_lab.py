@@ -35,9 +35,9 @@ title = "Our laboratory"
 # at_mm = [0, 0]
 # turn_deg = 0
 
-# How the arm stands where that is not what its controller counts with, as `vrts validate --identify`
-# finds it out, and under `within` how far each number may be from the truth; all keys stand in
-# the manual's page "What is wrong with a robot":
+# How the arm stands where that is not what its controller counts with: `vrts validate --identify`
+# finds it out. Under `within` stands how far each number may be from the truth. All keys are in the
+# manual, in "What is wrong with a robot":
 #   [lab.robot.built]
 #   stands_off_deg = [0, 0, 0.5, 0, 0, 0]
 #   [lab.robot.built.within]

@@ -14,6 +14,7 @@ from vrts.base.pose import Z_AXIS, Pose, Vector, rotation_about, scale, translat
 from vrts.geometry.shapes import Box, Cylinder, Piece
 from vrts.robots.kinematics.chain import fixed_frames
 from vrts.robots.model import (
+    NO_JOINTS,
     Arm,
     Built,
     Configuration,
@@ -26,7 +27,6 @@ from vrts.robots.model import (
 
 LINKS = ("a2", "a3", "d2", "d4")  # of the PUMA family; d6 is the tool along Z
 AXES = "XYZ"
-NOTHING: Configuration = (0.0,) * 6
 JOINTS = tuple(f"joint {k}" for k in range(1, 7))
 NAMES = {  # of every number of `Off`, field by field
     "shown": JOINTS,
@@ -78,7 +78,7 @@ def _whole(off: Off) -> Pose:
 
 def shown_off(arm: Arm) -> Configuration:
     """Return what encoders show beside what is commanded [rad]."""
-    return NOTHING if arm.built is None else arm.built.off.shown
+    return NO_JOINTS if arm.built is None else arm.built.off.shown
 
 
 def at_the_ends(built: Built) -> Iterator[Standing]:

@@ -77,12 +77,20 @@ class Gripper:
         return (self.opening_max - self.opening_min) / self.stroke_time
 
 
+NO_JOINTS: Configuration = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
 class Off(NamedTuple):
     """By how much an arm as it stands differs from what its controller counts with."""
 
-    shown: Configuration = (0.0,) * 6  # by which joints stand off; encoders show it [rad]
-    zeros: Configuration = (0.0,) * 6  # the same, of which encoders show nothing [rad]
-    links: tuple[float, float, float, float] = (0.0,) * 4  # a2, a3, d2, d4 of the family [m]
+    shown: Configuration = NO_JOINTS  # by which joints stand off; encoders show it [rad]
+    zeros: Configuration = NO_JOINTS  # the same, of which encoders show nothing [rad]
+    links: tuple[float, float, float, float] = (
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+    )  # a2, a3, d2, d4 [m]
     tool: Vector = (0.0, 0.0, 0.0)  # of the hand, in F [m]
     base: Vector = (0.0, 0.0, 0.0)  # of the whole arm, in W [m]
     turn: Vector = (0.0, 0.0, 0.0)  # of the whole arm about the origin of W, rotation vector [rad]
@@ -92,7 +100,7 @@ class Within(NamedTuple):
     """How far the truth may be from what was found: half intervals, none negative."""
 
     off: Off = Off()
-    speeds: Configuration = (0.0,) * 6  # shares of the largest joint speeds
+    speeds: Configuration = NO_JOINTS  # shares of the largest joint speeds
     lines: float = 0.0  # share of the speed of straight lines
     acceleration_s: float = 0.0
     blend_s: float = 0.0

@@ -18,7 +18,7 @@ from vrts.check.proof.covered import covered
 from vrts.check.proof.given import Array, Claims, Evidence, Indices, Proven, Records, Wrong
 from vrts.check.proof.tables import dot, turned
 from vrts.geometry.solids import Solids, solids
-from vrts.robots.model import Arm, Built, SphericalWristArm
+from vrts.robots.model import Arm, SphericalWristArm
 from vrts.scene.model import Scene
 
 GRAVITY = 9.81  # [m/s^2]
@@ -29,13 +29,13 @@ SLACK = 3e-4  # [m] by which two points may be farther apart than the smallest d
 SHRUNK = 1e-5  # [m] what is nearer by less than at the look before is no nearer
 
 
-def at_zero(arm: Arm | Built) -> list[tuple[Array, Array]]:
+def at_zero(arm: Arm) -> list[tuple[Array, Array]]:
     """Return rotation and origin of each L_k in L_(k-1) while joint k is at zero."""
-    arm = arm.built or arm
-    if not isinstance(arm, SphericalWristArm):
-        return [(np.reshape(X.rotation, (3, 3)), np.array(X.translation)) for X in arm.joints]
+    real = arm.built or arm
+    if not isinstance(real, SphericalWristArm):
+        return [(np.reshape(X.rotation, (3, 3)), np.array(X.translation)) for X in real.joints]
     turns = ((1, 0), (0, -1), (1, 0), (0, 1), (0, -1), (0, 1))  # about x: cosine and sine
-    along = (0, 0), (0, 0), (arm.a2, arm.d2), (arm.a3, 0), (0, arm.d4), (0, 0)  # x and z [m]
+    along = (0, 0), (0, 0), (real.a2, real.d2), (real.a3, 0), (0, real.d4), (0, 0)  # x and z [m]
     return [
         (np.array([[1, 0, 0], [0, c, -s], [0, s, c]]), np.array([x, 0, z]))
         for (c, s), (x, z) in zip(turns, along, strict=True)

@@ -1,7 +1,4 @@
-"""What has to be covered: which pieces may not touch which others, when, and how deep.
-
-Written from the rules alone, not from the tables of the search: the one list of what is looked at.
-"""
+"""The one list of what is looked at, by the rules alone: which pieces may not touch, when, how deep."""
 
 from collections.abc import Iterator, Sequence
 from math import inf, isfinite

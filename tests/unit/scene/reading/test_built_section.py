@@ -26,7 +26,13 @@ def test_numbers_are_read_in_their_units() -> None:
         base=(1 * MM, 0.0, 2 * MM),
         turn=(0.0, 0.0, 0.1 * DEG),
     )
-    within = Within(Off(shown=(0.0, 0.0, 0.02 * DEG, 0.0, 0.0, 0.0)), (0.01,) * 6, 0.02, 0.028, 0.0)
+    within = Within(
+        Off(shown=(0.0, 0.0, 0.02 * DEG, 0.0, 0.0, 0.0)),
+        (0.01, 0.01, 0.01, 0.01, 0.01, 0.01),
+        0.02,
+        0.028,
+        0.0,
+    )
     assert scene.robot.arm == as_built(PUMA_761, off, within)
 
 
