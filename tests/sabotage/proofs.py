@@ -13,8 +13,8 @@ PROOFS: tuple[Patch, ...] = (
     Patch(
         "a certificate is checked with a wrong link offset",
         CHECKER,
-        "(arm.a2, arm.d2)",
-        "(arm.a2, -arm.d2)",
+        "(real.a2, real.d2)",
+        "(real.a2, -real.d2)",
         (BOUNDS + "test_frames_reproduce_the_check_values",),
     ),
     Patch(

@@ -1,4 +1,4 @@
-"""The one list of what is looked at, by the rules alone: which pieces may not touch, when, how deep."""
+"""The list of what is looked at, by the rules alone: which pieces may not touch, when, how deep."""
 
 from collections.abc import Iterator, Sequence
 from math import inf, isfinite
