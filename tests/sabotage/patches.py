@@ -2727,10 +2727,10 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "a loop that never ends is blamed on whatever is asked in it",
-        "vrts/why/endless.py",
+        "vrts/why/loops/endless.py",
         "    return any(not min(here) <= at <= max(here) for at in following)\n",
         "    return True\n",
-        ("tests/unit/why/test_endless.py",),
+        ("tests/unit/why/loops/test_endless.py",),
     ),
     Patch(
         "an editor offers to mend programs whatever their task allows",

@@ -13,7 +13,7 @@ from vrts.why.chain import Link
 from vrts.why.left_out import skipped
 from vrts.why.shown import point
 from vrts.why.slicing.executed import Steps
-from vrts.why.ways import decided, speed_of
+from vrts.why.ways import FAR_ROUND, decided, speed_of, way_begins
 
 
 def demanded(steps: Steps, loss: Loss, task: Task | None = None) -> Iterator[Link]:
@@ -42,6 +42,8 @@ def demanded(steps: Steps, loss: Loss, task: Task | None = None) -> Iterator[Lin
         if link is not None:
             yield link
     yield from decided(steps, number)
+    if turned > FAR_ROUND:
+        yield from way_begins(steps, number)
 
 
 def _of_text(steps: Steps, demand: Demand, span: Span | None) -> Iterator[Link]:

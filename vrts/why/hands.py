@@ -143,9 +143,17 @@ def _opened_last(steps: Steps, time_s: float) -> Link:
     if waiting is not None and (not told or told[-1].cause != waiting.cause):
         says = "this step opens the hand with the next motion only, and none comes before it closes"
         return Link(steps.time_of(waiting), waiting.cause.span, says)
-    if not told or told[-1].cause is None:
-        return Link(None, None, "no step before opens the hand")
-    return Link(told[-1].time_s, told[-1].cause.span, "the hand was opened here last")
+    if told and told[-1].cause is not None:
+        return Link(told[-1].time_s, told[-1].cause.span, "the hand was opened here last")
+    shut = [
+        e
+        for e in steps.run.events
+        if isinstance(e, HandCommanded) and e.action == "close" and e.time_s < time_s and e.cause
+    ]
+    if shut and shut[0].cause is not None:
+        says = "the hand is told to close here, and no step opens it after that"
+        return Link(shut[0].time_s, shut[0].cause.span, says)
+    return Link(None, None, "no step before opens the hand")
 
 
 def _waits(steps: Steps, time_s: float) -> Executed | None:

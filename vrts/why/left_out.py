@@ -6,16 +6,16 @@ from typing import NamedTuple
 from vrts.base.pose import Pose, Vector, distance
 from vrts.base.source import Span
 from vrts.engine.memory.cells import Array, Cell, cells_of
-from vrts.ir.control import BeginCase, BeginFor, Jump, JumpIf, NextFor, TestCase, TestFor
+from vrts.ir.control import BeginCase, Jump, JumpIf, TestCase, TestFor
 from vrts.ir.expressions import Constant, Place
-from vrts.ir.instructions import Instruction
 from vrts.ir.module import Program
 from vrts.why.chain import Link
 from vrts.why.hands import box_at, gap
-from vrts.why.shown import value
-from vrts.why.slicing.executed import Executed, Steps
-from vrts.why.slicing.read import element, places_in, reading
-from vrts.why.slicing.sources import chain_of, element_text
+from vrts.why.loops.ended import loop_left
+from vrts.why.slicing.conditions import by_values, with_values
+from vrts.why.slicing.executed import Steps
+from vrts.why.slicing.read import element, places_in
+from vrts.why.slicing.sources import element_text
 from vrts.why.ways import is_given
 
 AT_IT = 0.12  # [m] from a thing: a location so near is for it [assumed]
@@ -56,7 +56,7 @@ def never_reached(steps: Steps, body: str) -> Iterator[Link]:
             assert last is not None
             says = f"`{element_text(use.place)}` is only {used} here, never `{cell.name}`"
             yield Link(steps.time_of(last), use.span, says)
-            yield from _loop_left(steps, use, numbers[-1])
+            yield from loop_left(steps, last)
             return
     if unused is not None:
         yield from no_use(steps, unused)
@@ -118,69 +118,18 @@ def _meant(steps: Steps, number: int, place: Place) -> str:
     return element(steps, place, number - 1, step.activation)
 
 
-def _loop_left(steps: Steps, use: Use, last: int) -> Iterator[Link]:
-    """Yield why the loop round a step ended, after a statement."""
-    loop = _loop_round(use.program.instructions, use.within)
-    if loop is None:
-        return
-    instruction = use.program.instructions[loop]
-    if not isinstance(instruction, TestFor):
-        return
-    tests = [n for n in steps.times(use.base + loop) if n > last]
-    if not tests:
-        return
-    test = steps.step(tests[0])
-    assert test is not None
-    begun = _begin_of(use.program.instructions, instruction.loop)
-    was = reading(steps, instruction.place, test.number - 1, test.activation)
-    ended = f"the loop ends here with `{element_text(instruction.place)}` at {value(was.value)}"
-    span = use.program.origins[begun].span if begun is not None else test.cause.span
-    yield Link(steps.time_of(test), span, ended)
-    writer = _written_inside(steps, was.cell, test.number - 1)
-    if writer is not None:
-        yield from writer
+def skipped(
+    steps: Steps, program: Program, base: int, within: int, until: int | None = None
+) -> Iterator[Link]:
+    """Yield the branch that led past a step that was never executed.
 
-
-def _written_inside(steps: Steps, cell: Cell | None, before: int) -> Iterator[Link] | None:
-    """Return where another step than FOR and its END wrote a loop's variable, if one did last."""
-    if cell is None:
-        return None
-    for since in reversed([n for n in cell.since if n <= before]):
-        step = steps.step(since)
-        if step is None or isinstance(step.instruction, BeginFor):
-            return None
-        if isinstance(step.instruction, NextFor):
-            continue
-        return _wrote(steps, step, cell)
-    return None
-
-
-def _wrote(steps: Steps, step: Executed, cell: Cell) -> Iterator[Link]:
-    place = getattr(step.instruction, "place", None)
-    if not isinstance(place, Place):
-        return
-    after = reading(steps, place, step.number, step.activation)
-    yield from chain_of(steps, after)
-
-
-def _loop_round(instructions: tuple[Instruction, ...], index: int) -> int | None:
-    """Return the test of the innermost FOR round an instruction."""
-    for k in range(index, -1, -1):
-        one = instructions[k]
-        if isinstance(one, TestFor) and one.leave > index:
-            return k
-    return None
-
-
-def _begin_of(instructions: tuple[Instruction, ...], loop: int) -> int | None:
-    for k, one in enumerate(instructions):
-        if isinstance(one, BeginFor) and one.loop == loop:
-            return k
-    return None
-
-
-def skipped(steps: Steps, program: Program, base: int, within: int) -> Iterator[Link]:
-    """Yield the branch that led past a step that was never executed."""
+    Args:
+        steps: Of the run.
+        program: In which the step is.
+        base: Number of the program's first instruction.
+        within: The step's index in the program.
+        until: The statement before which it was not executed; None: it never was.
+    """
     for k in range(within - 1, -1, -1):
         one = program.instructions[k]
         target = one.leave if isinstance(one, TestFor) else getattr(one, "target", None)
@@ -188,7 +137,7 @@ def skipped(steps: Steps, program: Program, base: int, within: int) -> Iterator[
             target = one.otherwise
         if not isinstance(target, int) or target <= within:
             continue
-        numbers = steps.times(base + k)
+        numbers = [n for n in steps.times(base + k) if until is None or n < until]
         if not numbers:
             continue
         step = steps.step(numbers[-1])
@@ -196,12 +145,13 @@ def skipped(steps: Steps, program: Program, base: int, within: int) -> Iterator[
         if isinstance(one, Jump):
             says = "the program goes past it from here"
         else:
-            says = "the program goes past it because of this"
+            asked = with_values(steps, getattr(one, "condition", None), step)
+            says = f"the program goes past it because of this{asked}"
         yield Link(steps.time_of(step), step.cause.span, says)
         if isinstance(one, TestCase):
             yield from _selected(steps, program, base, one.case, step.number)
         elif isinstance(one, JumpIf):
-            yield from _first_known(steps, one.condition, step)
+            yield from by_values(steps, one.condition, step)
         return
     yield from _never_called(steps, program, base)
 
@@ -214,17 +164,8 @@ def _selected(steps: Steps, program: Program, base: int, case: int, before: int)
         numbers = [n for n in steps.times(base + index) if n <= before]
         step = steps.step(numbers[-1]) if numbers else None
         if step is not None:
-            yield from _first_known(steps, one.selector, step)
+            yield from by_values(steps, one.selector, step)
         return
-
-
-def _first_known(steps: Steps, expression: object, step: Executed) -> Iterator[Link]:
-    """Yield where the value came from of the first variable of an expression that has one."""
-    for place in places_in(expression):
-        was = reading(steps, place, step.number - 1, step.activation)
-        if was.known:
-            yield from chain_of(steps, was)
-            return
 
 
 def _never_called(steps: Steps, program: Program, base: int) -> Iterator[Link]:

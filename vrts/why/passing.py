@@ -6,10 +6,11 @@ from vrts.base.pose import distance, subtract
 from vrts.base.source import Span
 from vrts.check.mark.reasons import PROGRAM_ENDS
 from vrts.check.verdicts.vias import Lack, Passed, Visits
+from vrts.ir.motion import Break
 from vrts.why.chain import Link
-from vrts.why.left_out import no_use, places_at, uses_of
+from vrts.why.left_out import no_use, places_at, skipped, uses_of
 from vrts.why.shown import length, offset, point
-from vrts.why.slicing.executed import Steps
+from vrts.why.slicing.executed import MOTIONS, Steps
 from vrts.why.stopped import last_error
 from vrts.why.ways import decided, leads, speed_of
 
@@ -49,6 +50,7 @@ def missed_point(steps: Steps, visits: Visits, lack: Lack, points: Passed) -> It
         if one.blended and distance(one.X_WT.translation, via.point) <= via.radius:
             says = "this motion would come to it, but its end is rounded into the next motion"
             yield Link(one.start_s, one.cause.span, says)
+            yield from _not_stopped(steps, beside)
             return
     if lack in {Lack.TOO_FAST, Lack.TOO_SLOW}:
         link = speed_of(steps, number)
@@ -69,6 +71,28 @@ def missed_point(steps: Steps, visits: Visits, lack: Lack, points: Passed) -> It
         return
     yield link
     yield from decided(steps, nearest)
+
+
+def _not_stopped(steps: Steps, motion: int) -> Iterator[Link]:
+    """Yield the BREAK behind a motion that would have stopped the arm, and why it was left out."""
+    step = steps.of_motion(motion)
+    if step is None:
+        return
+    program, within = steps.program_of(step.at)
+    base = step.at - within
+    for k in range(within + 1, len(program.instructions)):
+        one = program.instructions[k]
+        if isinstance(one, MOTIONS):
+            return
+        if isinstance(one, Break):
+            following = steps.of_motion(motion + 1)
+            until = steps.history.finished if following is None else following.number
+            if any(step.number < n < until for n in steps.times(base + k)):
+                return
+            says = "this step would stop the arm there, and is not executed then"
+            yield Link(None, program.origins[k].span, says)
+            yield from skipped(steps, program, base, k, until)
+            return
 
 
 def _nothing_leads_there(steps: Steps, visits: Visits) -> bool:

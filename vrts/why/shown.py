@@ -28,14 +28,16 @@ def value(content: Content) -> str:
         case Undefined():
             return "without a value"
         case Pose():
-            turned = " ".join(f"{angle:g}" for angle in (round(a, 2) for a in _angles(content)))
+            turned = " ".join(
+                f"{angle:g}" for angle in (round(a, 2) + 0.0 for a in _angles(content))
+            )
             return f"{point(content.translation)}, angles {turned}"
         case str():
             return f'"{content}"'
         case float() | int():
             return f"{content:.7g}"
         case tuple():
-            joints = " ".join(f"{round(deg(x), 2):g}" for x in content)
+            joints = " ".join(f"{round(deg(x), 2) + 0.0:g}" for x in content)
             return f"joints {joints} degrees"
 
 

@@ -1,21 +1,23 @@
 """Programs that stop: the step, what it read, and where that came from."""
 
+import math
 from collections.abc import Iterator
 
+from vrts.base.pose import Pose, rotation_angle
 from vrts.engine.faults import LINE_FROM_SINGULARITY
 from vrts.engine.memory.events import Found
 from vrts.engine.memory.records import Ending
 from vrts.engine.run import Run
 from vrts.ir.control import Wait
-from vrts.ir.motion import Depart, Draw, Drive, Move
+from vrts.ir.motion import Depart, Draw, Drive, Interpolation, Move
 from vrts.why.chain import Link
-from vrts.why.endless import endless, signals
+from vrts.why.loops.endless import endless, signals
 from vrts.why.shown import point
 from vrts.why.slicing.entered import called, reacted
 from vrts.why.slicing.executed import Executed, Steps
 from vrts.why.slicing.read import Reading, element, readings
 from vrts.why.slicing.sources import chain_of, passed
-from vrts.why.ways import decided, leads
+from vrts.why.ways import FAR_ROUND, decided, is_given, leads, way_begins
 
 
 def last_error(run: Run) -> Found | None:
@@ -59,8 +61,15 @@ def of_step(steps: Steps, step: Executed) -> Iterator[Link]:
         return
     known = [r for r in found if r.known]
     target = known[:1] if isinstance(step.instruction, Move) else known
+    turned = list(_turned(steps, step, target[0])) if target else []
+    at_start = bool(turned) and is_given(steps, target[0].value, _name(target[0]))
+    if not at_start:  # of a way that turns, the end that is as the scene gives it comes first
+        yield from turned[:1]
     for each in target[:2]:
-        yield from chain_of(steps, each)
+        links = chain_of(steps, each)
+        yield from (link._replace(minor=link.minor or at_start) for link in links)
+    if at_start:
+        yield from turned
     if isinstance(step.instruction, Wait):
         yield from signals(steps, step)
     if isinstance(step.instruction, Move | Depart | Draw | Drive) and not target:
@@ -71,16 +80,40 @@ def of_step(steps: Steps, step: Executed) -> Iterator[Link]:
     yield from reacted(steps, step)
 
 
+def _name(each: Reading) -> str:
+    return each.cell.name if each.cell is not None else ""
+
+
+def _turned(steps: Steps, step: Executed, target: Reading) -> Iterator[Link]:
+    """Yield where a straight line would have begun that turns the tool far, and why there."""
+    instruction = step.instruction
+    straight = isinstance(instruction, Move) and instruction.interpolation is Interpolation.LINEAR
+    number = _before(steps, step)
+    if not straight or number is None or not isinstance(target.value, Pose):
+        return
+    motion = steps.run.motions[number]
+    turn = math.degrees(rotation_angle(motion.X_WT.rotation, target.value.rotation))
+    if turn < FAR_ROUND:
+        return
+    yield from way_begins(steps, number + 1, turn)
+
+
 def _from_where(steps: Steps, step: Executed) -> Iterator[Link]:
     """Yield where a motion would have begun whose numbers stand in its own line."""
-    number = steps.motion_at(steps.time_of(step))
-    while number and steps.run.motions[number].cause == step.cause:
-        number -= 1  # what there is of the way itself
+    number = _before(steps, step)
     if number is None:
         return
     motion = steps.run.motions[number]
     says = f"the way begins at {point(motion.X_WT.translation)}, where this step leads"
     yield Link(motion.start_s, motion.cause.span, says)
+
+
+def _before(steps: Steps, step: Executed) -> int | None:
+    """Return the motion before that of a step, which may have begun."""
+    number = steps.motion_at(steps.time_of(step))
+    while number and steps.run.motions[number].cause == step.cause:
+        number -= 1  # what there is of the way itself
+    return number
 
 
 def _unset(steps: Steps, each: Reading, real: str) -> Iterator[Link]:

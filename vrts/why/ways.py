@@ -18,7 +18,7 @@ from vrts.ir.motion import (
     SetTool,
 )
 from vrts.why.chain import Link
-from vrts.why.shown import point
+from vrts.why.shown import point, value
 from vrts.why.slicing.entered import reacted
 from vrts.why.slicing.executed import Executed, Steps
 from vrts.why.slicing.read import Reading, element, places_in, readings
@@ -26,6 +26,7 @@ from vrts.why.slicing.sources import chain_of, chosen, element_text, telling, wr
 
 AXES = (("+X", "-X"), ("+Y", "-Y"), ("too low", "too high", "+Z", "-Z"))  # of what a link says
 _NUMBERS_FROM = {Function.TRANS: 0, Function.TRANS_ZYZ: 0, Function.SHIFT: 1}  # X, then Y and Z
+FAR_ROUND = 30.0  # [deg] of a way: where the tool turns so far, both ends matter [assumed]
 SAME = 1e-6  # of poses that are told apart
 GIVEN = 1e-3  # [m] a location so near to one of the scene is that one
 GIVEN_TURN = math.radians(1.0)
@@ -86,6 +87,23 @@ def decided(steps: Steps, motion: int, toward: str = "") -> Iterator[Link]:
     yield from reacted(steps, step)
 
 
+def way_begins(steps: Steps, motion: int, turn: float = 0.0) -> Iterator[Link]:
+    """Yield where a way begins, and why there: of ways that turn the tool far both ends matter.
+
+    Args:
+        steps: Of the run.
+        motion: Its number; it need not have begun.
+        turn: By how much the tool turns on it [deg]; 0: that is told already.
+    """
+    if motion == 0:
+        return
+    before = steps.run.motions[motion - 1]
+    says = f"the way begins at {value(before.X_WT)}, where this step leads"
+    says += f": the tool is to turn by {turn:.0f} degrees on it" if turn else ""
+    yield Link(before.start_s, before.cause.span, says)
+    yield from decided(steps, motion - 1)
+
+
 def _along(node: object, toward: str) -> set[Place]:
     """Return what the numbers of a location were read from that lie in a direction."""
     axes = [axis for axis, words in enumerate(AXES) if any(word in toward for word in words)]
@@ -110,14 +128,16 @@ def _numbers_beside(found: list[Reading]) -> list[Reading]:
 def doubtful(steps: Steps, step: Executed) -> list[Reading]:
     """Return what a step read that may be wrong: not locations as the scene gives them."""
     found = [r for r in readings(steps, step) if r.known]
-    return [r for r in found if not is_given(steps, r.value)]
+    return [r for r in found if not is_given(steps, r.value, r.cell.name if r.cell else "")]
 
 
-def is_given(steps: Steps, content: object) -> bool:
-    """Return whether a value is a location that the scene names."""
+def is_given(steps: Steps, content: object, name: str = "") -> bool:
+    """Return whether a value is a location that the scene names: this one, where it knows it."""
     if not isinstance(content, Pose):
         return False
-    return any(near(content, pose) for pose in steps.run.scene.locations.values())
+    locations = steps.run.scene.locations
+    meant = [locations[name]] if name in locations else locations.values()
+    return any(near(content, pose) for pose in meant)
 
 
 def _written_out(instruction: Depart | Draw) -> bool:

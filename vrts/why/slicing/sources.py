@@ -7,7 +7,7 @@ from vrts.base.source import Span
 from vrts.engine.memory.cells import Cell
 from vrts.engine.memory.trace import Activation
 from vrts.ir.control import BeginFor, Call, CallNamed, NextFor
-from vrts.ir.expressions import Place, Slot, WholeArray
+from vrts.ir.expressions import Compose, Place, Slot, WholeArray
 from vrts.ir.instructions import Assign
 from vrts.why.chain import Link
 from vrts.why.shown import value, where_of
@@ -133,7 +133,13 @@ def _read_by(steps: Steps, step: Executed, only: object, depth: int) -> Iterator
         index = only if isinstance(only, int) else None
         arguments = getattr(step.instruction, "arguments", ())
         if index is not None and index < len(arguments):
-            inside = only_place(arguments[index])
+            given = arguments[index]
+            if isinstance(given, Compose) and len(given.parts) > 1:  # nearest the tool first
+                parts = set(places_in(given))
+                for each in reversed([r for r in found if r.place in parts][:2]):
+                    yield from chain_of(steps, each, depth + 1)
+                return
+            inside = only_place(given)
             found = [r for r in found if inside is not None and r.place == inside]
     for each in telling(steps, found):
         yield from chain_of(steps, each, depth + 1)
@@ -193,8 +199,9 @@ def _subscripts(steps: Steps, first: Reading, depth: int) -> Iterator[Link]:
     for each in first.place.subscripts:
         for place in places_in(each):
             inner = reading(steps, place, first.before, first.activation)
-            if inner.known:
-                yield from chain_of(steps, inner, depth + 1)
+            if inner.known:  # which element it was: first to be left out of a chain too long
+                found = chain_of(steps, inner, depth + 1)
+                yield from (link._replace(minor=True) for link in found)
             return
 
 

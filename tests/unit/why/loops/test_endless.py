@@ -7,7 +7,7 @@ from vrts.engine.controller import execute
 from vrts.pipeline.scenes import load_scene
 from vrts.scene.model import Scenario
 from vrts.why.chain import line
-from vrts.why.endless import endless
+from vrts.why.loops.endless import endless
 from vrts.why.slicing.executed import Steps
 
 

@@ -55,12 +55,16 @@ def asks(steps: Steps, step: Executed, round_: Round | None = None) -> Iterator[
     first = round_.steps[0].number if round_ is not None and round_.steps else None
     found = [r for r in _condition(steps, step) if r.known]
     still = [r for r in found if first is not None and _last_written(r) < first]
-    for each in (still or found)[:1]:
+    in_vain = [r for r in found if first is not None and _last_written(r) >= first]
+    for each in (in_vain or still or found)[:1]:
         name = element_text(each.place)
-        unchanged = f", and no step of the loop changes `{name}`" if still else ""
-        says = f"`{name}` is {value(each.value)} here each time{unchanged}"
-        if first is None:
-            says = f"`{name}` is {value(each.value)} here"
+        says = f"`{name}` is {value(each.value)} here"
+        if in_vain:  # what the loop works on is more to blame than what it goes by
+            says += (
+                " each time, whatever the loop does to it" if _as_before(steps, each, step) else ""
+            )
+        elif still:
+            says += f" each time, and no step of the loop changes `{name}`"
         yield Link(None, step.cause.span, says)
         yield from chain_of(steps, each)
         return
@@ -147,6 +151,12 @@ def _condition(steps: Steps, step: Executed) -> tuple[Reading, ...]:
     asked = getattr(instruction, "condition", None)
     places = (instruction.place,) if isinstance(instruction, TestFor) else places_in(asked)
     return tuple(reading(steps, p, step.number - 1, step.activation) for p in places)
+
+
+def _as_before(steps: Steps, each: Reading, step: Executed) -> bool:
+    """Return whether a variable was the same when the step was executed the time before."""
+    times = [n for n in steps.times(step.at) if n < step.number]
+    return bool(times) and each.cell is not None and each.cell.at(times[-1] - 1) == each.value
 
 
 def _last_written(each: Reading) -> int:
