@@ -55,6 +55,17 @@ class Child:
             assert time.monotonic() < until, f"no {pattern!r} in {self._unread!r}"
             assert self._read(), f"no {pattern!r} before the end: {self._unread!r}"
 
+    def children(self, number: int) -> list[int]:
+        """Wait until it has so many processes of its own; return their ids."""
+        pid = self._process.pid
+        path, until = Path(f"/proc/{pid}/task/{pid}/children"), time.monotonic() + PATIENCE
+        while True:
+            found = [int(word) for word in path.read_text().split()]
+            if len(found) >= number:
+                return found
+            assert time.monotonic() < until, f"{len(found)} processes of its own"
+            assert self._read(0.01), f"it has ended: {self._unread!r}"
+
     def status(self) -> int:
         """Wait for the end and return the exit status."""
         while self._read():
@@ -68,9 +79,9 @@ class Child:
             self._process.wait()
         os.close(self._master)
 
-    def _read(self) -> bool:
+    def _read(self, seconds: float = 1.0) -> bool:
         """Read what is there; return False at the end."""
-        if not select.select([self._master], [], [], 1.0)[0]:
+        if not select.select([self._master], [], [], seconds)[0]:
             return True
         try:
             data = os.read(self._master, 65536)

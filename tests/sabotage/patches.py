@@ -2754,6 +2754,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/marking/test_marking.py",),
     ),
     Patch(
+        "answers of workers are in another order than the things",
+        "vrts/base/workers.py",
+        "yield from self._in_order(ask, things, crew)",
+        "yield from reversed(list(self._in_order(ask, things, crew)))",
+        ("tests/unit/base/test_workers.py",),
+    ),
+    Patch(
+        "what a worker that was killed was at is left out",
+        "vrts/base/workers.py",
+        "yield answer[0] if answer else ask(thing)",
+        "yield answer[0] if answer else None",
+        ("tests/unit/base/test_workers.py",),
+    ),
+    Patch(
         "a motion is taken for another one that was planned in another search",
         "vrts/base/remembered.py",
         "            _memory.reset(token)\n",

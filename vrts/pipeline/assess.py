@@ -40,7 +40,13 @@ def assess(request: Request, compiled: Compiled | None = None) -> Assessment:
         return a
     futures = None
     if found.module is not None and found.entry is not None:
-        futures = proven(setting, found.module, found.entry, collisions=checks.collisions)
+        futures = proven(
+            setting,
+            found.module,
+            found.entry,
+            collisions=checks.collisions,
+            workers=checks.workers,
+        )
     if futures is not None:
         request.step_done("prove")
     judgement = judge(

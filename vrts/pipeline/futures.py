@@ -4,6 +4,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Datum, Diagnostic
+from vrts.base.workers import ALONE, Workers
 from vrts.check.judge import judge
 from vrts.check.verdict import Verdict
 from vrts.check.verdicts.every_future import CHECK
@@ -97,7 +98,14 @@ class Proven(NamedTuple):
     proof: Proof
 
 
-def proven(setting: Setting, module: Module, entry: str, *, collisions: bool) -> Proven | None:
+def proven(
+    setting: Setting,
+    module: Module,
+    entry: str,
+    *,
+    collisions: bool,
+    workers: Workers = ALONE,
+) -> Proven | None:
     """Look at every future of a program as far as its task asks; None: it does not.
 
     The answer is the same on every machine: only the number of states ends the search.
@@ -107,12 +115,13 @@ def proven(setting: Setting, module: Module, entry: str, *, collisions: bool) ->
         module: The programs.
         entry: The one that is executed.
         collisions: Whether they are checked.
+        workers: Who replays what seems wrong.
     """
     task = setting.task
     if task is None or task.proof is None:
         return None
     environment = usual_environment(setting)
-    asking = Asking(states=task.proof.states, collisions=collisions)
+    asking = Asking(states=task.proof.states, collisions=collisions, answers=workers.answers)
     proof = prove(module, setting.scene, environment, asking, entry=entry, task=task)
     evidence: dict[str, Datum] = {
         "method": METHOD,

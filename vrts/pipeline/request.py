@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
+from vrts.base.workers import ALONE, Workers
 from vrts.geometry.proposing.proposer import Proposer
 from vrts.pipeline.compiling.reading import STRICT, ProgramFile, Reading
 from vrts.pipeline.setting import Setting
@@ -18,6 +19,7 @@ class Checks(NamedTuple):
     second: Proposer | None = None  # gives a second opinion, which decides nothing; None: nobody
     curve: bool = False  # whether to sample the clearance over time, for charts
     causes: bool = False  # whether to look for what led to each loss
+    workers: Workers = ALONE  # who replays futures that seem to go wrong
 
 
 ALL_CHECKS = Checks()

@@ -8,16 +8,17 @@ from vrts.check.verdict import Answer
 from vrts.engine.futures.regions import ever_new
 from vrts.engine.memory.events import Cause
 from vrts.ir.module import Module
-from vrts.prove.asking import Asking, Told
+from vrts.prove.asking import Asking, Told, first_here
 from vrts.prove.collecting import fewer_collections
 from vrts.prove.environment.environment import Environment
 from vrts.prove.explore.executed import dead_steps
 from vrts.prove.explore.search import Search
 from vrts.prove.graph.past import story
+from vrts.prove.graph.suspects import End
 from vrts.prove.proof import Proof, Wronged
 from vrts.prove.telling.confirm import Replays
 from vrts.prove.telling.covered import covered
-from vrts.prove.telling.goals import MOST_ENDS, is_asked, missed, suspect
+from vrts.prove.telling.goals import MOST_ENDS, Missed, is_asked, missed, suspect
 from vrts.prove.telling.scenarios import scenario_of
 from vrts.prove.telling.tell import Teller
 from vrts.scene.model import Scene
@@ -58,10 +59,10 @@ def prove(
     replays = Replays(module, scene, environment, entry, task)
     with fewer_collections():
         search.go_on(asking, patiently=False)
-        teller, found, left = _told(search, replays)
+        teller, found, left = _told(search, replays, asking)
         if not (found or search.is_over or search.was_enough):
             search.go_on(asking)
-            teller, found, left = _told(search, replays)
+            teller, found, left = _told(search, replays, asking)
     loaded = search.first.system.programs.loaded
     left += (f"not confirmed by a replay: {one}" for one in teller.doubtful)
     dead = () if left else dead_steps(module, loaded, search.executed, entry)
@@ -75,11 +76,13 @@ def prove(
     )
 
 
-def _told(search: Search, replays: Replays) -> tuple[Teller, tuple[Wronged, ...], list[str]]:
+def _told(
+    search: Search, replays: Replays, asking: Asking
+) -> tuple[Teller, tuple[Wronged, ...], list[str]]:
     """Return who tells, what goes wrong as far as the search has come, and what is left."""
-    left = [*_left(search), *_judge(search, replays)]
+    left = [*_left(search), *_judge(search, replays, asking)]
     teller = Teller(replays, search.environment, search.tick_s)
-    return teller, teller.tell(search.suspects.in_order()), left
+    return teller, teller.tell(search.suspects.in_order(), asking.answers), left
 
 
 def _answer(found: Sequence[Wronged], left: Sequence[str]) -> Answer:
@@ -88,15 +91,20 @@ def _answer(found: Sequence[Wronged], left: Sequence[str]) -> Answer:
     return Answer.UNDETERMINED if left else Answer.HOLDS
 
 
-def _judge(search: Search, replays: Replays) -> Iterator[str]:
+def _judge(search: Search, replays: Replays, asking: Asking) -> Iterator[str]:
     """Judge what the task asks for where futures end; yield what nobody can tell."""
-    if replays.task is None:
+    task = replays.task
+    if task is None:
         return
-    asked = [end for end in search.endings.values() if is_asked(end)]
-    for end in asked[:MOST_ENDS]:
+
+    def judged(end: End) -> list[Missed]:
         scenario = scenario_of(search.environment, story(end.past), search.first.tick)
-        run = replays.run(scenario, end.time_s + AFTERWARDS_S)
-        for one in missed(run, replays.task):
+        return list(missed(replays.run(scenario, end.time_s + AFTERWARDS_S), task))
+
+    asked = [end for end in search.endings.values() if is_asked(end)]
+    some = asked[:MOST_ENDS]
+    for end, found in zip(some, first_here(asking.answers, judged, some), strict=True):
+        for one in found:
             if one.verdict.answer is Answer.VIOLATED:
                 search.suspects.add(suspect(end, one))
             else:

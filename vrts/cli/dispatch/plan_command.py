@@ -1,6 +1,5 @@
 """`vrts dispatch plan`."""
 
-import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -121,6 +120,9 @@ def command(
     the runs, and the sheet; the same input gives the same bytes. Nothing is sent. Exit status 1
     when it is refused.
     """
+    from vrts.cli.shared.cores import one_thread_each, workers_of
+
+    one_thread_each()
     from vrts.base.diagnostic import Diagnostic
     from vrts.cli.shared.requests import verify_request
     from vrts.dispatch.bundle import bundle_bytes, digest_of, read_bundle
@@ -154,7 +156,7 @@ def command(
         tuple(further),
         environment,
         fails_first,
-        jobs or os.cpu_count() or 1,
+        workers_of(jobs),
         source,
     )
     found = plan(wish)

@@ -1,6 +1,5 @@
 """`vrts dispatch verify`."""
 
-import os
 import sys
 from pathlib import Path
 
@@ -47,6 +46,9 @@ def command(
     Exit status 1 when something is not proven again, when a signature is wrong, or when --signers
     is given and none of them has signed.
     """
+    from vrts.cli.shared.cores import one_thread_each, workers_of
+
+    one_thread_each()
     from vrts.dispatch.bundle import digest_of, read_bundle
     from vrts.dispatch.proofs import check_proofs
     from vrts.dispatch.verifying.again import planned_again
@@ -60,7 +62,7 @@ def command(
     notes = check_proofs(read)
     again = None
     if read.manifest.asked is not None:
-        again = planned_again(read, data, jobs or os.cpu_count() or 1)
+        again = planned_again(read, data, workers_of(jobs))
     found = Checked(
         bundle.name, digest_of(data), read, notes, again, who, asks_for_signer=signers is not None
     )

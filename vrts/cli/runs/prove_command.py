@@ -23,6 +23,7 @@ from vrts.cli.shared.options import (
     entry_option,
     file_option,
     form_option,
+    jobs_option,
     no_collisions_option,
     scenario_option,
 )
@@ -63,6 +64,7 @@ Examples:
     type=click.FloatRange(0.1),
     help="Stop looking after so long, and tell what is known by then.",
 )
+@jobs_option("Processes at a time; one a core. The answer is the same for any number.")
 @entry_option("Program to execute; without it the task's, or the main one.")
 @form_option("full", "json")
 @no_collisions_option
@@ -75,6 +77,7 @@ def command(
     counterexample: Path | None,
     states: int | None,
     seconds: float | None,
+    jobs: int | None,
     entry: str | None,
     form: str,
     no_collisions: bool,
@@ -86,6 +89,9 @@ def command(
     Everything that the program reads from outside is free, unless an environment says what may
     come. Exit status 1 when something can go wrong, 3 when not all futures could be looked at.
     """
+    from vrts.cli.shared.cores import one_thread_each, workers_of
+
+    one_thread_each()
     from vrts.assignments.packed import found_setting
     from vrts.cli.shared.requests import run_request, verify_request
     from vrts.pipeline.environments import (
@@ -115,6 +121,7 @@ def command(
             collisions=not no_collisions,
             told=asked.told,
             enough=asked.enough,
+            answers=workers_of(jobs).answers,
         )
         found = proved(request, outside, asking)
     show_diagnostics(found.diagnostics, color)

@@ -91,6 +91,9 @@ def command(
     beside the task unless a scenario is given. Exit status 1 when something is wrong, 3 when a
     check cannot tell.
     """
+    from vrts.cli.shared.cores import one_thread_each, workers_of
+
+    one_thread_each()
     from vrts.assignments.packed import found_setting, public_answer
     from vrts.cli.shared.requests import verify_request
     from vrts.marking.proposer.by_name import by_name
@@ -112,6 +115,7 @@ def command(
             second=by.second,
             curve=html is not None or record is not None,
             causes=True,
+            workers=workers_of(None),
         )
         request = verify_request(given, setting, language, checks=checks)
         found = assess(request)

@@ -1,5 +1,6 @@
 """How far a search is, on terminals only, and when to end it: after a time, or at Ctrl-C."""
 
+import os
 import signal
 import sys
 import time
@@ -14,6 +15,8 @@ from vrts.cli.shared.progress import ERASE, SHOWN_EVERY
 
 if TYPE_CHECKING:
     from vrts.prove.asking import Told
+
+ENDED = f"{ERASE}telling what is known so far; Ctrl-C again leaves at once\n".encode()
 
 
 class Searching:
@@ -65,6 +68,8 @@ def searching(seconds: float | None) -> Generator[Searching]:
     def end(_number: int, _frame: FrameType | None) -> None:
         found.interrupted = True
         signal.signal(signal.SIGINT, before)
+        if sys.stderr.isatty():
+            os.write(2, ENDED)  # whatever is being written just now
 
     signal.signal(signal.SIGINT, end)
     try:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import NamedTuple, TypeVar
 
 from vrts.base.source import SourceFile
+from vrts.base.workers import ALONE, Workers
 from vrts.check.task.task_file import read_task
 from vrts.controllers.models import MODELS
 from vrts.dispatch.bundle import Bundle, bad_bundle
@@ -80,7 +81,7 @@ def kept(wish: Wish) -> Kept:
     return Kept(asked, files)
 
 
-def wish_of(bundle: Bundle, jobs: int = 1) -> Wish:
+def wish_of(bundle: Bundle, workers: Workers = ALONE) -> Wish:
     """Return the wish that a bundle was planned from.
 
     Raises:
@@ -107,7 +108,7 @@ def wish_of(bundle: Bundle, jobs: int = 1) -> Wish:
         tuple(further),
         asked_of(first) if given is None else given,
         asked.fails_first,
-        jobs,
+        workers,
         None if given is None else read.text(ENVIRONMENT, asked.environment),
     )
 

@@ -90,7 +90,7 @@ def plan(wish: Wish) -> Plan:
     result = _sorted(wish, found)
     if result.plan.refused:  # futures are looked at when the scenarios are as they should be
         return result.plan
-    proven = futures.proofs_of(held, wish.settings, wish.environment, entry)
+    proven = futures.proofs_of(held, wish.settings, wish.environment, entry, wish.workers)
     request.step_done("prove")
     for proof in proven:
         found += futures.refused(given, proof)
@@ -171,12 +171,12 @@ def _with_margins(one: Scened, held: Module, wish: Wish, entry: str) -> Scened:
     if obstacles(one.held):
         return one
     subject = Subject(held, entry, one.world, one.held.run, one.near.clearance_m)
-    found = margins.margins(subject, wish.jobs)
+    found = margins.margins(subject, wish.workers)
     failed = next((m for m in found if m.answer == "violated"), None)
     if failed is not None:
         return one._replace(margins=found, first_to_fail=f"{failed.name}: {failed.sentence}")
-    words = margins.first_to_fail(subject, wish.jobs) if wish.fails_first else margins.NOT_ASKED
-    stopped = stops(subject, wish.environment, wish.jobs)
+    words = margins.first_to_fail(subject, wish.workers) if wish.fails_first else margins.NOT_ASKED
+    stopped = stops(subject, wish.environment, wish.workers)
     return one._replace(margins=found, first_to_fail=words, stops=stopped)
 
 

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from vrts.base.source import SourceFile
+from vrts.base.workers import ALONE, Workers
 from vrts.dispatch.planning.reasons.futures import USUAL
 from vrts.dispatch.planning.reasons.refusals import Promise
 from vrts.dispatch.profile import Profile
@@ -25,7 +26,7 @@ class Wish(NamedTuple):
     fails_first: bool = (
         False  # whether to look which margin fails first: takes longer than the rest
     )
-    jobs: int = 1  # processes at a time
+    workers: Workers = ALONE  # that look at worlds
     environment_source: SourceFile | None = None  # the file that it was given in
 
     @property

@@ -12,6 +12,7 @@ import msgspec
 
 from vrts import __version__
 from vrts.base.diagnostic import Diagnostic
+from vrts.base.workers import ALONE, Workers
 from vrts.dispatch.bundle import Bundle, bundle_bytes, read_bundle
 from vrts.dispatch.manifest import Manifest
 from vrts.dispatch.planning.asked import wish_of
@@ -36,18 +37,18 @@ class Again(NamedTuple):
         return not self.refused and not self.differences
 
 
-def planned_again(bundle: Bundle, data: bytes, jobs: int = 1) -> Again:
+def planned_again(bundle: Bundle, data: bytes, workers: Workers = ALONE) -> Again:
     """Plan a bundle again.
 
     Args:
         bundle: It has to say what it was planned from.
         data: Its file.
-        jobs: Processes at a time.
+        workers: Who looks at worlds.
 
     Raises:
         Refused: What it was planned from cannot be read.
     """
-    found = plan(wish_of(bundle, jobs))
+    found = plan(wish_of(bundle, workers))
     if found.bundle is None:
         return Again(found.refused, (), same_bytes=False)
     if bundle_bytes(found.bundle) == data:

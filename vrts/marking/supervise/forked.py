@@ -4,7 +4,6 @@ Only a parent without threads may fork; whoever starts threads (recordings, brow
 does so in the children.
 """
 
-import ctypes
 import faulthandler
 import gc
 import os
@@ -17,13 +16,13 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NoReturn
 
+from vrts.base.workers import end_with
 from vrts.marking.supervise.limits import Limits, impose
 
 LOG = "child.log"
 FAILED, NO_MEMORY = 70, 71  # exit statuses
 _CHUNK = 1 << 16
 _SELDOM = 100_000  # objects made, and not yet gone, between looks for rings of dead ones
-_PR_SET_PDEATHSIG = 1  # [linux/prctl.h]
 
 
 class ForkedProcess:
@@ -122,7 +121,8 @@ def _be_child(
     try:
         _redirect(log, out)  # first: whatever goes wrong is no business of the terminal's
         os.setsid()
-        _end_with(parent)
+        if not end_with(parent):
+            os._exit(FAILED)
         signal.signal(signal.SIGINT, signal.SIG_DFL)
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
         impose(limits)
@@ -142,14 +142,6 @@ def _be_child(
             sys.stderr.flush()
         finally:
             os._exit(status)
-
-
-def _end_with(parent: int) -> None:
-    """Ask Linux to end this process when its parent ends, however that ends."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
-        if os.getppid() != parent:
-            os._exit(FAILED)  # it has ended already
 
 
 def _redirect(log: int, out: int) -> None:

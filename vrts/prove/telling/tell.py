@@ -1,5 +1,8 @@
 """From what seems wrong to what is told: confirmed by a replay, shrunk, with its scenario."""
 
+from contextlib import closing
+
+from vrts.prove.asking import Answers, first_here
 from vrts.prove.environment.environment import Environment
 from vrts.prove.graph.past import story
 from vrts.prove.graph.suspects import Suspect
@@ -21,24 +24,29 @@ class Teller:
         self.replays, self.environment, self.tick_s = replays, environment, tick_s
         self.doubtful: list[str] = []  # what a replay does not show
 
-    def tell(self, suspects: list[Suspect]) -> tuple[Wronged, ...]:
-        """Return what replays confirm, the shortest first."""
+    def tell(self, suspects: list[Suspect], answers: Answers) -> tuple[Wronged, ...]:
+        """Return what replays confirm, the shortest first.
+
+        Args:
+            suspects: What seems wrong, the shortest first.
+            answers: Asks for each what a replay shows; those behind the last told are not asked.
+        """
         found: list[Wronged] = []
         causes: set[tuple[object, ...]] = set()
         doubtful: list[Suspect] = []
-        for suspect in suspects:
-            if len(found) == MOST:
-                break
-            told = self._confirmed(suspect)
-            if told is None:
-                if suspect.wrong not in FORETOLD and suspect.certain:
-                    doubtful.append(suspect)
-                continue
-            where = None if told.cause is None else (told.cause.program, told.cause.step)
-            why = (told.wrong, suspect.what[:2], where)  # of contacts: the bodies, not their parts
-            if why not in causes:
-                causes.add(why)
-                found.append(told)
+        with closing(first_here(answers, self._confirmed, suspects)) as shown_of:
+            for suspect, told in zip(suspects, shown_of, strict=True):
+                if told is None:
+                    if suspect.wrong not in FORETOLD and suspect.certain:
+                        doubtful.append(suspect)
+                    continue
+                where = None if told.cause is None else (told.cause.program, told.cause.step)
+                why = (told.wrong, suspect.what[:2], where)  # of contacts: bodies, not their parts
+                if why not in causes:
+                    causes.add(why)
+                    found.append(told)
+                if len(found) == MOST:
+                    break
         shown = {why[:2] for why in causes}
         for suspect in doubtful:
             if (suspect.wrong, suspect.what[:2]) not in shown:

@@ -22,6 +22,7 @@ from typing import Literal
 
 from vrts.base.diagnostic import Diagnostic, error
 from vrts.base.units import mm
+from vrts.base.workers import Workers
 from vrts.dispatch.manifest import Margin
 from vrts.dispatch.planning.beside import trials
 from vrts.dispatch.planning.beside.trials import BASE, FIRST_SPEED, OBJECTS, Subject, Trial
@@ -36,12 +37,12 @@ NOT_ASKED = "not looked at: `--fails-first` was not asked for"
 NOT_PROVEN = "not looked at: the program itself is not proven"
 
 
-def margins(subject: Subject, jobs: int) -> tuple[Margin, ...]:
+def margins(subject: Subject, workers: Workers) -> tuple[Margin, ...]:
     """Return the margins of a program.
 
     Args:
         subject: The program.
-        jobs: Processes at a time.
+        workers: Who looks at worlds.
     """
     families = (
         (f"objects ±{mm(OBJECTS):g} mm", trials.each_object(subject)),
@@ -55,7 +56,7 @@ def margins(subject: Subject, jobs: int) -> tuple[Margin, ...]:
     named = [(name, list(worlds)) for name, worlds in families]
     named = [(name, worlds) for name, worlds in named if worlds or name != FOUND]
     every = [trial for _, worlds in named for trial in worlds]
-    failed = {failure.what: failure for failure in failures(subject, every, jobs)}
+    failed = {failure.what: failure for failure in failures(subject, every, workers)}
     found = [_contact_margin(subject)]
     found += [_margin(name, worlds, failed) for name, worlds in named]
     return tuple(found)
@@ -73,12 +74,12 @@ def refused(found: Sequence[Margin]) -> Iterator[Diagnostic]:
             )
 
 
-def first_to_fail(subject: Subject, jobs: int) -> str:
+def first_to_fail(subject: Subject, workers: Workers) -> str:
     """Return which margin fails first when all grow alike: takes longer than all else.
 
     Args:
         subject: A program whose margins hold.
-        jobs: Processes at a time.
+        workers: Who looks at worlds.
     """
     families = (
         ("objects", trials.all_objects),
@@ -90,7 +91,7 @@ def first_to_fail(subject: Subject, jobs: int) -> str:
         named = [(name, list(worlds(subject, factor))) for name, worlds in families]
         every = [trial for _, worlds in named for trial in worlds]
         name_of = {trial.what: name for name, worlds in named for trial in worlds}
-        failure = next(failures(subject, every, jobs), None)
+        failure = next(failures(subject, every, workers), None)
         if failure is not None:
             name = name_of[failure.what]
             return f"{name}, at {factor:g} times the margin: {failure.what}: {failure.sentence}"

@@ -10,9 +10,9 @@ hold refuses nothing: the sheet says what not to type.
 from dataclasses import replace
 from typing import Literal
 
+from vrts.base.workers import Workers
 from vrts.check.verdict import Answer
 from vrts.dispatch.manifest import Margin
-from vrts.dispatch.planning.beside.parallel import answers
 from vrts.dispatch.planning.beside.trials import Subject
 from vrts.prove.asking import Asking
 from vrts.prove.environment.environment import Afterwards, Again, Environment
@@ -25,13 +25,13 @@ TYPED = {Afterwards.PROCEED: "PROCEED", Afterwards.RETRY: "RETRY"}
 BEGINS = "stopped in any tick, then "
 
 
-def stops(subject: Subject, environment: Environment, jobs: int) -> tuple[Margin, ...]:
+def stops(subject: Subject, environment: Environment, workers: Workers) -> tuple[Margin, ...]:
     """Return for everything that may be typed after a stop what becomes of it.
 
     Args:
         subject: The program.
         environment: What else may come from outside.
-        jobs: Processes at a time.
+        workers: Who looks at worlds.
     """
 
     def ask(after: Afterwards) -> Margin:
@@ -48,7 +48,7 @@ def stops(subject: Subject, environment: Environment, jobs: int) -> tuple[Margin
             proof = _proven(subject, outside)
         return _margin(TYPED[after], proof)
 
-    return tuple(answers(ask, list(TYPED), jobs))
+    return tuple(workers.answers(ask, list(TYPED)))
 
 
 def typed_after(margin: Margin) -> str:

@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from vrts.base.workers import Workers
 from vrts.check.collision.collision import check_collisions
 from vrts.check.collision.pairs.pairs import PAD_DEPTH
 from vrts.check.judge import judge
-from vrts.dispatch.planning.beside.parallel import answers
 from vrts.dispatch.planning.beside.trials import Subject, Trial
 from vrts.dispatch.planning.beside.worlds import World, displaced, pushed_to_the_middle
 from vrts.dispatch.planning.reasons.proof import Case, obstacles
@@ -20,15 +20,15 @@ class Failure(NamedTuple):
     sentence: str
 
 
-def failures(subject: Subject, trials: Sequence[Trial], jobs: int) -> Iterator[Failure]:
+def failures(subject: Subject, trials: Sequence[Trial], workers: Workers) -> Iterator[Failure]:
     """Yield what goes wrong in which world, in their order.
 
     Args:
         subject: The program.
         trials: The worlds.
-        jobs: Processes at a time.
+        workers: Who looks at worlds.
     """
-    found = answers(lambda trial: tried(subject, trial.world), trials, jobs)
+    found = workers.answers(lambda trial: tried(subject, trial.world), trials)
     for trial, wrong in zip(trials, found, strict=True):
         if wrong:
             yield Failure(trial.what, wrong[0])

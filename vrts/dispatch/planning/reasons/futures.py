@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from vrts.base.diagnostic import Diagnostic, Label, error
+from vrts.base.workers import ALONE, Workers
 from vrts.check.verdict import Answer
 from vrts.dispatch.manifest import Futures
 from vrts.dispatch.planning.reasons.coverage import MOVING
@@ -47,7 +48,11 @@ def asked_of(setting: Setting) -> Environment:
 
 
 def proofs_of(
-    module: Module, settings: Sequence[Setting], environment: Environment, entry: str
+    module: Module,
+    settings: Sequence[Setting],
+    environment: Environment,
+    entry: str,
+    workers: Workers = ALONE,
 ) -> list[Proof]:
     """Return what was found of all futures of a program, for each setting.
 
@@ -60,7 +65,7 @@ def proofs_of(
         key = (setting.scene.digest, repr(scenario))
         if key not in found:
             outside = replace(environment, scenario=scenario)
-            asking = Asking(states=STATES)
+            asking = Asking(states=STATES, answers=workers.answers)
             task = setting.task
             found[key] = prove(module, setting.scene, outside, asking, entry=entry, task=task)
         proofs.append(found[key])
