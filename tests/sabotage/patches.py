@@ -2600,6 +2600,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/prove/telling/test_allowed.py",),
     ),
     Patch(
+        "prove: an analog input that was never tried is no doubt",
+        "vrts/prove/telling/unasked.py",
+        "                        if (step, name) not in told:",
+        "                        if False:",
+        ("tests/unit/prove/telling/test_unasked.py",),
+    ),
+    Patch(
         "paths that rounding tells apart are different states",
         "vrts/engine/futures/named.py",
         "                if np.abs(values - other).max() <= NO_FARTHER:",

@@ -21,6 +21,7 @@ from vrts.prove.telling.covered import covered
 from vrts.prove.telling.goals import MOST_ENDS, Missed, is_asked, missed, suspect
 from vrts.prove.telling.scenarios import scenario_of
 from vrts.prove.telling.tell import Teller
+from vrts.prove.telling.unasked import unasked
 from vrts.scene.model import Scene
 
 __all__ = ["Asking", "Told", "prove"]
@@ -133,4 +134,5 @@ def _left(search: Search) -> tuple[str, ...]:
             f"nobody says what is typed at step {cause.step} of `{cause.program}`:"
             " give answers in the environment"
         )
+    left += unasked(search.first.system.programs.loaded, search.executed.numbers)
     return tuple(left)

@@ -1,7 +1,10 @@
 """Over what a proof speaks, in plain sentences."""
 
+from vrts.engine.code.values.operands import number_of
+from vrts.engine.futures.keys import Clocks
 from vrts.engine.programs.outside import Kind
 from vrts.ir import instructions as ir
+from vrts.ir.module import Module
 from vrts.prove.environment.environment import (
     Afterwards,
     Answering,
@@ -30,9 +33,19 @@ def covered(search: Search, dead: tuple[Step, ...]) -> Covered:
         quantified=(*(_input(environment, n) for n in read), *_others(search, kinds)),
         bounded=_bounded(environment),
         sampled=_sampled(search, kinds),
-        assumed=(*_assumed(environment, bool(read)), *_order(search)),
+        assumed=(*_assumed(environment, bool(read)), *_timers(search.module), *_order(search)),
         dead=dead,
     )
+
+
+def _timers(module: Module) -> tuple[str, ...]:
+    """Return from when timers count that no step sets, where any is read."""
+    programs = module.programs.values()
+    steps = [step for program in programs for step in program.instructions]
+    given = {number_of(step.number) for step in steps if isinstance(step, ir.SetTimer)}
+    if Clocks.of(module).timers <= given:
+        return ()
+    return ("timers that no step sets stand at 0 when the program is executed first",)
 
 
 def _order(search: Search) -> tuple[str, ...]:
