@@ -1576,6 +1576,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/dispatch/posts/test_posts.py",),
     ),
     Patch(
+        "linuxcnc: calls that are too deep are written",
+        "vrts/dispatch/linuxcnc/levels.py",
+        "if level + deepest > LEVELS:",
+        "if level + deepest > 2 * LEVELS:",
+        ("tests/unit/dispatch/linuxcnc/test_program_text.py",),
+    ),
+    Patch(
         "urscript: poses stay in the frame of the scene",
         "vrts/dispatch/urscript/library.py",
         "global v_turn = p[0, 0, 0, 0, 0, 3.141592653589793]",

@@ -9,6 +9,7 @@ from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.source import SourceFile
 from vrts.base.units import MM, deg
 from vrts.controllers.model import CornerShape, LineTurn, WristChoice
+from vrts.dispatch.linuxcnc.levels import LIBRARY
 from vrts.dispatch.linuxcnc.machine import (
     Robot,
     acceleration_text,
@@ -33,7 +34,7 @@ OTHER_ROBOT = Rule("V872", "linuxcnc-robot")
 PINS = ("digital pin of LinuxCNC", "NN of motion.digital-{}-NN")
 PROGRAM, RUN, MOTIONS = "program.ngc", "expected.vrun", "expected.csv"
 INI, HAL, ACCELERATION, SHEET = "machine.ini", "machine.hal", "acceleration.hal", "sheet.md"
-LIBRARY, SETUP = "library", "library/v_setup.ngc"
+SETUP = f"{LIBRARY}/v_setup.ngc"
 EMPTY = ("parameters.var", "tool.tbl")
 
 

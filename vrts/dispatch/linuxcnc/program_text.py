@@ -1,14 +1,17 @@
 """The programs of a module as one file of G-code: a subroutine each, then the main one."""
 
 import re
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule
+from vrts.dispatch.linuxcnc.levels import levels, shallow
 from vrts.dispatch.linuxcnc.locations import constant
 from vrts.dispatch.linuxcnc.memory import Memory
 from vrts.dispatch.linuxcnc.names import LONGEST, comment, number
 from vrts.dispatch.linuxcnc.steps import STOP, Steps
 from vrts.dispatch.linuxcnc.structures import Structures
+from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.calls import called_by
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain
@@ -16,6 +19,7 @@ from vrts.dispatch.saying.table import Table
 from vrts.dispatch.saying.under_way import looks, under_way
 from vrts.ir import instructions as ir
 from vrts.ir.module import Module, Program
+from vrts.ir.values import Type
 from vrts.lang.compiler import Resolved
 from vrts.lang.meaning.structure import word_of
 from vrts.lang.syntax.program import ProgramText, Step
@@ -54,7 +58,8 @@ def said(found: Resolved, module: Module, entry: str, table: Table) -> Said:
                 raise CannotSay(f"`{name}` is a name of the library", "rename the program")
     except CannotSay as cannot:
         return Said("", (cannot.diagnostic(CANNOT_SAY, main),))
-    writer = _Writer(found, module, table, memory, under_way(module, entry))
+    deep = levels(module, names, entry)
+    writer = _Writer(found, module, table, memory, under_way(module, entry), deep)
     texts = {program.name: program for program in found.programs}
     bodies = {name: writer.program(texts[name], main=name == entry) for name in names}
     written = [row for body in bodies.values() for row in body]
@@ -103,16 +108,18 @@ class _Writer:
         table: Table,
         memory: Memory,
         moving: frozenset[tuple[str, int]],
+        level: Mapping[str, int],
     ) -> None:
         self.module, self.table = module, table
-        self.memory, self.moving = memory, moving
+        self.memory, self.moving, self.level = memory, moving, level
         self.problems = found.resolver.problems
         self.errors: list[Diagnostic] = []
+        self.arguments = Arguments(module, frozenset({Type.REAL}))
 
     def program(self, text: ProgramText, *, main: bool) -> list[str]:
         """Return the lines of a program."""
         program = self.module.programs[text.name]
-        steps = Steps(self.memory, self.table)
+        steps = Steps(self.memory, self.table, self.arguments)
         structures = Structures(steps)
         rows = [""]
         if not main:
@@ -138,8 +145,10 @@ class _Writer:
             words = self.problems.source.text[node.start : node.end]
             rows.append(indent + comment(f"{step.number:>3}  {words}"))
             rows += [indent + line for line in steps.take()]
-        rows.append(STOP if main else f"o<{plain(text.name)}> endsub")
-        return rows
+        if main:
+            return [*rows, STOP]
+        rows += [INDENT + row for row in _given_back(program, self.arguments)]
+        return [*rows, f"o<{plain(text.name)}> endsub"]
 
     def _step(
         self, program: Program, step: Step, steps: Steps, structures: Structures, *, main: bool
@@ -163,14 +172,25 @@ class _Writer:
             if isinstance(instruction, JUMPS):
                 raise CannotSay("G-code cannot jump", "use IF, WHILE, DO or FOR")
             if isinstance(instruction, ir.Return):
-                _leave(program, instruction, steps, main=main)
+                _leave(program, instruction, steps, self.arguments, main=main)
             else:
                 steps.write(instruction)
+        shallow(steps.lines, self.level[program.name])
         if any(len(line) > LONGEST for line in steps.lines):
             raise CannotSay("the step is too long for a line of G-code", "work it out in parts")
 
 
-def _leave(program: Program, leave: ir.Return, steps: Steps, *, main: bool) -> None:
+def _leave(
+    program: Program, leave: ir.Return, steps: Steps, arguments: Arguments, *, main: bool
+) -> None:
     if leave.skip is not None:
         raise CannotSay("G-code cannot skip steps of the caller")
-    steps.lines += [STOP, *ENDING] if main else [f"o<{plain(program.name)}> return"]
+    if main:
+        steps.lines += [STOP, *ENDING]
+        return
+    steps.lines += _given_back(program, arguments)
+    steps.lines.append(f"o<{plain(program.name)}> return")
+
+
+def _given_back(program: Program, arguments: Arguments) -> list[str]:
+    return [f"#<_{to}> = #<{plain(own.name)}>" for to, own in arguments.back(program)]

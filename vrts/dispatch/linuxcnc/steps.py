@@ -5,6 +5,7 @@ from typing import TypeAlias
 from vrts.dispatch.linuxcnc.locations import Locations, called
 from vrts.dispatch.linuxcnc.memory import WIDTH, Memory
 from vrts.dispatch.linuxcnc.names import number
+from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain, printed
 from vrts.dispatch.saying.signals import FIRST_INTERNAL, signal_of
@@ -42,8 +43,9 @@ Lines: TypeAlias = list[str]
 class Steps:
     """Writes the steps of one program."""
 
-    def __init__(self, memory: Memory, table: Table) -> None:
-        """Share what is known of variables and signals."""
+    def __init__(self, memory: Memory, table: Table, arguments: Arguments) -> None:
+        """Share what is known of variables, signals and arguments."""
+        self.arguments = arguments
         self.lines: Lines = []
         self.table, self.memory = table, memory
         self.locations = Locations(memory, table, self.lines)
@@ -119,7 +121,9 @@ class Steps:
             case ir.Wait(condition):
                 self._wait(condition)
             case ir.Call(program, arguments):
+                back = self.arguments.taken(instruction)
                 self.lines.append(called(plain(program), *map(self._argument, arguments)))
+                self.lines += (f"{self.values.place(to)} = #<_{name}>" for to, name in back)
             case ir.Type(items):
                 self._type(items)
             case ir.Halt(message) | ir.Stop(message):
@@ -173,11 +177,6 @@ class Steps:
             return
         if kind is not Type.REAL:
             raise CannotSay("LinuxCNC has no strings", "do without")
-        if isinstance(place.variable, Slot):
-            raise CannotSay(
-                f"`{place.variable.name}` is an argument, which G-code cannot give back",
-                "assign to a variable of the caller",
-            )
         text = self.values.real(value)
         self.lines.append(f"{self.values.place(place)} = {text}")
 

@@ -5,12 +5,12 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.pose import Pose
+from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.calls import called_by
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain, readable
 from vrts.dispatch.saying.table import Table
 from vrts.dispatch.saying.under_way import MOTIONS, looks, under_way
-from vrts.dispatch.urscript.arguments import Arguments
 from vrts.dispatch.urscript.blocks import INDENT, Blocks, never_empty
 from vrts.dispatch.urscript.jumps import ends, go, jump_lines, jumps, kept, numbered
 from vrts.dispatch.urscript.library import LIBRARY

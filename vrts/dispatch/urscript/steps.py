@@ -1,10 +1,10 @@
 """Steps of a program as lines of URScript."""
 
+from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain, printed
 from vrts.dispatch.saying.signals import FIRST_INTERNAL, signal_of
 from vrts.dispatch.saying.table import Table
-from vrts.dispatch.urscript.arguments import Arguments
 from vrts.dispatch.urscript.values import HERE, NOTHING, Values, name_of, number
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Constant, Format, Load, Place, Slot, WholeArray

@@ -1,11 +1,11 @@
 """The variables of all programs, with what they hold at first."""
 
 from vrts.base.pose import Pose
+from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.arrays import largest_subscripts
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.parts import constant, parts
 from vrts.dispatch.saying.signals import FIRST_INTERNAL
-from vrts.dispatch.urscript.arguments import Arguments
 from vrts.dispatch.urscript.values import NOTHING, joints_text, name_of, number, pose_text
 from vrts.ir.expressions import Global
 from vrts.ir.module import Module

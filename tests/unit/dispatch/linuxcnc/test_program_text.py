@@ -129,6 +129,24 @@ def test_a_wait_is_repeated_until_it_is_true() -> None:
     ]
 
 
+def test_a_number_given_to_an_argument_comes_back() -> None:
+    more = ".PROGRAM add(x, by)\nIF by == 0 THEN\nRETURN\nEND\nx = x + by\n.END\n"
+    text = gcode("n = 1\nCALL add(n, 2)\nCALL add(n*2, 2)", more).text
+    assert text.count("#<_back_add_0> = #<x>") == 2  # at RETURN and at the end
+    assert "o<add> call [#<_val_n>] [2]\n#<_val_n> = #<_back_add_0>\n" in text
+    assert text.count("#<_val_n> = #<_back_add_0>") == 1
+
+
+def test_calls_that_are_too_deep_for_linuxcnc_are_refused_with_their_line() -> None:
+    more = "".join(f".PROGRAM p{k}\nCALL p{k + 1}\n.END\n" for k in range(1, 3))
+    deepest = ".PROGRAM p3\nMOVES a\n{}.END\n"
+    assert not gcode("CALL p1", more + deepest.format("")).diagnostics
+    (found,) = gcode("CALL p1", more + deepest.format("APPROS a, 20\n")).diagnostics
+    assert found.headline.startswith("calls are 3 deep here, this takes 7 more")
+    assert found.primary is not None
+    assert found.primary.span.text == "APPROS a, 20"
+
+
 def test_programs_are_subroutines_and_take_numbers_and_places() -> None:
     more = ".PROGRAM dip(place, by.mm)\nAPPROS place, by.mm\nRETURN\n.END\n"
     text = gcode("CALL dip(a, 40)\nCALL dip(a:b, n)", more).text
@@ -170,13 +188,13 @@ def test_elements_of_arrays_are_looked_up_within_their_bounds() -> None:
         ("SINGLE ALWAYS", 2, "SINGLE"),
         ("x = TIMER(1)", 2, "TIMER"),
         ("FOR i = 1 TO 3 STEP n\nEND", 2, "the step of a FOR"),
-        ("CALL other2(n)", 8, "is an argument"),
+        ("CALL other2(n)", 2, "which changes it too"),
         ("x[1,2] = 3", 1, "two subscripts"),
         ("CALL again", 1, "comes to call itself"),
     ],
 )
 def test_what_cannot_be_said_is_refused_with_its_line(steps: str, line: int, says: str) -> None:
-    more = ".PROGRAM other\nREADY\n.END\n.PROGRAM other2(v)\nv = 1\n.END\n"
+    more = ".PROGRAM other\nREADY\n.END\n.PROGRAM other2(v)\nv = 1\nn = 2\n.END\n"
     more += ".PROGRAM again\nCALL again\n.END\n"
     (found, *_) = gcode(steps, more).diagnostics
     assert found.rule.code == "V870"

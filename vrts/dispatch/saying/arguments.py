@@ -1,4 +1,4 @@
-"""Arguments that come back: VAL-II passes variables themselves, URScript passes values.
+"""Arguments that come back: VAL-II passes variables themselves, other languages pass values.
 
 A program leaves what it gave to an argument in a variable of its own, and its caller takes it from
 there. That is the same only where nobody looks at the variable meanwhile; else it is refused.
@@ -10,14 +10,17 @@ from vrts.dispatch.saying.parts import parts
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Constant, Global, Place, Slot
 from vrts.ir.module import Module, Program
+from vrts.ir.values import Type
+
+COPIED = frozenset(Type)
 
 
 class Arguments:
     """Which arguments of which program come back."""
 
-    def __init__(self, module: Module) -> None:
-        """Look through the programs of a module."""
-        self.module = module
+    def __init__(self, module: Module, copied: frozenset[Type] = COPIED) -> None:
+        """Look through the programs of a module; `copied` are the types that go as values."""
+        self.module, self.copied = module, copied
         self.changed: dict[str, set[int]] = {name: set() for name in module.programs}
         again = True
         while again:
@@ -31,7 +34,7 @@ class Arguments:
         return [
             (f"back_{plain(program.name)}_{formal.number}", formal)
             for formal in program.formals
-            if formal.number in self.changed[program.name]
+            if formal.number in self.changed[program.name] and formal.type in self.copied
         ]
 
     def taken(self, call: ir.Call) -> list[tuple[Place, str]]:
@@ -44,6 +47,8 @@ class Arguments:
         given = [a for a in call.arguments if isinstance(a, Place)]
         written, named = self._globals(call.program, set())
         for place in given:
+            if place.variable.type not in self.copied:
+                continue
             if place.variable.name in written and isinstance(place.variable, Global):
                 raise CannotSay(
                     f"`{place.variable.name}` is passed to `{call.program}`, which changes it too",
