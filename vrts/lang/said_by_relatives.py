@@ -8,7 +8,9 @@ import re
 from dataclasses import replace
 
 from vrts.base.diagnostic import Diagnostic
+from vrts.base.source import Span
 from vrts.lang.dialect import Dialect
+from vrts.lang.vocabulary.renamed_in_as import help_in_as
 
 _SAYS = re.compile(r"VAL-II says \*(?P<words>[^*]+)\*")
 _OF_AS = {  # by the words of VAL-II: code and words of AS
@@ -50,7 +52,12 @@ def in_words_of(dialect: Dialect, found: tuple[Diagnostic, ...]) -> tuple[Diagno
 
 
 def _reworded(dialect: Dialect, found: Diagnostic) -> Diagnostic:
-    if not any(_TITLE in text for text in (found.headline, *found.notes, *found.help)):
+    help_ = tuple(_named(dialect, text) for text in found.help)
+    if dialect.is_as and found.primary is not None:
+        span = found.primary.span
+        written = span.source.text[_line_start(span) :].partition("\n")[0]
+        help_ = tuple(help_in_as(text, written) for text in help_)
+    if help_ == found.help and not any(_TITLE in t for t in (found.headline, *found.notes)):
         return found
     notes: list[str] = []
     for note in found.notes:
@@ -60,8 +67,11 @@ def _reworded(dialect: Dialect, found: Diagnostic) -> Diagnostic:
         elif dialect.is_as and said["words"] in _OF_AS:
             notes.append(f"AS says {_OF_AS[said['words']]}")
     headline = _named(dialect, found.headline)
-    help_ = tuple(_named(dialect, text) for text in found.help)
     return replace(found, headline=headline, notes=tuple(notes), help=help_)
+
+
+def _line_start(span: Span) -> int:
+    return span.source.text.rfind("\n", 0, span.start) + 1
 
 
 def _named(dialect: Dialect, text: str) -> str:

@@ -43,6 +43,7 @@ def told(body: str, dialect: Dialect) -> list[Diagnostic]:
         ("POINT p = a:TRANS(1, 2, 3)", AS, "POINT p = a+TRANS(1, 2, 3)"),
         ("FOR .i = 9 TO 1 BY -2\nEND", AS, "FOR .i = 9 TO 1 STEP -2\nEND"),
         ("ENABLE CP", AS, "CP ON"),
+        ("ACCURACY = 5", AS, "ACCURACY 5"),
         ("n = MAX(1, 2)", AS, "n = MAXVAL(1, 2)"),
         ("n = MAXVAL(1, 2)", VPLUS, "n = MAX(1, 2)"),
         ('n = POS($s, ",")', AS, 'n = INSTR($s, ",")'),
@@ -111,6 +112,21 @@ def test_home_of_as_is_a_place_of_its_own() -> None:
 def test_a_controller_is_quoted_in_its_own_words(step: str, dialect: Dialect, says: str) -> None:
     (found, *_) = told(f"busy = 1\n{step}", dialect)
     assert says in found.notes
+
+
+@pytest.mark.parametrize(
+    ("step", "help_"),
+    [
+        ("WAIT 0.5", "to wait 0.5 s write `TWAIT 0.5`"),
+        (
+            "MoveL part, v50, fine",
+            "write `LMOVE part`, and the speed in the line before: `SPEED 50`",
+        ),
+    ],
+)
+def test_code_in_a_help_is_code_of_as(step: str, help_: str) -> None:
+    found = told(f"busy = 1\n{step}", AS)[0]
+    assert found.help == (help_,)
 
 
 @pytest.mark.parametrize("dialect", [AS, VPLUS])

@@ -211,7 +211,7 @@ class StepParser:
             if odd is None and "!=" in text:
                 odd = unlike(text, at, tokens, self.problems)
         node: Any = None
-        if self._slip(text, at, head):
+        if self._slip(text, at, head.word.text if head.word is not None else first.upper()):
             node = None
         elif not refuse(self.problems, tokens, head, self.program_names):
             node = self.parser.parse("step", tokens)
@@ -228,9 +228,9 @@ class StepParser:
             return Bad(structural_word(tokens, head), names_in(text), at, at + len(text))
         return node
 
-    def _slip(self, text: str, at: int, head: Head) -> bool:
+    def _slip(self, text: str, at: int, word: str) -> bool:
         """Whether a step is a mistake of V+ or AS that the grammar takes; report it."""
-        if head.word is None or head.word.text not in READABLE:
+        if word not in READABLE:
             return False
         says = readable_slip(text, self.dialect)
         if says:

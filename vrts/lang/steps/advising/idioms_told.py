@@ -31,6 +31,7 @@ from vrts.lang.steps.unknown_words import (
     OTHER_DIALECT,
 )
 from vrts.lang.vocabulary.lookup import look_up
+from vrts.lang.vocabulary.renamed_in_as import help_in_as, step_in_as
 
 _CALL = "call_{n} , {e}"  # an argument, or another program
 _MMPS, _MM_S = "MMPS", "MM/S"  # of VAL-II and V+, and of AS
@@ -40,6 +41,7 @@ _ANY = "ANY"  # which an IF has ELSE for
 _OF_IF = "in an IF the steps for where the condition is false stand behind ELSE"
 _KRL_LOOP = "LOOP"  # which begins what ENDLOOP ends
 _ENDLOOP = re.compile(r"^[ \t]*END[ _]?LOOP\b", re.I | re.M)
+_OPENS_LOOP = re.compile(r"^[ \t]*(?:\d+[ \t]+)?(?:DO|WHILE|FOR)\b", re.I | re.M)
 ELSE_IF = "ELSEIF"  # `ELSEIF x THEN`, which stands for ELSE and IF
 
 
@@ -86,7 +88,7 @@ class IdiomAdvice(Adviser):
             idiom = idiom._replace(instead="ELSE", word="ELSE", note=_OF_IF)
             found = found._replace(idiom=idiom)
         if idiom.word == _KRL_LOOP:
-            if not _ENDLOOP.search(self.problems.source.text, line.at):
+            if not self._begins_loop(line):
                 return None  # the one of BASIC, which ends
             idiom = idiom._replace(word="")
             found = found._replace(idiom=idiom)
@@ -113,19 +115,22 @@ class IdiomAdvice(Adviser):
     def _in_dialect(self, found: Matched) -> Matched:
         """An idiom with what the relatives of VAL-II have for it."""
         idiom, dialect = found.idiom, self.problems.dialect
-        if dialect.is_as and _MMPS in idiom.instead:
-            says = idiom.says.replace(_MMPS, _MM_S)
-            idiom = idiom._replace(says=says, instead=idiom.instead.replace(_MMPS, _MM_S))
-        if dialect.is_as and idiom.instead.startswith("TYPE "):
-            idiom = idiom._replace(instead=idiom.instead.replace("TYPE ", "PRINT ", 1))
-        if dialect.is_as and idiom.instead.startswith("DELAY "):
-            instead = idiom.instead.replace("DELAY ", "TWAIT ", 1)
-            idiom = idiom._replace(instead=instead, note=_TWAIT)
-        if dialect.is_as and "REACTE" in idiom.help:
-            idiom = idiom._replace(help=idiom.help.replace("REACTE", "ONE"))
+        if dialect.is_as:
+            note = _TWAIT if idiom.instead.startswith("DELAY ") else idiom.note
+            says, instead = idiom.says.replace(_MMPS, _MM_S), step_in_as(idiom.instead)
+            idiom = idiom._replace(says=says, instead=instead, note=note)
+            idiom = idiom._replace(help=help_in_as(idiom.help, ""))
         if dialect.is_vplus and idiom.pattern == _CONTINUE:
             idiom = idiom._replace(instead="NEXT", help="")
         return found._replace(idiom=idiom)
+
+    def _begins_loop(self, line: Line) -> bool:
+        """Whether LOOP begins a loop, as in KRL: ENDLOOP follows, or it ends nothing."""
+        text = self.problems.source.text
+        if _ENDLOOP.search(text, line.at):
+            return True
+        program = text[text.upper().rfind(".PROGRAM", 0, line.at) + 1 : line.at]
+        return _OPENS_LOOP.search(program) is None
 
     def _is_program(self, name: str) -> bool:
         headed = rf"^[ \t]*\.PROGRAM[ \t]+{re.escape(name)}(?![\w.])"

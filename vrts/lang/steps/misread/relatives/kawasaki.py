@@ -113,6 +113,7 @@ AS_SLIPS = (
     Idiom("DECOMPOSE_{l} = {e}[ 0 ]", "DECOMPOSE {e}[0] = {l}", says="DECOMPOSE has the array before `=` and the location behind it", sure=False),
     Idiom("SPEED_{e} MMPS", "SPEED {e} MM/S", says="MMPS is no unit of AS: millimetres a second are MM/S"),
     Idiom("SPEED_{e} MMPS_ALWAYS", "SPEED {e} MM/S ALWAYS", says="MMPS is no unit of AS: millimetres a second are MM/S"),
+    Idiom("<ACCURACY|ACCEL|DECEL|TWAIT|STABLE> = {e}", "{w} {e}", says="{w} takes its value without `=`"),
     Idiom("SPEED_{r} IPS {r2}", says="IPS is no unit of AS", help="write millimetres a second: `SPEED 100 MM/S`; an inch is 25.4 mm"),
     Idiom("CASE_${n}_OF", "SCASE ${n} OF", says=_STRINGS, help="write `SCASE ${n} OF`, and SVALUE for each VALUE", sure=False),
     Idiom("CASE_.${n}_OF", "SCASE .${n} OF", says=_STRINGS, help="write `SCASE .${n} OF`, and SVALUE for each VALUE", sure=False),
@@ -121,8 +122,12 @@ AS_SLIPS = (
     Idiom("ENABLE_POWER", says="AS turns no power on in a program", help="leave it out: power is turned on at the panel", drop=True),
     *(Idiom(f"{old}_{{r}}", f"{new} {{r}}", says=f"{new} stands for {old} in AS") for old, new in _RENAMES),
     *(Idiom(old, new, says=f"{new} stands for {old} in AS") for old, new in _RENAMES),
-    *(Idiom(f"{word}<_ALWAYS|>", "ACCURACY {w}", says=f"ACCURACY says in AS how near a motion must come: {word} is no step", help=f"write `ACCURACY {mm} ALWAYS`: the distance in mm") for word, mm in (("COARSE", "50"), ("FINE", "1"))),
-    *(Idiom(f"{word}<_ALWAYS|>", says=f"AS has no {word}", help="leave it out", drop=True) for word in ("NULL", "NONULL", "INTON", "INTOFF", "SINGLE", "MULTIPLE")),
+    *(
+        Idiom(f"{word}{always}", f"ACCURACY {mm}{kept}", says="ACCURACY says in AS how near a motion comes, in mm", sure=False)
+        for word, mm in (("COARSE", "50"), ("FINE", "1"))
+        for always, kept in (("_ALWAYS", " ALWAYS"), ("", ""))
+    ),
+    *(Idiom(f"{word}{always}", says=f"AS has no {word}", help="leave it out", drop=True) for always in ("_ALWAYS", "") for word in ("NULL", "NONULL", "INTON", "INTOFF", "SINGLE", "MULTIPLE")),
     *(Idiom(f"{word} ( {{r}} ) {{r2}}", says=f"AS has no {word}", help="leave it out: the robot is attached", drop=True) for word in ("ATTACH", "DETACH")),
     *(Idiom(word, says=f"AS has no {word}", help="leave it out: the robot is attached", drop=True) for word in ("ATTACH", "DETACH")),
     Idiom("DURATION_{e}", "SPEED {e} S", says="a motion is given a time by SPEED in AS"),
