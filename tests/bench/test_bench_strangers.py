@@ -15,7 +15,7 @@ import pytest
 
 from tests.places import TESTS
 from tests.strangers.damage import KINDS
-from tests.strangers.figures import errors_of, noticed, programs, strangers
+from tests.strangers.figures import errors_of, noticed, programs, strangers, warned
 from vrts.lang.dialect import DIALECTS, Dialect
 
 NOTICED = 0.95  # of the damages that leave a wrong step
@@ -41,6 +41,12 @@ def test_programs_of_strangers_are_accepted(folder: tuple[Path, Dialect]) -> Non
     accepted = {stranger.hash[:16] for stranger in found if not stranger.errors}
     causes = Counter(error.rule.code for stranger in found for error in stranger.errors)
     print(f"\n{dialect.name}: {len(accepted)} of {len(found)} files; {causes.most_common(8)}")
+    apart = {" ".join(text.split()): text for s in found for text in programs(s.text, dialect)}
+    told = {words: warned(text, dialect) for words, text in apart.items()}
+    right = [kinds for kinds in told.values() if kinds is not None]
+    kinds = Counter(kind for found in right for kind in found)
+    print(f"  {len(right)} of {len(told)} programs, each once and alone")
+    print(f"  {sum(map(bool, right))} of these are warned of: {kinds.most_common()}")
     known = json.loads(KEPT.read_text("utf-8")).get(dialect.name, {"accepted": []})
     here = {stranger.hash[:16] for stranger in found}
     assert here.intersection(known["accepted"]) - accepted == set()

@@ -7,13 +7,15 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tests.strangers.damage import Damage, damages
-from vrts.base.diagnostic import Diagnostic
+from vrts.base.diagnostic import Diagnostic, Severity
 from vrts.base.source import SourceFile
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import Dialect
 from vrts.lang.problems import Problems
 from vrts.lang.reading.decoding import decode
 from vrts.lang.reading.splitter import split
+
+ELSEWHERE = ("undefined-program", "undefined-variable", "undefined-location")  # in another file
 
 
 class Stranger(NamedTuple):
@@ -46,6 +48,23 @@ def errors_of(text: str, dialect: Dialect) -> tuple[Diagnostic, ...]:
     """Return the errors of a program."""
     found = compile_source(SourceFile("stranger.v2", text), Options(dialect)).diagnostics
     return tuple(diagnostic for diagnostic in found if diagnostic.is_error)
+
+
+def warned(text: str, dialect: Dialect) -> frozenset[str] | None:
+    """Return the kinds of warnings about a program that stands alone; None where it has errors.
+
+    What another file or the controller may hold is no kind, nor what is not simulated.
+    """
+    found = compile_source(SourceFile("stranger.v2", text), Options(dialect)).diagnostics
+    if any(diagnostic.is_error for diagnostic in found):
+        return None
+    return frozenset(
+        diagnostic.rule.slug
+        for diagnostic in found
+        if diagnostic.severity is Severity.WARNING
+        and diagnostic.rule.slug not in ELSEWHERE
+        and not diagnostic.headline.endswith("is not simulated")
+    )
 
 
 def programs(text: str, dialect: Dialect) -> Iterator[str]:
