@@ -1,4 +1,4 @@
-"""What a relative's controller says where VAL-II has words of its own.
+"""What relatives of VAL-II say and write where it has words of its own.
 
 Messages name VAL-II's words; whoever writes AS gets those of AS instead [AS manual, appendix of
 error messages]. The list of V+ could not be read, so there nothing is claimed of what it says.
@@ -10,8 +10,26 @@ from dataclasses import replace
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import Span
 from vrts.lang.dialect import Dialect
-from vrts.lang.vocabulary.renamed_in_as import help_in_as
 
+NAMES_IN_AS = {
+    "MOVE": "JMOVE",
+    "MOVES": "LMOVE",
+    "APPRO": "JAPPRO",
+    "APPROS": "LAPPRO",
+    "DEPART": "JDEPART",
+    "DEPARTS": "LDEPART",
+    "FLIP": "DWRIST",
+    "NOFLIP": "UWRIST",
+    "READY": "HOME",
+    "SET": "POINT",
+    "TYPE": "PRINT",
+    "DELAY": "TWAIT",
+    "REACTE": "ONE",
+    "CALLS": "SCALL",
+    "MMPS": "MM/S",
+}
+_CODE = re.compile(r"`[^`]*`")
+_WORD = re.compile(r"[A-Za-z][\w.]*")
 _SAYS = re.compile(r"VAL-II says \*(?P<words>[^*]+)\*")
 _OF_AS = {  # by the words of VAL-II: code and words of AS
     "Ambiguous keyword": "P0110 Specify full spelling of command",
@@ -42,6 +60,21 @@ _OF_AS = {  # by the words of VAL-II: code and words of AS
 
 _TITLE = "VAL-II"
 _OF_ITSELF = re.compile(r"--dialect|declar|setting|reads it as|controller of")  # of VAL-II alone
+
+
+def step_in_as(text: str) -> str:
+    """Return a step, or several lines of them, with the words of AS."""
+    return _WORD.sub(lambda found: NAMES_IN_AS.get(found.group(), found.group()), text)
+
+
+def help_in_as(text: str, written: str) -> str:
+    """Return a sentence with the words of AS in its code, but those that the user wrote."""
+    own = {word.upper() for word in _WORD.findall(written)}
+
+    def renamed(found: re.Match[str]) -> str:
+        return found.group() if found.group() in own else step_in_as(found.group())
+
+    return _CODE.sub(lambda code: _WORD.sub(renamed, code.group()), text)
 
 
 def in_words_of(dialect: Dialect, found: tuple[Diagnostic, ...]) -> tuple[Diagnostic, ...]:

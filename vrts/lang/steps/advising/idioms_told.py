@@ -5,6 +5,7 @@ import re
 from vrts.base.diagnostic import Diagnostic, Severity
 from vrts.lang.problems import short
 from vrts.lang.reading.odd_signs import STRAY_CHARACTER
+from vrts.lang.said_by_relatives import help_in_as, step_in_as
 from vrts.lang.steps.advising.adviser import (
     OTHER_LANGUAGE,
     PRECISE,
@@ -31,7 +32,6 @@ from vrts.lang.steps.unknown_words import (
     OTHER_DIALECT,
 )
 from vrts.lang.vocabulary.lookup import look_up
-from vrts.lang.vocabulary.renamed_in_as import help_in_as, step_in_as
 
 _CALL = "call_{n} , {e}"  # an argument, or another program
 _MMPS, _MM_S = "MMPS", "MM/S"  # of VAL-II and V+, and of AS
