@@ -1,5 +1,6 @@
 """Second readers of AS and V+: every text is taken, and leads where the run went."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,8 @@ from tests.oracle.robot_texts.carrying_out import LINEAR, targets
 from tests.oracle.robot_texts.expressions import NotTaken
 from tests.oracle.robot_texts.frames import Frame
 from tests.oracle.robot_texts.reading import read
+from tests.oracle.urscript.drawn import AUTO
+from tests.oracle.urscript.drawn import drawn as calling
 from tests.support_programs import ROOT
 from tests.unit.dispatch.posts.test_posts import HOLDS
 from tests.whole_programs.drawing import drawn
@@ -21,11 +24,14 @@ from vrts.engine.run import Run
 from vrts.ir.instructions import Interpolation
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS
-from vrts.pipeline.compiling.reading import ProgramFile
+from vrts.pipeline.compiling.reading import ProgramFile, Reading
 from vrts.pipeline.request import Request
 from vrts.pipeline.settings import setting_for
+from vrts.pipeline.where import Where
 from vrts.robots.arms.primitives import degrees
 from vrts.robots.kinematics.kinematics import forward
+from vrts.scene.model import Scenario
+from vrts.scene.planned import ScenarioFile
 
 LANGUAGES = ("as", "vplus")
 PROGRAMS = [
@@ -53,7 +59,9 @@ def test_every_text_leads_where_the_run_went(place: Path) -> None:
         _same_targets(told.text, language, found.entry, found.run)
 
 
-def _same_targets(text: str, language: str, entry: str, run: Run) -> None:
+def _same_targets(
+    text: str, language: str, entry: str, run: Run, turned_by: float = TURNED
+) -> None:
     arm = run.scene.robot.arm
     first = {number: on for time, number, on in run.scenario.inputs if time == 0.0}
 
@@ -73,7 +81,7 @@ def _same_targets(text: str, language: str, entry: str, run: Run) -> None:
         went = motion.X_WT @ motion.X_FT.inverse()
         assert np.abs(pose[:3, 3] - np.array(went.translation) / MM).max() < CLOSE_MM, word
         turned = np.reshape(went.rotation, (3, 3))
-        assert np.abs(pose[:3, :3] - turned).max() < TURNED, word
+        assert np.abs(pose[:3, :3] - turned).max() < turned_by, word
 
 
 FEW = [
@@ -115,6 +123,43 @@ def _written(text: str, dialect: str, language: str) -> str | None:
             if k not in lines or row.startswith(".")
         )
     return None
+
+
+FOLLOWED = [
+    pytest.param(k, marks=(pytest.mark.thorough,) if k > 0 else (), id=f"{4 * k}") for k in range(4)
+]
+LINES_TURN = 1e-5  # lines of a serial arm are solved step by step, and end within this [rad]
+
+
+@pytest.mark.parametrize("part", FOLLOWED)
+def test_programs_drawn_by_chance_lead_where_the_run_went(part: int) -> None:
+    """Whole programs with calls, loops, jumps and inputs, in both ways of their decisions."""
+    base = setting_for(Path("prog.v2"), Where("one-can-ur5"))
+    assert base is not None
+    for number in range(4 * part, 4 * part + (4 if part else 1)):
+        text = calling(number).replace("SIGN(", "ABS(")  # AS has none
+        for on in (False, True):
+            scenario = Scenario(inputs=((0.0, 1001, on), (0.0, 1002, on), (0.0, 1003, True)))
+            setting = replace(base, scenario=ScenarioFile("inputs", scenario, ""))
+            request = Request(ProgramFile(text.encode(), "prog.v2"), setting)
+            found = verified(request)
+            assert isinstance(found, Verified)
+            for language in LANGUAGES:
+                told = exported(request, language)
+                assert told.text is not None, told.diagnostics
+                _same_targets(told.text, language, found.entry, found.run, LINES_TURN)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_program_called_from_two_places_has_variables_of_its_own_each_time(language: str) -> None:
+    setting = setting_for(Path("prog.v2"), Where("one-can-ur5"))
+    assert setting is not None
+    request = Request(ProgramFile(AUTO.encode(), "prog.v2"), setting, Reading("vplus"))
+    found, told = verified(request), exported(request, language)
+    assert isinstance(found, Verified)
+    assert told.text is not None, told.diagnostics
+    assert len(found.run.motions) == 9
+    _same_targets(told.text, language, found.entry, found.run)
 
 
 WRONG = [

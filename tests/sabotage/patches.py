@@ -1556,7 +1556,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "angles stay O A T in the languages of relatives",
-        "vrts/dispatch/posts/post.py",
+        "vrts/dispatch/posts/expressions_anew.py",
         "OFFSETS = (-90.0, 90.0, 0.0)",
         "OFFSETS = (0.0, 0.0, 0.0)",
         ("tests/unit/dispatch/posts/test_posts.py",),
@@ -1633,7 +1633,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "operators bind in AS as they do in VAL-II",
-        "vrts/dispatch/posts/post.py",
+        "vrts/dispatch/posts/expressions_anew.py",
         "TABLE_B if self.dialect.precedence is Precedence.B else TABLE_A",
         "TABLE_A",
         ("tests/unit/dispatch/posts/test_posts.py",),

@@ -13,6 +13,31 @@ PLACES = ".LOCATIONS\n" + "".join(
     )
 )
 JOINTS = "#j 10 -80 95 -100 -85 5\n.END\n"
+# of V+: variables of its own, in a program that is called from two places
+AUTO = """.PROGRAM main()
+  AUTO k, x
+  x = 40
+  MOVE safe
+  FOR k = 1 TO 2
+    CALL up(x, k)
+    MOVES safe
+  END
+  CALL up(x, k)
+  TYPE x, k
+.END
+.PROGRAM up(by, n)
+  AUTO k, x
+  x = 1
+  FOR k = 1 TO n
+    DEPARTS by / 4
+    x = x + k
+    by = by + x
+  END
+.END
+.LOCATIONS
+safe 460 50 200 0 180 0
+.END
+"""
 NAMES = ("safe", "left", "right", "high")
 
 

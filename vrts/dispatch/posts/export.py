@@ -7,8 +7,8 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic, Rule, error
 from vrts.base.units import deg
 from vrts.dispatch.posts.checks import checks, with_checks
+from vrts.dispatch.posts.expressions_anew import Settled, Start
 from vrts.dispatch.posts.other_arm import SAME, OtherArm
-from vrts.dispatch.posts.post import Settled, Start
 from vrts.dispatch.posts.same_motion import TOLERANCE_MM, Difference, difference
 from vrts.dispatch.posts.sheet import Given, sheet_text
 from vrts.dispatch.posts.written import POSTS, written

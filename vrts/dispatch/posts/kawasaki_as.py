@@ -5,7 +5,8 @@ See [manual language/dialects#to-as].
 
 from typing import ClassVar
 
-from vrts.dispatch.posts.post import TIGHTEST, CannotWrite, Post, Settled, Start
+from vrts.dispatch.posts.expressions_anew import TIGHTEST, CannotWrite, Settled, Start
+from vrts.dispatch.posts.post import Post
 from vrts.ir.values import Type
 from vrts.lang.compiler import Resolved
 from vrts.lang.dialect import AS
@@ -171,7 +172,7 @@ class KawasakiAs(Post):
         if program is None or node.always:
             raise self.lacking(node, "REACTI ALWAYS" if node.always else "REACTI without a program")
         more = "" if priority is None else f", {self.expression(priority)}"
-        return (f"ONI {self.listed((signal,))} CALL {key(self._text(program))}{more}",)
+        return (f"ONI {self.listed((signal,))} CALL {key(self.text(program))}{more}",)
 
     def _write_enable(self, node: statements.Simple) -> tuple[str, ...]:
         return self._switched(node, "ON")
@@ -221,7 +222,7 @@ class KawasakiAs(Post):
 
     def _write_auto(self, node: statements.Declare) -> tuple[str, ...]:
         """Variables with a dot are a program's own: AS declares none."""
-        return (f"; {self._text(node)}",)
+        return (f"; {self.text(node)}",)
 
     # --- expressions ----------------------------------------------------------------------------
 

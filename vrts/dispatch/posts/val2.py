@@ -2,7 +2,8 @@
 
 from typing import ClassVar
 
-from vrts.dispatch.posts.post import CannotWrite, Post
+from vrts.dispatch.posts.expressions_anew import CannotWrite
+from vrts.dispatch.posts.post import Post
 from vrts.lang.dialect import VAL2
 from vrts.lang.syntax import expressions
 

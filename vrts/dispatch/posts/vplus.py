@@ -29,6 +29,11 @@ class VPlus(Post):
     def _write_reacti(self, node: statements.ReactStatement) -> tuple[str, ...]:
         return self._write_react(node)
 
+    def _write_pcexecute(self, node: statements.Simple) -> tuple[str, ...]:
+        """EXECUTE runs a program as a task beside others, which vrts does not simulate."""
+        remedy = "write it in V+ yourself: `EXECUTE 1 program(), cycles`; vrts cannot verify it"
+        raise self.lacking(node, "PCEXECUTE and can be verified here", remedy)
+
     def _write_ready(self, node: statements.Simple) -> tuple[str, ...]:
         """READY of the arm that was simulated: that of another arm is elsewhere."""
         return self.ready(node, "MOVE")

@@ -8,8 +8,9 @@ from vrts.base.pose import Pose
 from vrts.base.source import SourceFile
 from vrts.base.stack import deep_stack
 from vrts.base.units import deg
+from vrts.dispatch.posts.expressions_anew import CannotWrite, Settled
 from vrts.dispatch.posts.kawasaki_as import KawasakiAs
-from vrts.dispatch.posts.post import CANNOT_WRITE, LEFT_OUT, CannotWrite, Post, Settled
+from vrts.dispatch.posts.post import CANNOT_WRITE, LEFT_OUT, Post
 from vrts.dispatch.posts.val2 import Val2
 from vrts.dispatch.posts.vplus import VPlus
 from vrts.ir.module import Datum

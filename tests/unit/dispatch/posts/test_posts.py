@@ -7,8 +7,8 @@ import pytest
 from tests.support_programs import ROOT
 from vrts.base.pose import translation
 from vrts.base.source import SourceFile
+from vrts.dispatch.posts.expressions_anew import Settled, Start
 from vrts.dispatch.posts.other_arm import SAME, OtherArm
-from vrts.dispatch.posts.post import Settled, Start
 from vrts.dispatch.posts.written import Written, written
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS
