@@ -31,7 +31,7 @@ from vrts.prove.explore.tree import Tree
 from vrts.prove.explore.watch import Watch
 from vrts.prove.graph.graph import Graph, Visit
 from vrts.prove.graph.grows import Grows
-from vrts.prove.graph.never import never_ending, places
+from vrts.prove.graph.never import for_ever, never_ending, never_left, places
 from vrts.prove.graph.past import Past
 from vrts.prove.graph.suspects import End, Suspect, Suspects
 from vrts.prove.proof import Decided, What, Wrong
@@ -91,6 +91,7 @@ class Search:
         self.tree = Tree()
         self.decisions = self.merged = self.ends = 0
         self.is_over = self.was_enough = False
+        self.never_left: tuple[str, ...] = ()  # where programs that look outside go round
         self.endings: dict[tuple[object, ...], End] = {}
         self._known: dict[Key, int] = {}
         self._merging = merging
@@ -133,8 +134,10 @@ class Search:
         if touches is not None:
             touches.certify()
             touches.settle()
-        for suspect in never_ending(self.graph, self.first):
+        closed = for_ever(self.graph)
+        for suspect in never_ending(self.graph, closed, self.first):
             self.suspects.add(suspect)
+        self.never_left = tuple(dict.fromkeys(never_left(closed, self.first)))
         asking.told(Told(len(self.graph.visits), len(self.frontier), len(self.suspects)))
 
     @property

@@ -30,15 +30,33 @@ def places(machine: Machine) -> tuple[Place, bool]:
             return place, False
 
 
-def never_ending(graph: Graph, machine: Machine) -> Iterator[Suspect]:
+def for_ever(graph: Graph) -> list[list[Visit]]:
+    """Return how the states were come to that futures come round to for ever, set by set."""
+    return [[graph.visits[state] for state in states] for states in graph.closed()]
+
+
+def never_left(closed: Sequence[Sequence[Visit]], machine: Machine) -> Iterator[str]:
+    """Yield where a program goes round that looks at something outside, whatever that decides.
+
+    A program that serves a machine does so, and one that asks for the wrong thing, too.
+    """
+    for visits in closed:
+        cause = _cause(machine, min(visits, key=_soonest).place)
+        if cause is not None and any(visit.asks for visit in visits):
+            yield f"going round for ever at step {cause.step} of `{cause.program}` is meant"
+
+
+def never_ending(
+    graph: Graph, closed: Sequence[Sequence[Visit]], machine: Machine
+) -> Iterator[Suspect]:
     """Yield loops and waits that never end, each by the state that is come to first.
 
     Args:
         graph: The states of all futures.
+        closed: What futures come round to `for_ever`.
         machine: One that has their programs in memory.
     """
-    for states in graph.closed():
-        visits = [graph.visits[state] for state in states]
+    for visits in closed:
         if not any(visit.asks for visit in visits) and not all(visit.waits for visit in visits):
             yield _suspect(Wrong.ENDLESS, ENDLESS, visits, machine)
     stuck: dict[Place, list[Visit]] = {}

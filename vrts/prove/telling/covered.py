@@ -33,7 +33,12 @@ def covered(search: Search, dead: tuple[Step, ...]) -> Covered:
         quantified=(*(_input(environment, n) for n in read), *_others(search, kinds)),
         bounded=_bounded(environment),
         sampled=_sampled(search, kinds),
-        assumed=(*_assumed(environment, bool(read)), *_timers(search.module), *_order(search)),
+        assumed=(
+            *_assumed(environment, bool(read)),
+            *_timers(search.module),
+            *_order(search),
+            *search.never_left,
+        ),
         dead=dead,
     )
 

@@ -53,6 +53,15 @@ def test_errors_of_different_causes_are_told_each_once() -> None:
     assert wrongs(proven(body)) == [(Wrong.ERROR, 2), (Wrong.ERROR, 5)]
 
 
+def test_a_program_that_nothing_from_outside_ends_is_told_as_meant() -> None:
+    asks = "WHILE {} DO\nIF SIG(1001) THEN\n{} = 0\nEND\nEND\n"
+    wrong = proven("going = 1\ngong = 1\n" + asks.format("going == 1", "gong"))
+    assert wrong.answer is Answer.HOLDS
+    assert "going round for ever at step 4 of `main` is meant" in wrong.covered.assumed
+    right = proven("going = 1\n" + asks.format("going == 1", "going"))
+    assert not [one for one in right.covered.assumed if "for ever" in one]
+
+
 def test_a_wait_for_an_input_is_no_deadlock() -> None:
     proof = proven("WAIT SIG(1001)\nMOVE a\n")
     assert proof.answer is Answer.HOLDS
