@@ -87,7 +87,9 @@ def decision(decided: Decided) -> str:
         case What.GRIP:
             return "the hand grips" if value else "the hand misses"
         case What.STOP:
-            return f"the operator stops the program, then: {one_line(str(value))}"
+            if value == What.STOP.value:
+                return "the operator stops the program"
+            return f"the operator types {one_line(str(value)).upper()}"
         case What.SPEED:
             return f"the monitor speed is {value} %"
         case What.AGAIN:

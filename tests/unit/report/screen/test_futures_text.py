@@ -34,7 +34,7 @@ def test_a_counterexample_is_told_as_a_story() -> None:
         " --> lower.v2:3:3\n"
     )
     assert "note: at 0.280 s, line 2: input 1001 is on\n" in text
-    assert "note: at 1.000 s: the operator stops the program, then: proceed\n" in text
+    assert "note: at 1.000 s: the operator types PROCEED\n" in text
     assert "error[V560 in-some-future]: even if nothing comes from outside: `x` is divided" in text
 
 
