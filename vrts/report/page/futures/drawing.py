@@ -10,11 +10,11 @@ from vrts.report.page.html import Markup, element
 from vrts.report.plain import one_line
 from vrts.report.proof_words import decision
 
-WIDE, LEFT, RIGHT = 1180, 18, 60  # of the picture, and beside its lines
+WIDE, LEFT, RIGHT = 1150, 18, 60  # of the picture, and beside its lines
 ROW, TOP, BOTTOM = 30, 40, 14  # heights
 BEND = 9  # of corners
 LONGEST = 46  # characters of a label
-LABEL = 7.0  # width of a character
+LABEL, BOLD = 7.0, 7.6  # width of a character
 STEPS = (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600)  # [s] between two lines of time
 MOST_STEPS = 12
 Across: TypeAlias = Callable[[float], float]  # of a time [s]
@@ -103,7 +103,7 @@ class _Drawing:
             label = words if len(words) <= LONGEST else f"{words[: LONGEST - 1]}…"
             x, y = self._x(node.start_s), self._y(k)
             end = max(self._x(node.end_s), x + BEND) if node.parent is not None else x
-            length = LABEL * len(label)
+            length = (BOLD if k in self._bad else LABEL) * len(label)
             turned = x + 16 + length > WIDE - 4
             shapes = [
                 element(
