@@ -240,3 +240,54 @@ def test_all_figures(tmp_path: Path) -> None:
         print(f"{name:40}{measured:>24}{asked:>16}")
     assert states[-1] - states[-2] <= 2 * (states[-2] - states[-3]) + 1
     assert accused.startswith("0 of")
+
+
+SHARE = """
+import sys, time
+from click.testing import CliRunner
+from vrts.base.workers import Workers
+from vrts.cli.main import vrts
+
+asked = []
+
+def answers(self, ask, things):
+    for thing in things:
+        before = time.process_time()
+        answer = ask(thing)
+        asked.append(time.process_time() - before)
+        yield answer
+
+Workers.answers = answers
+before = time.process_time()
+CliRunner().invoke(vrts, ["prove", *sys.argv[1:]])
+print(time.process_time() - before, *asked)
+"""
+
+
+@pytest.mark.parametrize("name", ["T01", "T04", "O01", "O04", "P05", "R38"])
+def test_what_other_cores_are_worth(name: str, tmp_path: Path) -> None:
+    """The share that may be on other cores, what two free ones would make of it, and the clock.
+
+    The clock says little where other work is done on the machine: so both ways are run in turn.
+    """
+    (one,) = (one for one in planted() if one.name == name)
+    words = one.written(tmp_path)
+    ran = subprocess.run([sys.executable, "-c", SHARE, *words], capture_output=True, check=True)
+    whole, *asked = map(float, ran.stdout.split())
+    cores = [0.0, 0.0]
+    for took in asked:  # each is given to whoever is free first
+        cores[cores.index(min(cores))] += took
+    two = whole - sum(asked) + max(cores)
+    took_s: dict[str, list[float]] = {"1": [], "2": []}
+    for _ in range(3):
+        for jobs, times in took_s.items():
+            before = time.perf_counter()
+            command = [sys.executable, "-m", "vrts.cli.main", "prove", *words, "--jobs", jobs]
+            subprocess.run(command, capture_output=True, check=False)
+            times.append(time.perf_counter() - before)
+    one_s, two_s = (sorted(times)[1] for times in took_s.values())
+    print(
+        f"\n{name}: {whole:.2f} s of processor time, {sum(asked):.2f} s of it in {len(asked)}"
+        f" questions that others may answer; two free cores: {two:.2f} s, {whole / two:.2f} times"
+        f" as fast; by the clock {one_s:.1f} and {two_s:.1f} s, {one_s / two_s:.2f} times"
+    )

@@ -347,6 +347,9 @@ def test_waiting_for_an_input_is_no_decision(tmp_path: Path) -> None:
     found = planned(main("MOVE safe", "WAIT SIG(1001)", "READY"), comes)
     assert found.bundle is not None, found.refused
     assert found.bundle.manifest.reads.inputs == ("input 1001",)
+    said = {margin.name: margin.sentence for margin in found.bundle.manifest.margins}
+    assert said["objects ±3 mm"] == "there is nothing to try"  # the hand takes nothing
+    assert said["base ±2 mm"] == "holds in all of 4 cases"
 
 
 # --- waivers --------------------------------------------------------------------------------------

@@ -34,6 +34,7 @@ from vrts.robots.built import doubt_m, reach_of
 FACTORS = (1.5, 2.0, 3.0)  # margins this many times as large are tried, to tell which fails first
 FOUND = "the robot as found, within its intervals"
 NOT_ASKED = "not looked at: `--fails-first` was not asked for"
+NOTHING = "there is nothing to try"
 NOT_PROVEN = "not looked at: the program itself is not proven"
 
 
@@ -146,5 +147,7 @@ def _margin(name: str, worlds: Sequence[Trial], failed: dict[str, Failure]) -> M
     failure = next((failed[trial.what] for trial in worlds if trial.what in failed), None)
     if failure is not None:
         return Margin(name, "violated", "sampled", None, f"{failure.what}: {failure.sentence}")
+    if not worlds:
+        return Margin(name, "holds", "sampled", None, NOTHING)
     count = f"{len(worlds)} case{'' if len(worlds) == 1 else 's'}"
     return Margin(name, "holds", "sampled", None, f"holds in all of {count}")
