@@ -14,18 +14,20 @@ import select
 import signal
 import sys
 import threading
+import traceback
 from collections import deque
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from multiprocessing import current_process, get_context
-from multiprocessing.connection import Connection
 from types import MappingProxyType
-from typing import Any, Final, NamedTuple, TypeVar
+from typing import Any, Final, NamedTuple, NoReturn, TypeVar
 
 T = TypeVar("T")
 R = TypeVar("R")
 
 AHEAD: Final = 4  # things for each worker that may be answered before the first of them is taken
+NUMBER: Final = 8  # bytes of a number between processes
+FAILED: Final = 70  # exit status
+_worker: list[int] = []  # in a worker: whose it is
 _END = (signal.SIGINT, signal.SIGTERM)
 _PR_SET_PDEATHSIG = 1  # [linux/prctl.h]
 
@@ -122,25 +124,33 @@ class _Worker:
     """A process that answers one thing after the other."""
 
     def __init__(self, ask: Callable[[Any], object], things: Sequence[Any]) -> None:
-        context = get_context("fork")
-        self._ours, theirs = context.Pipe()
-        self._process = context.Process(
-            target=_work, args=(ask, things, theirs, self._ours, os.getpid()), daemon=True
-        )
-        self._process.start()
-        theirs.close()
+        asked, self._ask = os.pipe()
+        self._told, tell = os.pipe()
+        parent = os.getpid()
+        try:
+            self._pid = os.fork()
+        except OSError:
+            for end in (asked, self._ask, self._told, tell):
+                os.close(end)
+            raise
+        if self._pid == 0:
+            os.close(self._ask)
+            os.close(self._told)
+            _be_worker(ask, things, (asked, tell), parent)
+        os.close(asked)
+        os.close(tell)
+        self._code: int | None = None  # how it ended, once that is known
         self.has: int | None = None  # the number of the thing it was given
         self.is_lost = False
 
     def fileno(self) -> int:
         """Return what becomes readable when it answers or ends."""
-        return self._ours.fileno()
+        return self._told
 
     @property
     def words(self) -> str:
         """How it was lost."""
-        self._process.join()
-        code = self._process.exitcode or 0
+        code = self._wait()
         how = f"was ended by {signal.Signals(-code).name}" if code < 0 else f"ended with {code}"
         memory = ", as Linux does where memory runs out" if code == -signal.SIGKILL else ""
         return f"a worker process {how}{memory}; what it was at is done again without it"
@@ -149,23 +159,30 @@ class _Worker:
         """Let it answer a thing."""
         self.has = number
         with suppress(OSError):  # it has ended: `take` says so
-            self._ours.send(number)
+            os.write(self._ask, number.to_bytes(NUMBER, "big"))
 
     def take(self) -> tuple[Any, ...]:
         """Return its answer; nothing: it has none, or is lost."""
         self.has = None
-        try:
-            return self._ours.recv()  # what our own fork has sent
-        except (EOFError, OSError):
+        length = int.from_bytes(_read(self._told, NUMBER), "big")
+        data = _read(self._told, length)
+        if not length or len(data) < length:
             self.is_lost = True
             return ()
+        return pickle.loads(data)  # noqa: S301 -- what our own fork has sent
 
     def end(self) -> None:
         """End it at once, and wait until it has ended."""
-        self._process.kill()
-        self._process.join()
-        self._process.close()
-        self._ours.close()
+        if self._code is None:
+            os.kill(self._pid, signal.SIGKILL)
+        self._wait()
+        os.close(self._ask)
+        os.close(self._told)
+
+    def _wait(self) -> int:
+        if self._code is None:
+            self._code = os.waitstatus_to_exitcode(os.waitpid(self._pid, 0)[1])
+        return self._code
 
 
 def end_with(parent: int) -> bool:
@@ -179,34 +196,48 @@ def end_with(parent: int) -> bool:
     return os.getppid() == parent or sys.platform != "linux"
 
 
-def _work(
-    ask: Callable[[Any], object],
-    things: Sequence[Any],
-    asked: Connection,
-    others: Connection,
-    parent: int,
-) -> None:
-    """Answer until nobody asks any more; Ctrl-C is for whoever asks."""
-    others.close()
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    signal.pthread_sigmask(signal.SIG_UNBLOCK, _END)
-    if not end_with(parent):
-        return
-    while True:
+def _be_worker(
+    ask: Callable[[Any], object], things: Sequence[Any], ends: tuple[int, int], parent: int
+) -> NoReturn:
+    """Answer until nobody asks any more, and never return; Ctrl-C is for whoever asks."""
+    status = FAILED
+    try:
+        _worker.append(parent)
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, _END)
+        if end_with(parent):
+            _work(ask, things, *ends)
+        status = 0
+    except BaseException:  # the one that asks is told that this has ended
+        traceback.print_exc()
+    finally:
+        os._exit(status)
+
+
+def _work(ask: Callable[[Any], object], things: Sequence[Any], asked: int, tell: int) -> None:
+    """Answer until nobody asks any more."""
+    while number := _read(asked, NUMBER):
         try:
-            number: int = asked.recv()
-        except EOFError:
-            return
-        try:
-            answer: tuple[object, ...] = (ask(things[number]),)
+            answer: tuple[object, ...] = (ask(things[int.from_bytes(number, "big")]),)
         except Exception:  # raised again where it is asked again
             answer = ()
         data = pickle.dumps(answer)
-        try:
-            asked.send_bytes(data)
-        except OSError:  # nobody is there any more
-            return
+        left = memoryview(len(data).to_bytes(NUMBER, "big") + data)
+        while left:
+            try:
+                left = left[os.write(tell, left) :]
+            except BrokenPipeError:  # nobody is there any more
+                return
+
+
+def _read(end: int, most: int) -> bytes:
+    """Return so many bytes, or fewer where nobody writes any more."""
+    parts: list[bytes] = []
+    while most and (part := os.read(end, min(most, 1 << 20))):
+        parts.append(part)
+        most -= len(part)
+    return b"".join(parts)
 
 
 def _ready(crew: Sequence[_Worker]) -> list[_Worker]:
@@ -216,7 +247,7 @@ def _ready(crew: Sequence[_Worker]) -> list[_Worker]:
 
 def _may_fork() -> bool:
     alone = threading.active_count() == 1
-    return sys.platform == "linux" and alone and not current_process().daemon
+    return sys.platform == "linux" and alone and not _worker
 
 
 @contextmanager
