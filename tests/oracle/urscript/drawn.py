@@ -1,18 +1,25 @@
-"""Programs of VAL-II drawn by chance for an arm of Universal Robots, from a number."""
+"""Programs of VAL-II drawn by chance from a number: calls, loops, jumps, lists, inputs, motions."""
 
 from random import Random
 
-PLACES = ".LOCATIONS\n" + "".join(
-    f"{name} {x} {y} {z} {o} {a} {t}\n"
-    for name, x, y, z, o, a, t in (
-        ("safe", 460, 50, 220, 90, 90, 0),
-        ("left", 440, 110, 250, 85, 88, 5),
-        ("right", 470, -60, 240, 95, 93, -8),
-        ("high", 430, 20, 300, 90, 84, 12),
-        ("turn", 12, -9, 7, 90, -86, 6),
-    )
-)
-JOINTS = "#j 10 -80 95 -100 -85 5\n.END\n"
+PLACES = """.LOCATIONS
+safe 460 50 220 90 90 0
+left 440 110 250 85 88 5
+right 470 -60 240 95 93 -8
+high 430 20 300 90 84 12
+turn 12 -9 7 90 -86 6
+#j 10 -80 95 -100 -85 5
+.END
+"""
+PUMA560 = """.LOCATIONS
+safe 460 -30 0 90 90 0
+left 440 120 20 85 88 5
+right 470 -180 40 95 93 -8
+high 430 -20 60 90 84 12
+turn 12 -9 7 90 -86 6
+#j 10 -80 100 5 40 5
+.END
+"""
 # of V+: variables of its own, in a program that is called from two places
 AUTO = """.PROGRAM main()
   AUTO k, x
@@ -179,8 +186,8 @@ class _Writer:
                 return self.motion()
 
 
-def drawn(number: int) -> str:
-    """Return the file of the program of a number."""
+def drawn(number: int, places: str = PLACES) -> str:
+    """Return the file of the program of a number, with the places that an arm reaches."""
     writer = _Writer(Random(f"urscript {number}"))
     begun = [
         "x = 1",
@@ -198,4 +205,4 @@ def drawn(number: int) -> str:
     writer.labels = 0
     part = ["MOVES at:TRANS(0, 0, -5, 90, -90, 0)", *writer.body(1, args=True), "n = n + 1"]
     rows = [".PROGRAM main", *main, ".END", ".PROGRAM part(n, at)", *part, ".END"]
-    return "\n".join(rows) + "\n" + PLACES + JOINTS
+    return "\n".join(rows) + "\n" + places

@@ -84,6 +84,9 @@ class Values:
                 return f"[0 - {self.condition(e)}]"
             case Binary(operator, left, right) if operator in ARITHMETIC:
                 return f"[{self.real(left)} {ARITHMETIC[operator]} {self.real(right)}]"
+            case Binary(BinaryOperator.MOD, left, right):
+                one, other = (self.kept(f"[{self.real(part)}]") for part in (left, right))
+                return f"[{one} - {other}*{self._whole(f'{one}/{other}')}]"
             case Binary(BinaryOperator.POWER, left, right):
                 return f"[{self.real(left)} ** {self.real(right)}]"
             case Apply(Function.SIG):
@@ -156,6 +159,10 @@ class Values:
             parts.append(f"[{read} {'NE' if on else 'EQ'} 0]")
         return parts[0] if len(parts) == 1 else f"[{' AND '.join(parts)}]"
 
+    def _whole(self, text: str) -> str:
+        value = self.kept(f"[{text}]")  # FIX goes down, VAL-II's INT towards 0
+        return f"[FIX[{value}] + [[{value} LT 0] AND [FIX[{value}] NE {value}]]]"
+
     def _apply(self, e: Apply) -> str:
         function, arguments = e.function, e.arguments
         if function in COORDINATES:
@@ -173,8 +180,9 @@ class Values:
             case Function.SQR:
                 return f"[{values[0]} * {values[0]}]"
             case Function.INT:
-                value = self.kept(f"[{values[0]}]")
-                return f"[FIX[{value}] + [[{value} LT 0] AND [FIX[{value}] NE {value}]]]"
+                return self._whole(values[0])
+            case Function.SIGN:
+                return f"[2*[{values[0]} GE 0] - 1]"
             case Function.MIN | Function.MAX if len(values) == 2:
                 sign = "-" if function is Function.MIN else "+"
                 one, other = (self.kept(f"[{value}]") for value in values)

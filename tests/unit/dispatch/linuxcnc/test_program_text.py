@@ -129,6 +129,13 @@ def test_a_wait_is_repeated_until_it_is_true() -> None:
     ]
 
 
+def test_remainders_and_signs_are_those_of_val() -> None:
+    assert steps_of("x = n MOD 3")[-1] == (
+        "#<_val_x> = [#<k1> - #<k2>*[FIX[#<k3>] + [[#<k3> LT 0] AND [FIX[#<k3>] NE #<k3>]]]]"
+    )
+    assert steps_of("x = SIGN(n)") == ["#<_val_x> = [2*[#<_val_n> GE 0] - 1]"]
+
+
 def test_a_number_given_to_an_argument_comes_back() -> None:
     more = ".PROGRAM add(x, by)\nIF by == 0 THEN\nRETURN\nEND\nx = x + by\n.END\n"
     text = gcode("n = 1\nCALL add(n, 2)\nCALL add(n*2, 2)", more).text
