@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from tests.unit.dispatch.rehearsing.test_rehearsals import PROGRAMS, SPEED
-from tests.unit.validate.support import turning_run
+from tests.unit.validate.support import run_of, turning_run
 from vrts.base.units import DEG, MM
 from vrts.dispatch.linuxcnc.export import exported_folder
 from vrts.dispatch.rehearsing import place
@@ -121,25 +121,60 @@ def period(ns: int) -> tuple[Changed, ...]:
 
 
 ALL = tuple(range(6))
+STOPS, CORNERS, TURNING, LOOPS = "01-stops", "02-corners", "03-turning", "04-loops"
+CALLS, FRAMES, BRANCHES, SPEEDS = "05-calls", "06-frames", "10-branches", "11-speeds"
+ZEROS = (0.5, CALLS), (-0.3, LOOPS), (0.5, STOPS), (0.4, BRANCHES), (0.3, TURNING), (-0.5, FRAMES)
 CASES = [
     *(
-        Case(f"zero of joint {k + 1}", Cause(Kind.ZERO, k), by * DEG, zero=(k, by * DEG))
-        for k, by in enumerate((0.5, -0.3, 0.5, 0.4, 0.3, -0.5))
+        Case(
+            f"zero of joint {k + 1}",
+            Cause(Kind.ZERO, k),
+            by * DEG,
+            zero=(k, by * DEG),
+            program=program,
+        )
+        for k, (by, program) in enumerate(ZEROS)
     ),
-    Case("link a2", Cause(Kind.COUNTED_LINK, 0, "a2"), 2 * MM, link("a2", "A-2", 2.0)),
-    Case("link d4", Cause(Kind.COUNTED_LINK, 0, "d4"), -1.5 * MM, link("d4", "D-3", -1.5)),
-    Case("link d2", Cause(Kind.COUNTED_LINK, 0, "d2"), 1 * MM, link("d2", "D-2", 1.0)),
-    Case("link a3", Cause(Kind.COUNTED_LINK, 0, "a3"), 2 * MM, link("a3", "A-3", 2.0)),
-    Case("speeds -8 %", Cause(Kind.SPEEDS), -0.08, speeds(0.92, ALL, lines=True)),
-    Case("speeds +6 %", Cause(Kind.SPEEDS), 0.06, speeds(1.06, ALL, lines=True)),
-    Case("speeds -15 %", Cause(Kind.SPEEDS), -0.15, speeds(0.85, ALL, lines=True)),
-    Case("lines -10 %", Cause(Kind.LINE_SPEED), -0.1, speeds(0.9, (), lines=True)),
-    Case("joint 1 -25 %", Cause(Kind.SPEED, 0), -0.25, speeds(0.75, (0,), lines=False)),
-    Case("acceleration 280 ms", Cause(Kind.ACCELERATION), 0.056, acceleration(0.28)),
-    Case("acceleration 168 ms", Cause(Kind.ACCELERATION), -0.056, acceleration(0.168)),
-    Case("clock 990 us", Cause(Kind.RATE), -0.01, period(990_000)),
-    Case("clock 995 us", Cause(Kind.RATE), -0.005, period(995_000)),
-    Case("clock 1008 us", Cause(Kind.RATE), 0.008, period(1_008_000)),
+    Case(
+        "link a2", Cause(Kind.COUNTED_LINK, 0, "a2"), 2 * MM, link("a2", "A-2", 2.0), program=CALLS
+    ),
+    Case(
+        "link d4",
+        Cause(Kind.COUNTED_LINK, 0, "d4"),
+        -1.5 * MM,
+        link("d4", "D-3", -1.5),
+        program=STOPS,
+    ),
+    Case(
+        "link d2", Cause(Kind.COUNTED_LINK, 0, "d2"), 1 * MM, link("d2", "D-2", 1.0), program=LOOPS
+    ),
+    Case(
+        "link a3",
+        Cause(Kind.COUNTED_LINK, 0, "a3"),
+        2 * MM,
+        link("a3", "A-3", 2.0),
+        program=BRANCHES,
+    ),
+    Case("speeds -8 %", Cause(Kind.SPEEDS), -0.08, speeds(0.92, ALL, lines=True), program=STOPS),
+    Case("speeds +6 %", Cause(Kind.SPEEDS), 0.06, speeds(1.06, ALL, lines=True), program=CALLS),
+    Case("speeds -15 %", Cause(Kind.SPEEDS), -0.15, speeds(0.85, ALL, lines=True), program=LOOPS),
+    Case("lines -10 %", Cause(Kind.LINE_SPEED), -0.1, speeds(0.9, (), lines=True), program=TURNING),
+    Case(
+        "joint 1 -25 %",
+        Cause(Kind.SPEED, 0),
+        -0.25,
+        speeds(0.75, (0,), lines=False),
+        program=BRANCHES,
+    ),
+    Case(
+        "acceleration 280 ms", Cause(Kind.ACCELERATION), 0.056, acceleration(0.28), program=FRAMES
+    ),
+    Case(
+        "acceleration 168 ms", Cause(Kind.ACCELERATION), -0.056, acceleration(0.168), program=STOPS
+    ),
+    Case("clock 990 us", Cause(Kind.RATE), -0.01, period(990_000), program=CORNERS),
+    Case("clock 995 us", Cause(Kind.RATE), -0.005, period(995_000), program=CALLS),
+    Case("clock 1008 us", Cause(Kind.RATE), 0.008, period(1_008_000), program=SPEEDS),
 ]
 
 
@@ -211,12 +246,18 @@ def test_faults_of_linuxcnc_are_found_in_its_log() -> None:
         named += first
         off = _errors_off(found, case)
         errors.append(off)
-        print(f"{case.name:22} {off:6.2f} standard errors  {sentence(found)}", flush=True)
+        print(
+            f"{case.name:20} {case.program:12} {off:6.2f} standard errors"
+            f"  {'first' if first else 'NOT FIRST'}  {sentence(found)}",
+            flush=True,
+        )
     print(
         f"{len(cases)} cases: named first {named}, within two standard errors"
         f" {sum(off <= 2.0 for off in errors)}, within four {sum(off <= 4.0 for off in errors)}"
     )
     assert named >= 0.9 * len(cases)
+    assert sum(off <= 2.0 for off in errors) >= 0.85 * len(cases)
+    assert max(errors) <= 4.0
 
 
 def _errors_off(found: Identified, case: Case) -> float:
@@ -273,3 +314,100 @@ def test_intervals_hold_what_they_say(name: str, true: dict[Cause, float], alike
     shares = {f"{c.kind.value} {c.place}": n / SIMULATIONS for c, n in covered.items()}
     print(f"\n{name}: {SIMULATIONS} simulations, covered {shares}", flush=True)
     assert all(0.93 <= share <= 0.97 for share in shares.values())
+
+
+SMOOTH = (Kind.ZERO, Kind.TOOL, Kind.BASE, Kind.TURN, Kind.HIDDEN_ZERO, Kind.RATE, Kind.LAG)
+TICKS = (Kind.SPEEDS, Kind.SPEED, Kind.ACCELERATION)
+SHORT = """\
+.PROGRAM short
+  SPEED 60 ALWAYS
+  MOVE #a
+  BREAK
+  MOVE #b
+  BREAK
+  MOVE #c
+.END
+.LOCATIONS
+#a 0 -60 60 0 30 0
+#b 50 -80 40 60 60 90
+#c -40 -40 70 -50 -60 -120
+.END
+"""
+
+
+def drawn(chance: np.random.Generator, kinds: tuple[Kind, ...]) -> dict[Cause, float]:
+    """Return one cause, or two, with a size that a log of this noise tells well."""
+    found: dict[Cause, float] = {}
+    for kind in chance.choice(np.array(kinds, dtype=object), 1 + int(chance.random() < 0.4)):
+        sign, size = chance.choice((-1.0, 1.0)), chance.uniform(1.0, 3.0)
+        place = int(chance.integers(3 if kind in (Kind.TOOL, Kind.BASE, Kind.TURN) else 6))
+        match kind:
+            case Kind.ZERO | Kind.HIDDEN_ZERO | Kind.TURN:
+                found[Cause(kind, place)] = sign * size * 0.1 * DEG
+            case Kind.TOOL | Kind.BASE:
+                found[Cause(kind, place)] = sign * size * 0.5 * MM
+            case Kind.RATE:
+                found[Cause(kind)] = sign * size * 2e-3
+            case Kind.LAG:
+                found[Cause(kind)] = size * 0.01
+            case Kind.SPEED:
+                found[Cause(kind, place)] = sign * size * 0.06
+            case Kind.SPEEDS:
+                found[Cause(kind)] = sign * size * 0.04
+            case _:
+                found[Cause(kind)] = sign * 0.028 * int(size)
+    return found
+
+
+def simulated(again: Again, true: dict[Cause, float], chance: np.random.Generator) -> RobotLog:
+    """Return a log with noise of joints, encoder steps, and positions measured to 0.1 mm."""
+    run = again.with_values(true)
+    times = np.arange(-0.5, run.horizon_s + 0.5, 0.028)
+    clock = Clock(np.array([0.0]), np.zeros(len(times), np.intp))
+    middle, zeros = float(0.5 * (times[0] + times[-1])), np.zeros((len(times), 3))
+    joints = -residuals(again, Rows(times, np.zeros((len(times), 6)), zeros, middle), clock, true)
+    told = joints[:, :6] + chance.normal(0.0, NOISE, (len(times), 6))
+    told = np.round(told / STEP) * STEP
+    shown = -residuals(again, Rows(times, told, zeros, middle), clock, true)[:, 6:]
+    shown += chance.normal(0.0, 0.1 * MM, shown.shape)
+    return RobotLog("log", "0" * 64, times, told, shown, synthetic=True, findings=())
+
+
+@pytest.mark.parametrize(
+    ("name", "kinds", "share"), [("smooth", SMOOTH, 1.0), ("by ticks", TICKS, 0.1)]
+)
+def test_intervals_hold_what_they_say_where_causes_are_chosen(
+    name: str, kinds: tuple[Kind, ...], share: float
+) -> None:
+    """The whole of `identify`: what causes there are is found out, too, from the log alone.
+
+    Told: how often exactly the causes were named that were put in, and how many intervals of 95 %
+    hold the number that was put in, of all that were named rightly.
+    """
+    again, chance = Again(run_of(SHORT.encode())), np.random.default_rng(21)
+    count = max(round(share * SIMULATIONS), 1)
+    exact = inside = rightly = more = less = 0
+    by_kind: dict[str, list[bool]] = {}
+    for number in range(count):
+        true = drawn(chance, kinds)
+        found = identify_log(again.run, simulated(again, true, chance))
+        named = {n.cause: n for n in found.numbers}
+        # both ways of leading servos are one cause, told within one interval
+        named = {Cause(c.kind) if c.kind is Kind.LAG else c: n for c, n in named.items()}
+        exact += named.keys() == true.keys()
+        more += bool(named.keys() - true.keys())
+        less += bool(true.keys() - named.keys())
+        for cause, value in true.items():
+            if cause in named:
+                held = named[cause].low <= value <= named[cause].high
+                by_kind.setdefault(cause.kind.value, []).append(held)
+                inside, rightly = inside + held, rightly + 1
+        if number % 50 == 49 or number == count - 1:
+            shares = {kind: f"{sum(v)}/{len(v)}" for kind, v in by_kind.items()}
+            print(
+                f"{name}: {number + 1} simulations, exactly named {exact}, with another {more},"
+                f" without one {less}; covered {inside} of {rightly}"
+                f" ({inside / max(rightly, 1):.3f}) {shares}",
+                flush=True,
+            )
+    assert inside >= 0.93 * rightly

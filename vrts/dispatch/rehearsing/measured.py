@@ -77,6 +77,30 @@ def measured(run: Run, samples: Samples) -> tuple[Stretch, ...]:
     return tuple(found)
 
 
+class Course(NamedTuple):
+    """How far LinuxCNC is from the run while a stretch lasts, each millisecond."""
+
+    stretch: Stretch
+    times: Array  # of the run, shape (n,) [s]
+    joints: Array  # LinuxCNC's minus the run's at equal times, shape (n, 6) [rad]
+    equal: Array  # of the tip from where it is at equal times, shape (n,) [m]
+    path: Array  # of the tip from the run's path, shape (n,) [m]
+
+
+def courses(run: Run, samples: Samples, stretches: tuple[Stretch, ...]) -> tuple[Course, ...]:
+    """Return the course of every stretch that LinuxCNC made."""
+    moving = samples.moving
+    found: list[Course] = []
+    for one in stretches:
+        if not one.missing:
+            chosen = (samples.motions >= one.first) & (samples.motions <= one.last) & moving
+            beside = _beside_run(
+                run, samples, np.flatnonzero(chosen), (one.first - 1, one.last - 1)
+            )
+            found.append(Course(one, beside.times, beside.joints, beside.equal, beside.path))
+    return tuple(found)
+
+
 def extra(run: Run, samples: Samples) -> int:
     """Return how many motions LinuxCNC made beyond those of the run."""
     highest = int(samples.motions.max()) if len(samples.motions) else 0
@@ -86,13 +110,39 @@ def extra(run: Run, samples: Samples) -> int:
 def _stretch(
     run: Run, samples: Samples, at: npt.NDArray[np.intp], motions: tuple[int, int]
 ) -> Stretch:
-    first, last = run.motions[motions[0]], run.motions[motions[1]]
+    first = run.motions[motions[0]]
     rounded = motions[0] != motions[1] or _turns(run, first)
     line = f"{first.cause.program} {first.cause.step}"
     named = (motions[0] + 1, motions[1] + 1, line, rounded)
     if not len(at):
         far = float("inf")
         return Stretch(*named, far, far, far, far, far, 0.0, missing=True)
+    found = _beside_run(run, samples, at, motions)
+    return Stretch(
+        *named,
+        path_mm=float(found.path.max()) / MM,
+        equal_mm=float(found.equal.max()) / MM,
+        end_mm=found.end / MM,
+        joints_deg=float(np.abs(found.joints).max()) / DEG,
+        longer_s=found.longer_s,
+        begins_s=STEP_S * found.begun,
+    )
+
+
+class _Beside(NamedTuple):
+    times: Array  # of the run [s]
+    joints: Array  # at equal times [rad]
+    equal: Array  # [m]
+    path: Array  # [m]
+    end: float  # [m]
+    longer_s: float
+    begun: int  # sample
+
+
+def _beside_run(
+    run: Run, samples: Samples, at: npt.NDArray[np.intp], motions: tuple[int, int]
+) -> _Beside:
+    first, last = run.motions[motions[0]], run.motions[motions[1]]
     begun, ended = int(at[0]) - 1, int(at[-1])
     theirs = samples.joints[begun : ended + 1]
     their_times = STEP_S * np.arange(len(theirs), dtype=np.float64)
@@ -107,15 +157,14 @@ def _stretch(
     beside = batch.values(first.start_s + then)[:, :6]
     path = _tips(run, first, ours)
     tips = _tips(run, first, theirs)
-    apart = np.linalg.norm(tips - _tips(run, first, beside), axis=1)
-    return Stretch(
-        *named,
-        path_mm=_from_path(tips, path, _beside(theirs, ours)) / MM,
-        equal_mm=float(apart.max()) / MM,
-        end_mm=float(np.linalg.norm(tips[-1] - path[-1])) / MM,
-        joints_deg=float(np.abs(theirs - beside).max()) / DEG,
-        longer_s=float(np.ptp(spans[0]) - np.ptp(spans[1])),
-        begins_s=STEP_S * begun,
+    return _Beside(
+        first.start_s + then,
+        theirs - beside,
+        np.linalg.norm(tips - _tips(run, first, beside), axis=1),
+        _from_path(tips, path, _beside(theirs, ours)),
+        float(np.linalg.norm(tips[-1] - path[-1])),
+        float(np.ptp(spans[0]) - np.ptp(spans[1])),
+        begun,
     )
 
 
@@ -154,17 +203,17 @@ def _tips(run: Run, motion: Motion, joints: Array) -> Array:
     return tips
 
 
-def _from_path(tips: Array, path: Array, near: npt.NDArray[np.intp]) -> float:
-    """Return the largest distance of tips from a path of which the nearest points are known."""
+def _from_path(tips: Array, path: Array, near: npt.NDArray[np.intp]) -> Array:
+    """Return the distances of tips from a path of which the nearest points are known."""
     if len(path) < 2:
-        return float(np.linalg.norm(tips - path[0], axis=1).max())
+        return np.asarray(np.linalg.norm(tips - path[0], axis=1), np.float64)
     window = near[:, None] + np.arange(-NEAR, NEAR + 1)
     window = np.clip(window, 0, len(path) - 2)
     starts, steps = path[window], path[window + 1] - path[window]
     lengths = np.maximum((steps**2).sum(axis=2), 1e-30)
     shares = ((tips[:, None] - starts) * steps).sum(axis=2) / lengths
     feet = starts + np.clip(shares, 0.0, 1.0)[:, :, None] * steps
-    return float(np.sqrt(((feet - tips[:, None]) ** 2).sum(axis=2).min(axis=1)).max())
+    return np.asarray(np.sqrt(((feet - tips[:, None]) ** 2).sum(axis=2).min(axis=1)), np.float64)
 
 
 def _turns(run: Run, motion: Motion) -> bool:

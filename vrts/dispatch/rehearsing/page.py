@@ -1,13 +1,23 @@
 """A rehearsal as one HTML page, and as lines for a terminal."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 
-from vrts.dispatch.rehearsing.measured import Stretch
+import numpy as np
+import numpy.typing as npt
+
+from vrts.base.units import DEG, MM
+from vrts.dispatch.rehearsing.measured import Course, Stretch, courses
 from vrts.dispatch.rehearsing.rehearse import Rehearsal
+from vrts.report.figures.figures import series_figure
 from vrts.report.page.document import document
 from vrts.report.page.html import Child, Markup, element
 from vrts.report.plain import one_line
 
+Array = npt.NDArray[np.float64]
+
+TIP, JOINTS = "mm", "deg"
+LEAST = 0.02  # a frame shows so much: what is smaller is nothing to look at
+MOST_FOLDS = 60  # motions that are drawn one by one
 STYLE = "report/validation.css"
 NAMES = (
     *("motions", "step", "kind", "path [mm]", "equal time [mm]", "end [mm]"),
@@ -58,21 +68,73 @@ def rehearsal_page(found: Rehearsal, name: str) -> str:
             class_="first-screen",
         ),
         element("section", element("h2", "Motions"), _table(found.stretches)),
+        *_figures(found),
         element("section", element("h2", "How it was compared"), element("p", METHOD)),
         element("footer", element("p", "Written by vrts")),
     ]
     return document(f"{one_line(name)}: rehearsal", STYLE, body, ())
 
 
+def _figures(found: Rehearsal) -> Iterator[Markup]:
+    """Yield the errors over time: of the whole rehearsal, then motion by motion."""
+    seen = courses(found.run, found.samples, found.stretches)
+    if not seen:
+        return
+    yield element(
+        "section",
+        element("h2", "Errors over time"),
+        _figure(seen, TIP, "The tip of the tool, from where it is to be then, and from its path"),
+        _figure(seen, JOINTS, "Joints at equal times: LinuxCNC minus the run"),
+    )
+    folds = [
+        element(
+            "details",
+            element("summary", _title(one.stretch)),
+            _figure((one,), TIP, "The tip of the tool"),
+            _figure((one,), JOINTS, "Joints at equal times"),
+        )
+        for one in seen[:MOST_FOLDS]
+    ]
+    more = len(seen) - len(folds)
+    told = element("p", f"{more} more motions are not drawn one by one") if more else None
+    yield element("section", element("h2", "Motion by motion"), *folds, told)
+
+
+def _title(s: Stretch) -> str:
+    number, line, kind = _named(s)
+    many = "motion" if s.first == s.last else "motions"
+    return f"{many} {number}, {line}, {kind}" + ("" if s.holds else ": too far")
+
+
+def _figure(seen: Sequence[Course], which: str, caption: str) -> Markup:
+    times = np.concatenate([one.times for one in seen])
+    curves: list[tuple[str, Array]]
+    if which == TIP:
+        curves = [
+            ("equal time", np.concatenate([one.equal for one in seen]) / MM),
+            ("path", np.concatenate([one.path for one in seen]) / MM),
+        ]
+    else:
+        joints = np.concatenate([one.joints for one in seen]) / DEG
+        curves = [(f"JT{k + 1}", joints[:, k]) for k in range(joints.shape[1])]
+    marks = [(float(one.times[0]), str(one.stretch.first)) for one in seen]
+    drawn = series_figure(times, curves, which, LEAST, marks if len(seen) > 1 else ())
+    return element("figure", drawn, element("figcaption", caption))
+
+
 def _table(stretches: Iterable[Stretch]) -> Markup:
     head = element("tr", *(element("th", name) for name in NAMES))
     rows = (element("tr", *(element("td", cell) for cell in _cells(s))) for s in stretches)
-    return element("table", head, *rows)
+    return element("div", element("table", head, *rows, class_="rehearsed"), class_="scroll")
+
+
+def _named(s: Stretch) -> tuple[str, str, str]:
+    number = f"{s.first}" if s.first == s.last else f"{s.first} to {s.last}"
+    return number, s.line, "rounded or turning" if s.rounded else "stop to stop"
 
 
 def _cells(s: Stretch) -> tuple[str, ...]:
-    number = f"{s.first}" if s.first == s.last else f"{s.first} to {s.last}"
-    kind = "rounded or turning" if s.rounded else "stop to stop"
+    number, _, kind = _named(s)
     if s.missing:
         return (number, s.line, kind, *("",) * 5, "missing")
     return (

@@ -12,6 +12,9 @@ from vrts.validate.log.log import RobotLog
 
 FIRST_S = np.arange(-6.0, 6.0, 0.03)  # where the first stretch is looked for
 LOOKED_S = np.concatenate((np.arange(-0.2, 0.4, 0.02), np.arange(0.4, 4.0, 0.05)))
+LATER_S = np.arange(4.0, 60.0, 0.1)  # looked at where it is in none of those places
+NOWHERE = 0.01  # [rad] mean error of a joint in the best place, above which it is in none
+NEARER = 0.3  # a later place has so little of that
 FEWEST = 4  # rows of a stretch
 FURTHER = 40  # rows that are compared, at most, when a stretch is looked for
 
@@ -31,6 +34,11 @@ def by_stretches(run: Run, rows: Rows, begin: Clock) -> Clock | None:
     for start, end in spans.tolist():
         tried = rests - (LOOKED_S if shifts else FIRST_S)
         off = [_off(run, rows, (start, end), shift) for shift in tried.tolist()]
+        if shifts and min(off) > NOWHERE:  # a controller may gather motions for long
+            later = rests - LATER_S
+            off_later = [_off(run, rows, (start, end), shift) for shift in later.tolist()]
+            if min(off_later) < NEARER * min(off):
+                tried, off = later, off_later
         if not np.isfinite(min(off)):
             return None
         rests = float(tried[int(np.argmin(off))])

@@ -6,6 +6,7 @@ import numpy as np
 
 from vrts.base.diagnostic import Diagnostic
 from vrts.base.units import DEG, MM
+from vrts.report.figures.figures import path_figure, series_figure
 from vrts.report.page.document import document
 from vrts.report.page.html import Child, Markup, element, prose
 from vrts.report.plain import capital, one_line
@@ -17,7 +18,6 @@ from vrts.validate.reports.comparison_text import (
     offset_lines,
     path_rows,
 )
-from vrts.validate.reports.figures import path_figure, series_figure
 
 STYLE = "report/validation.css"
 

@@ -7,12 +7,13 @@ import pytest
 
 from tests.support_commands import vrts_text
 from tests.support_programs import ran
-from vrts.base.units import DEG
+from vrts.base.units import DEG, MM
 from vrts.dispatch.rehearsing.log_text import log_text
-from vrts.dispatch.rehearsing.measured import Stretch, extra, measured
+from vrts.dispatch.rehearsing.measured import Stretch, courses, extra, measured
+from vrts.dispatch.rehearsing.page import rehearsal_page
 from vrts.dispatch.rehearsing.place import laid_out
 from vrts.dispatch.rehearsing.played import changes
-from vrts.dispatch.rehearsing.rehearse import NEEDED, expected
+from vrts.dispatch.rehearsing.rehearse import NEEDED, Rehearsal, expected
 from vrts.dispatch.rehearsing.samples import Samples, read_samples
 from vrts.engine.batch import batch_of
 from vrts.engine.run import Run
@@ -55,6 +56,37 @@ def robot(run: Run, *, late: float = 1.0, off_deg: float = 0.0, until: int = 99)
 
 def worst(found: tuple[Stretch, ...]) -> tuple[float, float]:
     return max(s.path_mm for s in found), max(s.equal_mm for s in found)
+
+
+def test_a_course_is_the_error_of_its_stretch_over_time(run: Run) -> None:
+    """From motion 2 on joint 1 stands a tenth of a degree off, and the tool with it."""
+    samples = robot(run, off_deg=0.1)
+    stretches = measured(run, samples)
+    found = courses(run, samples, stretches)
+    assert [one.stretch for one in found] == list(stretches)
+    for k, (one, motion) in enumerate(zip(found, stretches, strict=True)):
+        assert float(np.abs(one.joints).max()) / DEG == pytest.approx(motion.joints_deg)
+        assert float(one.equal.max()) / MM == pytest.approx(motion.equal_mm)
+        assert float(one.path.max()) / MM == pytest.approx(motion.path_mm)
+        middle = one.joints[len(one.joints) // 2] / DEG
+        assert middle[0] == pytest.approx(0.1 * (k > 0), abs=0.01)
+        assert middle[1:] == pytest.approx(np.zeros(5), abs=0.03)
+    starts = [float(one.times[0]) for one in found]
+    assert starts == sorted(starts)
+    assert starts[0] == pytest.approx(run.motions[0].start_s, abs=0.05)
+
+
+def test_the_page_draws_errors_of_all_motions_and_of_each(run: Run) -> None:
+    samples = robot(run, off_deg=0.1)
+    stretches = measured(run, samples)
+    page = rehearsal_page(Rehearsal(run, samples, stretches, (), ()), "<folder>")
+    assert page.count("<svg") == 2 * (1 + len(stretches))
+    assert page.count("<details>") == len(stretches)
+    assert "JT1, JT2, JT3, JT4, JT5, JT6 over time, in deg" in page
+    assert "equal time, path over time, in mm" in page
+    assert "<folder>" not in page
+    nothing = Samples(np.zeros((0, 6)), np.zeros(0, np.int64), 0)
+    assert "<svg" not in rehearsal_page(Rehearsal(run, nothing, (), (), ()), "folder")
 
 
 def test_a_robot_that_does_the_same_is_the_same(run: Run) -> None:

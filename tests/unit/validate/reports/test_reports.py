@@ -11,6 +11,7 @@ import pytest
 import rerun_cli
 
 from tests.unit.validate.support import EXAMPLE, path_run, run_of
+from vrts.report.figures.figures import path_figure, series_figure
 from vrts.report.formats.json_text import json_text
 from vrts.validate.comparison import Comparison, read_and_compare
 from vrts.validate.errors import measures
@@ -20,7 +21,6 @@ from vrts.validate.reports.comparison_json import comparison_json
 from vrts.validate.reports.comparison_page import comparison_page
 from vrts.validate.reports.comparison_recording import write_both
 from vrts.validate.reports.comparison_text import comparison_text
-from vrts.validate.reports.figures import path_figure, series_figure
 
 HOSTILE = "<script>alert(1)</script>\x1b[31m::error::.csv"
 
@@ -130,6 +130,17 @@ def test_figures_keep_extremes_of_long_logs() -> None:
     assert points is not None
     heights = [float(pair.split(",")[1]) for pair in points[1].split()]
     assert min(heights) < 60.0 < max(heights)
+
+
+def test_what_is_never_negative_begins_at_nothing_and_is_not_joined_across_a_mark() -> None:
+    times = np.concatenate((np.linspace(0.0, 1.0, 50), np.linspace(3.0, 4.0, 50)))
+    far = np.concatenate((np.full(50, 2.0), np.full(50, 1.0)))
+    text = str(series_figure(times, [("far", far)], "mm", marks=[(0.0, "1"), (3.0, "2")]))
+    assert text.count("<polyline") == 2
+    assert ">-" not in text
+    signed = str(series_figure(times, [("far", -far)], "mm"))
+    assert signed.count("<polyline") == 1
+    assert ">-2<" in signed
 
 
 def test_errors_of_a_path_are_drawn_enlarged() -> None:

@@ -14,6 +14,9 @@ WIDTH, MARGIN = 760.0, 60.0
 MOST_POINTS = 900  # of a curve: pairs of least and greatest
 ARROWS = 120  # error lines of a path
 ERROR_SHARE = 0.09  # of the figure: how long a large error is drawn
+TOP, LEGEND = 30.0, 20.0  # of a frame, and the line that names its curves
+LETTER = 13.0  # of a name on a narrow screen, where letters are large
+NAMES_APART = 34.0
 NICE = (1.0, 2.0, 5.0, 10.0)
 
 
@@ -87,7 +90,11 @@ def path_figure(virtual: Array, real: Array) -> Markup:
 
 
 def series_figure(
-    times: Array, curves: Sequence[tuple[str, Array]], unit: str, limit: float = 0.0
+    times: Array,
+    curves: Sequence[tuple[str, Array]],
+    unit: str,
+    limit: float = 0.0,
+    marks: Sequence[tuple[float, str]] = (),
 ) -> Markup:
     """Return curves over time in one frame.
 
@@ -96,39 +103,52 @@ def series_figure(
         curves: Names and values, shape (n,).
         unit: Of the values.
         limit: The frame reaches at least so far, up and down; 0: as the values do.
+        marks: Times at which something begins, and what; between them curves are not joined.
     """
-    height = 210.0
-    greatest = max(
-        (float(np.nanmax(np.abs(v))) for _, v in curves if np.isfinite(v).any()), default=0.0
-    )
+    height = 218.0
+    known = [values[np.isfinite(values)] for _, values in curves]
+    greatest = max((float(np.abs(v).max()) for v in known if len(v)), default=0.0)
+    lowest = -1.0 if any((v < 0.0).any() for v in known) else 0.0  # sizes alone begin at nothing
     top = max(greatest, limit, 1e-9)
-    step = _nice_above(top / 2.0)
+    step = _nice_above(top / (2.0 if lowest else 4.0))
     top = max(math.ceil(top / step - 1e-9), 1) * step
     start, end = float(times[0]), float(times[-1])
-    wide, high = WIDTH - MARGIN - 12.0, height - 46.0
+    wide, high = WIDTH - MARGIN - 12.0, height - TOP - 24.0
 
     def placed(t: Array, values: Array) -> Array:
         x = MARGIN + wide * (t - start) / max(end - start, 1e-9)
-        return np.column_stack((x, 22.0 + 0.5 * high * (1.0 - values / top)))
+        return np.column_stack((x, TOP + high * (1.0 - values / top) / (1.0 - lowest)))
 
     parts: list[Markup] = []
-    for k in range(-round(top / step), round(top / step) + 1):
-        y = 22.0 + 0.5 * high * (1.0 - k * step / top)
+    for k in range(round(lowest * top / step), round(top / step) + 1):
+        y = TOP + high * (1.0 - k * step / top) / (1.0 - lowest)
         kind = "zero" if k == 0 else "grid"
         parts.append(
             element("line", x1=MARGIN, y1=_number(y), x2=WIDTH - 12.0, y2=_number(y), class_=kind)
         )
         parts.append(_text(MARGIN - 6, y + 4, f"{k * step:g}", "tick"))
+    nearest = -math.inf  # where the last name stands
+    for time_s, name in marks:
+        x = MARGIN + wide * (time_s - start) / max(end - start, 1e-9)
+        ends = {"y1": _number(TOP), "y2": _number(TOP + high)}
+        parts.append(element("line", x1=_number(x), x2=_number(x), class_="grid", **ends))
+        if x - nearest > NAMES_APART:
+            parts.append(_text(x + 3.0, TOP + 18.0, name))
+            nearest = x
     every = _nice_above(max(end - start, 1e-9) / 8.0)
     for k in range(math.ceil(start / every), math.floor(end / every) + 1):
         x = MARGIN + wide * (k * every - start) / max(end - start, 1e-9)
-        parts.append(_text(x, height - 8, f"{k * every:g} s", "time"))
+        parts.append(_text(x, height - 4, f"{k * every:g} s", "time"))
     at = MARGIN
+    cuts = np.searchsorted(times, [time_s for time_s, _ in marks])
     for k, (name, values) in enumerate(curves):
-        parts.append(_polyline(placed(*_thinned(times, values)), f"s{k}"))
-        parts.append(_text(at, 14, name, f"t{k}"))
-        at += 16.0 + 8.0 * len(name)
-    parts.append(_text(WIDTH - 12.0, 14, unit, "unit"))
+        for piece in np.split(np.arange(len(times)), cuts):
+            if len(piece):
+                line = placed(*_thinned(times[piece], values[piece]))
+                parts.append(_polyline(line, f"s{k}"))
+        parts.append(_text(at, LEGEND, name, f"t{k}"))
+        at += 18.0 + LETTER * len(name)
+    parts.append(_text(WIDTH - 12.0, LEGEND, unit, "unit"))
     names = ", ".join(name for name, _ in curves)
     return _svg(height, f"{names} over time, in {unit}", *parts)
 
