@@ -136,10 +136,12 @@ def command(
     if fit and identify:
         fail("--fit and --identify are two questions", ("ask one after the other",))
     asked = "--fit" if fit else "--identify"
-    if (fit or identify) and (html is not None or record is not None or within is not None):
-        fail(f"--html, --record and --within belong to a comparison, not to {asked}")
-    if identify and output is not None and len(logs) > 1:
-        fail("-o takes one log", ("identify one log at a time for it",))
+    if fit and html is not None:
+        fail("--html belongs to a comparison and to --identify, not to --fit")
+    if (fit or identify) and (record is not None or within is not None):
+        fail(f"--record and --within belong to a comparison, not to {asked}")
+    if identify and len(logs) > 1 and (output is not None or html is not None):
+        fail("-o and --html take one log", ("identify one log at a time for them",))
     if not (fit or identify) and output is not None:
         fail("-o belongs to --fit and --identify", ("reports are written by --html and --record",))
     if not fit and len(logs) > 1 and (html is not None or record is not None):
@@ -151,7 +153,7 @@ def command(
         _fit(run, given, output, as_json=as_json, color=color)
         return
     if identify:
-        sys.exit(_identify(run, given, output, as_json=as_json, color=color))
+        sys.exit(_identify(run, given, name, output, html, as_json=as_json, color=color))
     found = _compared(run, given, wanted, color)
     _show(found, as_json=as_json)
     _write(found[0], name, html, record)
@@ -241,7 +243,14 @@ def _fit(
 
 
 def _identify(
-    run: "Run", logs: "Sequence[GivenLog]", output: Path | None, *, as_json: bool, color: str
+    run: "Run",
+    logs: "Sequence[GivenLog]",
+    name: str,
+    output: Path | None,
+    html: Path | None,
+    *,
+    as_json: bool,
+    color: str,
 ) -> int:
     """Print what is wrong, and return the status: 1 where the model does not fit."""
     from vrts.validate.identified_files import identified_lab
@@ -262,4 +271,9 @@ def _identify(
     if output is not None:
         write_file(output, identified_lab(found[0]).encode())
         say(f"wrote {output}")
+    if html is not None:
+        from vrts.validate.reports.identified_page import identified_page
+
+        write_file(html, identified_page(found[0], name).encode())
+        say(f"wrote {html}")
     return HOLDS if all(one.fits for one in found) else WRONG

@@ -137,7 +137,9 @@ def _untold(
         positions=rows.positions is not None,
         decide=(),
     )
+    lags = any(cause.kind is Kind.LAG for cause in fit.values)  # known: the other is no question
     causes = [group[0] for group in groups if len(group) == 1 and group[0] != Cause(Kind.LAG, 1)]
+    causes = [cause for cause in causes if cause.kind is not Kind.LAG or not lags]
     sigma = left_over(fit.residual, found.least).rms
     clock = clock_columns(again, rows, fit.clock, fit.values) / sigma[:, None]
     J = columns(again, rows, fit.clock, fit.values, causes) / sigma[:, None]

@@ -2,14 +2,18 @@
 
 from collections.abc import Mapping, Sequence
 
+import msgspec
+
 from vrts.base.units import DEG, MM
 from vrts.report.formats.diagnostic_json import diagnostic_json
 from vrts.validate.identify.causes import Cause
 from vrts.validate.identify.identified import Identified, Number, Remaining
 from vrts.validate.identify.words import name_of, unit_of
+from vrts.validate.reports.identified_schema import IdentifiedForm
 from vrts.validate.reports.identified_text import sentence
 
 FORMAT = 1
+TITLE = "What is wrong with a robot, as `vrts validate --identify` found it"
 DECIMALS = 6
 
 
@@ -36,6 +40,12 @@ def identified_json(found: Identified) -> Mapping[str, object]:
         },
         "diagnostics": [diagnostic_json(d) for d in found.findings],
     }
+
+
+def identified_schema() -> Mapping[str, object]:
+    """Return the JSON Schema (draft 2020-12) of the answer for one log."""
+    found = msgspec.json.schema(IdentifiedForm)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": TITLE, **found}
 
 
 def _number(number: Number) -> dict[str, object]:

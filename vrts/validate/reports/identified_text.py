@@ -38,7 +38,7 @@ def identified_text(found: Identified) -> str:
         f"  {'clock at the start of the log [s]':34}{found.clock_s:+12.4f}"
         + ("" if found.own_rests else f"   ± {found.clock_half_s:.4f}")
     )
-    rows += ["", *_untold(found), "", *_left(found.remaining)]
+    rows += ["", *untold(found), "", *_left(found.remaining)]
     words = f"{found.rows} rows of {one_line(found.log)}"
     if found.synthetic:
         words += "; synthetic: made by a computer, not by a real robot"
@@ -55,7 +55,8 @@ def _row(number: Number) -> str:
     )
 
 
-def _untold(found: Identified) -> list[str]:
+def untold(found: Identified) -> list[str]:
+    """Return what a log cannot tell, in sentences."""
     rows: list[str] = []
     for number in found.numbers:
         if number.alike:
