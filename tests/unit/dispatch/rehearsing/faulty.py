@@ -110,8 +110,10 @@ def period(ns: int) -> tuple[Changed, ...]:
 
 
 ALL = tuple(range(6))
+# Faults of the clock need programs that stop: set points of rounded motions are whole periods of
+# LinuxCNC, whatever a period is, so in a log of such motions there is no fault.
 STOPS, CORNERS, TURNING, LOOPS = "01-stops", "02-corners", "03-turning", "04-loops"
-CALLS, FRAMES, BRANCHES, SPEEDS = "05-calls", "06-frames", "10-branches", "11-speeds"
+CALLS, FRAMES, BRANCHES = "05-calls", "06-frames", "10-branches"
 ZEROS = (0.5, CALLS), (-0.3, LOOPS), (0.5, STOPS), (0.4, BRANCHES), (0.3, TURNING), (-0.5, FRAMES)
 CASES = [
     *(
@@ -145,25 +147,27 @@ CASES = [
         program=BRANCHES,
     ),
     Case("speeds -8 %", Cause(Kind.SPEEDS), -0.08, speeds(0.92, ALL, lines=True), program=STOPS),
-    Case("speeds +6 %", Cause(Kind.SPEEDS), 0.06, speeds(1.06, ALL, lines=True), program=CALLS),
-    Case("speeds -15 %", Cause(Kind.SPEEDS), -0.15, speeds(0.85, ALL, lines=True), program=LOOPS),
-    Case("lines -10 %", Cause(Kind.LINE_SPEED), -0.1, speeds(0.9, (), lines=True), program=TURNING),
+    Case("speeds +6 %", Cause(Kind.SPEEDS), 0.06, speeds(1.06, ALL, lines=True), program=STOPS),
+    Case("speeds -15 %", Cause(Kind.SPEEDS), -0.15, speeds(0.85, ALL, lines=True), program=CORNERS),
+    Case("lines -10 %", Cause(Kind.LINE_SPEED), -0.1, speeds(0.9, (), lines=True), program=STOPS),
     Case(
         "joint 1 -25 %",
         Cause(Kind.SPEED, 0),
         -0.25,
         speeds(0.75, (0,), lines=False),
-        program=BRANCHES,
+        program=STOPS,
     ),
+    Case("acceleration 280 ms", Cause(Kind.ACCELERATION), 0.056, acceleration(0.28), program=STOPS),
     Case(
-        "acceleration 280 ms", Cause(Kind.ACCELERATION), 0.056, acceleration(0.28), program=FRAMES
+        "acceleration 168 ms",
+        Cause(Kind.ACCELERATION),
+        -0.056,
+        acceleration(0.168),
+        program=STOPS,
     ),
-    Case(
-        "acceleration 168 ms", Cause(Kind.ACCELERATION), -0.056, acceleration(0.168), program=STOPS
-    ),
-    Case("clock 990 us", Cause(Kind.RATE), -0.01, period(990_000), program=CORNERS),
-    Case("clock 995 us", Cause(Kind.RATE), -0.005, period(995_000), program=CALLS),
-    Case("clock 1008 us", Cause(Kind.RATE), 0.008, period(1_008_000), program=SPEEDS),
+    Case("clock 990 us", Cause(Kind.RATE), -0.01, period(990_000), program=FRAMES),
+    Case("clock 995 us", Cause(Kind.RATE), -0.005, period(995_000), program=STOPS),
+    Case("clock 1008 us", Cause(Kind.RATE), 0.008, period(1_008_000), program=LOOPS),
 ]
 
 

@@ -4,8 +4,9 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
+import jsonschema
 import msgspec
-from jsonschema import Draft202012Validator
+import pytest
 
 from tests.support_commands import vrts_text
 from tests.unit.validate.identify.test_identify import WITHOUT, log_of
@@ -37,10 +38,11 @@ def test_the_page_says_the_sentence_the_numbers_and_what_is_not_known() -> None:
 
 def test_json_is_as_its_schema_says() -> None:
     document = json.loads(json_text(identified_json(FOUND)))
-    Draft202012Validator(identified_schema()).validate(document)
+    jsonschema.validate(document, identified_schema())
     assert msgspec.convert(document, IdentifiedForm)["causes"][0]["name"] == "joint 3"
     broken = {**document, "causes": [{"name": "joint 3"}]}
-    assert list(Draft202012Validator(identified_schema()).iter_errors(broken))
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(broken, identified_schema())
     printed = vrts_text("schema", "identified")
     assert json.loads(printed.stdout) == json.loads(json_text(identified_schema()))
 
