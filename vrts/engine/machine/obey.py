@@ -13,6 +13,7 @@ from vrts.engine.memory.records import Ending
 from vrts.engine.motion.requests import to_joints, to_line
 from vrts.engine.programs.context import Context
 from vrts.engine.programs.cycles import abort, after_step, begin, end_later, go_on, note_progress
+from vrts.engine.programs.outside import as_known
 from vrts.engine.programs.signals import known
 from vrts.ir import commands as k
 from vrts.ir.instructions import Interpolation
@@ -148,7 +149,7 @@ def _resume(machine: Machine, c: Context, now: float, *, retry: bool) -> None:
         frame.index = after_step(program, frame.index)
     c.now = now
     for watch in c.watches:  # what changed meanwhile is lost
-        watch.state = watch.signal in c.signals.on
+        watch.state = as_known(c.signals.on, watch.signal)
     if retry and c.is_robot and c.ending is Ending.ABORTED and not c.step_was_cut:
         _repeat_motion(machine)
     c.ending, c.wake, c.steps_left, c.step_was_cut = Ending.RUNNING, now, None, False

@@ -68,12 +68,14 @@ class InForce:
 
     def copy(self) -> "InForce":
         """Return independent settings that are the same so far."""
-        other = InForce()
+        other = InForce.__new__(InForce)
         other.always, other.next = self.always, self.next.copy()
         return other
 
     def take(self, *, but_speed: bool = False) -> Settings:
         """Return the settings of the motion now given; those for one motion are used up."""
+        if not self.next:
+            return self.always
         kept: dict[str, object] = {}
         if but_speed and "speed" in self.next:
             kept = {"speed": self.next.pop("speed")}

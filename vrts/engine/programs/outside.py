@@ -92,9 +92,9 @@ class Outside:
 
     def copy(self) -> "Outside":
         """Return an independent copy."""
-        other = Outside(
-            answers=self.answers, random=self.random, grips=self.grips, turns=self.turns
-        )
+        other = Outside.__new__(Outside)
+        other.answers, other.random = self.answers, self.random
+        other.grips, other.turns = self.grips, self.turns
         other.gripped_s = self.gripped_s
         other.draws, other.drawn, other.place = self.draws.copy(), self.drawn, self.place
         return other
@@ -134,3 +134,10 @@ class FreeSignals(set[int]):
             other.decided = self.decided.copy()
         other.looked = self.looked
         return other
+
+
+def as_known(on: set[int], number: int) -> bool | None:
+    """Return whether a signal is on; None: it is free, and was not decided in this tick."""
+    if isinstance(on, FreeSignals) and number in on.free:
+        return on.decided.get(number)
+    return number in on

@@ -20,12 +20,14 @@ class Watch:
     immediate: bool  # REACTI: the motion is given up when the reaction is taken
     always: bool  # it stays armed
     after_motion: bool  # ON of AS: taken when the motion under way has ended
-    state: bool  # of the signal when last looked at
+    state: bool | None  # of the signal when last looked at; None: nobody knows, in a future
     pending: bool = False
 
     def look(self, state: bool) -> None:
         """Take note of the signal's state at a tick."""
-        if state is not self.state:
+        if self.state is None:
+            self.state = state
+        elif state is not self.state:
             self.state = state
             if state is self.on:
                 self.pending = True

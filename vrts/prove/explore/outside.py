@@ -52,6 +52,8 @@ class Outside:
                 values = self.behaviours.may(future.outside, number)
                 found = [STAYS[before]] if before in values else []
                 if (not before) in values:
+                    if _was_so(machine, number):
+                        now -= machine.tick
                     decided = Decided(now, What.INPUT, number, not before, cause)
                     found.append(Way(not before, 1, decided))
                 return tuple(found)
@@ -88,6 +90,11 @@ def _places(machine: Machine) -> int:
 def _closes(machine: Machine) -> Cause | None:
     closing = machine.system.hand.closing
     return None if closing is None else closing.cause
+
+
+def _was_so(machine: Machine, number: int) -> bool:
+    """Return whether a reaction takes what it finds for what was so before the program went on."""
+    return any(watch.signal == number and watch.state is None for watch in machine.robot.watches)
 
 
 def _looks(machine: Machine) -> Cause | None:

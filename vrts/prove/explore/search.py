@@ -95,6 +95,7 @@ class Search:
         self.endings: dict[tuple[object, ...], End] = {}
         self._known: dict[Key, int] = {}
         self._merging = merging
+        self._may_stop = bool(environment.stops)
 
     def begin(self, entry: str) -> None:
         """Let a program be executed, at every monitor speed."""
@@ -268,7 +269,7 @@ class Search:
                 return
             else:
                 state = self.graph.legs[future.leg].to
-                stop = self.operator.stops(future)
+                stop = self.operator.stops(future) if self._may_stop else None
                 if stop is not None:
                     self._does(future, state, stop)
                 future.leg = self.graph.begin(state, future.past, future.cost)
@@ -325,9 +326,10 @@ class Search:
         events = happened(machine)
         if events:
             self._look(future, events)
-        stop = self.operator.next_stop(future)
-        if stop is not None:
-            machine.next_tick = min(machine.next_tick, stop)  # no stop is skipped
+        if self._may_stop:
+            stop = self.operator.next_stop(future)
+            if stop is not None:
+                machine.next_tick = min(machine.next_tick, stop)  # no stop is skipped
         if self.touches is not None:
             future.memory = self.touches.follow(future, events)
         if machine.robot.running or machine.next_command_s is not None:

@@ -1,5 +1,6 @@
 """Contacts and limits of motion, certified as futures go on, told of the futures they are in."""
 
+import math
 from collections.abc import Sequence
 
 from vrts.base.units import deg
@@ -28,6 +29,7 @@ class Touches:
         self._graph, self._suspects = graph, suspects
         self._tick_s = scene.robot.arm.tick
         self._open: list[Touching] = []  # what something later may excuse
+        self._still: tuple[object, object, float] = (None, None, 0.0)  # arm, hand, since when [s]
 
     @property
     def motion_s(self) -> float:
@@ -42,7 +44,7 @@ class Touches:
     def follow(self, future: Future, events: Sequence[Event]) -> Memory:
         """Note how a future has moved; return what is remembered of it."""
         machine, memory = future.machine, future.memory
-        if not events and _rests(machine, memory):
+        if not events and self._rests(machine, memory):
             until_s = max(machine.now, (machine.next_tick - 1) * machine.tick)
             return Memory(until_s, *memory[1:])
         memory = self._certifier.follow(memory, machine, events, future.leg)
@@ -71,6 +73,19 @@ class Touches:
             found = not_excused(self._graph, touch, self._tick_s)
             if found is not None:
                 self._suspects.add(self._contact(touch, found.past))
+
+    def _rests(self, machine: Machine, memory: Memory) -> bool:
+        """Return whether nothing has moved since it was looked at last, nor will before a tick."""
+        if memory.letting_go or memory.coming or memory.outcomes:
+            return False
+        given, hand = machine.system.planner.given, machine.system.hand
+        if machine.system.parts is None:
+            return memory.seen_s > 0.0 and memory.seen_s >= _still_from(machine)
+        arm, fingers, still_s = self._still  # which quiet machines share
+        if arm is not given or fingers is not hand:
+            still_s = _still_from(machine)
+            self._still = given, hand, still_s
+        return memory.seen_s > 0.0 and memory.seen_s >= still_s
 
     def _keep(self, future: Future, memory: Memory) -> None:
         if memory.outcomes:
@@ -103,22 +118,14 @@ class Touches:
         return None if start is None else self._graph.visits[start].place
 
 
-def _rests(machine: Machine, memory: Memory) -> bool:
-    """Return whether nothing has moved since it was looked at last, nor will before a tick."""
-    seen_s, planner, hand = memory.seen_s, machine.system.planner, machine.system.hand
-    if (
-        seen_s <= 0.0
-        or planner.pending is not None
-        or planner.braking_until > seen_s
-        or planner.scale.time(planner.given.end_s) > seen_s
-        or hand.closing is not None
-        or (hand.strokes and hand.strokes[-1].end_s > seen_s)
-        or memory.letting_go
-        or memory.coming
-        or memory.outcomes
-    ):
-        return False
-    for track in hand.placements.values():  # noqa: SIM110 -- half the time of `all`
-        if track[-1].start_s > seen_s:
-            return False
-    return True
+def _still_from(machine: Machine) -> float:
+    """Return from when on nothing moves any more, as far as it is known [s]; inf: nobody knows."""
+    planner, hand = machine.system.planner, machine.system.hand
+    if planner.pending is not None or hand.closing is not None:
+        return math.inf
+    still_s = max(planner.braking_until, planner.scale.time(planner.given.end_s))
+    if hand.strokes:
+        still_s = max(still_s, hand.strokes[-1].end_s)
+    for track in hand.placements.values():
+        still_s = max(still_s, track[-1].start_s)
+    return still_s

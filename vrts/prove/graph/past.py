@@ -18,4 +18,8 @@ def story(past: Past | None) -> tuple[Decided, ...]:
     while past is not None:
         found.append(past.decided)
         past = past.before
-    return tuple(reversed(found))
+    return tuple(sorted(reversed(found), key=_time))  # what was so before may be asked later
+
+
+def _time(decided: Decided) -> float:
+    return decided.time_s

@@ -263,3 +263,41 @@ def test_a_search_ends_soon_after_something_is_found_and_says_that_more_is_open(
     assert wrongs(proof) == [(Wrong.ERROR, 3)]
     assert proof.covered.states < 8_000
     assert "futures were left" in proof.open[0]
+
+
+WATCHES = """\
+.PROGRAM main()
+  WAIT SIG(-1002)
+  REACTI 1002, gone
+  MOVE a
+  BREAK
+  MOVE b
+  BREAK
+  IF SIG(1002) AND (n == 0) THEN
+    x = 1/n
+  END
+.END
+.PROGRAM gone()
+  n = 1
+.END
+.REALS
+n 0
+.END
+.LOCATIONS
+a 700 200 300 90 90 0
+b 700 -200 300 90 90 0
+.END
+"""
+
+
+def test_what_comes_on_while_the_program_stands_is_lost_to_reactions() -> None:
+    module = compiled(WATCHES)
+    free = prove(module, ALONE, Environment(), Asking(), entry="main")
+    assert free.answer is Answer.HOLDS, "the reaction is taken before SIG is looked at"
+    stops = Environment(stops=frozenset({Afterwards.PROCEED}))
+    proof = prove(module, ALONE, stops, Asking(), entry="main")
+    assert proof.answer is Answer.VIOLATED
+    found = proof.found[0]
+    assert found.headline == "division by zero"
+    assert [d.what for d in found.decisions] == [What.STOP, What.INPUT, What.STOP]
+    assert execute(module, ALONE, found.scenario).ending is Ending.ERROR
