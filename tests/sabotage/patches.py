@@ -2614,6 +2614,16 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/prove/telling/test_unasked.py",),
     ),
     Patch(
+        "futures: reactions are taken to what came on while the program stood",
+        "vrts/engine/programs/watches.py",
+        "        if self.state is None:",
+        "        if False:",
+        (
+            "tests/unit/prove/explore/test_search.py"
+            "::test_what_comes_on_while_the_program_stands_is_lost_to_reactions",
+        ),
+    ),
+    Patch(
         "paths that rounding tells apart are different states",
         "vrts/engine/futures/named.py",
         "                if np.abs(values - other).max() <= NO_FARTHER:",
