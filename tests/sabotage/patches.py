@@ -2618,10 +2618,7 @@ PATCHES: tuple[Patch, ...] = (
         "vrts/engine/programs/watches.py",
         "        if self.state is None:",
         "        if False:",
-        (
-            "tests/unit/prove/explore/test_search.py"
-            "::test_what_comes_on_while_the_program_stands_is_lost_to_reactions",
-        ),
+        ("tests/unit/prove/explore/test_search.py",),
     ),
     Patch(
         "paths that rounding tells apart are different states",
