@@ -18,7 +18,9 @@ def story(past: Past | None) -> tuple[Decided, ...]:
     while past is not None:
         found.append(past.decided)
         past = past.before
-    return tuple(sorted(reversed(found), key=_time))  # what was so before may be asked later
+    found.reverse()
+    found.sort(key=_time)  # what was so before may be asked later
+    return tuple(found)
 
 
 def _time(decided: Decided) -> float:
