@@ -15,6 +15,7 @@ LOOKED_S = np.concatenate((np.arange(-0.2, 0.4, 0.02), np.arange(0.4, 4.0, 0.05)
 LATER_S = np.arange(4.0, 60.0, 0.1)  # looked at where it is in none of those places
 NOWHERE = 0.01  # [rad] mean error of a joint in the best place, above which it is in none
 NEARER = 0.3  # a later place has so little of that
+AS_GOOD, ALIKE = 2.0, 0.002  # times the best, and [rad] more, is as good
 FEWEST = 4  # rows of a stretch
 FURTHER = 40  # rows that are compared, at most, when a stretch is looked for
 
@@ -41,11 +42,18 @@ def by_stretches(run: Run, rows: Rows, begin: Clock) -> Clock | None:
                 tried, off = later, off_later
         if not np.isfinite(min(off)):
             return None
-        rests = float(tried[int(np.argmin(off))])
+        rests = float(tried[soonest(off) if shifts else int(np.argmin(off))])
         shifts.append(rests)
     found = np.array(shifts)
     middles = 0.5 * (spans[:-1, 1] - found[:-1] + spans[1:, 0] - found[1:])
     return Clock(found, np.searchsorted(middles, rows.times).astype(np.intp))
+
+
+def soonest(off: list[float]) -> int:
+    """Return the first place that is about as good as the best: the same motion may come again."""
+    enough = AS_GOOD * min(off) + ALIKE
+    ends = [np.inf, *off, np.inf]
+    return next(k for k, one in enumerate(off) if one <= enough and ends[k] >= one <= ends[k + 2])
 
 
 def _off(run: Run, rows: Rows, span: tuple[float, float], shift: float) -> float:

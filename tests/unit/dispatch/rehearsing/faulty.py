@@ -166,7 +166,7 @@ CASES = [
         program=STOPS,
     ),
     Case("clock 990 us", Cause(Kind.RATE), -0.01, period(990_000), program=FRAMES),
-    Case("clock 995 us", Cause(Kind.RATE), -0.005, period(995_000), program=STOPS),
+    Case("clock 995 us", Cause(Kind.RATE), -0.005, period(995_000), program=CALLS),
     Case("clock 1008 us", Cause(Kind.RATE), 0.008, period(1_008_000), program=LOOPS),
 ]
 

@@ -11,6 +11,7 @@ from vrts.engine.run import Run
 from vrts.validate.identified_files import identified_lab
 from vrts.validate.identify.again import Again
 from vrts.validate.identify.causes import Cause, Kind
+from vrts.validate.identify.clocks import soonest
 from vrts.validate.identify.forward import Clock, Rows, residuals
 from vrts.validate.identify.identified import Identified
 from vrts.validate.identify.identify import identify_log
@@ -192,3 +193,11 @@ def test_a_slow_robot_is_no_slow_clock_where_it_rests() -> None:
     found = identify_log(run, log_of(run, WITHOUT._replace(speeds_percent=92.0), positions=False))
     assert [n.cause for n in found.numbers] == [Cause(Kind.SPEEDS)], sentence(found)
     assert (Cause(Kind.RATE),) not in found.numbers[0].alike
+
+
+def test_a_motion_that_comes_again_is_found_where_it_comes_first() -> None:
+    """Among places that are as good, the soonest: else what follows runs out of log."""
+    off = [0.4, 0.2, 0.011, 0.3, 0.5, 0.010, 0.3, 0.009]
+    assert soonest(off) == 2
+    assert soonest([0.4, 0.02, 0.001, 0.02, 0.4]) == 2
+    assert soonest([0.3, 0.2, 0.1]) == 2
