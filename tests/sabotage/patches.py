@@ -36,6 +36,20 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "a global that is looked at first is called empty, whatever memory holds",
+        "vrts/lang/findings/names/unset.py",
+        "single = entry.automatic and entry.array is None",
+        "single = entry.array is None",
+        ("tests/unit/lang/test_relatives_told.py",),
+    ),
+    Patch(
+        "a variable of each call is looked at before it has a value, and nobody is told",
+        "vrts/lang/findings/usage.py",
+        "check_unset(resolver, program)",
+        "pass",
+        ("tests/unit/lang/test_relatives_told.py",),
+    ),
+    Patch(
         "who writes V+ or AS is told what VAL-II says",
         "vrts/lang/compiler.py",
         "told = in_words_of(dialect, compilation.diagnostics)",

@@ -69,7 +69,7 @@ def test_edits_are_of_the_dialect(step: str, dialect: Dialect, instead: str) -> 
         ("AUTO REAL n\nLOCAL LOC p\nATTACH (0)\nWRITE (n) n", VPLUS),
         ("SWAIT 1001, -1002\nPULSE 4, 0.5\nSIGNAL 2001", AS),
         ('SCASE $s OF\nSVALUE "a":\nEND\nCASE n OF\nVALUE 1:\nEND', AS),
-        (".$x = $s\nPOINT .p = a+b\n.n = .n+1", AS),
+        (".$x = $s\nPOINT .p = a+b\n.n = 1\n.n = .n+1", AS),
     ],
 )
 def test_right_steps_are_no_slips(body: str, dialect: Dialect) -> None:
@@ -136,3 +136,24 @@ def test_code_in_a_help_is_code_of_as(step: str, help_: str) -> None:
 def test_nothing_is_said_of_val2_to_who_writes_another(step: str, dialect: Dialect) -> None:
     for found in told(f"n = 1\nbusy = 1\n{step}", dialect):
         assert "VAL-II" not in "\n".join((found.headline, *found.notes, *found.help))
+
+
+@pytest.mark.parametrize(
+    ("body", "dialect", "unset"),
+    [
+        ("AUTO n\nTYPE n\nn = 3", VPLUS, ["n"]),
+        ("AUTO n\nn = n+1\nn = 3", VPLUS, ["n"]),
+        ("FOR .i = 1 TO .m\n.m = .i\nEND", AS, [".m"]),
+        ('PROMPT "n?", .n\nPRINT .n', AS, []),
+        ("AUTO n\nIF SIG(1001) THEN\nTYPE n\nEND\nn = 3", VPLUS, []),
+        ("AUTO n\n10 IF m > 2 GOTO 20\nn = 3\n20 TYPE n", VPLUS, []),
+        ("TYPE n\nn = 3", VPLUS, []),  # the memory of the controller may hold it
+        ("AUTO n\nCALL watch(n)\nTYPE n\nn = 3", VPLUS, []),
+    ],
+)
+def test_a_variable_of_each_call_is_told_where_it_is_surely_empty(
+    body: str, dialect: Dialect, unset: list[str]
+) -> None:
+    text = f".PROGRAM main()\n{body}\n.END\n.PROGRAM watch(k)\nk = 3\n.END\n"
+    found = said(compiled(text, dialect))
+    assert [d.data["name"] for d in found if "has no value yet" in d.headline] == unset

@@ -12,6 +12,7 @@ from vrts.lang.findings.clashes import clash
 from vrts.lang.findings.given_texts import report_given_texts
 from vrts.lang.findings.names.jumps_by_number import mend_jumps_by_number
 from vrts.lang.findings.names.misused_words import UNDEFINED_VARIABLE, report_misused_words
+from vrts.lang.findings.names.unset import check_unset
 from vrts.lang.findings.names.untaught import (
     NOT_GIVEN,
     TEACH,
@@ -61,6 +62,7 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
             else:
                 check_arguments(resolver, program, node, called, decided)
         named_as_word(resolver, program)
+        check_unset(resolver, program)
     for entry in resolver.scope.all_entries():
         meant = entry.name[0] == "$" and entry.name[1:] in strings  # `name = "Ada"` gives it one
         if id(entry) not in clashes and entry.name not in resolver.bad_names and not meant:
