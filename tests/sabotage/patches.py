@@ -36,7 +36,7 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
-        "a global that is looked at first is called empty, whatever memory holds",
+        "a variable that is kept from call to call is called empty",
         "vrts/lang/findings/names/unset.py",
         "single = entry.automatic and entry.array is None",
         "single = entry.array is None",

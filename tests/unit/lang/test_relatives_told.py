@@ -148,6 +148,7 @@ def test_nothing_is_said_of_val2_to_who_writes_another(step: str, dialect: Diale
         ("AUTO n\nIF SIG(1001) THEN\nTYPE n\nEND\nn = 3", VPLUS, []),
         ("AUTO n\n10 IF m > 2 GOTO 20\nn = 3\n20 TYPE n", VPLUS, []),
         ("TYPE n\nn = 3", VPLUS, []),  # the memory of the controller may hold it
+        ("LOCAL n\nTYPE n\nn = 3", VPLUS, []),  # and what is kept from call to call
         ("AUTO n\nCALL watch(n)\nTYPE n\nn = 3", VPLUS, []),
     ],
 )
