@@ -44,6 +44,8 @@ def told(body: str, dialect: Dialect) -> list[Diagnostic]:
         ("FOR .i = 9 TO 1 BY -2\nEND", AS, "FOR .i = 9 TO 1 STEP -2\nEND"),
         ("ENABLE CP", AS, "CP ON"),
         ("ACCURACY = 5", AS, "ACCURACY 5"),
+        ('$s = "a" & "b"', VPLUS, '$s = "a"+"b"'),
+        ('$s = $s & "b"', VPLUS, '$s = $s+"b"'),
         ("n = MAX(1, 2)", AS, "n = MAXVAL(1, 2)"),
         ("n = MAXVAL(1, 2)", VPLUS, "n = MAX(1, 2)"),
         ('n = POS($s, ",")', AS, 'n = INSTR($s, ",")'),

@@ -21,6 +21,7 @@ from vrts.lang.syntax.expressions import (
     Parenthesised,
     Text,
 )
+from vrts.lang.vocabulary.functions import CONSTANTS
 
 WRONG_TYPE = Rule("V202", "wrong-type")
 RESERVED_NAME = Rule("V211", "reserved-name")
@@ -74,7 +75,9 @@ def wrong_type(problems: Problems, node: Expression, found: Type, wanted: Type, 
         if why.startswith("TOOL"):
             tip = f"TOOL TRANS(0, 0, {written}, 90, -90, 0)"
             help_ = (f"for a tool of {written} mm that is not turned write `{tip}`",)
-        if why.startswith("MOVE"):
+        if isinstance(node, Name) and node.text.lower() in CONSTANTS:
+            help_ = (f"`{written}` is a number of the language: give the location another name",)
+        elif why.startswith("MOVE"):
             help_ = (
                 "name a location, or write `TRANS(x, y, z, o, a, t)`",
                 f"to go {written} mm up from here write `DRAW 0, 0, {written}`",

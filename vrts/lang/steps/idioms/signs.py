@@ -175,6 +175,12 @@ SIGNS = (
         "write `BOR` for the bits of numbers, `OR` for conditions",
     ),
     Signs(
+        re.compile(r'(?<=")[ \t]*&(?!&)[ \t]*|[ \t]*(?<!&)&(?!&)[ \t]*(?=["$])'),
+        "+",
+        "`&` is not an operator of VAL-II",
+        "write `+` to join strings",
+    ),
+    Signs(
         re.compile(r"[ \t]*(?<!&)&(?!&)[ \t]*"),
         " AND ",
         "`&` is not an operator of VAL-II",
