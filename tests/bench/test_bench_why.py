@@ -4,14 +4,17 @@ Nothing is recorded for them that is not recorded without (a run is the same obj
 costs nothing more; what is measured is looking backward.
 """
 
+from collections import Counter
+from functools import cache
 from statistics import median
 from time import process_time
 
 from tests.golden.examples import EXAMPLES
+from tests.mutants.given import Mutant, mutants
 from vrts.pipeline.assess import assess
 from vrts.pipeline.compiling.reading import ProgramFile
 from vrts.pipeline.request import Checks, Request
-from vrts.pipeline.settings import setting_for
+from vrts.pipeline.settings import load_task, setting_for
 from vrts.pipeline.where import Where
 
 TIMES = 5
@@ -40,3 +43,38 @@ def test_chains_of_causes_cost_a_verification_less_than_a_tenth() -> None:
     print(f"\n{len(ratios)} submissions: with chains {median(ratios):.3f} of without (median),")
     print(f"{max(ratios):.3f} at most")
     assert median(ratios) < 1.1
+
+
+def mistaken(mutant: Mutant) -> set[int]:
+    """Return the lines of a mutant that differ from what they were."""
+    lines: set[int] = set()
+    moved = 0
+    for first, old, new in mutant.edits:
+        lines |= set(range(first + moved, first + moved + len(new)))
+        moved += len(new) - len(old)
+    return lines
+
+
+def test_chains_name_the_line_of_the_mistake() -> None:
+    """Of mutants with one mistake; where a line is missing, no chain can name it."""
+    setting = cache(load_task)
+    named, all_of = Counter[str](), Counter[str]()
+    for mutant in mutants():
+        lines = mistaken(mutant)
+        if len(mutant.kinds) > 1 or not lines:
+            continue
+        file = ProgramFile(mutant.text.encode(), "prog.v2")
+        a = assess(Request(file, setting(mutant.task), checks=Checks(causes=True)))
+        if a.run is None or a.grade is None:
+            continue
+        told = {link.span.line for chain in a.chains for link in chain.links if link.span}
+        told |= {loss.span.line for loss in a.grade.losses if loss.span}
+        (kind,) = mutant.kinds
+        all_of[kind] += 1
+        named[kind] += bool(told & lines)
+    found, every = named.total(), all_of.total()
+    print(f"\nthe line of the mistake is named in {found} of {every} ({100 * found / every:.1f} %)")
+    for kind, count in sorted(all_of.items()):
+        if named[kind] < count:
+            print(f"  {kind:24} {named[kind]:3} of {count}")
+    assert found > 0.8 * every

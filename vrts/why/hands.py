@@ -20,6 +20,7 @@ from vrts.why.ways import decided, leads
 
 SOON = 1.0  # [s] in which the hand has closed on what it closes on
 NEAR = 0.15  # [m] from the pads to a thing that is meant [assumed]
+OFF = 2e-3  # [m] a grip that is less high or low on a thing than this is where it should be
 HELD_CLOSED = 2e-3  # [m] an opening within this of the smallest is closed
 TILT = math.radians(1.0)  # from upright: less is upright
 
@@ -258,7 +259,47 @@ def let_go(steps: Steps, event: Released, goal: Pose | None) -> Iterator[Link]:
     span = event.cause.span if event.cause else None
     yield Link(event.time_s, span, says, toward, amount)
     moving = list(moving_then(steps, event.time_s))
-    yield from moving or brought(steps, time_s, toward)
+    again = [] if moving else list(_gripped_otherwise(steps, event))
+    yield from moving or again or brought(steps, time_s, toward)
+
+
+def _gripped_otherwise(steps: Steps, event: Released) -> Iterator[Link]:
+    """Yield that a body was gripped where it had been put, or higher or lower than it should be.
+
+    What comes of the grip stands in the step that led there, not in the one that lets go.
+    """
+    run, body = steps.run, event.body
+    grips = [
+        e
+        for e in run.events
+        if isinstance(e, Grasped) and e.body == body and e.time_s <= event.time_s
+    ]
+    grip = grips[-1] if grips else None
+    cause = None if grip is None else grip.cause
+    if grip is None or cause is None:
+        return
+    at = box_at(steps, body, grip.time_s)
+    where = point(((at.lower[0] + at.upper[0]) / 2, (at.lower[1] + at.upper[1]) / 2, at.lower[2]))
+    if len(grips) > 1:
+        says = f"the hand takes hold of `{body}` again here, at {where}"
+        yield Link(grip.time_s, cause.span, says)
+        yield from brought(steps, grip.time_s)
+        return
+    given = run.scene.locations.get(f"{body}_grip".lower())
+    if given is None:
+        return
+    usual = given.translation[2] - run.scene.body(body).X_WO.translation[2]
+    height = (
+        run.at(grip.time_s).X_WT.translation[2] - _pose(steps, body, grip.time_s).translation[2]
+    )
+    if abs(height - usual) < OFF or abs(abs(height - usual) - abs(event.height_m)) > OFF:
+        return
+    how = f"{length(abs(height - usual))} mm too {'high' if height > usual else 'low'}"
+    says = f"the hand takes hold of `{body}` here"
+    toward = f"too {'high' if height > usual else 'low'} on it"
+    amount = f"{how} on it: `{body}_grip` of the scene is at Z {_mm(given.translation[2])}"
+    yield Link(grip.time_s, cause.span, says, toward, amount)
+    yield from brought(steps, grip.time_s, toward)
 
 
 def _pose(steps: Steps, body: str, time_s: float) -> Pose:

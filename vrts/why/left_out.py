@@ -14,9 +14,9 @@ from vrts.why.hands import box_at, gap
 from vrts.why.loops.ended import loop_left
 from vrts.why.slicing.conditions import by_values, with_values
 from vrts.why.slicing.executed import Steps
+from vrts.why.slicing.given import is_of_scene
 from vrts.why.slicing.read import element, places_in
 from vrts.why.slicing.sources import element_text
-from vrts.why.ways import is_given
 
 AT_IT = 0.12  # [m] from a thing: a location so near is for it [assumed]
 
@@ -80,7 +80,7 @@ def _cells_at(steps: Steps, body: str) -> list[Cell]:
             if isinstance(last, Pose) and gap(box, last.translation) < AT_IT:
                 middle = tuple((a + b) / 2 for a, b in zip(box.lower, box.upper, strict=True))
                 apart = distance(last.translation, (middle[0], middle[1], middle[2]))
-                given = is_given(steps, last)
+                given = is_of_scene(steps, last)
                 found.append((not isinstance(bound, Array), not given, apart, cell))
     return [cell for *_, cell in sorted(found, key=lambda one: one[:3])]
 

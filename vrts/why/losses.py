@@ -14,8 +14,9 @@ from vrts.why.chain import Chain, Link, shortened
 from vrts.why.demands import demanded
 from vrts.why.hands import CLOSED_ON_NOTHING, let_go
 from vrts.why.missed import missed
-from vrts.why.passing import missed_point, too_slow
+from vrts.why.passing import missed_point
 from vrts.why.slicing.executed import Steps
+from vrts.why.slow import too_slow
 from vrts.why.stopped import last_error, of_step, stopped
 from vrts.why.touching import contact
 

@@ -6,20 +6,24 @@ from vrts.base.pose import Vector
 from vrts.base.source import Span
 from vrts.check.goals.reached import Reached
 from vrts.check.task.goals import Goal
-from vrts.engine.memory.events import Grasped, Released
+from vrts.engine.memory.events import Grasped, HandCommanded, Released
 from vrts.why.chain import Link
 from vrts.why.hands import (
     NEAR,
+    SOON,
     box_at,
     closed,
     closings,
     gap,
     let_go,
     nearest_closing,
+    pads_at,
 )
 from vrts.why.left_out import never_reached
-from vrts.why.shown import length
+from vrts.why.shown import length, point
 from vrts.why.slicing.executed import Steps
+
+AT_IT = 0.02  # [m] from a body: the hand is there to grip it [assumed]
 
 
 def missed(steps: Steps, result: Reached, at: Span | None = None) -> Iterator[Link]:
@@ -33,6 +37,7 @@ def missed(steps: Steps, result: Reached, at: Span | None = None) -> Iterator[Li
         yield Link(
             last.time_s, span, f"the hand takes hold of `{body}` here, and never lets go of it"
         )
+        yield from _closed_again(steps, body, last.time_s)
         return
     if released:
         goal = result.goal.X_WG if isinstance(result.goal, Goal) else None
@@ -62,6 +67,7 @@ def never(steps: Steps, body: str, at: Span | None = None) -> Iterator[Link]:
     everything = closings(steps)
     if not everything:
         yield Link(None, None, "the hand is never told to close")
+        yield from _opened_there(steps, body)
         return
     here = min(everything, key=lambda c: _apart(steps, body, c.at, c.event.time_s))
     apart = _apart(steps, body, here.at, here.event.time_s)
@@ -70,6 +76,28 @@ def never(steps: Steps, body: str, at: Span | None = None) -> Iterator[Link]:
     if here.gripped is not None:
         says += f", where it takes hold of `{here.gripped}`"
     yield Link(here.event.time_s, span, says, "", f"{length(apart)} mm from it")
+
+
+def _closed_again(steps: Steps, body: str, since_s: float) -> Iterator[Link]:
+    """Yield that the hand was told to close while it held a body: to open may have been meant."""
+    for e in steps.run.events:
+        again = isinstance(e, HandCommanded) and e.action == "close" and e.time_s > since_s + SOON
+        if again and e.cause is not None:
+            says = f"the hand is told to close here, while it holds `{body}`"
+            yield Link(e.time_s, e.cause.span, says)
+            return
+
+
+def _opened_there(steps: Steps, body: str) -> Iterator[Link]:
+    """Yield that the hand was told to open beside a body: to close may have been meant."""
+    for e in steps.run.events:
+        if not isinstance(e, HandCommanded) or e.action != "open" or e.cause is None:
+            continue
+        at = pads_at(steps, e.time_s).translation
+        if gap(box_at(steps, body, e.time_s), at) < AT_IT:
+            says = f"the hand is told to open here, at {point(at)}, where it could grip `{body}`"
+            yield Link(e.time_s, e.cause.span, says)
+            return
 
 
 def _apart(steps: Steps, body: str, at: Vector, time_s: float) -> float:

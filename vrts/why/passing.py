@@ -1,9 +1,8 @@
-"""Via points and time as effects: which motion, how far off, by which setting."""
+"""Via points as effects: which motion, how far off, by which setting."""
 
 from collections.abc import Iterator
 
 from vrts.base.pose import distance, subtract
-from vrts.base.source import Span
 from vrts.check.mark.reasons import PROGRAM_ENDS
 from vrts.check.verdicts.vias import Lack, Passed, Visits
 from vrts.ir.motion import Break
@@ -15,7 +14,6 @@ from vrts.why.stopped import last_error
 from vrts.why.ways import decided, leads, speed_of
 
 FAR = 0.1  # [m] from a point: a motion that ends there is meant for something else [assumed]
-MUCH = 0.15  # of the whole time: a step that takes so long is named
 
 
 def missed_point(steps: Steps, visits: Visits, lack: Lack, points: Passed) -> Iterator[Link]:
@@ -121,50 +119,3 @@ def _passes(steps: Steps, time_s: float, says: str) -> Iterator[Link]:
     number = steps.motion_at(time_s)
     if number is not None:
         yield Link(time_s, steps.run.motions[number].cause.span, says)
-
-
-def too_slow(steps: Steps) -> Iterator[Link]:
-    """Yield where the time went: the speed under which most of it passed, and long waits."""
-    run = steps.run
-    total = (run.ended_s or run.horizon_s) - run.started_s or 1.0
-    by_speed: dict[Span | None, tuple[float, Link | None]] = {}
-    for number, motion in enumerate(run.motions):
-        link = speed_of(steps, number)
-        key = None if link is None else link.span
-        spent, _ = by_speed.get(key, (0.0, None))
-        by_speed[key] = (spent + motion.end_s - motion.start_s, link)
-    order = sorted(by_speed.values(), key=lambda one: one[0], reverse=True)
-    for spent, link in order[:2]:
-        if link is None or spent < MUCH * total:
-            continue
-        says = f"{spent:.1f} of {total:.1f} s pass at this speed"
-        yield Link(link.time_s, link.span, says, "too slow", "")
-    slowest = max(range(len(run.motions)), key=lambda n: _lasts(steps, n), default=None)
-    if slowest is not None and _lasts(steps, slowest) > 0.0:
-        one = run.motions[slowest]
-        says = (
-            f"the longest motion: {_lasts(steps, slowest):.1f} s to {point(one.X_WT.translation)}"
-        )
-        yield Link(one.start_s, one.cause.span, says)
-    yield from _waits(steps, total)
-
-
-def _lasts(steps: Steps, number: int) -> float:
-    one = steps.run.motions[number]
-    return one.end_s - one.start_s
-
-
-def _waits(steps: Steps, total: float) -> Iterator[Link]:
-    """Yield steps that wait for long: for a signal, a time."""
-    history = steps.history
-    moving = [(m.start_s, m.end_s) for m in steps.run.motions]
-    for before, after in zip(history.ticks, [*history.ticks[1:], None], strict=False):
-        start = before * history.tick_s
-        end = (steps.run.ended_s or start) if after is None else after * history.tick_s
-        idle = end - start - sum(max(0.0, min(e, end) - max(s, start)) for s, e in moving)
-        if idle > MUCH * total:
-            step = steps.step(history.finished_at(start) + 1) or steps.step(
-                history.finished_at(start)
-            )
-            if step is not None:
-                yield Link(start, step.cause.span, f"{idle:.1f} s pass here without a motion")

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from difflib import get_close_matches
 
 from vrts.base.pose import Pose, rotation_angle
 from vrts.engine.faults import LINE_FROM_SINGULARITY
@@ -11,13 +12,17 @@ from vrts.engine.run import Run
 from vrts.ir.control import Wait
 from vrts.ir.motion import Depart, Draw, Drive, Interpolation, Move
 from vrts.why.chain import Link
-from vrts.why.loops.endless import endless, signals
-from vrts.why.shown import point
+from vrts.why.loops.endless import endless, goes_round, signals
+from vrts.why.shown import where_of
 from vrts.why.slicing.entered import called, reacted
 from vrts.why.slicing.executed import Executed, Steps
-from vrts.why.slicing.read import Reading, element, readings
+from vrts.why.slicing.given import is_given
+from vrts.why.slicing.read import Reading, element, places_in, readings
 from vrts.why.slicing.sources import chain_of, passed
-from vrts.why.ways import FAR_ROUND, decided, is_given, leads, way_begins
+from vrts.why.slow import too_slow
+from vrts.why.ways import FAR_ROUND, decided, leads, way_begins
+
+LIKE = 0.75  # of two names: one may be meant for the other [assumed]
 
 
 def last_error(run: Run) -> Found | None:
@@ -31,7 +36,7 @@ def stopped(steps: Steps, event: Found) -> Iterator[Link]:
     step = steps.waiting(event.cause) or steps.last(event.cause, event.time_s)
     waits = step is not None and isinstance(step.instruction, Wait)
     if steps.run.ending is Ending.LIMIT and not waits:
-        yield from endless(steps)
+        yield from endless(steps) if goes_round(steps) else too_slow(steps)
         return
     if step is None:
         return
@@ -62,7 +67,7 @@ def of_step(steps: Steps, step: Executed) -> Iterator[Link]:
     known = [r for r in found if r.known]
     target = known[:1] if isinstance(step.instruction, Move) else known
     turned = list(_turned(steps, step, target[0])) if target else []
-    at_start = bool(turned) and is_given(steps, target[0].value, _name(target[0]))
+    at_start = bool(turned) and is_given(steps, target[0])
     if not at_start:  # of a way that turns, the end that is as the scene gives it comes first
         yield from turned[:1]
     for each in target[:2]:
@@ -78,10 +83,6 @@ def of_step(steps: Steps, step: Executed) -> Iterator[Link]:
     if call is not None and not target:
         yield call
     yield from reacted(steps, step)
-
-
-def _name(each: Reading) -> str:
-    return each.cell.name if each.cell is not None else ""
 
 
 def _turned(steps: Steps, step: Executed, target: Reading) -> Iterator[Link]:
@@ -104,8 +105,9 @@ def _from_where(steps: Steps, step: Executed) -> Iterator[Link]:
     if number is None:
         return
     motion = steps.run.motions[number]
-    says = f"the way begins at {point(motion.X_WT.translation)}, where this step leads"
+    says = f"the way begins at {where_of(motion.X_WT)}, where this step leads"
     yield Link(motion.start_s, motion.cause.span, says)
+    yield from decided(steps, number)
 
 
 def _before(steps: Steps, step: Executed) -> int | None:
@@ -127,3 +129,18 @@ def _unset(steps: Steps, each: Reading, real: str) -> Iterator[Link]:
         inner = None if alias is None else alias.inner
     if inner is not None and not inner.place.subscripts:
         yield Link(None, None, f"no step and no line of data gives `{real}` a value")
+        yield from _meant(steps, real)
+
+
+def _meant(steps: Steps, name: str) -> Iterator[Link]:
+    """Yield a line of data with nearly the same name that nothing reads."""
+    read = {
+        place.variable.name
+        for program in steps.history.code.programs
+        for instruction in program.instructions
+        for place in places_in(tuple(instruction))
+    }
+    unread = [each for each in steps.data if each.partition("[")[0] not in read]
+    for each in get_close_matches(name, unread, n=1, cutoff=LIKE):
+        says = f"`{each}` has a value here, and no step reads it"
+        yield Link(None, steps.data[each].span, says)

@@ -67,6 +67,7 @@ def _decided(steps: Steps, number: int, event: ContactEvent, toward: str) -> Ite
     low, high = "too low" in toward, "too high" in toward
     across = math.dist(start[:2], end[:2]) > abs(start[2] - end[2])
     if across and both_ends_free(steps, event, number) and (not low or equally_high(start, end)):
+        yield from _where_it_begins(steps, number)
         yield from stands_between(steps, event, number, beneath=high)
     else:
         lower = low or not (across or high)  # straight up or down, things stand at the lower end
@@ -106,7 +107,17 @@ def _end_to_blame(
         yield Link(before.start_s, before.cause.span, says, "", over)
         yield from decided(steps, number - 1, toward)
     elif not from_start:
-        yield from decided(steps, number, toward)
+        found = list(decided(steps, number, toward))
+        yield from found or _where_it_begins(steps, number)
+
+
+def _where_it_begins(steps: Steps, number: int) -> Iterator[Link]:
+    """Yield the step that led to where a way begins: its end is right as far as anybody knows."""
+    if number == 0:
+        return
+    before = steps.run.motions[number - 1]
+    says = f"the way begins at {point(_start(steps, number))}, where this step leads"
+    yield Link(before.start_s, before.cause.span, says, minor=True)
 
 
 def _out(steps: Steps, event: ContactEvent, along: Vector) -> tuple[str, str]:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from typing import cast
 
-from vrts.base.pose import IDENTITY, Pose, distance, rotation_angle
+from vrts.base.pose import IDENTITY, Pose
 from vrts.engine.memory.events import HandCommanded
 from vrts.ir.expressions import Apply, Compose, Constant, Function, Place
 from vrts.ir.motion import (
@@ -21,6 +21,7 @@ from vrts.why.chain import Link
 from vrts.why.shown import point, value
 from vrts.why.slicing.entered import reacted
 from vrts.why.slicing.executed import Executed, Steps
+from vrts.why.slicing.given import is_given
 from vrts.why.slicing.read import Reading, element, places_in, readings
 from vrts.why.slicing.sources import chain_of, chosen, element_text, telling, written
 
@@ -28,8 +29,6 @@ AXES = (("+X", "-X"), ("+Y", "-Y"), ("too low", "too high", "+Z", "-Z"))  # of w
 _NUMBERS_FROM = {Function.TRANS: 0, Function.TRANS_ZYZ: 0, Function.SHIFT: 1}  # X, then Y and Z
 FAR_ROUND = 30.0  # [deg] of a way: where the tool turns so far, both ends matter [assumed]
 SAME = 1e-6  # of poses that are told apart
-GIVEN = 1e-3  # [m] a location so near to one of the scene is that one
-GIVEN_TURN = math.radians(1.0)
 
 
 def leads(steps: Steps, motion: int) -> Link:
@@ -128,16 +127,7 @@ def _numbers_beside(found: list[Reading]) -> list[Reading]:
 def doubtful(steps: Steps, step: Executed) -> list[Reading]:
     """Return what a step read that may be wrong: not locations as the scene gives them."""
     found = [r for r in readings(steps, step) if r.known]
-    return [r for r in found if not is_given(steps, r.value, r.cell.name if r.cell else "")]
-
-
-def is_given(steps: Steps, content: object, name: str = "") -> bool:
-    """Return whether a value is a location that the scene names: this one, where it knows it."""
-    if not isinstance(content, Pose):
-        return False
-    locations = steps.run.scene.locations
-    meant = [locations[name]] if name in locations else locations.values()
-    return any(near(content, pose) for pose in meant)
+    return [r for r in found if not is_given(steps, r)]
 
 
 def _written_out(instruction: Depart | Draw) -> bool:
@@ -160,12 +150,6 @@ def _settings(steps: Steps, step: Executed) -> Iterator[Link]:
             if isinstance(now, Pose) and not _alike(now, usual):
                 says = f"the {name} set here is in force"
                 yield Link(source.time_s, source.step.cause.span, says)
-
-
-def near(one: Pose, other: Pose) -> bool:
-    """Return whether two poses are within a millimetre and a degree."""
-    apart = distance(one.translation, other.translation)
-    return apart < GIVEN and rotation_angle(one.rotation, other.rotation) < GIVEN_TURN
 
 
 def _alike(one: Pose, other: Pose) -> bool:

@@ -26,6 +26,15 @@ LED = {  # of a mutant: what its first chain says on the way, and the line at wh
     "03-sign-0": (TURN, 35),
     "04-height-0": ("`finish` is X 1049.1 Y 583 Z -199.9", 69),
     "04-lists-compound-0": ("line 12 `SET goal[4] = rim:stand_mid`", 72),
+    "01-misspelt-0": ("no step and no line of data gives `can2_grip` a value", 26),
+    "01-sense-0": ("where it could grip `can1`", 16),
+    "01-sense-1": ("the hand is told to close here, while it holds `can1`", 21),
+    "01-superfluous-step-4": ("10.3 s pass here without a motion", 4),
+    "01-height-2": ("10 mm too low on it", 25),
+    "01-copied-row-0": ("the hand takes hold of `can1` again here", 26),
+    "02-superfluous-step-1": ("where this step leads", 9),
+    "02-compound-2": ("line 3 `SET put = stand_mid`", 23),
+    "02-tenfold-0": ("`rim` is X 0 Y 10.3 Z 18", 24),
     "01-exchanged-rows-0": ("`start` is `can1_grip`, passed here", 28),
 }
 

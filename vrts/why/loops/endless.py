@@ -50,6 +50,12 @@ def endless(steps: Steps) -> Iterator[Link]:
     yield Link(None, last.cause.span, alike)
 
 
+def goes_round(steps: Steps) -> bool:
+    """Return whether the robot program does the same steps again and again at its end."""
+    robot = steps.of_robot[-LONGEST:]
+    return bool(robot) and sum(step.at == robot[-1].at for step in robot) > 1
+
+
 def asks(steps: Steps, step: Executed, round_: Round | None = None) -> Iterator[Link]:
     """Yield what a condition goes by, and where that was written last."""
     first = round_.steps[0].number if round_ is not None and round_.steps else None

@@ -13,6 +13,7 @@ from vrts.why.chain import Link
 from vrts.why.shown import value, where_of
 from vrts.why.slicing.entered import reacted
 from vrts.why.slicing.executed import Executed, Steps
+from vrts.why.slicing.given import is_given
 from vrts.why.slicing.read import (
     Reading,
     constants_in,
@@ -134,16 +135,37 @@ def _read_by(steps: Steps, step: Executed, only: object, depth: int) -> Iterator
         arguments = getattr(step.instruction, "arguments", ())
         if index is not None and index < len(arguments):
             given = arguments[index]
-            if isinstance(given, Compose) and len(given.parts) > 1:  # nearest the tool first
+            if isinstance(given, Compose) and len(given.parts) > 1:
                 parts = set(places_in(given))
-                for each in reversed([r for r in found if r.place in parts][:2]):
-                    yield from chain_of(steps, each, depth + 1)
+                yield from _parts(steps, [r for r in found if r.place in parts], depth)
                 return
             inside = only_place(given)
             found = [r for r in found if inside is not None and r.place == inside]
+    made = getattr(step.instruction, "value", None)
+    if isinstance(made, Compose) and len(made.parts) > 1 and only is None:
+        yield from _parts(steps, found, depth)
+        return
     for each in telling(steps, found):
         yield from chain_of(steps, each, depth + 1)
         return
+
+
+def _parts(steps: Steps, found: list[Reading], depth: int) -> Iterator[Link]:
+    """Yield where two parts of a compound location came from: what the scene does not give last.
+
+    Where a step wrote one of them, only that is followed.
+    """
+    parts = found[1::-1]  # what is nearest the tool first
+    newest = telling(steps, parts)[:1]
+    if newest and _set_by_step(steps, newest[0]):
+        parts = newest
+    for each in sorted(parts, key=lambda r: not is_given(steps, r)):
+        yield from chain_of(steps, each, depth + 1)
+
+
+def _set_by_step(steps: Steps, each: Reading) -> bool:
+    source = None if each.cell is None else written(steps, each.cell, each.before)
+    return source is not None and source.step is not None
 
 
 def telling(steps: Steps, found: list[Reading]) -> list[Reading]:
