@@ -61,7 +61,7 @@ def test_chains_name_the_line_of_the_mistake() -> None:
     named, all_of = Counter[str](), Counter[str]()
     for mutant in mutants():
         lines = mistaken(mutant)
-        if len(mutant.kinds) > 1 or not lines:
+        if len(mutant.kinds) != 1 or not lines:
             continue
         file = ProgramFile(mutant.text.encode(), "prog.v2")
         a = assess(Request(file, setting(mutant.task), checks=Checks(causes=True)))
