@@ -8,6 +8,7 @@ from vrts.repair.edit import Change, Does
 
 SOON = 4  # lines between two places of which either would do for a step that is missing
 CLEARLY = 0.3  # by so much the best must be better than those of other lines to stand out
+ALIKE = 0.3  # so much a smaller change of the same lines may be worse and still be told first
 ILLEGAL = 1.5  # what a value speaks against a change that no controller or teacher would take
 HARMLESS = 1.0  # what it speaks against it that a step goes that moves nothing
 FARTHEST = 600.0  # [mm] of a usual distance of APPRO and DEPART
@@ -33,8 +34,19 @@ class Repair(NamedTuple):
 
 
 def ranked(found: Sequence[Repair]) -> tuple[Repair, ...]:
-    """Return repairs, the likeliest first."""
-    return tuple(sorted(found, key=lambda each: round(each.against, 6)))
+    """Return repairs, the likeliest first; of those of its lines a smaller one as good as it."""
+    by = sorted(found, key=lambda each: round(each.against, 6))
+    if not by:
+        return ()
+    lines = [part.line for part in by[0].change.each]
+    alike = [
+        each
+        for each in by
+        if [part.line for part in each.change.each] == lines
+        and each.against < by[0].against + ALIKE
+    ]
+    first = min(alike, key=lambda each: each.change.size)
+    return (first, *(each for each in by if each is not first))
 
 
 def standing_out(found: Sequence[Repair]) -> Repair | None:

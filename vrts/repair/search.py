@@ -18,6 +18,7 @@ from vrts.repair.blame.blame import Blame, blame
 from vrts.repair.edit import Candidate, both, changed
 from vrts.repair.ranking import Repair, ranked
 from vrts.repair.table.asked import Asked
+from vrts.repair.table.habits import odder
 from vrts.repair.table.table import candidates
 from vrts.repair.trying.lost import first_loss
 from vrts.repair.trying.touched import known_touches
@@ -122,10 +123,11 @@ class _Level:
         budget: Budget,
     ) -> None:
         self.place, self.source, self.memory, self.budget = place, source, memory, budget
-        written = read(source, place.options.dialect or VAL2)
+        dialect = place.options.dialect or VAL2
+        written = read(source, dialect)
         run, judgement, grade = judged
         self.blamed = blame(run, place.task, judgement, grade)
-        self._asked = Asked(written, place.scene, place.task, self.blamed)
+        self._asked = Asked(written, place.scene, place.task, self.blamed, dialect)
         self._queue = _Queue(candidates(self._asked))
         self._base = tried(place, source.text, memory).come
         self._shared = shared(place, source.text, memory)
@@ -270,6 +272,7 @@ def _repair(candidate: Candidate, text: str, result: Tried, asked: Asked) -> Rep
     said = f"{change.old} {change.new}".lower()
     if asked.idle and not any(name in said for name in asked.idle):
         doubt += UNUSED
+    doubt += odder(asked, text)
     weight = asked.blame.weight(change.line)
     return Repair(change, candidate.cost, text, result.mark, weight, doubt)
 

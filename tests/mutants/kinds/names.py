@@ -48,7 +48,7 @@ def misspelt(written: Written, chance: Random) -> str | None:
     """A name mistyped in one place: a letter left out, doubled, exchanged; a wrong number."""
     rows = [row.target for row in locations(written) if isinstance(row.target, Name)]
     name = of(chance, [*(name for _, name in _used(written)), *rows])
-    if name is None:
+    if name is None or len(name.text) < 3:
         return None
     letters = list(name.text)
     at = chance.randrange(1, len(letters) - 1)

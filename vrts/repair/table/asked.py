@@ -11,6 +11,7 @@ from vrts.base.oat import oat_from_rotation
 from vrts.base.pose import Pose
 from vrts.base.units import MM
 from vrts.check.task.task import Task
+from vrts.lang.dialect import VAL2, Dialect
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Element, Item, Name
 from vrts.lang.syntax.statements import (
@@ -24,6 +25,7 @@ from vrts.lang.syntax.statements import (
 from vrts.repair.blame.blame import Blame
 from vrts.repair.edit import Candidate, Change, Does, replacement
 from vrts.repair.nodes import operands, parts
+from vrts.repair.visits import oddness
 from vrts.repair.written import Written, WrittenStep
 from vrts.scene.model import Scene
 
@@ -48,9 +50,17 @@ MOVES_TO = frozenset({"MOVE", "MOVES", "APPRO", "APPROS", "MOVET", "MOVEST"})
 class Asked:
     """A program, its scene, and what is to blame."""
 
-    def __init__(self, written: Written, scene: Scene, task: Task, blame: Blame) -> None:
+    def __init__(
+        self,
+        written: Written,
+        scene: Scene,
+        task: Task,
+        blame: Blame,
+        dialect: Dialect = VAL2,
+    ) -> None:
         """Take what is known."""
         self.written, self.scene, self.task, self.blame = written, scene, task, blame
+        self.dialect = dialect
 
     def against(self, line: int) -> float:
         """Return how little a line is to blame, 0 to 1."""
@@ -137,6 +147,11 @@ class Asked:
     def steps(self) -> tuple[WrittenStep, ...]:
         """The steps that were executed."""
         return tuple(step for step in self.written.steps if self.matters(step.line))
+
+    @cached_property
+    def oddness(self) -> float:
+        """How far the program is from its own habits."""
+        return oddness(self.written)
 
     @cached_property
     def row_names(self) -> frozenset[str]:

@@ -16,6 +16,7 @@ from vrts.lang.syntax.statements import CallNamed, CallStatement, SetLocation, S
 from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.nodes import nodes, operands, parts
 from vrts.repair.table.asked import MOVES_TO, TRUST, Asked, name_of, names_in, series, target_of
+from vrts.repair.table.placing import same
 from vrts.repair.written import WrittenStep
 
 NOT_NAMED = 0.4  # what a teacher says against a name far from the one that nothing defines
@@ -71,6 +72,7 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
     defined = asked.defined | asked.taught.keys()
     target = target_of(step)
     beside = _visited_beside(asked, step)
+    again = _again(asked, step)
     for name in names_in(step):
         mine = key(name.text)
         others = _like(asked, mine, step)
@@ -87,10 +89,12 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
                 unusual += 0.4
             elif other in asked.idle:
                 unusual -= 0.5
-            doubt = LEFT if asked.used[mine] == 1 and mine in asked.row_names else 0.0
+            left = asked.used[mine] == 1 and mine in asked.row_names and other not in asked.idle
+            doubt = LEFT if left else 0.0
             if mine not in asked.defined:
                 doubt = 0.0 if apart <= FEW else NOT_NAMED
                 right = mine in asked.taught or series(mine) in asked.series
+                right = right and not slipped(mine, other)
                 right = right or asked.familiar(mine) > asked.familiar(other)
                 if right or slipped(other, mine):
                     doubt, unusual = doubt + 0.3, unusual + 0.3  # its row is misspelt, not it
@@ -99,6 +103,8 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
                 unusual, doubt = unusual + 0.3, doubt + PARTED
             elif other in beside:
                 unusual -= 0.3
+            if again:
+                unusual -= 0.4
             yield asked.instead(Does.NAME, step.line, name, other, unusual=unusual, doubt=doubt)
     if isinstance(step.statement, CallStatement):
         program = step.statement.program
@@ -110,17 +116,29 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
 
 
 def _visited_beside(asked: Asked, step: WrittenStep) -> set[str]:
-    """Return the locations that the motions to locations before and after one go to."""
+    """Return the locations of the motion that one belongs to: the way there after an approach."""
     if not _visits(step):
         return set()
     steps = asked.written.steps
     k = steps.index(step)
-    found: set[str] = set()
-    for way in (steps[:k][::-1], steps[k + 1 :]):
-        near = next((each for each in way[:NEAR] if _visits(each)), None)
-        if near is not None and near.program == step.program:
-            found |= {key(name.text) for name in names_in(near)}
-    return found
+    approaches = _approaches(step)
+    way = steps[k + 1 :] if approaches else steps[:k][::-1]
+    near = next((each for each in way[:NEAR] if _visits(each)), None)
+    if near is None or near.program != step.program or _approaches(near) == approaches:
+        return set()
+    return {key(name.text) for name in names_in(near)}
+
+
+def _approaches(step: WrittenStep) -> bool:
+    return isinstance(step.statement, Simple) and step.statement.word.startswith("APPRO")
+
+
+def _again(asked: Asked, step: WrittenStep) -> bool:
+    """Return whether a motion says what the one before or after it says."""
+    steps = asked.written.steps
+    k = steps.index(step)
+    beside = (*steps[max(k - 1, 0) : k], *steps[k + 1 : k + 2])
+    return _visits(step) and any(same(step.text, each.text) for each in beside)
 
 
 def _visits(step: WrittenStep) -> bool:
@@ -302,8 +320,10 @@ def _definitions(asked: Asked, used: set[str]) -> Iterator[Candidate]:
                 continue
             near = letters_apart(mine, other) <= FEW
             meant = other in asked.taught or series(other) in asked.series
+            meant = meant and not slipped(other, mine)
             meant = meant or slipped(mine, other) or asked.familiar(other) > asked.familiar(mine)
-            right = mine in asked.taught or series(mine) in asked.series or slipped(other, mine)
+            right = mine in asked.taught or series(mine) in asked.series
+            right = (right and not slipped(mine, other)) or slipped(other, mine)
             edit = replacement(asked.written.source, name.start, name.end, other)
             yield asked.candidate(
                 Does.NAME,

@@ -104,7 +104,13 @@ def _without(asked: Asked, step: WrittenStep, steps: tuple[WrittenStep, ...]) ->
         + (EARLIER if earlier else 0.0),
         trust=0.8 if rare else None,
         old=step.text,
-        doubt=LEFT if alone else -0.3 if again or twice else NEEDED if stops or not plain else 0.0,
+        doubt=LEFT
+        if alone
+        else -0.3
+        if again
+        else NEEDED
+        if stops or not (plain or twice)
+        else 0.0,
     )
 
 

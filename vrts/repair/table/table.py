@@ -2,6 +2,7 @@
 
 from vrts.repair.edit import Candidate
 from vrts.repair.table.asked import Asked
+from vrts.repair.table.habits import as_usual
 from vrts.repair.table.names import other_names
 from vrts.repair.table.numbers import other_numbers
 from vrts.repair.table.rows import other_rows
@@ -12,6 +13,7 @@ from vrts.repair.table.words import other_words
 def candidates(asked: Asked) -> list[Candidate]:
     """Return every candidate, cheapest first; of one price in the order of the table."""
     found = [
+        *as_usual(asked),
         *other_words(asked),
         *other_numbers(asked),
         *other_rows(asked),

@@ -48,6 +48,7 @@ NEAR = MappingProxyType({"MOVE": "APPRO", "MOVES": "APPROS"})  # with a distance
 ANOTHER_WAY = 0.25  # what a teacher says against another way to the same place: it may be luck
 MISSING = 0.35  # and against going where one only goes near, if no step beside it is about it
 UNVISITED = 0.4  # what a teacher says against going near a location that nothing goes to
+SETTLED = 0.6  # and against taking ALWAYS from the one step that sets the usual speed
 HEIGHTS = (120, 100, 80, 60, 150, 200, 40)
 COMPARED = ("<", "<=", ">", ">=", "==", "<>")
 SUMS = ("+", "-")
@@ -260,7 +261,13 @@ def _always(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
         blank = at - len(text[: at - step.start]) + len(text[: at - step.start].rstrip())
         edit = replacement(source, blank, at + len("ALWAYS"), "")
         yield asked.candidate(
-            Does.WORD, step.line, (edit,), unusual=0.15, old=text.strip(), new=text.strip()[:-7]
+            Does.WORD,
+            step.line,
+            (edit,),
+            unusual=0.15,
+            old=text.strip(),
+            new=text.strip()[:-7],
+            doubt=SETTLED if _is_the_only_speed(asked, step) else 0.0,
         )
     else:
         end = step.start + len(text.rstrip())
@@ -273,6 +280,16 @@ def _always(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
             old=text.strip(),
             new=f"{text.strip()} ALWAYS",
         )
+
+
+def _is_the_only_speed(asked: Asked, step: WrittenStep) -> bool:
+    """Return whether no other step sets a speed for good."""
+    settled = [
+        each
+        for each in asked.written.steps
+        if isinstance(each.statement, SpeedStatement) and each.statement.always
+    ]
+    return settled == [step]
 
 
 def _operators(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
