@@ -1,0 +1,235 @@
+"""How a program goes to places, by its own habits: a program that repeats itself deviates once.
+
+A visit is what programs do at a place: approach it, slow down, go there, wait, move the hand, leave.
+Most of a program's visits are alike. What one of them lacks, or does otherwise, stands out.
+"""
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from enum import IntEnum
+from typing import NamedTuple
+
+from vrts.repair.written import Written, WrittenStep
+
+MISSING = 1.0  # what a visit is the odder for, that lacks what most visits have
+OTHERWISE = 0.5  # and for going, leaving or closing by another word than most
+AGAIN = 1.0  # for a hand that does again what it did last, and a place gone to from itself
+TOO_FAR = 0.7  # and for a distance that is far from what is usual
+TOO_NEAR = 1.0  # or so short that nothing is cleared by it
+SHORT = 30.0  # [mm] of such a distance
+TIMES = 2.5  # how far from the usual a distance is that stands out
+SLOWER = 0.3  # of a visit that is not slowed down for like the others
+
+
+class Part(IntEnum):
+    """What a step is of a visit, in the order of its steps."""
+
+    APPROACH = 0
+    SPEED = 1
+    PLACE = 2
+    WAIT = 3
+    HAND = 4
+    LEAVE = 5
+
+
+WORDS = {
+    "APPRO": Part.APPROACH,
+    "APPROS": Part.APPROACH,
+    "MOVE": Part.PLACE,
+    "MOVES": Part.PLACE,
+    "BREAK": Part.WAIT,
+    "DELAY": Part.WAIT,
+    "OPEN": Part.HAND,
+    "CLOSE": Part.HAND,
+    "OPENI": Part.HAND,
+    "CLOSEI": Part.HAND,
+    "DEPART": Part.LEAVE,
+    "DEPARTS": Part.LEAVE,
+}
+ASKED = (Part.APPROACH, Part.SPEED, Part.PLACE, Part.HAND, Part.LEAVE)
+
+
+class Stop(NamedTuple):
+    """A step of a visit, as it is written."""
+
+    part: Part
+    word: str
+    target: str  # the location that it goes to or near, lower case; "" where it names none
+    distance: str  # as it is written, "" where it has none
+    step: WrittenStep
+
+
+class Visit(NamedTuple):
+    """Steps at one place, one after another."""
+
+    stops: tuple[Stop, ...]
+
+    def of(self, part: Part) -> Stop | None:
+        """Return the step that is a part of the visit; None: it has none."""
+        return next((stop for stop in self.stops if stop.part is part), None)
+
+    @property
+    def target(self) -> str:
+        """The location, as its approach or the way there names it; "" where neither does."""
+        return next((stop.target for stop in self.stops if stop.target), "")
+
+    @property
+    def lines(self) -> tuple[int, ...]:
+        """The lines of its steps."""
+        return tuple(stop.step.line for stop in self.stops)
+
+
+def visits(written: Written) -> tuple[Visit, ...]:
+    """Return the visits of a program in the order of its text."""
+    return tuple(visit for visit in _groups(written) if _is_visit(visit))
+
+
+def usual_parts(found: Sequence[Visit]) -> frozenset[Part]:
+    """Return the parts that at least half of all visits have, of two or more."""
+    if len(found) < 2:
+        return frozenset()
+    return frozenset(
+        part for part in ASKED if 2 * sum(v.of(part) is not None for v in found) >= len(found)
+    )
+
+
+def oddness(written: Written) -> float:
+    """Return how far a program is from its own habits; 0 where it keeps to all of them."""
+    found = visits(written)
+    return (
+        _lacking(found)
+        + _other_words(found)
+        + sum(how_far for _, how_far in odd_distances(found))
+        + AGAIN * _repeated(written)
+    )
+
+
+def odd_distances(found: Sequence[Visit]) -> Iterator[tuple[Stop, float]]:
+    """Yield the steps whose distances stand out, and how much."""
+    for part in (Part.APPROACH, Part.LEAVE):
+        stops = [stop for visit in found if (stop := visit.of(part)) is not None]
+        values = [abs(x) for stop in stops if (x := number(stop.distance))]
+        for stop in stops:
+            value = number(stop.distance)
+            if value is None:
+                continue
+            others = [x for x in values if x != abs(value)]
+            usual = sorted(others)[len(others) // 2] if others else abs(value)
+            if value < SHORT:
+                yield stop, TOO_NEAR
+            elif max(value / usual, usual / value) > TIMES and values.count(value) == 1:
+                yield stop, TOO_FAR
+
+
+def number(text: str) -> float | None:
+    """Return the number that a text is; None where it is another expression."""
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None
+
+
+def stop_of(step: WrittenStep) -> Stop | None:
+    """Return what a step is of a visit; None: nothing."""
+    words = step.text.split(None, 1)
+    word = words[0].upper()
+    rest = words[1].strip() if len(words) > 1 else ""
+    if word == "SPEED":
+        return None if rest.upper().endswith("ALWAYS") else Stop(Part.SPEED, word, "", rest, step)
+    part = WORDS.get(word)
+    if part is None:
+        return None
+    if part is Part.LEAVE:
+        return Stop(part, word, "", rest, step)
+    if part is Part.APPROACH:
+        target, _, distance = rest.rpartition(",")
+        return Stop(part, word, _same(target), distance.strip(), step)
+    return Stop(part, word, _same(rest) if part is Part.PLACE else "", "", step)
+
+
+def _same(text: str) -> str:
+    return "".join(text.split()).lower()
+
+
+def _groups(written: Written) -> Iterator[Visit]:
+    """Yield steps that may belong together: parts in their order, of one place."""
+    group: list[Stop] = []
+    program = -1
+    for step in written.steps:
+        stop = stop_of(step)
+        if stop is None or step.program != program:
+            if group:
+                yield Visit(tuple(group))
+            group = []
+        program = step.program
+        if stop is None:
+            continue
+        target = next((each.target for each in group if each.target), "")
+        elsewhere = bool(stop.target) and bool(target) and stop.target != target
+        if group and (stop.part < group[-1].part or elsewhere or _twice(group[-1], stop)):
+            yield Visit(tuple(group))
+            group = []
+        group.append(stop)
+    if group:
+        yield Visit(tuple(group))
+
+
+def _twice(last: Stop, stop: Stop) -> bool:
+    return stop.part is last.part and stop.part is not Part.WAIT
+
+
+def _is_visit(visit: Visit) -> bool:
+    """Return whether steps belong to a visit: a place or approach, and the hand or a way out."""
+    parts = {stop.part for stop in visit.stops}
+    if Part.HAND in parts:
+        return bool(parts & {Part.APPROACH, Part.PLACE, Part.LEAVE})
+    return Part.APPROACH in parts or {Part.PLACE, Part.LEAVE} <= parts
+
+
+def _lacking(found: Sequence[Visit]) -> float:
+    usual = usual_parts(found)
+    total = 0.0
+    for visit in found:
+        for part in usual:
+            if visit.of(part) is None:
+                total += SLOWER if part is Part.SPEED else MISSING
+    return total
+
+
+def _other_words(found: Sequence[Visit]) -> float:
+    """Return what words speak against visits that use others than most."""
+    total = 0.0
+    for part in (Part.APPROACH, Part.PLACE, Part.LEAVE):
+        words = Counter(stop.word for visit in found if (stop := visit.of(part)) is not None)
+        total += OTHERWISE * (sum(words.values()) - max(words.values(), default=0))
+    waits = Counter(
+        stop.word.endswith("I") for visit in found if (stop := visit.of(Part.HAND)) is not None
+    )
+    return total + OTHERWISE * (sum(waits.values()) - max(waits.values(), default=0))
+
+
+def _repeated(written: Written) -> int:
+    """Return how often the hand does again what it did last, or a motion goes where it is."""
+    count = 0
+    program, hand, place, near = -1, "", "", ""
+    for step in written.steps:
+        if step.program != program:
+            program, hand, place, near = step.program, "", "", ""
+        stop = stop_of(step)
+        if stop is None:
+            if step.text.split()[0].upper() in ("CALL", "FOR", "WHILE", "IF", "ELSE", "END"):
+                hand, place, near = "", "", ""
+            continue
+        if stop.part is Part.HAND:
+            count += stop.word[:4] == hand
+            hand = stop.word[:4]
+        elif stop.part is Part.PLACE:
+            count += stop.target in (place, near)
+            place, near = stop.target, ""
+        elif stop.part is Part.LEAVE:
+            place, near = "", place
+        elif stop.part is Part.APPROACH:
+            place, near = "", ""
+    return count
