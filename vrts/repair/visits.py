@@ -1,16 +1,17 @@
 """How a program goes to places, by its own habits: a program that repeats itself deviates once.
 
-A visit is what programs do at a place: approach it, slow down, go there, wait, move the hand, leave.
-Most of a program's visits are alike. What one of them lacks, or does otherwise, stands out.
+A visit is what programs do at a place: approach it, slow down, go there, wait, move the hand and
+leave. Most of a program's visits are alike. What one of them lacks, or does otherwise, stands out.
 """
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from enum import IntEnum
 from typing import NamedTuple
 
-from vrts.repair.written import Written, WrittenStep
+from vrts.lang.syntax.expressions import Item, Number, Prefix
+from vrts.repair.written import Written, WrittenRow, WrittenStep
 
 MISSING = 1.0  # what a visit is the odder for, that lacks what most visits have
 OTHERWISE = 0.5  # and for going, leaving or closing by another word than most
@@ -19,6 +20,9 @@ TOO_FAR = 0.7  # and for a distance that is far from what is usual
 TOO_NEAR = 1.0  # or so short that nothing is cleared by it
 SHORT = 30.0  # [mm] of such a distance
 TIMES = 2.5  # how far from the usual a distance is that stands out
+ELSEWHERE = 1.5  # for a visit that approaches one place and goes to another
+TURNED = 0.5  # for a location that is turned otherwise than most
+POSE = 6
 SLOWER = 0.3  # of a visit that is not slowed down for like the others
 
 
@@ -47,6 +51,7 @@ WORDS = {
     "DEPART": Part.LEAVE,
     "DEPARTS": Part.LEAVE,
 }
+MOVING = frozenset({Part.APPROACH, Part.PLACE, Part.LEAVE})
 ASKED = (Part.APPROACH, Part.SPEED, Part.PLACE, Part.HAND, Part.LEAVE)
 
 
@@ -75,6 +80,12 @@ class Visit(NamedTuple):
         return next((stop.target for stop in self.stops if stop.target), "")
 
     @property
+    def parted(self) -> bool:
+        """Whether it approaches one place and goes to another."""
+        near, there = self.of(Part.APPROACH), self.of(Part.PLACE)
+        return near is not None and there is not None and near.target != there.target
+
+    @property
     def lines(self) -> tuple[int, ...]:
         """The lines of its steps."""
         return tuple(stop.step.line for stop in self.stops)
@@ -82,7 +93,16 @@ class Visit(NamedTuple):
 
 def visits(written: Written) -> tuple[Visit, ...]:
     """Return the visits of a program in the order of its text."""
-    return tuple(visit for visit in _groups(written) if _is_visit(visit))
+    found: list[Visit] = []
+    program, moved = -1, False
+    for group in _groups(written):
+        parts = {stop.part for stop in group.stops}
+        if group.stops[0].step.program != program:
+            program, moved = group.stops[0].step.program, False
+        moved = moved or bool(parts & MOVING)
+        if _is_visit(parts) and moved:
+            found.append(group)
+    return tuple(found)
 
 
 def usual_parts(found: Sequence[Visit]) -> frozenset[Part]:
@@ -94,14 +114,21 @@ def usual_parts(found: Sequence[Visit]) -> frozenset[Part]:
     )
 
 
-def oddness(written: Written) -> float:
-    """Return how far a program is from its own habits; 0 where it keeps to all of them."""
+def oddness(written: Written, usual: frozenset[Part] | None = None) -> float:
+    """Return how far a program is from its own habits; 0 where it keeps to all of them.
+
+    Args:
+        written: The program.
+        usual: The parts that visits are to have; None: what most of its own have.
+    """
     found = visits(written)
     return (
-        _lacking(found)
+        _lacking(found, usual_parts(found) if usual is None else usual)
+        + ELSEWHERE * sum(visit.parted for visit in found)
         + _other_words(found)
         + sum(how_far for _, how_far in odd_distances(found))
         + AGAIN * _repeated(written)
+        + TURNED * sum(1 for _ in turned_rows(written))
     )
 
 
@@ -120,6 +147,25 @@ def odd_distances(found: Sequence[Visit]) -> Iterator[tuple[Stop, float]]:
                 yield stop, TOO_NEAR
             elif max(value / usual, usual / value) > TIMES and values.count(value) == 1:
                 yield stop, TOO_FAR
+
+
+def turned_rows(written: Written) -> Iterator[tuple[WrittenRow, tuple[float, ...]]]:
+    """Yield locations turned otherwise than most, and how most are turned: O, A, T [deg]."""
+    rows = [row for row in written.rows if row.kind == "locations" and len(row.node.values) == POSE]
+    angles = [tuple(map(_value, row.node.values[3:])) for row in rows]
+    for usual, times in Counter(angles).most_common(1):
+        if times > 2 and 2 * times > len(rows):
+            yield from ((row, usual) for row, at in zip(rows, angles, strict=True) if at != usual)
+
+
+def _value(item: Item) -> float:
+    match item:
+        case Number():
+            return item.value
+        case Prefix("-", Number() as inner):
+            return -inner.value
+        case _:
+            return math.nan
 
 
 def number(text: str) -> float | None:
@@ -166,9 +212,7 @@ def _groups(written: Written) -> Iterator[Visit]:
         program = step.program
         if stop is None:
             continue
-        target = next((each.target for each in group if each.target), "")
-        elsewhere = bool(stop.target) and bool(target) and stop.target != target
-        if group and (stop.part < group[-1].part or elsewhere or _twice(group[-1], stop)):
+        if group and (stop.part < group[-1].part or _twice(group[-1], stop)):
             yield Visit(tuple(group))
             group = []
         group.append(stop)
@@ -180,16 +224,12 @@ def _twice(last: Stop, stop: Stop) -> bool:
     return stop.part is last.part and stop.part is not Part.WAIT
 
 
-def _is_visit(visit: Visit) -> bool:
-    """Return whether steps belong to a visit: a place or approach, and the hand or a way out."""
-    parts = {stop.part for stop in visit.stops}
-    if Part.HAND in parts:
-        return bool(parts & {Part.APPROACH, Part.PLACE, Part.LEAVE})
-    return Part.APPROACH in parts or {Part.PLACE, Part.LEAVE} <= parts
+def _is_visit(parts: Collection[Part]) -> bool:
+    """Return whether steps belong to a visit: the hand, an approach, or a place and a way out."""
+    return Part.HAND in parts or Part.APPROACH in parts or {*parts, Part.APPROACH} >= MOVING
 
 
-def _lacking(found: Sequence[Visit]) -> float:
-    usual = usual_parts(found)
+def _lacking(found: Sequence[Visit], usual: Collection[Part]) -> float:
     total = 0.0
     for visit in found:
         for part in usual:

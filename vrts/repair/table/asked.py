@@ -2,7 +2,7 @@
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from types import MappingProxyType
 
@@ -13,7 +13,7 @@ from vrts.base.units import MM
 from vrts.check.task.task import Task
 from vrts.lang.dialect import VAL2, Dialect
 from vrts.lang.names import key
-from vrts.lang.syntax.expressions import Element, Item, Name
+from vrts.lang.syntax.expressions import Element, Item, Name, Number
 from vrts.lang.syntax.statements import (
     Assignment,
     CallStatement,
@@ -25,7 +25,7 @@ from vrts.lang.syntax.statements import (
 from vrts.repair.blame.blame import Blame
 from vrts.repair.edit import Candidate, Change, Does, replacement
 from vrts.repair.nodes import operands, parts
-from vrts.repair.visits import oddness
+from vrts.repair.visits import Part, oddness, usual_parts, visits
 from vrts.repair.written import Written, WrittenStep
 from vrts.scene.model import Scene
 
@@ -151,7 +151,16 @@ class Asked:
     @cached_property
     def oddness(self) -> float:
         """How far the program is from its own habits."""
-        return oddness(self.written)
+        return oddness(self.written, self.usual)
+
+    @cached_property
+    def usual(self) -> frozenset[Part]:
+        """What most visits of the program have."""
+        return usual_parts(visits(self.written))
+
+    def odder(self, steps: Sequence[WrittenStep]) -> float:
+        """Return how much farther from its habits the program is with other steps."""
+        return oddness(self.written._replace(steps=tuple(steps)), self.usual) - self.oddness
 
     @cached_property
     def row_names(self) -> frozenset[str]:
@@ -248,6 +257,20 @@ class Asked:
                 if isinstance(target, Name) and target.text[0] not in "$#":
                     found.add(key(target.text))
         return frozenset(found)
+
+    @cached_property
+    def constants(self) -> dict[str, float]:
+        """Numbers that one step gives a value as it stands, and no other step."""
+        targets = [target_of(step) for step in self.written.steps]
+        times = Counter(key(name_of(target)) for target in targets if target is not None)
+        return {
+            key(step.statement.target.text): step.statement.value.value
+            for step in self.written.steps
+            if isinstance(step.statement, Assignment)
+            and isinstance(step.statement.target, Name)
+            and isinstance(step.statement.value, Number)
+            and times[key(step.statement.target.text)] == 1
+        }
 
     @cached_property
     def called(self) -> frozenset[str]:

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 
 from vrts.base.source import SourceFile
 from vrts.repair.edit import Candidate, Does, replacement
-from vrts.repair.table.asked import Asked
+from vrts.repair.table.asked import Asked, written_number
 from vrts.repair.table.placing import idle_hand
 from vrts.repair.visits import (
     Part,
@@ -14,38 +14,66 @@ from vrts.repair.visits import (
     number,
     odd_distances,
     oddness,
-    usual_parts,
+    turned_rows,
     visits,
 )
 from vrts.repair.written import WrittenStep, read
 
 HABIT = -0.45  # what speaks for a step that a place lacks and most places have
 STANDS_OUT = -0.5  # and for another distance where one stands out
+AS_MOST = -0.3  # and for a location turned like most
 TRUSTED = 1.0  # what it costs that its line is not to blame
+FEW = 3  # parts that a visit may lack to be one that is not finished
 MOST = 3  # usual distances tried
 RATE = 0.45  # what a teacher says against a change that makes a program odder by one
 MOST_ODD = 1.4  # and at most
-CURED = 0.6  # what speaks for one that makes it less odd, at most
+CURED = 0.8  # what speaks for one that makes it less odd, at most
 
 
 def odder(asked: Asked, text: str) -> float:
     """Return what its own habits say against what a program becomes; less than 0: for it."""
     source = SourceFile(asked.written.source.name, text)
-    by = RATE * (oddness(read(source, asked.dialect)) - asked.oddness)
+    by = RATE * (oddness(read(source, asked.dialect), asked.usual) - asked.oddness)
     return max(-CURED, min(MOST_ODD, by))
 
 
 def as_usual(asked: Asked) -> Iterator[Candidate]:
     """Yield the program with one visit made like its others, and with all that lack the same."""
     found = visits(asked.written)
-    usual = usual_parts(found)
-    for n, visit in enumerate(found):
-        for part in usual - {stop.part for stop in visit.stops}:
-            yield from _more(asked, found, visit, part)
-        if n and visit.target and visit.of(Part.PLACE) is None and Part.PLACE not in usual:
-            yield from _more(asked, found, visit, Part.PLACE)
+    usual = asked.usual
+    for visit in found:
+        lacks = usual - {stop.part for stop in visit.stops}
+        whole = visit.of(Part.HAND) is not None or visit.of(Part.LEAVE) is not None
+        if whole and len(lacks - {Part.SPEED}) < FEW:
+            for part in sorted(lacks):
+                yield from _more(asked, found, visit, part)
     yield from _go_there(asked, found)
     yield from _distances(asked, found)
+    yield from _turned(asked)
+
+
+def _turned(asked: Asked) -> Iterator[Candidate]:
+    """Yield each location that is turned otherwise than most turned like them."""
+    for row, usual in turned_rows(asked.written):
+        if not asked.matters(row.line):
+            continue
+        values = row.node.values[3:]
+        edits = [
+            replacement(asked.written.source, value.start, value.end, written_number(other))
+            for value, other in zip(values, usual, strict=True)
+            if float(asked.text_of(value)) != other
+        ]
+        yield asked.candidate(
+            Does.NUMBER if len(edits) == 1 else Does.ROW,
+            row.line,
+            edits,
+            size=len(edits),
+            priced=1.2,
+            unusual=AS_MOST,
+            trust=TRUSTED,
+            old=" ".join(edit.span.text for edit in edits),
+            new=" ".join(edit.replacement for edit in edits),
+        )
 
 
 def _more(asked: Asked, found: Sequence[Visit], visit: Visit, part: Part) -> Iterator[Candidate]:

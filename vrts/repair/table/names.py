@@ -1,5 +1,6 @@
 """Other names: misspelt ones, exchanged ones, parts of compounds left out or turned round."""
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
@@ -22,6 +23,7 @@ from vrts.repair.written import WrittenStep
 NOT_NAMED = 0.4  # what a teacher says against a name far from the one that nothing defines
 PARTED = 0.6  # what a teacher says against going near one location and then to another
 NEAR = 3  # steps between two motions that belong together
+UNLIKE = 0.5  # and against exchanging where one goes with what another only goes near
 FEW = 2  # letters in which a misspelt name differs
 LEFT = 0.5  # what a teacher says against leaving a location that was taught and named unused
 
@@ -61,7 +63,7 @@ def slipped(wrong: str, right: str) -> bool:
     """
     for k in range(len(wrong)):
         if wrong[:k] + wrong[k + 1 :] == right:
-            return k + 1 == len(wrong) or (k > 0 and wrong[k - 1] == wrong[k])
+            return k + 1 == len(wrong) or wrong[k] in (wrong[k - 1 : k], wrong[k + 1])
     for k in range(1, len(right) - 1):
         if right[:k] + right[k + 1 :] == wrong:
             return right[k - 1] != right[k] and right[k] != right[k + 1]
@@ -102,7 +104,7 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
             if mine in beside:
                 unusual, doubt = unusual + 0.3, doubt + PARTED
             elif other in beside:
-                unusual -= 0.3
+                unusual -= 0.6
             if again:
                 unusual -= 0.4
             yield asked.instead(Does.NAME, step.line, name, other, unusual=unusual, doubt=doubt)
@@ -196,9 +198,25 @@ def _compound(
     one, other = asked.text_of(left), asked.text_of(right)
     size = min(nodes(left) + nodes(right), 2 * min(nodes(left), nodes(right)))
     turned = f"{other}:{one}"
+    approached = one in _approached(asked, step)
     yield asked.instead(Does.ORDER, step.line, whole, turned, size=size, unusual=-0.2)
-    yield asked.instead(Does.NAME, step.line, whole, one, size=1 + nodes(right), unusual=0.4)
+    yield asked.instead(
+        Does.NAME,
+        step.line,
+        whole,
+        one,
+        size=1 + nodes(right),
+        unusual=-0.3 if approached else 0.4,
+    )
     yield asked.instead(Does.NAME, step.line, whole, other, size=1 + nodes(left), unusual=0.4)
+
+
+def _approached(asked: Asked, step: WrittenStep) -> set[str]:
+    """Return the location, as it is written, that a motion's approach goes near."""
+    k = asked.written.steps.index(step)
+    before = [each for each in asked.written.steps[max(k - NEAR, 0) : k] if _approaches(each)]
+    near = [next(_location_operands(each), None) for each in before[-1:]]
+    return {asked.text_of(each) for each in near if each is not None}
 
 
 def _location_operands(step: WrittenStep) -> Iterator[Item]:
@@ -232,10 +250,13 @@ def _leaves(item: Item) -> Iterator[Item]:
 
 
 def _arguments(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
-    """Yield two arguments of a CALL or a function exchanged."""
+    """Yield two arguments of a CALL or a function exchanged, and one that keeps its value."""
     lists: list[Sequence[Item | None]] = []
     if isinstance(step.statement, CallStatement):
         lists.append(step.statement.arguments)
+        for argument in _changed_by_call(asked, step.statement):
+            text = f"({asked.text_of(argument)})"
+            yield asked.instead(Does.WORD, step.line, argument, text, unusual=-0.3)
     for item in operands(step.statement):
         lists += [part.arguments for part in parts(item) if isinstance(part, Application)]
     for arguments in lists:
@@ -248,6 +269,22 @@ def _arguments(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
         given = [each for each in step.statement.operands if each is not None]
         for one, other in pairwise(given):
             yield _swap(asked, step, one, other, 0.2)
+
+
+def _changed_by_call(asked: Asked, call: CallStatement) -> Iterator[Name]:
+    """Yield the numbers given to a program that it changes: its caller's variables."""
+    names = [program.name for program in asked.written.programs]
+    called = key(call.program.text)
+    if called not in names:
+        return
+    number = names.index(called)
+    targets = [target_of(step) for step in asked.written.steps if step.program == number]
+    changed = {key(target.text) for target in targets if isinstance(target, Name)}
+    formals = asked.written.programs[number].formals
+    for formal, argument in zip(formals, call.arguments, strict=False):
+        given = isinstance(argument, Name) and key(argument.text) in asked.numbers
+        if given and formal and key(formal.name.text) in changed:
+            yield argument
 
 
 def _swap(asked: Asked, step: WrittenStep, one: Item, other: Item, unusual: float) -> Candidate:
@@ -312,11 +349,13 @@ def _definitions(asked: Asked, used: set[str]) -> Iterator[Candidate]:
         target = target_of(step)
         if target is not None:
             targets.append((step.line, target))
+    times = Counter(key(name_of(target)) for _, target in targets if isinstance(target, Name))
     for line, target in targets:
         name = target if isinstance(target, Name) else target.name
         mine = key(name.text)
         for other in wanted:
-            if mine in used and letters_apart(mine, other) > FEW:
+            twice = times[mine] > 1
+            if mine in used and not twice and letters_apart(mine, other) > FEW:
                 continue
             near = letters_apart(mine, other) <= FEW
             meant = other in asked.taught or series(other) in asked.series
@@ -396,4 +435,6 @@ def _exchanged(asked: Asked) -> Iterator[Candidate]:
                 found = _swap(asked, one, a, b, 0.2)
                 less = min(asked.against(one.line), asked.against(other.line))
                 by = TRUST[Does.ORDER] * (less - asked.against(one.line))
-                yield found._replace(cost=found.cost + by)
+                unlike = _approaches(one) != _approaches(other)
+                doubt = UNLIKE if unlike else 0.0
+                yield found._replace(cost=found.cost + by + doubt, doubt=doubt)

@@ -5,7 +5,7 @@ from enum import Enum
 from statistics import median_high
 
 from vrts.lang.names import key
-from vrts.lang.syntax.expressions import Application, Element, Infix, Item, Number, Prefix
+from vrts.lang.syntax.expressions import Application, Element, Infix, Item, Name, Number, Prefix
 from vrts.lang.syntax.statements import (
     Assignment,
     For,
@@ -18,6 +18,7 @@ from vrts.lang.syntax.statements import (
 )
 from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.nodes import operands, parts
+from vrts.repair.ranking import FARTHEST
 from vrts.repair.table.asked import Asked, names_in, written_number
 from vrts.repair.written import WrittenStep
 
@@ -29,6 +30,8 @@ FAST = 0.5  # what it speaks against a speed above it
 BESIDE = (20, 40, 80, 150, 10, 250, 400)
 SMALL = 12  # a whole number up to this may count something
 COUNTED = 1.3  # what it speaks against a number that counts that its line is not to blame
+BEYOND = 1000.0  # [mm] no step goes farther: surely mistyped
+TOGETHER = 1.8  # what it speaks against a number that stands in many places that none is to blame
 FAR = 5000.0  # [mm] no distance is longer
 
 
@@ -58,8 +61,10 @@ def other_numbers(asked: Asked) -> Iterator[Candidate]:
             alike.setdefault((word, role.value, value), []).append((step, item))
             for unusual, other in _others(asked, value, role, word, elsewhere):
                 odd, doubt = 0.0, 0.0
+                if role is Role.DISTANCE and abs(value) > BEYOND:
+                    odd = -0.5
                 if word in AWAY and usual:
-                    odd = -0.5 if value < ODD * usual else 0.0
+                    odd = -0.5 if value <= ODD * usual or value > FARTHEST else 0.0
                     doubt = FAR_AWAY if other > max(250.0, 2.0 * usual) else 0.0
                 yield asked.instead(
                     Does.NUMBER,
@@ -82,8 +87,11 @@ def other_numbers(asked: Asked) -> Iterator[Candidate]:
     for (word, role, value), places in alike.items():
         if len(places) > 1:
             kind = Role(role)
+            odd = -0.5 if word in AWAY and 0.0 < value <= ODD * usual else 0.0
             for unusual, other in _others(asked, value, kind, word, elsewhere):
-                yield _together(asked, places, other, unusual)
+                doubt = FAR_AWAY if word in AWAY and other > max(250.0, 2.0 * usual) else 0.0
+                together = _together(asked, places, other, unusual + odd + doubt)
+                yield together._replace(doubt=doubt)
 
 
 def _together(
@@ -99,7 +107,8 @@ def _together(
         edits,
         size=len(places),
         priced=1.6,
-        unusual=unusual + 0.3,
+        unusual=unusual,
+        trust=TOGETHER,
         old=asked.text_of(places[0][1]),
         new=text,
     )
@@ -108,13 +117,22 @@ def _together(
 def _usual(asked: Asked) -> float:
     """Return the usual distance of APPRO and DEPART in a program; 0: there is none."""
     found = [
-        value_of(item)
+        value
         for step in asked.written.steps
         if word_of(step.statement) in AWAY
-        for item, role in numbers_of(step.statement)
-        if role is Role.DISTANCE
+        for value in _distances(asked, step.statement)
     ]
     return median_high(found) if len(found) > 1 else 0.0
+
+
+def _distances(asked: Asked, statement: Statement) -> Iterator[float]:
+    """Yield the distance that a step says, by itself or by a variable that is set once."""
+    found = [value_of(item) for item, role in numbers_of(statement) if role is Role.DISTANCE]
+    yield from found
+    if not found:
+        for item in operands(statement):
+            if isinstance(item, Name) and key(item.text) in asked.constants:
+                yield asked.constants[key(item.text)]
 
 
 def numbers_of(statement: Statement) -> Iterator[tuple[Item, Role]]:
@@ -185,6 +203,9 @@ def _elsewhere(asked: Asked) -> dict[str, list[float]]:
             known = found.setdefault(word_of(step.statement), [])
             if role is not Role.COUNT and value_of(item) not in known:
                 known.append(value_of(item))
+    for word in AWAY:
+        known = found.setdefault(word, [])
+        known += [x for x in asked.constants.values() if x not in known and x > BESIDE[0]]
     return found
 
 

@@ -41,6 +41,7 @@ EARLIER = 0.06  # of two steps that are alike the later one is too much
 THERE = 0.5  # what a teacher says against a step more that stands there already, nearly
 OTHERWISE = 0.6  # and against a program that nobody calls, called by another than the first
 CLOSED = 0.3  # how little the first motion is to blame for a hand that nobody opened before
+ORDERLY = 0.9  # what speaks for an order in which the program does all as it does elsewhere
 FARTHEST = 6  # steps that a step may have to be moved by
 RARE = frozenset({"BASE", "TOOL", "DRIVE", "SINGLE", "RETURN", "STOP", "HALT", "PAUSE", "DELAY"})
 SAYS_NOTHING = frozenset({"TYPE"})  # steps that move nothing: not copied elsewhere
@@ -311,6 +312,10 @@ def _elsewhere(asked: Asked, k: int) -> Iterator[Candidate]:
         start, end = written.line_start(step.line), written.line_start(step.line + 1)
         text = written.text[start:end]
         blocks = any(not movable(each.statement) for each in passed if each is not step)
+        habit = 0.0
+        if by == 1:
+            swapped = (*steps[:k], steps[j], step, *steps[j + 1 :])
+            habit = max(-ORDERLY, 0.3 * min(asked.odder(swapped), 0.0))
         yield asked.candidate(
             Does.ORDER,
             step.line,
@@ -321,7 +326,7 @@ def _elsewhere(asked: Asked, k: int) -> Iterator[Candidate]:
             size=smaller,
             priced=1.6 + 0.2 * (smaller / 2 - 1),
             against=against,
-            unusual=0.2 + 0.1 * (abs(by) - 1) + (0.3 if blocks else 0.0),
+            unusual=0.2 + 0.1 * (abs(by) - 1) + (0.3 if blocks else 0.0) + habit,
             old=step.text,
             new=step.text,
         )

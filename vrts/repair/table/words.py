@@ -45,6 +45,7 @@ INSTEAD = MappingProxyType(
     }
 )
 NEAR = MappingProxyType({"MOVE": "APPRO", "MOVES": "APPROS"})  # with a distance
+WAYS = ({"MOVE", "MOVES"}, {"APPRO", "APPROS"}, {"DEPART", "DEPARTS"})
 ANOTHER_WAY = 0.25  # what a teacher says against another way to the same place: it may be luck
 MISSING = 0.35  # and against going where one only goes near, if no step beside it is about it
 UNVISITED = 0.4  # what a teacher says against going near a location that nothing goes to
@@ -87,7 +88,7 @@ def _word(
 ) -> Candidate:
     end = keyword_end(asked, step)
     edit = replacement(asked.written.source, step.start, end, other)
-    doubt = ANOTHER_WAY if {word, other} == {"MOVE", "MOVES"} else 0.0
+    doubt = ANOTHER_WAY if {word, other} in WAYS else 0.0
     against = None
     if word.startswith("CLOSE") and other.startswith("OPEN") and is_first_of_hand(asked, step):
         against, unusual = 0.0, unusual - 0.3  # the hand is closed when a run starts

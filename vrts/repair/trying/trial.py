@@ -41,8 +41,9 @@ SETTLED = 1.0  # [s] after which what was dropped lies still
 STATEMENTS = 20_000  # more than this a candidate may not execute before it is verified
 SLACK = Fraction(1, 20)  # of the time in which the bonus falls to nothing: what rounding forgives
 ENDED = 0.1  # what it counts for how far a candidate came that it comes to its end
+CLEAN = 0.1  # that nothing is dropped or toppled on its way
 LINE = 0.001  # and each line that moves something, of one that stops before
-HELD = 0.02  # and each thing that was gripped
+HELD = 0.3  # and each thing that was gripped, even if it is dropped then
 NOWHERE = -1.0  # how far a candidate comes that loses the same first
 VIAS = 0.2  # and all via points, and time, less
 TOUCH = 0.05  # and each contact, and each thing dropped, less
@@ -134,6 +135,7 @@ def _marked(place: Place, run: Run, touches: tuple[KnownTouch, ...], same: Loss 
     come += ENDED
     if mishaps:
         return Tried(Stage.STOPS, come, run=run)
+    come += CLEAN
     if gained < 1:
         return Tried(Stage.GOALS, come, run=run)
     points = passed(run, task).number if _asks_for_vias(task) else 0
