@@ -2677,6 +2677,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/repair/test_mended.py",),
     ),
     Patch(
+        "what a program does everywhere else says nothing about its repairs",
+        "vrts/repair/search.py",
+        "    doubt += odder(asked, text)\n",
+        "",
+        ("tests/unit/repair/test_habits.py",),
+    ),
+    Patch(
         "a candidate goes on from a state behind the step that it changes",
         "vrts/repair/trying/forking.py",
         "self._runs[-1].statements + 2) - 2\n",

@@ -9,6 +9,7 @@ from vrts.repair.edit import Change, Does
 SOON = 4  # lines between two places of which either would do for a step that is missing
 CLEARLY = 0.3  # by so much the best must be better than those of other lines to stand out
 ALIKE = 0.3  # so much a smaller change of the same lines may be worse and still be told first
+DOUBTFUL = 1.0  # against which a teacher says so much does not stand out, whatever else there is
 ILLEGAL = 1.5  # what a value speaks against a change that no controller or teacher would take
 HARMLESS = 1.0  # what it speaks against it that a step goes that moves nothing
 FARTHEST = 600.0  # [mm] of a usual distance of APPRO and DEPART
@@ -55,6 +56,8 @@ def standing_out(found: Sequence[Repair]) -> Repair | None:
         return None
     best = found[0]
     if any(implausible(part) >= ILLEGAL or _detour(part) for part in best.change.each):
+        return None
+    if best.doubt >= DOUBTFUL:
         return None
     for other in found[1:]:
         near = other.against < best.against + CLEARLY

@@ -49,6 +49,14 @@ def away(repair: Repair, reach: Reach | None = None) -> str:
     return f"{changes}: {float(repair.mark):g} with {said}{_also(reach)}"
 
 
+def most(repair: Repair, level: Hints) -> str | None:
+    """Return which change earns most where none earns the full mark; None: it may not be told."""
+    if level is not Hints.EDIT:
+        return None
+    said = ", and ".join(f"line {part.line}: {does(part)}" for part in repair.change.each)
+    return f"most with {said}: {float(repair.mark):g}"
+
+
 def _also(reach: Reach | None) -> str:
     if reach is None or reach.low == reach.high:
         return ""

@@ -114,21 +114,34 @@ def usual_parts(found: Sequence[Visit]) -> frozenset[Part]:
     )
 
 
-def oddness(written: Written, usual: frozenset[Part] | None = None) -> float:
+class Habits(NamedTuple):
+    """What most places of a program have."""
+
+    parts: frozenset[Part]  # of visits
+    turned: tuple[float, ...]  # O, A, T [deg] of most locations; empty: there is no such
+
+
+def habits(written: Written) -> Habits:
+    """Return the habits of a program."""
+    return Habits(usual_parts(visits(written)), _usual_turn(written))
+
+
+def oddness(written: Written, usual: Habits | None = None) -> float:
     """Return how far a program is from its own habits; 0 where it keeps to all of them.
 
     Args:
         written: The program.
-        usual: The parts that visits are to have; None: what most of its own have.
+        usual: The habits that it is to have; None: its own.
     """
+    usual = habits(written) if usual is None else usual
     found = visits(written)
     return (
-        _lacking(found, usual_parts(found) if usual is None else usual)
+        _lacking(found, usual.parts)
         + ELSEWHERE * sum(visit.parted for visit in found)
         + _other_words(found)
         + sum(how_far for _, how_far in odd_distances(found))
         + AGAIN * _repeated(written)
-        + TURNED * sum(1 for _ in turned_rows(written))
+        + TURNED * sum(1 for _ in turned_rows(written, usual.turned))
     )
 
 
@@ -149,13 +162,25 @@ def odd_distances(found: Sequence[Visit]) -> Iterator[tuple[Stop, float]]:
                 yield stop, TOO_FAR
 
 
-def turned_rows(written: Written) -> Iterator[tuple[WrittenRow, tuple[float, ...]]]:
-    """Yield locations turned otherwise than most, and how most are turned: O, A, T [deg]."""
-    rows = [row for row in written.rows if row.kind == "locations" and len(row.node.values) == POSE]
-    angles = [tuple(map(_value, row.node.values[3:])) for row in rows]
-    for usual, times in Counter(angles).most_common(1):
-        if times > 2 and 2 * times > len(rows):
-            yield from ((row, usual) for row, at in zip(rows, angles, strict=True) if at != usual)
+def turned_rows(written: Written, usual: tuple[float, ...]) -> Iterator[WrittenRow]:
+    """Yield the locations that are turned otherwise than is usual: O, A, T [deg]."""
+    yield from (row for row in _poses(written) if usual and _turn(row) != usual)
+
+
+def _usual_turn(written: Written) -> tuple[float, ...]:
+    """Return O, A, T of more than half of all locations, of three at least; else nothing."""
+    angles = [_turn(row) for row in _poses(written)]
+    most = Counter(angles).most_common(1)
+    return next((turn for turn, times in most if times > 2 and 2 * times > len(angles)), ())
+
+
+def _poses(written: Written) -> list[WrittenRow]:
+    rows = [row for row in written.rows if row.kind == "locations"]
+    return [row for row in rows if len(row.node.values) == POSE]
+
+
+def _turn(row: WrittenRow) -> tuple[float, ...]:
+    return tuple(map(_value, row.node.values[3:]))
 
 
 def _value(item: Item) -> float:

@@ -18,7 +18,7 @@ from vrts.pipeline.compiling.fixing import rewritten
 from vrts.pipeline.mending.behaviour import Mended, mended
 from vrts.pipeline.where import Where
 from vrts.repair.ranking import Repair, standing_out
-from vrts.repair.telling import sentence
+from vrts.repair.telling import most, sentence
 from vrts.report.plain import plain_text
 
 
@@ -62,7 +62,12 @@ def _done(found: Mended, given: Given, *, show: bool, write: bool) -> int:
         return HOLDS
     told = sentence(found.repairs, task.hints, found.reach)
     if told is None:
-        say(f"{name}: {float(grade.mark):g}; no single change was found that earns the full mark")
+        nothing = f"{name}: {float(grade.mark):g}; no change was found that earns the full mark"
+        earns_most = None if found.better is None else most(found.better, task.hints)
+        if earns_most is None:
+            say(nothing)
+        else:
+            out(plain_text(f"{nothing}; {earns_most}"))
         return WRONG
     out(plain_text(f"{name}: {float(grade.mark):g}; {told}"))
     return WRONG if show or write else HOLDS

@@ -25,7 +25,7 @@ from vrts.lang.syntax.statements import (
 from vrts.repair.blame.blame import Blame
 from vrts.repair.edit import Candidate, Change, Does, replacement
 from vrts.repair.nodes import operands, parts
-from vrts.repair.visits import Part, oddness, usual_parts, visits
+from vrts.repair.visits import Habits, habits, oddness
 from vrts.repair.written import Written, WrittenStep
 from vrts.scene.model import Scene
 
@@ -154,9 +154,9 @@ class Asked:
         return oddness(self.written, self.usual)
 
     @cached_property
-    def usual(self) -> frozenset[Part]:
-        """What most visits of the program have."""
-        return usual_parts(visits(self.written))
+    def usual(self) -> Habits:
+        """What most places of the program have."""
+        return habits(self.written)
 
     def odder(self, steps: Sequence[WrittenStep]) -> float:
         """Return how much farther from its habits the program is with other steps."""

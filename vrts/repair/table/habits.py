@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+from vrts.base.diagnostic import Edit
 from vrts.base.source import SourceFile
 from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.table.asked import Asked, written_number
@@ -40,7 +41,7 @@ def odder(asked: Asked, text: str) -> float:
 def as_usual(asked: Asked) -> Iterator[Candidate]:
     """Yield the program with one visit made like its others, and with all that lack the same."""
     found = visits(asked.written)
-    usual = asked.usual
+    usual = asked.usual.parts
     for visit in found:
         lacks = usual - {stop.part for stop in visit.stops}
         whole = visit.of(Part.HAND) is not None or visit.of(Part.LEAVE) is not None
@@ -54,7 +55,8 @@ def as_usual(asked: Asked) -> Iterator[Candidate]:
 
 def _turned(asked: Asked) -> Iterator[Candidate]:
     """Yield each location that is turned otherwise than most turned like them."""
-    for row, usual in turned_rows(asked.written):
+    usual = asked.usual.turned
+    for row in turned_rows(asked.written, usual):
         if not asked.matters(row.line):
             continue
         values = row.node.values[3:]
@@ -157,7 +159,7 @@ def _go_there(asked: Asked, found: Sequence[Visit]) -> Iterator[Candidate]:
     if len(lacking) < 2:
         return
     written = asked.written
-    edits = []
+    edits: list[Edit] = []
     for visit in lacking:
         after = next(stop for stop in visit.stops if stop.part > Part.PLACE)
         at = written.line_start(after.step.line)

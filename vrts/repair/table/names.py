@@ -8,21 +8,25 @@ from vrts.lang.names import key
 from vrts.lang.syntax.expressions import (
     Application,
     Element,
-    Infix,
     Item,
     Name,
-    Parenthesised,
 )
-from vrts.lang.syntax.statements import CallNamed, CallStatement, SetLocation, Simple
+from vrts.lang.syntax.statements import CallStatement, SetLocation, Simple
 from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.nodes import nodes, operands, parts
 from vrts.repair.table.asked import MOVES_TO, TRUST, Asked, name_of, names_in, series, target_of
+from vrts.repair.table.compounds import (
+    NEAR,
+    approaches,
+    compounds,
+    location_operands,
+    visits,
+)
 from vrts.repair.table.placing import same
 from vrts.repair.written import WrittenStep
 
 NOT_NAMED = 0.4  # what a teacher says against a name far from the one that nothing defines
 PARTED = 0.6  # what a teacher says against going near one location and then to another
-NEAR = 3  # steps between two motions that belong together
 UNLIKE = 0.5  # and against exchanging where one goes with what another only goes near
 FEW = 2  # letters in which a misspelt name differs
 LEFT = 0.5  # what a teacher says against leaving a location that was taught and named unused
@@ -33,7 +37,7 @@ def other_names(asked: Asked) -> Iterator[Candidate]:
     used = {key(name.text) for step in asked.written.steps for name in names_in(step)}
     for step in asked.steps:
         yield from _in_step(asked, step)
-        yield from _compounds(asked, step)
+        yield from compounds(asked, step)
         yield from _arguments(asked, step)
     yield from _everywhere(asked)
     yield from _definitions(asked, used)
@@ -119,20 +123,16 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
 
 def _visited_beside(asked: Asked, step: WrittenStep) -> set[str]:
     """Return the locations of the motion that one belongs to: the way there after an approach."""
-    if not _visits(step):
+    if not visits(step):
         return set()
     steps = asked.written.steps
     k = steps.index(step)
-    approaches = _approaches(step)
-    way = steps[k + 1 :] if approaches else steps[:k][::-1]
-    near = next((each for each in way[:NEAR] if _visits(each)), None)
-    if near is None or near.program != step.program or _approaches(near) == approaches:
+    goes_near = approaches(step)
+    way = steps[k + 1 :] if goes_near else steps[:k][::-1]
+    near = next((each for each in way[:NEAR] if visits(each)), None)
+    if near is None or near.program != step.program or approaches(near) == goes_near:
         return set()
     return {key(name.text) for name in names_in(near)}
-
-
-def _approaches(step: WrittenStep) -> bool:
-    return isinstance(step.statement, Simple) and step.statement.word.startswith("APPRO")
 
 
 def _again(asked: Asked, step: WrittenStep) -> bool:
@@ -140,11 +140,7 @@ def _again(asked: Asked, step: WrittenStep) -> bool:
     steps = asked.written.steps
     k = steps.index(step)
     beside = (*steps[max(k - 1, 0) : k], *steps[k + 1 : k + 2])
-    return _visits(step) and any(same(step.text, each.text) for each in beside)
-
-
-def _visits(step: WrittenStep) -> bool:
-    return isinstance(step.statement, Simple) and step.statement.word in MOVES_TO
+    return visits(step) and any(same(step.text, each.text) for each in beside)
 
 
 def _like(asked: Asked, name: str, step: WrittenStep) -> set[str]:
@@ -161,92 +157,6 @@ def _like(asked: Asked, name: str, step: WrittenStep) -> set[str]:
     if name in asked.defined:
         return set(asked.locations | asked.numbers) | formals
     return set(asked.locations | asked.numbers | asked.arrays) | formals | set(asked.taught)
-
-
-def _compounds(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
-    """Yield compounds turned round, without a part, with a part more, and INVERSE more or less."""
-    seen: set[int] = set()
-    for item in operands(step.statement):
-        for part in parts(item):
-            match part:
-                case Infix(":", left, right):
-                    seen |= {left.start, right.start}
-                    yield from _compound(asked, step, part, left, right)
-                case Application(name, (inner,)) if key(name.text) == "inverse" and inner:
-                    text = asked.text_of(inner)
-                    yield asked.instead(Does.WORD, step.line, part, text, unusual=0.2)
-                case _:
-                    pass
-    for item in _location_operands(step):
-        for part in _leaves(item):
-            text = asked.text_of(part)
-            if part.start in seen or isinstance(step.statement, SetLocation):
-                inverse = f"INVERSE({text})"
-                yield asked.instead(Does.WORD, step.line, part, inverse, unusual=0.2)
-            for other in sorted(asked.locations - {key(text)}):
-                unusual = 0.1 if isinstance(step.statement, SetLocation) else 0.4
-                unusual -= 0.5 if other in asked.idle else 0.0
-                both = f"{text}:{other}"
-                yield asked.instead(Does.NAME, step.line, part, both, size=2, unusual=unusual)
-                both = f"{other}:{text}"
-                yield asked.instead(Does.NAME, step.line, part, both, size=2, unusual=unusual)
-
-
-def _compound(
-    asked: Asked, step: WrittenStep, whole: Item, left: Item, right: Item
-) -> Iterator[Candidate]:
-    one, other = asked.text_of(left), asked.text_of(right)
-    size = min(nodes(left) + nodes(right), 2 * min(nodes(left), nodes(right)))
-    turned = f"{other}:{one}"
-    approached = one in _approached(asked, step)
-    yield asked.instead(Does.ORDER, step.line, whole, turned, size=size, unusual=-0.2)
-    yield asked.instead(
-        Does.NAME,
-        step.line,
-        whole,
-        one,
-        size=1 + nodes(right),
-        unusual=-0.3 if approached else 0.4,
-    )
-    yield asked.instead(Does.NAME, step.line, whole, other, size=1 + nodes(left), unusual=0.4)
-
-
-def _approached(asked: Asked, step: WrittenStep) -> set[str]:
-    """Return the location, as it is written, that a motion's approach goes near."""
-    k = asked.written.steps.index(step)
-    before = [each for each in asked.written.steps[max(k - NEAR, 0) : k] if _approaches(each)]
-    near = [next(_location_operands(each), None) for each in before[-1:]]
-    return {asked.text_of(each) for each in near if each is not None}
-
-
-def _location_operands(step: WrittenStep) -> Iterator[Item]:
-    """Yield the operands of a step that are locations."""
-    statement = step.statement
-    match statement:
-        case SetLocation():
-            yield statement.value
-        case Simple(word, (first, *_)) if word in MOVES_TO and first is not None:
-            yield first
-        case CallStatement() | CallNamed():
-            yield from (each for each in statement.arguments if isinstance(each, Name | Element))
-        case _:
-            return
-
-
-def _leaves(item: Item) -> Iterator[Item]:
-    """Yield the names and elements that a location is made of."""
-    match item:
-        case Infix(_, left, right):
-            yield from _leaves(left)
-            yield from _leaves(right)
-        case Parenthesised(inner):
-            yield from _leaves(inner)
-        case Application(name, (first, *_)) if first is not None and key(name.text) == "shift":
-            yield from _leaves(first)
-        case Name() | Element():
-            yield item
-        case _:
-            return
 
 
 def _arguments(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
@@ -282,8 +192,9 @@ def _changed_by_call(asked: Asked, call: CallStatement) -> Iterator[Name]:
     changed = {key(target.text) for target in targets if isinstance(target, Name)}
     formals = asked.written.programs[number].formals
     for formal, argument in zip(formals, call.arguments, strict=False):
-        given = isinstance(argument, Name) and key(argument.text) in asked.numbers
-        if given and formal and key(formal.name.text) in changed:
+        if not isinstance(argument, Name) or not formal:
+            continue
+        if key(argument.text) in asked.numbers and key(formal.name.text) in changed:
             yield argument
 
 
@@ -429,12 +340,12 @@ def _exchanged(asked: Asked) -> Iterator[Candidate]:
     for steps in (settings, motions):
         for k, one in enumerate(steps):
             for other in steps[k + 1 :]:
-                a, b = next(_location_operands(one), None), next(_location_operands(other), None)
+                a, b = next(location_operands(one), None), next(location_operands(other), None)
                 if a is None or b is None or asked.text_of(a) == asked.text_of(b):
                     continue
                 found = _swap(asked, one, a, b, 0.2)
                 less = min(asked.against(one.line), asked.against(other.line))
                 by = TRUST[Does.ORDER] * (less - asked.against(one.line))
-                unlike = _approaches(one) != _approaches(other)
+                unlike = approaches(one) != approaches(other)
                 doubt = UNLIKE if unlike else 0.0
                 yield found._replace(cost=found.cost + by + doubt, doubt=doubt)

@@ -230,6 +230,8 @@ def _others(
             add(unusual, value + by)
         add(0.4, -value)
     if role is Role.SPEED:
+        if value < FULL:
+            add(0.0, FULL)
         for k, other in enumerate((value * 10, value / 10, value * 3, value * 2, value * 5)):
             add(0.1 * k + (FAST if other > FULL else 0.0), other)
         for k, other in enumerate(SPEEDS):
