@@ -162,9 +162,12 @@ def odd_distances(found: Sequence[Visit]) -> Iterator[tuple[Stop, float]]:
                 yield stop, TOO_FAR
 
 
-def turned_rows(written: Written, usual: tuple[float, ...]) -> Iterator[WrittenRow]:
-    """Yield the locations that are turned otherwise than is usual: O, A, T [deg]."""
-    yield from (row for row in _poses(written) if usual and _turn(row) != usual)
+def turned_rows(
+    written: Written, usual: tuple[float, ...]
+) -> Iterator[tuple[WrittenRow, tuple[float, ...]]]:
+    """Yield the locations that are turned otherwise than is usual, and how: O, A, T [deg]."""
+    found = [(row, _turn(row)) for row in _poses(written)]
+    yield from ((row, turn) for row, turn in found if usual and turn != usual)
 
 
 def _usual_turn(written: Written) -> tuple[float, ...]:
@@ -176,7 +179,8 @@ def _usual_turn(written: Written) -> tuple[float, ...]:
 
 def _poses(written: Written) -> list[WrittenRow]:
     rows = [row for row in written.rows if row.kind == "locations"]
-    return [row for row in rows if len(row.node.values) == POSE]
+    poses = [row for row in rows if len(row.node.values) == POSE]
+    return [row for row in poses if not any(map(math.isnan, _turn(row)))]
 
 
 def _turn(row: WrittenRow) -> tuple[float, ...]:

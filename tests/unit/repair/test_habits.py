@@ -92,6 +92,7 @@ def test_what_the_examples_submissions_are_told_does_not_mislead() -> None:
         (1, "lets-go-too-early"): ((13, "put:early", "put"),),
         (1, "grips-the-middle"): ((2, "stand_mid", "stand_mid:rim"), (21, "-330.00", "-227")),
         (1, "hand-stays-down"): ((2, "stand_flat", "stand_mid"),),
+        (2, "backwards"): ((14, "gap2, corner3, corner2, gap1", "gap1, corner2, corner3, gap2"),),
         (3, "loop-variable-lost"): ((8, "i", "(i)"),),
     }
     for (example, submission), parts in found.items():
@@ -106,3 +107,12 @@ def test_the_same_step_forgotten_at_every_place_is_one_mistake() -> None:
     best = told(0, "releases-in-air").repairs[0].change
     assert [part.line for part in best.each] == [13, 14]
     assert "each place that is only approached" in best.each[0].old
+
+
+def test_steps_at_no_place_and_numbers_that_are_none_are_taken() -> None:
+    """A hand that moves between two steps of SPEED is a visit without a place."""
+    wrong = RIGHT.replace("        MOVES goal\n", "").replace(APPROACH, "")
+    wrong = wrong.replace("950.00  -130.00", "950.00  - 130.00")
+    found = visits(read(SourceFile("p.v2", wrong)))
+    assert [visit.target for visit in found] == ["start", ""]
+    assert first_of(RIGHT.replace("        MOVES goal ", "        ; ").replace(APPROACH, ""))

@@ -56,14 +56,14 @@ def as_usual(asked: Asked) -> Iterator[Candidate]:
 def _turned(asked: Asked) -> Iterator[Candidate]:
     """Yield each location that is turned otherwise than most turned like them."""
     usual = asked.usual.turned
-    for row in turned_rows(asked.written, usual):
+    for row, turn in turned_rows(asked.written, usual):
         if not asked.matters(row.line):
             continue
         values = row.node.values[3:]
         edits = [
             replacement(asked.written.source, value.start, value.end, written_number(other))
-            for value, other in zip(values, usual, strict=True)
-            if float(asked.text_of(value)) != other
+            for value, at, other in zip(values, turn, usual, strict=True)
+            if at != other
         ]
         yield asked.candidate(
             Does.NUMBER if len(edits) == 1 else Does.ROW,
@@ -99,7 +99,7 @@ def _texts(
     like = [stop for each in found if (stop := each.of(part)) is not None]
     if part in (Part.APPROACH, Part.PLACE) and not visit.target:
         return
-    target = _spelt(asked, visit)
+    target = _spelt(asked, visit) if visit.target else ""
     size = 1 + target.count("[") + 2 * target.count(":")
     words = [word for word, _ in Counter(stop.word for stop in like).most_common(2)]
     mine = visit.stops[0].step.program

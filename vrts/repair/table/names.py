@@ -256,6 +256,7 @@ def _definitions(asked: Asked, used: set[str]) -> Iterator[Candidate]:
     """Yield rows and assignments under a name that is used and that nothing defines."""
     wanted = sorted(used - asked.defined)
     targets = [(row.line, row.node.target) for row in asked.written.rows]
+    rows = {line for line, _ in targets}
     for step in asked.written.steps:
         target = target_of(step)
         if target is not None:
@@ -274,13 +275,16 @@ def _definitions(asked: Asked, used: set[str]) -> Iterator[Candidate]:
             meant = meant or slipped(mine, other) or asked.familiar(other) > asked.familiar(mine)
             right = mine in asked.taught or series(mine) in asked.series
             right = (right and not slipped(mine, other)) or slipped(other, mine)
+            again = twice and line not in rows  # a step gives a value to what has one already
             edit = replacement(asked.written.source, name.start, name.end, other)
             yield asked.candidate(
                 Does.NAME,
                 line,
                 (edit,),
                 against=0.3,
-                unusual=(-0.8 if near else 0.3) - (0.2 if meant else 0.0) + (0.6 if right else 0.0),
+                unusual=(-0.8 if near else -0.5 if again else 0.3)
+                - (0.2 if meant else 0.0)
+                + (0.6 if right and not again else 0.0),
                 old=name.text,
                 new=other,
             )

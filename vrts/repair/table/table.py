@@ -7,6 +7,7 @@ from vrts.repair.table.names import other_names
 from vrts.repair.table.numbers import other_numbers
 from vrts.repair.table.rows import other_rows
 from vrts.repair.table.steps import other_steps
+from vrts.repair.table.ways import turned_round
 from vrts.repair.table.words import other_words
 
 
@@ -14,6 +15,7 @@ def candidates(asked: Asked) -> list[Candidate]:
     """Return every candidate, cheapest first; of one price in the order of the table."""
     found = [
         *as_usual(asked),
+        *turned_round(asked),
         *other_words(asked),
         *other_numbers(asked),
         *other_rows(asked),
