@@ -8,6 +8,8 @@ from vrts.base.diagnostic import Edit
 from vrts.base.mending import with_edits
 from vrts.base.source import SourceFile, Span
 
+FARTHEST = 600.0  # [mm] of a usual distance of APPRO and DEPART
+
 
 class Does(Enum):
     """What an edit does to a program; the value is a word for it."""

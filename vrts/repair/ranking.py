@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from vrts.repair.edit import Change, Does
+from vrts.repair.edit import FARTHEST, Change, Does
 
 SOON = 4  # lines between two places of which either would do for a step that is missing
 CLEARLY = 0.3  # by so much the best must be better than those of other lines to stand out
@@ -12,7 +12,6 @@ ALIKE = 0.3  # so much a smaller change of the same lines may be worse and still
 DOUBTFUL = 1.0  # against which a teacher says so much does not stand out, whatever else there is
 ILLEGAL = 1.5  # what a value speaks against a change that no controller or teacher would take
 HARMLESS = 1.0  # what it speaks against it that a step goes that moves nothing
-FARTHEST = 600.0  # [mm] of a usual distance of APPRO and DEPART
 ABOVE_ZERO = frozenset({"DEPART", "DEPARTS", "APPRO", "APPROS", "DELAY", "SPEED"})
 GOES_TO = frozenset({"MOVE", "MOVES", "APPRO", "APPROS"})
 TALKS = frozenset({"TYPE", "PROMPT"})

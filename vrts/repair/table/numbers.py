@@ -16,9 +16,8 @@ from vrts.lang.syntax.statements import (
     Until,
     While,
 )
-from vrts.repair.edit import Candidate, Does, replacement
+from vrts.repair.edit import FARTHEST, Candidate, Does, replacement
 from vrts.repair.nodes import operands, parts
-from vrts.repair.ranking import FARTHEST
 from vrts.repair.table.asked import Asked, names_in, written_number
 from vrts.repair.written import WrittenStep
 
