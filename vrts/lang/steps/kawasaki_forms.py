@@ -76,12 +76,12 @@ def monitor_step(text: str, at: int, problems: Problems) -> bool:
     known = commands_of(problems.dialect)
     short = [other for other in known if other.startswith(word)] if word else []
     if match is None or not (found.word or found.candidates or short):
-        start = at + (match.start("word") if match else len("MC"))
+        start = at + (match.start("word") if match else 0)  # MC may be short: `M`
         problems.error(
             INVALID_EXPRESSION,
             "MC gives the monitor a command, and this is none",
             start,
-            max(start + 1, at + len(text)),
+            at + len(text),
             help=("write the command behind MC, as in `MC EXECUTE main`",),
         )
         return False

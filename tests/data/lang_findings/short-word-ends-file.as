@@ -1,0 +1,3 @@
+.PROGRAM a()
+        SPEED 20
+         M
