@@ -11,7 +11,7 @@ from tests.spec.test_spec_run import Case, cases, compiled_case, happened, ran, 
 from vrts.base.source import SourceFile
 from vrts.base.units import deg
 from vrts.dispatch.posts.export import LANGUAGES
-from vrts.dispatch.posts.post import Settled
+from vrts.dispatch.posts.expressions_anew import Settled
 from vrts.dispatch.posts.same_motion import difference
 from vrts.dispatch.posts.written import Written, written
 from vrts.lang.compiler import Options, compile_source
