@@ -131,9 +131,13 @@ def score(outcomes: Sequence[Outcome]) -> Score:
 
 
 def false_warnings(programs: Sequence[Right]) -> list[tuple[Right, Diagnostic]]:
-    """Return the right programs of which the compiler complains, and its first complaint."""
+    """Return the right programs of which the compiler complains, and its first complaint.
+
+    That the simulator does not carry out a word is true, and no complaint of the program.
+    """
     messages = ((program, said(compiled(program.text))) for program in programs)
-    return [(program, found[0]) for program, found in messages if found]
+    complaints = ((one, [d for d in found if not not_simulated(d)]) for one, found in messages)
+    return [(program, found[0]) for program, found in complaints if found]
 
 
 def _line(found: Diagnostic) -> int:
