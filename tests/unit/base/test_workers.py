@@ -5,6 +5,8 @@ import select
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
+from functools import wraps
 from pathlib import Path
 from types import MappingProxyType
 
@@ -33,6 +35,20 @@ except KeyboardInterrupt:
 """
 
 
+def in_a_process(test: Callable[[], None]) -> Callable[[], None]:
+    """Run a test in a process of its own: where tests before it left threads, nothing is forked."""
+
+    @wraps(test)
+    def run() -> None:
+        code = f"from {__name__} import {test.__name__} as test; test.__wrapped__()"
+        done = subprocess.run(
+            [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stderr
+
+    return run
+
+
 def squared(number: int) -> int:
     return number * number
 
@@ -52,12 +68,14 @@ def test_answers_come_in_the_order_of_the_things(jobs: int) -> None:
     assert list(Workers(jobs).answers(squared, range(40))) == [k * k for k in range(40)]
 
 
+@in_a_process
 def test_others_answer_unless_there_is_nothing_to_share() -> None:
     assert HERE not in set(Workers(2).answers(who, range(6)))
     assert set(ALONE.answers(who, range(6))) == {HERE}
     assert set(Workers(2).answers(who, range(1))) == {HERE}
 
 
+@in_a_process
 def test_a_worker_forks_no_others() -> None:
     def inner(_: int) -> set[int]:
         return {os.getpid()} ^ set(Workers(2).answers(who, range(4)))
@@ -76,6 +94,7 @@ def test_what_is_not_taken_is_not_waited_for(tmp_path: Path) -> None:
     assert len(list(tmp_path.iterdir())) <= 10
 
 
+@in_a_process
 def test_a_worker_that_is_killed_is_told_and_its_part_done_again() -> None:
     lost: list[str] = []
     found = list(Workers(2, lost.append).answers(ended_at_three, range(12)))
@@ -84,6 +103,7 @@ def test_a_worker_that_is_killed_is_told_and_its_part_done_again() -> None:
     assert "ended by SIGKILL, as Linux does where memory runs out" in lost[0]
 
 
+@in_a_process
 def test_all_are_killed_and_all_is_done_here() -> None:
     def fatal(number: int) -> int:
         if os.getpid() != HERE:
