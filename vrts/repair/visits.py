@@ -6,7 +6,7 @@ leave. Most of a program's visits are alike. What one of them lacks, or does oth
 
 import math
 from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from enum import IntEnum
 from typing import NamedTuple
 
@@ -19,7 +19,7 @@ AGAIN = 1.0  # for a hand that does again what it did last, and a place gone to 
 TOO_FAR = 0.7  # and for a distance that is far from what is usual
 TOO_NEAR = 1.0  # or so short that nothing is cleared by it
 SHORT = 30.0  # [mm] of such a distance
-TIMES = 2.5  # how far from the usual a distance is that stands out
+TIMES = 2.0  # how far from the usual a distance is that stands out
 ELSEWHERE = 1.5  # for a visit that approaches one place and goes to another
 TURNED = 0.5  # for a location that is turned otherwise than most
 POSE = 6
@@ -95,7 +95,7 @@ def visits(written: Written) -> tuple[Visit, ...]:
     """Return the visits of a program in the order of its text."""
     found: list[Visit] = []
     program, moved = -1, False
-    for group in _groups(written):
+    for group in _joined(_groups(written)):
         parts = {stop.part for stop in group.stops}
         if group.stops[0].step.program != program:
             program, moved = group.stops[0].step.program, False
@@ -229,19 +229,22 @@ def _same(text: str) -> str:
 
 
 def _groups(written: Written) -> Iterator[Visit]:
-    """Yield steps that may belong together: parts in their order, of one place."""
+    """Yield steps that may belong together: parts in their order, waiting between any of them.
+
+    Nothing is yielded as a group of its own where other steps stand between two.
+    """
     group: list[Stop] = []
     program = -1
     for step in written.steps:
         stop = stop_of(step)
         if stop is None or step.program != program:
-            if group:
-                yield Visit(tuple(group))
+            yield from (Visit(tuple(group)), Visit(()))
             group = []
         program = step.program
         if stop is None:
             continue
-        if group and (stop.part < group[-1].part or _twice(group[-1], stop)):
+        last = next((each for each in reversed(group) if each.part is not Part.WAIT), None)
+        if last is not None and stop.part is not Part.WAIT and stop.part <= last.part:
             yield Visit(tuple(group))
             group = []
         group.append(stop)
@@ -249,8 +252,26 @@ def _groups(written: Written) -> Iterator[Visit]:
         yield Visit(tuple(group))
 
 
-def _twice(last: Stop, stop: Stop) -> bool:
-    return stop.part is last.part and stop.part is not Part.WAIT
+def _joined(groups: Iterable[Visit]) -> Iterator[Visit]:
+    """Yield groups, and one for two where a place is gone to, and then again: it is approached."""
+    waiting: Visit | None = None
+    for group in groups:
+        if waiting is not None and group.stops and group.target == waiting.target:
+            near = [
+                stop._replace(part=Part.APPROACH) if stop.part is Part.PLACE else stop
+                for stop in waiting.stops
+            ]
+            yield Visit((*near, *group.stops))
+            waiting = None
+            continue
+        if waiting is not None:
+            yield waiting
+        only = {stop.part for stop in group.stops} - {Part.WAIT} == {Part.PLACE}
+        waiting = group if only else None
+        if not only and group.stops:
+            yield group
+    if waiting is not None:
+        yield waiting
 
 
 def _is_visit(parts: Collection[Part]) -> bool:
@@ -271,7 +292,8 @@ def _other_words(found: Sequence[Visit]) -> float:
     """Return what words speak against visits that use others than most."""
     total = 0.0
     for part in (Part.APPROACH, Part.PLACE, Part.LEAVE):
-        words = Counter(stop.word for visit in found if (stop := visit.of(part)) is not None)
+        stops = [stop for visit in found if (stop := visit.of(part)) is not None]
+        words = Counter(stop.word for stop in stops if WORDS[stop.word] is part)
         total += OTHERWISE * (sum(words.values()) - max(words.values(), default=0))
     waits = Counter(
         stop.word.endswith("I") for visit in found if (stop := visit.of(Part.HAND)) is not None
@@ -299,6 +321,6 @@ def _repeated(written: Written) -> int:
             place, near = stop.target, ""
         elif stop.part is Part.LEAVE:
             place, near = "", place
-        elif stop.part is Part.APPROACH:
+        elif stop.part in (Part.APPROACH, Part.WAIT):
             place, near = "", ""
     return count

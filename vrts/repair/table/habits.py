@@ -9,6 +9,7 @@ from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.table.asked import Asked, written_number
 from vrts.repair.table.placing import idle_hand
 from vrts.repair.visits import (
+    WORDS,
     Part,
     Stop,
     Visit,
@@ -96,7 +97,7 @@ def _texts(
     asked: Asked, found: Sequence[Visit], visit: Visit, part: Part
 ) -> Iterator[tuple[str, int]]:
     """Yield what a step may say that is a part of a visit, and how many nodes it has."""
-    like = [stop for each in found if (stop := each.of(part)) is not None]
+    like = [s for each in found if (s := each.of(part)) and WORDS.get(s.word, part) is part]
     if part in (Part.APPROACH, Part.PLACE) and not visit.target:
         return
     target = _spelt(asked, visit) if visit.target else ""
@@ -121,7 +122,7 @@ def _spelt(asked: Asked, visit: Visit) -> str:
     """Return the location of a visit as the program writes it."""
     stop = next(each for each in visit.stops if each.target)
     text = stop.step.text.split(None, 1)[1]
-    return (text.rpartition(",")[0] if stop.part is Part.APPROACH else text).strip()
+    return (text.rpartition(",")[0] if WORDS[stop.word] is Part.APPROACH else text).strip()
 
 
 def _added(
