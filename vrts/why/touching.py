@@ -67,7 +67,6 @@ def _decided(steps: Steps, number: int, event: ContactEvent, toward: str) -> Ite
     low, high = "too low" in toward, "too high" in toward
     across = math.dist(start[:2], end[:2]) > abs(start[2] - end[2])
     if across and both_ends_free(steps, event, number) and (not low or equally_high(start, end)):
-        yield from _where_it_begins(steps, number)
         yield from stands_between(steps, event, number, beneath=high)
     else:
         lower = low or not (across or high)  # straight up or down, things stand at the lower end

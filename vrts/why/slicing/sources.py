@@ -151,15 +151,16 @@ def _read_by(steps: Steps, step: Executed, only: object, depth: int) -> Iterator
 
 
 def _parts(steps: Steps, found: list[Reading], depth: int) -> Iterator[Link]:
-    """Yield where two parts of a compound location came from: what the scene does not give last.
+    """Yield where the parts of a compound location came from: those that the scene does not give.
 
-    Where a step wrote one of them, only that is followed.
+    Where a step wrote one of them, or the scene gives all, only one is followed.
     """
     parts = found[1::-1]  # what is nearest the tool first
-    newest = telling(steps, parts)[:1]
-    if newest and _set_by_step(steps, newest[0]):
-        parts = newest
-    for each in sorted(parts, key=lambda r: not is_given(steps, r)):
+    newest = telling(steps, found)[:1]
+    doubtful = [each for each in parts if not is_given(steps, each)]
+    if not doubtful or _set_by_step(steps, newest[0]):
+        doubtful = newest
+    for each in doubtful:
         yield from chain_of(steps, each, depth + 1)
 
 
