@@ -2,10 +2,15 @@
 
 from pathlib import Path
 
+import numpy as np
+import pytest
+
 from tests.unit.dispatch.planning.test_plan import codes, main, planned
+from vrts.base.pose import Z_AXIS, rotation_about
 from vrts.dispatch.bundle import bundle_bytes, read_bundle
 from vrts.dispatch.planning.asked import wish_of
 from vrts.dispatch.planning.beside.margins import FOUND
+from vrts.dispatch.planning.beside.trials import BASE, OBJECTS
 from vrts.dispatch.planning.plan import plan
 from vrts.pipeline.scenes import load_scene
 from vrts.pipeline.setting import Setting
@@ -58,6 +63,8 @@ def test_bundle_and_sheet_keep_the_robot_and_it_is_planned_again(tmp_path: Path)
     assert bundle_bytes(again.bundle) == data
     plain = planned(OVER)
     assert plain.bundle is not None
+    needed = {m.name: m for m in plain.bundle.manifest.margins}["all off at once"].sentence
+    assert ", 5 mm needed" in needed, "nothing is carried: 3 mm and 2 mm"
     assert plain.bundle.manifest.robot.sha256 != found.bundle.manifest.robot.sha256
     assert FOUND not in {m.name for m in plain.bundle.manifest.margins}
     assert "as it was found" not in plain.bundle.sheet
@@ -67,3 +74,19 @@ def test_without_doubt_nothing_more_is_tried(tmp_path: Path) -> None:
     found = planned(OVER, setting(tmp_path, "zero_deg = [0, 0, 0.01, 0, 0, 0]\n"))
     assert found.bundle is not None, found.refused
     assert FOUND not in {m.name for m in found.bundle.manifest.margins}
+
+
+def test_what_is_carried_and_turned_may_be_off_by_both_margins_twice() -> None:
+    """Of a can taken by an arm whose base is off, turned, and brought beside another can."""
+    base, can, other = (
+        np.array([BASE, 0, 0]),
+        np.array([-OBJECTS, 0, 0]),
+        np.array([-OBJECTS, 0, 0]),
+    )
+    worst = 0.0
+    for turn in np.linspace(0.0, np.pi, 181):
+        R = np.array(rotation_about(Z_AXIS, turn)).reshape(3, 3)
+        carried = base + R @ (can - base)  # where the hand has it beside where it should be
+        worst = max(worst, float(np.linalg.norm(carried - other)))
+    assert worst == pytest.approx(2.0 * (OBJECTS + BASE))
+    assert worst > max(2.0 * OBJECTS, OBJECTS + BASE), "what was asked for before"

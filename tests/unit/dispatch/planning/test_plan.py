@@ -100,6 +100,7 @@ def test_the_solution_of_an_example_is_planned(cans: Bundle) -> None:
 def test_margins_hold(cans: Bundle) -> None:
     margins = [m for m in cans.manifest.margins if not m.name.startswith("stopped")]
     assert {m.answer for m in margins} == {"holds"}
+    assert ", 10 mm needed" in margins[0].sentence, "cans are carried: twice 3 mm and 2 mm"
     names = {m.name for m in margins}
     assert {"objects ±3 mm", "base ±2 mm", "other corners", "at SPEED 10"} <= names
     assert cans.manifest.first_to_fail.startswith("not looked at")

@@ -1,12 +1,13 @@
 """How far may the world differ from the scene? The program is verified again in worlds beside it.
 
-*Proven*: an object that is moved by d, or carried d beside its place, comes nearer to anything by d
-at most, and the same holds for the base. A carried object is as far off as it was when the hand
-took it, and what it passes may be off as well; so where everything counted keeps more than twice
-the objects' margin, and more than both margins together, nothing is touched, however all of them
-are off at once. *Sampled*: what stays near on purpose (taking, lifting, setting down) is tried with
-each object moved alone along X and Y, the base, both against each other, with other speeds, and
-with corners that are rounded more, less, or not at all.
+*Proven*: an object that stands d beside its place comes nearer to anything by d at most, and the
+same holds for the base. What the hand carries is beside its place by what the object was off,
+turned with the hand since it was taken, and by what the base is off, now and when it was taken: by
+half a turn all of that adds up. So where everything counted keeps more than twice both margins
+together (both once where nothing is carried), nothing is touched, however all of them are off at
+once. *Sampled*: what stays near on purpose (taking, lifting, setting down) is tried with each
+object moved alone along X and Y, the base, both against each other, with other speeds, and with
+corners that are rounded more, less, or not at all.
 
 A lab may say how a robot was found to stand, and within which intervals. Any point of such a robot
 is off by no more than a bound that holds wherever all of its numbers are in their intervals: it is
@@ -106,7 +107,7 @@ def _contact_margin(subject: Subject) -> Margin:
     """Return what the certified clearance alone proves."""
     clearance = subject.clearance_m
     robot = robot_doubt(subject)
-    needed = max(2.0 * OBJECTS, OBJECTS + BASE) + robot
+    needed = (OBJECTS + BASE) * (2.0 if any(carries(subject)) else 1.0) + robot
     enough = clearance is None or clearance > needed
     far = "nothing is ever near" if clearance is None else f"{mm(clearance):.1f} mm certified"
     proven = f"no contact: {far}, {round(mm(needed), 1):g} mm needed"
@@ -125,10 +126,11 @@ def _contact_margin(subject: Subject) -> Margin:
 
 
 def robot_doubt(subject: Subject) -> float:
-    """Return by how much a robot that was found may come nearer to anything than it is found [m].
+    """Return by how much a robot that was found may bring things nearer than it is found to [m].
 
-    Any point of it is off by a bound that holds for all of its numbers at once. What it carries was
-    taken where the hand then was and is let go where it is later, so twice that.
+    Any point of it is off by a bound that holds for all of its numbers at once, but otherwise in
+    each configuration. What it carries was taken in one and is let go in another, so it is off by
+    twice the bound more, each time that it is carried; and what it meets may have been carried too.
     """
     scene, run = subject.world.scene, subject.run
     held = [
@@ -137,7 +139,14 @@ def robot_doubt(subject: Subject) -> float:
         for placement in track
         if placement.lie is Lie.HELD
     ]
-    return 2.0 * doubt_m(scene.robot, held)
+    most, second, *_ = (*sorted(carries(subject), reverse=True), 0, 0)
+    return doubt_m(scene.robot, held) * max(2 * (most + second), 1 + 2 * most)
+
+
+def carries(subject: Subject) -> list[int]:
+    """Return how often each object is carried."""
+    tracks = subject.run.placements.values()
+    return [sum(placement.lie is Lie.HELD for placement in track) for track in tracks]
 
 
 # --- what is tried --------------------------------------------------------------------------------
