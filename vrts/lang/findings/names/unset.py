@@ -4,6 +4,7 @@ Only AUTO of V+ and `.x` of AS: they are certainly empty when a call begins. Wha
 then may be left from an earlier run, or be loaded, so of these nothing is certain.
 """
 
+from bisect import bisect_right
 from collections.abc import Iterator
 
 from vrts.lang.findings.names.misused_words import UNDEFINED_VARIABLE
@@ -34,16 +35,18 @@ _LEAVE = frozenset({"RETURN", "RETURNE", "STOP", "HALT", "PAUSE"})
 def check_unset(resolver: Resolver, program: ProgramText) -> None:
     """Warn of each such variable that is read on the straight way from the start of a program."""
     waiting = [entry for entry in resolver.scope.formals[program.name].values() if _asks(entry)]
-    for node in _straight(program) if waiting else ():
-        for entry in tuple(waiting):
-            read = next((at for at in entry.reads if node.start <= at[0] < node.end), None)
-            given = [*entry.writes, *(passed.at for passed in entry.passed)]
-            gives = any(node.start <= at[0] < node.end for at in given)
-            if read is None and not gives:
-                continue
-            waiting.remove(entry)
-            if read is not None and (not gives or isinstance(node, Assignment)):
-                _report(resolver, entry, read)
+    nodes = list(_straight(program)) if waiting else []
+    starts = [node.start for node in nodes]
+    for entry in waiting:
+        read = min(entry.reads, default=None)
+        given = min((*entry.writes, *(passed.at for passed in entry.passed)))
+        first = given if read is None else min(read, given)
+        k = bisect_right(starts, first[0]) - 1
+        if read is None or k < 0 or first[0] >= nodes[k].end:
+            continue  # it is not on that way
+        gives = given[0] < nodes[k].end
+        if read[0] < nodes[k].end and (not gives or isinstance(nodes[k], Assignment)):
+            _report(resolver, entry, read)
 
 
 def _asks(entry: Entry) -> bool:
