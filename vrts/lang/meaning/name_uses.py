@@ -165,7 +165,8 @@ class NameUses:
             entry.types.setdefault(wanted, (node.start, node.end))
             if wanted is Type.POSE:
                 self.located.add(node.start)
-        self._reserved(self._formal_name(entry, node))
+        if self._is_reserved(node):  # told once of each word: seldom looked for
+            self._reserved(self._formal_name(entry, node))
         return entry
 
     def _formal_name(self, entry: Entry, node: Name) -> Name:
@@ -178,10 +179,15 @@ class NameUses:
                 return named[0]
         return node
 
-    def _reserved(self, node: Name) -> None:
+    def _is_reserved(self, node: Name) -> bool:
+        """Whether a word of the language is used as a name, and that was not told yet."""
         upper = node.text.upper()
-        if upper not in self.words or upper in self.reserved or self.dialect.tolerant:
+        return upper in self.words and upper not in self.reserved and not self.dialect.tolerant
+
+    def _reserved(self, node: Name) -> None:
+        if not self._is_reserved(node):
             return
+        upper = node.text.upper()
         self.reserved.add(upper)
         self.problems.warning(
             KEYWORD_AS_NAME,
