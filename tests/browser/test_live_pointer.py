@@ -291,7 +291,7 @@ def test_questions_are_asked_twenty_times_a_second_at_most_and_the_last_one_coun
 ) -> None:
     asked = view.page.evaluate(
         """async () => { t.asked.length = 0; const { pointer, pose } = t;
-        for (let i = 0; i <= 40 || (t.asked.length <= 3 && i < 3000); i++) {  // a busy page asks seldom
+        for (let i = 0; i <= 40 || (t.asked.length <= 3 && i < 3000); i++) {
           const x = i <= 40 ? 900 + 30 * i : 2100 - 30 * (i % 2);
           pointer.change(pose.withNumbers(pointer.pose, [x, -250, -50, 30, 60, 10]));
           await new Promise((done) => setTimeout(done, 10));
