@@ -2754,6 +2754,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/spec/test_spec_why.py",),
     ),
     Patch(
+        "what is carried and turned is not off by more than what stands",
+        "vrts/dispatch/planning/beside/margins.py",
+        "(2.0 if carried else 1.0)",
+        "1.0",
+        ("tests/unit/dispatch/planning/test_found_robot.py",),
+    ),
+    Patch(
         "a chain takes the first number of a place, whatever direction is wrong",
         "vrts/why/ways.py",
         "r.place in along] or found",

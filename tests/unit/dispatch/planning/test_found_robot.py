@@ -9,7 +9,7 @@ from tests.unit.dispatch.planning.test_plan import codes, main, planned
 from vrts.base.pose import Z_AXIS, rotation_about
 from vrts.dispatch.bundle import bundle_bytes, read_bundle
 from vrts.dispatch.planning.asked import wish_of
-from vrts.dispatch.planning.beside.margins import FOUND
+from vrts.dispatch.planning.beside.margins import FOUND, world_doubt
 from vrts.dispatch.planning.beside.trials import BASE, OBJECTS
 from vrts.dispatch.planning.plan import plan
 from vrts.pipeline.scenes import load_scene
@@ -89,4 +89,5 @@ def test_what_is_carried_and_turned_may_be_off_by_both_margins_twice() -> None:
         carried = base + R @ (can - base)  # where the hand has it beside where it should be
         worst = max(worst, float(np.linalg.norm(carried - other)))
     assert worst == pytest.approx(2.0 * (OBJECTS + BASE))
+    assert world_doubt(carried=True) >= worst - 1e-12
     assert worst > max(2.0 * OBJECTS, OBJECTS + BASE), "what was asked for before"

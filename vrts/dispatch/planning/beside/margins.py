@@ -107,7 +107,7 @@ def _contact_margin(subject: Subject) -> Margin:
     """Return what the certified clearance alone proves."""
     clearance = subject.clearance_m
     robot = robot_doubt(subject)
-    needed = (OBJECTS + BASE) * (2.0 if any(carries(subject)) else 1.0) + robot
+    needed = world_doubt(carried=any(carries(subject))) + robot
     enough = clearance is None or clearance > needed
     far = "nothing is ever near" if clearance is None else f"{mm(clearance):.1f} mm certified"
     proven = f"no contact: {far}, {round(mm(needed), 1):g} mm needed"
@@ -123,6 +123,11 @@ def _contact_margin(subject: Subject) -> Margin:
         None if clearance is None else round(mm(clearance), 2),
         proven if enough else short,
     )
+
+
+def world_doubt(*, carried: bool) -> float:
+    """Return by how much objects and base that are off may bring things nearer, all at once [m]."""
+    return (OBJECTS + BASE) * (2.0 if carried else 1.0)
 
 
 def robot_doubt(subject: Subject) -> float:
