@@ -11,7 +11,7 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.source import Span
 from vrts.lang.dialect import Dialect
 
-NAMES_IN_AS = {
+WORDS_IN_AS = {  # that do the same
     "MOVE": "JMOVE",
     "MOVES": "LMOVE",
     "APPRO": "JAPPRO",
@@ -20,14 +20,12 @@ NAMES_IN_AS = {
     "DEPARTS": "LDEPART",
     "FLIP": "DWRIST",
     "NOFLIP": "UWRIST",
-    "READY": "HOME",
     "SET": "POINT",
     "TYPE": "PRINT",
-    "DELAY": "TWAIT",
     "REACTE": "ONE",
     "CALLS": "SCALL",
-    "MMPS": "MM/S",
 }
+NAMES_IN_AS = {**WORDS_IN_AS, "READY": "HOME", "DELAY": "TWAIT", "MMPS": "MM/S"}
 _CODE = re.compile(r"`[^`]*`")
 _WORD = re.compile(r"[A-Za-z][\w.]*")
 _SAYS = re.compile(r"VAL-II says \*(?P<words>[^*]+)\*")

@@ -11,6 +11,7 @@ from vrts.ir.values import Type
 from vrts.lang.compiler import Resolved
 from vrts.lang.dialect import AS
 from vrts.lang.names import key
+from vrts.lang.said_by_relatives import WORDS_IN_AS
 from vrts.lang.syntax import expressions, statements
 from vrts.lang.syntax.program import Formal
 
@@ -27,20 +28,7 @@ class KawasakiAs(Post):
     name = "as"
     dialect = AS
     suffix = ".as"
-    WORDS: ClassVar[dict[str, str]] = {
-        "MOVE": "JMOVE",
-        "MOVES": "LMOVE",
-        "APPRO": "JAPPRO",
-        "APPROS": "LAPPRO",
-        "DEPART": "JDEPART",
-        "DEPARTS": "LDEPART",
-        "FLIP": "DWRIST",
-        "NOFLIP": "UWRIST",
-        "SET": "POINT",
-        "TYPE": "PRINT",
-        "REACTE": "ONE",
-        "CALLS": "SCALL",
-    }
+    WORDS: ClassVar[dict[str, str]] = WORDS_IN_AS
     LACKS: ClassVar[frozenset[str]] = frozenset({"DECOMPOSE"})  # its angles differ
     LEFT_OUT: ClassVar[frozenset[str]] = frozenset(
         {"INTON", "INTOFF", "NULL", "NONULL", "SINGLE", "MULTIPLE"}
