@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vrts.base.pose import IDENTITY, Pose, Vector, dot, subtract
+from vrts.base.pose import IDENTITY, Pose, Vector, distance, dot, subtract
 from vrts.engine.hand.told import CLOSED_ON_NOTHING
 from vrts.engine.memory.events import Found, Grasped, HandCommanded, Released
 from vrts.engine.memory.records import pose_of
@@ -20,6 +20,7 @@ from vrts.why.ways import decided, leads
 
 SOON = 1.0  # [s] in which the hand has closed on what it closes on
 NEAR = 0.15  # [m] from the pads to a thing that is meant [assumed]
+AT_GOAL = 0.01  # [m] from its goal: a thing that was there had been put right
 OFF = 2e-3  # [m] a grip that is less high or low on a thing than this is where it should be
 HELD_CLOSED = 2e-3  # [m] an opening within this of the smallest is closed
 TILT = math.radians(1.0)  # from upright: less is upright
@@ -259,12 +260,12 @@ def let_go(steps: Steps, event: Released, goal: Pose | None) -> Iterator[Link]:
     span = event.cause.span if event.cause else None
     yield Link(event.time_s, span, says, toward, amount)
     moving = list(moving_then(steps, event.time_s))
-    again = [] if moving else list(_gripped_otherwise(steps, event))
+    again = [] if moving else list(_gripped_otherwise(steps, event, goal))
     yield from moving or again or brought(steps, time_s, toward)
 
 
-def _gripped_otherwise(steps: Steps, event: Released) -> Iterator[Link]:
-    """Yield that a body was gripped where it had been put, or higher or lower than it should be.
+def _gripped_otherwise(steps: Steps, event: Released, goal: Pose | None) -> Iterator[Link]:
+    """Yield that a body was taken from its goal, or gripped higher or lower than it should be.
 
     What comes of the grip stands in the step that led there, not in the one that lets go.
     """
@@ -278,9 +279,13 @@ def _gripped_otherwise(steps: Steps, event: Released) -> Iterator[Link]:
     cause = None if grip is None else grip.cause
     if grip is None or cause is None:
         return
-    at = box_at(steps, body, grip.time_s)
-    where = point(((at.lower[0] + at.upper[0]) / 2, (at.lower[1] + at.upper[1]) / 2, at.lower[2]))
+    X_WO = _pose(steps, body, grip.time_s)
     if len(grips) > 1:
+        if goal is None or distance(X_WO.translation, goal.translation) > AT_GOAL:
+            return  # to take a thing twice is no mistake of its own
+        at = box_at(steps, body, grip.time_s)
+        x, y = ((a + b) / 2 for a, b in zip(at.lower[:2], at.upper[:2], strict=True))
+        where = point((x, y, at.lower[2]))
         says = f"the hand takes hold of `{body}` again here, at {where}"
         yield Link(grip.time_s, cause.span, says)
         yield from brought(steps, grip.time_s)
@@ -289,9 +294,7 @@ def _gripped_otherwise(steps: Steps, event: Released) -> Iterator[Link]:
     if given is None:
         return
     usual = given.translation[2] - run.scene.body(body).X_WO.translation[2]
-    height = (
-        run.at(grip.time_s).X_WT.translation[2] - _pose(steps, body, grip.time_s).translation[2]
-    )
+    height = run.at(grip.time_s).X_WT.translation[2] - X_WO.translation[2]
     if abs(height - usual) < OFF or abs(abs(height - usual) - abs(event.height_m)) > OFF:
         return
     how = f"{length(abs(height - usual))} mm too {'high' if height > usual else 'low'}"
