@@ -1,4 +1,4 @@
-"""Programs of strangers: how many are accepted, and how much damage of one token is noticed.
+"""Programs of strangers: how many are accepted, detected, and how much damage is noticed.
 
     python -m pytest tests/bench/test_bench_strangers.py -s -p no:xdist --strangers FOLDER
 
@@ -13,11 +13,16 @@ from pathlib import Path
 
 import pytest
 
-from tests.places import TESTS
+from tests.places import ROOT, TESTS
 from tests.strangers.damage import KINDS
 from tests.strangers.figures import errors_of, noticed, programs, strangers, warned
+from tests.support_mistakes import right
+from vrts.base.source import SourceFile
 from vrts.lang.dialect import DIALECTS, Dialect
+from vrts.lang.reading.decoding import decode
+from vrts.lang.reading.detection import detect
 
+DETECTED = 0.98  # of whole files
 NOTICED = 0.95  # of the damages that leave a wrong step
 DAMAGES = 6  # of each program
 KEPT = TESTS / "data" / "strangers.json"
@@ -50,6 +55,43 @@ def test_programs_of_strangers_are_accepted(folder: tuple[Path, Dialect]) -> Non
     known = json.loads(KEPT.read_text("utf-8")).get(dialect.name, {"accepted": []})
     here = {stranger.hash[:16] for stranger in found}
     assert here.intersection(known["accepted"]) - accepted == set()
+
+
+def test_the_language_is_detected(folder: tuple[Path, Dialect]) -> None:
+    """Prints how many files are read as what they are, by their own names and all named alike."""
+    place, dialect = folder
+    found = list(strangers(place, dialect))
+    told: dict[str, Counter[str]] = {}
+    for what, ending in (("by their own names", None), ("all named `.pg`", ".pg")):
+        names = [ending or Path(stranger.name).suffix for stranger in found]
+        read = [
+            detect(SourceFile(f"stranger{name}", stranger.text))[0].name
+            for name, stranger in zip(names, found, strict=True)
+        ]
+        told[what] = Counter(read)
+        right = told[what][dialect.name]
+        print(
+            f"\n{dialect.name}, {what}: {right} of {len(found)} files"
+            f" ({100 * right / len(found):.1f} %); {told[what].most_common()}",
+            end="",
+        )
+    print()
+    assert all(counts[dialect.name] >= DETECTED * len(found) for counts in told.values())
+
+
+def test_val2_is_detected() -> None:
+    """Prints how many of the files of VAL-II in this repository are read as such, named alike.
+
+    No public files of VAL-II are known: these are what students hand in, and right programs.
+    """
+    texts = [
+        decode(path.read_bytes(), path.name) for path in sorted((ROOT / "examples").rglob("*.v2"))
+    ]
+    sources = [source for source in texts if isinstance(source, SourceFile)]
+    programs = [source.text for source in sources] + [case.text for case in right()]
+    read = Counter(detect(SourceFile("stranger.pg", text))[0].name for text in programs)
+    print(f"\nval2, all named `.pg`: {read['val2']} of {len(programs)} programs")
+    assert read["val2"] >= DETECTED * len(programs)
 
 
 def test_damage_is_noticed_where_it_is(folder: tuple[Path, Dialect]) -> None:
