@@ -1,11 +1,14 @@
 """Lines that are typed at PROMPT: all that an environment names, or some of a range of numbers."""
 
 import math
-from itertools import pairwise, product
+from collections.abc import Sequence
+from itertools import count, pairwise, product
 from typing import NamedTuple
 
+from vrts.ir import instructions as ir
 from vrts.ir.module import Module
 from vrts.prove.environment.environment import Answers
+from vrts.prove.explore.bounded import Usage, usage
 from vrts.prove.graph.compared import compared
 
 MOST_WHOLE = 200  # whole numbers that are all tried
@@ -19,15 +22,64 @@ class Tried(NamedTuple):
     texts: tuple[str, ...] = ()
     numbers: tuple[float, ...] = ()  # of the range
     sampled: str = ""  # what of the range is tried; empty: all of it
+    apart: tuple[float, ...] | None = None  # numbers by which all others are told apart
 
     def lines(self, places: int) -> tuple[str, ...]:
         """Return the lines for a PROMPT that reads so many values."""
-        words = [f"{number:g}" for number in self.numbers]
+        words = [f"{number:.9g}" for number in self.numbers]
         if len(words) ** places > MOST_LINES:
             several = [(word,) * places for word in words]
         else:
             several = list(product(words, repeat=places))
         return (*self.texts, *(" ".join(line) for line in several if self.numbers))
+
+
+class Free:
+    """What is tried where nobody says what may be typed: whatever a program can tell apart."""
+
+    def __init__(self, module: Module) -> None:
+        """Look at nothing yet."""
+        self._module = module
+        self.asked: dict[tuple[str, int], Tried | None] = {}  # by program and instruction
+
+    def at(self, name: str, index: int) -> Tried | None:
+        """Return what is tried at a PROMPT; None: what is typed has no bounds there.
+
+        Args:
+            name: The program that asks.
+            index: Of the instruction.
+        """
+        if (name, index) not in self.asked:
+            program = self._module.programs[name]
+            prompt = program.instructions[index]
+            assert isinstance(prompt, ir.Prompt)
+            used = [usage(self._module, program, place) for place in prompt.places]
+            known = [each for each in used if each is not None]
+            whole = len(known) == len(used)
+            self.asked[name, index] = _apart(known, self._module) if whole else None
+        return self.asked[name, index]
+
+
+def _apart(used: Sequence[Usage], module: Module) -> Tried:
+    """Return what is typed to tell apart all that programs do with it."""
+    numbers, texts = set[float](), set[str]()
+    within = [each.within for each in used if each.within is not None]
+    for each in used:
+        numbers.update(value for value in each.compared if isinstance(value, float))
+        texts.update(value for value in each.compared if isinstance(value, str))
+    if texts:
+        other = next(word for k in count(1) if (word := "x" * k) not in texts)
+        return Tried((*sorted(texts), other))
+    ordered = sorted(numbers) or [0.0]
+    between = {0.5 * (a + b) for a, b in pairwise(ordered)}
+    tell_apart = {ordered[0] - 1.0, ordered[-1] + 1.0, *ordered, *between}
+    if not within:
+        return Tried((), tuple(sorted(tell_apart)), apart=tuple(sorted(numbers)))
+    for least, most in within:
+        tell_apart.update(tried(Answers(least=least, most=most), module).numbers)
+    tell_apart = {float(f"{number:.9g}") for number in tell_apart}
+    shown = ", ".join(f"{n:g}" for n in sorted(tell_apart))
+    return Tried((), tuple(sorted(tell_apart)), f"any number: {shown} only")
 
 
 def tried(answers: Answers | None, module: Module) -> Tried:

@@ -10,7 +10,7 @@ from vrts.ir import instructions as ir
 from vrts.ir.module import Module
 from vrts.prove.environment.environment import Environment
 from vrts.prove.environment.states import Behaviours
-from vrts.prove.explore.answers import tried
+from vrts.prove.explore.answers import Free, tried
 from vrts.prove.explore.frontier import Future
 from vrts.prove.proof import Decided, What
 
@@ -33,6 +33,7 @@ class Outside:
         """Take what may come from outside, and the programs that look at it."""
         self.environment = environment
         self.answers = tried(environment.answers, module)
+        self.free = Free(module)  # answers where the environment says nothing of them
         self.behaviours = Behaviours(environment, tick_s)
 
     def is_open(self, future: Future, question: Question) -> bool:
@@ -60,7 +61,7 @@ class Outside:
             case Kind.ANSWER:
                 return tuple(
                     Way(text, k > 0, Decided(now, What.ANSWER, 0, text, cause))
-                    for k, text in enumerate(self.answers.lines(_places(machine)))
+                    for k, text in enumerate(self._lines(machine))
                 )
             case Kind.TURN:
                 first = Decided(now, What.TURN, 0, value=True, cause=place(machine.process))
@@ -75,16 +76,19 @@ class Outside:
                     for k, value in enumerate(self.environment.random)
                 )
 
-
-def _places(machine: Machine) -> int:
-    """Return how many values the PROMPT under way reads."""
-    frame = program_under_way(machine).frames[-1]
-    code = machine.system.programs.loaded[frame.program].program.instructions
-    match code[min(frame.index, len(code) - 1)]:
-        case ir.Prompt(places=places):
-            return len(places)
-        case _:
-            return 1
+    def _lines(self, machine: Machine) -> tuple[str, ...]:
+        """Return what may be typed at the PROMPT under way; nothing: nobody says."""
+        frame = program_under_way(machine).frames[-1]
+        program = machine.system.programs.loaded[frame.program].program
+        prompt = program.instructions[frame.index]
+        assert isinstance(prompt, ir.Prompt)
+        found = self.answers
+        if self.environment.answers is None:
+            free = self.free.at(program.name, frame.index)
+            if free is None:
+                return ()
+            found = free
+        return found.lines(len(prompt.places))
 
 
 def _closes(machine: Machine) -> Cause | None:

@@ -1,5 +1,7 @@
 """Over what a proof speaks, in plain sentences."""
 
+from collections.abc import Iterator
+
 from vrts.engine.code.values.operands import number_of
 from vrts.engine.futures.keys import Clocks
 from vrts.engine.programs.outside import Kind
@@ -14,6 +16,7 @@ from vrts.prove.environment.environment import (
     Pulsed,
     Span,
 )
+from vrts.prove.explore.answers import Tried
 from vrts.prove.explore.search import Search
 from vrts.prove.proof import Covered, Step
 
@@ -35,12 +38,20 @@ def covered(search: Search, dead: tuple[Step, ...]) -> Covered:
         sampled=_sampled(search, kinds),
         assumed=(
             *_assumed(environment, bool(read)),
+            *_typed(search),
             *_timers(search.module),
             *_order(search),
             *search.never_left,
         ),
         dead=dead,
     )
+
+
+def _typed(search: Search) -> tuple[str, ...]:
+    """Return what is typed where nobody says it."""
+    if any(found.numbers for _, found in _free(search)):
+        return ("where PROMPT asks for numbers, numbers are typed",)
+    return ()
 
 
 def _timers(module: Module) -> tuple[str, ...]:
@@ -96,6 +107,12 @@ def _others(search: Search, kinds: set[Kind]) -> list[str]:
     if Kind.ANSWER in kinds and answers.numbers and not answers.sampled:
         first, last = answers.numbers[0], answers.numbers[-1]
         found.append(f"answers to PROMPT: every whole number from {first:g} to {last:g}")
+    for where, each in _free(search):
+        if each.apart is not None:
+            found.append(f"answers to PROMPT at {where}: every number{_apart(each.apart)}")
+        elif each.texts:
+            texts = " and ".join(f'"{text}"' for text in each.texts[:-1])
+            found.append(f"answers to PROMPT at {where}: every text, told apart by {texts}")
     if Kind.TURN in kinds:
         found.append(
             "two programs: either has its turn first, in every tick in which it may matter"
@@ -111,6 +128,22 @@ def _others(search: Search, kinds: set[Kind]) -> list[str]:
     return found
 
 
+def _free(search: Search) -> Iterator[tuple[str, Tried]]:
+    """Yield each PROMPT at which whatever the program can tell apart was typed."""
+    for (name, index), found in search.outside.free.asked.items():
+        if found is not None:
+            step = search.module.programs[name].origins[index].step
+            yield f"step {step} of `{name}`", found
+
+
+def _apart(numbers: tuple[float, ...]) -> str:
+    if not numbers:
+        return ", as nothing depends on it"
+    words = [f"{number:g}" for number in numbers]
+    listed = " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+    return f", told apart by {listed}"
+
+
 def _bounded(environment: Environment) -> tuple[str, ...]:
     most = environment.again.most
     if most == 0:
@@ -124,6 +157,11 @@ def _sampled(search: Search, kinds: set[Kind]) -> tuple[str, ...]:
     environment, found = search.environment, list[str]()
     if Kind.ANSWER in kinds and search.outside.answers.sampled:
         found.append(f"answers to PROMPT, {search.outside.answers.sampled}")
+    found += [
+        f"answers to PROMPT at {where}, {each.sampled}"
+        for where, each in _free(search)
+        if each.sampled
+    ]
     if Kind.RANDOM in kinds:
         draws = ", ".join(f"{value:g}" for value in environment.random)
         found.append(f"RANDOM: {draws} only")

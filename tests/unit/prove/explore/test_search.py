@@ -153,7 +153,7 @@ def test_answers_are_tried_as_the_environment_says() -> None:
     answers = Environment(answers=Answers(("1", "2", "3")))
     found = only(proven(body, answers))
     assert found.scenario.answers == ("3",)
-    proof = proven(body)
+    proof = proven('PROMPT "how many? ", n\nDRIVE 1, n, 50\n')
     assert proof.answer is Answer.UNDETERMINED
     assert "nobody says what is typed at step 1" in proof.open[0]
 
