@@ -8,6 +8,7 @@ from tests.support_engine import runs, tool_speed
 from tests.support_programs import codes, ended, started
 from vrts.base.oat import pose_from_components
 from vrts.base.pose import Rotation, distance, multiply, rotation_angle, transpose
+from vrts.engine.motion.lines.turning import turning
 from vrts.engine.run import Run
 
 TURNS = ["90,90,40", "70,70,20", "90,120,-60", "40,90,0"]
@@ -89,3 +90,17 @@ def test_the_joints_are_those_of_the_line_at_every_instant() -> None:
         step = max(abs(x - y) / v for x, y, v in zip(now, before, arm.speed, strict=True))
         assert step < 0.02
         before = now
+
+
+@pytest.mark.parametrize("tilt", [2e-12, 1e-10, 1e-8, 1e-3, 1.0, 2.5])
+def test_a_turn_ends_where_it_should_though_the_hand_hardly_tilts(tilt: float) -> None:
+    """Which way the hand tilts is rounding then, and what turns beside it must not take it over."""
+    for psi in (0.3, 2.2, -3.0):
+        for phi in (0.4, -2.9):
+            start = multiply(turn_z(0.7), turn_y(1.1))
+            tilted = multiply(multiply(turn_z(psi), turn_y(tilt)), turn_z(phi - psi))
+            goal = multiply(start, tilted)
+            found = turning(start, goal)
+            back = multiply(turn_y(found.theta), turn_z(found.phi - found.psi))
+            reached = multiply(start, multiply(turn_z(found.psi), back))
+            assert rotation_angle(reached, goal) < 3e-8
