@@ -1,7 +1,9 @@
 """Carries out URScript: def, if, while, return, break, halt, and the functions below.
 
 Arrays, types and what is copied (sections 3 to 8 of the script manual for e-Series, SW 5.11) came
-later, from that manual, by somebody who knew what the export writes.
+later, from that manual, by somebody who knew what the export writes. So did threads (SW 5.20),
+`time` (SW 5.19), `get_steptime` and `stopj`, before the export used them. How long motions take, and
+where the arm comes to rest when it is stopped, the manual does not say: whoever runs it tells.
 """
 
 import math
@@ -12,16 +14,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tests.oracle.urscript.expressions import Expression
 from tests.oracle.urscript.lines import Line, blocks
 from tests.oracle.urscript.poses import Matrix, Pose, matrix, pose
-from tests.oracle.urscript.values import NotTaken, copied, element, kind_of
+from tests.oracle.urscript.threads import FRAME, Killed, Thread, Threads
+from tests.oracle.urscript.values import NotTaken, Struct, copied, element, kind_of
 
-TOKEN = re.compile(
-    r"\s*(\"[^\"]*\"|\d+\.?\d*(?:[eE][+-]?\d+)?|p\[|[A-Za-z_]\w*|==|!=|<=|>=|[-+*/%()\[\],=<>])"
-)
-LEVELS = (("or", "xor"), ("and",), ("==", "!=", "<", ">", "<=", ">="), ("+", "-"), ("*", "/", "%"))
-STEPS = 100_000
+STEPS = 400_000
+STARTED = 5000.25  # [s] that the controller has run when a program begins
 WORDS = {"and", "or", "not", "xor", "if", "elif", "else", "while", "def", "end", "return"}
+WORDS |= {"thread", "run", "join", "kill"}
 
 
 class Halted(Exception):  # noqa: N818 -- names the situation
@@ -53,10 +55,27 @@ class Robot:
     """What a program does to a robot: motions, outputs and messages in one list."""
 
     def __init__(
-        self, forward: Callable[[Pose], Matrix], start: Pose, on: Callable[[int], bool]
+        self,
+        forward: Callable[[Pose], Matrix],
+        start: Pose,
+        on: Callable[[int], bool],
+        takes: Callable[[int], float] = lambda _: 0.0,
+        stops: Callable[[int], tuple[float, Pose]] | None = None,
     ) -> None:
-        """Begin at joints [rad]; `forward` gives the flange in UR's base frame."""
-        self.forward, self.on = forward, on
+        """Begin at joints [rad].
+
+        Args:
+            forward: Gives the flange in UR's base frame.
+            start: The joints.
+            on: Tells an input.
+            takes: How long the motion of a number takes, from 0 [s].
+            stops: How long the motion of a number takes to stop when it is cut [s], and where.
+        """
+        self.forward, self.on, self.takes, self.stops = forward, on, takes, stops
+        self.threads = Threads()
+        self.when: list[float] = []  # beside what is done [s]
+        self.moves = 0
+        self.moving = self.cut = False
         self.joints: Pose | None = start
         self.flange = forward(start)
         self.tcp = np.eye(4)
@@ -68,9 +87,22 @@ class Robot:
         top = blocks(text)
         if len(top) != 1 or not top[0].text.startswith("def "):
             raise NotTaken("a program is one function")
-        with suppress(Halted, Returned):
-            _Running(self).body(top[0].inner, {})
+        try:
+            with suppress(Halted, Returned):
+                _Running(self).body(top[0].inner, {})
+        finally:
+            self.threads.end()
         return self.done
+
+    @property
+    def now(self) -> float:
+        """The time since the program began [s]."""
+        return self.threads.now
+
+    def note(self, item: Any) -> None:
+        """Keep what is done, with its time."""
+        self.done.append(item)
+        self.when.append(self.now)
 
     def move(self, word: str, given: list[Any], named: dict[str, float]) -> None:
         """Move to joints, or to a pose of the tool."""
@@ -82,17 +114,43 @@ class Robot:
         is_pose = isinstance(given[0], tuple)
         if values.get("a", 1.0) <= 0.0 or values.get("v", 1.0) <= 0.0 or values.get("r", 0.0) < 0.0:
             raise NotTaken("a and v are positive, r is not negative")
+        if self.moving:
+            raise NotTaken("the arm is under way: one thread moves it, and stops it before others")
         if is_pose:
-            self.flange = matrix(target) @ np.linalg.inv(self.tcp)
-            self.joints = None
+            flange, joints = matrix(target) @ np.linalg.inv(self.tcp), None
         else:
-            self.joints = tuple(target)
-            self.flange = self.forward(self.joints)
+            joints = tuple(target)
+            flange = self.forward(joints)
         each = (values.get("a", 1.4), values.get("v", 1.05), values.get("r", 0.0))
-        self.done.append(Motion(word, tuple(target), is_pose, self.flange, *each))
+        self.note(Motion(word, tuple(target), is_pose, flange, *each))
+        self.moves += 1
+        self.moving = True
+        try:
+            self.threads.use(self.takes(self.moves - 1))
+        except Killed:
+            self.cut = True
+            raise
+        self.moving, self.flange, self.joints = False, flange, joints
+
+    def stop(self, word: str, a: float) -> None:
+        """Slow down to rest what a killed thread has left under way."""
+        if a <= 0.0:
+            raise NotTaken("a is positive")
+        self.note((word, a))
+        if self.moving and not self.cut:
+            raise NotTaken("another thread moves the arm")
+        if self.cut:
+            if self.stops is None:
+                raise NotTaken("nobody told where the arm comes to rest")
+            seconds, joints = self.stops(self.moves - 1)
+            self.threads.use(seconds)
+            self.moving = self.cut = False
+            self.joints, self.flange = joints, self.forward(joints)
 
     def here(self) -> Pose:
         """Return the pose of the tool."""
+        if self.moving:
+            raise NotTaken("where the arm is while it moves is not worked out here")
         return pose(self.flange @ self.tcp)
 
 
@@ -100,6 +158,7 @@ class _Running:
     def __init__(self, robot: Robot) -> None:
         self.robot = robot
         self.functions: dict[str, tuple[list[str], list[Line]]] = {}
+        self.bodies: dict[str, list[Line]] = {}  # of threads
         self.globals: dict[str, Any] = {}
         self.steps = 0
 
@@ -114,7 +173,7 @@ class _Running:
             try:
                 if words == "break":
                     return True
-                if words.startswith("def "):
+                if words.startswith(("def ", "thread ")):
                     self._define(line)
                 elif words.startswith(("if ", "elif ", "else")):
                     first = words.startswith("if ")
@@ -142,7 +201,22 @@ class _Running:
                 raise NotTaken(f"line {line.number}: {why}: {words}") from None
         return False
 
+    def begin(self, name: str) -> Thread:
+        """Begin a thread of a name."""
+        if name not in self.bodies:
+            raise NotTaken(f"there is no thread {name}")
+
+        def carry_out() -> None:
+            with suppress(Returned):
+                self.body(self.bodies[name], {})
+
+        return self.robot.threads.begin(carry_out)
+
     def _define(self, line: Line) -> None:
+        match = re.fullmatch(r"thread ([A-Za-z_]\w*)\(\):", line.text)
+        if match is not None:
+            self.bodies[match[1]] = line.inner
+            return
         match = re.fullmatch(r"def ([A-Za-z_]\w*)\(([\w, ]*)\):", line.text)
         if match is None:
             raise NotTaken("def NAME(a, b): is wanted")
@@ -160,6 +234,11 @@ class _Running:
             raise Halted
         if words == "return" or words.startswith("return "):
             raise Returned(self._value(words[7:], local) if words[7:] else None)
+        match = re.fullmatch(r"(kill|join) ([A-Za-z_]\w*)", words)
+        if match is not None:
+            threads = self.robot.threads
+            (threads.kill if match[1] == "kill" else threads.join)(self._value(match[2], local))
+            return
         match = re.fullmatch(r"([A-Za-z_]\w*)\[(.+?)\] *=(?!=) *(.+)", words)
         if match is not None:
             name, at, text = match.groups()
@@ -188,7 +267,7 @@ class _Running:
             local[name] = value
 
     def _value(self, text: str, local: dict[str, Any]) -> Any:
-        reader = _Expression(text, local, self)
+        reader = Expression(text, local, self)
         found = reader.level(0)
         if reader.next():
             raise NotTaken(f"nothing may follow before `{reader.next()}`")
@@ -225,7 +304,7 @@ class _Running:
     def _set_standard_digital_out(self, number: float, on: object) -> None:
         if not isinstance(on, bool) or not 0 <= number <= 7:
             raise NotTaken("outputs are 0 to 7, True or False")
-        self.robot.done.append(("out", round(number), on))
+        self.robot.note(("out", round(number), on))
 
     def _get_standard_digital_in(self, number: float) -> bool:
         if not 0 <= number <= 7:
@@ -235,13 +314,26 @@ class _Running:
     def _sleep(self, seconds: float) -> None:
         if seconds < 0.0:
             raise NotTaken("a time is not negative")
-        self.robot.done.append(("sleep", seconds))
+        self.robot.note(("sleep", seconds))
+        self.robot.threads.use(seconds)
 
     def _sync(self) -> None:
-        pass
+        self.robot.threads.use(FRAME)
+
+    def _get_steptime(self) -> float:
+        return FRAME
+
+    def _time(self, mode: int = 0) -> Struct:
+        if mode != 0:
+            raise NotTaken("time(0) counts from when the controller began")
+        whole, part = divmod(self.robot.now + STARTED, 1.0)
+        return Struct(sec=int(whole), nanosec=round(1e9 * part))
+
+    def _stopj(self, a: float) -> None:
+        self.robot.stop("stopj", a)
 
     def _textmsg(self, *words: Any) -> None:
-        self.robot.done.append(("text", *words))
+        self.robot.note(("text", *words))
 
     def _pose_trans(self, one: Pose, other: Pose) -> Pose:
         return pose(matrix(one) @ matrix(other))
@@ -285,132 +377,3 @@ class _Running:
 
     def _atan2(self, y: float, x: float) -> float:
         return math.atan2(y, x)
-
-
-class _Expression:
-    def __init__(self, text: str, local: dict[str, Any], running: _Running) -> None:
-        self.tokens: list[str] = []
-        self.local, self.running, self.at = local, running, 0
-        place = 0
-        while place < len(text.rstrip()):
-            match = TOKEN.match(text, place)
-            if match is None:
-                raise NotTaken(f"`{text[place:]}` is no expression")
-            self.tokens.append(match.group(1))
-            place = match.end()
-
-    def next(self) -> str:
-        return self.tokens[self.at] if self.at < len(self.tokens) else ""
-
-    def take(self, wanted: str = "") -> str:
-        found = self.next()
-        if not found or (wanted and found != wanted):
-            raise NotTaken(f"`{wanted or 'more'}` is missing")
-        self.at += 1
-        return found
-
-    def level(self, k: int) -> Any:
-        if k == len(LEVELS):
-            return self.unary()
-        found = self.level(k + 1)
-        while self.next() in LEVELS[k]:
-            operator = self.take()
-            found = _operation(operator, found, self.level(k + 1))
-        return found
-
-    def unary(self) -> Any:
-        if self.next() == "-":
-            self.take()
-            return -self.unary()
-        if self.next() == "not":
-            self.take()
-            value = self.unary()
-            if not isinstance(value, bool):
-                raise NotTaken("`not` takes True or False")
-            return not value
-        found = self.primary()
-        while self.next() == "[":
-            self.take()
-            found = element(found, self.level(0))
-            self.take("]")
-        return found
-
-    def primary(self) -> Any:
-        token = self.take()
-        if token == "(":
-            found = self.level(0)
-            self.take(")")
-            return found
-        if token in ("[", "p["):
-            items: list[Any] = []
-            while self.next() != "]":
-                items.append(self.level(0))
-                if self.next() != "]":
-                    self.take(",")
-            self.take("]")
-            if token == "p[" and len(items) != 6:
-                raise NotTaken("a pose has six numbers")
-            return tuple(items) if token == "p[" else items
-        if token[0] == '"':
-            return token[1:-1]
-        if token[0].isdigit():
-            return int(token) if token.isdigit() else float(token)
-        if token in ("True", "False"):
-            return token == "True"
-        if self.next() == "(":
-            return self._call(token)
-        if token in self.local:
-            return self.local[token]
-        if token in self.running.globals:
-            return self.running.globals[token]
-        raise NotTaken(f"`{token}` has no value")
-
-    def _call(self, name: str) -> Any:
-        self.take("(")
-        given: list[Any] = []
-        named: dict[str, float] = {}
-        while self.next() != ")":
-            if self.at + 1 < len(self.tokens) and self.tokens[self.at + 1] == "=":
-                key = self.take()
-                self.take("=")
-                named[key] = self.level(0)
-            else:
-                given.append(self.level(0))
-            if self.next() != ")":
-                self.take(",")
-        self.take(")")
-        return self.running.call(name, given, named)
-
-
-def _operation(operator: str, a: Any, b: Any) -> Any:
-    if operator in ("and", "or", "xor"):
-        if not (isinstance(a, bool) and isinstance(b, bool)):
-            raise NotTaken(f"`{operator}` takes True and False")
-        return {"and": a and b, "or": a or b, "xor": a != b}[operator]
-    if isinstance(a, bool) or isinstance(b, bool):
-        raise NotTaken("True and False are no numbers")
-    match operator:
-        case "+":
-            return a + b
-        case "-":
-            return a - b
-        case "*":
-            return a * b
-        case "/":
-            if isinstance(a, int) and isinstance(b, int):
-                raise NotTaken("the manual does not say how whole numbers divide")
-            return a / b
-        case "%":
-            return math.fmod(a, b)
-        case "==":
-            return a == b
-        case "!=":
-            return a != b
-        case "<":
-            return a < b
-        case ">":
-            return a > b
-        case "<=":
-            return a <= b
-        case _:
-            return a >= b

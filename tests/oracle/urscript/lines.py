@@ -34,7 +34,7 @@ def blocks(text: str) -> list[Line]:
                 continue
         line = Line(number, words, [])
         stack[-1].append(line)
-        if first in ("def", "if", "elif", "else", "while"):
+        if first in ("def", "thread", "if", "elif", "else", "while"):
             if not words.endswith(":"):
                 raise NotTaken(f"line {number}: `:` is missing")
             stack.append(line.inner)

@@ -19,6 +19,17 @@ def element(held: Any, number: Any) -> Any:
     return held[number]
 
 
+def member(held: Any, name: str) -> Any:
+    """Return a member of a struct, as the page on time() of the manual has them."""
+    if not isinstance(held, Struct) or name not in held:
+        raise NotTaken(f"there is no member {name}")
+    return held[name]
+
+
+class Struct(dict[str, Any]):
+    """Values by name."""
+
+
 KINDS: tuple[tuple[type, str], ...] = (
     (bool, "bool"),
     (int, "number"),
@@ -26,12 +37,14 @@ KINDS: tuple[tuple[type, str], ...] = (
     (str, "string"),
     (tuple, "pose"),
     (list, "list"),
+    (Struct, "struct"),
 )
 
 
 def kind_of(value: object) -> str:
     """Return the fundamental type, as section 3 of the manual lists them."""
-    return next((name for kind, name in KINDS if isinstance(value, kind)), "none")
+    named = (name for kind, name in KINDS if isinstance(value, kind))
+    return next(named, type(value).__name__.lower())
 
 
 def copied(value: Any) -> Any:
