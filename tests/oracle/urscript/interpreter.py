@@ -2,7 +2,7 @@
 
 Arrays, types and what is copied (sections 3 to 8 of the script manual for e-Series, SW 5.11) came
 later, from that manual, by somebody who knew what the export writes. So did threads (SW 5.20),
-`time` (SW 5.19), `get_steptime` and `stopj`, before the export used them. How long motions take, and
+`time` (SW 5.19), `get_steptime` and `stopj`, before the export used them. How long motions take and
 where the arm comes to rest when it is stopped, the manual does not say: whoever runs it tells.
 """
 
@@ -22,8 +22,9 @@ from tests.oracle.urscript.values import NotTaken, Struct, copied, element, kind
 
 STEPS = 400_000
 STARTED = 5000.25  # [s] that the controller has run when a program begins
-WORDS = {"and", "or", "not", "xor", "if", "elif", "else", "while", "def", "end", "return"}
-WORDS |= {"thread", "run", "join", "kill"}
+WORDS = frozenset(
+    "and or not xor if elif else while def end return thread run join kill".split(" ")
+)
 
 
 class Halted(Exception):  # noqa: N818 -- names the situation
