@@ -1,5 +1,6 @@
 """URScript beside the run: exported, carried out by the interpreter, compared motion by motion."""
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -14,7 +15,7 @@ from vrts.base.source import SourceFile
 from vrts.base.units import MM
 from vrts.dispatch.urscript.export import Folder, exported_script
 from vrts.dispatch.verified import Verified, verified
-from vrts.engine.memory.events import SignalChanged
+from vrts.engine.memory.events import Reacted, SignalChanged
 from vrts.engine.run import Run
 from vrts.ir.instructions import Interpolation
 from vrts.pipeline.compiling.reading import ProgramFile, Reading
@@ -34,13 +35,15 @@ def exported(
     table: str | None = None,
     inputs: Mapping[int, bool] | None = None,
     dialect: str = "val2",
+    changes: tuple[tuple[float, int, bool], ...] = (),
 ) -> tuple[Folder, Run]:
-    """Return what is exported, and the run that was verified."""
+    """Return what is exported, and the run that was verified; `changes` are inputs in time."""
     place = Path("prog.v2")
     setting = setting_for(place, Where("one-can-ur5"))
     assert setting is not None
     given = {1001: on} if inputs is None else inputs
-    scenario = Scenario(inputs=tuple((0.0, signal, state) for signal, state in given.items()))
+    known = tuple((0.0, signal, state) for signal, state in given.items())
+    scenario = Scenario(inputs=(*known, *sorted(changes)))
     setting = replace(setting, scenario=ScenarioFile("inputs", scenario, ""))
     reading = Reading(dialect)
     request = Request(ProgramFile(text.encode(), place.name), setting, reading)
@@ -95,6 +98,10 @@ def differences(done: list[Any], run: Run) -> list[Off]:
     stands = np.array(run.scene.robot.arm.ready)
     found: list[Off] = []
     for motion, wanted in zip(moved, run.motions, strict=True):
+        if wanted.cut:  # it was given up, and ended elsewhere
+            found.append(Off(0.0, 0.0, 0.0))
+            stands = np.array(wanted.goal)
+            continue
         went = wanted.X_WT @ wanted.X_FT.inverse()
         x, y, z = went.translation
         turned = np.diag([-1.0, -1.0, 1.0]) @ np.reshape(went.rotation, (3, 3))
@@ -155,3 +162,67 @@ def told_alike(done: list[Any], run: Run, pins: dict[int, int]) -> None:
 def outputs(text: str, run: Run, on: bool) -> list[tuple[int, bool]]:
     """Return the outputs that a text sets, in order."""
     return [(item[1], item[2]) for item in carried_out(text, run, on) if item[0] == "out"]
+
+
+class InTime:
+    """The interpreter with a clock: motions take as long as in the run, and stop as there."""
+
+    def __init__(self, run: Run, pins: Mapping[int, int]) -> None:
+        """Know the run, and the pin of each input; what the scenario says comes in time."""
+        self.run, self.pins = run, pins
+        self.robot = Robot(
+            flange_of(run), run.scene.robot.arm.ready, self._on, self._takes, self._stops
+        )
+
+    def time_of(self, run_s: float) -> float:
+        """Return when the text is as far as the run was at a time [s]: motions count."""
+        begun = [k for k, motion in enumerate(self.run.motions) if motion.start_s <= run_s]
+        if not begun:
+            return run_s - (self.run.motions[0].start_s if self.run.motions else 0.0)
+        whens = [
+            when
+            for item, when in zip(self.robot.done, self.robot.when, strict=True)
+            if isinstance(item, Motion)
+        ]
+        return (
+            math.inf
+            if begun[-1] >= len(whens)
+            else whens[begun[-1]] + (run_s - self.run.motions[begun[-1]].start_s)
+        )
+
+    def _on(self, pin: int) -> bool:
+        state = False
+        for at, signal, on in sorted(self.run.scenario.inputs):
+            if self.pins.get(signal) == pin and self.time_of(at) <= self.robot.now + 1e-9:
+                state = on
+        return state
+
+    def _takes(self, number: int) -> float:
+        motion = self.run.motions[number]
+        return motion.end_s - motion.start_s + (60.0 if motion.cut else 0.0)
+
+    def _stops(self, number: int) -> tuple[float, Pose]:
+        motion = self.run.motions[number]
+        reacted = [e.time_s for e in self.run.events if isinstance(e, Reacted)]
+        begun = max(at for at in reacted if motion.start_s <= at <= motion.end_s)
+        return motion.end_s - begun, motion.goal
+
+    def carried_out(self, text: str) -> list[Any]:
+        """Return what the interpreter does."""
+        return self.robot.run(text)
+
+    def told_alike(self, pins: Mapping[int, int]) -> list[float]:
+        """Compare outputs with those of the run; return how much later those of the run are [s]."""
+        outside = [e for e in self.run.events if isinstance(e, SignalChanged) and e.signal in pins]
+        seen = dict.fromkeys(pins.values(), False)
+        found: list[tuple[float, int, bool]] = []
+        for item, when in zip(self.robot.done, self.robot.when, strict=True):
+            if not isinstance(item, Motion) and item[0] == "out" and item[1] in seen:
+                if seen[item[1]] != item[2]:
+                    found.append((when, item[1], item[2]))
+                seen[item[1]] = item[2]
+        assert [(pin, on) for _, pin, on in found] == [(pins[e.signal], e.on) for e in outside]
+        return [
+            self.time_of(event.time_s) - when
+            for (when, *_), event in zip(found, outside, strict=True)
+        ]

@@ -13,6 +13,7 @@ from tests.support_programs import ROOT
 from tests.support_urscript import (
     carried_out,
     exported,
+    flange_of,
     joints_alike,
     outputs,
     same,
@@ -22,6 +23,7 @@ from tests.support_urscript import (
 from vrts.base.source import SourceFile
 from vrts.dispatch.saying.table import read_table
 from vrts.engine.memory.events import Printed
+from vrts.pipeline.refused import Refused
 
 PLACES = """.LOCATIONS
 can1_grip         450.00  -150.00   -40.00    90.00    90.00     0.00
@@ -142,13 +144,19 @@ def test_both_ways_of_decisions_lead_where_the_run_went(on: bool) -> None:
         ("BASE 0,0,0,0\nMOVE safe", "URScript has nothing that means BASE"),
         ("SET #q[1] = #PPOINT(0,-90,90,0,0,0)\nMOVE #q[1]", "URScript reads a list of joints"),
         ("CALL two(x)", "`x` is passed to `two`, which changes it too"),
-        ("REACTI 1001, halt1\nMOVE safe", "URScript has nothing that means REACT"),
-        ("TIMER(1) = 0\nMOVE safe", "URScript has nothing that means"),
+        ("DRIVE 1, 5, 50", "URScript has nothing that means DRIVE"),
+        ("REACTI 2001, halt1\nMOVE safe", "signal 2001 is watched and is no input"),
+        ("REACTI 1001, two\nMOVE safe", "`two` takes arguments"),
+        ("REACT 1001, go\nMOVE safe", "`go` may leave the arm moving"),
+        ("REACT 1001, halt1, 2\nREACT 1002, halt1, 3", "reactions have different priorities"),
+        ("REACT 1001, twice\nMOVE safe\nx = 3\nBREAK", "a reaction knows `x`, and the arm"),
+        ("MOVE safe\nIF TIMER(1) > 2 THEN\nHALT\nEND", "the arm may still move when this"),
+        ("TIMER x = 0\nMOVE safe", "the number of a timer is worked out"),
     ],
 )
 def test_what_ur_cannot_do_is_refused_with_the_line(steps: str, headline: str) -> None:
-    steps = steps.replace("TIMER(1) = 0", "DRIVE 1, 5, 50")
     more = ".PROGRAM halt1\nHALT\n.END\n.PROGRAM two(n)\nn = 1\nx = 2\n.END\n"
+    more += ".PROGRAM go\nMOVE safe\n.END\n.PROGRAM twice\nx = 2 * x\n.END\n"
     text = f".PROGRAM main\nx = 1\n{steps}\n.END\n{more}{PLACES}"
     folder, _ = exported(text)
     assert folder.files is None
@@ -170,6 +178,27 @@ def test_the_table_says_which_pin_is_which_signal() -> None:
     assert read_table(SourceFile("io.toml", folder.files["io.toml"].decode())).hand_open == 6
     folder, _ = exported(steps + PLACES, table=table.replace("= 4", "= 9"))
     assert [d.rule.code for d in folder.diagnostics if d.is_error] == ["V878"]
+
+
+def test_the_table_says_what_hangs_on_the_flange() -> None:
+    table = "[hand]\nopen = 0\nclose = 1\n[payload]\nmass_kg = 1.25\ncentre_mm = [0, 10, 65]\n"
+    steps = ".PROGRAM main\nMOVE safe\n.END\n"
+    folder, run = exported(steps + PLACES, table=table)
+    assert folder.files is not None
+    text = folder.files["program.script"].decode()
+    robot = Robot(flange_of(run), run.scene.robot.arm.ready, lambda _: False)
+    robot.run(text)
+    assert robot.payload == 1.25
+    assert "set_payload(1.25, [0.0, 0.01, 0.065])" in text
+    assert "says 1.25 kg, its centre at 0, 10, 65 mm" in folder.files["sheet.md"].decode()
+    again = SourceFile("io.toml", folder.files["io.toml"].decode())
+    assert read_table(again, payloads=True).payload == ((1.25), (0.0, 10.0, 65.0))
+    with pytest.raises(Refused):  # of another controller
+        read_table(again)
+    folder, _ = exported(steps + PLACES)
+    assert folder.files is not None
+    assert b"set_payload" not in folder.files["program.script"]
+    assert b"**Payload is not set**" in folder.files["sheet.md"]
 
 
 def test_the_interpreter_refuses_what_the_manual_does_not_have() -> None:

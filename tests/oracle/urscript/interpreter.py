@@ -22,9 +22,10 @@ from tests.oracle.urscript.values import NotTaken, Struct, copied, element, kind
 
 STEPS = 400_000
 STARTED = 5000.25  # [s] that the controller has run when a program begins
-WORDS = frozenset(
-    "and or not xor if elif else while def end return thread run join kill".split(" ")
-)
+WORDS = {
+    *("and", "or", "not", "xor", "if", "elif", "else", "while", "def", "end", "return"),
+    *("thread", "run", "join", "kill"),
+}
 
 
 class Halted(Exception):  # noqa: N818 -- names the situation

@@ -5,8 +5,8 @@ from vrts.ir import instructions as ir
 from vrts.ir.module import Module
 
 
-def called_by(module: Module, entry: str) -> list[str]:
-    """Return the programs that are executed, each after those that it calls.
+def called_by(module: Module, *entries: str) -> list[str]:
+    """Return the programs that some lead to by calls, each after those that it calls.
 
     Raises:
         CannotSay: One comes to call itself.
@@ -23,5 +23,6 @@ def called_by(module: Module, entry: str) -> list[str]:
                 visit(instruction.program, (*above, name))
         order.append(name)
 
-    visit(entry, ())
+    for entry in entries:
+        visit(entry, ())
     return order

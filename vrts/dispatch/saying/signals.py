@@ -26,15 +26,17 @@ def used_signals(module: Module, entry: str) -> tuple[set[int], set[int]]:
     inputs: set[int] = set()
     outputs: set[int] = set()
     seen: set[str] = set()
-    waiting = [entry]
+    waiting: list[str | None] = [entry]
     while waiting:
         name = waiting.pop()
-        if name in seen or name not in module.programs:
+        if name is None or name in seen or name not in module.programs:
             continue
         seen.add(name)
         for instruction in module.programs[name].instructions:
-            if isinstance(instruction, ir.Call):
+            if isinstance(instruction, ir.Call | ir.React):
                 waiting.append(instruction.program)
+            if isinstance(instruction, ir.React):
+                inputs |= _numbers((instruction.signal,))
             if isinstance(instruction, ir.Signal):
                 outputs |= _numbers(instruction.signals)
             for part in parts(instruction):

@@ -12,7 +12,15 @@ from vrts.pipeline.refused import Refused
 
 TABLE = "io.toml"
 HIGHEST_PIN = 61  # of LinuxCNC's digital pins; the two above tell which kinematics holds
+HEAVIEST_KG = 100.0  # that a table may say: no arm here carries more
 PIN_TWICE = Rule("V871", "linuxcnc-table")
+
+
+class Payload(NamedTuple):
+    """What hangs on the flange."""
+
+    mass_kg: float
+    centre_mm: tuple[float, ...]  # of gravity, in the flange's frame
 
 
 class Table(NamedTuple):
@@ -22,6 +30,7 @@ class Table(NamedTuple):
     outputs: dict[int, int]  # signal 1 and above: number of a digital output
     hand_open: int  # digital output that opens the hand
     hand_close: int
+    payload: Payload | None = None  # where the controller wants to know it, and the user does
 
     def input(self, signal: int) -> int:
         """Return the pin of an input."""
@@ -68,11 +77,19 @@ def table_text(table: Table, kind: str, written: str) -> str:
         f"[outputs]  # signal = {written.format('out')}",
         *(f"{signal} = {pin}" for signal, pin in table.outputs.items()),
     ]
+    if table.payload is not None:
+        centre = ", ".join(f"{part:g}" for part in table.payload.centre_mm)
+        rows += ["", "[payload]  # what hangs on the flange, with what the hand holds"]
+        rows += [f"mass_kg = {table.payload.mass_kg:g}", f"centre_mm = [{centre}]"]
     return "\n".join(rows) + "\n"
 
 
-def read_table(source: SourceFile) -> Table:
+def read_table(source: SourceFile, *, payloads: bool = False) -> Table:
     """Return the table that a file holds.
+
+    Args:
+        source: The file.
+        payloads: Whether it may say what hangs on the flange.
 
     Raises:
         Refused: The file has errors.
@@ -82,6 +99,7 @@ def read_table(source: SourceFile) -> Table:
         raise Refused(problems.in_order())
     hand = top.table("hand", required=True)
     inputs, outputs = top.table("inputs"), top.table("outputs")
+    payload = _payload(top) if payloads else None
     top.finish()
     if hand is None:
         raise Refused(problems.in_order())
@@ -115,7 +133,17 @@ def read_table(source: SourceFile) -> Table:
             found[int(key)] = pin(table, key, taken)
         return found
 
-    read = Table(pins(inputs, {}), pins(outputs, used), opens, closes)
+    read = Table(pins(inputs, {}), pins(outputs, used), opens, closes, payload)
     if problems.any_error:
         raise Refused(problems.in_order())
     return read
+
+
+def _payload(top: Toml) -> Payload | None:
+    table = top.table("payload")
+    if table is None:
+        return None
+    mass = table.number("mass_kg", minimum=0.0, maximum=HEAVIEST_KG, required=True)
+    centre = table.numbers("centre_mm", count=3, required=True)
+    table.finish()
+    return None if mass is None or centre is None else Payload(mass, centre)

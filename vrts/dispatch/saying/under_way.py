@@ -27,9 +27,15 @@ class _Point(NamedTuple):
     at: int  # index of an instruction
 
 
-def under_way(module: Module, entry: str) -> frozenset[tuple[str, int]]:
-    """Return every instruction, as program and index, before which the arm may still move."""
-    return _Search(module).moving(entry)
+def under_way(module: Module, *entries: str, moves: bool = False) -> frozenset[tuple[str, int]]:
+    """Return every instruction, as program and index, before which the arm may still move.
+
+    Args:
+        module: The programs.
+        entries: Those that begin by themselves.
+        moves: Whether the arm moves then.
+    """
+    return _Search(module).moving(entries, moves=moves)
 
 
 class _Search:
@@ -40,12 +46,13 @@ class _Search:
         self.callers: dict[str, set[_Point]] = {}  # where programs go on behind their calls
         self.left: dict[str, set[bool]] = {}  # how programs were left
 
-    def moving(self, entry: str) -> frozenset[tuple[str, int]]:
-        self._reach(_Point(entry, 0), moves=False)
+    def moving(self, entries: tuple[str, ...], *, moves: bool) -> frozenset[tuple[str, int]]:
+        for entry in entries:
+            self._reach(_Point(entry, 0), moves=moves)
         while self.waiting:
-            point, moves = self.waiting.pop()
-            self._from(point, moves=moves)
-        return frozenset((point.program, point.at) for point, moves in self.seen if moves)
+            point, under = self.waiting.pop()
+            self._from(point, moves=under)
+        return frozenset((point.program, point.at) for point, under in self.seen if under)
 
     def _reach(self, point: _Point, *, moves: bool) -> None:
         if (point, moves) not in self.seen:
@@ -81,9 +88,23 @@ class _Search:
             self._reach(following, moves=moves)
 
 
+def tells_place(instruction: ir.Instruction) -> bool:
+    """Return whether an instruction tells where the arm is."""
+    applied = (part.function for part in parts(instruction) if isinstance(part, Apply))
+    here = (Function.HERE, Function.HERE_JOINTS)
+    return isinstance(instruction, ir.AssignHere) or any(function in here for function in applied)
+
+
 def looks(instruction: ir.Instruction) -> bool:
-    """Return whether something of an instruction looks at the outside."""
-    if isinstance(instruction, ir.AssignHere):
+    """Return whether something of an instruction looks at the outside, or at the clock."""
+    if isinstance(instruction, ir.AssignHere | ir.SetTimer | ir.WaitTime):
         return True
     applied = (part for part in parts(instruction) if isinstance(part, Apply))
     return any(apply.function in LOOKS for apply in applied)
+
+
+def left_moving(module: Module, entry: str) -> bool:
+    """Return whether a program that begins at rest may be left while the arm moves."""
+    search = _Search(module)
+    search.moving((entry,), moves=False)
+    return True in search.left.get(entry, ())

@@ -46,10 +46,10 @@ class Blocks:
             case "WHILE":
                 text = self.values.condition(condition_of(found))
                 self.open.append(Open(word))
-                return [f"while {text}:", INDENT + "sync()"]
+                return [f"while {text}:", INDENT + self.steps.mode.passes]
             case "DO":
                 self.open.append(Open(word))
-                return ["while True:", INDENT + "sync()"]
+                return ["while True:", INDENT + self.steps.mode.passes]
             case "UNTIL":
                 text = self.values.condition(condition_of(found))
                 self.open.pop()
@@ -83,7 +83,7 @@ class Blocks:
             self.steps.given(loop.place, self.values.real(loop.first)),
             f"local {last} = {self.values.real(loop.last)}",
             f"while {variable} {'<=' if by > 0.0 else '>='} {last}:",
-            INDENT + "sync()",
+            INDENT + self.steps.mode.passes,
         ]
         self.open.append(Open("FOR", loop.place, number(by)))
         return rows

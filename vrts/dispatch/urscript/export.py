@@ -43,7 +43,8 @@ def exported_script(request: Request, table: SourceFile | None) -> Folder:
     if isinstance(found, NotVerified):
         return Folder(None, found.diagnostics)
     compilation, run = found.compilation, found.run
-    pins = usual(*used_signals(found.module, found.entry)) if table is None else read_table(table)
+    usual_pins = usual(*used_signals(found.module, found.entry))
+    pins = usual_pins if table is None else read_table(table, payloads=True)
     other = _other(run, pins)
     if other is not None:
         return Folder(None, (*compilation.diagnostics, other))
@@ -64,6 +65,7 @@ def exported_script(request: Request, table: SourceFile | None) -> Folder:
             min(arm.speed),
             arm.linear_speed,
             arm.acceleration_time,
+            controller.pace.brake_accelerations * arm.acceleration_time,
             hand_s,
         ),
         radii(run),
@@ -73,7 +75,7 @@ def exported_script(request: Request, table: SourceFile | None) -> Folder:
     texts = {
         PROGRAM: told.text,
         TABLE: table_text(pins, *PINS),
-        SHEET: sheet_text(run, request.program.name, pins),
+        SHEET: sheet_text(run, request.program.name, pins, told.text),
     }
     return Folder({k: text.encode() for k, text in texts.items()}, compilation.diagnostics)
 

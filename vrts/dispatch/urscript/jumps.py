@@ -50,9 +50,9 @@ def kept(program: Program) -> list[str]:
     return rows + [f"local case_{k} = 0.0" for k in range(program.cases)]
 
 
-def go(number: int, here: int) -> list[str]:
-    """Return the lines that go on at a stretch; one that goes back lets other threads run."""
-    return [*(["sync()"] if number <= here else []), f"v_goto = {number}"]
+def go(number: int, here: int, passes: str) -> list[str]:
+    """Return the lines that go on at a stretch; one that goes back lets a frame pass."""
+    return [*([passes] if number <= here else []), f"v_goto = {number}"]
 
 
 def jump_lines(
@@ -71,16 +71,16 @@ def jump_lines(
         CannotSay: URScript has nothing of the kind.
     """
     numbers = {first: number for number, (first, _) in enumerate(stretches)}
-    v = steps.values
+    v, passes = steps.values, steps.mode.passes
 
     def either(condition: str, target: int) -> list[str]:
-        chosen = [INDENT + row for row in go(numbers[target], here)]
-        others = [INDENT + row for row in go(here + 1, here)]
+        chosen = [INDENT + row for row in go(numbers[target], here, passes)]
+        others = [INDENT + row for row in go(here + 1, here, passes)]
         return [f"if {condition}:", *chosen, "else:", *others, "end"]
 
     match program.instructions[k]:
         case ir.Jump(target):
-            return go(numbers[target], here)
+            return go(numbers[target], here, passes)
         case ir.JumpIf(condition, when, target):
             text = v.condition(condition)
             return either(text if when else f"not {text}", target)
@@ -92,7 +92,7 @@ def jump_lines(
             return either(f"{v.place(place)} {past} last_{loop}", leave)
         case ir.NextFor(place, loop, test):
             more = f"{v.place(place)} + {number(_step(program, loop))}"
-            return [steps.given(place, more), *go(numbers[test], here)]
+            return [steps.given(place, more), *go(numbers[test], here, passes)]
         case ir.BeginCase(selector, case):
             return [f"case_{case} = {v.real(selector)}"]
         case ir.TestCase(case, values, otherwise):

@@ -1,6 +1,6 @@
 """What stands before the programs: functions of URScript that do what VAL-II's words mean."""
 
-LIBRARY = """
+BEGINNING = """
   # VAL-II counts in a frame that is turned by half a turn about Z against UR's base.
   global v_turn = p[0, 0, 0, 0, 0, 3.141592653589793]
   global v_rad = 0.017453292519943295
@@ -22,6 +22,8 @@ LIBRARY = """
     global v_next = 0.0
     return share
   end
+"""
+MOTIONS = """
   def v_movej(x, r):
     local s = v_share()
     movej(pose_trans(v_turn, x), a={joint_a} * s, v={joint_v} * s, r=r)
@@ -37,6 +39,8 @@ LIBRARY = """
     movel(pose_trans(v_turn, x), a={linear_a} * s, v={linear_v} * s, r=r)
     global v_at = x
   end
+"""
+FUNCTIONS = """
   def v_shift(x, y, z):
     return p[x / 1000.0, y / 1000.0, z / 1000.0, 0, 0, 0]
   end
@@ -81,5 +85,12 @@ LIBRARY = """
   def v_hand(open, close):
     set_standard_digital_out({hand_close}, close)
     set_standard_digital_out({hand_open}, open)
+  end
+"""
+CLOCK = """
+  global v_start = time()
+  def v_clock():
+    local t = time()
+    return (t.sec - v_start.sec) + ((t.nanosec - v_start.nanosec) / 1000000000.0)
   end
 """

@@ -5,19 +5,24 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule
 from vrts.base.pose import Pose
+from vrts.base.units import MM
 from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.calls import called_by
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain, readable
+from vrts.dispatch.saying.parts import parts
 from vrts.dispatch.saying.table import Table
-from vrts.dispatch.saying.under_way import MOTIONS, looks, under_way
+from vrts.dispatch.saying.under_way import MOTIONS as MOVES
+from vrts.dispatch.saying.under_way import looks, tells_place, under_way
 from vrts.dispatch.urscript.blocks import INDENT, Blocks, never_empty
 from vrts.dispatch.urscript.jumps import ends, go, jump_lines, jumps, kept, numbered
-from vrts.dispatch.urscript.library import LIBRARY
-from vrts.dispatch.urscript.steps import SILENT, Steps, asks
+from vrts.dispatch.urscript.library import BEGINNING, CLOCK, FUNCTIONS, MOTIONS
+from vrts.dispatch.urscript.steps import SILENT, Mode, Steps, asks
 from vrts.dispatch.urscript.values import joints_text, name_of, number, pose_text
 from vrts.dispatch.urscript.variables import EMPTY, variables
+from vrts.dispatch.urscript.watching import THREADS, Watching, motions, watching
 from vrts.ir import instructions as ir
+from vrts.ir.expressions import Apply, Function
 from vrts.ir.module import Module, Program
 from vrts.lang.compiler import Resolved
 from vrts.lang.meaning.structure import word_of
@@ -26,7 +31,7 @@ from vrts.lang.syntax.program import ProgramText, Step
 CANNOT = Rule("V877", "urscript-cannot")
 MOVING = "the arm may still move when this looks at the outside or changes it"
 REMEDY = "write BREAK before it: URScript goes on when a motion has ended"
-QUIET = (ir.Assign, ir.Type, ir.SetSpeed, ir.Signal, ir.Reset, *SILENT)
+QUIET = (ir.Assign, ir.Type, ir.SetSpeed, ir.Signal, ir.Reset, ir.SetTimer, *SILENT)
 
 
 class Arm(NamedTuple):
@@ -37,6 +42,7 @@ class Arm(NamedTuple):
     joint_speed: float  # [rad/s] of the slowest joint
     linear_speed: float  # [m/s]
     acceleration_time: float  # [s]
+    brake_time: float  # [s] from full speed
     hand_s: float
 
 
@@ -66,35 +72,78 @@ def said(
         radii: Of rounded corners [m], by program and step.
     """
     try:
+        watched = watching(module, entry)
         names = called_by(module, entry)
+        others = called_by(module, *(() if watched is None else watched.programs))
         held = variables(module)
     except CannotSay as cannot:
         return Said("", (cannot.diagnostic(CANNOT, module.programs[entry].span),))
-    writer = _Writer(found, module, table, arm, radii, under_way(module, entry))
+    writer = _Writer(found, module, table, arm, {} if watched else radii, watched, entry)
     texts = {program.name: program for program in found.programs}
-    bodies = [row for name in names for row in writer.program(texts[name])]
-    library = LIBRARY.format(
-        linear_mm=number(1000.0 * arm.linear_speed),
-        hand=number(arm.hand_s),
-        joint_a=number(arm.joint_speed / arm.acceleration_time),
-        joint_v=number(arm.joint_speed),
-        linear_a=number(arm.linear_speed / arm.acceleration_time),
-        linear_v=number(arm.linear_speed),
-        hand_open=table.hand_open,
-        hand_close=table.hand_close,
-    )
+    mode = Mode(watched)
+    bodies = [row for name in names for row in writer.program(texts[name], mode)]
+    mode = Mode(watched, reaction=True)
+    between = [INDENT + row for name in others for row in writer.program(texts[name], mode)]
     rows = [
         f"def {plain(entry)}_of_val():",
         f"{INDENT}# Written by vrts; not tried on a controller. Read the sheet first.",
-        *library.strip("\n").split("\n"),
+        *_library(module, arm, table, watched, held, between),
         f"{INDENT}set_tcp({pose_text(arm.X_FT)})",
+        *_payload(table),
         f"{INDENT}global v_at = v_here()",
-        *(f"{INDENT}global {name} = {text}" for name, text in held.items()),
         *(INDENT + row for row in bodies),
         f"{INDENT}prog_{plain(entry)}()",
         "end",
     ]
     return Said("\n".join(rows) + "\n", tuple(writer.errors))
+
+
+def _payload(table: Table) -> list[str]:
+    """Return the line that tells what hangs on the flange, where the user's table says it."""
+    if table.payload is None:
+        return []
+    centre = ", ".join(number(MM * part) for part in table.payload.centre_mm)
+    return [f"{INDENT}set_payload({number(table.payload.mass_kg)}, [{centre}])"]
+
+
+def _library(
+    module: Module,
+    arm: Arm,
+    table: Table,
+    watched: Watching | None,
+    held: Mapping[str, str],
+    between: list[str],
+) -> list[str]:
+    """Return what stands before the programs; the programs of reactions stand in it."""
+    known = {
+        "linear_mm": number(1000.0 * arm.linear_speed),
+        "hand": number(arm.hand_s),
+        "joint_a": number(arm.joint_speed / arm.acceleration_time),
+        "joint_v": number(arm.joint_speed),
+        "linear_a": number(arm.linear_speed / arm.acceleration_time),
+        "linear_v": number(arm.linear_speed),
+        "brake_a": number(arm.joint_speed / arm.brake_time),
+        "hand_open": str(table.hand_open),
+        "hand_close": str(table.hand_close),
+    }
+    clock = CLOCK.strip("\n").split("\n") if _looks_at_clocks(module) else []
+    begun = [BEGINNING, MOTIONS] if watched is None else [BEGINNING, THREADS]
+    texts = "\n".join(text.strip("\n") for text in [*begun, FUNCTIONS])
+    variables = (f"{INDENT}global {name} = {text}" for name, text in held.items())
+    rows = [*texts.format(**known).split("\n"), *clock, *variables]
+    if watched is None:
+        return rows
+    rows += [*watched.notes(table), *motions("r", "v_note"), *between]
+    return [*rows, *watched.looks(), *motions("v", "v_look")]
+
+
+def _looks_at_clocks(module: Module) -> bool:
+    found = (p for program in module.programs.values() for p in parts(program.instructions))
+    return any(
+        isinstance(part, ir.SetTimer)
+        or (isinstance(part, Apply) and part.function is Function.TIMER)
+        for part in found
+    )
 
 
 class _Writer:
@@ -105,20 +154,32 @@ class _Writer:
         table: Table,
         arm: Arm,
         radii: Mapping[tuple[str, int], float],
-        moving: frozenset[tuple[str, int]],
+        watched: Watching | None,
+        entry: str,
     ) -> None:
-        self.module, self.table, self.radii, self.moving = module, table, radii, moving
+        self.module, self.table, self.radii, self.watched = module, table, radii, watched
+        self.resting = under_way(module, entry)
+        programs = () if watched is None else watched.programs
+        self.reacting = under_way(module, *programs)
+        self.interrupted = under_way(module, *programs, moves=True)  # reactions begin so
+        self.mode = Mode(watched)
         self.problems = found.resolver.problems
         self.errors: list[Diagnostic] = []
         self.arm = arm
         self.arguments = Arguments(module)
 
-    def program(self, text: ProgramText) -> list[str]:
+    @property
+    def moving(self) -> frozenset[tuple[str, int]]:
+        """Where the arm may move, in the mode that is written now."""
+        return self.reacting if self.mode.reaction else self.resting
+
+    def program(self, text: ProgramText, mode: Mode) -> list[str]:
         """Return the lines of a program."""
+        self.mode = mode
         program = self.module.programs[text.name]
-        steps = Steps(self.table, joints_text(self.arm.ready), program, self.arguments)
+        steps = Steps(self.table, joints_text(self.arm.ready), program, self.arguments, mode)
         names = ", ".join(name_of(formal) for formal in program.formals)
-        rows = [f"def prog_{plain(text.name)}({names}):"]
+        rows = [f"def {mode.called}_{plain(text.name)}({names}):"]
         rows += [
             f"{INDENT}local {name_of(own)} = {EMPTY.get(own.type, '0')}" for own in program.autos
         ]
@@ -191,7 +252,7 @@ class _Writer:
                     told = step.number
                 inner += written
             if not ends(program.instructions[last - 1]):
-                inner += go(here + 1, here)
+                inner += go(here + 1, here, steps.mode.passes)
             rows += [INDENT * 2 + row for row in inner]
         return [*rows, f"{INDENT}end", "end"]
 
@@ -214,7 +275,7 @@ class _Writer:
         instruction = program.instructions[k]
         radius = self.radii.get((program.name, program.origins[k].step), 0.0)
         following = program.instructions[k + 1] if k + 1 < len(program.instructions) else None
-        if (program.name, k) in self.moving and not looks(instruction) and asks(instruction):
+        if (program.name, k) in self.moving and asks(instruction):
             if straight.motion is None:
                 raise CannotSay(MOVING, REMEDY)
             written = steps.lines(instruction, following, radius)
@@ -226,8 +287,18 @@ class _Writer:
 
     def _refuse_looks(self, program: Program, at: list[int]) -> None:
         for k in at:
-            if (program.name, k) in self.moving and looks(program.instructions[k]):
-                raise CannotSay(MOVING, REMEDY)
+            step = program.instructions[k]
+            if (program.name, k) in self.moving:
+                if looks(step):
+                    raise CannotSay(MOVING, REMEDY)
+                both = None
+                if self.watched is not None and not self.mode.reaction:
+                    both = self.watched.shared.disturbs(step)
+                if both is not None:
+                    raise CannotSay(f"a reaction knows `{both}`, and the arm may move", REMEDY)
+            here = (program.name, k) in self.interrupted and tells_place(step)
+            if self.mode.reaction and here:
+                raise CannotSay("the arm may still move where HERE is read", "write BREAK first")
 
     def _comment(self, step: Step, indent: str) -> str:
         node = step.statement
@@ -238,8 +309,9 @@ class _Writer:
     def _cannot(self, cannot: CannotSay, step: Step) -> None:
         node = step.statement
         assert node is not None
-        span = self.problems.span(node.start, node.end)
-        self.errors.append(cannot.diagnostic(CANNOT, span))
+        found = cannot.diagnostic(CANNOT, self.problems.span(node.start, node.end))
+        if found not in self.errors:  # a program may be written twice
+            self.errors.append(found)
 
 
 def _of_step(program: Program, step: Step) -> list[int]:
@@ -260,7 +332,7 @@ class Straight:
 
     def stands(self, found: list[ir.Instruction], row: int) -> None:
         """Note where the lines of a step begin."""
-        if any(isinstance(i, MOTIONS) for i in found):
+        if any(isinstance(i, MOVES) for i in found):
             self.motion = row
         elif not all(isinstance(i, QUIET) for i in found):
             self.motion = None

@@ -29,9 +29,7 @@ TEXT = """# `{name}` in URScript: not tried on a controller
 - The program goes on when a motion has ended, or where its rounded corner begins. Outputs that
   VAL-II sets as a motion begins stand before it. `sync()` in a loop may end a rounding there.
 - Lists hold {elements} elements where a subscript is worked out in the run; UR stops beyond them.
-- **Payload is not set**: scenes know no masses. Set it, with its centre, on the robot, or add
-  `set_payload` behind `set_tcp`.
-- Safety planes, joint limits, forces and the stop are the robot's.
+{payload}{more}- Safety planes, joint limits, forces and the stop are the robot's.
 
 ## Check before the first run
 
@@ -51,8 +49,28 @@ The hand opens with standard output {hand_open} and closes with {hand_close}.
 """
 
 
-def sheet_text(run: Run, name: str, table: Table) -> str:
-    """Return the sheet, in Markdown."""
+PAYLOAD = """- `set_payload` says {mass:g} kg, its centre at {centre} mm from the flange, as
+  `io.toml` has it. It stays that, whether the hand holds something or not.
+"""
+NO_PAYLOAD = """- **Payload is not set**: scenes know no masses. Write `[payload]`, `mass_kg = ...`
+  and `centre_mm = [x, y, z]` (from the flange) into `io.toml`, or set it on the robot.
+"""
+TIMERS = """- Timers are read by `time()` (script manual for SW 5.19), in steps of 2 ms. They count
+  UR's own time: one that runs while the arm moves, or over a stop, which takes VAL-II 0.112 s,
+  reads otherwise than in the run that was verified. TIMER(0) counts from the beginning of the
+  program.
+"""
+REACTIONS = """- Inputs that the program watches are looked at in each frame of 2 ms, in VAL-II at
+  each tick of {tick:g} ms: UR sees pulses that VAL-II may miss. Two reactions at one moment come
+  in the order of their signals. While one is carried out, another one waits for its end.
+- **Where the arm rests after REACTI is UR's own**: `stopj` slows down by {brake:g} s from full
+  speed. vrts verified one such place, where its own brake ends; look what is near the whole way.
+- A program that watches inputs moves in threads and has no rounded corners.
+"""
+
+
+def sheet_text(run: Run, name: str, table: Table, text: str) -> str:
+    """Return the sheet, in Markdown, of a text that was written."""
     stops = [k for k, motion in enumerate(run.motions) if motion.arrives and not motion.blended]
     chosen = stops if len(stops) <= 3 else [stops[0], stops[len(stops) // 2], stops[-1]]
     arm = run.scene.robot.arm
@@ -69,7 +87,25 @@ def sheet_text(run: Run, name: str, table: Table) -> str:
         hand_open=table.hand_open,
         hand_close=table.hand_close,
         pins="\n".join(pins),
+        payload=_payload(table),
+        more=_more(run, text),
     )
+
+
+def _payload(table: Table) -> str:
+    if table.payload is None:
+        return NO_PAYLOAD
+    centre = ", ".join(f"{part:g}" for part in table.payload.centre_mm)
+    return PAYLOAD.format(mass=table.payload.mass_kg, centre=centre)
+
+
+def _more(run: Run, text: str) -> str:
+    arm, pace = run.scene.robot.arm, run.scene.controller.pace
+    timers = TIMERS if "def v_clock()" in text else ""
+    if "def v_look()" not in text:
+        return timers
+    brake_s = pace.brake_accelerations * arm.acceleration_time
+    return timers + REACTIONS.format(tick=1e3 * arm.tick, brake=brake_s)
 
 
 def _row(run: Run, number: int) -> str:

@@ -1,13 +1,17 @@
 """Steps of a program as lines of URScript."""
 
+from typing import NamedTuple
+
 from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain, printed
+from vrts.dispatch.saying.parts import constant
 from vrts.dispatch.saying.signals import FIRST_INTERNAL, signal_of
 from vrts.dispatch.saying.table import Table
-from vrts.dispatch.urscript.values import HERE, NOTHING, Values, name_of, number
+from vrts.dispatch.urscript.values import HERE, NOTHING, Values, name_of, number, timer_of
+from vrts.dispatch.urscript.watching import Watching
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Constant, Format, Load, Place, Slot, WholeArray
+from vrts.ir.expressions import Constant, Expression, Format, Load, Place, Slot, WholeArray
 from vrts.ir.instructions import HandAction, Interpolation, Scope, SpeedUnit
 from vrts.ir.module import Program
 from vrts.ir.values import Type
@@ -20,14 +24,54 @@ UNITS = {SpeedUnit.PERCENT: "/ 100.0", SpeedUnit.MM_PER_S: "/ v_full_mm"}
 UNITS[SpeedUnit.INCH_PER_S] = "* 25.4 / v_full_mm"
 
 
+class Mode(NamedTuple):
+    """How a program is written: as one that is called, or as a reaction."""
+
+    watching: Watching | None = None
+    reaction: bool = False
+
+    @property
+    def own(self) -> str:
+        """What the names of functions that move the arm begin with."""
+        return "r" if self.reaction else "v"
+
+    @property
+    def called(self) -> str:
+        """What the names of programs begin with."""
+        return "react" if self.reaction else "prog"
+
+    @property
+    def here(self) -> str:
+        """What tells where the arm rests: a reaction may have stopped it on its way."""
+        return HERE if self.watching is None else "v_here()"
+
+    @property
+    def passes(self) -> str:
+        """What lets a frame pass."""
+        return "sync()" if self.watching is None else f"{self.own}_pass()"
+
+    @property
+    def rests(self) -> list[str]:
+        """What waits until the arm rests: without reactions it does behind every motion."""
+        return [] if self.watching is None else [f"{self.own}_wait()"]
+
+    def stays(self, seconds: str, *, motion: bool) -> str:
+        """Return what waits for some seconds, as a motion or not."""
+        if self.watching is None:
+            return f"sleep({seconds})"
+        return f"{self.own}_{'sleep' if motion else 'hold'}({seconds})"
+
+
 class Steps:
     """Writes the steps of one program."""
 
-    def __init__(self, table: Table, ready: str, program: Program, arguments: Arguments) -> None:
+    def __init__(
+        self, table: Table, ready: str, program: Program, arguments: Arguments, mode: Mode
+    ) -> None:
         """Know signals, joints of READY, and which arguments come back."""
-        self.table, self.ready = table, ready
+        self.table, self.ready, self.mode = table, ready, mode
         self.arguments = arguments
-        self.values = Values(table)
+        self.values = Values(table, mode.here)
         back = (f"global {to} = {name_of(formal)}" for to, formal in arguments.back(program))
         self.leaving = [*back, "return True"]
 
@@ -48,29 +92,35 @@ class Steps:
             case ir.Move(opening=None):
                 return [self._move(step, r)]
             case ir.Depart(interpolation, distance):
+                rests, word = self.mode.rests, self._word(interpolation)
                 back = f"pose_trans({HERE}, v_shift(0.0, 0.0, (-{v.real(distance)})))"
-                return [f"{_word(interpolation)}({back}, {r})"]
+                return [*rests, f"{word}({back}, {r})"]
             case ir.Draw(offsets, False, None) if not any(offsets[3:]):
                 by = ", ".join("0.0" if o is None else v.real(o) for o in offsets[:3])
-                return [f"v_movel(pose_trans(v_shift({by}), {HERE}), {r})"]
+                line = self._word(Interpolation.LINEAR)
+                return [*self.mode.rests, f"{line}(pose_trans(v_shift({by}), {HERE}), {r})"]
             case ir.Ready():
-                return [f"v_movejoints({self.ready}, {r})"]
+                return [f"{self.mode.own}_movejoints({self.ready}, {r})"]
             case ir.Break():
-                return ["sync()"]
+                return self.mode.rests or ["sync()"]
             case ir.Delay(time):
-                return [f"sleep({v.real(time)})", "global v_next = 0.0"]  # it was a motion too
+                waits = self.mode.stays(v.real(time), motion=True)
+                return [waits, "global v_next = 0.0"]  # it was a motion too
+            case ir.WaitTime(time):
+                return [self.mode.stays(v.real(time), motion=False)]
             case ir.MoveHand(action, immediate, None):
                 if not immediate and not isinstance(following, MOVES):
                     raise CannotSay("the hand moves with a motion that does not follow at once")
                 rows = [f"v_hand({HANDS[action]})"]
-                return [*rows, "sleep(v_hand_s)"] if immediate else rows
+                waits = self.mode.stays("v_hand_s", motion=False)
+                return [*rows, waits] if immediate else rows
             case ir.SetSpeed(rotation=None):
                 share = f"{v.real(step.value)} {UNITS[step.unit]}"
                 scope = "always" if step.scope is Scope.ALWAYS else "next"
                 return [f"global v_{scope} = {share}"]
             case ir.SetTool(pose):
                 tool = NOTHING if pose is None else v.location(pose)
-                return [f"set_tcp({tool})", f"global {HERE} = v_here()"]
+                return [*self.mode.rests, f"set_tcp({tool})", f"global {HERE} = v_here()"]
             case _ if isinstance(step, SILENT):
                 return ["sync()"]
             case _:
@@ -82,7 +132,7 @@ class Steps:
             case ir.Assign(place, value):
                 return [self._assign(place, value)]
             case ir.AssignHere(place, None) if place.variable.type is Type.POSE:
-                return [self.given(place, HERE)]
+                return [self.given(place, self.mode.here)]
             case ir.Signal(signals):
                 return [self._signal(*signal_of(signal)) for signal in signals]
             case ir.Reset():
@@ -90,31 +140,55 @@ class Steps:
                     f"set_standard_digital_out({p}, False)" for p in self.table.outputs.values()
                 ]
             case ir.Wait(condition) if condition is not None:
-                return [f"while (not {v.condition(condition)}):", "  sync()", "end"]
+                return [f"while (not {v.condition(condition)}):", f"  {self.mode.passes}", "end"]
             case ir.Call(program, arguments):
                 back = self.arguments.taken(step)
-                called = f"prog_{plain(program)}({', '.join(map(self._argument, arguments))})"
+                name = f"{self.mode.called}_{plain(program)}"
+                called = f"{name}({', '.join(map(self._argument, arguments))})"
                 return [called, *(self.given(place, held) for place, held in back)]
             case ir.Type(items):
                 return [row for item in items for row in self._told(item)] or ["sync()"]
             case ir.Halt(message) | ir.Stop(message):
-                return [*([] if message is None else self._told(message)), "halt"]
+                told = [] if message is None else self._told(message)
+                return [*told, *self.mode.rests, "halt"]
+            case ir.SetTimer(timer, value):
+                return [f"global {timer_of(timer)} = v_clock() - {v.real(value)}"]
+            case ir.React() if self.mode.watching is not None:
+                return self.mode.watching.watch(step, self.table)
+            case ir.Ignore(signal) if self.mode.watching is not None:
+                return self.mode.watching.ignore(signal_of(signal)[0])
+            case ir.Ignore():
+                return ["sync()"]
+            case ir.Lock(priority):
+                return self._lock(priority)
             case ir.Return(None):
                 return self.leaving
             case _:
                 raise CannotSay(f"URScript has nothing that means {_name(step)}")
+
+    def _lock(self, priority: Expression | None) -> list[str]:
+        if self.mode.reaction:
+            raise CannotSay("a reaction says LOCK", "leave it out: others wait for its end")
+        if self.mode.watching is None:
+            return ["sync()"]
+        level = "0.0" if priority is None else self.values.real(priority)
+        return [f"global v_priority = {level}", "v_look()"]
+
+    def _word(self, interpolation: Interpolation) -> str:
+        kind = "movel" if interpolation is Interpolation.LINEAR else "movej"
+        return f"{self.mode.own}_{kind}"
 
     def _move(self, move: ir.Move, r: str) -> str:
         v = self.values
         joints = v.is_joints(move.target)
         target = v.location(move.target)
         if joints and move.interpolation is Interpolation.JOINT and move.retreat is None:
-            return f"v_movejoints({target}, {r})"
+            return f"{self.mode.own}_movejoints({target}, {r})"
         if joints:
             target = f"v_tool({target})"
         if move.retreat is not None:
             target = f"pose_trans({target}, v_shift(0.0, 0.0, (-{v.real(move.retreat)})))"
-        return f"{_word(move.interpolation)}({target}, {r})"
+        return f"{self._word(move.interpolation)}({target}, {r})"
 
     def _assign(self, place: Place, value: object) -> str:
         v = self.values
@@ -159,13 +233,8 @@ class Steps:
                 return [f"textmsg({self.values.real(expression)})"]
 
 
-def _word(interpolation: Interpolation) -> str:
-    return "v_movel" if interpolation is Interpolation.LINEAR else "v_movej"
-
-
 def _name(step: ir.Instruction) -> str:
     words: dict[type, str] = {
-        ir.React: "REACT",
         ir.ReactError: "REACTE",
         ir.StartProcess: "PCEXECUTE",
         ir.SetBase: "BASE",
@@ -174,13 +243,14 @@ def _name(step: ir.Instruction) -> str:
         ir.RequestBranch: "arm branches",
         ir.Move: "MOVET",
         ir.MoveHand: "an opening of the hand",
-        ir.WaitTime: "a timed wait",
     }
     return words.get(type(step), type(step).__name__.upper())
 
 
 def asks(step: ir.Instruction) -> bool:
-    """Return whether an instruction sets an output, which somebody outside sees."""
+    """Return whether an instruction sets an output, or a clock, as a motion begins."""
+    if isinstance(step, ir.SetTimer):
+        return constant(step.value) is not None
     if isinstance(step, ir.Signal):
         return any(signal_of(signal)[0] < FIRST_INTERNAL for signal in step.signals)
     return isinstance(step, ir.Reset)

@@ -100,12 +100,24 @@ def name_of(variable: Variable) -> str:
     return f"{_LETTER[variable.type]}_{plain(variable.name)}"
 
 
+def timer_of(number: Argument) -> str:
+    """Return the variable that keeps from when a timer counts.
+
+    Raises:
+        CannotSay: Its number is worked out in the run.
+    """
+    which = constant(number)
+    if which is None:
+        raise CannotSay("the number of a timer is worked out in the run", "write a number")
+    return f"timer_{round(which)}"
+
+
 class Values:
     """Writes what the steps of a program work out."""
 
-    def __init__(self, table: Table) -> None:
-        """Know which input is which signal."""
-        self.table = table
+    def __init__(self, table: Table, here: str = HERE) -> None:
+        """Know which input is which signal, and what tells where the arm rests."""
+        self.table, self.here = table, here
 
     def place(self, place: Place) -> str:
         """Return a variable, or an element of a list."""
@@ -176,6 +188,9 @@ class Values:
         if function is Function.DISTANCE:
             one, other = (self.location(argument) for argument in arguments)
             return f"v_distance({one}, {other})"
+        if function is Function.TIMER:
+            timer = timer_of(arguments[0])
+            return "v_clock()" if timer == "timer_0" else f"(v_clock() - {timer})"
         values = [self.real(argument) for argument in arguments]
         if function in ANGLES:
             return f"{ANGLES[function]}(v_rad * {values[0]})"
@@ -233,7 +248,9 @@ class Values:
     def _located(self, function: Function, arguments: tuple[Argument, ...]) -> str:
         given = [*arguments, *(None for _ in range(SIX))]
         match function:
-            case Function.HERE | Function.DEST:
+            case Function.HERE:
+                return self.here
+            case Function.DEST:
                 return HERE
             case Function.NULL:
                 return NOTHING
