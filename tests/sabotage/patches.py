@@ -1618,6 +1618,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/oracle/test_urscript.py",),
     ),
     Patch(
+        "linuxcnc: a jump goes on behind itself",
+        "vrts/dispatch/linuxcnc/jumps.py",
+        'lines.extend((f"o{label} if {condition}", f"{INDENT}{GOTO} = {numbers[target]}"))',
+        'lines.extend((f"o{label} if {condition}", f"{INDENT}{GOTO} = {here + 1}"))',
+        ("tests/unit/dispatch/linuxcnc/test_program_text.py",),
+    ),
+    Patch(
         "urscript: REACTI lets the arm move on",
         "vrts/dispatch/urscript/watching.py",
         'yield "v_brake()"',
@@ -1634,8 +1641,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "urscript: TIMER counts from the beginning, whatever it is set to",
         "vrts/dispatch/urscript/steps.py",
-        'return [f"global {timer_of(timer)} = v_clock() - {v.real(value)}"]',
-        'return [f"global {timer_of(timer)} = 0.0 - {v.real(value)}"]',
+        'return [f"global timer_{timer_of(timer)} = v_clock() - {v.real(value)}"]',
+        'return [f"global timer_{timer_of(timer)} = 0.0 - {v.real(value)}"]',
         ("tests/oracle/test_urscript_reactions.py",),
     ),
     Patch(

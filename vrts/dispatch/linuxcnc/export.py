@@ -84,7 +84,7 @@ def _written(request: Request, found: Verified, table: Table) -> Folder:
         HAL: hal_text(robot),
         ACCELERATION: acceleration_text(),
         TABLE: table_text(table, *PINS),
-        SHEET: sheet_text(robot, request.program.name),
+        SHEET: sheet_text(robot, request.program.name, told.text),
         MOTIONS: motions_text(run),
         SETUP: setup_text(robot),
         **dict.fromkeys(EMPTY, ""),

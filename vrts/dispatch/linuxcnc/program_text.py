@@ -5,17 +5,21 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Diagnostic, Rule
+from vrts.dispatch.linuxcnc.jumps import GOTO, write_jump
 from vrts.dispatch.linuxcnc.levels import levels, shallow
 from vrts.dispatch.linuxcnc.locations import constant
 from vrts.dispatch.linuxcnc.memory import Memory
 from vrts.dispatch.linuxcnc.names import LONGEST, comment, number
 from vrts.dispatch.linuxcnc.steps import STOP, Steps
 from vrts.dispatch.linuxcnc.structures import Structures
+from vrts.dispatch.linuxcnc.values import CLOCK
 from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.calls import called_by
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain
+from vrts.dispatch.saying.stretches import Stretches, ends, jumps, numbered
 from vrts.dispatch.saying.table import Table
+from vrts.dispatch.saying.timers import timers
 from vrts.dispatch.saying.under_way import looks, under_way
 from vrts.ir import instructions as ir
 from vrts.ir.module import Module, Program
@@ -28,7 +32,6 @@ from vrts.lang.syntax.statements import Declare
 CANNOT_SAY = Rule("V870", "linuxcnc-cannot")
 INDENT = "  "
 OURS = "v_"  # begins the names of the library's subroutines
-JUMPS = (ir.Jump, ir.JumpIf)
 ENDING = ("G94", "M2")
 INTERNAL = re.compile(r"#<_signal_\d+>")
 
@@ -71,11 +74,19 @@ def said(found: Resolved, module: Module, entry: str, table: Table) -> Said:
         "G21 G90 G40 G49 G80 G94 G61.1",
         "o<v_setup> call",
         *_places(module, memory),
+        *_clocks(module),
         *(f"{name} = 0" for name in sorted(set(INTERNAL.findall("\n".join(written))))),
         *bodies[entry],
         *ENDING,
     ]
     return Said("\n".join(rows) + "\n", tuple(writer.errors))
+
+
+def _clocks(module: Module) -> list[str]:
+    """Return what begins the timers: all count from the beginning until they are set."""
+    found = timers(module)
+    begun = [f"#<_timer_{number}> = #<_v_now>" for number in found]
+    return [CLOCK, *begun] if found else []
 
 
 def _places(module: Module, memory: Memory) -> list[str]:
@@ -126,6 +137,9 @@ class _Writer:
             rows.append(f"o<{plain(text.name)}> sub")
             names = (plain(formal.name) for formal in program.formals)
             rows += [f"{INDENT}#<{name}> = #{k}" for k, name in enumerate(names, start=1)]
+        if jumps(program, text):
+            rows += self._by_numbers(program, text, steps, main=main)
+            return rows
         base = 0 if main else 1
         for step in text.steps:
             node = step.statement
@@ -142,13 +156,73 @@ class _Writer:
                 structures.pass_over(word_of(step) or "", depth)
                 continue
             indent = INDENT * (base + min(depth, structures.depth))
-            words = self.problems.source.text[node.start : node.end]
-            rows.append(indent + comment(f"{step.number:>3}  {words}"))
+            rows.append(indent + self._comment(step))
             rows += [indent + line for line in steps.take()]
+        return [*rows, *self._ended(program, main=main)]
+
+    def _ended(self, program: Program, *, main: bool) -> list[str]:
         if main:
-            return [*rows, STOP]
-        rows += [INDENT + row for row in _given_back(program, self.arguments)]
-        return [*rows, f"o<{plain(text.name)}> endsub"]
+            return [STOP]
+        rows = [INDENT + row for row in _given_back(program, self.arguments)]
+        return [*rows, f"o<{plain(program.name)}> endsub"]
+
+    def _by_numbers(
+        self, program: Program, text: ProgramText, steps: Steps, *, main: bool
+    ) -> list[str]:
+        """Return a program that jumps: a loop that goes from one numbered part to the next."""
+        by_number = {step.number: step for step in text.steps if step.statement is not None}
+        stretches = numbered(program)
+        loop, choice = steps.label(), steps.label()
+        rows = ["; it jumps, so each stretch without jumps has a number"]
+        rows += [f"{GOTO} = 0", f"o{loop} while [{GOTO} GE 0]"]
+        for here, (first, last) in enumerate(stretches):
+            rows.append(f"{INDENT}o{choice} {'elseif' if here else 'if'} [{GOTO} EQ {here}]")
+            told = 0
+            for k in range(first, last):
+                step = by_number.get(program.origins[k].step)
+                try:
+                    self._instruction(program, k, steps, stretches, here, main=main)
+                except CannotSay as cannot:
+                    if step is None or step.statement is None:
+                        raise
+                    node = step.statement
+                    span = self.problems.span(node.start, node.end)
+                    self.errors.append(cannot.diagnostic(CANNOT_SAY, span))
+                    steps.take()
+                    continue
+                if step is not None and step.number != told:
+                    rows.append(INDENT * 2 + self._comment(step))
+                    told = step.number
+                rows += [INDENT * 2 + line for line in steps.take()]
+            if not ends(program.instructions[last - 1]):
+                rows.append(f"{INDENT * 2}{GOTO} = {here + 1}")
+        rows += [f"{INDENT}o{choice} endif", f"o{loop} endwhile"]
+        if not main:
+            rows = [*(INDENT + row for row in rows), f"o<{plain(program.name)}> endsub"]
+        return rows
+
+    def _instruction(
+        self,
+        program: Program,
+        k: int,
+        steps: Steps,
+        stretches: Stretches,
+        here: int,
+        *,
+        main: bool,
+    ) -> None:
+        instruction = program.instructions[k]
+        self._looks(program, [k], steps)
+        if isinstance(instruction, ir.Return):
+            _leave(program, instruction, steps, self.arguments, main=main)
+        elif not write_jump(program, k, steps, stretches, here):
+            steps.write(instruction)
+        self._fits(program, steps)
+
+    def _comment(self, step: Step) -> str:
+        node = step.statement
+        assert node is not None
+        return comment(f"{step.number:>3}  {self.problems.source.text[node.start : node.end]}")
 
     def _step(
         self, program: Program, step: Step, steps: Steps, structures: Structures, *, main: bool
@@ -156,25 +230,31 @@ class _Writer:
         last = len(program.instructions) - 1  # the end of the program
         at = [k for k, o in enumerate(program.origins) if o.step == step.number and k < last]
         found = [program.instructions[k] for k in at]
-        if any(looks(instruction) for instruction in found):
-            if any((program.name, k) in self.moving for k in at):
-                raise CannotSay(
-                    "the arm may still move when this looks at the outside",
-                    "write BREAK before it: LinuxCNC reads inputs at rest",
-                )
-            steps.lines.append(STOP)
+        self._looks(program, at, steps)
         word = word_of(step)
         if word is not None:
             structures.write(word, found)
         elif isinstance(step.statement, Declare):
             raise CannotSay("G-code has no variables of a program's own", "use other names")
         for instruction in found if word is None else ():
-            if isinstance(instruction, JUMPS):
-                raise CannotSay("G-code cannot jump", "use IF, WHILE, DO or FOR")
             if isinstance(instruction, ir.Return):
                 _leave(program, instruction, steps, self.arguments, main=main)
             else:
                 steps.write(instruction)
+        self._fits(program, steps)
+
+    def _looks(self, program: Program, at: list[int], steps: Steps) -> None:
+        """Let the arm rest before a step that looks at the outside, or refuse it."""
+        if not any(looks(program.instructions[k]) for k in at):
+            return
+        if any((program.name, k) in self.moving for k in at):
+            raise CannotSay(
+                "the arm may still move when this looks at the outside",
+                "write BREAK before it: LinuxCNC reads inputs at rest",
+            )
+        steps.lines.append(STOP)
+
+    def _fits(self, program: Program, steps: Steps) -> None:
         shallow(steps.lines, self.level[program.name])
         if any(len(line) > LONGEST for line in steps.lines):
             raise CannotSay("the step is too long for a line of G-code", "work it out in parts")

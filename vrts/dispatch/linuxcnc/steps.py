@@ -5,11 +5,13 @@ from typing import TypeAlias
 from vrts.dispatch.linuxcnc.locations import Locations, called
 from vrts.dispatch.linuxcnc.memory import WIDTH, Memory
 from vrts.dispatch.linuxcnc.names import number
+from vrts.dispatch.linuxcnc.values import CLOCK
 from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain, printed
 from vrts.dispatch.saying.signals import FIRST_INTERNAL, signal_of
 from vrts.dispatch.saying.table import Table
+from vrts.dispatch.saying.timers import timer_of
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import (
     Apply,
@@ -118,6 +120,18 @@ class Steps:
             case ir.Reset():
                 for pin in self.table.outputs.values():
                     self._call("output", str(pin), "0")
+            case ir.SetTimer(timer, value):
+                begun = self.values.real(value)
+                self.lines += [CLOCK, f"#<_timer_{timer_of(timer)}> = [#<_v_now> - {begun}]"]
+            case ir.WaitTime(time):
+                self.lines.append(f"G4 P{self.values.real(time)}")
+            case ir.React():
+                raise CannotSay(
+                    "LinuxCNC has nothing that means REACT: G-code is not interrupted",
+                    "look with IF SIG(...) behind BREAK; what must stop the arm belongs into HAL",
+                )
+            case ir.Ignore() | ir.Lock():
+                pass  # nothing is watched
             case ir.Wait(condition):
                 self._wait(condition)
             case ir.Call(program, arguments):
@@ -248,7 +262,6 @@ class Steps:
 
 def _word(instruction: ir.Instruction) -> str:
     words: dict[type, str] = {
-        ir.React: "REACT",
         ir.ReactError: "REACTE",
         ir.StartProcess: "PCEXECUTE",
         ir.Prompt: "PROMPT",
@@ -256,6 +269,5 @@ def _word(instruction: ir.Instruction) -> str:
         ir.SetMonitorSpeed: "a change of the monitor speed",
         ir.SetTurns: "SINGLE",
         ir.Jump: "GOTO",
-        ir.WaitTime: "a wait beside the motion",
     }
     return words.get(type(instruction), type(instruction).__name__.upper())

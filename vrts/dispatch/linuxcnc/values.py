@@ -12,6 +12,7 @@ from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain
 from vrts.dispatch.saying.signals import FIRST_INPUT, FIRST_INTERNAL, signal_of
 from vrts.dispatch.saying.table import Table
+from vrts.dispatch.saying.timers import timer_of
 from vrts.ir.expressions import (
     Apply,
     Argument,
@@ -50,6 +51,8 @@ FUNCTIONS = {
     Function.SQRT: "SQRT",
 }
 COORDINATES = {Function.DX: 9, Function.DY: 10, Function.DZ: 11}
+
+CLOCK = "o<v_clock> call"
 
 Address = Callable[[Expression], str]
 
@@ -171,6 +174,10 @@ class Values:
             one, other = (self.kept(f"[{self.address(_expression(a))}]") for a in arguments)
             squares = (f"[#[{one} + {k}] - #[{other} + {k}]] ** 2" for k in (9, 10, 11))
             return f"SQRT[{' + '.join(squares)}]"
+        if function is Function.TIMER:
+            timer = timer_of(arguments[0])
+            self.before.append(CLOCK)
+            return self.kept(f"[#<_v_now> - #<_timer_{timer}>]")
         values = [self.real(_expression(argument)) for argument in arguments]
         match function:
             case _ if function in FUNCTIONS:

@@ -3,7 +3,8 @@
 from typing import NamedTuple
 
 from vrts.dispatch.saying.cannot import CannotSay
-from vrts.dispatch.saying.parts import condition_of, constant
+from vrts.dispatch.saying.parts import condition_of
+from vrts.dispatch.saying.stretches import step_of
 from vrts.dispatch.urscript.steps import Steps
 from vrts.dispatch.urscript.values import number
 from vrts.ir import instructions as ir
@@ -111,18 +112,6 @@ class Blocks:
             self.open.append(Open(word, groups=1))
         elif word in ("END", "UNTIL") and len(self.open) == depth and self.open:
             self.open.pop()
-
-
-def step_of(loop: ir.BeginFor) -> float:
-    """Return the step of a FOR.
-
-    Raises:
-        CannotSay: It is not known before the run.
-    """
-    by = 1.0 if loop.increment is None else constant(loop.increment)
-    if by is None or by == 0.0:
-        raise CannotSay("the step of a FOR is worked out in the run", "write a number")
-    return by
 
 
 def never_empty(rows: list[str]) -> list[str]:

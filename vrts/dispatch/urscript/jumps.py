@@ -1,47 +1,13 @@
 """Programs with GOTO: stretches without jumps have numbers, and a loop goes from one to another."""
 
-from typing import TypeAlias
-
 from vrts.dispatch.saying.cannot import CannotSay
-from vrts.dispatch.urscript.blocks import step_of
+from vrts.dispatch.saying.stretches import Stretches, loop_step, step_of
 from vrts.dispatch.urscript.steps import Steps
 from vrts.dispatch.urscript.values import number
 from vrts.ir import instructions as ir
 from vrts.ir.module import Program
-from vrts.lang.meaning.structure import word_of
-from vrts.lang.syntax.program import ProgramText
 
 INDENT = "  "
-JUMPS = (ir.Jump, ir.JumpIf)
-LEAVES = (ir.Jump, ir.NextFor, ir.Return, ir.Halt, ir.Stop)
-
-Stretches: TypeAlias = list[tuple[int, int]]  # first instruction, and the one behind the last
-
-
-def jumps(program: Program, text: ProgramText) -> bool:
-    """Return whether a program has a jump that is no structure word."""
-    structured = {step.number for step in text.steps if word_of(step) is not None}
-    return any(
-        isinstance(instruction, JUMPS) and origin.step not in structured
-        for instruction, origin in zip(program.instructions, program.origins, strict=True)
-    )
-
-
-def numbered(program: Program) -> Stretches:
-    """Return the stretches of a program that are entered at their beginning alone."""
-    first = {0}
-    for k, instruction in enumerate(program.instructions):
-        targets = ir.jumps_of(instruction)
-        first |= set(targets)
-        if targets or ends(instruction):
-            first.add(k + 1)
-    starts = sorted(k for k in first if k < len(program.instructions))
-    return list(zip(starts, [*starts[1:], len(program.instructions)], strict=True))
-
-
-def ends(instruction: ir.Instruction) -> bool:
-    """Return whether nothing is carried out behind an instruction unless it is jumped to."""
-    return isinstance(instruction, LEAVES) or bool(ir.jumps_of(instruction))
 
 
 def kept(program: Program) -> list[str]:
@@ -88,10 +54,10 @@ def jump_lines(
             step_of(begun)
             return [steps.given(place, v.real(first)), f"last_{loop} = {v.real(last)}"]
         case ir.TestFor(place, loop, leave):
-            past = ">" if _step(program, loop) > 0.0 else "<"
+            past = ">" if loop_step(program, loop) > 0.0 else "<"
             return either(f"{v.place(place)} {past} last_{loop}", leave)
         case ir.NextFor(place, loop, test):
-            more = f"{v.place(place)} + {number(_step(program, loop))}"
+            more = f"{v.place(place)} + {number(loop_step(program, loop))}"
             return [steps.given(place, more), *go(numbers[test], here, passes)]
         case ir.BeginCase(selector, case):
             return [f"case_{case} = {v.real(selector)}"]
@@ -102,8 +68,3 @@ def jump_lines(
             raise CannotSay("URScript has nothing that means GRASP")
         case _:
             return None
-
-
-def _step(program: Program, loop: int) -> float:
-    begun = (i for i in program.instructions if isinstance(i, ir.BeginFor) and i.loop == loop)
-    return step_of(next(begun))

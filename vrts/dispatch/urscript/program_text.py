@@ -10,19 +10,19 @@ from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.calls import called_by
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain, readable
-from vrts.dispatch.saying.parts import parts
+from vrts.dispatch.saying.stretches import ends, jumps, numbered
 from vrts.dispatch.saying.table import Table
+from vrts.dispatch.saying.timers import timers
 from vrts.dispatch.saying.under_way import MOTIONS as MOVES
 from vrts.dispatch.saying.under_way import looks, tells_place, under_way
 from vrts.dispatch.urscript.blocks import INDENT, Blocks, never_empty
-from vrts.dispatch.urscript.jumps import ends, go, jump_lines, jumps, kept, numbered
+from vrts.dispatch.urscript.jumps import go, jump_lines, kept
 from vrts.dispatch.urscript.library import BEGINNING, CLOCK, FUNCTIONS, MOTIONS
 from vrts.dispatch.urscript.steps import SILENT, Mode, Steps, asks
 from vrts.dispatch.urscript.values import joints_text, name_of, number, pose_text
 from vrts.dispatch.urscript.variables import EMPTY, variables
 from vrts.dispatch.urscript.watching import THREADS, Watching, motions, watching
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Apply, Function
 from vrts.ir.module import Module, Program
 from vrts.lang.compiler import Resolved
 from vrts.lang.meaning.structure import word_of
@@ -126,7 +126,7 @@ def _library(
         "hand_open": str(table.hand_open),
         "hand_close": str(table.hand_close),
     }
-    clock = CLOCK.strip("\n").split("\n") if _looks_at_clocks(module) else []
+    clock = CLOCK.strip("\n").split("\n") if timers(module) else []
     begun = [BEGINNING, MOTIONS] if watched is None else [BEGINNING, THREADS]
     texts = "\n".join(text.strip("\n") for text in [*begun, FUNCTIONS])
     variables = (f"{INDENT}global {name} = {text}" for name, text in held.items())
@@ -135,15 +135,6 @@ def _library(
         return rows
     rows += [*watched.notes(table), *motions("r", "v_note"), *between]
     return [*rows, *watched.looks(), *motions("v", "v_look")]
-
-
-def _looks_at_clocks(module: Module) -> bool:
-    found = (p for program in module.programs.values() for p in parts(program.instructions))
-    return any(
-        isinstance(part, ir.SetTimer)
-        or (isinstance(part, Apply) and part.function is Function.TIMER)
-        for part in found
-    )
 
 
 class _Writer:

@@ -8,7 +8,8 @@ from vrts.dispatch.saying.names import plain, printed
 from vrts.dispatch.saying.parts import constant
 from vrts.dispatch.saying.signals import FIRST_INTERNAL, signal_of
 from vrts.dispatch.saying.table import Table
-from vrts.dispatch.urscript.values import HERE, NOTHING, Values, name_of, number, timer_of
+from vrts.dispatch.saying.timers import timer_of
+from vrts.dispatch.urscript.values import HERE, NOTHING, Values, name_of, number
 from vrts.dispatch.urscript.watching import Watching
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Constant, Expression, Format, Load, Place, Slot, WholeArray
@@ -152,7 +153,7 @@ class Steps:
                 told = [] if message is None else self._told(message)
                 return [*told, *self.mode.rests, "halt"]
             case ir.SetTimer(timer, value):
-                return [f"global {timer_of(timer)} = v_clock() - {v.real(value)}"]
+                return [f"global timer_{timer_of(timer)} = v_clock() - {v.real(value)}"]
             case ir.React() if self.mode.watching is not None:
                 return self.mode.watching.watch(step, self.table)
             case ir.Ignore(signal) if self.mode.watching is not None:

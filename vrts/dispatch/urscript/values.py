@@ -12,6 +12,7 @@ from vrts.dispatch.saying.names import decimal, plain
 from vrts.dispatch.saying.parts import constant
 from vrts.dispatch.saying.signals import FIRST_INPUT, FIRST_INTERNAL, signal_of
 from vrts.dispatch.saying.table import Table
+from vrts.dispatch.saying.timers import timer_of
 from vrts.ir.expressions import (
     Apply,
     Argument,
@@ -100,18 +101,6 @@ def name_of(variable: Variable) -> str:
     return f"{_LETTER[variable.type]}_{plain(variable.name)}"
 
 
-def timer_of(number: Argument) -> str:
-    """Return the variable that keeps from when a timer counts.
-
-    Raises:
-        CannotSay: Its number is worked out in the run.
-    """
-    which = constant(number)
-    if which is None:
-        raise CannotSay("the number of a timer is worked out in the run", "write a number")
-    return f"timer_{round(which)}"
-
-
 class Values:
     """Writes what the steps of a program work out."""
 
@@ -190,7 +179,7 @@ class Values:
             return f"v_distance({one}, {other})"
         if function is Function.TIMER:
             timer = timer_of(arguments[0])
-            return "v_clock()" if timer == "timer_0" else f"(v_clock() - {timer})"
+            return "v_clock()" if timer == 0 else f"(v_clock() - timer_{timer})"
         values = [self.real(argument) for argument in arguments]
         if function in ANGLES:
             return f"{ANGLES[function]}(v_rad * {values[0]})"

@@ -6,16 +6,15 @@ from vrts.dispatch.saying.arrays import largest_subscripts
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.parts import constant, parts
 from vrts.dispatch.saying.signals import FIRST_INTERNAL
+from vrts.dispatch.saying.timers import timers
 from vrts.dispatch.urscript.values import (
     NOTHING,
     joints_text,
     name_of,
     number,
     pose_text,
-    timer_of,
 )
-from vrts.ir import instructions as ir
-from vrts.ir.expressions import Apply, Function, Global
+from vrts.ir.expressions import Global
 from vrts.ir.module import Module
 from vrts.ir.values import Type, Value
 
@@ -59,14 +58,10 @@ def variables(module: Module) -> dict[str, str]:
                 raise CannotSay(f"`{formal.name}` comes back and may be of any kind")
             held[name] = EMPTY[formal.type]
         for part in parts(program.instructions):
-            timer = part.number if isinstance(part, ir.SetTimer) else None
-            if isinstance(part, Apply) and part.function is Function.TIMER:
-                timer = part.arguments[0]
-            if constant(timer) is not None:  # another one is refused where it stands
-                held[timer_of(timer)] = "0.0"
             signal = abs(round(constant(part) or 0.0))
             if FIRST_INTERNAL <= signal < FIRST_INTERNAL + 1000:
                 held[f"signal_{signal}"] = "False"
+    held |= {f"timer_{number}": "0.0" for number in timers(module)}
     return held
 
 

@@ -186,14 +186,16 @@ def test_elements_of_arrays_are_looked_up_within_their_bounds() -> None:
         ("IF SIG(1003) THEN\nEND", 2, "signal 1003 is not in io.toml"),
         ("SIGNAL 7", 2, "signal 7 is not in io.toml"),
         ("SIGNAL n", 2, "worked out in the run"),
-        ("GOTO 10\n10 MOVE a", 2, "G-code cannot jump"),
-        ("REACT 1001, other", 2, "REACT"),
+        ("IF n GOTO 10\nGRASP 5, 10\n10 MOVE a", 3, "GRASP"),
+        ("REACT 1001, other", 2, "REACT: G-code is not interrupted"),
+        ("REACTI 1001, other", 2, "REACT: G-code is not interrupted"),
         ("PCEXECUTE other", 2, "PCEXECUTE"),
         ('PROMPT "n: ", n', 2, "PROMPT"),
         ("BASE 10", 2, "BASE"),
         ('$m = "a"', 2, "no strings"),
         ("SINGLE ALWAYS", 2, "SINGLE"),
-        ("x = TIMER(1)", 2, "TIMER"),
+        ("x = TIMER(n)", 2, "the number of a timer"),
+        ("MOVE a\nTIMER 1 = 0", 3, "the arm may still move"),
         ("FOR i = 1 TO 3 STEP n\nEND", 2, "the step of a FOR"),
         ("CALL other2(n)", 2, "which changes it too"),
         ("x[1,2] = 3", 1, "two subscripts"),
@@ -209,6 +211,43 @@ def test_what_cannot_be_said_is_refused_with_its_line(steps: str, line: int, say
     assert found.primary is not None
     assert found.primary.span.line == line
     assert found.help
+
+
+def test_jumps_go_from_one_numbered_stretch_to_another() -> None:
+    text = gcode("10 n = n + 1\nIF n < 3 GOTO 10\nREADY").text
+    rows = [row.strip() for row in text.split("\n") if not row.strip().startswith(";")]
+    assert rows[rows.index("#<v_goto> = 0") :] == [
+        "#<v_goto> = 0",
+        "o101 while [#<v_goto> GE 0]",
+        "o102 if [#<v_goto> EQ 0]",
+        "#<_val_n> = [#<_val_n> + 1]",
+        "o103 if [#<_val_n> LT 3]",
+        "#<v_goto> = 0",
+        "o103 else",
+        "#<v_goto> = 1",
+        "o103 endif",
+        "o102 elseif [#<v_goto> EQ 1]",
+        "o<v_joints> call [154]",
+        "o<v_stop> call",
+        "G94",
+        "M2",
+        "o102 endif",
+        "o101 endwhile",
+        "G94",
+        "M2",
+        "",
+    ]
+
+
+def test_timers_are_read_from_a_clock_at_rest() -> None:
+    found = gcode("TIMER 2 = -1\nWAIT TIMER(2) > 0").text
+    assert "o<v_clock> call\n#<_timer_2> = #<_v_now>\n" in found
+    assert "o<v_clock> call\n#<_timer_2> = [#<_v_now> - [0 - 1]]\n" in found
+    assert steps_of("x = TIMER(3)")[-3:] == [
+        "o<v_clock> call",
+        "#<k1> = [#<_v_now> - #<_timer_3>]",
+        "#<_val_x> = #<k1>",
+    ]
 
 
 def test_lines_fit_into_linuxcnc_and_hold_no_exponent() -> None:

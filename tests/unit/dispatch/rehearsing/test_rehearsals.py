@@ -64,7 +64,7 @@ def cases() -> list[Case]:
 CASES = cases()
 
 
-def rehearsed(case: Case, folder: Path, what: Installed) -> Rehearsal:
+def rehearsed(case: Case, folder: Path, what: Installed, speed: float = SPEED) -> Rehearsal:
     """Export a program and carry it out."""
     setting = (
         setting_for(case.program)
@@ -80,7 +80,7 @@ def rehearsed(case: Case, folder: Path, what: Installed) -> Rehearsal:
     for name, text in found.files.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_bytes(text)
-    return rehearse(folder, expected(folder), what, SPEED)
+    return rehearse(folder, expected(folder), what, speed)
 
 
 def required() -> Installed:
