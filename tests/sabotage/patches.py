@@ -1648,8 +1648,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "the turn about a hand that hardly tilts goes by the way it tilts",
         "vrts/engine/motion/lines/turning.py",
-        "if d[8] > 0.0:",
-        "if d[8] > 2.0:",
+        "small = d[8] > 0.0",
+        "small = d[8] > 2.0",
         ("tests/unit/engine/motion/test_straight_lines.py",),
     ),
     Patch(

@@ -55,10 +55,9 @@ def turning(start: Rotation, goal: Rotation) -> Turning:
     if theta > math.pi - TIE:
         return _half_turn(d)
     psi = math.atan2(d[5], d[2])
-    if d[8] > 0.0:  # psi is uncertain where theta is small; what the two do together is not
-        phi = math.atan2(d[3] - d[1], d[0] + d[4])
-    else:
-        phi = math.atan2(d[7], -d[6]) + psi
+    # psi is uncertain where theta is small; what the two turns do together is not
+    small = d[8] > 0.0
+    phi = math.atan2(d[3] - d[1], d[0] + d[4]) if small else math.atan2(d[7], -d[6]) + psi
     return Turning(psi, theta, _shorter(phi))
 
 
