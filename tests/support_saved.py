@@ -87,6 +87,7 @@ TRAFFIC = Scenario(
     sensors=(Sensor(1003, Region((0.0, -1.0, -1.0), (2.0, 1.0, 1.0)), ("tool",)),),
     faults=(PlannedFault(2.0, FaultKind.INPUT_STUCK, 1002, True),),
     monitor_speed=60.0,
+    analog=((0.5, 2, 40), (1.5, 2, -40)),
     limits=Limits(time_s=60.0),
 )
 

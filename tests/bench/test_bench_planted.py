@@ -24,6 +24,7 @@ CLASSES = {
     "O": "stops, speeds, again",
     "Q": "properties",
     "S": "sown later",
+    "N": "analog inputs",
     "R": "right programs",
 }
 OUTCOMES = ("found", "held", "open", "undetermined", "missed", "accused")

@@ -44,6 +44,7 @@ KEYS = {
     "": ("title", "seed", "monitor_speed", "limits", "start", "other"),
     "[start]": ("joints_deg", "hand_mm", "hand", "location"),
     "[[inputs]]": ("signal", "on_s", "off_s"),
+    "[[analog]]": ("channel", "at_s", "counts"),
     "[[sensors]]": ("signal", "region_mm", "sees", "inverted"),
     "[prompts]": ("answers",),
     "[[faults]]": ("time_s", "kind", "signal", "state"),
@@ -82,6 +83,8 @@ def test_a_file_is_read_or_refused(text: str) -> None:
     assert 1 <= limits.call_depth <= MOST_CALLS
     assert list(scenario.inputs) == sorted(scenario.inputs)
     assert [f.time_s for f in scenario.faults] == sorted(f.time_s for f in scenario.faults)
+    assert list(scenario.analog) == sorted(scenario.analog)
+    assert all(n in range(1, 9) and -2048 <= c <= 2047 for _, n, c in scenario.analog)
     driven = {signal for _, signal, _ in scenario.inputs}
     watched = [sensor.signal for sensor in scenario.sensors]
     assert len(set(watched)) == len(watched)

@@ -2530,6 +2530,27 @@ PATCHES: tuple[Patch, ...] = (
         (LANG,),
     ),
     Patch(
+        "counts of an analog input that come out differently are tried as one",
+        "vrts/prove/explore/readings.py",
+        "ways.setdefault(signature, []).append(count)",
+        "ways.setdefault((), []).append(count)",
+        ("tests/unit/prove/explore/test_readings.py",),
+    ),
+    Patch(
+        "what a scenario says of analog inputs is not read",
+        "vrts/engine/programs/signals.py",
+        "return self.counts.get(channel, 0)",
+        "return 0",
+        ("tests/unit/engine/code/test_signals_and_time.py",),
+    ),
+    Patch(
+        "how long ago a timer was read tells no states apart",
+        "vrts/engine/futures/since.py",
+        'return "ago", round(max(min(reading - value, self.most_s), -self.most_s), DIGITS)',
+        'return "ago"',
+        ("tests/unit/engine/futures/test_since.py",),
+    ),
+    Patch(
         "a proof that a task asks for costs nothing",
         "vrts/check/task/task.py",
         "found.append(Cost(EVERY_FUTURE, self.proof.points))",

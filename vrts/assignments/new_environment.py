@@ -10,6 +10,7 @@ from vrts.engine.programs.signals import INPUTS
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Apply, Function
 from vrts.ir.module import Module
+from vrts.ir.ranges import ANALOG_INPUTS, LEAST_COUNT, MOST_COUNT
 
 MOST_STEPS = 4  # told of one input
 
@@ -40,6 +41,13 @@ ANSWERS = """\
 # output = {output}
 # on_s = [0.2, 3.0]
 # off_s = [0.2, 3.0]
+"""
+ANALOG = """
+# {where}
+[[analog]]
+channel = {channel}
+range = [{least}, {most}]           # counts that it may read, in any tick
+# counts = [0, 350]               # in place of the range: these only
 """
 PROMPTS = """
 # The program asks at {where}. Every answer is tried, every time.
@@ -83,6 +91,7 @@ class _Read(NamedTuple):
     """What a program reads from outside, and where."""
 
     inputs: dict[int, list[str]]
+    analog: dict[int, list[str]]
     prompts: list[str]
     random: bool
     hand: bool
@@ -104,6 +113,10 @@ def new_environment(name: str, module: Module) -> str:
         where = f"read at {_listed(places)}"
         answers = ANSWERS.format(output=output)
         parts.append(INPUT.format(signal=signal, where=where, answers=answers))
+    for channel, places in sorted(read.analog.items()):
+        where = f"read at {_listed(places)}"
+        ends = {"least": LEAST_COUNT, "most": MOST_COUNT}
+        parts.append(ANALOG.format(where=where, channel=channel, **ends))
     if read.prompts:
         parts.append(PROMPTS.format(where=_listed(read.prompts)))
     if read.random:
@@ -116,7 +129,7 @@ def new_environment(name: str, module: Module) -> str:
 
 
 def _read(module: Module) -> _Read:
-    found = _Read({}, [], random=False, hand=False, two=False, outputs=[])
+    found = _Read({}, {}, [], random=False, hand=False, two=False, outputs=[])
     random = hand = two = False
     for program in module.programs.values():
         for instruction, origin in zip(program.instructions, program.origins, strict=True):
@@ -125,6 +138,8 @@ def _read(module: Module) -> _Read:
                 places = found.inputs.setdefault(signal, [])
                 if place not in places:
                     places.append(place)
+            for channel in _channels(instruction):
+                found.analog.setdefault(channel, []).append(place)
             if isinstance(instruction, ir.Prompt) and place not in found.prompts:
                 found.prompts.append(place)
             two |= isinstance(instruction, ir.StartProcess)
@@ -147,6 +162,13 @@ def _inputs(instruction: ir.Instruction) -> set[int]:
     if isinstance(instruction, ir.React):
         found.add(abs(number_of(instruction.signal) or 0))
     return found.intersection(INPUTS)
+
+
+def _channels(instruction: ir.Instruction) -> set[int]:
+    """Return the analog inputs that an instruction looks at, of those whose numbers are written."""
+    applied = (node for node in _asked(instruction) if node.function is Function.ADC)
+    numbers = {number_of(node.arguments[0]) for node in applied}
+    return {number for number in numbers if number is not None and number in ANALOG_INPUTS}
 
 
 def _outputs(instruction: ir.Instruction) -> list[int]:

@@ -28,7 +28,7 @@ def usual_environment(setting: Setting) -> Environment:
 
 def without_example(environment: Environment, setting: Setting) -> Environment:
     """Return an environment in which futures begin as in a scenario, and then go their own way."""
-    usual = scenario_of(setting)
+    usual = replace(scenario_of(setting), analog=())
     return replace(
         environment,
         scenario=replace(usual, inputs=(), answers=(), draws=(), operator=(), process_first=()),

@@ -29,6 +29,7 @@ class What(Enum):
     """What was decided."""
 
     INPUT = "input"
+    ANALOG = "analog input"
     ANSWER = "answer"
     RANDOM = "random number"
     GRIP = "grip"
@@ -43,7 +44,7 @@ class Decided(NamedTuple):
 
     time_s: float
     what: What
-    number: int  # of the input; 0 for others
+    number: int  # of the input or the analog input; 0 for others
     value: bool | float | str  # of a stop: what followed
     cause: Cause | None  # the step that looked
 

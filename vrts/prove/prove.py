@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from vrts.base.stack import deep_stack
 from vrts.check.task.task import Task
 from vrts.check.verdict import Answer
-from vrts.engine.futures.regions import ever_new
+from vrts.engine.futures.timers import ever_new
 from vrts.engine.memory.events import Cause
 from vrts.ir.module import Module
 from vrts.prove.asking import Asking, Told, first_here
@@ -122,7 +122,7 @@ def _left(search: Search) -> tuple[str, ...]:
         left += [
             f"step {step} of `{program}` makes a state of its own of each reading of TIMER: compare"
             " TIMER(n) with a number, or a variable that holds it and nothing else"
-            for program, step in ever_new(search.module)
+            for program, step in ever_new(search.module, search.keys.since)
         ]
     left += [
         f"`{one.name}` grows without bound: nobody knows what it comes to"

@@ -80,6 +80,8 @@ def decision(decided: Decided) -> str:
     match decided.what:
         case What.INPUT:
             return f"input {decided.number} is {'on' if value else 'off'}"
+        case What.ANALOG:
+            return f"analog input {decided.number} reads {value:g}"
         case What.ANSWER:
             return f"the operator answers {one_line(repr(value))}"
         case What.RANDOM:

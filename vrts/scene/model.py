@@ -176,6 +176,7 @@ class Scenario:
     operator: tuple[Act, ...] = ()  # by time
     draws: tuple[float, ...] = ()  # what RANDOM draws first; then the seed decides
     process_first: tuple[float, ...] = ()  # times [s]; see `MidTick.process_first`
+    analog: tuple[tuple[float, int, int], ...] = ()  # (time [s], analog input, counts), by time
 
 
 def controlled(scene: Scene, model: ControllerModel) -> Scene:

@@ -7,17 +7,21 @@ use it up. Both are told too large rather than too small.
 
 import math
 
+from vrts.engine.code.values.operands import number_of
 from vrts.engine.machine.forever.nodes import all_nodes, tops
 from vrts.engine.machine.forever.touches import signals_looked_at
 from vrts.engine.machine.machine import Machine, in_turn
 from vrts.engine.programs.context import Context
 from vrts.engine.programs.signals import INPUTS
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Apply
+from vrts.ir.expressions import Apply, Function
 from vrts.ir.instructions import jumps_of
 from vrts.ir.module import Module
+from vrts.ir.ranges import ANALOG_INPUTS
 
 NONE: frozenset[int] = frozenset()
+ANALOG = frozenset(-channel for channel in ANALOG_INPUTS)  # as decisions have them
+OUTSIDE = ANALOG.union(INPUTS)
 ELSEWHERE = (ir.Call, ir.CallNamed, ir.React, ir.ReactError, ir.StartProcess)
 
 
@@ -81,17 +85,18 @@ class Ahead:
 
 
 def _looked_at(instruction: ir.Instruction) -> frozenset[int]:
-    found: set[int] = set()
+    found: frozenset[int] = NONE
     for top in tops(instruction):
         for node in all_nodes(top):
             if isinstance(node, Apply):
                 signals = signals_looked_at(node)
-                if signals is None:
-                    return frozenset(INPUTS)
-                found |= signals
+                found |= frozenset(INPUTS) if signals is None else signals
+                if node.function is Function.ADC:
+                    channel = number_of(node.arguments[0])
+                    found |= ANALOG if channel is None else {-channel}
     if isinstance(instruction, ir.React):
-        return frozenset(INPUTS)
-    return frozenset(found).intersection(INPUTS)
+        found |= frozenset(INPUTS)
+    return found & OUTSIDE
 
 
 def _backward(

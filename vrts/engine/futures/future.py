@@ -52,7 +52,7 @@ def begin(
         module: The programs.
         scene: Where the robot stands.
         scenario: What is not free.
-        free: Inputs that are decided whenever they are looked at.
+        free: Inputs that are decided whenever they are looked at; analog ones are -1 to -8.
         answers: Whether answers to PROMPT are decided, once those of the scenario are used up.
         random: Whether the numbers of RANDOM are decided.
         grips: Whether it is decided for each part that the hand closes on if it is there.
@@ -124,6 +124,8 @@ def decide(machine: Machine, question: Question, value: bool | str | float) -> N
             mid.process_first = value
         case Kind.INPUT, bool():
             _signals(machine).decided[question.number] = value
+        case Kind.ANALOG, float():
+            _signals(machine).decided[-question.number] = value
         case Kind.ANSWER, str():
             part(machine)
             system.answers.append(value)

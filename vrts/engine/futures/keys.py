@@ -3,7 +3,8 @@
 Parts of a state come again far more often than states: each is kept once, under a number.
 """
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias, cast
 
 from vrts.engine.code.values.operands import number_of
@@ -11,7 +12,9 @@ from vrts.engine.code.values.volatile import CLOCKS
 from vrts.engine.futures.ahead import Ahead
 from vrts.engine.futures.at_rest import AtRest
 from vrts.engine.futures.named import Named
-from vrts.engine.futures.regions import Numbers, compared_only, most_compared, region
+from vrts.engine.futures.regions import Numbers, compared_only, region
+from vrts.engine.futures.since import Held
+from vrts.engine.futures.timers import most_compared, timers_read
 from vrts.engine.machine.forever.nodes import all_nodes, tops
 from vrts.engine.machine.machine import Machine, in_turn, statement_under_way
 from vrts.engine.machine.states.nearly import DIGITS, from_now
@@ -25,6 +28,7 @@ from vrts.ir.module import Module
 
 Key: TypeAlias = tuple[Any, ...]
 NOTHING: Collection[int] = frozenset()
+NOBODY: Mapping[str, Held] = MappingProxyType({})
 
 
 class Clocks(NamedTuple):
@@ -36,8 +40,13 @@ class Clocks(NamedTuple):
     most_s: float  # all readings of timers beyond this are alike; inf: no two are
 
     @classmethod
-    def of(cls, module: Module) -> "Clocks":
-        """Go through the programs."""
+    def of(cls, module: Module, since: Collection[str] = ()) -> "Clocks":
+        """Go through the programs.
+
+        Args:
+            module: The programs.
+            since: Variables that hold readings, of which only the time that has passed is asked.
+        """
         reads = [
             node
             for program in module.programs.values()
@@ -47,12 +56,11 @@ class Clocks(NamedTuple):
             if isinstance(node, Apply) and node.function in CLOCKS
         ]
         read = {node.function for node in reads}
-        timers = [node for node in reads if node.function is Function.TIMER]
         return cls(
-            frozenset(number_of(timer.arguments[0]) for timer in timers),
+            frozenset(number_of(timer.arguments[0]) for timer in timers_read(module, since)),
             bool(read - {Function.TIMER, Function.RANDOM}),
             Function.RANDOM in read,
-            most_compared(module),
+            most_compared(module, since),
         )
 
     def reads_since_start(self, machine: Machine) -> bool:
@@ -63,19 +71,23 @@ class Clocks(NamedTuple):
 class Keys:
     """Gives states their keys. Equal keys are of one explorer only."""
 
-    def __init__(self, module: Module, idle: Collection[int] = NOTHING) -> None:
+    def __init__(
+        self, module: Module, idle: Collection[int] = NOTHING, since: Mapping[str, Held] = NOBODY
+    ) -> None:
         """Read what decides about the state in the programs of a module.
 
         Args:
             module: The programs.
             idle: Numbers of variables that decide nothing, whatever they hold.
+            since: Variables that hold readings, of which only the time that has passed is asked.
         """
-        self._idle = idle
-        self._clocks = clocks = Clocks.of(module)
+        self._idle, self.since = idle, since
+        self._clocks = clocks = Clocks.of(module, since.keys())
         self._timeless = not (clocks.timers or clocks.day or clocks.random)
         self._ahead = Ahead(module)
         self._compared = compared_only(module)
         self._regions: dict[int, Numbers] | None = None  # the same, by number of the variable
+        self._since: dict[int, Held] = {}  # those of `since`, by number
         self._named = Named()
         self._rest = AtRest(self._named)
 
@@ -86,13 +98,16 @@ class Keys:
             machine: The machine.
             more: What else tells states apart.
         """
-        now, on, named = machine.now, machine.system.signals.on, self._named
+        now, signals, named = machine.now, machine.system.signals, self._named
+        on: object = frozenset(signals.on) if signals.on else None
+        if signals.counts:
+            on = on, *sorted(signals.counts.items())
         return (
             self._programs(machine, now),
             self._rest.arm(machine, now),
             self._rest.outside(machine, now),
             self._contents(machine, self._idle),
-            named.number(frozenset(on)) if on else -1,
+            -1 if on is None else named.number(on),
             machine.next_tick - machine.last_tick,
             named.number((self._times(machine, now), self._within(machine), more)),
         )
@@ -117,7 +132,8 @@ class Keys:
             numbers = machine.executable.layout.numbers
             regions = {numbers[k]: v for k, v in self._compared.items() if k in numbers}
             self._regions = regions
-        if not (left_out or regions):
+            self._since = {numbers[k]: v for k, v in self.since.items() if k in numbers}
+        if not (left_out or regions or self._since):
             content = self._content
             return self._named.number(
                 tuple([v if type(v := item.value) is float else content(item) for item in bound])
@@ -129,6 +145,8 @@ class Keys:
                 held.append(value is UNDEFINED)
             elif k in regions and isinstance(value, float):
                 held.append(region(value, regions[k]))
+            elif k in self._since and isinstance(value, float):
+                held.append(self._since[k].passed(machine, value))
             else:
                 held.append(self._content(item))
         return self._named.number(("but", *held) if left_out else tuple(held))
@@ -164,7 +182,7 @@ class Keys:
             return None
         assert isinstance(on, FreeSignals)
         assert outside is not None
-        decided: frozenset[tuple[int, bool]] | None = None
+        decided: frozenset[tuple[int, float]] | None = None
         if on.decided:
             ahead = self._ahead.of(machine)
             decided = frozenset([it for it in on.decided.items() if it[0] in ahead]) or None

@@ -85,7 +85,7 @@ class Machine:
             executable.memory(),
             Planner(arm, configuration, scene.X_FT, rate, scene.controller),
             Hand(scene, scenario.hand_opening),
-            Signals(scenario.inputs),
+            Signals(scenario.inputs, scenario.analog),
             Terminal(),
             scenario.seed,
         )

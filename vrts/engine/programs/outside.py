@@ -13,6 +13,7 @@ class Kind(Enum):
     ANSWER = "answer"
     RANDOM = "random"
     GRIP = "grip"
+    ANALOG = "analog input"
     TURN = "turn"  # which of two programs goes on first in a tick
 
     __hash__ = object.__hash__  # a question is asked for at every decision
@@ -22,7 +23,7 @@ class Question(NamedTuple):
     """Something outside that a statement looks at."""
 
     kind: Kind
-    number: int = 0  # of the input
+    number: int = 0  # of the input, or of the analog input
 
 
 class Undecided(Exception):  # noqa: N818 -- names the situation
@@ -101,15 +102,18 @@ class Outside:
 
 
 class FreeSignals(set[int]):
-    """The signals that are on. What a free input is, has to be decided in every tick anew."""
+    """The signals that are on. What a free input is, has to be decided in every tick anew.
+
+    Analog inputs stand beside the others as -1 to -8.
+    """
 
     __slots__ = ("decided", "free", "looked")
 
     def __init__(self, on: Iterable[int], free: frozenset[int]) -> None:
-        """Take the signals that are on, and the inputs that are free."""
+        """Take the signals that are on, and the inputs that are free, analog ones negative."""
         super().__init__(on)
         self.free = free
-        self.decided: dict[int, bool] = {}  # in the tick under way
+        self.decided: dict[int, float] = {}  # in the tick under way; on or off, or counts
         self.looked = False  # a free input was looked at in the tick under way
 
     def __contains__(self, number: object) -> bool:
@@ -125,6 +129,18 @@ class FreeSignals(set[int]):
         known = self.decided.get(number)
         if known is None:
             raise Undecided(about(number))
+        return known is True
+
+    def count(self, channel: int) -> float:
+        """Return what was decided that a free analog input reads [counts].
+
+        Raises:
+            Undecided: Nothing was, in this tick.
+        """
+        self.looked = True
+        known = self.decided.get(-channel)
+        if known is None:
+            raise Undecided(Question(Kind.ANALOG, channel))
         return known
 
     def copy(self) -> Self:
@@ -139,5 +155,6 @@ class FreeSignals(set[int]):
 def as_known(on: set[int], number: int) -> bool | None:
     """Return whether a signal is on; None: it is free, and was not decided in this tick."""
     if isinstance(on, FreeSignals) and number in on.free:
-        return on.decided.get(number)
+        known = on.decided.get(number)
+        return None if known is None else known is True
     return number in on

@@ -26,7 +26,15 @@ LARGEST = 1e100  # of any number: nothing computed from a few of them overflows
 LARGEST_WHOLE = 2**53
 # last fields, which records have got since, and what they are where a file does not say
 LATER: Mapping[Any, Mapping[str, Any]] = MappingProxyType(
-    {Scenario: {"locks": Locks(), "operator": (), "draws": (), "process_first": ()}}
+    {
+        Scenario: {
+            "locks": Locks(),
+            "operator": (),
+            "draws": (),
+            "process_first": (),
+            "analog": (),
+        }
+    }
 )
 _HALF = re.compile("[\ud800-\udfff]")  # surrogates, which no text file can hold
 DEEPEST = 10  # lists in each other in the exact values of a finding

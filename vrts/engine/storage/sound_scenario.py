@@ -4,6 +4,7 @@ from itertools import pairwise
 
 from vrts.engine.programs.signals import INPUTS
 from vrts.engine.storage.damage import require
+from vrts.ir.ranges import ANALOG_INPUTS, LEAST_COUNT, MOST_COUNT
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.robots.kinematics.kinematics import limit_violations
 from vrts.scene.model import FASTEST_ACCELERATION, Scenario, Scene
@@ -70,12 +71,17 @@ def check_scenario(scenario: Scenario, scene: Scene) -> None:
 
 def _check_signals(scenario: Scenario) -> None:
     times = [change[0] for change in scenario.inputs]
+    counted = [change[0] for change in scenario.analog]
     planned = [fault.time_s for fault in scenario.faults]
     acts = [act.time_s for act in scenario.operator]
-    for when in (times, planned, acts):
+    for when in (times, counted, planned, acts):
         require(all(0.0 <= time_s <= LATEST_S for time_s in when), "a time is out of range")
         require(all(a <= b for a, b in pairwise(when)), "what happens is not in order")
     signals = [change[1] for change in scenario.inputs]
     signals += [sensor.signal for sensor in scenario.sensors]
     signals += [fault.signal for fault in scenario.faults if fault.signal]
     require(all(signal in INPUTS for signal in signals), "an input does not exist")
+    known = all(change[1] in ANALOG_INPUTS for change in scenario.analog)
+    require(known, "an analog input does not exist")
+    counts = all(LEAST_COUNT <= change[2] <= MOST_COUNT for change in scenario.analog)
+    require(counts, "an analog input is out of range")

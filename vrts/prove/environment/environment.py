@@ -49,6 +49,14 @@ class Answers(NamedTuple):
     whole: bool = False  # whole numbers only: then all of them are tried, else some (sampled)
 
 
+class Counts(NamedTuple):
+    """What an analog input may read [counts], in every tick in which it is read anew."""
+
+    least: int
+    most: int
+    values: tuple[int, ...] = ()  # these only, in ascending order; empty: all in between
+
+
 class Afterwards(Enum):
     """What an operator may do after a stop."""
 
@@ -92,6 +100,8 @@ class Environment:
     title: str = "everything that is read is free"
     scenario: Scenario = field(default_factory=Scenario)  # start, sensors, parameters, limits
     inputs: Mapping[int, Behaviour] = field(default_factory=lambda: MappingProxyType({}))
+    # of an analog input of which nothing is said: all that the controller can read
+    analog: Mapping[int, Counts] = field(default_factory=lambda: MappingProxyType({}))
     answers: Answers | None = None  # None: nobody says what is typed at PROMPT
     random: tuple[float, ...] = (0.0, 0.5, 0.9999)  # what RANDOM may draw: sampled
     speeds: tuple[float, ...] = (100.0,)  # monitor speeds [%], one for a whole future

@@ -27,6 +27,10 @@ tick in which the program looks at it. Times are in seconds, lengths in millimet
     on_s = [0.2, 3.0]               # how much later
     off_s = [0.2, 3.0]
 
+    [[analog]]
+    channel = 1
+    range = [0, 2047]               # what it may read, in any tick; or counts = [0, 350], a list
+
     [prompts]                       # what may be typed at PROMPT, each time
     answers = ["1", "2", "5"]       # or range = [0, 5], with whole = true for whole numbers only
 
@@ -72,6 +76,7 @@ from vrts.base.diagnostic import Diagnostic, Label, Rule
 from vrts.base.source import SourceFile
 from vrts.base.source import Span as Place
 from vrts.base.toml.reading import Table, read_toml
+from vrts.prove.environment.analog import read_counts
 from vrts.prove.environment.environment import (
     Afterwards,
     Again,
@@ -143,6 +148,7 @@ def read_inner(
 def _environment(top: Table, source: SourceFile) -> Environment:
     title = _title(top, re.split(r"[/\\]", source.name)[-1].removesuffix(".toml"))
     inputs = _inputs(top)
+    analog = read_counts(_few(top, "analog"))
     answers = _answers(top.table("prompts"))
     usual = Environment()
     draws = _numbers(top.table("random"), "draws", usual.random, minimum=0.0, below=1.0)
@@ -164,6 +170,7 @@ def _environment(top: Table, source: SourceFile) -> Environment:
     return Environment(
         title=title,
         inputs=MappingProxyType(inputs),
+        analog=analog,
         answers=answers,
         random=draws,
         speeds=speeds,

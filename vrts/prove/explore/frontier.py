@@ -30,7 +30,7 @@ class Future:
     machine: Machine
     past: Past | None
     cost: int  # decisions that differ from "nothing happens"
-    inputs: Mapping[int, bool]  # as they were decided last
+    inputs: Mapping[int, float]  # as they were decided last; analog ones are -1 to -8
     outside: object  # state of what the environment says of inputs
     branch: int | None  # in the tree of decisions
     memory: Memory  # what the rules of contacts remember

@@ -12,6 +12,7 @@ from vrts.prove.environment.environment import Environment
 from vrts.prove.environment.states import Behaviours
 from vrts.prove.explore.answers import Free, tried
 from vrts.prove.explore.frontier import Future
+from vrts.prove.explore.readings import Readings
 from vrts.prove.proof import Decided, What
 
 
@@ -34,10 +35,13 @@ class Outside:
         self.environment = environment
         self.answers = tried(environment.answers, module)
         self.free = Free(module)  # answers where the environment says nothing of them
+        self.readings = Readings(environment, module)
         self.behaviours = Behaviours(environment, tick_s)
 
     def is_open(self, future: Future, question: Question) -> bool:
-        """Return whether an answer may differ; of inputs alone the environment may leave one."""
+        """Return whether an answer may differ; of inputs the environment may leave one."""
+        if question.kind is Kind.ANALOG:
+            return len(self.readings.of(future.machine, question.number).counts) > 1
         if question.kind is not Kind.INPUT:
             return True
         return len(self.behaviours.may(future.outside, question.number)) > 1
@@ -49,7 +53,7 @@ class Outside:
         match question.kind:
             case Kind.INPUT:
                 number = question.number
-                before = future.inputs.get(number, False)
+                before = future.inputs.get(number, False) is True
                 values = self.behaviours.may(future.outside, number)
                 found = [STAYS[before]] if before in values else []
                 if (not before) in values:
@@ -57,6 +61,15 @@ class Outside:
                         now -= machine.tick
                     decided = Decided(now, What.INPUT, number, not before, cause)
                     found.append(Way(not before, 1, decided))
+                return tuple(found)
+            case Kind.ANALOG:
+                channel, before = question.number, future.inputs.get(-question.number, 0.0)
+                values = self.readings.of(machine, channel).counts
+                found = [Way(before, 0, None)] if before in values else []
+                for value in values:
+                    if value != before:
+                        decided = Decided(now, What.ANALOG, channel, value, cause)
+                        found.append(Way(value, int(bool(found)), decided))
                 return tuple(found)
             case Kind.ANSWER:
                 return tuple(

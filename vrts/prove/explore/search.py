@@ -8,6 +8,7 @@ from vrts.base.diagnostic import Severity
 from vrts.engine.futures.future import begin, command, decide, happened, tick
 from vrts.engine.futures.keys import Key, Keys
 from vrts.engine.futures.quiet import fork, let_go
+from vrts.engine.futures.since import since
 from vrts.engine.machine.machine import Machine
 from vrts.engine.machine.states.nearly import nearly
 from vrts.engine.memory.events import Event, Found
@@ -17,7 +18,7 @@ from vrts.engine.programs.cycles import place
 from vrts.engine.programs.outside import Kind, Question
 from vrts.ir.commands import Execute
 from vrts.ir.module import Module
-from vrts.ir.ranges import INPUTS
+from vrts.ir.ranges import ANALOG_INPUTS, INPUTS
 from vrts.prove.asking import Asking, Told
 from vrts.prove.certify.memory import Memory
 from vrts.prove.environment.environment import Environment
@@ -167,7 +168,8 @@ class Search:
         usual = environment.scenario
         said = {number for _, number, _ in usual.inputs}
         said |= {sensor.signal for sensor in usual.sensors}
-        free = frozenset(INPUTS) - said
+        said |= {-channel for _, channel, _ in usual.analog}
+        free = frozenset((*INPUTS, *(-channel for channel in ANALOG_INPUTS))) - said
         states = self.outside.behaviours.begin()
         for k, speed in enumerate(environment.speeds):
             scenario = replace(usual, monitor_speed=speed)
@@ -186,7 +188,9 @@ class Search:
             self.first = machine if k == 0 else self.first
             if k == 0:
                 self.grows = Grows(self.module, machine.executable, self.graph)
-                self.keys = Keys(self.module, self.grows.idle)
+                once = environment.again.most == 0
+                held = since(self.module, self.tick_s, entry, once=once)
+                self.keys = Keys(self.module, self.grows.idle, held)
             several = len(environment.speeds) > 1
             decided = Decided(0.0, What.SPEED, 0, speed, None) if several else None
             past = None if decided is None else Past(None, decided)
@@ -210,6 +214,9 @@ class Search:
                 if way.decided is not None:
                     other.inputs = {**future.inputs, question.number: way.value}
                 other.outside = behaviours.told(future.outside, question.number, value=way.value)
+            elif question.kind is Kind.ANALOG and way.decided is not None:
+                assert isinstance(way.value, float)
+                other.inputs = {**future.inputs, -question.number: way.value}
             self.frontier.push(other)
 
     def _other(

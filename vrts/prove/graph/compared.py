@@ -20,8 +20,8 @@ def compared(module: Module) -> list[float]:
     ]
     while left:
         match left.pop():
-            case Apply(function=Function.SIG | Function.BITS | Function.TIMER):
-                pass  # numbers of signals and timers
+            case Apply(function=Function.SIG | Function.BITS | Function.TIMER | Function.ADC):
+                pass  # numbers of signals, timers and analog inputs
             case Constant(value=float(number)):
                 found += [number, -number]
             case part:

@@ -7,7 +7,7 @@ from vrts.base.pose import Vector
 from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.events import Cause
 from vrts.engine.programs.cycles import place
-from vrts.engine.programs.outside import FreeSignals
+from vrts.engine.programs.outside import FreeSignals, as_known
 from vrts.engine.run import Run
 from vrts.robots.kinematics.kinematics import hand_pose
 from vrts.robots.model import Configuration
@@ -48,7 +48,7 @@ def of_machine(machine: Machine, tick: int) -> Moment:
 
     def signal(number: int) -> bool | None:
         if isinstance(signals, FreeSignals) and number in signals.free:
-            return signals.decided.get(number) if tick == machine.last_tick else None
+            return as_known(signals, number) if tick == machine.last_tick else None
         return number in signals
 
     return Moment(

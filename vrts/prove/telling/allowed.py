@@ -32,6 +32,8 @@ def allowed(
         until_s: Up to when it matters [s].
         tick_s: How often the controller looks [s].
     """
+    if any(_reads_nothing(story, whole, channel) for channel in _never_zero(environment)):
+        return False
     for number, behaviour in environment.inputs.items():
         left = _changes(story, number, tick_s)
         if left == _changes(whole, number, tick_s):
@@ -40,6 +42,24 @@ def allowed(
         if not _is_path(automaton(behaviour, tick_s), left, last):
             return False
     return True
+
+
+def _never_zero(environment: Environment) -> list[int]:
+    """Return the analog inputs that may not read 0, as they do where nobody says anything."""
+    return [
+        channel
+        for channel, may in environment.analog.items()
+        if (0 not in may.values if may.values else not may.least <= 0 <= may.most)
+    ]
+
+
+def _reads_nothing(story: Sequence[Decided], whole: Sequence[Decided], channel: int) -> bool:
+    """Return whether an analog input that was told when it was read first is so no more."""
+    mine, all_of_it = (
+        next((d.time_s for d in of if d.what is What.ANALOG and d.number == channel), None)
+        for of in (story, whole)
+    )
+    return mine != all_of_it
 
 
 def _changes(story: Sequence[Decided], number: int, tick_s: float) -> Changes:

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from vrts.engine.code.values.operands import number_of
 from vrts.engine.futures.keys import Clocks
+from vrts.engine.futures.since import OLD_S
 from vrts.engine.programs.outside import Kind
 from vrts.ir import instructions as ir
 from vrts.ir.module import Module
@@ -33,13 +34,18 @@ def covered(search: Search, dead: tuple[Step, ...]) -> Covered:
         merged=counts.merged,
         ends=counts.ends,
         motion_s=0.0 if search.touches is None else search.touches.motion_s,
-        quantified=(*(_input(environment, n) for n in read), *_others(search, kinds)),
+        quantified=(
+            *(_input(environment, n) for n in read),
+            *_analog(search, sampled=False),
+            *_others(search, kinds),
+        ),
         bounded=_bounded(environment),
-        sampled=_sampled(search, kinds),
+        sampled=(*_analog(search, sampled=True), *_sampled(search, kinds)),
         assumed=(
-            *_assumed(environment, bool(read)),
+            *_assumed(environment, Kind.INPUT in kinds or Kind.ANALOG in kinds),
             *_typed(search),
             *_timers(search.module),
+            *_coarse(search),
             *_order(search),
             *search.never_left,
         ),
@@ -62,6 +68,15 @@ def _timers(module: Module) -> tuple[str, ...]:
     if Clocks.of(module).timers <= given:
         return ()
     return ("timers that no step sets stand at 0 when the program is executed first",)
+
+
+def _coarse(search: Search) -> tuple[str, ...]:
+    """Return up to which readings the time that has passed is told apart, where it is asked."""
+    timers = sorted({held.timer for held in search.keys.since.values()})
+    return tuple(
+        f"TIMER({n}) is read within {OLD_S:g} s: later its readings are too coarse to be subtracted"
+        for n in timers
+    )
 
 
 def _order(search: Search) -> tuple[str, ...]:
@@ -88,6 +103,16 @@ def _input(environment: Environment, number: int) -> str:
                 f"input {number}: on {_span(on_s)} after output {output} goes on,"
                 f" off {_span(off_s)} after it goes off"
             )
+
+
+def _analog(search: Search, *, sampled: bool) -> list[str]:
+    """Return what analog inputs read, of those of which some values are tried, or all ways."""
+    channels = sorted(q.number for q in search.asked if q.kind is Kind.ANALOG)
+    tried = [(channel, search.outside.readings.known(channel)) for channel in channels]
+    if sampled:
+        return [f"analog input {n}, {one.words}" for n, one in tried if one.sampled]
+    every = "in every tick in which it is read"
+    return [f"analog input {n}: {one.words}, {every}" for n, one in tried if not one.sampled]
 
 
 def _span(span: Span) -> str:

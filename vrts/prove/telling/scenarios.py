@@ -23,11 +23,14 @@ def scenario_of(environment: Environment, story: Iterable[Decided], tick_s: floa
     speed = environment.speeds[0]
     inputs, faults, acts = list(base.inputs), list(base.faults), list(base.operator)
     answers, draws, turns = list(base.answers), list(base.draws), list(base.process_first)
+    analog = list(base.analog)
     for decided in story:
         time_s = round(max(decided.time_s - EARLIER * tick_s, 0.0), DIGITS)
         match decided.what, decided.value:
             case What.INPUT, bool(on):
                 inputs.append((time_s, decided.number, on))
+            case What.ANALOG, float(counts):
+                analog.append((time_s, decided.number, round(counts)))
             case What.ANSWER, str(text):
                 answers.append(text)
             case What.RANDOM, float(drawn):
@@ -53,6 +56,7 @@ def scenario_of(environment: Environment, story: Iterable[Decided], tick_s: floa
         draws=tuple(draws),
         process_first=tuple(sorted(turns)),
         monitor_speed=speed,
+        analog=tuple(sorted(analog)),
     )
 
 

@@ -45,14 +45,13 @@ def _may_go(decided: Decided) -> bool:
 def without(story: tuple[Decided, ...], k: int) -> tuple[Decided, ...]:
     """Return a story without a decision, and without what then changes nothing."""
     left: list[Decided] = []
-    inputs: dict[int, bool] = {}
+    known: dict[tuple[What, int], bool | float | str] = {}
     for n, decided in enumerate(story):
         if n == k or (n > k and decided.what is story[k].what is What.STOP):
             continue
-        if decided.what is What.INPUT:
-            assert isinstance(decided.value, bool)
-            if inputs.get(decided.number, False) is decided.value:
-                continue
-            inputs[decided.number] = decided.value
+        if decided.what in (What.INPUT, What.ANALOG):
+            if known.get(decided[1:3], False) == decided.value:
+                continue  # inputs are off at first, and analog ones read 0
+            known[decided[1:3]] = decided.value
         left.append(decided)
     return tuple(left)

@@ -9,7 +9,6 @@ from vrts.ir.expressions import Apply, Function
 
 NO_OTHER_TIME = "here the controller is switched on at midnight, and no other time was tried"
 UNASKED = {
-    Function.ADC: ("ADC", "an analog input is always 0 here, and nothing else was tried"),
     Function.PENDANT: ("PENDANT", "nobody presses a key here, and nothing else was tried"),
     Function.TIME: ("TIME", NO_OTHER_TIME),
     Function.TIME_TEXT: ("$TIME", NO_OTHER_TIME),

@@ -16,6 +16,11 @@ millimetres, angles in degrees, times in seconds of simulated time, speeds in pe
     on_s = [2.0, 5.5]
     off_s = [3.0]
 
+    [[analog]]                          # an analog input; it reads 0 at the start
+    channel = 1
+    at_s = [0.0, 2.5]
+    counts = [350, -20]                 # what it reads from then on, each
+
     [[sensors]]                         # an input that is on while something is in a region
     signal = 1003
     region_mm = { from = [700, -550, -300], to = [900, -350, -100] }
@@ -67,6 +72,7 @@ from vrts.base.source import SourceFile, Span
 from vrts.base.toml.reading import Problems, Table, read_toml
 from vrts.scene.model import Act, Deed, Limits, PlannedFault, Scenario, Scene
 from vrts.scene.planned import ScenarioFile
+from vrts.scene.reading.scenario_analog import read_analog
 from vrts.scene.reading.scenario_operator import (
     read_draws,
     read_operator,
@@ -123,6 +129,7 @@ def _scenario(
     seed = top.integer("seed", 0, minimum=0, maximum=LARGEST_SEED)
     speed = top.number("monitor_speed", 100.0, minimum=SLOWEST, maximum=FASTEST)
     inputs = read_inputs(top, scene)
+    analog = read_analog(top)
     answers = _answers(top.table("prompts"))
     faults = read_faults(top)
     operator = read_operator(top)
@@ -131,7 +138,7 @@ def _scenario(
     limits = _limits(top.table("limits"))
     numbers = _parameters(top.table("parameters"), parameters)
     top.finish()
-    _check_times(top, limits, inputs, faults, operator)
+    _check_times(top, limits, inputs, analog, faults, operator)
     scenario = Scenario(
         configuration=start.configuration,
         hand_opening=start.hand_opening,
@@ -146,6 +153,7 @@ def _scenario(
         operator=operator,
         draws=draws,
         process_first=turns,
+        analog=analog,
     )
     return ScenarioFile(title, scenario, hashlib.sha256(source.text.encode()).hexdigest())
 
@@ -265,12 +273,14 @@ def _check_times(
     top: Table,
     limits: Limits,
     inputs: Inputs,
+    analog: tuple[tuple[float, int, int], ...],
     faults: tuple[PlannedFault, ...],
     operator: tuple[Act, ...],
 ) -> None:
     """Warn about what is planned for a time that no run reaches."""
     problems: Problems = top.problems
     planned = [("an input changes", "inputs", change[0]) for change in inputs.changes]
+    planned += [("an analog input changes", "analog", change[0]) for change in analog]
     planned += [("a fault comes", "faults", fault.time_s) for fault in faults]
     begun = max([act.time_s for act in operator if act.deed is Deed.EXECUTE], default=0.0)
     late = next((item for item in planned if item[2] > begun + limits.time_s), None)

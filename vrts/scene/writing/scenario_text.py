@@ -19,6 +19,7 @@ def scenario_text(title: str, scenario: Scenario) -> str:
         _top(title, scenario),
         _start(scenario),
         *_inputs(scenario),
+        *_analog(scenario),
         *_sensors(scenario),
         _list("prompts", "answers", [_text(answer) for answer in scenario.answers]),
         *_faults(scenario),
@@ -57,6 +58,15 @@ def _inputs(scenario: Scenario) -> Iterator[list[str]]:
             times = [t for t, n, on in scenario.inputs if n == signal and on is state]
             if times:
                 lines.append(f"{key} = [{', '.join(map(_number, times))}]")
+        yield lines
+
+
+def _analog(scenario: Scenario) -> Iterator[list[str]]:
+    for channel in sorted({channel for _, channel, _ in scenario.analog}):
+        own = [(time_s, counts) for time_s, n, counts in scenario.analog if n == channel]
+        lines = ["[[analog]]", f"channel = {channel}"]
+        lines.append(f"at_s = [{', '.join(_number(time_s) for time_s, _ in own)}]")
+        lines.append(f"counts = [{', '.join(str(counts) for _, counts in own)}]")
         yield lines
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from tests.unit.cli.test_commands import SOLUTION, vrts
 from vrts.base.source import SourceFile
-from vrts.prove.environment.environment import Answers, Environment
+from vrts.prove.environment.environment import Answers, Counts, Environment
 from vrts.prove.environment.reading import read_environment
 
 PROGRAM = """\
@@ -72,6 +72,18 @@ def test_each_choice_that_is_shown_can_be_taken(written: str, kind: str) -> None
         inside = shown[2] if shown else inside if line.startswith("# ") else ""
         taken.append(line[2:] if inside == kind and line.startswith("# ") else line)
     assert set(read("\n".join(taken)).inputs) == {1001, 1002, 1003}
+
+
+def test_analog_inputs_read_all_that_a_controller_can_until_it_is_said(tmp_path: Path) -> None:
+    program = tmp_path / "main.v2"
+    program.write_text(".PROGRAM main()\nv = ADC(2)\nIF ADC(2) > ADC(5) THEN\nTYPE v\nEND\n.END\n")
+    assert vrts("new", "environment", program).returncode == 0
+    text = (tmp_path / "environment.toml").read_text()
+    assert "# read at main 1, main 2\n[[analog]]\nchannel = 2\n" in text
+    assert "# read at main 2\n[[analog]]\nchannel = 5\n" in text
+    assert read(text).analog == {2: Counts(-2048, 2047), 5: Counts(-2048, 2047)}
+    taken = text.replace("range = [", "# range = [").replace("# counts", "counts")
+    assert read(taken).analog == {2: Counts(0, 350, (0, 350)), 5: Counts(0, 350, (0, 350))}
 
 
 def test_stops_repetition_and_properties_can_be_taken(written: str) -> None:

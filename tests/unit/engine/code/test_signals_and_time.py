@@ -3,8 +3,9 @@
 import pytest
 
 from tests.support_engine import TICK, lines, of_kind, runs, words
-from tests.support_programs import switched, typed
-from vrts.engine.memory.events import AnalogChanged, SignalChanged
+from tests.support_programs import program, ran, switched, typed
+from vrts.engine.memory.events import AnalogChanged, Found, SignalChanged
+from vrts.scene.model import Scenario
 
 
 def test_a_signal_that_is_on_does_not_change_again() -> None:
@@ -63,6 +64,22 @@ def test_analog_outputs_have_limits(step: str) -> None:
 
 def test_analog_inputs_read_zero() -> None:
     assert typed(runs("TYPE ADC(1), ADC(8)")) == ["0 0"]
+
+
+def test_analog_inputs_read_what_a_scenario_says() -> None:
+    scenario = Scenario(analog=((0.0, 2, -5), (1.0, 2, 700), (2.0, 2, 3)))
+    body = 'TYPE ADC(2)\nWAIT ADC(2) > 500\nTYPE ADC(2), " ", TIMER(0)\nWAIT ADC(2) < 500\n'
+    first, second, third = typed(ran(program(f"{body}TYPE ADC(2,3)"), scenario=scenario))
+    assert (first, third) == ("-5", "3")
+    counts, at = second.split()
+    assert (counts, 1.0 <= float(at) < 1.0 + 2 * TICK) == ("700", True)
+
+
+def test_a_wait_that_no_analog_input_ends_is_told_once_none_changes_any_more() -> None:
+    run = ran(program("WAIT ADC(1) > 500"), scenario=Scenario(analog=((2.0, 1, 400),)))
+    (found,) = of_kind(run, Found)
+    assert found.diagnostic.headline.startswith("this WAIT never ends")
+    assert 2.0 <= found.time_s <= 2.0 + 2 * TICK
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,8 @@ import pytest
 
 from tests.support_programs import compiled, program
 from vrts.check.verdict import Answer
-from vrts.engine.futures.regions import compared_only, ever_new, most_compared, region
+from vrts.engine.futures.regions import compared_only, region
+from vrts.engine.futures.timers import ever_new, most_compared
 from vrts.prove.asking import Asking
 from vrts.prove.environment.environment import Environment
 from vrts.prove.proof import Proof

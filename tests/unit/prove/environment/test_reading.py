@@ -14,6 +14,7 @@ from vrts.prove.environment.environment import (
     Again,
     Answering,
     Answers,
+    Counts,
     Environment,
     Held,
     Property,
@@ -49,6 +50,32 @@ def test_everything_may_be_left_out() -> None:
     usual = Environment(title="cell", digest=found.digest)
     assert found == usual
     assert len(found.digest) == 64
+
+
+def test_analog_inputs_read_a_range_or_a_list() -> None:
+    found = read(
+        "[[analog]]\nchannel = 1\nrange = [0, 9]\n[[analog]]\nchannel = 8\ncounts = [7, -7, 7]\n"
+    )
+    assert found.analog == {1: Counts(0, 9), 8: Counts(-7, 7, (-7, 7))}
+
+
+@pytest.mark.parametrize(
+    ("lines", "code"),
+    [
+        ("range = [0, 9]", "V603"),
+        ("channel = 0\nrange = [0, 9]", "V605"),
+        ("channel = 1", "V565"),
+        ("channel = 1\ncounts = []", "V565"),
+        ("channel = 1\nrange = [9, 0]", "V565"),
+        ("channel = 1\nrange = [0, 9]\ncounts = [1]", "V565"),
+        ("channel = 1\nrange = [0, 9.5]", "V565"),
+        ("channel = 1\nrange = [0, 9, 10]", "V604"),
+        ("channel = 1\ncounts = [2048]", "V605"),
+        ("channel = 1\ncounts = [1]\n[[analog]]\nchannel = 1\ncounts = [1]", "V474"),
+    ],
+)
+def test_what_is_wrong_with_an_analog_input_is_told(lines: str, code: str) -> None:
+    assert code in codes(f"[[analog]]\n{lines}\n")
 
 
 def test_the_manual_shows_the_same_file() -> None:

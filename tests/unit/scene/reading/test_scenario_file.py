@@ -284,6 +284,46 @@ def test_what_comes_after_the_end_is_warned_of(cans: Scene) -> None:
     assert [w.rule.code for w in found.warnings] == ["V478"]
 
 
+def test_analog_inputs_are_read_by_time(cans: Scene) -> None:
+    text = (
+        "[[analog]]\nchannel = 2\nat_s = [3.0, 0.5]\ncounts = [-7, 20]\n"
+        "[[analog]]\nchannel = 1\nat_s = [1.0]\ncounts = [2047]\n"
+    )
+    found = accepted(text, cans)
+    assert found.scenario.analog == ((0.5, 2, 20), (1.0, 1, 2047), (3.0, 2, -7))
+    assert found.warnings == ()
+
+
+@pytest.mark.parametrize(
+    ("lines", "code", "at"),
+    [
+        ("channel = 9\nat_s = [1]\ncounts = [1]", "V605", "9"),
+        ("channel = 1\nat_s = [1]\ncounts = [2048]", "V605", "2048"),
+        ("channel = 1\nat_s = [-1]\ncounts = [1]", "V605", "-1"),
+        ("channel = 1\nat_s = [1]\ncounts = [1.5]", "V565", "1.5"),
+        ("channel = 1\nat_s = [1, 2]\ncounts = [1]", "V565", "[1]"),
+        ("channel = 1\nat_s = []\ncounts = []", "V565", "[]"),
+        ("channel = 1\nat_s = [1, 2, 1]\ncounts = [3, 4, 5]", "V565", "1"),
+        ("channel = 1\nat_s = [1]", "V603", ""),
+        ("channel = 1\non_s = [1]\nat_s = [1]\ncounts = [1]", "V602", "on_s"),
+        ("channel = 1\nat_s = [1]\ncounts = [1]\n[[analog]]\nchannel = 1\nat_s = [2]\ncounts = [2]",
+         "V474", "1"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_with_an_analog_input_is_told_where_it_stands(
+    lines: str, code: str, at: str, cans: Scene
+) -> None:
+    _, (problem,) = read(f"[[analog]]\n{lines}\n", cans)
+    assert (problem.rule.code, problem.is_error) == (code, True)
+    assert problem.primary is not None
+    assert problem.primary.span.text == at or not at
+
+
+def test_an_analog_input_that_changes_after_the_end_is_warned_of(cans: Scene) -> None:
+    text = "[[analog]]\nchannel = 1\nat_s = [30.1]\ncounts = [1]\n[limits]\ntime_s = 30\n"
+    assert [w.rule.code for w in accepted(text, cans).warnings] == ["V478"]
+
+
 def test_the_usual_limits_are_within_what_may_be_allowed() -> None:
     usual = Limits()
     assert usual.statements == 2_000_000

@@ -14,10 +14,9 @@ from vrts.engine.programs.context import Context
 from vrts.engine.programs.signals import OUTPUTS, known
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression
-from vrts.ir.ranges import HIGHEST_TIMER, MOST_BITS
+from vrts.ir.ranges import ANALOG_OUTPUTS, HIGHEST_TIMER, LEAST_COUNT, MOST_BITS, MOST_COUNT
 
-ANALOG_OUTPUTS = 4  # [assumed, manual language/signals#analog]
-ANALOG_RANGE = (-2048, 2047)  # counts [assumed, manual language/signals#analog]
+CHANNELS = (ANALOG_OUTPUTS[0], ANALOG_OUTPUTS[-1])
 
 SignalInstruction = (
     ir.Signal
@@ -125,8 +124,8 @@ class SignalStepCompiler:
         value = self.expressions.real(instruction.value)
 
         def set_analog(c: Context) -> int:
-            number = integer(channel(c), cause.span, 1, ANALOG_OUTPUTS, "analog output")
-            counts = float(integer(value(c), cause.span, *ANALOG_RANGE, "count"))
+            number = integer(channel(c), cause.span, *CHANNELS, "analog output")
+            counts = float(integer(value(c), cause.span, LEAST_COUNT, MOST_COUNT, "count"))
             c.system.analog[number] = counts
             c.events.append(AnalogChanged(c.now, number, counts, cause))
             return following

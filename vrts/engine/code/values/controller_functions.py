@@ -16,6 +16,7 @@ from vrts.engine.faults import RuntimeFault
 from vrts.engine.memory.records import Ending
 from vrts.engine.programs.context import Context
 from vrts.ir.expressions import Apply, Constant, Function
+from vrts.ir.ranges import ANALOG_INPUTS
 from vrts.ir.runtime_errors import RuntimeErrorKind
 from vrts.ir.system import PARAMETERS, SWITCHES
 from vrts.ir.taken import TAKEN_SWITCHES
@@ -23,7 +24,7 @@ from vrts.ir.values import Value
 
 POWERED_UP = datetime(1988, 1, 1)
 MONTHS = ("JAN", "FEB", "MAR", "APR", "MAY", "JUN", "JUL", "AUG", "SEP", "OCT", "NOV", "DEC")
-ANALOG_INPUTS = 8  # [assumed, manual language/signals#analog]
+ENDS = (ANALOG_INPUTS[0], ANALOG_INPUTS[-1])
 MEMORY_CELLS = 100_000  # of a controller that is empty; FREE tells the share left [assumed]
 UNDER_PROGRAM_CONTROL = 7.0  # STATE(1) [assumed, manual language/functions#state]
 AT_REST, MOVING, STOPPING = 0.0, 1.0, 2.0  # STATE(2) [assumed, manual language/functions#state]
@@ -50,8 +51,8 @@ def controller_function(compiler: Compiler, expression: Apply) -> Evaluate:
             channel = compiler.real_argument(arguments[0])
 
             def analog(c: Context) -> Value:
-                integer(channel(c), span, 1, ANALOG_INPUTS, "analog input")
-                return 0.0  # nothing is connected
+                number = integer(channel(c), span, *ENDS, "analog input")
+                return float(c.signals.count(number))
 
             return analog
         case Function.PENDANT:

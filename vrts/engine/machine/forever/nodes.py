@@ -27,11 +27,12 @@ def tops(instruction: ir.Instruction) -> Iterator[Node]:
 def all_nodes(node: Node) -> Iterator[Node]:
     """Yield a node and everything below it."""
     yield node
-    for child in _children(node):
+    for child in children(node):
         yield from all_nodes(child)
 
 
-def _children(node: Node) -> Iterator[Node]:
+def children(node: Node) -> Iterator[Node]:
+    """Yield the nodes right below a node."""
     match node:
         case Apply(arguments=parts) | Compose(parts=parts) | Place(subscripts=parts):
             yield from _within(parts)

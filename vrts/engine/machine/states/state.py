@@ -42,7 +42,7 @@ def state(
         (place(robot), place(process)),
         *programs(machine, now, named),
         arm(machine, now, named),
-        outside(machine, now, named),
+        (*outside(machine, now, named), *sorted(system.signals.counts.items())),
         frozenset(system.signals.on),
         tuple(() if k in idle else contents(item) for k, item in enumerate(bound)),
         system.clock_reads,
