@@ -15,6 +15,7 @@ class Told(NamedTuple):
     states: int
     open: int  # futures that wait to be looked at
     found: int  # things that go wrong
+    replaying: bool = False  # whether what seems wrong is replayed; then it may be interrupted
 
 
 def _nobody(_: Told) -> None:

@@ -27,6 +27,7 @@ from vrts.scene.model import Scene
 __all__ = ["Asking", "Told", "prove"]
 
 USUAL = Asking()
+NOT_REPLAYED = "of what seems to go wrong {} was not replayed to its end"
 AFTERWARDS_S = 1.0  # a replay goes on behind the end of the program
 
 
@@ -80,10 +81,25 @@ def prove(
 def _told(
     search: Search, replays: Replays, asking: Asking
 ) -> tuple[Teller, tuple[Wronged, ...], list[str]]:
-    """Return who tells, what goes wrong as far as the search has come, and what is left."""
-    left = [*_left(search), *_judge(search, replays, asking)]
+    """Return who tells, what goes wrong as far as the search has come, and what is left.
+
+    Who is told that replays have begun may raise KeyboardInterrupt when it is enough: then what is
+    known so far is told. What was enough before they began is not looked at again.
+    """
+    left, was_enough = list(_left(search)), asking.enough()
     teller = Teller(replays, search.environment, search.tick_s)
-    return teller, teller.tell(search.suspects.in_order(), asking.answers), left
+    try:
+        asking.told(search.so_far._replace(replaying=True))
+        left += _judge(search, replays, asking)
+        teller.tell(search.suspects.in_order(), asking.answers)
+    except KeyboardInterrupt:
+        if was_enough or not asking.enough():
+            raise
+        search.was_enough = True
+        left.append(NOT_REPLAYED.format(f"{len(search.suspects) - teller.asked:,}"))
+    finally:
+        asking.told(search.so_far)
+    return teller, tuple(teller.found), left
 
 
 def _answer(found: Sequence[Wronged], left: Sequence[str]) -> Answer:

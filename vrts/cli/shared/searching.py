@@ -32,12 +32,12 @@ class Searching:
         self._begun = time.monotonic()
         self._seconds = seconds
         self._last = 0.0
-        self.interrupted = False
+        self.interrupted = self.replaying = False
 
     def told(self, so_far: "Told") -> None:
         """Show how far the search is, if the line is old."""
-        now = time.monotonic()
-        if self._shown and now - self._last > SHOWN_EVERY:
+        now, self.replaying = time.monotonic(), so_far.replaying
+        if self._shown and now - self._last > SHOWN_EVERY * (not so_far.replaying):
             self._last = now
             click.echo(f"{ERASE}{words(so_far, now - self._begun)}", nl=False, err=True)
 
@@ -56,7 +56,9 @@ def words(so_far: "Told", seconds: float) -> str:
     """Return "12,345 states, 4,100 a second, 210 futures open"."""
     rate = so_far.states / seconds if seconds > 0.0 else 0.0
     found = f", {so_far.found} found" if so_far.found else ""
-    return f"{so_far.states:,} states, {rate:,.0f} a second, {so_far.open:,} futures open{found}"
+    replayed = ": they are replayed" if so_far.replaying and found else ""
+    open_ = f"{so_far.open:,} futures open"
+    return f"{so_far.states:,} states, {rate:,.0f} a second, {open_}{found}{replayed}"
 
 
 @contextmanager
@@ -70,6 +72,8 @@ def searching(seconds: float | None) -> Generator[Searching]:
         signal.signal(signal.SIGINT, before)
         if sys.stderr.isatty():
             os.write(2, ENDED)  # whatever is being written just now
+        if found.replaying:
+            raise KeyboardInterrupt  # a replay may last: it is given up, and so are its workers
 
     signal.signal(signal.SIGINT, end)
     try:

@@ -121,7 +121,7 @@ class Search:
                 told = count
                 if touches is not None:
                     touches.certify()
-                asking.told(Told(count, len(self.frontier), len(self.suspects)))
+                asking.told(self.so_far)
                 if asking.enough():
                     self.was_enough = True
                     break
@@ -140,7 +140,12 @@ class Search:
         for suspect in never_ending(self.graph, closed, self.first):
             self.suspects.add(suspect)
         self.never_left = tuple(dict.fromkeys(never_left(closed, self.first)))
-        asking.told(Told(len(self.graph.visits), len(self.frontier), len(self.suspects)))
+        asking.told(self.so_far)
+
+    @property
+    def so_far(self) -> Told:
+        """How far it has come."""
+        return Told(len(self.graph.visits), len(self.frontier), len(self.suspects))
 
     @property
     def counts(self) -> Counts:

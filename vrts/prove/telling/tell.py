@@ -23,19 +23,22 @@ class Teller:
         """Take what replays, and what is the same in every future."""
         self.replays, self.environment, self.tick_s = replays, environment, tick_s
         self.doubtful: list[str] = []  # what a replay does not show
+        self.found: list[Wronged] = []  # what replays confirm, the shortest first
+        self.asked = 0  # of what seems wrong, as far as answers came
 
-    def tell(self, suspects: list[Suspect], answers: Answers) -> tuple[Wronged, ...]:
-        """Return what replays confirm, the shortest first.
+    def tell(self, suspects: list[Suspect], answers: Answers) -> None:
+        """Find what replays confirm, the shortest first.
 
         Args:
             suspects: What seems wrong, the shortest first.
             answers: Asks for each what a replay shows; those behind the last told are not asked.
         """
-        found: list[Wronged] = []
+        found = self.found
         causes: set[tuple[object, ...]] = set()
         doubtful: list[Suspect] = []
         with closing(first_here(answers, self._confirmed, suspects)) as shown_of:
             for suspect, told in zip(suspects, shown_of, strict=True):
+                self.asked += 1
                 if told is None:
                     if suspect.wrong not in FORETOLD and suspect.certain:
                         doubtful.append(suspect)
@@ -51,7 +54,6 @@ class Teller:
         for suspect in doubtful:
             if (suspect.wrong, suspect.what[:2]) not in shown:
                 self.doubtful.append(suspect.headline)
-        return tuple(found)
 
     def _confirmed(self, suspect: Suspect) -> Wronged | None:
         whole = story(suspect.past)

@@ -122,6 +122,46 @@ def test_what_does_not_compile_is_not_looked_at(tmp_path: Path) -> None:
     assert result.stdout == b""
 
 
+LONG_REPLAYS = """\
+.PROGRAM slow()
+  n = 0
+  FOR i = 1 TO 150000
+    n = n+1
+  END
+  IF SIG(1001,1002,1003,1004,1005,1006,1007,1008) THEN
+    n = 1/0
+  END
+  IF SIG(1009,1010,1011,1012,1013,1014,1015,1016) THEN
+    n = SQRT(-1)
+  END
+  IF SIG(1017,1018,1019,1020,1021,1022,1023,1024) THEN
+    n = 1/(n-n)
+  END
+.END
+"""
+
+
+@pytest.mark.parametrize("jobs", ["1", "2"])
+def test_ctrl_c_ends_replays_and_their_workers(jobs: str, tmp_path: Path) -> None:
+    program = tmp_path / "slow.v2"
+    program.write_text(LONG_REPLAYS)
+    command = [sys.executable, "-m", "vrts.cli.main", "prove", str(program), "--jobs", jobs]
+    master, slave = os.openpty()
+    with subprocess.Popen(
+        [*command, *COLOR], cwd=ROOT, stdout=subprocess.PIPE, stderr=slave, env=dict(os.environ)
+    ) as process:
+        os.close(slave)
+        shown = b""
+        while b"they are replayed" not in shown:
+            shown += os.read(master, 1024)
+        process.send_signal(signal.SIGINT)
+        out, _ = process.communicate()
+    os.close(master)
+    left = re.search(rb"of what seems to go wrong ([123]) was not replayed to its end", out)
+    assert left is not None
+    assert process.returncode == (3 if left[1] == b"3" else 1)
+
+
 def test_ctrl_c_tells_what_is_known_so_far(tmp_path: Path) -> None:
     program = tmp_path / "count.v2"
     program.write_text(COUNTS_FOR_EVER)
