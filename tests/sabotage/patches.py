@@ -2914,4 +2914,11 @@ PATCHES: tuple[Patch, ...] = (
         "        now = came if known is None else known\n",
         ("tests/unit/prove/explore/test_bounded.py",),
     ),
+    Patch(
+        "a program that waits for ever holds the arm up in the middle of its way",
+        "vrts/engine/machine/tick.py",
+        "        if rests_s > now + INSTANT:\n",
+        "        if rests_s < 0.0:\n",
+        ("tests/unit/engine/machine/forever/test_moves_on.py",),
+    ),
 )

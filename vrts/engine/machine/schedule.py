@@ -36,6 +36,13 @@ def is_idle(machine: Machine) -> bool:
     return machine.system.planner.settled_at <= machine.now + INSTANT
 
 
+def at_rest_s(machine: Machine) -> float:
+    """Return when arm and hand stand still if no program goes on [s]."""
+    planner, hand = machine.system.planner, machine.system.hand
+    strokes = [stroke.end_s for stroke in hand.strokes[-1:]]
+    return max(planner.settled_at, planner.motion_end, *strokes)
+
+
 def future_s(machine: Machine) -> float | None:
     """Return when something next happens that programs may notice; None when nothing will."""
     times = [t for t in (machine.next_command_s, next_event_s(machine)) if t is not None]

@@ -15,7 +15,7 @@ from vrts.engine.machine.forever.findings import not_judged
 from vrts.engine.machine.forever.judge import judge, stopped, waits_in_vain
 from vrts.engine.machine.machine import Machine, MidTick, in_turn
 from vrts.engine.machine.noting import note_motions
-from vrts.engine.machine.schedule import future_s, has_work, is_idle
+from vrts.engine.machine.schedule import at_rest_s, future_s, has_work, is_idle
 from vrts.engine.machine.surroundings import bring_faults_about, process_is_first, sample
 from vrts.engine.memory.records import INSTANT, Ending
 from vrts.engine.programs.cycles import place
@@ -131,6 +131,10 @@ def _plan_next(machine: Machine, now: float, *, progress: bool, stirred: bool) -
     if waking < math.inf:
         _skip_to(machine, waking)
     elif machine.closed and machine.robot.running:
+        rests_s = at_rest_s(machine)
+        if rests_s > now + INSTANT:
+            _skip_to(machine, rests_s)  # the motion under way goes on to its end, wait or no wait
+            return
         finding = stopped(machine, now)
         _tell_when_not_judged(machine)
         end(machine, machine.robot, Ending.LIMIT, finding)

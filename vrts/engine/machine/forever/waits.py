@@ -6,7 +6,7 @@ from vrts.engine.code.values.operands import number_of
 from vrts.engine.machine.forever.reach import ahead
 from vrts.engine.machine.forever.touches import Looks, changes_of, looks_of, passed
 from vrts.engine.machine.machine import Machine
-from vrts.engine.machine.schedule import changes_to_come, next_event_s
+from vrts.engine.machine.schedule import at_rest_s, changes_to_come, next_event_s
 from vrts.engine.memory.records import INSTANT
 from vrts.engine.programs.context import Context
 from vrts.ir import instructions as ir
@@ -54,13 +54,10 @@ def is_hopeless(machine: Machine, now: float) -> bool:
 
 def _is_quiet(machine: Machine, now: float) -> bool:
     """Return whether arm, hand and the outside change nothing any more."""
-    strokes = machine.system.hand.strokes[-1:]
     return (
         not changes_to_come(machine)
         and next_event_s(machine) is None
-        and machine.system.planner.settled_at <= now + INSTANT
-        and machine.system.planner.motion_end <= now + INSTANT
-        and all(stroke.end_s <= now + INSTANT for stroke in strokes)
+        and at_rest_s(machine) <= now + INSTANT
     )
 
 
