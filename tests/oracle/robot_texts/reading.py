@@ -441,6 +441,23 @@ class _Line(Expressions):
         self.take("=")
         return (self.real(),)
 
+    def _execute(self) -> tuple[Any, ...]:
+        """`EXECUTE task program(arguments), cycles, step, priority` [V+ Language Reference]."""
+        if self.language != "vplus":
+            raise NotTaken("AS starts programs with PCEXECUTE")
+        task = self.take()
+        if not task.isdigit() or not 0 <= int(task) <= 27:
+            raise NotTaken("the number of a task is wanted")
+        name = self.take()
+        if self.has("("):
+            self.take(")")  # nothing is passed to programs that are read here
+        more: list[Any] = []
+        while self.has(","):
+            more.append(self.real())
+        if len(more) > 3:
+            raise NotTaken("cycles, a step and a priority may stand behind the program")
+        return int(task), name, more
+
     def _pcexecute(self) -> tuple[Any, ...]:
         if self.language != "as":
             raise NotTaken("V+ starts programs with EXECUTE")

@@ -12,6 +12,7 @@ from typing import ClassVar
 from vrts.base.diagnostic import Rule
 from vrts.dispatch.posts.expressions_anew import CannotWrite, Expressions, Start, constant
 from vrts.lang.dialect import VAL2
+from vrts.lang.names import key
 from vrts.lang.syntax import expressions, statements
 from vrts.lang.vocabulary.lookup import instructions_of
 
@@ -106,6 +107,17 @@ class Post(Expressions):
             return (self.rewritten(node),)
         said = self.WORDS.get("TYPE", "TYPE")
         return (f"{said} {self.listed(node.operands)}", node.word)
+
+    def _write_pcexecute(self, node: statements.Simple) -> tuple[str, ...]:
+        return (f"PCEXECUTE {self.started(node)}".rstrip(),)
+
+    def started(self, node: statements.Simple, behind: str = "") -> str:
+        """Return the operands of PCEXECUTE, with what stands behind the name of the program."""
+        if not node.operands:
+            return ""
+        program, *more = node.operands
+        assert isinstance(program, expressions.Name)
+        return key(program.text) + behind + "".join(f", {self.listed((o,))}" for o in more)
 
     def begun(self, start: Start) -> tuple[str, ...]:
         """Return the steps that set tool and base: no controller knows those of the scene."""

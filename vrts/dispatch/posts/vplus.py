@@ -30,9 +30,18 @@ class VPlus(Post):
         return self._write_react(node)
 
     def _write_pcexecute(self, node: statements.Simple) -> tuple[str, ...]:
-        """EXECUTE runs a program as a task beside others, which vrts does not simulate."""
-        remedy = "write it in V+ yourself: `EXECUTE 1 program(), cycles`; vrts cannot verify it"
-        raise self.lacking(node, "PCEXECUTE and can be verified here", remedy)
+        """EXECUTE runs a program as a task beside this one; task 0 has the robot."""
+        if not node.operands:
+            raise self.lacking(node, "PCEXECUTE without a program", "name the program")
+        return (f"EXECUTE 1 {self.started(node, '()')}",)
+
+    def _write_pcabort(self, node: statements.Simple) -> tuple[str, ...]:
+        """ABORT stops a task too, but vrts reads no such step."""
+        raise self.lacking(node, "PCABORT and can be verified here", "let a variable end its loop")
+
+    def _write_pcend(self, node: statements.Simple) -> tuple[str, ...]:
+        """CYCLE.END of V+ waits for the task, or stops it at its next STOP."""
+        raise self.lacking(node, "PCEND", "let a variable end its loop")
 
     def _write_ready(self, node: statements.Simple) -> tuple[str, ...]:
         """READY of the arm that was simulated: that of another arm is elsewhere."""

@@ -194,13 +194,21 @@ def _device_put(v: Values) -> Device:
     return Device(v[0].text, unit, operands, given, v[0].start, _last(equal, *given))
 
 
-def _task_call(v: Values) -> Device:
-    """`EXECUTE task program(a, b), cycles` of V+: what it names, and what it passes."""
+def _task_call(v: Values) -> Device | Simple:
+    """`EXECUTE task program(a, b), cycles` of V+: what it names, and what it passes.
+
+    Task 1, with nothing passed, is the second program of VAL-II [manual language/processes#tasks].
+    """
     at = next(i for i in (1, 2) if getattr(v[i], "kind", "") == "PROGRAM")
     program = Name(v[at].text, v[at].start, v[at].end)
     passed = _list(v[at + 2]) if len(v) > at + 2 else ()
-    operands = (*v[1:at], program, *passed, *(v[-1] or ()))
+    more = tuple(v[-1] or ())
+    operands = (*v[1:at], program, *passed, *more)
     closing = v[-2]
+    task = v[1] if at == 2 else None
+    second = isinstance(task, Number) and task.value == 1.0
+    if v[0].text.upper() == "EXECUTE" and second and not passed and len(more) <= _OF_PROCESS:
+        return Simple("PCEXECUTE", (program, *more), v[0].start, _last(closing, *operands))
     return Device(v[0].text, None, operands, None, v[0].start, _last(closing, *operands))
 
 
@@ -300,6 +308,7 @@ def _link(v: Values) -> Any:
     return v[0]
 
 
+_OF_PROCESS = 2  # cycles and first step: what PCEXECUTE takes besides the program
 _BUILDERS: dict[str, Build] = {
     "assignment": lambda v: Assignment(v[0], v[2], v[0].start, v[2].end),
     "set_near": lambda v: Rest("POINT", (), v[0].start, v[5].end),

@@ -9,7 +9,7 @@ from vrts.lang.vocabulary.functions import CONSTANTS, applied_functions, bare_fu
 
 _COMPARISONS = frozenset({"==", "<>", "<", "<=", ">", ">="})
 _TIGHT = frozenset({"+", "-", "*", "/", ":", "**"})
-_NAMES = frozenset({"NAME", "STRINGNAME", "JOINTNAME"})
+_NAMES = frozenset({"NAME", "STRINGNAME", "JOINTNAME", "PROGRAM"})
 _OPENING = frozenset({"LPAREN", "LBRACKET", "UNITOPEN"})
 _CALLABLE = _NAMES | {"STRING", "RBRACKET"}
 _CLOSING = frozenset({"RPAREN", "RBRACKET", "UNITCLOSE", "COMMA", "ENDCOLON"})

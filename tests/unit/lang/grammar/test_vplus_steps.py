@@ -47,6 +47,22 @@ def test_what_is_never_carried_out_is_read_and_said(step: str) -> None:
     assert isinstance(first(step), ir.Opaque)
 
 
+def test_task_1_is_the_second_program_where_nothing_is_passed_to_it() -> None:
+    for step, cycles in (("EXECUTE 1 main()", None), ("EXECUTE 1 main, -1, 2", -1.0)):
+        started = first(step)
+        assert isinstance(started, ir.StartProcess)
+        assert started.program == "main"
+        assert (started.cycles is None) == (cycles is None)
+        assert "V161" not in codes(step, Severity.WARNING)
+    for step in (
+        "EXECUTE 2 main()",
+        "EXECUTE 1 main(), 1, 1, 30",
+        "PRIME 1 main()",
+        "EXECUTE main",
+    ):
+        assert isinstance(first(step), ir.Opaque), step
+
+
 @pytest.mark.parametrize(
     ("step", "code"),
     [
