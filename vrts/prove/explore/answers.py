@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from vrts.ir import instructions as ir
 from vrts.ir.module import Module
+from vrts.ir.values import Type
 from vrts.prove.environment.environment import Answers
 from vrts.prove.explore.bounded import Usage, usage
 from vrts.prove.graph.compared import compared
@@ -55,21 +56,35 @@ class Free:
             assert isinstance(prompt, ir.Prompt)
             used = [usage(self._module, program, place) for place in prompt.places]
             known = [each for each in used if each is not None]
-            whole = len(known) == len(used)
-            self.asked[name, index] = _apart(known, self._module) if whole else None
+            self.asked[name, index] = None
+            if len(known) == len(used):
+                is_text = any(place.variable.type is Type.STRING for place in prompt.places)
+                self.asked[name, index] = _texts(known) if is_text else _apart(known, self._module)
         return self.asked[name, index]
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether all that may be typed is tried at every PROMPT, nothing at some values only."""
+        for program in self._module.programs.values():
+            for index, each in enumerate(program.instructions):
+                if isinstance(each, ir.Prompt):
+                    found = self.at(program.name, index)
+                    if found is None or found.sampled:
+                        return False
+        return True
+
+
+def _texts(used: Sequence[Usage]) -> Tried:
+    """Return each text that a program compares with, and one other."""
+    texts = {value for each in used for value in each.compared if isinstance(value, str)}
+    other = next(word for k in count(1) if (word := "x" * k) not in texts)
+    return Tried((*sorted(texts), other))
 
 
 def _apart(used: Sequence[Usage], module: Module) -> Tried:
-    """Return what is typed to tell apart all that programs do with it."""
-    numbers, texts = set[float](), set[str]()
+    """Return numbers that tell apart all that programs do with them."""
     within = [each.within for each in used if each.within is not None]
-    for each in used:
-        numbers.update(value for value in each.compared if isinstance(value, float))
-        texts.update(value for value in each.compared if isinstance(value, str))
-    if texts:
-        other = next(word for k in count(1) if (word := "x" * k) not in texts)
-        return Tried((*sorted(texts), other))
+    numbers = {value for each in used for value in each.compared if isinstance(value, float)}
     ordered = sorted(numbers) or [0.0]
     between = {0.5 * (a + b) for a, b in pairwise(ordered)}
     tell_apart = {ordered[0] - 1.0, ordered[-1] + 1.0, *ordered, *between}

@@ -134,10 +134,11 @@ def _others(search: Search, kinds: set[Kind]) -> list[str]:
         found.append(f"answers to PROMPT: every whole number from {first:g} to {last:g}")
     for where, each in _free(search):
         if each.apart is not None:
-            found.append(f"answers to PROMPT at {where}: every number{_apart(each.apart)}")
+            words = [f"{number:g}" for number in each.apart]
+            found.append(f"answers to PROMPT at {where}: every number{_apart(words)}")
         elif each.texts:
-            texts = " and ".join(f'"{text}"' for text in each.texts[:-1])
-            found.append(f"answers to PROMPT at {where}: every text, told apart by {texts}")
+            words = [f'"{text}"' for text in each.texts[:-1]]  # the last stands for all others
+            found.append(f"answers to PROMPT at {where}: every text{_apart(words)}")
     if Kind.TURN in kinds:
         found.append(
             "two programs: either has its turn first, in every tick in which it may matter"
@@ -161,10 +162,9 @@ def _free(search: Search) -> Iterator[tuple[str, Tried]]:
             yield f"step {step} of `{name}`", found
 
 
-def _apart(numbers: tuple[float, ...]) -> str:
-    if not numbers:
+def _apart(words: list[str]) -> str:
+    if not words:
         return ", as nothing depends on it"
-    words = [f"{number:g}" for number in numbers]
     listed = " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
     return f", told apart by {listed}"
 

@@ -279,6 +279,17 @@ def test_what_nobody_says_of_answers_is_refused(tmp_path: Path) -> None:
     )
 
 
+def test_answers_that_a_program_tells_apart_itself_need_no_environment(tmp_path: Path) -> None:
+    one = scenario(tmp_path, "one", '[prompts]\nanswers = ["y"]\n')
+    asks = main('PROMPT "go? ", $a', 'IF $a == "y" THEN', "READY", "END", "READY")
+    found = planned(asks, one)
+    assert found.bundle is not None, codes(found)
+    (proof,) = found.bundle.manifest.futures
+    assert 'answers to PROMPT at step 1 of `main`: every text, told apart by "y"' in (
+        proof.quantified
+    )
+
+
 def test_what_the_environment_says_is_typed_where_no_scenario_says_anything() -> None:
     asks = main('PROMPT "how far? ", x', "DRIVE 1, x, 50", 'PROMPT "and? ", x, y', "READY")
     told = Environment(title="1 to 2", answers=Answers(least=1, most=2, whole=True))

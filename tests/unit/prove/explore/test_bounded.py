@@ -46,6 +46,13 @@ def test_text_is_told_apart_by_the_texts_of_the_program() -> None:
     assert proven(asks + "x = VAL($a)\n" + "DRIVE 1, x, 50\n").answer is Answer.UNDETERMINED
 
 
+def test_what_is_typed_and_never_asked_for_decides_nothing() -> None:
+    for asks in ('PROMPT "who? ", $a\n', 'PROMPT "how many? ", n\n'):
+        proof = proven(asks + 'TYPE "thanks"\n')
+        assert proof.answer is Answer.HOLDS
+        assert any(one.endswith(", as nothing depends on it") for one in proof.covered.quantified)
+
+
 BOUNDED = {
     "a loop that asks until it is right": (
         "DO\n" + ASKS + "UNTIL (n >= 0) AND (n <= 9)\n" + TURNS,

@@ -21,6 +21,7 @@ from vrts.ir.module import Module
 from vrts.pipeline.setting import Setting, scenario_of
 from vrts.prove.asking import Asking
 from vrts.prove.environment.environment import Again, Environment
+from vrts.prove.explore.answers import Free
 from vrts.prove.proof import Proof
 from vrts.prove.prove import prove
 from vrts.report.proof_words import counted, diagnostic
@@ -114,11 +115,13 @@ def _dead(module: Module, proof: Proof) -> Iterator[Diagnostic]:
             )
 
 
-def is_tried(environment: Environment, source: str) -> bool:
-    """Return whether futures try a source of values in every way."""
+def is_tried(environment: Environment, module: Module, source: str) -> bool:
+    """Return whether futures of the programs try a source of values in every way."""
     if source == "operator":
         answers = environment.answers
-        return answers is not None and (bool(answers.texts) or answers.whole)
+        if answers is None:
+            return Free(module).is_whole
+        return bool(answers.texts) or answers.whole
     return source.startswith(TRIED) or (source == "hand" and environment.misses)
 
 
