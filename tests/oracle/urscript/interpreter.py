@@ -16,7 +16,7 @@ import numpy as np
 
 from tests.oracle.urscript.expressions import Expression
 from tests.oracle.urscript.lines import Line, blocks
-from tests.oracle.urscript.poses import Matrix, Pose, matrix, pose
+from tests.oracle.urscript.poses import Matrix, Pose, matrix, nearest, pose
 from tests.oracle.urscript.threads import FRAME, Killed, Thread, Threads
 from tests.oracle.urscript.values import NotTaken, Struct, copied, element, kind_of
 
@@ -74,6 +74,8 @@ class Robot:
             stops: How long the motion of a number takes to stop when it is cut [s], and where.
         """
         self.forward, self.on, self.takes, self.stops = forward, on, takes, stops
+        self.known: Pose = start  # joints that the arm last had for certain, and poses since
+        self.since: list[Matrix] = []
         self.threads = Threads()
         self.when: list[float] = []  # beside what is done [s]
         self.moves = 0
@@ -133,6 +135,9 @@ class Robot:
             self.cut = True
             raise
         self.moving, self.flange, self.joints = False, flange, joints
+        self.since.append(flange)
+        if joints is not None:
+            self.known, self.since = joints, []
 
     def stop(self, word: str, a: float) -> None:
         """Slow down to rest what a killed thread has left under way."""
@@ -148,6 +153,15 @@ class Robot:
             self.threads.use(seconds)
             self.moving = self.cut = False
             self.joints, self.flange = joints, self.forward(joints)
+            self.known, self.since = joints, []
+
+    def stands(self) -> Pose:
+        """Return the joints: of a pose those nearest to where the arm stood, as the manual says."""
+        joints = np.array(self.known)
+        for flange in self.since:
+            joints = nearest(self.forward, flange, joints)
+        self.known, self.since = tuple(map(float, joints)), []
+        return self.known
 
     def here(self) -> Pose:
         """Return the pose of the tool."""
@@ -352,9 +366,9 @@ class _Running:
         return pose(self.robot.forward(tuple(joints)) @ self.robot.tcp)
 
     def _get_target_joint_positions(self) -> list[float]:
-        if self.robot.joints is None:
-            raise NotTaken("joints behind a pose are not worked out here")
-        return list(self.robot.joints)
+        if self.robot.moving:
+            raise NotTaken("where the arm is while it moves is not worked out here")
+        return list(self.robot.stands())
 
     def _sin(self, x: float) -> float:
         return math.sin(x)
