@@ -49,6 +49,7 @@ class _Machine:
         self.at: Place = np.eye(4)  # joints, or the flange in the robot's own base
         self.moved: list[tuple[str, Frame]] = []
         self.steps = 0
+        self.out: dict[int, bool] = {}  # signals that the program has set
 
     def _datum(self, name: str, value: Any) -> Any:
         given: Any = value
@@ -183,6 +184,15 @@ class _Machine:
             case "CALL":
                 passed = [self._passed(item) for item in given[1]]
                 self.call(given[0], passed)
+            case "SIGNAL":
+                for number in (self.value(item) for item in given if item is not None):
+                    self.out[round(abs(number))] = number > 0
+            case "RESET":
+                self.out = dict.fromkeys(self.out, False)
+            case "BITS":
+                first, *more, value = (self.value(item) for item in given)
+                for k in range(round(more[0]) if more else 1):
+                    self.out[round(first) + k] = bool(round(value) >> k & 1)
             case _ if word in LINEAR | JOINT:
                 self._moves(word, given)
             case _:
@@ -265,7 +275,9 @@ class _Machine:
         return self._worked_out(kind, [self.value(n) if n is not None else 0.0 for n in node[1:]])
 
     def _signal(self, number: float) -> bool:
-        return self.on(round(abs(number))) == (number > 0)
+        signal = round(abs(number))
+        on = self.out[signal] if signal in self.out else self.on(signal)
+        return on == (number > 0)
 
     def _worked_out(self, kind: str, v: list[Any]) -> Any:
         located = hasattr(v[0], "shape")
@@ -285,6 +297,9 @@ class _Machine:
                 return float(np.linalg.norm(v[0][:3, 3] - v[1][:3, 3]))
             case "RX" | "RY" | "RZ":
                 return turn(kind[1].lower(), padded[0])
+            case "BITS":
+                first, count = round(v[0]), round(v[1]) if len(v) > 1 else 1
+                return float(sum(2**k for k in range(count) if self._signal(first + k)))
             case "MAX" | "MAXVAL":
                 return max(v)
             case "MIN" | "MINVAL":

@@ -17,6 +17,7 @@ from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.calls import called_by
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain
+from vrts.dispatch.saying.signals import read_outputs
 from vrts.dispatch.saying.stretches import Stretches, ends, jumps, numbered
 from vrts.dispatch.saying.table import Table
 from vrts.dispatch.saying.timers import timers
@@ -75,6 +76,7 @@ def said(found: Resolved, module: Module, entry: str, table: Table) -> Said:
         "o<v_setup> call",
         *_places(module, memory),
         *_clocks(module),
+        *(f"#<_out_{signal}> = 0" for signal in sorted(read_outputs(module))),
         *(f"{name} = 0" for name in sorted(set(INTERNAL.findall("\n".join(written))))),
         *bodies[entry],
         *ENDING,

@@ -9,7 +9,14 @@ from vrts.dispatch.linuxcnc.values import CLOCK
 from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain, printed
-from vrts.dispatch.saying.signals import FIRST_INTERNAL, signal_of
+from vrts.dispatch.saying.parts import constant
+from vrts.dispatch.saying.signals import (
+    FIRST_INPUT,
+    FIRST_INTERNAL,
+    bits_of,
+    read_outputs,
+    signal_of,
+)
 from vrts.dispatch.saying.table import Table
 from vrts.dispatch.saying.timers import timer_of
 from vrts.ir import instructions as ir
@@ -39,6 +46,11 @@ ASKED = {
 HARMLESS = (ir.SetAccuracy, ir.SetNulling, ir.SetIntegration)  # they change pauses alone
 STOP = "o<v_stop> call"
 
+REMEDIES: dict[type, str] = {
+    ir.SetBase: "write `SHIFT(place BY ...)`, or places in a frame: `frame:place`",
+    ir.Grasp: "write CLOSEI, then look at an input of the hand with IF SIG(...)",
+}
+
 Lines: TypeAlias = list[str]
 
 
@@ -49,6 +61,7 @@ class Steps:
         """Share what is known of variables, signals and arguments."""
         self.arguments = arguments
         self.lines: Lines = []
+        self.read = read_outputs(arguments.module)
         self.table, self.memory = table, memory
         self.locations = Locations(memory, table, self.lines)
         self.values = self.locations.values
@@ -88,7 +101,10 @@ class Steps:
                 self._call("delay", self.values.real(time))
             case ir.MoveHand(action, immediate, opening):
                 if opening is not None:
-                    raise CannotSay("LinuxCNC's hand opens and closes, it takes no distance")
+                    raise CannotSay(
+                        "LinuxCNC's hand opens and closes, it takes no distance",
+                        "write OPEN or CLOSE without a distance",
+                    )
                 kind = HANDS[action]
                 self.lines.append(
                     called("v_hand", str(kind)) if immediate else f"#<_v_hand> = {kind}"
@@ -118,8 +134,10 @@ class Steps:
                 for signal in signals:
                     self._signal(*signal_of(signal))
             case ir.Reset():
-                for pin in self.table.outputs.values():
-                    self._call("output", str(pin), "0")
+                for signal in self.table.outputs:
+                    self._output(signal, "0")
+            case ir.SetBits(first, length, value):
+                self._bits(bits_of(first, length), value)
             case ir.SetTimer(timer, value):
                 begun = self.values.real(value)
                 self.lines += [CLOCK, f"#<_timer_{timer_of(timer)}> = [#<_v_now> - {begun}]"]
@@ -147,7 +165,8 @@ class Steps:
             case ir.SetParameter("HAND.TIME", _, value):
                 self.lines.append(f"#<_v_hand_time> = [{self.values.real(value)}]")
             case _:
-                raise CannotSay(f"LinuxCNC has nothing that means {_word(instruction)}")
+                remedy = REMEDIES.get(type(instruction), "write the step without it")
+                raise CannotSay(f"LinuxCNC has nothing that means {_word(instruction)}", remedy)
 
     def _move(self, move: ir.Move) -> None:
         if move.opening is not None:
@@ -207,7 +226,24 @@ class Steps:
         if signal >= FIRST_INTERNAL:
             self.lines.append(f"#<_signal_{signal}> = {state}")
         else:
-            self._call("output", str(self.table.output(signal)), state)
+            self._output(signal, state)
+
+    def _output(self, signal: int, state: str) -> None:
+        self._call("output", str(self.table.output(signal)), state)
+        if signal in self.read:
+            self.lines.append(f"#<_out_{signal}> = {state}")
+
+    def _bits(self, signals: range, value: Expression) -> None:
+        if signals and signals[-1] >= FIRST_INPUT:
+            raise CannotSay("BITS sets signals that are no outputs", "write SIGNAL for them")
+        known = constant(value)
+        text = "" if known is not None else self.values.kept(f"[{self.values.real(value)}]")
+        for k, signal in enumerate(signals):
+            if known is not None:
+                self._output(signal, str(round(known) >> k & 1))
+                continue
+            half = self.values.kept(f"FIX[ROUND[{text}] / {2**k}]")
+            self._output(signal, self.values.kept(f"[{half} - 2*FIX[{half} / 2]]"))
 
     def _wait(self, condition: Expression | None) -> None:
         if condition is None:
@@ -264,6 +300,8 @@ def _word(instruction: ir.Instruction) -> str:
     words: dict[type, str] = {
         ir.ReactError: "REACTE",
         ir.StartProcess: "PCEXECUTE",
+        ir.EndProcess: "PCEND",
+        ir.AbortProcess: "PCABORT",
         ir.Prompt: "PROMPT",
         ir.SetBase: "BASE",
         ir.SetMonitorSpeed: "a change of the monitor speed",

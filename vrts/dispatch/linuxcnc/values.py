@@ -10,7 +10,7 @@ from vrts.dispatch.linuxcnc.memory import Memory
 from vrts.dispatch.linuxcnc.names import number
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain
-from vrts.dispatch.saying.signals import FIRST_INPUT, FIRST_INTERNAL, signal_of
+from vrts.dispatch.saying.signals import FIRST_INPUT, FIRST_INTERNAL, bits_of, signal_of
 from vrts.dispatch.saying.table import Table
 from vrts.dispatch.saying.timers import timer_of
 from vrts.ir.expressions import (
@@ -158,7 +158,7 @@ class Values:
                 self.before.append(f"o<v_input> call [{self.table.input(signal)}]")
                 read = self.kept("#<_v_read>")
             else:
-                raise CannotSay("LinuxCNC's programs do not read outputs", "keep it in a variable")
+                read = f"#<_out_{signal}>"  # what the program has set
             parts.append(f"[{read} {'NE' if on else 'EQ'} 0]")
         return parts[0] if len(parts) == 1 else f"[{' AND '.join(parts)}]"
 
@@ -174,6 +174,10 @@ class Values:
             one, other = (self.kept(f"[{self.address(_expression(a))}]") for a in arguments)
             squares = (f"[#[{one} + {k}] - #[{other} + {k}]] ** 2" for k in (9, 10, 11))
             return f"SQRT[{' + '.join(squares)}]"
+        if function is Function.BITS:
+            bits = bits_of(*(*arguments, None)[:2])
+            each = (self._signals((Constant(float(signal)),)) for signal in bits)
+            return f"[{' + '.join(f'{2**k}*{bit}' for k, bit in enumerate(each))}]"
         if function is Function.TIMER:
             timer = timer_of(arguments[0])
             self.before.append(CLOCK)

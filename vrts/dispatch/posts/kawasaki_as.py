@@ -65,6 +65,16 @@ class KawasakiAs(Post):
             return ("OPEN" if opening.value > 0.0 else "CLOSE", motion)
         return (f"IF {self.listed((opening,))} > 0 THEN", "OPEN", "ELSE", "CLOSE", "END", motion)
 
+    def _hand(self, node: statements.Simple) -> tuple[str, ...]:
+        """A number behind OPEN and its like names a clamp in AS, not a distance [AS2015] 6-2."""
+        if any(node.operands):
+            remedy = f"write {node.word} without the distance"
+            raise self.lacking(node, f"{node.word} with a distance", remedy)
+        return (self.rewritten(node),)
+
+    _write_open = _write_openi = _write_close = _write_closei = _hand
+    _write_relax = _write_relaxi = _hand
+
     def begun(self, start: Start) -> tuple[str, ...]:
         """TOOL and BASE take names of locations, and BASE the pose of the frame [AS2015] 6-112."""
         name = _own("begin.tool")

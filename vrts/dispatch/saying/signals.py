@@ -1,5 +1,7 @@
 """Which signals from outside a program looks at, and which it sets."""
 
+from contextlib import suppress
+
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.parts import constant, parts
 from vrts.ir import instructions as ir
@@ -21,6 +23,37 @@ def signal_of(argument: object) -> tuple[int, bool]:
     return round(abs(value)), value > 0.0
 
 
+def bits_of(first: object, length: object) -> range:
+    """Return the signals that BITS means.
+
+    Raises:
+        CannotSay: They are worked out in the run.
+    """
+    begun, count = constant(first), 1.0 if length is None else constant(length)
+    if begun is None or count is None:
+        raise CannotSay("the signals of BITS are worked out in the run", "write numbers")
+    return range(round(begun), round(begun) + round(count))
+
+
+def read_outputs(module: Module) -> frozenset[int]:
+    """Return the outputs that programs look at."""
+    found: set[int] = set()
+    for program in module.programs.values():
+        for part in parts(program.instructions):
+            if isinstance(part, Apply):
+                found |= _looked_at(part)
+    return frozenset(signal for signal in found if signal < FIRST_INPUT)
+
+
+def _looked_at(part: Apply) -> set[int]:
+    if part.function is Function.SIG:
+        return _numbers(part.arguments)
+    if part.function is Function.BITS:
+        with suppress(CannotSay):
+            return set(bits_of(*(*part.arguments, None)[:2]))
+    return set()
+
+
 def used_signals(module: Module, entry: str) -> tuple[set[int], set[int]]:
     """Return inputs and outputs that stand in a program, and in all that it calls, by number."""
     inputs: set[int] = set()
@@ -39,9 +72,14 @@ def used_signals(module: Module, entry: str) -> tuple[set[int], set[int]]:
                 inputs |= _numbers((instruction.signal,))
             if isinstance(instruction, ir.Signal):
                 outputs |= _numbers(instruction.signals)
+            if isinstance(instruction, ir.SetBits):
+                with suppress(CannotSay):  # told where it stands
+                    outputs |= set(bits_of(instruction.first, instruction.length))
             for part in parts(instruction):
-                if isinstance(part, Apply) and part.function is Function.SIG:
-                    inputs |= _numbers(part.arguments)
+                if isinstance(part, Apply):
+                    looked = _looked_at(part)
+                    inputs |= looked
+                    outputs |= {signal for signal in looked if signal < FIRST_INPUT}
     return (
         {signal for signal in inputs if FIRST_INPUT <= signal < FIRST_INTERNAL},
         {signal for signal in outputs if signal < FIRST_INPUT},

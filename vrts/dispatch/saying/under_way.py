@@ -97,7 +97,7 @@ def tells_place(instruction: ir.Instruction) -> bool:
 
 def looks(instruction: ir.Instruction) -> bool:
     """Return whether something of an instruction looks at the outside, or at the clock."""
-    if isinstance(instruction, ir.AssignHere | ir.SetTimer | ir.WaitTime):
+    if isinstance(instruction, ir.AssignHere | ir.SetTimer | ir.WaitTime | ir.SetBits):
         return True
     applied = (part for part in parts(instruction) if isinstance(part, Apply))
     return any(apply.function in LOOKS for apply in applied)

@@ -9,10 +9,10 @@ BEGINNING = """
   global v_full_mm = {linear_mm}
   global v_hand_s = {hand}
   def v_here():
-    return pose_trans(v_turn, get_forward_kin())
+    return pose_trans(pose_inv(v_turn), get_forward_kin())
   end
   def v_tool(q):
-    return pose_trans(v_turn, get_forward_kin(q))
+    return pose_trans(pose_inv(v_turn), get_forward_kin(q))
   end
   def v_share():
     local share = v_always
@@ -47,6 +47,38 @@ FUNCTIONS = """
   def v_trans(x, y, z, o, a, t):
     local turned = pose_trans(p[0, 0, 0, 0, 0, v_rad * o], p[0, 0, 0, 0, v_rad * a, 0])
     return pose_trans(v_shift(x, y, z), pose_trans(turned, p[0, 0, 0, 0, 0, v_rad * t]))
+  end
+  def v_base(x, y, z, o):
+    local was = v_turn
+    local moved = v_trans(x, y, z, o, 0.0, 0.0)
+    global v_turn = pose_trans(p[0, 0, 0, 0, 0, 3.141592653589793], pose_inv(moved))
+    global v_at = pose_trans(pose_inv(v_turn), pose_trans(was, v_at))
+  end
+  def v_frame(a, b, c, d):
+    # X from a to b, Y towards c, the origin at d: its three angles about Z, Y and Z
+    local xx = b[0] - a[0]
+    local xy = b[1] - a[1]
+    local xz = b[2] - a[2]
+    local zx = xy * (c[2] - a[2]) - xz * (c[1] - a[1])
+    local zy = xz * (c[0] - a[0]) - xx * (c[2] - a[2])
+    local zz = xx * (c[1] - a[1]) - xy * (c[0] - a[0])
+    local flat = sqrt(zx * zx + zy * zy)
+    local length = sqrt(flat * flat + zz * zz)
+    local first = 0.0
+    local third = atan2(xy, xx)
+    if flat > 0.000000001 * length:
+      first = atan2(zy, zx)
+      third = atan2((zx * xy - zy * xx) / length, (-xz))
+    elif zz < 0.0:
+      third = atan2(xy, (-xx))
+    end
+    local at = v_shift(1000.0 * d[0], 1000.0 * d[1], 1000.0 * d[2])
+    local tilted = pose_trans(p[0, 0, 0, 0, 0, first], p[0, 0, 0, 0, atan2(flat, zz), 0])
+    return pose_trans(at, pose_trans(tilted, p[0, 0, 0, 0, 0, third]))
+  end
+  def v_bit(x, w):
+    local n = v_int(x / w)
+    return (n - 2.0 * v_int(n / 2.0)) > 0.5
   end
   def v_part(x, k):
     return x[k]

@@ -4,15 +4,21 @@ from typing import NamedTuple
 
 from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.cannot import CannotSay
-from vrts.dispatch.saying.names import plain, printed
+from vrts.dispatch.saying.names import plain
 from vrts.dispatch.saying.parts import constant
-from vrts.dispatch.saying.signals import FIRST_INTERNAL, signal_of
+from vrts.dispatch.saying.signals import (
+    FIRST_INPUT,
+    FIRST_INTERNAL,
+    bits_of,
+    read_outputs,
+    signal_of,
+)
 from vrts.dispatch.saying.table import Table
 from vrts.dispatch.saying.timers import timer_of
 from vrts.dispatch.urscript.values import HERE, NOTHING, Values, name_of, number
 from vrts.dispatch.urscript.watching import Watching
 from vrts.ir import instructions as ir
-from vrts.ir.expressions import Constant, Expression, Format, Load, Place, Slot, WholeArray
+from vrts.ir.expressions import Expression, Format, Load, Place, Slot, WholeArray
 from vrts.ir.instructions import HandAction, Interpolation, Scope, SpeedUnit
 from vrts.ir.module import Program
 from vrts.ir.values import Type
@@ -20,6 +26,13 @@ from vrts.ir.values import Type
 SILENT = (ir.SetAccuracy, ir.SetNulling, ir.SetIntegration, ir.SetTurns)
 HANDS = {HandAction.OPEN: "True, False", HandAction.CLOSE: "False, True"}
 HANDS[HandAction.RELAX] = "False, False"
+REMEDIES: dict[type, str] = {
+    ir.Move: "write OPEN or CLOSE, then MOVE",
+    ir.MoveHand: "write OPEN or CLOSE without a distance",
+    ir.Grasp: "write CLOSEI, then look at an input of the hand with IF SIG(...)",
+    ir.RequestBranch: "leave it out: UR takes the joints nearest to where the arm stands",
+    ir.Drive: "write MOVE to joint values: `MOVE #PPOINT(...)`",
+}
 MOVES = (ir.Move, ir.Depart, ir.Draw, ir.Ready)
 UNITS = {SpeedUnit.PERCENT: "/ 100.0", SpeedUnit.MM_PER_S: "/ v_full_mm"}
 UNITS[SpeedUnit.INCH_PER_S] = "* 25.4 / v_full_mm"
@@ -71,6 +84,7 @@ class Steps:
     ) -> None:
         """Know signals, joints of READY, and which arguments come back."""
         self.table, self.ready, self.mode = table, ready, mode
+        self.read = read_outputs(arguments.module)
         self.arguments = arguments
         self.values = Values(table, mode.here)
         back = (f"global {to} = {name_of(formal)}" for to, formal in arguments.back(program))
@@ -119,6 +133,10 @@ class Steps:
                 share = f"{v.real(step.value)} {UNITS[step.unit]}"
                 scope = "always" if step.scope is Scope.ALWAYS else "next"
                 return [f"global v_{scope} = {share}"]
+            case ir.SetBase():
+                given = (step.dx, step.dy, step.dz, step.rotation)
+                each = ", ".join("0.0" if e is None else v.real(e) for e in given)
+                return [*self.mode.rests, f"v_base({each})"]
             case ir.SetTool(pose):
                 tool = NOTHING if pose is None else v.location(pose)
                 return [*self.mode.rests, f"set_tcp({tool})", f"global {HERE} = v_here()"]
@@ -135,11 +153,13 @@ class Steps:
             case ir.AssignHere(place, None) if place.variable.type is Type.POSE:
                 return [self.given(place, self.mode.here)]
             case ir.Signal(signals):
-                return [self._signal(*signal_of(signal)) for signal in signals]
+                return [row for s in signals for row in self._signal(*signal_of(s))]
             case ir.Reset():
                 return [
-                    f"set_standard_digital_out({p}, False)" for p in self.table.outputs.values()
+                    row for signal in self.table.outputs for row in self._output(signal, "False")
                 ]
+            case ir.SetBits(first, length, value):
+                return self._bits(bits_of(first, length), value)
             case ir.Wait(condition) if condition is not None:
                 return [f"while (not {v.condition(condition)}):", f"  {self.mode.passes}", "end"]
             case ir.Call(program, arguments):
@@ -165,7 +185,8 @@ class Steps:
             case ir.Return(None):
                 return self.leaving
             case _:
-                raise CannotSay(f"URScript has nothing that means {_name(step)}")
+                remedy = REMEDIES.get(type(step), "write the step without it")
+                raise CannotSay(f"URScript has nothing that means {_name(step)}", remedy)
 
     def _lock(self, priority: Expression | None) -> list[str]:
         if self.mode.reaction:
@@ -197,6 +218,8 @@ class Steps:
         expression: Load = value  # type: ignore[assignment]
         if kind is Type.REAL:
             return self.given(place, v.real(expression))
+        if kind is Type.STRING:
+            return self.given(place, v.string(expression))
         if (kind is Type.JOINTS) != v.is_joints(expression):
             raise CannotSay("a pose becomes joints here, or joints a pose")
         return self.given(place, v.location(expression))
@@ -206,10 +229,27 @@ class Steps:
         own = isinstance(place.variable, Slot) or place.subscripts
         return f"{'' if own else 'global '}{self.values.place(place)} = {text}"
 
-    def _signal(self, signal: int, on: bool) -> str:
+    def _signal(self, signal: int, on: bool) -> list[str]:
         if signal >= FIRST_INTERNAL:
-            return f"global signal_{signal} = {on}"
-        return f"set_standard_digital_out({self.table.output(signal)}, {on})"
+            return [f"global signal_{signal} = {on}"]
+        return self._output(signal, str(on))
+
+    def _output(self, signal: int, state: str) -> list[str]:
+        rows = [f"set_standard_digital_out({self.table.output(signal)}, {state})"]
+        return [*rows, f"global out_{signal} = {state}"] if signal in self.read else rows
+
+    def _bits(self, signals: range, value: Expression) -> list[str]:
+        if signals and signals[-1] >= FIRST_INPUT:
+            raise CannotSay("BITS sets signals that are no outputs", "write SIGNAL for them")
+        known = constant(value)
+        text = "" if known is not None else f"v_index({self.values.real(value)}) + 0.0"
+        rows: list[str] = []
+        for k, signal in enumerate(signals):
+            state = (
+                f"v_bit({text}, {2.0**k})" if known is None else str(bool(round(known) >> k & 1))
+            )
+            rows += self._output(signal, state)
+        return rows
 
     def _argument(self, argument: object) -> str:
         if isinstance(argument, Place):
@@ -226,19 +266,19 @@ class Steps:
         match item:
             case Format():
                 return []
-            case Constant(str(text)):
-                words = printed(text).replace('"', "'").replace("\n", " ")
-                return [f'textmsg("{words}")']
             case _:
                 expression: Load = item  # type: ignore[assignment]
-                return [f"textmsg({self.values.real(expression)})"]
+                words = self.values.is_string(expression)
+                v = self.values
+                return [f"textmsg({(v.string if words else v.real)(expression)})"]
 
 
 def _name(step: ir.Instruction) -> str:
     words: dict[type, str] = {
         ir.ReactError: "REACTE",
         ir.StartProcess: "PCEXECUTE",
-        ir.SetBase: "BASE",
+        ir.EndProcess: "PCEND",
+        ir.AbortProcess: "PCABORT",
         ir.Jump: "GOTO",
         ir.JumpIf: "GOTO",
         ir.RequestBranch: "arm branches",
@@ -250,7 +290,7 @@ def _name(step: ir.Instruction) -> str:
 
 def asks(step: ir.Instruction) -> bool:
     """Return whether an instruction sets an output, or a clock, as a motion begins."""
-    if isinstance(step, ir.SetTimer):
+    if isinstance(step, ir.SetTimer | ir.SetBits):
         return constant(step.value) is not None
     if isinstance(step, ir.Signal):
         return any(signal_of(signal)[0] < FIRST_INTERNAL for signal in step.signals)

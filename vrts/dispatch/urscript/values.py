@@ -8,9 +8,9 @@ import math
 
 from vrts.base.pose import Pose, Rotation
 from vrts.dispatch.saying.cannot import CannotSay
-from vrts.dispatch.saying.names import decimal, plain
+from vrts.dispatch.saying.names import decimal, plain, printed
 from vrts.dispatch.saying.parts import constant
-from vrts.dispatch.saying.signals import FIRST_INPUT, FIRST_INTERNAL, signal_of
+from vrts.dispatch.saying.signals import FIRST_INPUT, FIRST_INTERNAL, bits_of, signal_of
 from vrts.dispatch.saying.table import Table
 from vrts.dispatch.saying.timers import timer_of
 from vrts.ir.expressions import (
@@ -50,7 +50,7 @@ PART = {Function.DX: 0, Function.DY: 1, Function.DZ: 2}
 HERE = "v_at"
 NOTHING = "p[0.0, 0.0, 0.0, 0.0, 0.0, 0.0]"
 SIX = 6
-_LETTER = {Type.REAL: "n", Type.POSE: "at", Type.JOINTS: "j"}
+_LETTER = {Type.REAL: "n", Type.POSE: "at", Type.JOINTS: "j", Type.STRING: "s"}
 
 
 def number(value: float) -> str:
@@ -97,7 +97,7 @@ def name_of(variable: Variable) -> str:
     if isinstance(variable, Slot):
         return f"own_{plain(variable.name)}"
     if variable.type not in _LETTER:
-        raise CannotSay("strings are not written in URScript", "do without")
+        raise CannotSay(f"`{variable.name}` may be of any kind", "give it one")
     return f"{_LETTER[variable.type]}_{plain(variable.name)}"
 
 
@@ -123,6 +123,29 @@ class Values:
         at = constant(subscript)
         index = f"v_index({self.real(subscript)})" if at is None else str(round(at))
         return f"{name_of(place.variable)}[{index}]"
+
+    def string(self, e: Argument) -> str:
+        """Return a string: one that stands in the text, or that a variable holds."""
+        match e:
+            case Constant(str(text)):
+                words = printed(text).replace('"', "'").replace("\n", " ")
+                return f'"{words}"'
+            case Load(place) if not place.subscripts and place.variable.type is Type.STRING:
+                return self.place(place)
+            case _:
+                raise CannotSay("URScript's strings are only kept and told", "do without")
+
+    def is_string(self, e: Argument) -> bool:
+        """Return whether an expression is a string."""
+        match e:
+            case Constant(value):
+                return isinstance(value, str)
+            case Load(place):
+                return place.variable.type is Type.STRING
+            case Apply(function):
+                return function.value.startswith("$")
+            case _:
+                return False
 
     def real(self, e: Argument) -> str:
         """Return a number."""
@@ -168,7 +191,7 @@ class Values:
         elif signal >= FIRST_INPUT:
             read = f"get_standard_digital_in({self.table.input(signal)})"
         else:
-            raise CannotSay("an output is not read", "keep it in a variable")
+            read = f"out_{signal}"  # what the program has set
         return read if on else f"(not {read})"
 
     def _apply(self, function: Function, arguments: tuple[Argument, ...]) -> str:
@@ -177,6 +200,12 @@ class Values:
         if function is Function.DISTANCE:
             one, other = (self.location(argument) for argument in arguments)
             return f"v_distance({one}, {other})"
+        if function is Function.BITS:
+            each = (
+                f"{2.0**k} * v_real({self._signal(Constant(float(signal)))})"
+                for k, signal in enumerate(bits_of(*(*arguments, None)[:2]))
+            )
+            return f"(-({' + '.join(each)}))"
         if function is Function.TIMER:
             timer = timer_of(arguments[0])
             return "v_clock()" if timer == 0 else f"(v_clock() - timer_{timer})"
@@ -253,6 +282,9 @@ class Values:
                 return f"v_trans({x}, {y}, {z}, ({o} - 90.0), ({a} + 90.0), {t})"
             case Function.TRANS_ZYZ:
                 return f"v_trans({', '.join(map(self._or_zero, given[:SIX]))})"
+            case Function.FRAME:
+                places = ", ".join(map(self.location, arguments))
+                return f"v_frame({places})"
             case Function.PPOINT:
                 angles = (f"v_rad * {self._or_zero(item)}" for item in given[:SIX])
                 return f"[{', '.join(angles)}]"

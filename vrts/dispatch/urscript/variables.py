@@ -5,7 +5,7 @@ from vrts.dispatch.saying.arguments import Arguments
 from vrts.dispatch.saying.arrays import largest_subscripts
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.parts import constant, parts
-from vrts.dispatch.saying.signals import FIRST_INTERNAL
+from vrts.dispatch.saying.signals import FIRST_INTERNAL, read_outputs
 from vrts.dispatch.saying.timers import timers
 from vrts.dispatch.urscript.values import (
     NOTHING,
@@ -19,6 +19,7 @@ from vrts.ir.module import Module
 from vrts.ir.values import Type, Value
 
 EMPTY = {Type.REAL: "0.0", Type.POSE: NOTHING, Type.JOINTS: "[0.0, 0.0, 0.0, 0.0, 0.0, 0.0]"}
+EMPTY[Type.STRING] = '""'
 LISTS = (Type.REAL, Type.POSE)  # a list of lists is a matrix in URScript
 
 
@@ -61,6 +62,7 @@ def variables(module: Module) -> dict[str, str]:
             signal = abs(round(constant(part) or 0.0))
             if FIRST_INTERNAL <= signal < FIRST_INTERNAL + 1000:
                 held[f"signal_{signal}"] = "False"
+    held |= {f"out_{signal}": "False" for signal in sorted(read_outputs(module))}
     held |= {f"timer_{number}": "0.0" for number in timers(module)}
     return held
 
