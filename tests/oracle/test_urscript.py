@@ -141,10 +141,10 @@ def test_both_ways_of_decisions_lead_where_the_run_went(on: bool) -> None:
     [
         ("IF x THEN\nMOVE safe\nEND\nSIGNAL 1", "the arm may still move when this looks"),
         ("MOVE safe\nIF SIG(1001) THEN\nMOVES safe\nEND", "the arm may still move when"),
-        ("BASE 0,0,0,0\nMOVE safe", "URScript has nothing that means BASE"),
+        ("MOVET safe, 50", "URScript has nothing that means MOVET"),
         ("SET #q[1] = #PPOINT(0,-90,90,0,0,0)\nMOVE #q[1]", "URScript reads a list of joints"),
         ("CALL two(x)", "`x` is passed to `two`, which changes it too"),
-        ("DRIVE 1, 5, 50", "URScript has nothing that means DRIVE"),
+        ("RIGHTY\nMOVE safe", "URScript has nothing that means arm branches"),
         ("REACTI 2001, halt1\nMOVE safe", "signal 2001 is watched and is no input"),
         ("REACTI 1001, two\nMOVE safe", "`two` takes arguments"),
         ("REACT 1001, go\nMOVE safe", "`go` may leave the arm moving"),

@@ -22,6 +22,8 @@ o4                450.00   100.00   100.00     0.00     0.00     0.00
 CASES = {
     "base": """MOVE safe
 BASE 20, -10, 15, 12
+DEPARTS 10
+DRAW 5, 10, 0
 MOVE safe
 DRAW 0, 20, 0
 DEPARTS 15
@@ -75,6 +77,21 @@ RESET
 IF SIG(-1) THEN
 MOVE safe
 END""",
+    "joints": """MOVE safe
+MOVES left
+DRIVE 1, 12, 50
+SPEED 40
+DRIVE 6, -20
+MOVE right
+BREAK
+HERE #q
+DEPARTS 30
+DRIVE 5, 8, 100
+MOVE #q
+BREAK
+SET #w = #HERE
+MOVES safe
+MOVE #w""",
     "strings": """$name = "part"
 $other = $name
 MOVE safe

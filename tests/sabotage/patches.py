@@ -1625,6 +1625,20 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/dispatch/linuxcnc/test_program_text.py",),
     ),
     Patch(
+        "urscript: BASE leaves where the arm stands as it was",
+        "vrts/dispatch/urscript/library.py",
+        "global v_at = pose_trans(pose_inv(v_turn), pose_trans(was, v_at))",
+        "global v_at = v_at",
+        ("tests/oracle/test_urscript_words.py",),
+    ),
+    Patch(
+        "V+ starts the second program as the task that has the robot",
+        "vrts/dispatch/posts/vplus.py",
+        """return (f"EXECUTE 1 {self.started(node, '()')}",)""",
+        """return (f"EXECUTE 0 {self.started(node, '()')}",)""",
+        ("tests/oracle/test_robot_texts.py",),
+    ),
+    Patch(
         "urscript: REACTI lets the arm move on",
         "vrts/dispatch/urscript/watching.py",
         'yield "v_brake()"',

@@ -40,6 +40,7 @@ ASSUMED = """
   VAL-II has single precision and is exact.
 - Motions begin and end at rest, but for rounded corners, which take {corner:g} s each.
 - Before rounded motions the arm waits {lead:g} s, so that the set points of what comes are there.
+- Outputs are taken to be off where the program begins.
 - A wait for an input is repeated without an end, as WAIT is.
 - In simulation, without a real-time kernel, LinuxCNC lost its place once in a hundred rehearsals
   on a very busy machine and took another way. Nobody has tried this under a real-time kernel.

@@ -39,6 +39,14 @@ MOTIONS = """
     movel(pose_trans(v_turn, x), a={linear_a} * s, v={linear_v} * s, r=r)
     global v_at = x
   end
+  def v_drive(k, by, share, r):
+    local q = get_target_joint_positions()
+    q[k] = q[k] + v_rad * by
+    local kept = v_next
+    global v_next = share
+    v_movejoints(q, r)
+    global v_next = kept
+  end
 """
 FUNCTIONS = """
   def v_shift(x, y, z):

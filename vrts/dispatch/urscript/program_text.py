@@ -78,7 +78,9 @@ def said(
         held = variables(module)
     except CannotSay as cannot:
         return Said("", (cannot.diagnostic(CANNOT, module.programs[entry].span),))
-    writer = _Writer(found, module, table, arm, {} if watched else radii, watched, entry)
+    stops = watched is not None or _counts_joints(module)
+    corners: Mapping[tuple[str, int], float] = {} if stops else radii
+    writer = _Writer(found, module, table, arm, corners, watched, entry)
     texts = {program.name: program for program in found.programs}
     mode = Mode(watched)
     bodies = [row for name in names for row in writer.program(texts[name], mode)]
@@ -96,6 +98,12 @@ def said(
         "end",
     ]
     return Said("\n".join(rows) + "\n", tuple(writer.errors))
+
+
+def _counts_joints(module: Module) -> bool:
+    """Return whether a program turns joints from where they are: it has to stop before."""
+    programs = module.programs.values()
+    return any(isinstance(i, ir.Drive) for program in programs for i in program.instructions)
 
 
 def _payload(table: Table) -> list[str]:

@@ -29,7 +29,8 @@ TEXT = """# `{name}` in URScript: not tried on a controller
 - The program goes on when a motion has ended, or where its rounded corner begins. Outputs that
   VAL-II sets as a motion begins stand before it. `sync()` in a loop may end a rounding there.
 - Lists hold {elements} elements where a subscript is worked out in the run; UR stops beyond them.
-{payload}{more}- Safety planes, joint limits, forces and the stop are the robot's.
+{payload}{more}- Outputs are taken to be off where the program begins.
+- Safety planes, joint limits, forces and the stop are the robot's.
 
 ## Check before the first run
 

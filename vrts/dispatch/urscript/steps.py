@@ -15,7 +15,7 @@ from vrts.dispatch.saying.signals import (
 )
 from vrts.dispatch.saying.table import Table
 from vrts.dispatch.saying.timers import timer_of
-from vrts.dispatch.urscript.values import HERE, NOTHING, Values, name_of, number
+from vrts.dispatch.urscript.values import HERE, JOINTS_HERE, NOTHING, Values, name_of, number
 from vrts.dispatch.urscript.watching import Watching
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import Expression, Format, Load, Place, Slot, WholeArray
@@ -31,9 +31,8 @@ REMEDIES: dict[type, str] = {
     ir.MoveHand: "write OPEN or CLOSE without a distance",
     ir.Grasp: "write CLOSEI, then look at an input of the hand with IF SIG(...)",
     ir.RequestBranch: "leave it out: UR takes the joints nearest to where the arm stands",
-    ir.Drive: "write MOVE to joint values: `MOVE #PPOINT(...)`",
 }
-MOVES = (ir.Move, ir.Depart, ir.Draw, ir.Ready)
+MOVES = (ir.Move, ir.Depart, ir.Draw, ir.Drive, ir.Ready)
 UNITS = {SpeedUnit.PERCENT: "/ 100.0", SpeedUnit.MM_PER_S: "/ v_full_mm"}
 UNITS[SpeedUnit.INCH_PER_S] = "* 25.4 / v_full_mm"
 
@@ -114,6 +113,11 @@ class Steps:
                 by = ", ".join("0.0" if o is None else v.real(o) for o in offsets[:3])
                 line = self._word(Interpolation.LINEAR)
                 return [*self.mode.rests, f"{line}(pose_trans(v_shift({by}), {HERE}), {r})"]
+            case ir.Drive(joint, change, speed):
+                known = constant(joint)
+                at = f"v_index({v.real(joint)} - 1.0)" if known is None else str(round(known) - 1)
+                share = "1.0" if speed is None else f"{v.real(speed)} / 100.0"
+                return [f"{self.mode.own}_drive({at}, {v.real(change)}, {share}, {r})"]
             case ir.Ready():
                 return [f"{self.mode.own}_movejoints({self.ready}, {r})"]
             case ir.Break():
@@ -152,6 +156,8 @@ class Steps:
                 return [self._assign(place, value)]
             case ir.AssignHere(place, None) if place.variable.type is Type.POSE:
                 return [self.given(place, self.mode.here)]
+            case ir.AssignHere(place, None):
+                return [self.given(place, JOINTS_HERE)]
             case ir.Signal(signals):
                 return [row for s in signals for row in self._signal(*signal_of(s))]
             case ir.Reset():

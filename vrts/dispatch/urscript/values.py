@@ -48,6 +48,7 @@ ARITHMETIC = {
 ANGLES = {Function.SIN: "sin", Function.COS: "cos", Function.TAN: "tan"}
 PART = {Function.DX: 0, Function.DY: 1, Function.DZ: 2}
 HERE = "v_at"
+JOINTS_HERE = "get_target_joint_positions()"
 NOTHING = "p[0.0, 0.0, 0.0, 0.0, 0.0, 0.0]"
 SIX = 6
 _LETTER = {Type.REAL: "n", Type.POSE: "at", Type.JOINTS: "j", Type.STRING: "s"}
@@ -268,6 +269,8 @@ class Values:
         match function:
             case Function.HERE:
                 return self.here
+            case Function.HERE_JOINTS:
+                return JOINTS_HERE
             case Function.DEST:
                 return HERE
             case Function.NULL:

@@ -96,6 +96,15 @@ MOTIONS = """
     global v_moving = run v_gol()
     P_wait()
   end
+  def P_drive(k, by, share, r):
+    P_wait()
+    local q = get_target_joint_positions()
+    q[k] = q[k] + v_rad * by
+    local kept = v_next
+    global v_next = share
+    P_movejoints(q, r)
+    global v_next = kept
+  end
 """
 BRAKE = """
   def v_brake():

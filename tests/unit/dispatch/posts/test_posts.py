@@ -122,6 +122,7 @@ def test_a_step_in_other_languages(step: str, vplus: str, kawasaki: str) -> None
         ("y = BCD(3)", "as", "AS has nothing that means BCD"),
         ("y = SQR(RANDOM)", "as", "AS has no SQR, and its argument is a function"),
         ("SPEED 5 IPS\ny = SPEED(3)", "as", "SPEED would yield mm/s where it yields inches a"),
+        ("OPENI 50", "as", "AS has nothing that means OPENI with a distance"),
         ("WAIT", "as", "AS has nothing that means WAIT without a condition"),
         ("SET c = SCALE(a BY 0.9)", "as", "AS has nothing that means SCALE"),
         ("y = HAND", "as", "AS has nothing that means HAND"),
