@@ -149,3 +149,69 @@ def test_reacti_stops_the_arm_and_goes_on_behind_the_motion(steps: str, on_s: fl
 @pytest.mark.parametrize("on_s", [1.0, 2.5])
 def test_lock_lets_reactions_wait(on_s: float) -> None:
     beside(LOCKED, (on_s, 1001, True))
+
+
+BESIDE = """.PROGRAM main
+n = 0
+PCEXECUTE lamp, CYCLES
+MOVE safe
+MOVES left
+BREAK
+IF SIG(1001) THEN
+PCEND
+END
+MOVES right
+BREAK
+DELAY 1.5
+BREAK
+TYPE n
+SIGNAL 1
+MOVE safe
+BREAK
+WAIT SIG(-2)
+PCABORT
+SIGNAL -1
+.END
+.PROGRAM lamp
+SIGNAL 2
+TIMER 1 = 0
+CALL blink
+WAIT TIMER(1) > 0.9
+n = n + 1
+.END
+.PROGRAM blink
+WAIT TIMER(1) > 0.5
+SIGNAL -2
+.END
+"""
+
+
+@pytest.mark.parametrize("cycles", [1, 3, -1])
+@pytest.mark.parametrize("on_s", [0.3, 99.0], ids=["end", "never"])
+def test_a_second_program_is_a_thread(cycles: int, on_s: float) -> None:
+    text = BESIDE.replace("CYCLES", str(cycles)) + PLACES
+    folder, run = exported(text, inputs={}, changes=((on_s, 1001, True),))
+    assert folder.files is not None, folder.diagnostics
+    table = read_table(SourceFile("io.toml", folder.files["io.toml"].decode()))
+    timed = InTime(run, table.inputs)
+    done = timed.carried_out(folder.files["program.script"].decode())
+    same_motions(done, run, rounded=False)
+    told = [item for item in done if not isinstance(item, Motion) and item[0] == "text"]
+    shown = [e.text for e in run.events if isinstance(e, Printed)]
+    assert [f"{item[1]:.0f}" for item in told] == [text.strip() for text in shown]
+    stops = 5  # of the arm and of the waits: VAL-II takes a little longer at each
+    later = timed.told_alike(table.outputs)
+    assert all(abs(by) < stops * AT_REST for by in later), later
+
+
+def test_what_both_programs_know_is_not_looked_at_while_the_arm_moves() -> None:
+    for steps, says in (
+        (BESIDE.replace("MOVES left\n", "MOVES left\nn = 3\n"), "the second program knows `n`"),
+        (BESIDE.replace("n = 0\n", "n = 0\nREACT 1002, blink\n"), "the program watches inputs"),
+        (BESIDE.replace("PCEND", "PCEND -1"), "PCEND takes back"),
+        (BESIDE.replace("lamp, CYCLES", "lamp, 2, 3"), "PCEXECUTE goes on with a program"),
+    ):
+        folder, _ = exported(steps.replace("CYCLES", "2") + PLACES, inputs={1001: True})
+        headlines = [d.headline for d in folder.diagnostics if d.is_error]
+        assert headlines, steps
+        assert headlines[0].startswith(says)

@@ -31,8 +31,22 @@ def executed(module: Module, entries: tuple[str, ...]) -> list[str]:
             continue
         seen.append(name)
         for step in module.programs[name].instructions:
-            if isinstance(step, ir.Call | ir.React) and step.program is not None:
+            begun = isinstance(step, ir.Call | ir.React | ir.StartProcess)
+            if begun and step.program is not None:
                 waiting.append(step.program)
+    return seen
+
+
+def called(module: Module, programs: tuple[str, ...]) -> list[str]:
+    """Return programs and those that they call."""
+    seen: list[str] = []
+    waiting = list(programs)
+    while waiting:
+        name = waiting.pop()
+        if name not in seen:
+            seen.append(name)
+            steps = module.programs[name].instructions
+            waiting += [step.program for step in steps if isinstance(step, ir.Call)]
     return seen
 
 

@@ -66,7 +66,7 @@ def used_signals(module: Module, entry: str) -> tuple[set[int], set[int]]:
             continue
         seen.add(name)
         for instruction in module.programs[name].instructions:
-            if isinstance(instruction, ir.Call | ir.React):
+            if isinstance(instruction, ir.Call | ir.React | ir.StartProcess):
                 waiting.append(instruction.program)
             if isinstance(instruction, ir.React):
                 inputs |= _numbers((instruction.signal,))

@@ -18,6 +18,7 @@ from vrts.dispatch.saying.under_way import looks, tells_place, under_way
 from vrts.dispatch.urscript.blocks import INDENT, Blocks, never_empty
 from vrts.dispatch.urscript.jumps import go, jump_lines, kept
 from vrts.dispatch.urscript.library import BEGINNING, CLOCK, FUNCTIONS, MOTIONS
+from vrts.dispatch.urscript.processes import STATE, Processes, processes
 from vrts.dispatch.urscript.steps import SILENT, Mode, Steps, asks
 from vrts.dispatch.urscript.values import joints_text, name_of, number, pose_text
 from vrts.dispatch.urscript.variables import EMPTY, variables
@@ -72,17 +73,27 @@ def said(
         radii: Of rounded corners [m], by program and step.
     """
     try:
-        watched = watching(module, entry)
+        watched, beside = watching(module, entry), processes(module, entry)
+        if watched is not None and beside is not None:
+            raise CannotSay("the program watches inputs and starts another one", "do one of both")
         names = called_by(module, entry)
         others = called_by(module, *(() if watched is None else watched.programs))
+        others_beside = called_by(module, *(() if beside is None else beside.programs))
         held = variables(module)
     except CannotSay as cannot:
         return Said("", (cannot.diagnostic(CANNOT, module.programs[entry].span),))
     stops = watched is not None or _counts_joints(module)
     corners: Mapping[tuple[str, int], float] = {} if stops else radii
-    writer = _Writer(found, module, table, arm, corners, watched, entry)
+    begun = beside or watched
+    writer = _Writer(found, module, table, arm, corners, begun, entry)
     texts = {program.name: program for program in found.programs}
-    mode = Mode(watched)
+    rows_beside: list[str] = []
+    if beside is not None:
+        mode = Mode(processes=beside, beside=True)
+        rows_beside += STATE
+        rows_beside += [row for name in others_beside for row in writer.program(texts[name], mode)]
+        rows_beside += beside.threads()
+    mode = Mode(watched, processes=beside)
     bodies = [row for name in names for row in writer.program(texts[name], mode)]
     mode = Mode(watched, reaction=True)
     between = [INDENT + row for name in others for row in writer.program(texts[name], mode)]
@@ -93,7 +104,7 @@ def said(
         f"{INDENT}set_tcp({pose_text(arm.X_FT)})",
         *_payload(table),
         f"{INDENT}global v_at = v_here()",
-        *(INDENT + row for row in bodies),
+        *(INDENT + row for row in (*rows_beside, *bodies)),
         f"{INDENT}prog_{plain(entry)}()",
         "end",
     ]
@@ -153,15 +164,15 @@ class _Writer:
         table: Table,
         arm: Arm,
         radii: Mapping[tuple[str, int], float],
-        watched: Watching | None,
+        begun: Watching | Processes | None,
         entry: str,
     ) -> None:
-        self.module, self.table, self.radii, self.watched = module, table, radii, watched
+        self.module, self.table, self.radii, self.begun = module, table, radii, begun
         self.resting = under_way(module, entry)
-        programs = () if watched is None else watched.programs
+        programs = () if begun is None else begun.programs
         self.reacting = under_way(module, *programs)
         self.interrupted = under_way(module, *programs, moves=True)  # reactions begin so
-        self.mode = Mode(watched)
+        self.mode = Mode()
         self.problems = found.resolver.problems
         self.errors: list[Diagnostic] = []
         self.arm = arm
@@ -170,7 +181,7 @@ class _Writer:
     @property
     def moving(self) -> frozenset[tuple[str, int]]:
         """Where the arm may move, in the mode that is written now."""
-        return self.reacting if self.mode.reaction else self.resting
+        return self.reacting if self.mode.reaction or self.mode.beside else self.resting
 
     def program(self, text: ProgramText, mode: Mode) -> list[str]:
         """Return the lines of a program."""
@@ -291,12 +302,14 @@ class _Writer:
                 if looks(step):
                     raise CannotSay(MOVING, REMEDY)
                 both = None
-                if self.watched is not None and not self.mode.reaction:
-                    both = self.watched.shared.disturbs(step)
+                apart = self.mode.reaction or self.mode.beside
+                if self.begun is not None and not apart:
+                    both = self.begun.shared.disturbs(step)
                 if both is not None:
-                    raise CannotSay(f"a reaction knows `{both}`, and the arm may move", REMEDY)
+                    who = "a reaction" if isinstance(self.begun, Watching) else "the second program"
+                    raise CannotSay(f"{who} knows `{both}`, and the arm may move", REMEDY)
             here = (program.name, k) in self.interrupted and tells_place(step)
-            if self.mode.reaction and here:
+            if (self.mode.reaction or self.mode.beside) and here:
                 raise CannotSay("the arm may still move where HERE is read", "write BREAK first")
 
     def _comment(self, step: Step, indent: str) -> str:

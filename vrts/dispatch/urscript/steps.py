@@ -15,6 +15,7 @@ from vrts.dispatch.saying.signals import (
 )
 from vrts.dispatch.saying.table import Table
 from vrts.dispatch.saying.timers import timer_of
+from vrts.dispatch.urscript.processes import Processes, abort, end
 from vrts.dispatch.urscript.values import HERE, JOINTS_HERE, NOTHING, Values, name_of, number
 from vrts.dispatch.urscript.watching import Watching
 from vrts.ir import instructions as ir
@@ -42,6 +43,8 @@ class Mode(NamedTuple):
 
     watching: Watching | None = None
     reaction: bool = False
+    processes: Processes | None = None
+    beside: bool = False  # it is carried out beside the first program
 
     @property
     def own(self) -> str:
@@ -51,6 +54,8 @@ class Mode(NamedTuple):
     @property
     def called(self) -> str:
         """What the names of programs begin with."""
+        if self.beside:
+            return "beside"
         return "react" if self.reaction else "prog"
 
     @property
@@ -180,6 +185,12 @@ class Steps:
                 return [*told, *self.mode.rests, "halt"]
             case ir.SetTimer(timer, value):
                 return [f"global timer_{timer_of(timer)} = v_clock() - {v.real(value)}"]
+            case ir.StartProcess() if self.mode.processes is not None:
+                return self.mode.processes.start(step, v)
+            case ir.EndProcess() if self.mode.processes is not None:
+                return end(step)
+            case ir.AbortProcess() if self.mode.processes is not None:
+                return abort()
             case ir.React() if self.mode.watching is not None:
                 return self.mode.watching.watch(step, self.table)
             case ir.Ignore(signal) if self.mode.watching is not None:

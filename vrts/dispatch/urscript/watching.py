@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from vrts.dispatch.saying.cannot import CannotSay
 from vrts.dispatch.saying.names import plain
-from vrts.dispatch.saying.reactions import Reaction, Shared, reaction_of, reacts, shared
+from vrts.dispatch.saying.reactions import Reaction, Shared, called, reaction_of, reacts, shared
 from vrts.dispatch.saying.table import Table
 from vrts.dispatch.saying.under_way import left_moving
 from vrts.ir import instructions as ir
@@ -247,17 +247,4 @@ def watching(module: Module, entry: str) -> Watching | None:
     if not steps:
         return None
     watched = Watching(tuple(found), Shared(frozenset(), frozenset()), module)
-    return watched._replace(shared=shared(module, [*_called(module, watched.programs)]))
-
-
-def _called(module: Module, programs: tuple[str, ...]) -> Iterable[str]:
-    seen: set[str] = set()
-    waiting = list(programs)
-    while waiting:
-        name = waiting.pop()
-        if name in seen:
-            continue
-        seen.add(name)
-        yield name
-        steps = module.programs[name].instructions
-        waiting += [step.program for step in steps if isinstance(step, ir.Call)]
+    return watched._replace(shared=shared(module, called(module, watched.programs)))
