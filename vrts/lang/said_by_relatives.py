@@ -21,7 +21,6 @@ WORDS_IN_AS = {  # that do the same
     "FLIP": "DWRIST",
     "NOFLIP": "UWRIST",
     "SET": "POINT",
-    "TYPE": "PRINT",
     "REACTE": "ONE",
     "CALLS": "SCALL",
 }

@@ -73,7 +73,8 @@ def check_arguments(
             )
             return
     _by_value(resolver, caller, node, program)
-    if len(node.arguments) < len(program.formals) and not problems.dialect.tolerant:
+    few = len(node.arguments) < len(program.formals)
+    if few and (problems.dialect.is_as or not problems.dialect.tolerant):
         _too_few(resolver, node, program)
 
 
@@ -270,13 +271,18 @@ def _at_the_call(resolver: Resolver) -> Severity:
 
 
 def _too_few(resolver: Resolver, node: CallStatement, program: ProgramText) -> None:
-    """Warn of arguments left out that the program needs: it neither asks for them nor sets them."""
+    """Warn of arguments left out that the program needs: it neither asks for them nor sets them.
+
+    AS wants as many as the program takes [AS manual, appendix of error messages, P0137].
+    """
     formals = resolver.scope.formals[program.name]
     names = [f.name.text for f in program.formals[len(node.arguments) :] if f.name.text]
     entries = [formals[key(name)] for name in names]
-    if not any(e.reads and not e.writes and not e.asked for e in entries):
-        return
     problems = resolver.problems
+    needed = any(e.reads and not e.writes and not e.asked for e in entries)
+    if not needed and not problems.dialect.is_as:
+        return
+    lost = "an argument left out has no value: the controller stops where it is used"
     given, taken = len(node.arguments), len(program.formals)
     problems.warning(
         ARGUMENT_COUNT,
@@ -284,7 +290,7 @@ def _too_few(resolver: Resolver, node: CallStatement, program: ProgramText) -> N
         node.start,
         node.end,
         secondary=(problems.label(program.start, program.end, "the program begins here"),),
-        notes=("an argument left out has no value: the controller stops where it is used",),
+        notes=(_MISMATCH if problems.dialect.is_as else lost,),
         help=(f"write the missing argument, too: `CALL {as_header(program)}`",),
     )
 

@@ -20,6 +20,7 @@ from vrts.lang.findings.names.untaught import (
     report_untaught,
 )
 from vrts.lang.findings.never_given import Guess, guess, only_of_itself, part_of_location
+from vrts.lang.findings.relatives.operands import check_operands
 from vrts.lang.meaning.agreement import settle_types
 from vrts.lang.meaning.name_uses import KEYWORD_AS_NAME
 from vrts.lang.meaning.no_texts import report_no_texts
@@ -44,6 +45,7 @@ def check_usage(resolver: Resolver, programs: list[ProgramText]) -> None:
     decided = settle_types(resolver, programs)
     strings = report_given_texts(resolver)
     report_no_texts(resolver, strings)
+    check_operands(resolver, programs)
     suggestions = _Suggestions(resolver)
     bodies = sorted((p.start, p.finish[1]) for p in programs)
     clashes = report_misused_words(resolver, programs)  # nothing more is said of them

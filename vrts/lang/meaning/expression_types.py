@@ -219,6 +219,10 @@ class ExpressionTypes(NameUses):
     def _element(
         self, node: Element, name: Name, subscripts: tuple[Item | None, ...], wanted: Wanted
     ) -> Type:
+        if name.text[0] == "$" and len(subscripts) == 1 and _is_slice(subscripts[0]):
+            type_mistakes.slice_of_string(self.problems, node)
+            self.wrong_lines.add(self.problems.source.line_of(node.start))
+            return Type.STRING
         entry = self._use(name, wanted)
         entry.reads.append((node.start, node.end))
         self._subscripts(entry, node, subscripts)
@@ -268,6 +272,9 @@ class ExpressionTypes(NameUses):
             self.items_of_type(node.arguments, writes=False)
             self._count(node, signature)
         elif self._count(node, signature):
+            if arguments.number_of_text(self.problems, node):
+                self._loose(node)
+                return signature.result
             if lower in _LOOKED_INTO:
                 self.asked.append(Asked(self.program, self.step, node))
             for i, argument in enumerate(node.arguments):
@@ -434,6 +441,11 @@ class ExpressionTypes(NameUses):
             found = self.no_texts[at]
             self.no_texts[at] = found._replace(why=found.why or why)
             self.wrong_lines.add(self.problems.source.line_of(found.node.start))
+
+
+def _is_slice(node: Item | None) -> bool:
+    """Whether a subscript is a range, as in `$s[0:3]`."""
+    return isinstance(node, Infix) and node.operator == ":"
 
 
 def _is_width(node: Expression) -> bool:

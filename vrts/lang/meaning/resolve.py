@@ -86,9 +86,7 @@ class Resolver(OperandTypes):
         match node:
             case Assignment(target, value):
                 self._assignment(node, target, value)
-            case SetLocation() if not self.dialect.is_as and set_of_no_location(
-                self.problems, node, self.functions
-            ):
+            case SetLocation() if set_of_no_location(self.problems, node, self.functions):
                 self._plain(node)
             case SetLocation(target, value):
                 self._write(target, Type.POSE, "SET gives a value to a location", value)
@@ -150,17 +148,17 @@ class Resolver(OperandTypes):
                     self._ask(node)
                 self.check(condition, Type.REAL, "a condition is a number")
             case Case(selector):
-                self.text_case = not self.dialect.tolerant and is_text(selector)
-                if self.text_case:
+                self.text_case = is_text(selector)
+                if self.text_case and not self.dialect.tolerant:
                     self._case_of_text(selector)
                 else:
                     self._selector(selector)
             case ValueGroup(values):
                 for value in values:
-                    if value is not None and self.text_case and is_text(value):
+                    if value is not None and is_text(value) and self._is_of_text(node):
                         self._type(value, Type.STRING)  # told at its CASE
                     elif value is not None:
-                        self._selector(value)
+                        self.check(value, Type.REAL, "CASE compares numbers")
             case For(target, first, last, increment):
                 self._ask(node)
                 self._write(target, Type.REAL, "FOR counts a number", None)
@@ -172,7 +170,8 @@ class Resolver(OperandTypes):
             case CallNamed(program, arguments):
                 self.check(program, Type.STRING, "CALLS takes the name of a program in a string")
                 self._call(Name("", node.start, node.start), arguments)
-            case Bad(_, names):
+            case Bad(word, names):
+                self.text_case |= word in ("CASE", "SCASE")  # it may compare either
                 self.bad_names.update(names)
             case Declare(word, _, names):
                 self._declared(word, names)
@@ -296,6 +295,11 @@ class Resolver(OperandTypes):
             self._type(node, Type.STRING)
         else:
             self.check(node, Type.REAL, "CASE compares numbers")
+
+    def _is_of_text(self, node: ValueGroup) -> bool:
+        """Whether a group may hold texts: of the CASE that was read last, or by its own word."""
+        word = self.problems.source.text[node.start : node.start + len("SVALUE")]
+        return self.text_case or word.upper() == "SVALUE"
 
     def _case_of_text(self, selector: Expression) -> None:
         """Report `CASE $a OF`, once with its values."""

@@ -60,17 +60,23 @@ def set_of_no_location(
         return False
     text = target.text[0] == "$" or is_text(node.value)
     number = is_number(node.value, functions)
+    if problems.dialect.is_as:  # where `+` and `-` join locations
+        number = isinstance(node.value, Number)
+        if not text and not number:
+            return False
     if not text and not number and not _adds_to_itself(node.target, node.value, functions):
         return False
     what = "a string" if text else "a number"
     plain = problems.source.text[node.target.start : node.end]
     sign = "$" if text and target.text[0] != "$" else ""
-    helps = [f"{what} is given a value by `=`, without SET", f"write `{sign}{plain}`"]
+    word = problems.source.text[node.start : node.target.start].strip().upper()
+    word = "POINT" if problems.dialect.is_as else "SET" if not word.isalpha() else word
+    helps = [f"{what} is given a value by `=`, without {word}", f"write `{sign}{plain}`"]
     if not text and isinstance(node.value, Number):
         helps.append("a location is made of numbers by `TRANS(x, y, z, o, a, t)`")
     problems.error(
         WRONG_TYPE,
-        f"SET gives a value to a location, not {what}",
+        f"{word} gives a value to a location, not {what}",
         node.value.start,
         node.value.end,
         f"this is {what}",

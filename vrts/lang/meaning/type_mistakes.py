@@ -45,6 +45,25 @@ _BEFORE = 12  # signs before an array in which LEN is looked for
 _OF_POSE = 6  # numbers of a location, as in `p[x, y, z, rx, ry, rz]`
 NUMBER = re.compile(r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)")
 NAME = re.compile(r"#?[A-Za-z][\w.]*", re.ASCII)
+_GIVEN = re.compile(r"[ \t]*=(?!=)[ \t]*(?P<value>[^;\n]+)")
+_TAKE_A_VALUE = frozenset(  # of AS, behind their word and without `=`
+    [
+        "SPEED",
+        "TIMER",
+        "DELAY",
+        "TWAIT",
+        "STABLE",
+        "LDEPART",
+        "JDEPART",
+        "LMOVE",
+        "JMOVE",
+        "TYPE",
+        "PRINT",
+        "LOCK",
+        "WEIGHT",
+        "TOOL",
+    ]
+)
 TYPES_SAY = "VAL-II says *Illegal operator*"
 IN_WORDS = {
     Type.REAL: "a number",
@@ -72,6 +91,9 @@ def wrong_type(problems: Problems, node: Expression, found: Type, wanted: Type, 
         help_ = ("a precision point cannot stand in a compound: `SET p = #point` first",)
     elif wanted is Type.POSE and found is Type.REAL:
         help_ = ("name a location, or write `TRANS(x, y, z, o, a, t)`",)
+        if why.startswith("`+` joins"):
+            shift = f"`SHIFT(part BY 0, 0, {written})`"
+            help_ = (f"shift a location by {shift}: the offsets along X, Y and Z",)
         if why.startswith("TOOL"):
             tip = f"TOOL TRANS(0, 0, {written}, 90, -90, 0)"
             help_ = (f"for a tool of {written} mm that is not turned write `{tip}`",)
@@ -248,6 +270,29 @@ def unknown_format(problems: Problems, item: FormatItem) -> None:
     )
 
 
+def slice_of_string(problems: Problems, node: Element) -> None:
+    """Report `$s[0:3]`, the first characters of a string in Python."""
+    text = problems.source.text
+    of = text[node.start : node.end].partition("[")[0].rstrip()
+    first, _, last = (part.strip() for part in _inside(text, node).partition(":"))
+    instead = ""
+    if first.isdecimal() and last.isdecimal() and int(last) > int(first):
+        instead = f"$MID({of}, {int(first) + 1}, {int(last) - int(first)})"
+    problems.error(
+        WRONG_TYPE,
+        "a string has no slices in `[ ]`: $MID takes a part of it",
+        node.start,
+        node.end,
+        notes=(TYPES_SAY,),
+        help=(f"write `{instead or f'$MID({of}, first, count)'}`: characters count from 1",),
+        fix=problems.replace(node.start, node.end, instead) if instead else None,
+    )
+
+
+def _inside(text: str, node: Element) -> str:
+    return text[node.name.end : node.end].strip()[1:-1]
+
+
 def wrong_subscripts(problems: Problems, node: Element) -> None:
     """Report `a[]` where one element is wanted, and more subscripts than an array has."""
     if not node.subscripts:
@@ -332,14 +377,28 @@ def unknown_system_name(
 
 def reserved_name(problems: Problems, name: Name) -> None:
     """`HERE SIGNAL` and `FOR END = 1 TO 5` of AS: a keyword is given a value."""
+    text = problems.source.text
+    upper = name.text.upper()
+    help_, fix = "choose another name", None
+    given = _GIVEN.match(text, name.end)
+    if given is not None and upper in _TAKE_A_VALUE and _begins_step(text, name.start):
+        numbered = f"{upper} 1 = " if upper == "TIMER" else f"{upper} "
+        help_ = f"write `{numbered}{given['value'].strip()}`, or choose another name"
+        fix = problems.replace(name.start, given.start("value"), numbered)
     problems.error(
         KEYWORD_AS_NAME,
-        f"{name.text.upper()} is a word of the language, and no name",
+        f"{upper} is a word of the language, and no name",
         name.start,
         name.end,
         "the name of a variable belongs here",
-        help=("choose another name",),
+        help=(help_,),
+        fix=fix,
     )
+
+
+def _begins_step(text: str, start: int) -> bool:
+    line = text[text.rfind("\n", 0, start) + 1 : start]
+    return line.strip() == "" or line.strip().isdecimal()
 
 
 def predefined_name(problems: Problems, name: Name, instructions: Collection[str]) -> None:

@@ -6,6 +6,7 @@ from vrts.base.diagnostic import Edit, Fix, Rule
 from vrts.lang.names import key
 from vrts.lang.problems import LIMIT, Problems
 from vrts.lang.reading.splitter import Line
+from vrts.lang.steps.advising.open_case import in_case
 from vrts.lang.steps.tolerated import Odd, Tolerated
 from vrts.lang.syntax.program import Label
 
@@ -19,6 +20,7 @@ _LISTED = re.compile(r"\d+\.(?=[ \t]*\?)[ \t]*\?|\d+\.(?=[ \t]|$)")  # `12.  MOV
 _OF_LISTING = Odd("step numbers of a listing", "leave the numbers and their dots out")
 _DECIMAL = re.compile(r"(?P<whole>\d+)\.(?P<part>\d+)(?=[ \t]|$)")
 _ENDS = re.compile(r"^[ \t]*\.(?:PROGRAM|END)\b", re.IGNORECASE | re.MULTILINE)
+_ALL_OTHERS = frozenset({"DEFAULT", "OTHERWISE", "OTHERS", "OTHER", "ELSE", "REST"})
 _NAMED_LABEL = re.compile(r"(?P<name>[A-Za-z][\w.]*):", re.ASCII)
 
 
@@ -31,11 +33,21 @@ def read_label(
         return _numbered(line, problems, tolerated)
     if problems.dialect.has("a"):
         named = _NAMED_LABEL.match(text)
-        if named is not None and named["name"].upper() not in ("ANY", "VALUE"):
+        if named is not None and not _begins_group(line, named["name"].upper(), problems):
             rest = text[named.end() :].lstrip()
             label = Label(key(named["name"]), line.start, line.start + named.end() - 1)
             return label, rest, line.end - len(rest)
     return None, text, line.start
+
+
+def _begins_group(line: Line, name: str, problems: Problems) -> bool:
+    """Whether a word and its colon begin a group of a CASE, or are meant to: `DEFAULT:`."""
+    if name in ("ANY", "VALUE"):
+        return True
+    text = problems.source.text
+    if name not in _ALL_OTHERS or not in_case(text[: line.start]):
+        return False
+    return re.search(rf"\bGOTO[ \t]+{name}\b", text, re.IGNORECASE) is None
 
 
 def _numbered(

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from vrts.lang.dialect import Dialect
+from vrts.lang.said_by_relatives import WORDS_IN_AS
 from vrts.lang.spelling import edit_distance, near
 from vrts.lang.steps.repair import Repair, Tried
 from vrts.lang.vocabulary.lookup import look_up, spellings
@@ -20,7 +21,9 @@ def meant_by(first: str, rest: str, repair: Repair, dialect: Dialect) -> list[Ne
     """Return the instructions most likely meant by the first word of a step."""
     written = first.upper()
     fitting: list[tuple[int, int, Near]] = []
-    for distance, word in near(written, spellings(dialect)):
+    for distance, known in near(written, _known(dialect)):
+        own = known in spellings(dialect)
+        word = known if own else WORDS_IN_AS[known]
         tried = repair.steps(word + rest)
         if tried is not None:
             fitting.append((tried.fixes, distance, Near(word, tried)))
@@ -31,6 +34,11 @@ def meant_by(first: str, rest: str, repair: Repair, dialect: Dialect) -> list[Ne
     for likelier in _LIKELIER:
         rivals = [rival for rival in rivals if likelier(rival.word, written)] or rivals
     return sorted(rivals, key=lambda rival: rival.word)
+
+
+def _known(dialect: Dialect) -> frozenset[str]:
+    """Return the words that one may be a slip for: in AS those of VAL-II too, which it renames."""
+    return spellings(dialect) | WORDS_IN_AS.keys() if dialect.is_as else spellings(dialect)
 
 
 def acting_at_once(word: str) -> str:

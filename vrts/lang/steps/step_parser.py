@@ -52,6 +52,7 @@ _LOCALS = re.compile(  # `.x`, `.$x`, and what is meant by `$.x`
     r"(?<![\w.\])])(?:\.(?=[$#]?[A-Za-z])|(?=[$#]\.))(?P<sign>[$#]?)\.?(?P<name>[A-Za-z][\w.]*)",
     re.ASCII,
 )
+_PARTED = re.compile(r"(?P<sign>[$#])[ \t]+(?P<name>[A-Za-z][\w.]*)", re.ASCII)  # `$ name`
 _FIRST_WORD = re.compile(r"[A-Za-z][\w.]*", re.ASCII)
 _TEXT_WORDS = frozenset({"TYPE", "STOP", "PAUSE"})  # VAL: text without quotes follows
 
@@ -323,6 +324,8 @@ def operands_only(tokens: list[Token]) -> list[Token]:
 def names_in(text: str) -> tuple[str, ...]:
     """Return what could be names in a piece of text."""
     found = dict.fromkeys(key(name) for name in _NAMES.findall(text))
+    for match in _PARTED.finditer(text):
+        found[match["sign"] + key(match["name"])] = None
     if "." in text:
         for match in _LOCALS.finditer(text):
             found[f"{match['sign']}.{key(match['name'])}"] = None

@@ -108,6 +108,11 @@ def too_many(step: BrokenStep) -> bool:
         help_ = "a number has one decimal point"
     elif here.text.upper() in QUALIFIERS:
         help_ = f"{here.text.upper()} does not belong to {name or 'an assignment'}"
+        if here is step.tokens[-1] and step.before is not None:
+            written = step.problems.source.text
+            kept = written[step.tokens[0].start : step.before.end]
+            help_ += f": take it out, and write `{short(kept)}`"
+            fix = step.problems.replace(step.before.end, here.end, "")
     elif step.word is not None:
         help_ = f"write `{step.word.usage}`"
         written = step.problems.source.text

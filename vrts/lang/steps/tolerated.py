@@ -1,14 +1,18 @@
 """What real files leave out and a controller refuses: read as it was meant, said once a kind."""
 
+import re
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Fix, Rule
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.reading.classify import Head
+from vrts.lang.steps.advising.open_case import open_words
 from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
+_UNTIL = re.compile(r"^[ \t]*(?:\d+[ \t]+)?UNTIL\b", re.IGNORECASE | re.MULTILINE)
+_PROGRAM_END = re.compile(r"^[ \t]*\.END\b", re.IGNORECASE | re.MULTILINE)
 TOLERATED = Rule("V155", "tolerated")
 
 
@@ -61,6 +65,8 @@ def completed(
     if word is not None and word.terminal == "IF" and kinds.isdisjoint({"THEN", "GOTO"}):
         missing = "THEN"
     elif word is not None and word.terminal == "WHILE" and "DO" not in kinds:
+        if _ends_do(problems.source.text, first.start):
+            return tokens, head, None  # as in C: `DO`, and `WHILE condition` at its end
         missing = "DO"
     if missing:
         added = Token(missing, missing, last.end, last.end)
@@ -79,6 +85,15 @@ def completed(
         fix = problems.replace(first.start, first.start, "CALL ")
         return [call, *tokens], head, Odd("a program without CALL", "write CALL before it", fix)
     return tokens, head, None
+
+
+def _ends_do(text: str, at: int) -> bool:
+    """Whether a WHILE stands where the UNTIL of a DO belongs: too few of them follow."""
+    waiting = open_words(text[:at])
+    if waiting[:1] != ["DO"]:
+        return False
+    rest = _PROGRAM_END.split(text[at:], maxsplit=1)[0]
+    return len(_UNTIL.findall(rest)) < waiting.count("DO")
 
 
 def unlike(text: str, at: int, tokens: list[Token], problems: Problems) -> Odd | None:

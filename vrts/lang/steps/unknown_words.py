@@ -1,5 +1,7 @@
 """First words that are no instruction of the dialect, or that could be several."""
 
+import re
+
 from vrts.base.diagnostic import Rule
 from vrts.lang.dialect import VAL, titles
 from vrts.lang.names import key
@@ -24,6 +26,7 @@ OTHER_DIALECT = Rule("V122", "not-val2")
 MONITOR_COMMAND = Rule("V149", "monitor-command")
 KEYWORD_AS_NAME = Rule("V160", "keyword-as-name")
 
+_CALLING = frozenset({"CALL", "EXECUTE", "PCEXECUTE", "GOSUB", "REACTE", "ONE"})
 _ENDS = frozenset({"ENDIF", "ENDFOR", "ENDWHILE", "ENDCASE", "WEND", "LOOP"})
 
 
@@ -95,7 +98,7 @@ def refuse(
             fix=problems.replace(following.start, following.end, "="),
         )
     else:
-        _unknown(problems, first, following)
+        _unknown(problems, first, following, program_names)
     return True
 
 
@@ -114,11 +117,13 @@ def _other_monitor(problems: Problems, first: Token, upper: str) -> None:
     )
 
 
-def _unknown(problems: Problems, first: Token, following: Token | None) -> None:
+def _unknown(
+    problems: Problems, first: Token, following: Token | None, programs: frozenset[str]
+) -> None:
     name = first.text
     shown = len(problems.found) < LIMIT  # what is not shown needs no suggestion
     meant = nearest(name.upper(), spellings(problems.dialect)) if shown else None
-    glued = _glued(problems, name) if shown else None
+    glued = _glued(problems, name, programs) if shown else None
     if meant is not None:
         help_ = (f"did you mean `{meant}`?",)
         fix = problems.replace(first.start, first.end, meant)
@@ -143,18 +148,30 @@ def _unknown(problems: Problems, first: Token, following: Token | None) -> None:
     )
 
 
-def _glued(problems: Problems, name: str) -> str | None:
-    """Return the longest instruction a word begins with: `MOVESpart`, `TYPE.x`, `END.`."""
+def _glued(problems: Problems, name: str, programs: frozenset[str]) -> str | None:
+    """Return the instruction a word begins with: `MOVESpart`, `TYPE.x`, `END.`, `CALLplace`.
+
+    That is the longest, but for one that leaves the name of a program, or a name used elsewhere.
+    """
     upper = name.upper()
     found = [
         text
         for text in spellings(problems.dialect)
         if len(text) > 2 and upper.startswith(text) and upper != text
     ]
-    longest = max(found, key=len, default=None)
+    named = [text for text in found if text in _CALLING and key(name[len(text) :]) in programs]
+    used = [text for text in found if _is_used(problems.source.text, name[len(text) :])]
+    longest = max(named or used or found, key=len, default=None)
     return (
         longest if longest and len(name) > len(longest) and name[len(longest)].isalpha() else None
     )
+
+
+def _is_used(text: str, name: str) -> bool:
+    """Whether a file has a name elsewhere."""
+    if not name[:1].isalpha():
+        return False
+    return re.search(rf"(?<![\w.$#]){re.escape(name)}(?![\w.])", text, re.IGNORECASE) is not None
 
 
 def _ambiguous(problems: Problems, first: Token, candidates: tuple[Word, ...]) -> None:

@@ -17,7 +17,7 @@ from vrts.lang.syntax.expressions import Element, Infix, Name
 from vrts.lang.syntax.program import ProgramText
 from vrts.lang.syntax.statements import Assignment, Simple
 from vrts.lang.vocabulary.function_forms import form_of
-from vrts.lang.vocabulary.functions import FUNCTIONS
+from vrts.lang.vocabulary.functions import FUNCTIONS, applied_functions
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.word import Word
 
@@ -25,11 +25,14 @@ UNDEFINED_VARIABLE = Rule("V205", "undefined-variable")
 
 _HAND = frozenset({"OPEN", "OPENI", "CLOSE", "CLOSEI", "RELAX", "RELAXI"})
 _ASKED = frozenset({"OPEN", "OPENI", "CLOSE", "CLOSEI"})
+_GIVEN_BY_WORD = ("SPEED", "TIMER", "ACCEL", "DURATION", "DELAY", "DEPART", "DEPARTS")  # of V+
 _SWITCHED = frozenset({"0", "1", "TRUE", "FALSE", "ON", "OFF", "HAND", "GRIPPER"})
 
 
 def report_misused_words(resolver: Resolver, programs: list[ProgramText]) -> set[int]:
     """Report words in the places of names; return the ids of the entries that need no more."""
+    if resolver.dialect.is_as or resolver.dialect.is_vplus:
+        return _of_relatives(resolver)
     if resolver.dialect.tolerant or not resolver.dialect.has("2"):
         return set()
     told = _named_hands(resolver, programs)
@@ -45,6 +48,34 @@ def report_misused_words(resolver: Resolver, programs: list[ProgramText]) -> set
             found = _read(resolver, entry, word)
         if found is not None:
             _instead(resolver.problems, name, found)
+            told.add(id(entry))
+    return told
+
+
+def _of_relatives(resolver: Resolver) -> set[int]:
+    """Report `SIG[1004]` and `ABS -5` in V+ and AS: names of functions that nothing gives a value.
+
+    Words of instructions are looked at where names without a value are told.
+    """
+    told: set[int] = set()
+    for word in _GIVEN_BY_WORD if resolver.dialect.is_vplus else ():
+        given = resolver.scope.entries.get(word.lower())
+        if given is None or not given.writes or given.reads or given.asked or given.passed:
+            continue
+        found = _given(resolver, given, INSTRUCTIONS[word])
+        if found is not None:
+            resolver.problems.add(found)
+            told.add(id(given))
+    functions = applied_functions(resolver.dialect)
+    for name in functions.keys() & resolver.scope.entries.keys():
+        entry = resolver.scope.entries[name]
+        if entry.passed or entry.asked or entry.slot is not None or not entry.reads:
+            continue
+        if resolver.scope.may_have_value(entry) or name in resolver.bad_names:
+            continue
+        found = _read(resolver, entry, None)
+        if found is not None and found.fix is not None:
+            resolver.problems.add(found)
             told.add(id(entry))
     return told
 
@@ -121,7 +152,8 @@ def _read(resolver: Resolver, entry: Entry, word: Word | None) -> Diagnostic | N
         return None
     form = form_of(signature)
     name = signature.name.upper()
-    if name == "TIMER":
+    element = isinstance(role.node, Element) and bool(role.node.subscripts)
+    if name == "TIMER" and not element:
         form = instead = "TIMER(1)"
         return _warning(problems, at, "TIMER needs a number behind it", f"write `{form}`", instead)
     if isinstance(role.node, Element) and role.node.subscripts:  # `DX[p]`

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from vrts.base.diagnostic import Diagnostic, Rule, Severity
 from vrts.lang.meaning.scope import Entry
 from vrts.lang.problems import Problems
-from vrts.lang.spelling import nearest
+from vrts.lang.spelling import edit_distance, nearest
 
 UNDEFINED_LOCATION = Rule("V204", "undefined-location")
 TEACH = "give it a value in a .LOCATIONS section, or by SET or HERE"
@@ -18,6 +18,7 @@ TEACH = "give it a value in a .LOCATIONS section, or by SET or HERE"
 _TEACH_ALL = "give them values in a .LOCATIONS section, or by SET or HERE"
 _SECTION = re.compile(r"^[ \t]*\.LOC", re.IGNORECASE | re.MULTILINE)
 _MOST = 8  # names that are told
+_VERY_LONG = 9  # letters of names in which two slips are likely
 _LONG = 5  # letters of a name that may be a slip for another
 NOT_GIVEN = "the controller stops here with *Undefined value* unless it has one from before"
 _NOT_GIVEN_ALL = "the controller stops there with *Undefined value* unless it has them from before"
@@ -72,9 +73,15 @@ def _slips(entries: list[Entry]) -> list[tuple[Entry, str]]:
         if len(set(entry.reads)) > 1 or len(entry.name) < _LONG:
             continue
         meant = nearest(entry.name, often)
-        if meant is not None and not _counts(meant, entry.name):
+        if meant is not None and _is_slip(meant, entry.name) and not _counts(meant, entry.name):
             found.append((entry, meant))
     return found
+
+
+def _is_slip(a: str, b: str) -> bool:
+    """Return whether one slip parts two names, or two in long ones: `feature` is no `fixture`."""
+    slips = 2 if min(len(a), len(b)) >= _VERY_LONG else 1
+    return edit_distance(a, b, slips) <= slips or sorted(a) == sorted(b)
 
 
 def _counts(a: str, b: str) -> bool:

@@ -18,6 +18,7 @@ WAITS_FOR_OUTPUT = Rule("V241", "waits-for-output")
 
 _TRUTHS = frozenset({"true", "on"})
 _TRUTH_FUNCTIONS = frozenset({"sig", "defined", "switch", "outside", "identical"})
+_CLOCKS = frozenset({"timer", "utimer"})
 _LOGICAL = (-1.0, 0.0, 1.0)  # numbers that may stand for true and false
 
 
@@ -40,6 +41,10 @@ def check_condition(types: NameUses, asked: Asked, *, beside: bool) -> None:
         ):
             if value not in (-1.0, 0.0):
                 _compared(types, asked.node, call)
+        case Infix("==", Application(name) as call, Number(value)) if (
+            name.text.lower() in _CLOCKS and types.problems.dialect.has("+a")
+        ):
+            _exactly(types, asked.node, call)
         case Infix("==" | "<>", Name() as name, Number(1.0)) if is_truth(
             types, asked.program, name
         ):
@@ -58,6 +63,21 @@ def check_condition(types: NameUses, asked: Asked, *, beside: bool) -> None:
                     _nothing(types, operand)
         case _:
             return
+
+
+def _exactly(types: NameUses, node: Infix, call: Application) -> None:
+    """`TIMER(1) == 3`: hardly ever is it just that when it is asked."""
+    text = types.problems.source.text
+    left, right = text[node.left.start : node.left.end], text[node.right.start : node.right.end]
+    instead = f"{left} >= {right}"
+    types.problems.warning(
+        SIGNAL_COMPARED,
+        f"{call.name.text.upper()} runs on between two looks: it is hardly ever exactly {right}",
+        node.start,
+        node.end,
+        help=(f"ask whether it has come so far: write `{instead}`",),
+        fix=types.problems.replace(node.operator_start, node.operator_start + 2, ">="),
+    )
 
 
 def _signals_by_number(types: NameUses, node: Infix) -> bool:

@@ -2,6 +2,8 @@
 
 from vrts.base.diagnostic import Fix, Rule
 from vrts.lang.decimal_commas import likeliest
+from vrts.lang.meaning.forms import is_text
+from vrts.lang.meaning.type_mistakes import TYPES_SAY, WRONG_TYPE
 from vrts.lang.problems import Problems
 from vrts.lang.syntax.expressions import Application, Infix, Item
 from vrts.lang.vocabulary.function_forms import form_of
@@ -10,6 +12,7 @@ from vrts.lang.vocabulary.functions import Signature
 FUNCTION_ARGUMENTS = Rule("V210", "function-arguments")
 DEFAULT_ANGLES = Rule("V215", "default-angles")
 
+_OF_NUMBERS = frozenset({"int", "round", "fract"})
 _ANGLES = 3  # arguments of TRANS before its angles
 _FOR_COMMA = {  # operators that may stand between two arguments by mistake
     "atan2": ("/", ":"),
@@ -105,15 +108,47 @@ def _parted(problems: Problems, node: Application) -> str:
 
 def _with_by(problems: Problems, node: Application) -> Fix | None:
     """Return what puts BY in the place of the first comma: `SHIFT(part, 0, 0, 50)`."""
-    if len(node.arguments) < _ANGLES or node.arguments[0] is None or node.by is not None:
+    if len(node.arguments) < _ANGLES or node.arguments[0] is None:
         return None
+    if node.by is not None:
+        return _by_moved(problems, node)
     comma = problems.source.text.find(",", node.arguments[0].end, node.end)
     blank = "" if problems.source.text[comma + 1 : comma + 2] in " \t" else " "
     return problems.replace(comma, comma + 1, f" BY{blank}") if comma >= 0 else None
 
 
+def _by_moved(problems: Problems, node: Application) -> Fix | None:
+    """Return what puts BY behind the location: `SHIFT(BY part, 0, 0, 50)`."""
+    text = problems.source.text
+    given = [text[a.start : a.end] for a in node.arguments if a is not None]
+    if len(given) < len(node.arguments):
+        return None
+    moved = f"({given[0]} BY {', '.join(given[1:])})"
+    return problems.replace(node.name.end, node.end, moved)
+
+
 def _is_wanted(parameters: tuple[str, ...], i: int) -> bool:
     return i < len(parameters) and parameters[i][-1] not in "?*"
+
+
+def number_of_text(problems: Problems, node: Application) -> bool:
+    """Report `INT($answer)`, where other languages make a number of a text; return whether."""
+    argument = node.arguments[0] if len(node.arguments) == 1 else None
+    if node.name.text.lower() not in _OF_NUMBERS or argument is None or not is_text(argument):
+        return False
+    name = node.name.text.upper()
+    written = problems.source.text[argument.start : argument.end]
+    problems.error(
+        WRONG_TYPE,
+        f"{name} takes a number here, not a string",
+        argument.start,
+        argument.end,
+        "this is a string",
+        notes=(TYPES_SAY,),
+        help=(f"VAL turns the text of a number into the number: write `VAL({written})`",),
+        fix=problems.replace(node.start, node.end, f"VAL({written})"),
+    )
+    return True
 
 
 def no_variable(problems: Problems, node: Application, first: Item) -> None:

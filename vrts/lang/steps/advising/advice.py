@@ -23,6 +23,7 @@ from vrts.lang.steps.habits import Habits
 from vrts.lang.steps.idioms import comments
 from vrts.lang.steps.idioms.wording import indented, smallest_change
 from vrts.lang.steps.misread.meant import Meant
+from vrts.lang.steps.misread.relatives.slips import slip
 from vrts.lang.steps.misread.table import meant_after_all, meant_by_line
 from vrts.lang.steps.missing_parts import MISSING_KEYWORD
 from vrts.lang.steps.one_line import INNER, ONE_LINE
@@ -194,6 +195,8 @@ class Advice(Adviser):
         tried = self.repair.at_once(step)
         if tried is None or _CLOSES_DO.search(rest):
             return None
+        if self._word_of(step) in STRUCTURE:
+            return None  # `DO UNTIL n > 3`, as in BASIC
         self.problems.forget(mark)
         self.problems.error(
             MONITOR_COMMAND,
@@ -231,10 +234,21 @@ class Advice(Adviser):
         self.habits.note(self.problems, "cases")
         return Advised("VALUE")
 
+    def _of_monitor(self, line: Line, mark: int) -> bool:
+        """Whether V+ or AS was told that a line is a command for the monitor, or gives one."""
+        told = self.problems.found[mark:]
+        if self.problems.dialect.has("2") or not told:
+            return False
+        return told[0].rule == MONITOR_COMMAND or line.text[:3].upper() == "MC "
+
     def _misread(self, line: Line, mark: int) -> Advised | None:
+        if self._of_monitor(line, mark):
+            return self._meant(line, mark, slip(line.text, self.repair, self.problems.dialect))
         return self._meant(line, mark, meant_by_line(line.text, self.repair, self.problems.dialect))
 
     def _after_all(self, line: Line, mark: int) -> Advised | None:
+        if self._of_monitor(line, mark):
+            return None
         return self._meant(
             line, mark, meant_after_all(line.text, self.repair, self.problems.dialect)
         )
@@ -256,8 +270,9 @@ class Advice(Adviser):
         )
         self.habits.note(self.problems, f"misread {found.headline}")
         kept = line.kept
-        if kept is None and found.instead and found.instead[0] != ";":
+        whole = (found.start, found.end) == (0, len(line.text))
+        if (kept is None or whole) and found.instead and found.instead[0] != ";":
             meant = f"{line.text[: found.start]}{found.instead}{line.text[found.end :]}"
             word = self._word_of(meant)
-            kept = word if word in STRUCTURE else None
+            kept = word if word in STRUCTURE else kept
         return Advised(kept)

@@ -14,7 +14,7 @@ from vrts.lang.steps.advising.adviser import (
     Adviser,
     Line,
 )
-from vrts.lang.steps.advising.open_case import in_case
+from vrts.lang.steps.advising.open_case import in_case, open_words
 from vrts.lang.steps.idioms.idiom import Idiom, Matched, filled
 from vrts.lang.steps.idioms.tables import matches
 from vrts.lang.steps.idioms.wording import (
@@ -37,6 +37,13 @@ _CALL = "call_{n} , {e}"  # an argument, or another program
 _MMPS, _MM_S = "MMPS", "MM/S"  # of VAL-II and V+, and of AS
 _CONTINUE = "continue"
 _TWAIT = "TWAIT holds the program for seconds, DELAY the arm"
+_NEXT = ("next", "next_{n}")  # of BASIC, which end a FOR, or of V+, which go on with the loop
+_BASIC_NEXT = "NEXT of V+ goes on with the next pass of a loop"
+_OVER_END = (
+    "put the steps that follow between IF and END, or jump to a label before the END of the loop: "
+    "`GOTO 10`, and `10 END`"
+)
+_LOOPS = frozenset({"FOR", "WHILE", "DO"})
 _ANY = "ANY"  # which an IF has ELSE for
 _OF_IF = "in an IF the steps for where the condition is false stand behind ELSE"
 _KRL_LOOP = "LOOP"  # which begins what ENDLOOP ends
@@ -87,6 +94,9 @@ class IdiomAdvice(Adviser):
                 return None
             idiom = idiom._replace(instead="ELSE", word="ELSE", note=_OF_IF)
             found = found._replace(idiom=idiom)
+        if idiom.pattern in _NEXT and self._goes_on(line):
+            idiom = idiom._replace(says=_BASIC_NEXT, instead="", help=_OVER_END, word="")
+            found = found._replace(idiom=idiom)
         if idiom.word == _KRL_LOOP:
             if not self._begins_loop(line):
                 return None  # the one of BASIC, which ends
@@ -123,6 +133,17 @@ class IdiomAdvice(Adviser):
         if dialect.is_vplus and idiom.pattern == _CONTINUE:
             idiom = idiom._replace(instead="NEXT", help="")
         return found._replace(idiom=idiom)
+
+    def _goes_on(self, line: Line) -> bool:
+        """Whether NEXT stands in an IF within a loop, which has an END of its own."""
+        around = open_words(self.problems.source.text[: line.at])
+        return around[:1] == ["IF"] and not _LOOPS.isdisjoint(around) and self._is_closed(line)
+
+    def _is_closed(self, line: Line) -> bool:
+        """Whether END or ELSE follows for the IF around a line."""
+        rest = self.problems.source.text[line.at + len(line.text) :]
+        first = rest.lstrip().split("\n", 1)[0].split(";")[0].strip().upper()
+        return first in ("END", "ELSE", "ENDIF", "END IF")
 
     def _begins_loop(self, line: Line) -> bool:
         """Whether LOOP begins a loop, as in KRL: ENDLOOP follows, or it ends nothing."""

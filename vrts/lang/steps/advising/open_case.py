@@ -1,4 +1,4 @@
-"""Whether a line stands in a CASE, by the words that its structures begin and end with."""
+"""Which structure a line stands in, by the words that its structures begin and end with."""
 
 import re
 
@@ -9,7 +9,13 @@ _BLOCK_WORD = re.compile(
 
 def in_case(above: str) -> bool:
     """Whether the innermost structure that lines leave open is a CASE, by their first words."""
+    return next(iter(open_words(above)), "") == "CASE"
+
+
+def open_words(above: str) -> list[str]:
+    """Return the words that begin the structures which lines leave open, the innermost first."""
     begin = above.upper().rfind(".PROGRAM")
+    found: list[str] = []
     depth = 0
     for word, rest in reversed(_BLOCK_WORD.findall(above[max(begin, 0) :])):
         upper = word.upper()
@@ -17,6 +23,6 @@ def in_case(above: str) -> bool:
             depth += 1
         elif upper != "IF" or "GOTO" not in rest.upper():
             if not depth:
-                return bool(upper == "CASE")
-            depth -= 1
-    return False
+                found.append(upper)
+            depth = max(depth - 1, 0)
+    return found

@@ -55,6 +55,8 @@ BLOCKS = (
     Idiom("for_each_{n}_in_{r}", "", "BASIC", help="write `FOR i = first TO last`, and take the element by its index", word="FOR"),
     Idiom("for_{d}_to_{d2} <do|>", "FOR i = {d} TO {d2}", says="FOR counts with a variable"),
     Idiom("do_{d}_<times|time>", "FOR i = 1 TO {d}", says="DO takes no number: it repeats up to UNTIL"),
+    Idiom("for_{v}_in_{e} .. {e2}", "FOR {v} = {e} TO {e2}", "other languages"),
+    Idiom("for_{v}_in_{d} : {d2}", "FOR {v} = {d} TO {d2}", "other languages"),
     Idiom("for_{n}_in_{r}", "", "Python", help="write `FOR {n} = first TO last`, and take the element by its index", word="FOR"),
     Idiom("for ( <int|num|> {n} = {e} ; {n} < {e2} ; {n} <++|+=1> ) <{|>", "FOR {n} = {e} TO {e2-1}", "C", note=_COUNTS),
     Idiom("for ( <int|num|> {n} = {e} ; {n} <= {e2} ; {n} <++|+=1> ) <{|>", "FOR {n} = {e} TO {e2}", "C"),

@@ -18,4 +18,4 @@ class Meant(NamedTuple):
     notes: tuple[str, ...] = ()
 
 
-VARIABLE = r"[$#]?[A-Za-z][\w.]*(?:[ \t]*\[[^\[\]=]*\])?"  # a name, or an element of an array
+VARIABLE = r"\.?[$#]?[A-Za-z][\w.]*(?:[ \t]*\[[^\[\]=]*\])?"  # a name, or an element of an array

@@ -20,7 +20,8 @@ READABLE = frozenset(  # begin slips that the grammar takes for steps
     {
         *("ATTACH", "DETACH", "FCLOSE", "FEMPTY", "FDELETE"),
         *("WRITE", "READ", "FOPEN", "FOPENR", "FOPENW", "FOPENA", "SWAIT"),
-        *("SPEED", "CASE", "ACCURACY", "ACCEL", "DECEL", "TWAIT", "STABLE"),
+        *("OPEN", "OPENI", "CLOSE", "CLOSEI", "RELAX", "RELAXI", "EXIT", "NEXT", "WAIT.EVENT"),
+        *("XMOVE", "ON", "SPEED", "CASE", "ACCURACY", "ACCEL", "DECEL", "TWAIT", "STABLE"),
     }
 )
 _WORDS = re.compile(r"<([A-Za-z.|_]+)>")

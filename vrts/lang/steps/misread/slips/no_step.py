@@ -8,6 +8,7 @@ from vrts.lang.steps.misread.meant import VARIABLE, Meant
 from vrts.lang.steps.other_forms import INVALID_EXPRESSION
 from vrts.lang.steps.repair import Repair
 from vrts.lang.vocabulary.foreign import FOREIGN
+from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.lookup import look_up, spellings
 
 _BEGUN = re.compile(rf"(?P<name>{VARIABLE})[ \t]*(?P<rest>.+)", re.ASCII)
@@ -69,7 +70,7 @@ def _is_word(name: str, dialect: Dialect) -> bool:
     """Whether a name is a word of the language or of another, or looks like one."""
     upper = name.upper()
     word = look_up(name, dialect).word
-    if upper in FOREIGN or word is not None:
+    if upper in FOREIGN or upper in INSTRUCTIONS or word is not None:
         return True
     return len(upper) > 2 and next(iter(near(upper, spellings(dialect))), None) is not None
 
