@@ -80,7 +80,7 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "a sign that stands twice is told as a value that is missing",
         "vrts/lang/steps/misread/table.py",
-        "or said_twice(text, repair)",
+        "or said_twice(text, repair, dialect)",
         "or None",
         ("tests/unit/lang/test_students_mean.py",),
     ),
@@ -2941,5 +2941,33 @@ PATCHES: tuple[Patch, ...] = (
         "        if rests_s > now + INSTANT:\n",
         "        if rests_s < 0.0:\n",
         ("tests/unit/engine/machine/forever/test_moves_on.py",),
+    ),
+    Patch(
+        "a condition in the place of seconds is taken for seconds in V+ and AS",
+        "vrts/lang/findings/relatives/seconds.py",
+        "    if is_condition(operand):\n",
+        "    if False:\n",
+        ("tests/unit/lang/test_relatives_operands.py",),
+    ),
+    Patch(
+        "operands of V+ and AS in another order are not told",
+        "vrts/lang/findings/usage.py",
+        "    check_operands(resolver, programs)\n",
+        "",
+        ("tests/unit/lang/test_relatives_operands.py",),
+    ),
+    Patch(
+        "operators of other languages are told as missing words",
+        "vrts/lang/steps/misread/table.py",
+        "or word_between(text, repair, dialect)",
+        "or None",
+        ("tests/unit/lang/test_relatives_operands.py",),
+    ),
+    Patch(
+        "a step that lost its IF is told as an unknown instruction",
+        "vrts/lang/steps/misread/table.py",
+        "or lost_word(text, repair, dialect)",
+        "or None",
+        ("tests/unit/lang/test_relatives_operands.py",),
     ),
 )

@@ -21,10 +21,16 @@ WORDS_IN_AS = {  # that do the same
     "FLIP": "DWRIST",
     "NOFLIP": "UWRIST",
     "SET": "POINT",
+    "TYPE": "PRINT",
     "REACTE": "ONE",
     "CALLS": "SCALL",
 }
-NAMES_IN_AS = {**WORDS_IN_AS, "READY": "HOME", "DELAY": "TWAIT", "MMPS": "MM/S"}
+NAMES_IN_AS = {  # for what is told: TYPE may stay
+    **{word: own for word, own in WORDS_IN_AS.items() if word != "TYPE"},
+    "READY": "HOME",
+    "DELAY": "TWAIT",
+    "MMPS": "MM/S",
+}
 _CODE = re.compile(r"`[^`]*`")
 _WORD = re.compile(r"[A-Za-z][\w.]*")
 _SAYS = re.compile(r"VAL-II says \*(?P<words>[^*]+)\*")

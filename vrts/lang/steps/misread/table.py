@@ -46,7 +46,7 @@ def meant_by_line(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
         or parted_name(text, repair)
         or odd_points(text, repair)
         or chain(text)
-        or said_twice(text, repair)
+        or said_twice(text, repair, dialect)
         or letters_in_number(text, repair)
         or asked_input(text, repair)
         or several_results(text, repair)

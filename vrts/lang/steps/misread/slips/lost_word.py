@@ -68,7 +68,7 @@ def stray_sign(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
                 notes=("VAL-II says *Unknown instruction*",),
             )
     bare = text.rstrip(" \t,")
-    if not text.endswith(",") or repair.at_once(bare) is None:
+    if dialect.has("2") or not text.endswith(",") or repair.at_once(bare) is None:
         return None
     return Meant(
         UNEXPECTED_TEXT,

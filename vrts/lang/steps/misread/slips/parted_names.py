@@ -12,7 +12,7 @@ from vrts.lang.steps.repair import Repair
 _STRING = re.compile(r'"[^"]*"?')
 _PARTED = re.compile(r"(?P<sign>[$#@])[ \t]+(?=[A-Za-z.])")
 _DOTTED = re.compile(r"(?<![\w)\]])(?P<sign>\.)[ \t]+(?=[$#]?[A-Za-z])")  # a local name of AS
-_POINTS = re.compile(r"(?<=\d)\.\.+(?=\d)")
+_POINTS = re.compile(r"(?<=\d)\.\.+(?=\d)(?![^\[]*\])")  # and no range of an array
 _NUMBER_APART = re.compile(r"(?<=\d)[ \t]+\.(?=\d)|(?<=\d\.)[ \t]+(?=\d)")
 _RANGED = re.compile(r"(?:VALUE|FOR|CASE)\b", re.IGNORECASE)
 _KINDS = {"$": "a string", "#": "a precision point", "@": "a timer", ".": "a local variable"}

@@ -3,15 +3,22 @@
 import re
 from itertools import pairwise
 
+from vrts.lang.dialect import Dialect
 from vrts.lang.grammar.shapes import UNEXPECTED_TEXT
-from vrts.lang.steps.misread.meant import Meant
+from vrts.lang.steps.misread.meant import VARIABLE, Meant
 from vrts.lang.steps.repair import Repair
+from vrts.lang.vocabulary.lookup import look_up
 
+_FIRST = re.compile(rf"(?P<given>{VARIABLE}[ \t]*=)|(?P<word>[A-Za-z][\w.]*)", re.ASCII)
 _TOKEN = re.compile(r'"[^"]*"?|[$#]?[A-Za-z][\w.]*|\d[\w.]*|==|<>|<=|>=|[^\s]', re.ASCII)
 
 
-def said_twice(text: str, repair: Repair) -> Meant | None:
+def said_twice(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
     """Return what is meant by a step that is right without one of two equal tokens in a row."""
+    first = _FIRST.match(text)
+    begun = first is not None and (first["given"] or look_up(first["word"], dialect).word)
+    if not dialect.has("2") and not begun:
+        return None  # a block step of AS, for one
     tokens = list(_TOKEN.finditer(text))
     for first, second in pairwise(tokens):
         if first.group().upper() != second.group().upper():
