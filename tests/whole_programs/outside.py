@@ -56,6 +56,51 @@ class _Writer:
                 return ["IF n == 3 THEN", "x = 1/(n-3)", "END"]
 
 
+class _Asker(_Writer):
+    """Writes programs that also look at analog inputs, ask, draw and grip."""
+
+    def condition(self) -> str:
+        draw = self.draw
+        more = (
+            "RANDOM > 0.4",
+            f"ADC({draw.choice((1, 2))}) {draw.choice('<>')} {draw.choice((-300, 0, 700))}",
+            "(ADC(1) > 700) AND SIG(1001)",
+            "v > 2.5",
+        )
+        return draw.choice(more) if draw.random() < 0.5 else super().condition()
+
+    def step(self, depth: int) -> list[str]:
+        draw = self.draw
+        match draw.choice(("as before",) * 4 + ("ask", "level", "grip", "move")):
+            case "ask":
+                return ['PROMPT "n ", n']
+            case "level":
+                return ["v = ADC(1)/204.8"]
+            case "move":
+                return [f"{draw.choice(('MOVE', 'MOVES'))} {draw.choice('abc')}"]
+            case "grip":
+                return ["OPENI", "APPRO grip, 60", "MOVES grip", "CLOSEI", "DEPARTS 60"]
+            case _:
+                return super().step(depth)
+
+
+GRIP = "grip 800 -450 -225 90 90 0\n"  # a can of the scene `cans-on-bases`
+
+
+def asking(number: int) -> str:
+    """Return the file of a program of a number that also asks, draws and grips."""
+    writer = _Asker(Random(f"asking {number}"))
+    lines = ["n = 0", "v = 0", *writer.body(1)]
+    other = writer.draw.random() < 0.2
+    if other:
+        lines.insert(2, "PCEXECUTE other")
+    programs = [("main", lines)]
+    if other:
+        programs.append(("other", [f"WAIT {writer.condition()}", "SIGNAL 2001", "n = n+1"]))
+    text = "".join(f".PROGRAM {name}\n" + "\n".join(body) + "\n.END\n" for name, body in programs)
+    return text + PLACES.replace(".END", f"{GRIP}.END")
+
+
 def looking(number: int) -> str:
     """Return the file of the program of a number."""
     draw = Random(f"looking {number}")

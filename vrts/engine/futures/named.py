@@ -14,6 +14,7 @@ from vrts.engine.memory.records import ArmPiece
 Numbers: TypeAlias = NDArray[np.float64]
 
 NO_FARTHER = 10.0**-VALUE_DIGITS  # lists of numbers that differ nowhere by more are the same
+NOTHING = (0.0,) * 9  # coefficients
 CELL = 1e-7  # of the means by which lists are found: such differences make far less of it
 NOBODY = -1  # follows the last piece of a path
 
@@ -89,10 +90,15 @@ class Named(Nearly):
         return self._numbers.setdefault(part, len(self._numbers))
 
     def _piece(self, piece: ArmPiece) -> int:
-        """Return the number of a piece, wherever it is in path time."""
-        sizes = tuple(map(len, piece.rows))
-        values = np.fromiter(chain.from_iterable(piece.rows), np.float64, sum(sizes))
-        return self._pieces.number((sizes, lasts(piece)), values)
+        """Return the number of a piece, wherever it is in path time.
+
+        All rows are made as long as the longest: rounding may leave one of them a highest power.
+        """
+        rows = piece.rows
+        most = max(map(len, rows))
+        whole = (row if len(row) == most else (*row, *NOTHING[len(row) : most]) for row in rows)
+        values = np.fromiter(chain.from_iterable(whole), np.float64, most * len(rows))
+        return self._pieces.number((most, lasts(piece)), values)
 
 
 def _weights(count: int) -> Numbers:

@@ -152,18 +152,27 @@ class Search:
         """What the search went through so far."""
         return Counts(len(self.graph.visits), self.decisions, self.merged, self.ends)
 
-    def knows(self, machine: Machine, memory: Memory, question: Question | None = None) -> bool:
+    def knows(
+        self,
+        machine: Machine,
+        memory: Memory,
+        question: Question | None = None,
+        *,
+        stopped: bool = False,
+        again: int = 0,
+    ) -> bool:
         """Return whether a machine is in a state that was looked at.
 
         Args:
             machine: At the end of a tick in which nothing was asked, or where something is.
             memory: What the rules of contacts remember of it.
             question: What is asked there.
+            stopped: Whether the operator has stopped it.
+            again: How often the program was executed before.
         """
         states = self.outside.behaviours.begin()
-        return self._key(Future(0, machine, None, 0, {}, states, None, memory), question) in (
-            self._known
-        )
+        future = Future(0, machine, None, 0, {}, states, None, memory, again, stopped)
+        return self._key(future, question) in self._known
 
     # --- beginnings and forks -----------------------------------------------------------------
 

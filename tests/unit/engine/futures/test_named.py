@@ -3,6 +3,7 @@
 from random import Random
 
 import numpy as np
+import pytest
 
 from vrts.engine.futures.named import NO_FARTHER, Named, NoFarther
 from vrts.engine.memory.records import ArmPiece
@@ -53,3 +54,13 @@ def test_a_path_has_one_number_whenever_it_is_gone() -> None:
     assert named.chain(path, 0) != named.chain(path, 1)
     turned = [piece(b), piece(a, 0.028)]
     assert named.chain(turned, 0) != named.chain(path, 0)
+
+
+@pytest.mark.parametrize("noise", [(3e-17,), (0.0, 9e-12), (-2e-16, 1e-10)])
+def test_a_highest_power_that_rounding_has_left_tells_no_pieces_apart(
+    noise: tuple[float, ...],
+) -> None:
+    named, moves, rests = Named(), (0.1, 0.2, 0.3), (0.4,)
+    known = named.chain([piece((moves,) * 5 + (rests,))], 0)
+    assert named.chain([piece((*(moves,) * 5, (*rests, *noise)))], 0) == known
+    assert named.chain([piece((*(moves,) * 5, (*rests, 1e-6)))], 0) != known
