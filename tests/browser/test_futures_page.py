@@ -77,3 +77,20 @@ def test_axe_finds_nothing(browser: Browser, path: Path) -> None:
     for width, dark in ALL_LOOKS:
         assert faults(view, width, dark=dark) == [], (width, dark)
     view.page.close()
+
+
+def test_what_goes_right_can_be_watched_too(browser: Browser, path: Path) -> None:
+    view = opened(browser, path, still=True)
+    until(view, "document.getElementById('clock').textContent.includes('/ ')")
+    key = view.page.evaluate(
+        "JSON.parse(document.getElementById('nodes').textContent).nodes.find(n => n.replay).replay"
+    )
+    view.page.locator(f"#node-{key.removeprefix('n')}").focus()
+    view.page.keyboard.press("Enter")
+    view.page.click("#chosen .watch")
+    until(view, f"location.hash === '#future={key}'")
+    until(view, "document.getElementById('clock').textContent.includes('/ ')")
+    title = view.page.inner_text("#chosen h3")
+    until(view, f"document.getElementById('shown').textContent === {title!r}")
+    assert view.complaints() == []
+    view.page.close()

@@ -1,5 +1,7 @@
 """Every future of a program explored: as a request asks, or as a task does of its programs."""
 
+from collections.abc import Mapping
+from itertools import islice
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -8,6 +10,7 @@ from vrts.base.workers import ALONE, Workers
 from vrts.check.judge import judge
 from vrts.check.verdict import Verdict
 from vrts.check.verdicts.every_future import CHECK
+from vrts.engine.run import Run
 from vrts.ir.module import Module
 from vrts.pipeline.compiling.programs import Compiled
 from vrts.pipeline.environments import usual_environment
@@ -18,9 +21,10 @@ from vrts.prove.asking import Asking
 from vrts.prove.environment.environment import Environment
 from vrts.prove.proof import Proof
 from vrts.prove.prove import prove
-from vrts.prove.telling.replays import replay
+from vrts.prove.telling.replays import replay, run_until
 from vrts.report.assessment import Assessment
 from vrts.report.proof_words import of_verdict, sentence
+from vrts.scene.model import Scenario
 from vrts.why.chain import Chain, shortened
 from vrts.why.elsewhere import in_that_future
 from vrts.why.losses import chains
@@ -71,24 +75,47 @@ def replays(request: Request, found: Proved, most: int) -> tuple[Assessment, ...
     """
     if found.proof is None or found.module is None or found.entry is None:
         return ()
-    scene, made = request.setting.scene, list[Assessment]()
+    made: list[Assessment] = []
     for wronged in found.proof.found[:most]:
-        run = replay(found.module, scene, wronged, found.entry, AFTERWARDS_S)
-        title = request.title or request.program.name
-        made.append(
-            Assessment(
-                request.identifier,
-                title,
-                found.compiled.source,
-                (),
-                module=found.module,
-                scene=scene,
-                task=request.setting.task,
-                run=run,
-                judgement=judge(scene, run, None),
-            )
-        )
+        run = replay(found.module, request.setting.scene, wronged, found.entry, AFTERWARDS_S)
+        made.append(_shown(request, found, run, collisions=True))
     return tuple(made)
+
+
+def leaf_replays(
+    request: Request, found: Proved, leaves: Mapping[int, tuple[Scenario, float]], most: int
+) -> dict[int, Assessment]:
+    """Return the runs of futures in which nothing goes wrong, up to shortly after they end.
+
+    Args:
+        request: What was asked for.
+        found: What was found.
+        leaves: The scenario of each by a number, and when it ends [s].
+        most: How many at most, the first of them.
+    """
+    if found.module is None or found.entry is None:
+        return {}
+    made: dict[int, Assessment] = {}
+    for number, (scenario, end_s) in islice(leaves.items(), most):
+        until_s = end_s + AFTERWARDS_S
+        run = run_until(found.module, request.setting.scene, scenario, found.entry, until_s)
+        made[number] = _shown(request, found, run, collisions=False)
+    return made
+
+
+def _shown(request: Request, found: Proved, run: Run, *, collisions: bool) -> Assessment:
+    scene = request.setting.scene
+    return Assessment(
+        request.identifier,
+        request.title or request.program.name,
+        found.compiled.source,
+        (),
+        module=found.module,
+        scene=scene,
+        task=request.setting.task,
+        run=run,
+        judgement=judge(scene, run, None, collisions=collisions),
+    )
 
 
 class Proven(NamedTuple):

@@ -2,6 +2,8 @@
 
 import shlex
 import sys
+from collections.abc import Mapping
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -37,6 +39,7 @@ if TYPE_CHECKING:
     from vrts.prove.environment.environment import Environment
     from vrts.prove.proof import Proof, Wronged
 
+MOST_LEAVES = 1_000  # of which scenarios are told
 EPILOG = """\b
 Examples:
   vrts prove examples/01-cans-on-bases/solution.v2
@@ -133,7 +136,9 @@ def command(
         from vrts.report.formats.json_text import json_text
 
         texts = tuple(map(_scenario, found.proof.found))
-        out(json_text(futures_json(title, found.proof, texts)))
+        tick_s = request.setting.scene.robot.arm.tick
+        leaves = _of_leaves(found.proof, outside, tick_s)
+        out(json_text(futures_json(title, found.proof, texts, leaves)))
     else:
         from vrts.report.screen.futures_text import futures_text
 
@@ -147,24 +152,42 @@ def command(
     sys.exit(status_of(found.proof))
 
 
+def _of_leaves(proof: "Proof", environment: "Environment", tick_s: float) -> Mapping[int, str]:
+    """Return scenarios of the first leaves of the tree of decisions, by branch."""
+    from vrts.prove.telling.leaves import leaves
+    from vrts.prove.telling.scenarios import scenario_of
+    from vrts.scene.writing.scenario_text import scenario_text
+
+    return {
+        number: scenario_text(
+            f"future {number}: {proof.tree[number].ends}",
+            scenario_of(environment, story, tick_s),
+        )
+        for number, story in islice(leaves(proof.tree), MOST_LEAVES)
+    }
+
+
 def _write_page(
     request: "Request", found: "Proved", environment: "Environment", path: Path
 ) -> None:
     """Write the page about every future, and say so."""
-    from vrts.pipeline.futures import replays
+    from vrts.pipeline.futures import leaf_replays, replays
     from vrts.report.page.future_cards import MOST_FOUND
-    from vrts.report.page.futures.whole import Explored, futures_page
+    from vrts.report.page.futures.folding import nodes, scenarios_of
+    from vrts.report.page.futures.whole import MOST_WATCHED, Explored, futures_page
 
     assert found.proof is not None
     scene, task = request.setting.scene, request.setting.task
+    drawn, tick_s = nodes(found.proof), scene.robot.arm.tick
     explored = Explored(
         request.title or request.program.name,
         f"{task.title} · scene {scene.name}" if task else f"scene {scene.name}",
         found.compiled.source,
         found.proof,
         environment,
-        scene.robot.arm.tick,
+        tick_s,
         replays(request, found, MOST_FOUND),
+        leaf_replays(request, found, scenarios_of(drawn, environment, tick_s), MOST_WATCHED),
     )
     write_file(path, futures_page(explored).encode())
     say(f"wrote {path}")

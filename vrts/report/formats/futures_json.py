@@ -1,5 +1,8 @@
 """A proof over every future as JSON, for programs. Times in s, rounded by the shared rule."""
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 from vrts.engine.memory.events import Cause
 from vrts.prove.proof import Branch, Decided, Proof, Wronged
 from vrts.report.formats.diagnostic_json import Json
@@ -9,13 +12,22 @@ from vrts.report.quantities import seconds
 FUTURES_SCHEMA = "vrts.futures/1"
 
 
-def futures_json(title: str, proof: Proof, scenarios: tuple[str, ...] = ()) -> Json:
+NO_LEAVES: Mapping[int, str] = MappingProxyType({})
+
+
+def futures_json(
+    title: str,
+    proof: Proof,
+    scenarios: tuple[str, ...] = (),
+    leaves: Mapping[int, str] = NO_LEAVES,
+) -> Json:
     """Return all that is known about the futures of a program.
 
     Args:
         title: Of the program.
         proof: What was found.
         scenarios: The text of a scenario file for each finding, as far as there are any.
+        leaves: The same for branches of the tree that end, by number.
     """
     covered = proof.covered
     texts = [*scenarios, *[None] * (len(proof.found) - len(scenarios))]
@@ -42,7 +54,7 @@ def futures_json(title: str, proof: Proof, scenarios: tuple[str, ...] = ()) -> J
             "assumed": list(covered.assumed),
             "dead": [one._asdict() for one in covered.dead],
         },
-        "tree": [_branch(one) for one in proof.tree],
+        "tree": [_branch(one, leaves.get(k)) for k, one in enumerate(proof.tree)],
     }
 
 
@@ -69,7 +81,7 @@ def _decided(one: Decided) -> Json:
     }
 
 
-def _branch(one: Branch) -> Json:
+def _branch(one: Branch, scenario: str | None) -> Json:
     decided = None if one.decided is None else _decided(one.decided)
     ended_s = None if one.ended_s is None else seconds(one.ended_s)
     return {
@@ -78,6 +90,7 @@ def _branch(one: Branch) -> Json:
         "ends": one.ends,
         "ended_s": ended_s,
         "into": one.into,
+        "scenario": scenario,
     }
 
 

@@ -70,6 +70,7 @@ class Branch(TypedDict):
     ends: str
     ended_s: float | None
     into: int | None
+    scenario: str | None  # of one that ends: a file that goes the same way
 
 
 class Futures(TypedDict):

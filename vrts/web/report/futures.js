@@ -5,7 +5,7 @@
   const held = byId("nodes");
   const chosen = byId("chosen");
   if (!held) return;
-  /** @typedef {{title: string, many: number, last: number, ends: string, story: [number, string, string][], scenario: string, wrong: number[]}} Told */
+  /** @typedef {{title: string, many: number, last: number, ends: string, story: [number, string, string][], scenario: string, replay: string | null, wrong: number[]}} Told */
   /** @type {{nodes: Told[]}} */
   const { nodes } = JSON.parse(held.textContent ?? "{}");
 
@@ -17,11 +17,11 @@
     return element;
   }
 
-  /** A way to the replay of something that goes wrong. */
-  function watch(/** @type {number} */ number) {
-    const link = /** @type {HTMLAnchorElement} */ (made("a", `Watch ${number}`, "watch"));
-    link.href = `#future=${number}`;
-    link.dataset.future = String(number);
+  /** A way to a replay. @param {string} key @param {string} text */
+  function watch(key, text) {
+    const link = /** @type {HTMLAnchorElement} */ (made("a", text, "watch"));
+    link.href = `#future=${key}`;
+    link.dataset.future = key;
     return link;
   }
 
@@ -39,7 +39,8 @@
     const more = node.many > 1 ? ` It stands for ${node.many} futures that are alike; the last begins at ${node.last.toFixed(3)} s.` : "";
     const details = document.createElement("details");
     details.append(made("summary", "The scenario"), made("pre", node.scenario, "scenario"));
-    const links = node.wrong.filter((n) => byId(n === 1 ? "data" : `data-${n}`)).map(watch);
+    const links = node.wrong.filter((n) => byId(n === 1 ? "data" : `data-${n}`)).map((n) => watch(String(n), `Watch ${n}`));
+    if (node.replay) links.push(watch(node.replay, "Watch it"));
     chosen.replaceChildren(made("h3", node.title), made("p", `${node.ends}.${more}`.replace(/^./, (c) => c.toUpperCase())), list, details, ...links);
     for (const other of document.querySelectorAll(".tree a.now")) other.classList.remove("now");
     byId(`node-${number + 1}`)?.classList.add("now");
@@ -63,9 +64,10 @@
 
   const asked = new URLSearchParams(location.hash.slice(1)).get("future");
   const card = asked && /^\d+$/.test(asked) ? byId(`future-${asked}`) : null;
+  const right = nodes.findIndex((node) => asked !== null && node.replay === asked);
   const shown = byId("shown");
-  if (card && shown) {
-    shown.textContent = card.querySelector("h3")?.textContent ?? "";
+  if (shown && (card || right >= 0)) {
+    shown.textContent = card ? card.querySelector("h3")?.textContent ?? "" : nodes[right].title;
     byId("replay")?.scrollIntoView();
   }
   /** Bring a node of the tree into sight, and nothing else of the page. */
@@ -78,7 +80,7 @@
     view.scrollLeft += node.left - frame.left - frame.width / 3;
   }
 
-  const first = nodes.findIndex((node) => node.wrong.includes(Number(asked ?? 1)));
+  const first = right >= 0 ? right : nodes.findIndex((node) => node.wrong.includes(Number(asked ?? 1)));
   show(Math.max(first, 0));
   bring(Math.max(first, 0));
 })();

@@ -29,9 +29,10 @@ def test_everything_that_was_decided_is_there() -> None:
         "line": 2,
     }
     assert first["decisions"][2]["line"] is None
-    assert found["tree"] == [
-        {"parent": None, "decided": None, "ends": "", "ended_s": None, "into": None}
-    ]
+    branch = {"parent": None, "decided": None, "ends": "", "ended_s": None, "into": None}
+    assert found["tree"] == [{**branch, "scenario": None}]
+    with_leaf = futures_json("lower.v2", VIOLATED, (), {0: "title = 'it'"})
+    assert with_leaf["tree"] == [{**branch, "scenario": "title = 'it'"}]
 
 
 def test_what_is_open_is_there() -> None:

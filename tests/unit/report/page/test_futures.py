@@ -1,16 +1,28 @@
 """The page about every future: what is folded, where lines go, what stands on it."""
 
+import json
 import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
+
+import pytest
 
 from tests.places import ROOT
 from tests.support_commands import vrts_text
 from tests.unit.report.page.futures_pages import DEEP, FOUND, WAITS, explored, on, proof
+from vrts.cli.shared.options import Language
+from vrts.cli.shared.programs import given_program
+from vrts.cli.shared.requests import run_request
+from vrts.pipeline.futures import leaf_replays, proved
+from vrts.pipeline.where import Where
+from vrts.prove.asking import Asking
+from vrts.prove.environment.environment import Environment
 from vrts.prove.proof import Branch
+from vrts.report.page.futures import whole
 from vrts.report.page.futures.drawing import tree
-from vrts.report.page.futures.folding import MOST, Mark, nodes
+from vrts.report.page.futures.folding import MOST, Mark, nodes, scenarios_of
 from vrts.report.page.futures.lanes import lanes
 from vrts.report.page.futures.whole import futures_page
 
@@ -128,6 +140,71 @@ def test_prove_writes_a_page_with_a_replay_of_each_thing_that_goes_wrong(tmp_pat
     text = (tmp_path / "page.html").read_text()
     assert 'id="data"' in text
     assert 'id="data-2"' in text
-    assert text.count('class="watch"') == len(re.findall('id="data', text)) >= 2
+    assert text.count('class="watch"') == len(re.findall(r'id="data(?:-\d+)?"', text)) >= 2
+    assert re.search(r'id="data-n\d+"', text), "what goes right can be watched, too"
     assert 'id="modules"' in text
     assert str(tmp_path) not in text
+
+
+RIGHT = """\
+.PROGRAM main()
+  MOVE a
+  IF SIG(1001) THEN
+    MOVE b
+  END
+  WAIT SIG(1002)
+.END
+.LOCATIONS
+a 900 0 100 90 90 0
+b 900 0 -100 90 90 0
+.END
+"""
+
+
+def told_in(page: str) -> list[dict[str, Any]]:
+    held = re.search(r'id="nodes">(.*?)</script>', page)
+    assert held is not None
+    return json.loads(held[1])["nodes"]
+
+
+def test_every_leaf_that_goes_right_can_be_watched(tmp_path: Path) -> None:
+    (tmp_path / "prog.v2").write_text(RIGHT)
+    done = vrts_text("prove", "prog.v2", "--html", "page.html", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    page = (tmp_path / "page.html").read_text()
+    nodes = told_in(page)
+    ends = [node for node in nodes if not node["ends"].startswith("it goes on only")]
+    assert len(ends) >= 3
+    assert all(node["replay"] for node in ends)
+    first, *others = (node["replay"] for node in ends)
+    assert 'id="data"' in page, first
+    assert all(f'id="data-{key}"' in page for key in others)
+    assert "can be watched here" not in page, "all can"
+
+
+def test_what_cannot_be_watched_is_told(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(whole, "MOST_CHARACTERS", 30_000)
+    (tmp_path / "prog.v2").write_text(RIGHT)
+    request = run_request(given_program(str(tmp_path / "prog.v2")), Where(), Language(), None)
+    found = proved(request, Environment(), Asking())
+    assert found.proof is not None
+    drawn, tick_s = nodes(found.proof), request.setting.scene.robot.arm.tick
+    runs = leaf_replays(request, found, scenarios_of(drawn, Environment(), tick_s), 24)
+    given = whole.Explored("prog", "", None, found.proof, Environment(), tick_s, (), runs)
+    page = futures_page(given)
+    said = re.search(r"Of (\d+) lines that end and go right (\d+) can be watched here", page)
+    assert said is not None
+    assert int(said[1]) == len(runs) > int(said[2]) == page.count('id="data') > 0
+
+
+def test_the_scenario_of_a_leaf_ends_as_the_leaf_does(tmp_path: Path) -> None:
+    (tmp_path / "prog.v2").write_text(RIGHT)
+    told = json.loads(vrts_text("prove", "prog.v2", "--format", "json", cwd=tmp_path).stdout)
+    ends = [one for one in told["tree"] if one["ends"]]
+    assert all(one["scenario"] for one in ends)
+    completed = [one for one in ends if one["ends"] == "completed"]
+    assert len(completed) >= 2
+    for one in completed:
+        (tmp_path / "leaf.toml").write_text(one["scenario"])
+        done = vrts_text("run", "prog.v2", "--scenario", "leaf.toml", cwd=tmp_path)
+        assert done.returncode == 0, done.stderr

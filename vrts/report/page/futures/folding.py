@@ -7,7 +7,10 @@ that says how many they are. So a wait of a thousand ticks is two nodes.
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from vrts.prove.environment.environment import Environment
 from vrts.prove.proof import Branch, Decided, Proof
+from vrts.prove.telling.scenarios import scenario_of
+from vrts.scene.model import Scenario
 
 MOST = 300  # nodes that are drawn
 ALIKE = 3  # so many alike are folded
@@ -39,6 +42,32 @@ class Node(NamedTuple):
     def is_merged(self) -> bool:
         """Whether it meets a future that is drawn elsewhere."""
         return self.ends == "merged"
+
+
+def stories(drawn: Sequence[Node]) -> list[tuple[Decided, ...]]:
+    """Return what outside decided on the way to each node, and at it."""
+    found: list[tuple[Decided, ...]] = []
+    for node in drawn:
+        before = () if node.parent is None else found[node.parent]
+        found.append(before if node.decided is None else (*before, node.decided))
+    return found
+
+
+def scenarios_of(
+    drawn: Sequence[Node], environment: Environment, tick_s: float
+) -> dict[int, tuple[Scenario, float]]:
+    """Return scenarios of the leaves in which nothing goes wrong, and until when each goes [s].
+
+    Args:
+        drawn: What is drawn of a tree.
+        environment: What is the same in every future.
+        tick_s: How often the controller looks [s].
+    """
+    return {
+        k: (scenario_of(environment, story, tick_s), node.end_s)
+        for k, (node, story) in enumerate(zip(drawn, stories(drawn), strict=True))
+        if node.ends and not node.marks
+    }
 
 
 class _Knot:
