@@ -3,7 +3,6 @@
 from vrts.base.diagnostic import Label, Rule
 from vrts.base.source import Span
 from vrts.base.toml.reading import Table
-from vrts.ir.ranges import ANALOG_INPUTS, LEAST_COUNT, MOST_COUNT
 from vrts.scene.reading.scenario_signals import (
     DRIVEN_TWICE,
     LATEST_S,
@@ -14,6 +13,8 @@ from vrts.scene.reading.scenario_signals import (
 
 ANALOG_UNCLEAR = Rule("V565", "analog-input-unclear")
 
+FIRST_CHANNEL, LAST_CHANNEL = 1, 8  # [assumed, manual language/signals#analog]
+LEAST_COUNT, MOST_COUNT = -2048, 2047
 Change = tuple[float, int, int]  # time [s], channel, counts
 
 
@@ -35,8 +36,7 @@ def read_analog(top: Table) -> tuple[Change, ...]:
 
 def read_channel(table: Table) -> int | None:
     """Return the number of the analog input that a table is about."""
-    least, most = ANALOG_INPUTS[0], ANALOG_INPUTS[-1]
-    return table.integer("channel", minimum=least, maximum=most, required=True)
+    return table.integer("channel", minimum=FIRST_CHANNEL, maximum=LAST_CHANNEL, required=True)
 
 
 def driven_once(table: Table, channel: int, driven: dict[int, Span]) -> bool:

@@ -13,13 +13,14 @@ from vrts.base.diagnostic import Diagnostic
 from vrts.base.pose import Pose, translation
 from vrts.base.source import SourceFile
 from vrts.engine.programs.signals import INPUTS
+from vrts.ir.ranges import ANALOG_INPUTS, LEAST_COUNT, MOST_COUNT
 from vrts.ir.system import PARAMETERS
 from vrts.robots.kinematics.kinematics import forward
 from vrts.robots.model import SphericalWristArm
 from vrts.scene.default import robot_alone
 from vrts.scene.model import FaultKind, Limits, PlannedFault, Region, Scenario, Scene, Sensor
 from vrts.scene.planned import ScenarioFile
-from vrts.scene.reading import scenario_file
+from vrts.scene.reading import scenario_analog, scenario_file
 from vrts.scene.reading.scenario_file import read_scenario
 from vrts.scene.reading.scenario_signals import FIRST_INPUT, LAST_INPUT, MOST_CHANGES
 from vrts.scene.reading.scene_file import read_scene
@@ -282,6 +283,13 @@ def test_what_comes_after_the_end_is_warned_of(cans: Scene) -> None:
     assert accepted(text, cans).warnings == ()
     found = accepted(text.replace("30.0", "30.1"), cans)
     assert [w.rule.code for w in found.warnings] == ["V478"]
+
+
+def test_analog_inputs_are_those_that_programs_read() -> None:
+    ends = scenario_analog.FIRST_CHANNEL, scenario_analog.LAST_CHANNEL
+    assert ends == (ANALOG_INPUTS[0], ANALOG_INPUTS[-1])
+    counts = scenario_analog.LEAST_COUNT, scenario_analog.MOST_COUNT
+    assert counts == (LEAST_COUNT, MOST_COUNT)
 
 
 def test_analog_inputs_are_read_by_time(cans: Scene) -> None:
