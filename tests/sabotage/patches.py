@@ -36,6 +36,27 @@ __all__ = ["PATCHES", "Patch"]
 
 PATCHES: tuple[Patch, ...] = (
     Patch(
+        "a line that stands in a program again is taken for the one above",
+        "vrts/lang/steps/step_parser.py",
+        "moved(statement, at - before)",
+        "statement",
+        ("tests/unit/lang/grammar/test_moved_steps.py",),
+    ),
+    Patch(
+        "a moved operator stays where it was",
+        "vrts/lang/syntax/moved.py",
+        "end + by, at + by)",
+        "end + by, at)",
+        ("tests/unit/lang/grammar/test_moved_steps.py",),
+    ),
+    Patch(
+        "every compilation leaves a ring that only the collector finds",
+        "vrts/lang/compiler.py",
+        "parser.let_go()",
+        "pass",
+        ("tests/unit/lang/test_uncollected.py",),
+    ),
+    Patch(
         "a variable that is kept from call to call is called empty",
         "vrts/lang/findings/names/unset.py",
         "single = entry.automatic and entry.array is None",

@@ -180,7 +180,7 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
     parser.program_names = frozenset(name for name, _ in headers)
     programs: list[ProgramText] = []
     for section, (name, formals) in zip(headed, headers, strict=True):
-        steps = tuple(parser.step(line) for line in section.lines)
+        steps = tuple([parser.step(line) for line in section.lines])
         header = section.header
         programs.append(
             ProgramText(
@@ -207,6 +207,7 @@ def _resolved(problems: Problems, options: Options) -> Resolved | None:
     report_pasted_characters(problems)
     parser.tolerated.report(problems)
     parser.report_block_steps()
+    parser.let_go()
     report_replaced(problems, data)
     resolver = Resolver(problems, scope)
     for section in headed:
@@ -272,10 +273,11 @@ def _distinct(
 
 def _stranger(problems: Problems, programs: list[ProgramText]) -> Diagnostic | None:
     """Return one diagnostic for a file that is something else altogether."""
+    if any(p.start != p.end for p in programs):
+        return None  # it has a header
     steps = [s.statement for p in programs for s in p.steps if s.statement is not None]
-    headed = any(p.start != p.end for p in programs)
     bad = sum(isinstance(s, Bad) and s.word is None for s in steps)
-    if headed or len(steps) < _FEW or bad < 0.8 * len(steps):
+    if len(steps) < _FEW or bad < 0.8 * len(steps):
         return None
     stranger = Problems(problems.source, problems.dialect)
     first = next(s for s in steps if isinstance(s, Bad))

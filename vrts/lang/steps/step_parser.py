@@ -5,6 +5,7 @@ from functools import cache, cached_property
 from typing import Any
 
 from vrts.base.diagnostic import Rule
+from vrts.base.made import made
 from vrts.lang.dialect import Dialect, Precedence
 from vrts.lang.grammar.build import builders
 from vrts.lang.grammar.lalr import Failure, TableParser
@@ -34,7 +35,8 @@ from vrts.lang.steps.tolerated import Odd, Tolerated, completed, unlike
 from vrts.lang.steps.trials import Trials
 from vrts.lang.steps.unknown_words import refuse, structural_word
 from vrts.lang.syntax.expressions import Text
-from vrts.lang.syntax.program import DataLine, Step
+from vrts.lang.syntax.moved import moved
+from vrts.lang.syntax.program import DataLine, Label, Step
 from vrts.lang.syntax.statements import Bad, Rest, Simple, Statement
 from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
@@ -44,8 +46,8 @@ TOO_MANY_WORDS = Rule("V116", "too-many-words")
 BLOCK_STEP = Rule("V158", "block-step")
 
 MOST_DEEP = 2  # trials within trials
-MAX_SEEN = 4096  # different lines whose tokens are kept
-MAX_KEPT = 64  # tokens of such a line
+MAX_SEEN = 4096  # different steps that are kept
+MAX_KEPT = 64  # tokens of such a step
 MAX_TOKENS = 1_000_000  # of a file: with more it would not fit into memory
 _NAMES = re.compile(r"[$#]?[A-Za-z][\w.]*", re.ASCII)
 _LOCALS = re.compile(  # `.x`, `.$x`, and what is meant by `$.x`
@@ -77,8 +79,9 @@ class StepParser:
         self.dialect = problems.dialect
         self.parser = TableParser(builders(problems, precedence or self.dialect.precedence))
         self.program_names: frozenset[str] = frozenset()
-        self.seen: dict[str, tuple[int, tuple[Token, ...], Head]] = {}  # by text, with its place
+        self.seen: dict[str, tuple[int, int, Statement]] = {}  # by text: place, tokens, tree
         self.token_count = 0
+        self.named_labels = self.dialect.has("a")
         self.whole_lines = _whole_line_words(self.dialect)
         self.tolerated = Tolerated()
         self.block_steps: list[tuple[int, int]] = []  # lines of AS block steps
@@ -92,14 +95,28 @@ class StepParser:
     def step(self, line: Line) -> Step:
         """Return the step of a line of a program."""
         self.trials.begin_line()
-        if line.start < self.advice.continued.joined_to:
-            return Step(line.number, None, None)
-        if self.advice.comments.open_comment:
-            self.advice.comments.inside_comment(line.start, line.end, line.text)
-            return Step(line.number, None, Bad(None, (), line.start, line.end))
-        label, text, at = read_label(line, self.problems, self.tolerated)
+        if "advice" in self.__dict__:  # something was explained above
+            if line.start < self.advice.continued.joined_to:
+                return Step(line.number, None, None)
+            if self.advice.comments.open_comment:
+                self.advice.comments.inside_comment(line.start, line.end, line.text)
+                return Step(line.number, None, Bad(None, (), line.start, line.end))
+        number, text, at, _ = line
+        label: Label | None = None
+        if self.named_labels or text[0].isdecimal():
+            label, text, at = read_label(line, self.problems, self.tolerated)
+        seen = self.seen.get(text)
+        if seen is not None:
+            before, count, statement = seen
+            if self.token_count + count <= MAX_TOKENS:
+                self.token_count += count
+                return made(Step, (number, label, moved(statement, at - before)))
         statement = self._statement(text, at) if text else None
         return Step(line.number, label, statement)
+
+    def let_go(self) -> None:
+        """Let go of the advice: it knows its parser, a ring that only the collector would find."""
+        self.__dict__.pop("advice", None)
 
     def report_block_steps(self) -> None:
         """Warn of the block steps of AS: one message for a file."""
@@ -147,9 +164,12 @@ class StepParser:
         """Return the statement of a line; explain it where it is none."""
         mark = len(self.problems.found)
         looks = len(self.problems.look_alikes)
+        count, noted = self.token_count, self.tolerated.count + len(self.block_steps)
         node = self._read(text, at)
         told = len(self.problems.found) > mark or len(self.problems.look_alikes) > looks
         if not isinstance(node, Bad) or not told or self.depth > MOST_DEEP:
+            if not told and noted == self.tolerated.count + len(self.block_steps):
+                self._keep(text, at, self.token_count - count, node)
             return node
         finish = self.problems.source.text.find("\n", at + len(text))
         raw = self.problems.source.text[at : finish if finish >= 0 else None].rstrip()
@@ -163,6 +183,13 @@ class StepParser:
         del self.problems.look_alikes[looks:]
         names = names_in(raw) if ";" in raw else node.names  # `INPUT "How many"; n`
         return node._replace(word=advised.word, meant=advised.meant, names=names)
+
+    def _keep(self, text: str, at: int, tokens: int, node: Statement | None) -> None:
+        """Keep a step of which there was nothing to say: most stand in a program more than once."""
+        if node is None or isinstance(node, Bad) or tokens >= MAX_KEPT:
+            return
+        if len(self.seen) < MAX_SEEN:
+            self.seen[text] = (at, tokens, node)
 
     def _tried(self, problems: Problems, text: str) -> Statement | None:
         """Return a text as a step, tried out apart from the file."""
@@ -178,7 +205,7 @@ class StepParser:
         parser = StepParser(problems, self.precedence, depth=depth, trials=self.trials)
         parser.program_names = self.program_names
         node = parser._statement(text, 0)
-        parser.__dict__.pop("advice", None)  # a ring, and the collector is held back meanwhile
+        parser.let_go()
         return node
 
     def _read(self, text: str, at: int) -> Statement | None:
@@ -258,24 +285,9 @@ class StepParser:
         return fits(self.problems, node, head.word)
 
     def tokens(self, text: str, at: int) -> tuple[list[Token], Head] | None:
-        """Return the tokens of a statement, those of the same text seen before moved to its place.
-
-        Most lines of a program stand in it more than once. None when one was reported.
-        """
-        seen = self.seen.get(text)
-        if seen is not None:
-            before, tokens, head = seen
-            by = at - before
-            return [Token(k, t, a + by, b + by, v) for k, t, a, b, v in tokens], head
-        reported = len(self.problems.found) + len(self.problems.look_alikes)
+        """Return the tokens of a statement; None when one was reported."""
         raw = tokenise(text, at, self.problems)
-        if not raw:
-            return None
-        tokens, head = classify(raw, self.dialect)
-        quiet = reported == len(self.problems.found) + len(self.problems.look_alikes)
-        if quiet and len(self.seen) < MAX_SEEN and len(tokens) < MAX_KEPT:
-            self.seen[text] = (at, tuple(tokens), head)
-        return tokens, head
+        return classify(raw, self.dialect) if raw else None
 
     def _unparsed(self, text: str, at: int) -> "Bad | Rest | Simple | _Comment | None":
         """Return a step whose operands are not expressions: opaque ones, REMARK, texts of VAL."""

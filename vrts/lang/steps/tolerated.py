@@ -30,9 +30,11 @@ class Tolerated:
     def __init__(self) -> None:
         self._places: dict[str, list[tuple[int, int, Fix | None]]] = {}  # by what they are
         self._help: dict[str, str] = {}
+        self.count = 0
 
     def note(self, odd: Odd, start: int, end: int) -> None:
         """Keep that an odd shape stands at a place."""
+        self.count += 1
         self._places.setdefault(odd.says, []).append((start, end, odd.fix))
         self._help[odd.says] = odd.help
 
