@@ -32,6 +32,10 @@ class Dialect(NamedTuple):
     precedence: Precedence
     max_line: int  # characters of a statement
 
+    def __hash__(self) -> int:
+        """Tell dialects apart by their names: all else is looked up by them, line by line."""
+        return hash(self.name)
+
     @property
     def is_as(self) -> bool:
         """Whether this is Kawasaki's language."""

@@ -10,6 +10,8 @@ SIGNIFICANT = 15  # characters, the sigil not counted [manual language/names#len
 def key(name: str) -> str:
     """Return a name in lower case, cut to its significant characters, with its sigil."""
     name = name.lower()
+    if len(name) <= SIGNIFICANT:
+        return name
     return name[: SIGNIFICANT + 1] if name[0] in "$#" else name[:SIGNIFICANT]
 
 

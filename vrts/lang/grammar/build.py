@@ -6,6 +6,7 @@ Tokens and nodes both end in `start` and `end`, so the range of a node is that o
 from typing import Any, cast
 
 from vrts.base.diagnostic import Rule
+from vrts.base.made import made
 from vrts.lang.dialect import Precedence
 from vrts.lang.grammar.lalr import Build
 from vrts.lang.grammar.operators import TABLE_A, TABLE_B, ambiguous, compares_twice, tree, written
@@ -53,6 +54,7 @@ from vrts.lang.syntax.statements import (
 from vrts.lang.vocabulary.functions import FUNCTIONS
 
 PRECEDENCE = Rule("V150", "precedence")
+
 
 # The values of a rule are tokens and nodes by its alternatives; the grammar guarantees their
 # types, so they are not checked again here.
@@ -124,7 +126,12 @@ def _subscripts(values: Any) -> tuple[Any, ...]:
 
 
 def _value(token: Any, sign: float = 1.0) -> Number:
-    return Number(sign * token.value, token.start, token.end)
+    return made(Number, (sign * token.value, token.start, token.end))
+
+
+def _name(v: Values) -> Name:
+    token = v[0]
+    return made(Name, (token.text, token.start, token.end))
 
 
 def _always(token: Any) -> bool:
@@ -367,7 +374,7 @@ _BUILDERS: dict[str, Build] = {
     "application_by": _application_by,
     "parenthesised": lambda v: Parenthesised(v[1], v[0].start, v[2].end),
     "element": lambda v: Element(v[0], _subscripts(v[2]), v[0].start, v[3].end),
-    "name": lambda v: Name(v[0].text, v[0].start, v[0].end),
+    "name": _name,
     "format": lambda v: FormatItem(v[0].text, v[0].start, v[0].end),
     "nothing": lambda _: None,
 }

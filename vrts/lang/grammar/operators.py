@@ -7,6 +7,7 @@ Operators before an operand bind tighter than any between two.
 
 from collections.abc import Sequence
 
+from vrts.base.made import made
 from vrts.lang.syntax.expressions import Expression, Infix, Parenthesised, Prefix
 from vrts.lang.syntax.token import Token
 
@@ -55,7 +56,8 @@ def tree(chain: Sequence[Expression | Token], table: dict[str, int]) -> Expressi
     for i in range(1, len(chain), 2):
         operator = chain[i]
         assert isinstance(operator, Token)
-        while operators and table[operators[-1].text] >= table[operator.text]:
+        level = table[operator.text]
+        while operators and table[operators[-1].text] >= level:
             _combine(operands, operators.pop())
         operators.append(operator)
         operands.append(_operand(chain[i + 1]))
@@ -108,7 +110,8 @@ def _combine(operands: list[Expression], operator: Token) -> None:
         inner = Infix("**", left.operand, right, left.operand.start, right.end, operator.start)
         operands.append(left._replace(operand=inner, end=right.end))
         return
-    operands.append(Infix(operator.text, left, right, left.start, right.end, operator.start))
+    whole = (operator.text, left, right, left.start, right.end, operator.start)
+    operands.append(made(Infix, whole))
 
 
 def _shape(chain: Sequence[Expression | Token], table: dict[str, int]) -> list[int]:

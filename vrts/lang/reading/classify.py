@@ -9,12 +9,14 @@ instruction can stand.
 
 from typing import NamedTuple
 
+from vrts.base.made import made
 from vrts.lang.dialect import VAL2, Dialect
 from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.lookup import look_up
 from vrts.lang.vocabulary.word import Word
 from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 
+_DEEPER = {"LPAREN": 1, "LBRACKET": 1, "RPAREN": -1, "RBRACKET": -1}
 _KINDS = {"REAL": "KIND", "DOUBLE": "KIND", "LOC": "KIND"}
 _RELATIONS = {"EQ": "==", "NE": "<>", "LT": "<", "GT": ">", "LE": "<=", "GE": ">="}
 _UNITS = {  # of AS, by the word before and after the slash
@@ -62,7 +64,7 @@ def classify(tokens: list[Token], dialect: Dialect = VAL2) -> tuple[list[Token],
         if kind == "WORD":
             upper = token.text.upper()
             if i == 0 and word is not None:
-                token = Token(word.terminal, word.canonical, token.start, token.end)
+                token = made(Token, (word.terminal, word.canonical, token.start, token.end, None))
             elif upper in OPERATORS:
                 token = Token(OPERATORS[upper].terminal, upper, token.start, token.end)
             elif upper == "FINE" and upper in wanted:
@@ -72,11 +74,9 @@ def classify(tokens: list[Token], dialect: Dialect = VAL2) -> tuple[list[Token],
             elif word is not None and dialect.tolerant and not depth:
                 token = _tolerant(token, upper, word, dialect, result[-1].kind)
             else:
-                token = Token("NAME", token.text, token.start, token.end)
-        elif kind in ("LPAREN", "LBRACKET"):
-            depth += 1
-        elif kind in ("RPAREN", "RBRACKET"):
-            depth -= 1
+                token = made(Token, ("NAME", token.text, token.start, token.end, None))
+        else:
+            depth += _DEEPER.get(kind, 0)
         result.append(token)
     if word is not None:
         if word.terminal == "TASKCALL":

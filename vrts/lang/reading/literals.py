@@ -1,6 +1,7 @@
 """Numbers and strings as a step writes them."""
 
 from vrts.base.diagnostic import Rule
+from vrts.base.made import made
 from vrts.base.numbers import single
 from vrts.lang.dialect import Dialect
 from vrts.lang.problems import Problems, short
@@ -30,7 +31,7 @@ def number(text: str, start: int, problems: Problems) -> Token | None:
             notes=("numbers reach up to about 3.4E38", "VAL-II says *Invalid constant*"),
         )
         return None
-    return Token("NUMBER", text, start, start + len(text), value)
+    return made(Token, ("NUMBER", text, start, start + len(text), value))
 
 
 _DIGITS_OF = {

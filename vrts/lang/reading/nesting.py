@@ -14,6 +14,7 @@ MISSING_BRACKET = Rule("V129", "missing-bracket")
 MAX_NESTING = 200  # parentheses and brackets
 MAX_DEPTH = 400  # levels of an expression: operators in a row nest too
 
+_BRACKETS = frozenset({"LPAREN", "LBRACKET", "RPAREN", "RBRACKET"})
 _CLOSES = {"RPAREN": "LPAREN", "RBRACKET": "LBRACKET"}
 
 
@@ -21,6 +22,8 @@ def balanced(tokens: list[Token], problems: Problems) -> bool:
     """Report the first parenthesis or bracket without its partner, or nesting too deep."""
     open_: list[Token] = []
     prefixes = 0
+    if len(tokens) <= MAX_NESTING:  # as most: they cannot nest too deeply
+        tokens = [token for token in tokens if token.kind in _BRACKETS]
     for token in tokens:
         kind = token.kind
         prefixes = prefixes + 1 if kind in ("MINUS", "PLUS") or token.text.upper() == "NOT" else 0

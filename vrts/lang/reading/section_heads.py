@@ -1,6 +1,7 @@
 """Lines that begin or end a section, and those that were meant to: `.LOCATION`, `REALS`."""
 
 import re
+from string import ascii_letters, digits
 from typing import NamedTuple
 
 from vrts.lang.spelling import nearest
@@ -46,6 +47,8 @@ _DATA = re.compile(  # a section of data without its dot, or with another sign
     r"[^\w\s.;\"]?[ \t]*(?P<word>LOCATIONS?|REALS?|STRINGS?|LOC[A-Z]{5,8})[ \t]*[:.\]]?$",
     re.IGNORECASE,
 )
+_ALPHANUMERIC = frozenset(ascii_letters + digits)
+_BEGINNINGS = frozenset({"pr", "lo", "re", "st"})  # of the words of _PROGRAM and _DATA
 _SIGN = re.compile(r"[,:>!*/@-][ \t]*(?P<word>PROGRAM|END)\b", re.IGNORECASE)
 
 
@@ -75,6 +78,8 @@ def section_head(text: str, *, strict: bool) -> SectionHead | None:
     """
     if text[:1] == ".":
         return _dotted(text, strict=strict)
+    if text[0] in _ALPHANUMERIC and text[:2].lower() not in _BEGINNINGS:
+        return None  # as nearly every line
     if _PROGRAM.match(text):
         return SectionHead("program", len("PROGRAM"))
     return _undotted(text) if strict else None

@@ -8,6 +8,7 @@ import re
 from typing import NamedTuple
 
 from vrts.base.diagnostic import Fix, Rule
+from vrts.base.made import made
 from vrts.lang.joined import parts
 from vrts.lang.problems import Problems
 from vrts.lang.reading.characters import OPENING_QUOTES
@@ -40,7 +41,7 @@ MAX_LINES = 150_000  # of all sections that hold something: with more it would n
 MAX_STEPS = 65_000  # of a program; more are refused before they are parsed
 
 _LOCAL = re.compile(r"\.[A-Za-z][\w.]*[ \t]*[=\[]", re.ASCII)  # a local name of AS, assigned
-_STARS = re.compile(r"\.\*")  # lines of stars and words that AS writes between sections
+_STARS = ".*"  # lines of stars and words that AS writes between sections
 _QUOTES = re.escape(OPENING_QUOTES)
 _STRING_OR_COMMENT = re.compile(rf"""("[^"]*("|$)|[{_QUOTES}][^{_QUOTES}"]*[{_QUOTES}"]|'.)|(;)""")
 
@@ -134,16 +135,16 @@ class _Splitter:
             self._close((self.open.last, self.open.last))
 
     def _line(self, raw: str, at: int) -> None:
-        cut = comment_start(raw)
+        cut = comment_start(raw) if ";" in raw else -1
         body = raw if cut < 0 else raw[:cut]
         text = body.strip()
         start = at + (len(body) - len(body.lstrip()) if text else 0)
-        line = Line(0, text, start, start + len(text))
+        line = made(Line, (0, text, start, start + len(text)))
         if len(raw) > LONG and len(text) <= self.problems.dialect.max_line:
             self.long_lines.append((start, at + len(raw)))
-        if _STARS.match(text):
+        if text[:2] == _STARS:
             return
-        head = self._head(text)
+        head = self._head(text) if text else None
         if head is not None:
             self._section(line, head)
         elif self.skipping:
@@ -170,8 +171,9 @@ class _Splitter:
         if not line.text:
             return
         section.last = line.end
+        text = line.text
         most = self.problems.dialect.max_line if section.kind == "program" else MAX_DATA_LINE
-        if len(line.text) > most:
+        if len(text) > most:
             self.problems.error(
                 LINE_TOO_LONG,
                 f"this line has {len(line.text):,} characters; a line has at most {most}",
@@ -184,14 +186,14 @@ class _Splitter:
         if section.kind == "program":
             if section.count > MAX_STEPS:
                 return
-            if self.strict and is_data(line.text, self.problems):
+            if self.strict and is_data(text, self.problems):
                 section.data.append(line)
                 return
             if not section.header.text and not section.told and not tells_itself(line.text):
                 section.told = True
                 self.outside.append(line)
         self.kept += 1
-        section.lines.append(line._replace(number=section.count))
+        section.lines.append(made(Line, (section.count, text, line.start, line.end)))
 
     def _section(self, line: Line, head: SectionHead) -> None:
         if head.meant:

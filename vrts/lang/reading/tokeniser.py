@@ -6,6 +6,7 @@ The longest name wins; which words are keywords is decided in `classify.py`. `/X
 
 import re
 
+from vrts.base.made import made
 from vrts.lang.dialect import Dialect
 from vrts.lang.problems import Problems
 from vrts.lang.reading.characters import LOOK_ALIKES, OPENING_QUOTES
@@ -83,12 +84,19 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
         start, end = match.span(kind)
         written = text[start:end]
         position = end
+        if kind == "WORD" and written.isascii():
+            tokens.append(made(Token, ("WORD", written, at + start, at + end, None)))
+            continue
         token: Token | None = None
-        if kind == "WORD":
-            if written.isascii():
-                token = Token("WORD", written, at + start, at + end)
-            else:
-                foreign_name(written, at + start, problems)
+        if kind == "ONE":
+            token = made(Token, (SIGNS.get(written, "INFIX"), written, at + start, at + end, None))
+            if written == "/" and _operand_expected(tokens):
+                form = _FORMAT.match(text, start)
+                if form is not None:
+                    end = position = form.end()
+                    token = Token("FORMAT", form.group(), at + start, at + end)
+        elif kind == "WORD":
+            foreign_name(written, at + start, problems)
         elif kind == "NUMBER":
             glued = end < size and (text[end].isalpha() or text[end] == "_")
             if glued and not (dialect.has("a") and _UNIT.match(text, end)):
@@ -97,13 +105,6 @@ def tokenise(text: str, at: int, problems: Problems) -> list[Token] | None:
                 name_after_digit(text[start:end], at + start, problems)
             else:
                 token = number(written, at + start, problems)
-        elif kind == "ONE":
-            token = Token(SIGNS.get(written, "INFIX"), written, at + start, at + end)
-            if written == "/" and _operand_expected(tokens):
-                form = _FORMAT.match(text, start)
-                if form is not None:
-                    end = position = form.end()
-                    token = Token("FORMAT", form.group(), at + start, at + end)
         elif kind == "STRING":
             beyond = text[end : end + 1]
             if beyond and (beyond.isalnum() or beyond == '"' or text[end - 2] == "\\"):
