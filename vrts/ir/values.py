@@ -15,6 +15,8 @@ class Type(Enum):
     JOINTS = "joints"  # VAL's precision point
     DYNAMIC = "dynamic"  # a formal whose type is known only at run time
 
+    __hash__ = object.__hash__  # each name is looked up by its type: that of Enum is slow
+
 
 Joints: TypeAlias = tuple[float, float, float, float, float, float]
 """A precision point: six joint positions in rad."""

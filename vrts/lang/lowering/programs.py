@@ -2,7 +2,8 @@
 
 from typing import assert_never
 
-from vrts.base.source import SourceFile
+from vrts.base.made import made
+from vrts.base.source import SourceFile, Span
 from vrts.ir import expressions as x
 from vrts.ir import instructions as i
 from vrts.ir.module import Origin, Program
@@ -120,7 +121,18 @@ class Lowering(InstructionLowering):
     def _step(self, at: int, step: Step) -> None:
         node = step.statement
         assert node is not None
-        self.origin = Origin(step.number, span_in(self.source, node.start, node.end))
+        span = (
+            span_in(self.source, node.start, node.end)
+            if self.joined
+            else made(Span, (self.source, node.start, node.end))
+        )
+        self.origin = made(Origin, (step.number, span))
+        if isinstance(node, Simple):
+            if node.word in ("EXIT", "NEXT"):
+                self._leave(at, node)
+            else:
+                self.simple(node)
+            return
         match node:
             case Assignment(target, value) | SetLocation(target, value):
                 self._emit(i.Assign(self.place(target), self.value(value)))
@@ -183,10 +195,6 @@ class Lowering(InstructionLowering):
             case CallStatement(program, arguments):
                 passed = tuple(self._argument(argument) for argument in arguments)
                 self._emit(i.Call(key(program.text), passed, self._span(program)))
-            case Simple(word="EXIT" | "NEXT"):
-                self._leave(at, node)
-            case Simple():
-                self.simple(node)
             case Bad():
                 raise AssertionError("a program with a bad step is not lowered")
             case _:

@@ -1,5 +1,6 @@
 """Expressions to the IR."""
 
+from vrts.base.made import made
 from vrts.base.numbers import single
 from vrts.base.source import SourceFile, Span
 from vrts.ir import expressions as x
@@ -25,6 +26,7 @@ from vrts.lang.syntax.expressions import (
 )
 from vrts.lang.vocabulary.functions import CONSTANTS, Signature, has_more_axes
 
+_BINARY = {operator.value.upper(): operator for operator in x.BinaryOperator}
 _NO_TURN = (90.0, -90.0, 0.0)  # O, A, T of TRANS without angles [manual language/locations#trans]
 
 
@@ -41,29 +43,36 @@ class ValueLowering:
         self.composing = types.composing
         self.located = types.located
         self.program_name = program
+        self.variables: dict[str, x.Variable] = {}  # by names as written
+        self.plain: dict[str, x.Variable] = {}  # those that are no constants and no functions
 
     def _span(self, node: Item) -> Span:
         if self.joined:
             return span_in(self.source, node.start, node.end)
-        return Span(self.source, node.start, node.end)
+        return made(Span, (self.source, node.start, node.end))
 
     def variable(self, name: Name) -> x.Variable:
         """Return the variable of a name as the program sees it."""
+        known = self.variables.get(name.text)
+        if known is not None:
+            return known
         entry = self.scope.entry(self.program_name, key(name.text))
-        if entry.slot is not None:
-            return x.Slot(entry.slot, entry.name, entry.type)
-        if entry.both:
+        if entry.both and entry.slot is None:
             located = name.start in self.located
             return x.Global(
                 location_name(entry.name) if located else entry.name,
                 Type.POSE if located else Type.REAL,
             )
-        return x.Global(entry.stored or entry.name, entry.type)
+        found: x.Variable = x.Global(entry.stored or entry.name, entry.type)
+        if entry.slot is not None:
+            found = x.Slot(entry.slot, entry.name, entry.type)
+        self.variables[name.text] = found
+        return found
 
     def place(self, node: Variable) -> x.Place:
         """Return what a name or element stands for when assigned."""
         if isinstance(node, Name):
-            return x.Place(self.variable(node), (), self._span(node))
+            return made(x.Place, (self.variable(node), (), self._span(node)))
         subscripts = tuple(
             self.value(s) if s is not None else x.Constant(0.0) for s in node.subscripts
         )
@@ -71,34 +80,27 @@ class ValueLowering:
 
     def value(self, node: Item) -> x.Expression:
         """Return an expression."""
+        if isinstance(node, Name):
+            variable = self.plain.get(node.text)
+            if variable is None:
+                return self._name(node)
+            return made(x.Load, (made(x.Place, (variable, (), self._span(node))),))
+        if isinstance(node, (Number, Text)):
+            return made(x.Constant, (node.value, self._span(node)))
+        if isinstance(node, Infix):
+            return self._infix(node)
         span = self._span(node)
         match node:
-            case Number(value):
-                return x.Constant(value, span)
-            case Text(value):
-                return x.Constant(value, span)
             case Parenthesised(inner):
                 return self.value(inner)
             case Element():
                 return x.Load(self.place(node))
-            case Name():
-                return self._name(node, span)
             case Prefix("-", operand) if node.start in self.composing:
                 return x.Apply(x.Function.INVERSE, (self.value(operand),), span)
             case Prefix(operator, operand):
                 if operator == "+":
                     return self.value(operand)
                 return x.Unary(x.UnaryOperator(operator.lower()), self.value(operand), span)
-            case Infix(operator, left, right):
-                if operator == ":" or node.operator_start in self.composing:
-                    a, b = self.value(left), self.value(right)
-                    if operator == "-":
-                        b = x.Apply(x.Function.INVERSE, (b,), span)
-                    parts = a.parts if isinstance(a, x.Compose) else (a,)
-                    return x.Compose((*parts, b), span)
-                return x.Binary(
-                    x.BinaryOperator(operator.lower()), self.value(left), self.value(right), span
-                )
             case Application():
                 return self._application(node, span)
             case FormatItem():
@@ -107,8 +109,19 @@ class ValueLowering:
     def _optional(self, node: Item | None) -> x.Expression | None:
         return None if node is None else self.value(node)
 
-    def _name(self, node: Name, span: Span) -> x.Expression:
-        lower = node.text.lower()
+    def _infix(self, node: Infix) -> x.Expression:
+        left, right = self.value(node.left), self.value(node.right)
+        if node.operator != ":" and node.operator_start not in self.composing:
+            operator = _BINARY[node.operator]
+            return made(x.Binary, (operator, left, right, self._span(node)))
+        span = self._span(node)
+        if node.operator == "-":
+            right = x.Apply(x.Function.INVERSE, (right,), span)
+        parts = left.parts if isinstance(left, x.Compose) else (left,)
+        return x.Compose((*parts, right), span)
+
+    def _name(self, node: Name) -> x.Expression:
+        lower, span = node.text.lower(), self._span(node)
         if lower in CONSTANTS:
             return x.Constant(single(CONSTANTS[lower]), span)
         signature = self.bare_functions.get(lower)
@@ -117,7 +130,10 @@ class ValueLowering:
             if signature.function is x.Function.BASE and self.dialect.is_as:
                 return x.Apply(x.Function.INVERSE, (value,), span)  # the opposite sense
             return value
-        return x.Load(self.place(node))
+        place = self.place(node)
+        if node.text in self.variables:
+            self.plain[node.text] = place.variable
+        return x.Load(place)
 
     def _application(self, node: Application, span: Span) -> x.Expression:
         signature = self.functions[node.name.text.lower()]

@@ -71,10 +71,15 @@ class ExpressionTypes(NameUses):
     def check(self, node: Item, wanted: Wanted, why: str, *, joints: bool = False) -> Type:
         """Return the type of an expression, and report it where it is not the one wanted."""
         before = len(self.no_texts)
-        found = self._type(node, wanted)
+        if isinstance(node, Number):
+            found = Type.REAL
+        elif isinstance(node, Name):
+            found = self._name(node, wanted)
+        else:
+            found = self._type(node, wanted)
         if wanted is Type.STRING and len(self.no_texts) > before:
             self._explain_no_texts(before, why)
-        if wanted is None or found is wanted or found is Type.DYNAMIC:
+        if found is wanted or wanted is None or found is Type.DYNAMIC:
             return found
         if joints and wanted is Type.POSE and found is Type.JOINTS:
             return found
@@ -83,13 +88,15 @@ class ExpressionTypes(NameUses):
         return Type.DYNAMIC
 
     def _type(self, node: Item, wanted: Wanted) -> Type:
+        if isinstance(node, Name):
+            return self._name(node, wanted)
+        if isinstance(node, Number):
+            return Type.REAL
+        if isinstance(node, Infix):
+            return self._infix(node, wanted)
         match node:
-            case Number():
-                return Type.REAL
             case Text():
                 return Type.STRING
-            case Name():
-                return self._name(node, wanted)
             case Element(name, subscripts):
                 return self._element(node, name, subscripts, wanted)
             case Parenthesised(inner):
@@ -101,8 +108,6 @@ class ExpressionTypes(NameUses):
             case Prefix(operator, operand):
                 self.check(operand, Type.REAL, f"`{operator}` takes a number")
                 return Type.REAL
-            case Infix():
-                return self._infix(node, wanted)
             case Application():
                 return self._application(node, wanted)
             case FormatItem():
@@ -203,17 +208,23 @@ class ExpressionTypes(NameUses):
         return wanted is Type.POSE or (wanted is None and self.is_location(node))
 
     def _name(self, node: Name, wanted: Wanted) -> Type:
-        lower = node.text.lower()
-        if lower in CONSTANTS:
-            return Type.REAL
-        signature = self.bare_functions.get(lower)
-        if signature is not None:
-            if signature.opaque:
-                self.warn_not_simulated(node.text.upper(), node.start, node.end)
-            return signature.result
+        if node.text not in self.variables:
+            lower = node.text.lower()
+            if lower in CONSTANTS:
+                return Type.REAL
+            signature = self.bare_functions.get(lower)
+            if signature is not None:
+                if signature.opaque:
+                    self.warn_not_simulated(node.text.upper(), node.start, node.end)
+                return signature.result
+            self.variables.add(node.text)
         entry = self._use(node, wanted)
-        entry.reads.append((node.start, node.end))
-        self._once(entry, node, array=False)
+        place = (node.start, node.end)
+        entry.reads.append(place)
+        if entry.scalar is None:
+            entry.scalar = place
+        if wanted is not Type.STRING and node.text[0] not in "$#":
+            return wanted or Type.DYNAMIC
         return self._as_used(node, node, wanted)
 
     def _element(
@@ -281,7 +292,7 @@ class ExpressionTypes(NameUses):
                 code = signature.parameters[min(i, len(signature.parameters) - 1)]
                 if code[0] == "$" and argument is not None:
                     self._changed(argument, node)
-                if argument is not None:
+                if argument is not None and not (code[0] == "r" and isinstance(argument, Number)):
                     why = f"{node.name.text.upper()} takes {_taken(code)} here"
                     self.check(argument, _CODES[code[0]], why, joints=code[0] == "l")
             if signature.name == "trans" and self.dialect.angles is Angles.OAT:

@@ -17,24 +17,27 @@ from vrts.lang.syntax.statements import Device
 
 def is_text(node: Item) -> bool:
     """Return whether an expression is a string: of a sum, one operand tells."""
-    while isinstance(node, Parenthesised | Infix):
-        if isinstance(node, Parenthesised):
+    while True:
+        if isinstance(node, Infix):
+            if node.operator != "+":
+                return False
+            if _is_plain_text(node.right):
+                return True
+            node = node.left
+        elif isinstance(node, Parenthesised):
             node = node.inner
-            continue
-        if node.operator != "+":
-            return False
-        if _is_plain_text(node.right):
-            return True
-        node = node.left
-    return _is_plain_text(node)
+        else:
+            return _is_plain_text(node)
 
 
 def _is_plain_text(node: Item) -> bool:
     while isinstance(node, Parenthesised):
         node = node.inner
-    if isinstance(node, Application | Element):
-        node = node.name
-    return isinstance(node, Text) or (isinstance(node, Name) and node.text[0] == "$")
+    if isinstance(node, Name):
+        return node.text[0] == "$"
+    if isinstance(node, Text):
+        return True
+    return isinstance(node, (Application, Element)) and node.name.text[0] == "$"
 
 
 def with_start(arguments: tuple[Item | None, ...]) -> tuple[Item | None, ...]:

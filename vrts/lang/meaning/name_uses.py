@@ -92,6 +92,8 @@ class NameUses:
         self.item_of_type: Item | None = None  # mixed sum of TYPE that is looked at
         self.reserved: set[str] = set()  # keywords used as names, each said once
         self.profiles = False  # whether it was said that profiles have no effect
+        self.used: dict[tuple[str | None, str], Entry] = {}  # by program and name as written
+        self.variables: set[str] = set()  # names as written that are no constants, no functions
 
     def type_of_name(self, program: str | None, name: Name) -> Type:
         """Return the type of a name as all its uses tell."""
@@ -159,12 +161,22 @@ class NameUses:
         )
 
     def _use(self, node: Name, wanted: Type | None) -> Entry:
-        entry = self.scope.entry(self.program, key(node.text))
-        entry.spellings.setdefault(node.text.lower(), (node.start, node.end))
-        if (wanted is Type.REAL or wanted is Type.POSE) and node.text[0] not in "$#":
-            entry.types.setdefault(wanted, (node.start, node.end))
+        text = node.text
+        entry = self.used.get((self.program, text))
+        if entry is None:
+            entry = self._first_use(node)
+        if (wanted is Type.REAL or wanted is Type.POSE) and text[0] not in "$#":
+            if wanted not in entry.types:
+                entry.types[wanted] = (node.start, node.end)
             if wanted is Type.POSE:
                 self.located.add(node.start)
+        return entry
+
+    def _first_use(self, node: Name) -> Entry:
+        """Note that a program uses a name, written like this for the first time in it."""
+        entry = self.scope.entry(self.program, key(node.text))
+        self.used[self.program, node.text] = entry
+        entry.spellings.setdefault(node.text.lower(), (node.start, node.end))
         if self._is_reserved(node):  # told once of each word: seldom looked for
             self._reserved(self._formal_name(entry, node))
         return entry

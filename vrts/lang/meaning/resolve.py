@@ -83,6 +83,11 @@ class Resolver(OperandTypes):
     def statement(self, node: Statement) -> None:
         """Record and check one statement of the current program."""
         self.step = node.start
+        if isinstance(node, Simple):
+            if node.word in _LOOKED_AT:
+                self._ask(node)
+            self.simple(node)
+            return
         match node:
             case Assignment(target, value):
                 self._assignment(node, target, value)
@@ -98,10 +103,6 @@ class Resolver(OperandTypes):
             case ShiftStatement(target, offsets):
                 self._write(target, Type.POSE, "SHIFT moves a location", None)
                 self._items(offsets, Type.REAL)
-            case Simple():
-                if node.word in _LOOKED_AT:
-                    self._ask(node)
-                self.simple(node)
             case SpeedStatement(word, levels, _, profile):
                 self._ask(node)
                 for level in levels:

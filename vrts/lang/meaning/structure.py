@@ -37,6 +37,7 @@ DUPLICATE_LABEL = Rule("V134", "duplicate-label")
 UNDEFINED_LABEL = Rule("V135", "undefined-label")
 
 __all__ = ["MISSING_END", "Block", "blocks", "word_of"]
+_LEAVING = ("EXIT", "NEXT")
 _CLOSED = frozenset({"IF", "WHILE", "FOR", "CASE", "DO", "END", "UNTIL"})
 
 
@@ -72,6 +73,10 @@ def loops_of(node: Simple) -> int:
 
 def exits(program: ProgramText, found: list[Block]) -> dict[int, Block | None]:
     """Return which loop each EXIT and NEXT means, by its place; None where there is none."""
+    steps = [step.statement for step in program.steps]
+    leaving = [node for node in steps if isinstance(node, Simple) and node.word in _LEAVING]
+    if not leaving:
+        return {}
     loops = {block.opener: block for block in found if block.word in ("FOR", "WHILE", "DO")}
     open_: list[Block] = []
     meant: dict[int, Block | None] = {}
@@ -79,7 +84,7 @@ def exits(program: ProgramText, found: list[Block]) -> dict[int, Block | None]:
         while open_ and open_[-1].end <= at:
             open_.pop()
         node = step.statement
-        if isinstance(node, Simple) and node.word in ("EXIT", "NEXT"):
+        if isinstance(node, Simple) and node.word in _LEAVING:
             count = loops_of(node)
             meant[at] = open_[-count] if 1 <= count <= len(open_) else None
         if at in loops:
@@ -89,7 +94,8 @@ def exits(program: ProgramText, found: list[Block]) -> dict[int, Block | None]:
 
 def check_exits(program: ProgramText, found: list[Block], problems: Problems) -> None:
     """Report EXIT and NEXT outside of loops, where the structures are known."""
-    if any(isinstance(step.statement, Bad) and word_of(step) in _CLOSED for step in program.steps):
+    bad = [step for step in program.steps if isinstance(step.statement, Bad)]
+    if any(word_of(step) in _CLOSED for step in bad):
         return
     for at, block in exits(program, found).items():
         node = program.steps[at].statement
@@ -137,6 +143,8 @@ def labels(
     broken = [s.statement for s in program.steps if isinstance(s.statement, Bad)]
     standing: dict[int | str, str] | None = None  # the labels of others, asked for once
     for step in program.steps:
+        if not isinstance(step.statement, (Goto, Simple)):
+            continue
         wanted = _label_wanted(step.statement)
         if wanted is None or label_key(wanted) in known or problems.full:
             continue

@@ -95,6 +95,7 @@ class Reading(NamedTuple):
 
 
 READINGS = tuple(Reading(*ways) for ways in product((False, True), repeat=4))
+_MARKING = frozenset({*_WORDS, Structure, Bad})  # statements that may be structure words
 BARE_WHILE = "WHILE x"  # a WHILE without its DO
 
 
@@ -108,7 +109,8 @@ def word_of(step: Step) -> str | None:
 
 def marks(steps: Sequence[Step]) -> list[Mark]:
     """Return the structure words of a program in their order."""
-    found = ((word_of(step), at) for at, step in enumerate(steps))
+    structural = [at for at, step in enumerate(steps) if type(step.statement) in _MARKING]
+    found = ((word_of(steps[at]), at) for at in structural)
     return [Mark(_told_apart(word, steps[at]), at) for word, at in found if word is not None]
 
 

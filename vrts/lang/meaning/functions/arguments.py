@@ -25,6 +25,9 @@ def arguments_fit(problems: Problems, node: Application, signature: Signature) -
     """Return whether a function has as many arguments as it takes; report it where it has not."""
     given = len(node.arguments)
     most = signature.most
+    enough = signature.required <= given <= (given if most is None else most)
+    if enough and None not in node.arguments and signature.by in (None, node.by):
+        return True
     omitted = [
         i
         for i, argument in enumerate(node.arguments)
