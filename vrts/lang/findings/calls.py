@@ -44,11 +44,12 @@ def check_reactions(problems: Problems, scope: Scope) -> None:
     if problems.dialect.tolerant:
         return
     for node in _statements(list(scope.programs.values())):
-        name = node.operands[1] if isinstance(node, ReactStatement) and node.operands[1:] else None
+        if not isinstance(node, ReactStatement):
+            continue
+        name = node.operands[1] if node.operands[1:] else None
         program = scope.programs.get(key(name.text)) if isinstance(name, Name) else None
         if program is None or not program.formals or not program.sound:
             continue
-        assert isinstance(node, ReactStatement)
         assert isinstance(name, Name)
         formals = [scope.formals[program.name].get(key(f.name.text)) for f in program.formals]
         if not any(f is not None and f.reads and not f.writes and not f.asked for f in formals):
@@ -69,6 +70,9 @@ def check_reactions(problems: Problems, scope: Scope) -> None:
 
 def check_error_returns(problems: Problems, programs: list[ProgramText]) -> None:
     """Warn of RETURNE in a program that is called, where no REACTE names a program for errors."""
+    returning = [program for program in programs if _returns_error(program)]
+    if not returning:
+        return
     called: set[str] = set()
     for node in _statements(programs):
         if isinstance(node, Rest | CallNamed) or (
@@ -77,7 +81,7 @@ def check_error_returns(problems: Problems, programs: list[ProgramText]) -> None
             return
         if isinstance(node, CallStatement):
             called.add(key(node.program.text))
-    for program in programs:
+    for program in returning:
         if program.name not in called:
             continue
         for node in _statements([program]):
@@ -91,6 +95,11 @@ def check_error_returns(problems: Problems, programs: list[ProgramText]) -> None
                     help=("write RETURN to go back to the CALL",),
                     fix=problems.replace(node.start, node.end, "RETURN"),
                 )
+
+
+def _returns_error(program: ProgramText) -> bool:
+    nodes = [step.statement for step in program.steps]
+    return any(isinstance(node, Simple) and node.word == "RETURNE" for node in nodes)
 
 
 def _statements(programs: list[ProgramText]) -> Iterator[Statement]:

@@ -30,6 +30,7 @@ from vrts.lang.syntax.statements import (
     ReactStatement,
     Rest,
     Simple,
+    Statement,
     Until,
     While,
 )
@@ -168,12 +169,13 @@ def _key_of(node: Name | Element) -> str:
 
 def runs_beside(programs: list[ProgramText]) -> bool:
     """Return whether a reaction or a second program may run between the steps of another."""
-    return any(
-        isinstance(step.statement, ReactStatement)
-        or (isinstance(step.statement, Simple | Device | Bad) and step.statement.word in _STARTERS)
-        for program in programs
-        for step in program.steps
-    )
+    return any(_starts(step.statement) for program in programs for step in program.steps)
+
+
+def _starts(node: Statement | None) -> bool:
+    if isinstance(node, (Simple, Device, Bad)):
+        return node.word in _STARTERS
+    return isinstance(node, ReactStatement)
 
 
 def _fixed(node: Expression, names: list[Name]) -> bool:

@@ -76,6 +76,8 @@ def check_jumps(
     loops = sorted((block for block in found if block.word == "FOR"), key=lambda b: b.opener)
     if not loops or not labels:
         return
+    if not any(isinstance(step.statement, Goto) for step in program.steps):
+        return
     place = {step.number: at for at, step in enumerate(program.steps)}
     around = _innermost(loops, len(program.steps))
     for at, step in enumerate(program.steps):
@@ -122,7 +124,8 @@ def check_process_programs(problems: Problems, programs: dict[str, ProgramText])
     """Warn of robot instructions in programs that PCEXECUTE starts, and in those they call."""
     started: dict[str, Name] = {}
     for program in programs.values():
-        for node in _statements(program):
+        for step in program.steps:
+            node = step.statement
             if isinstance(node, Simple) and node.word == "PCEXECUTE" and node.operands:
                 first = node.operands[0]
                 if isinstance(first, Name):

@@ -39,6 +39,7 @@ PRESSED = 5.0  # [mm] so far beyond a location a part may be pressed on purpose
 NEAR = 50  # steps that are looked through for the motion before or after
 _ARRIVING = frozenset({"MOVE", "MOVES"})
 _LEAVING = frozenset({"DEPART", "DEPARTS"})
+_DISTANCE = {"APPRO": 1, "APPROS": 1, "DEPART": 0, "DEPARTS": 0}  # which operand it is
 _MOTIONS = _ARRIVING | _LEAVING | {"APPRO", "APPROS", "DRIVE", "READY"}
 
 
@@ -70,10 +71,13 @@ def check_habits(
         for at, node in enumerate(steps):
             if isinstance(node, Assignment):
                 check_sign(problems, node)
-            if isinstance(node, Simple):
-                _waiting(problems, node)
-                _approach(problems, scope, program, node)
-                _hand(problems, steps, at, node)
+            elif isinstance(node, Simple):
+                if node.word == "WAIT":
+                    _waiting(problems, node)
+                elif node.word in _DISTANCE:
+                    _approach(problems, scope, program, node)
+                elif node.word in ("OPEN", "CLOSE"):
+                    _hand(problems, steps, at, node)
         check_motion(problems, scope, program)
         if converted and not problems.dialect.tolerant:
             check_converted(problems, program)
@@ -96,7 +100,7 @@ def check_habits(
 def _waiting(problems: Problems, node: Simple) -> None:
     if problems.dialect.is_val:
         return  # there a number is a signal
-    operand = node.operands[0] if node.word == "WAIT" and node.operands else None
+    operand = node.operands[0] if node.operands else None
     value = number_of(operand)
     if operand is None or value is None:
         return
@@ -120,10 +124,7 @@ def _waiting(problems: Problems, node: Simple) -> None:
 
 
 def _approach(problems: Problems, scope: Scope, program: ProgramText, node: Simple) -> None:
-    away = {"APPRO": 1, "APPROS": 1, "DEPART": 0, "DEPARTS": 0}.get(node.word)
-    if away is None:
-        return
-    operand = node.operands[away]
+    operand = node.operands[_DISTANCE[node.word]]
     distance = constant(scope, program.name, operand)
     if operand is None or distance is None or distance > -PRESSED:
         return
@@ -147,7 +148,7 @@ def _approach(problems: Problems, scope: Scope, program: ProgramText, node: Simp
 
 def _hand(problems: Problems, steps: list[Statement | None], at: int, node: Simple) -> None:
     """`MOVES part / CLOSE / DEPARTS 50`: the hand closes while it leaves."""
-    if node.word not in ("OPEN", "CLOSE") or _is_i(node):
+    if _is_i(node):
         return
     following = next((s for s in steps[at + 1 : at + 1 + NEAR] if _counts(s)), None)
     before = next((s for s in reversed(steps[max(at - NEAR, 0) : at]) if _counts(s)), None)

@@ -60,6 +60,8 @@ def _check_branches(problems: Problems, program: ProgramText) -> None:
     pending: set[str] = set()  # what was asked for under way, and no joint motion has turned yet
     moved = False
     above: Setting | None = None  # the arm word of the step before
+    if not any(isinstance(step.statement, Setting) for step in program.steps):
+        return
     for step in program.steps:
         node = step.statement
         simple = isinstance(node, Simple)

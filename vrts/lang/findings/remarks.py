@@ -41,6 +41,7 @@ _JOINED = re.compile(  # a blank nowhere round the `;`, and nothing behind the n
     r"(?P<part>[A-Za-z][\w.]*)[ \t]*$",
     re.IGNORECASE | re.MULTILINE,
 )
+_GLUED = re.compile(r";(?<=[\w.];)[A-Za-z]", re.IGNORECASE)  # as all of these; found quickly
 _GLUED_PROSE = re.compile(r"[^\s;];[A-Za-z][\w.]*[ \t]+[A-Za-z]")
 _STEPS = (
     Assignment,
@@ -87,7 +88,7 @@ def check_remarks(problems: Problems, scope: Scope, programs: list[ProgramText])
 def _joined(problems: Problems, scope: Scope) -> None:
     """`SET goal = tray;cell`: a `;` for the `:` of two locations, unless remarks stand so here."""
     text = problems.source.text
-    found = list(_JOINED.finditer(text))
+    found = list(_JOINED.finditer(text)) if _GLUED.search(text) else []
     if not found or _GLUED_PROSE.search(text):
         return
     for match in found:

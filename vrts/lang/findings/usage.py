@@ -3,6 +3,7 @@
 from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import chain
 
 from vrts.base.diagnostic import Edit, Fix, Rule
 from vrts.ir.values import Type
@@ -108,6 +109,10 @@ class _Suggestions:
 
 
 def _truncated(resolver: Resolver, entry: Entry) -> None:
+    if all(len(name) <= SIGNIFICANT for name in entry.spellings) and all(
+        end - start <= SIGNIFICANT for start, end in chain(entry.reads, entry.writes)
+    ):
+        return
     text = resolver.problems.source.text
     used: dict[str, Place] = {}  # where a program uses each spelling first
     steps = [at for at in entry.writes if text[at[0] : at[1]].lower() in entry.spellings]
@@ -148,7 +153,7 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
         return
     entry.reads.extend(handed)
     problems = resolver.problems
-    if {problems.source.line_of(start) for start, _ in entry.reads} <= resolver.wrong_lines:
+    if all(problems.source.line_of(at) in resolver.wrong_lines for at, _ in entry.reads):
         return  # the lines were reported
     location = entry.type in (Type.POSE, Type.JOINTS)
     at = min(entry.reads)

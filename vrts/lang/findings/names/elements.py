@@ -37,6 +37,7 @@ MOST_PASSES = 400  # of the loops around an element
 MOST_ELEMENTS = 2000  # that are looked at in a file
 _LEAVING = frozenset({"RETURN", "RETURNE", "HALT", "STOP", "EXIT"})
 
+_LEAVES = (Name, Number)  # which hold nothing
 _GIVING = (Assignment, SetLocation, HereStatement)
 
 Index = tuple[int, ...]
@@ -66,6 +67,7 @@ def check_elements(
     if not arrays or problems.dialect.tolerant:
         return
     left = MOST_ELEMENTS
+    text = problems.source.text
     given: dict[str, set[Index]] = {}
     written: dict[str, set[int]] = {}  # where, as far as it is known which elements
     for datum in data:
@@ -75,8 +77,10 @@ def check_elements(
     for program in programs:
         loops = _Loops(scope, program, structures[program.name])
         for at, step in enumerate(program.steps):
+            if left <= 0:
+                break
             node = step.statement
-            if node is None:
+            if node is None or text.find("[", node.start, node.end) < 0:
                 continue
             for element in _elements(node):
                 left -= 1
@@ -119,6 +123,7 @@ class _Loops:
         self.program = program
         self.blocks = sorted(found, key=lambda block: block.opener)
         self.counted: dict[int, list[int] | None] = {}
+        self.certain_to = _first_that_leaves(program)
 
     def use(self, at: int, step: Statement, node: Element) -> _Use | None:
         """Return which elements a node of a step is; None where that is not known."""
@@ -163,18 +168,7 @@ class _Loops:
             if len(known) < len(parts) or not known:
                 return None
             indices.append(tuple(known))
-        alone = self._unconditional(at)
-        return _Use(node, step, passes, indices, certain and alone, loop)
-
-    def _unconditional(self, at: int) -> bool:
-        """Whether no jump leads past a step, and no step above may end the program."""
-        for step in self.program.steps[:at]:
-            node = step.statement
-            if isinstance(node, Goto):
-                return False
-            if isinstance(node, Simple) and node.word in _LEAVING:
-                return False
-        return True
+        return _Use(node, step, passes, indices, certain and at <= self.certain_to, loop)
 
     def _values(self, block: Block, node: For) -> list[int] | None:
         """Return what the variable of a FOR counts; None where it is not known."""
@@ -207,6 +201,15 @@ class _Loops:
             if isinstance(node, Goto) or (isinstance(node, Simple) and node.word in _LEAVING):
                 return True
         return False
+
+
+def _first_that_leaves(program: ProgramText) -> int:
+    """Return the first step that jumps or may end the program: up to it, every step is come to."""
+    for at, step in enumerate(program.steps):
+        node = step.statement
+        if isinstance(node, Goto) or (isinstance(node, Simple) and node.word in _LEAVING):
+            return at
+    return len(program.steps)
 
 
 def _all_known(entry: Entry, known: set[int], bodies: Sequence[Place]) -> bool:
@@ -308,4 +311,5 @@ def _elements(node: Any) -> Iterator[Element]:
         part = waiting.pop()
         if isinstance(part, Element) and part.subscripts:
             yield part
-        waiting += [inner for inner in part if isinstance(inner, tuple)]
+        if not isinstance(part, _LEAVES):
+            waiting += [inner for inner in part if isinstance(inner, tuple)]

@@ -20,7 +20,7 @@ from vrts.lang.findings.values.switched import check_switched, says_off_by_zero
 from vrts.lang.findings.values.units.angles import check_angles, check_taught
 from vrts.lang.findings.values.units.lengths import MOTIONS, check_data, check_lengths, goals
 from vrts.lang.findings.values.units.times import check_times
-from vrts.lang.findings.values.units.turning import Turned, check_turning, turned
+from vrts.lang.findings.values.units.turning import TURNS, Turned, check_turning, turned
 from vrts.lang.grammar.build import PRECEDENCE
 from vrts.lang.meaning.constants import constant
 from vrts.lang.meaning.name_uses import Asked, NameUses
@@ -46,7 +46,6 @@ from vrts.lang.syntax.statements import (
     SetLocation,
     Simple,
     SpeedStatement,
-    Statement,
     Until,
     While,
 )
@@ -75,6 +74,7 @@ class ValueCheck:
         self.beside = False  # whether another program may run between two steps
         self.in_radians: set[int] = set()  # steps of which it was said
         self.turned: Turned = {}
+        self.timers = True  # whether this file has any
         self.zeros = False  # whether `SIGNAL n, 0` stands for off in this file
         self.misread = Stretches([])  # conditions that AND and OR take apart
         self.within: set[tuple[int, int]] = set()  # parts of conditions that were looked at
@@ -87,6 +87,7 @@ class ValueCheck:
         check_data(self.types, data, self.absolute)
         check_taught(self.types, data)
         self.turned = turned(self.types)
+        self.timers = "timer" in self.problems.source.text.lower()
         self.zeros = says_off_by_zero(self.types)
         found = self.problems.found
         self.misread = Stretches(
@@ -95,27 +96,30 @@ class ValueCheck:
             if d.rule is PRECEDENCE and d.primary is not None
         )
         for asked in self.types.asked:
-            form = _literal(asked.node)
+            node = asked.node
+            form = None
+            if isinstance(node, (Application, Simple)):
+                form = _literal(node, asked.program)
             if form is None:
                 self._look(asked)
             elif form not in self.fine:
                 before = len(found)
                 self._look(asked)
-                if len(found) == before:
+                if len(found) == before and asked.step not in self.in_radians:
                     self.fine.add(form)
 
     def _look(self, asked: Asked) -> None:
         """Ask what there is to ask about one place."""
         node = asked.node
-        if isinstance(node, For):
-            if not check_turning(self.types, asked, self.turned):
-                self._loop(asked, node)
-            return
         if isinstance(node, Infix):
             if node.operator not in DIVISIONS:
                 self._condition(asked, node)
             elif asked.program is not None:
                 self._question(Question(asked.program, asked.step, node.right, divisor))
+            return
+        if isinstance(node, For):
+            if not self._turns(asked):
+                self._loop(asked, node)
             return
         if isinstance(node, SpeedStatement | SetLocation):
             check_lengths(self.types, asked, self.absolute)
@@ -138,6 +142,9 @@ class ValueCheck:
         for question in questions(asked, self.problems.dialect):
             self._question(question)
 
+    def _turns(self, asked: Asked) -> bool:
+        return bool(self.turned) and check_turning(self.types, asked, self.turned)
+
     def _switches(self, node: Simple) -> bool:
         return node.word == "SIGNAL" and check_switched(self.types, node, zeros=self.zeros)
 
@@ -154,7 +161,7 @@ class ValueCheck:
             for part in inner_of(node):
                 self.within.add((part.start, part.end))
             return
-        elif check_times(self.types, asked) or check_turning(self.types, asked, self.turned):
+        elif (self.timers and check_times(self.types, asked)) or self._turns(asked):
             return
         else:
             check_same(self.types, node)
@@ -320,23 +327,28 @@ class ValueCheck:
         return found
 
 
-def _literal(node: Item | Statement) -> tuple[object, ...] | None:
-    """Return all that matters of a place without variables; None of others."""
+def _literal(node: Application | Simple, program: str | None) -> tuple[object, ...] | None:
+    """Return all that matters of a place without variables; None of others.
+
+    The sine of a variable is such a place, too: what the variable holds on the way is not asked.
+    """
+    turns = isinstance(node, Application) and node.name.text.lower() in TURNS
     if isinstance(node, Application):
         parts, form = node.arguments, [node.name.text]
-    elif isinstance(node, Simple):
+    else:
         parts, form = node.operands, [node.word]
         if node.word in MOTIONS and isinstance(node.operands[0], Name):
             parts = parts[1:]
-    else:
-        return None
     values: list[object] = [*form]
     for part in parts:
         sign = part.operator if isinstance(part, Prefix) else ""
         number = part.operand if isinstance(part, Prefix) else part
-        if not isinstance(number, Number):
+        if isinstance(number, Number):
+            values.append((sign, number.value))
+        elif turns and isinstance(number, Name):
+            values.append((sign, program, number.text))
+        else:
             return None
-        values.append((sign, number.value))
     return tuple(values)
 
 

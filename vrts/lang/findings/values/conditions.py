@@ -108,7 +108,13 @@ def _signals_by_number(types: NameUses, node: Infix) -> bool:
 
 
 def _is_signal(number: float | None) -> bool:
-    return number is not None and (abs(number) in INPUTS or abs(number) in INTERNAL)
+    return number is not None and (_is_in(INPUTS, number) or _is_in(INTERNAL, number))
+
+
+def _is_in(signals: range, number: float) -> bool:
+    """Whether a range holds the size of a number; to ask the range itself tries all its numbers."""
+    size = abs(number)
+    return signals.start <= size < signals.stop and size == int(size)
 
 
 def _surely_true(node: Expression) -> bool:
@@ -119,7 +125,7 @@ def _surely_true(node: Expression) -> bool:
 
 def _is_output(node: Item | None) -> bool:
     number = number_of(node)
-    return number is not None and abs(number) in OUTPUTS
+    return number is not None and _is_in(OUTPUTS, number)
 
 
 def _always(types: NameUses, node: Expression, text: str) -> None:

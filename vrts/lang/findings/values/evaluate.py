@@ -20,6 +20,7 @@ from vrts.lang.vocabulary.functions import CONSTANTS
 
 Known = Callable[[str], Interval]  # what a plain variable may be, by its key
 
+_SUMS = frozenset({"+", "-"})
 _RANGES: dict[str, Interval] = {
     "sin": (-1.0, 1.0),
     "cos": (-1.0, 1.0),
@@ -67,6 +68,8 @@ def _prefixed(operator: str, a: Interval) -> Interval:
 
 
 def _joined(operator: str, a: Interval, b: Interval) -> Interval:
+    if operator in _SUMS and (a is ANY or b is ANY):
+        return ANY
     match operator:
         case "+":
             return intervals.added(a, b)

@@ -45,10 +45,10 @@ class Fact(NamedTuple):
 
 def check_same(types: NameUses, node: Infix) -> None:
     """Warn of a comparison of something with itself."""
-    left = bare(node.left)
-    if node.operator not in COMPARISONS or not _steady(left):
+    left, right = bare(node.left), bare(node.right)
+    if type(left) is not type(right) or node.operator not in COMPARISONS or not _steady(left):
         return
-    if shape(left) != shape(bare(node.right)):
+    if shape(left) != shape(right):
         return
     holds = node.operator in ("==", "<=", ">=")
     _warn(

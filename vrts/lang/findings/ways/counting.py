@@ -19,6 +19,7 @@ from vrts.lang.syntax.statements import (
 
 LOOP_VARIABLE = Rule("V246", "loop-variable-changed")
 
+_MAY_COUNT = (For, CallStatement, Assignment, Simple)  # statements that may change a number
 _SPARE = ("i", "j", "k", "m", "n", "row", "column")  # names for another variable
 
 
@@ -51,7 +52,7 @@ class CountingCheck:
             while open_ and open_[-1][0].end <= at:
                 open_.pop()
             node = program.steps[at].statement
-            if open_ and node is not None:
+            if open_ and isinstance(node, _MAY_COUNT):
                 self._step(program, node, open_)
             if at in opened:
                 loop = node if isinstance(node, For) and _name(node.target) else None

@@ -19,7 +19,7 @@ from vrts.lang.syntax.expressions import (
 )
 from vrts.lang.syntax.statements import For
 
-_TURNS = frozenset({"sin", "cos", "tan"})
+TURNS = frozenset({"sin", "cos", "tan"})
 _MOST_TIMES = 12  # `COS(2*a)`; what is multiplied by more is converted
 
 Turned = dict[tuple[str | None, str], str]  # the function that takes a variable of a program
@@ -30,7 +30,7 @@ def turned(types: NameUses) -> Turned:
     found: Turned = {}
     for asked in types.asked:
         node = asked.node
-        if isinstance(node, Application) and node.name.text.lower() in _TURNS:
+        if isinstance(node, Application) and node.name.text.lower() in TURNS:
             for name in _names(node.arguments[0] if node.arguments else None):
                 found.setdefault((asked.program, name), node.name.text.upper())
     return found
