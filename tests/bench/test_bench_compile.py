@@ -1,5 +1,17 @@
-"""Compiling: a cold process, lines a second, memory; cost a line."""
+"""Compiling: a cold process, lines a second, memory; cost a line; and against another tree.
 
+To compare with another state of this repository, check that out and name it:
+
+    git worktree add /tmp/before fb2430c1
+    VRTS_BEFORE=/tmp/before python -m pytest tests/bench/test_bench_compile.py -s -k before
+
+Both trees compile the same texts, in processes that take turns, so that what else the machine does
+meets both alike; the figure is the median of the ratios of `PAIRS` pairs, and above 1 this tree is
+the faster one. A busy machine spreads the ratios: `VRTS_PAIRS=25` makes more pairs.
+"""
+
+import json
+import os
 import random
 import statistics
 import subprocess
@@ -20,6 +32,9 @@ from vrts.lang.reading.tokeniser import tokenise
 HEAVY = ("numpy", "pinocchio", "coal", "fcl", "trimesh", "rerun", "lark")
 LIMIT_S = 0.25
 RUNS = 11
+BEFORE = os.environ.get("VRTS_BEFORE", "")  # another tree
+PAIRS = int(os.environ.get("VRTS_PAIRS", "11"))
+ROOT = Path(__file__).parents[2]
 SIZES = (1_000, 100_000)  # lines
 
 STEPS = """        APPRO part, 50
@@ -48,6 +63,25 @@ path = Path(sys.argv[1])
 assert compile_source(decode(path.read_bytes(), path.name)).module is not None
 heavy = sorted(set({HEAVY!r}) & set(sys.modules))
 assert not heavy, heavy
+"""
+
+
+IN_TREE = """
+import json, sys, time
+sys.path.insert(0, sys.argv[1])
+import vrts
+from vrts.base.source import SourceFile
+from vrts.lang.compiler import compile_source
+assert vrts.__file__.startswith(sys.argv[1]), vrts.__file__
+text = sys.stdin.read()
+times = []
+for _ in range(4):
+    began = time.process_time()
+    found = compile_source(SourceFile("bench.v2", text))
+    times.append(time.process_time() - began)
+    assert found.module is not None
+    del found
+print(json.dumps(text.count("\\n") / min(times)))
 """
 
 
@@ -186,6 +220,37 @@ def test_lines_per_second(make: Callable[[int], str], least: int) -> None:
         f" {len(set(text.splitlines())) / lines:.0%} of the lines differ"
     )
     assert lines / seconds >= least
+
+
+def lines_a_second(tree: str, text: str) -> float:
+    """Return how many lines a process of a tree compiles in a second of the processor."""
+    found = subprocess.run(
+        [sys.executable, "-c", IN_TREE, tree],
+        input=text,
+        text=True,
+        check=True,
+        capture_output=True,
+        cwd="/",
+    )
+    return json.loads(found.stdout)
+
+
+@pytest.mark.skipif(not BEFORE, reason="VRTS_BEFORE names no tree to compare with")
+@pytest.mark.parametrize("make", [realistic, all_new], ids=["realistic", "all new"])
+def test_no_slower_than_before(make: Callable[[int], str]) -> None:
+    text = make(10_000)
+    trees = [str(Path(BEFORE).resolve()), str(ROOT)]
+    ratios: list[float] = []
+    print()
+    for number in range(PAIRS):
+        order = trees if number % 2 else trees[::-1]
+        speed = {tree: lines_a_second(tree, text) for tree in order}
+        ratios.append(speed[trees[1]] / speed[trees[0]])
+        shown = ", ".join(f"{speed[tree]:,.0f}" for tree in trees)
+        print(f"{make.__name__}: before and now {shown} lines/s; ratio {ratios[-1]:.2f}")
+    ratio = statistics.median(ratios)
+    print(f"{make.__name__}: median of {PAIRS} ratios {ratio:.2f}")
+    assert ratio >= 1.0
 
 
 def test_cost_is_linear() -> None:
