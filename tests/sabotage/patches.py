@@ -276,8 +276,8 @@ PATCHES: tuple[Patch, ...] = (
     Patch(
         "elements behind a jump are told to have no value",
         "vrts/lang/findings/names/elements.py",
-        "if isinstance(node, Goto):\n                return False",
-        "if isinstance(node, Goto):\n                continue",
+        "if isinstance(node, Goto):\n            return at",
+        "if isinstance(node, Goto):\n            continue",
         ("tests/unit/lang/test_students_mean.py",),
     ),
     Patch(

@@ -207,7 +207,9 @@ def _first_that_leaves(program: ProgramText) -> int:
     """Return the first step that jumps or may end the program: up to it, every step is come to."""
     for at, step in enumerate(program.steps):
         node = step.statement
-        if isinstance(node, Goto) or (isinstance(node, Simple) and node.word in _LEAVING):
+        if isinstance(node, Goto):
+            return at
+        if isinstance(node, Simple) and node.word in _LEAVING:
             return at
     return len(program.steps)
 
