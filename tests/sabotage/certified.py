@@ -4,6 +4,7 @@ from tests.sabotage.patch import Patch
 
 ROOM = "vrts/prove/certify/"
 HOPES = "tests/unit/prove/certify/test_hopes.py"
+BESIDE = "tests/unit/prove/explore/test_beside.py"
 SEEN = "tests/unit/prove/certify/test_seen.py"
 
 CERTIFIED: tuple[Patch, ...] = (
@@ -44,10 +45,24 @@ CERTIFIED: tuple[Patch, ...] = (
     ),
     Patch(
         "what is pressed too deep is excused too",
-        ROOM + "certifier.py",
-        "touching += self._lowered(some, hits)",
+        ROOM + "looking.py",
+        "hits += _lowered(new, some, hits)",
         "pass",
         (HOPES,),
+    ),
+    Patch(
+        "what is excused later is not told where it was certified late",
+        ROOM + "certifier.py",
+        "return way in self._open or way in self._open_away or way in self._hoped",
+        "return way in self._open or way in self._hoped",
+        (HOPES,),
+    ),
+    Patch(
+        "a search goes on for longer where something was certified late",
+        "vrts/prove/explore/touches.py",
+        "self.wrong_since = min(self.wrong_since, states)",
+        "pass",
+        (BESIDE,),
     ),
     Patch(
         "what falls is not looked at",

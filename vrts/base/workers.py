@@ -19,7 +19,7 @@ from collections import deque
 from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from types import MappingProxyType
-from typing import Any, Final, NamedTuple, NoReturn, TypeVar
+from typing import Any, Final, Generic, NamedTuple, NoReturn, TypeVar
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -81,6 +81,15 @@ class Workers(NamedTuple):
                 for worker in crew:
                     worker.end()
 
+    def beside(self, ask: Callable[[T], R], thing: T) -> "Beside[T, R]":
+        """Return a question that one worker answers while this process does something else.
+
+        Args:
+            ask: What is asked; its answer is sent between processes.
+            thing: Of which; it stays as it is until the answer is taken.
+        """
+        return Beside(self, ask, thing)
+
     def _start(
         self, crew: list["_Worker"], jobs: int, ask: Callable[[T], R], things: Sequence[T]
     ) -> None:
@@ -118,6 +127,46 @@ class Workers(NamedTuple):
 
 
 ALONE: Final = Workers()  # everything is answered here
+
+
+class Beside(Generic[T, R]):
+    """A question that is answered beside what goes on here. Whoever begins it ends it, too."""
+
+    def __init__(self, workers: Workers, ask: Callable[[T], R], thing: T) -> None:
+        """Do nothing yet."""
+        self._workers, self._ask, self._thing = workers, ask, thing
+        self._worker: _Worker | None = None
+
+    def begin(self) -> bool:
+        """Let a worker answer; return whether there is one. Without, the question waits."""
+        if self._workers.jobs < 2 or not _may_fork():
+            return False
+        gc.freeze()
+        with _undisturbed():
+            try:
+                self._worker = _Worker(self._ask, (self._thing,))
+                self._worker.give(0)
+            except OSError as problem:
+                self._workers.lost(f"no worker process could be started: {problem.strerror}")
+        gc.unfreeze()
+        return self._worker is not None
+
+    def answer(self) -> R:
+        """Wait for the answer, or give it here if no worker has done so."""
+        worker, found = self._worker, ()
+        if worker is not None:
+            found = worker.take()
+            if worker.is_lost:
+                self._workers.lost(worker.words)
+        self.end()
+        return found[0] if found else self._ask(self._thing)
+
+    def end(self) -> None:
+        """Leave nobody behind."""
+        with _undisturbed():
+            if self._worker is not None:
+                self._worker.end()
+            self._worker = None
 
 
 class _Worker:

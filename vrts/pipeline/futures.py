@@ -148,7 +148,12 @@ def proven(
     if task is None or task.proof is None:
         return None
     environment = usual_environment(setting)
-    asking = Asking(states=task.proof.states, collisions=collisions, answers=workers.answers)
+    asking = Asking(
+        states=task.proof.states,
+        collisions=collisions,
+        answers=workers.answers,
+        beside=workers.beside,
+    )
     proof = prove(module, setting.scene, environment, asking, entry=entry, task=task)
     evidence: dict[str, Datum] = {
         "method": METHOD,

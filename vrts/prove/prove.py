@@ -1,6 +1,7 @@
 """Every future of a program: does it hold in all of them, and if not, in which it does not."""
 
 from collections.abc import Iterator, Sequence
+from contextlib import closing
 
 from vrts.base.stack import deep_stack
 from vrts.check.task.task import Task
@@ -59,7 +60,7 @@ def prove(
     search = Search(module, scene, environment, collisions=asking.collisions)
     search.begin(entry)
     replays = Replays(module, scene, environment, entry, task)
-    with fewer_collections():
+    with fewer_collections(), closing(search):
         search.go_on(asking, patiently=False)
         teller, found, left = _told(search, replays, asking)
         if not (found or search.is_over or search.was_enough):

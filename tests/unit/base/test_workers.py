@@ -5,14 +5,13 @@ import select
 import signal
 import subprocess
 import sys
-from collections.abc import Callable
-from functools import wraps
 from pathlib import Path
 from types import MappingProxyType
 
 import pytest
 
 from tests.places import ROOT
+from tests.support_processes import in_a_process
 from vrts.base.workers import ALONE, Workers
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="workers are forks")
@@ -24,29 +23,21 @@ sys.path.insert(0, ".")
 from vrts.base.workers import Workers
 
 def ask(number):
-    os.write(1, f"{os.getpid()}\\n".encode())
+    os.write(1, f"{{os.getpid()}}\\n".encode())
     signal.alarm(60)  # whatever happens, it does not stay
     signal.pause()
 
 try:
-    list(Workers(2).answers(ask, range(4)))
+    {}
 except KeyboardInterrupt:
     sys.exit(130)
 """
-
-
-def in_a_process(test: Callable[[], None]) -> Callable[[], None]:
-    """Run a test in a process of its own: where tests before it left threads, nothing is forked."""
-
-    @wraps(test)
-    def run() -> None:
-        code = f"from {__name__} import {test.__name__} as test; test.__wrapped__()"
-        done = subprocess.run(
-            [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False
-        )
-        assert done.returncode == 0, done.stderr
-
-    return run
+ANSWERS = "list(Workers(2).answers(ask, range(4)))"
+BESIDE = """\
+one, two = Workers(2).beside(ask, 1), Workers(2).beside(ask, 1)
+    one.begin() and two.begin()
+    one.answer()\
+"""
 
 
 def squared(number: int) -> int:
@@ -122,6 +113,61 @@ def test_what_is_raised_is_raised_where_its_answer_is_taken() -> None:
         next(answers)
 
 
+@in_a_process
+def test_one_question_is_answered_beside_what_goes_on() -> None:
+    asked = Workers(2).beside(who, 0)
+    assert asked.begin()
+    assert asked.answer() != HERE
+    with pytest.raises(ChildProcessError):  # nobody is left
+        os.waitpid(-1, os.WNOHANG)
+
+
+@in_a_process
+def test_a_question_that_nobody_answers_beside_is_answered_here() -> None:
+    alone, inner = ALONE.beside(who, 0), Workers(2).beside(lambda _: begins(), 0)
+    assert not alone.begin()
+    assert alone.answer() == HERE
+    assert inner.begin()
+    assert inner.answer() is False  # a worker forks no others
+
+
+def begins() -> bool:
+    return Workers(2).beside(who, 0).begin()
+
+
+@in_a_process
+def test_who_answers_beside_may_be_killed_or_fail() -> None:
+    lost: list[str] = []
+    killed, fails = (Workers(2, lost.append).beside(ask, 3) for ask in (ended_at_three, failing))
+    assert killed.begin()
+    assert killed.answer() == squared(3)
+    assert len(lost) == 1
+    assert "ended by SIGKILL" in lost[0]
+    assert fails.begin()
+    with pytest.raises(ZeroDivisionError):
+        fails.answer()
+    fails.end()
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
+
+
+def failing(number: int) -> float:
+    return number / 0
+
+
+@in_a_process
+def test_an_answer_beside_may_be_long_and_may_be_left() -> None:
+    asked = Workers(2).beside(lambda k: "x" * k, 1_000_000)
+    assert asked.begin()
+    assert asked.answer() == "x" * 1_000_000
+    left = Workers(2).beside(lambda k: "x" * k, 1_000_000)
+    assert left.begin()
+    left.end()
+    left.end()
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
+
+
 def test_tables_that_are_read_only_come_back_as_such() -> None:
     found = list(Workers(2).answers(lambda k: MappingProxyType({"a": k}), range(2)))
     assert found == [MappingProxyType({"a": 0}), MappingProxyType({"a": 1})]
@@ -129,10 +175,14 @@ def test_tables_that_are_read_only_come_back_as_such() -> None:
 
 
 @pytest.mark.parametrize(("how", "status"), [(signal.SIGINT, 130), (signal.SIGKILL, -9)])
-def test_no_worker_is_left_behind(how: signal.Signals, status: int) -> None:
+@pytest.mark.parametrize("asks", [ANSWERS, BESIDE])
+def test_no_worker_is_left_behind(how: signal.Signals, status: int, asks: str) -> None:
     """Ctrl-C reaches the whole group, as from a terminal; a kill only the one that asks."""
     with subprocess.Popen(
-        [sys.executable, "-c", BUSY], stdout=subprocess.PIPE, cwd=ROOT, start_new_session=True
+        [sys.executable, "-c", BUSY.format(asks)],
+        stdout=subprocess.PIPE,
+        cwd=ROOT,
+        start_new_session=True,
     ) as process:
         assert process.stdout is not None
         crew = [int(process.stdout.readline()) for _ in range(2)]  # both are at work

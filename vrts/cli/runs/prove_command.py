@@ -118,13 +118,15 @@ def command(
         show_diagnostics(said, color)
     if where.scenario is not None:  # asked for: then it is no example
         outside = with_scenario_of(outside, request.setting)
+    workers = workers_of(jobs)
     with searching(seconds) as asked:
         asking = Asking(
             states=USUAL_STATES if states is None else states,
             collisions=not no_collisions,
             told=asked.told,
             enough=asked.enough,
-            answers=workers_of(jobs).answers,
+            answers=workers.answers,
+            beside=workers.beside,
         )
         found = proved(request, outside, asking)
     show_diagnostics(found.diagnostics, color)

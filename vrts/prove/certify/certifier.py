@@ -35,15 +35,15 @@ from vrts.engine.memory.events import Event
 from vrts.engine.memory.records import INSTANT
 from vrts.geometry.proposing.choose import here
 from vrts.geometry.proposing.proposer import Proposer
-from vrts.prove.certify.laying import Entry, Hit, touches
-from vrts.prove.certify.limits import beyond
+from vrts.prove.certify.laying import Entry, Hit
+from vrts.prove.certify.looking import Looked, New, looked_at, unless_of
 from vrts.prove.certify.memory import Grips, LettingGo, Memory, Span, grips, stood_on
 from vrts.prove.certify.parting import Parting
 from vrts.prove.certify.seen import Seen
 from vrts.prove.certify.situation import Part
 from vrts.prove.certify.situations import Situation, Situations
 from vrts.prove.certify.stretches import Stretch, Way, Ways, stretches
-from vrts.prove.certify.touching import Beyond, Hope, Touching, Unless
+from vrts.prove.certify.touching import Beyond, Touching, Unless
 from vrts.scene.model import Scene
 
 _Kind: TypeAlias = tuple[Way, Part]
@@ -82,7 +82,10 @@ class Certifier:
         self._entries: list[Entry] = []
         self._came: list[_Came] = []
         self._hopes: dict[_Kind, list[Hit]] = {}
-        self._open: set[Way] = set()  # ways on which something is not certified, or hopes
+        self._open: set[Way] = set()  # ways on which something is not certified
+        self._hoped: set[Way] = set()  # and on which something touches that may be excused
+        self._away: list[_Came] = []  # of motions that were taken to be looked at
+        self._open_away: set[Way] = set()
         self._told: set[tuple[object, ...]] = set()
 
     def follow(
@@ -124,24 +127,25 @@ class Certifier:
 
         Both in the order in which futures came, and then of time.
         """
+        new = self.take()
+        return self.certified(new, looked_at(new))
+
+    def take(self) -> New:
+        """Return the motions that are new. They are to be looked at, and given back before more."""
         entries, self._entries = self._entries, []
+        self._away, self._came = self._came, []
+        self._open_away, self._open = self._open, set[Way]()
         self.waiting_s = 0.0
-        touching: list[Touching] = []
-        limits: list[Beyond] = []
-        falling = [entry for entry in entries if any(part.falls for part in entry.parts)]
-        others = [entry for entry in entries if not any(part.falls for part in entry.parts)]
-        for some in (others, falling):
-            if some:
-                hits, motion, order = touches(self._scene, some, self._proposer, self._pads)
-                touching += self._certain(some, hits)
-                touching += self._lowered(some, hits)
-                limits += beyond(self._scene.robot.arm, some, motion, order)
-        for came in self._came:
+        return New(self._scene, entries, self._proposer, self._pads)
+
+    def certified(self, new: New, looked: Looked) -> tuple[list[Touching], list[Beyond]]:
+        """Return what `certify` does, of motions that were taken and looked at."""
+        touching = self._certain(new.entries, looked.hits)
+        for came in self._away:
             touching += self._hoping(came)
-        self._came = []
-        self._open = {way for way, _ in self._hopes}
+        self._away, self._open_away = [], set()
         found = sorted(touching, key=_order)
-        return self._news(found), sorted(limits)
+        return self._news(found), sorted(looked.beyond)
 
     # --- what moves ---------------------------------------------------------------------------
 
@@ -185,8 +189,12 @@ class Certifier:
         if situation.hopes:
             if new:
                 self._open.add(stretch.way)
-            if stretch.way in self._open:
+            if self._is_open(stretch.way):
                 self._came.append(_Came(stretch.way, parts, stretch, future))
+
+    def _is_open(self, way: Way) -> bool:
+        """Return whether something that touches on a way may be excused, as far as is known."""
+        return way in self._open or way in self._open_away or way in self._hoped
 
     def _add(self, stretch: Stretch, number: int, parts: tuple[Part, ...], future: int) -> bool:
         """Keep what is new of parts along a stretch; return whether anything is."""
@@ -210,26 +218,8 @@ class Certifier:
             else:
                 kind = (stretch.way, hit.part)
                 self._hopes.setdefault(kind, []).append(hit)
+                self._hoped.add(stretch.way)
         return found
-
-    def _lowered(self, entries: Sequence[Entry], hits: Sequence[Hit]) -> list[Touching]:
-        """Return what touches even if what is held will be set down there."""
-        asked: dict[int, list[Part]] = {}
-        for hit in hits:
-            unless = _unless(hit)
-            if hit.part is None or hit.part.body is None or unless is None:
-                continue
-            if unless.hope is not Hope.SET_DOWN:
-                continue
-            part = hit.part._replace(body=hit.part.body._replace(after=unless.on))
-            own = asked.setdefault(hit.entry, [])
-            if part not in own:
-                own.append(part)
-        if not asked:
-            return []
-        some = [entries[k]._replace(parts=tuple(own)) for k, own in asked.items()]
-        again, _, _ = touches(self._scene, some, self._proposer, self._pads)
-        return self._certain(some, [hit for hit in again if hit.part is None])
 
     def _hoping(self, came: _Came) -> list[Touching]:
         """Return what touches where a future came along, unless something follows."""
@@ -240,7 +230,7 @@ class Certifier:
             low, high = max(hit.from_s, stretch.from_s), min(hit.to_s, stretch.to_s)
             if high >= low:
                 s = min(max(hit.s, low), high)
-                found.append(_touching(hit, came.future, stretch.time(s), _unless(hit)))
+                found.append(_touching(hit, came.future, stretch.time(s), unless_of(hit)))
         return found
 
     def _news(self, found: Sequence[Touching]) -> list[Touching]:
@@ -253,14 +243,6 @@ class Certifier:
                 self._told.add(kind)
                 news.append(one)
         return news
-
-
-def _unless(hit: Hit) -> Unless | None:
-    if hit.part is None:
-        return None
-    _, second, hope, body, _ = hit.group
-    grasped = hope == Hope.GRASPED.value
-    return Unless(Hope.GRASPED, body) if grasped else Unless(Hope.SET_DOWN, body, second)
 
 
 def _touching(hit: Hit, future: int, time_s: float, unless: Unless | None) -> Touching:

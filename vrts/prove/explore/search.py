@@ -1,5 +1,6 @@
 """The search: futures go on one after another, part where outside decides, and meet again."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
@@ -110,37 +111,40 @@ class Search:
             asking: How far to look, and who is told.
             patiently: Whether to go on for long although something seems to go wrong already.
         """
-        told, touches, suspected = len(self.graph.visits), self.touches, 0
+        told, touches, suspected = len(self.graph.visits), self.touches, math.inf
         while self.frontier:
             count = len(self.graph.visits)
             if count >= asking.states:
                 break
             if count >= asking.states // 2:
                 self.frontier.spread()
-            if count - told >= TELL:
+            due = count - told >= TELL
+            if touches is not None and (due or touches.waiting_s >= CERTIFY_S):
+                touches.certify(asking.beside, count)
+            if due:
                 told = count
-                if touches is not None:
-                    touches.certify()
                 asking.told(self.so_far)
                 if asking.enough():
                     self.was_enough = True
                     break
-            if touches is not None and touches.waiting_s >= CERTIFY_S:
-                touches.certify()
             if not patiently and self.suspects:
-                suspected = suspected or count
+                suspected = min(suspected, count, touches.wrong_since if touches else count)
                 if count > suspected * LONGER + SOON:
                     break
             self._go_on(self.frontier.pop(), asking.states)
         self.is_over = not self.frontier
         if touches is not None:
-            touches.certify()
             touches.settle()
         closed = for_ever(self.graph)
         for suspect in never_ending(self.graph, closed, self.first):
             self.suspects.add(suspect)
         self.never_left = tuple(dict.fromkeys(never_left(closed, self.first)))
         asking.told(self.so_far)
+
+    def close(self) -> None:
+        """Leave nobody behind who certifies."""
+        if self.touches is not None:
+            self.touches.close()
 
     @property
     def so_far(self) -> Told:

@@ -2,13 +2,16 @@
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from vrts.base.units import deg
 from vrts.check.verdicts.limits import JOINT_POSITION
 from vrts.engine.machine.machine import Machine
 from vrts.engine.memory.events import Event
 from vrts.engine.motion.remarks import JOINT_SPEED
+from vrts.prove.asking import Beside, Here, Later
 from vrts.prove.certify.certifier import Certifier
+from vrts.prove.certify.looking import Looked, New, looked_at
 from vrts.prove.certify.memory import Memory
 from vrts.prove.certify.touching import Beyond, Touching
 from vrts.prove.explore.frontier import Future
@@ -20,6 +23,14 @@ from vrts.prove.proof import Wrong
 from vrts.scene.model import Scene
 
 
+class _Asked(NamedTuple):
+    """Motion that others certify, and how many states were looked at when they were asked."""
+
+    later: Later[Looked]
+    new: New
+    states: float
+
+
 class Touches:
     """Certifies the motion of all futures of a search."""
 
@@ -29,6 +40,8 @@ class Touches:
         self._graph, self._suspects = graph, suspects
         self._tick_s = scene.robot.arm.tick
         self._open: list[Touching] = []  # what something later may excuse
+        self._asked: _Asked | None = None  # what is certified meanwhile
+        self.wrong_since = math.inf  # states, when motion was asked for that is wrong
         self._still: tuple[object, object, float] = (None, None, 0.0)  # arm, hand, since when [s]
 
     @property
@@ -55,9 +68,42 @@ class Touches:
         """Note what still moves in a future that ends."""
         self._keep(future, self._certifier.finish(future.memory, future.machine, future.leg))
 
-    def certify(self) -> None:
-        """Certify what is new."""
-        touching, beyond = self._certifier.certify()
+    def certify(self, beside: Beside = Here, states: float = math.inf) -> None:
+        """Certify what is new, or let it be certified while the search goes on.
+
+        What was found is told at the next call, if not now; nothing that is told depends on it.
+
+        Args:
+            beside: Makes the question that others may answer.
+            states: How many states were looked at.
+        """
+        self.take_in()
+        new = self._certifier.take()
+        if not new.entries:
+            self._told(new, looked_at(new), states)
+            return
+        self._asked = _Asked(beside(looked_at, new), new, states)
+        if not self._asked.later.begin():
+            self.take_in()
+
+    def take_in(self) -> None:
+        """Tell what was certified meanwhile."""
+        asked, self._asked = self._asked, None
+        if asked is not None:
+            try:
+                looked = asked.later.answer()
+            finally:
+                asked.later.end()
+            self._told(asked.new, looked, asked.states)
+
+    def close(self) -> None:
+        """Leave nobody behind who certifies."""
+        if self._asked is not None:
+            self._asked.later.end()
+
+    def _told(self, new: New, looked: Looked, states: float) -> None:
+        """Tell what was found in new motion when so many states were looked at."""
+        touching, beyond = self._certifier.certified(new, looked)
         for touch in touching:
             if touch.unless is None:
                 leg = self._graph.legs[touch.future]
@@ -66,9 +112,12 @@ class Touches:
                 self._open.append(touch)
         for one in beyond:
             self._suspects.add(self._limit(one))
+        if beyond or any(touch.unless is None for touch in touching):
+            self.wrong_since = min(self.wrong_since, states)
 
     def settle(self) -> None:
-        """Tell what nothing excuses, once no more futures are looked at."""
+        """Certify what is left, and tell what nothing excuses: no more futures are looked at."""
+        self.certify()
         for touch in self._open:
             found = not_excused(self._graph, touch, self._tick_s)
             if found is not None:

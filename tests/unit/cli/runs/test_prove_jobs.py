@@ -9,6 +9,7 @@ import sys
 from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TypeAlias
 
 import pytest
 
@@ -26,6 +27,8 @@ NAMES = (
     *("P04", "Q04", "T15"),  # properties, a goal
     *("O08", "R19", "R02"),  # undetermined, and holds
 )
+CERTIFIED = ("T04", "O01")  # minutes of motion in all futures together
+Held: TypeAlias = dict[Path, bytes]
 
 TOLD = """
 import hashlib, os, sys
@@ -54,38 +57,49 @@ print(len(forks))
 """
 
 
+def told(folder: Path, names: tuple[str, ...], jobs: str, seed: str) -> tuple[Held, int]:
+    """Return what is written of programs, by file, and how many processes were forked."""
+    folder.mkdir()
+    result = subprocess.run(
+        [sys.executable, "-c", TOLD, " ".join(names), jobs, folder],
+        capture_output=True,
+        cwd=ROOT,
+        env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)},
+        check=False,
+    )
+    assert result.returncode == 0, result.stderr.decode()
+    files = sorted(one for one in folder.rglob("*") if one.is_file())
+    return {one.relative_to(folder): one.read_bytes() for one in files}, int(result.stdout)
+
+
 def test_the_bytes_are_the_same_on_any_number_of_cores(tmp_path: Path) -> None:
     """Text, JSON, counterexamples, exit status; hashes are seeded differently, too."""
-    held: list[dict[Path, bytes]] = []
-    forks: list[int] = []
-    for jobs, seed in (("1", "1"), ("2", "2")):
-        folder = tmp_path / jobs
-        folder.mkdir()
-        result = subprocess.run(
-            [sys.executable, "-c", TOLD, " ".join(NAMES), jobs, folder],
-            capture_output=True,
-            cwd=ROOT,
-            env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)},
-            check=False,
-        )
-        assert result.returncode == 0, result.stderr.decode()
-        forks.append(int(result.stdout))
-        files = sorted(one for one in folder.rglob("*") if one.is_file())
-        held.append({one.relative_to(folder): one.read_bytes() for one in files})
-    assert held[0] == held[1]
-    assert forks[0] == 0 < forks[1]
-    told = [json.loads(held[0][Path(name, "json")]) for name in NAMES]
-    assert {one["answer"] for one in told} == {"violated", "holds", "undetermined"}
-    assert len({wrong["wrong"] for one in told for wrong in one["found"]}) >= 5
-    assert sum(Path(name, "bad.toml") in held[0] for name in NAMES) >= 10
+    (one, none), (two, some) = (told(tmp_path / k, NAMES, k, k) for k in ("1", "2"))
+    assert one == two
+    assert none == 0 < some
+    found = [json.loads(one[Path(name, "json")]) for name in NAMES]
+    assert {each["answer"] for each in found} == {"violated", "holds", "undetermined"}
+    assert len({wrong["wrong"] for each in found for wrong in each["found"]}) >= 5
+    assert sum(Path(name, "bad.toml") in one for name in NAMES) >= 10
+
+
+@pytest.mark.thorough
+def test_the_bytes_are_the_same_where_much_motion_is_certified(tmp_path: Path) -> None:
+    """It is certified several times while the search goes on, on any number of cores."""
+    every = [("1", "0"), ("2", "1"), ("3", "2"), ("2", "3")]
+    found = [told(tmp_path / seed, CERTIFIED, jobs, seed) for jobs, seed in every]
+    assert [held for held, _ in found[1:]] == [found[0][0]] * 3
+    assert [forks > 8 for _, forks in found] == [False, True, True, True]
 
 
 @contextmanager
-def at_work(arguments: list[str], folder: Path) -> Generator[tuple[Child, list[int]]]:
-    """Start a command at a terminal; lend it and handles of two workers, once it has them."""
+def at_work(
+    arguments: list[str], folder: Path, workers: int = 2
+) -> Generator[tuple[Child, list[int]]]:
+    """Start a command at a terminal; lend it and handles of its workers, once it has some."""
     child = Child(arguments, folder)
     try:
-        yield child, [os.pidfd_open(pid) for pid in child.children(2)]
+        yield child, [os.pidfd_open(pid) for pid in child.children(workers)]
     finally:
         child.close()
 
@@ -102,6 +116,18 @@ def test_ctrl_c_twice_leaves_a_proof_at_once(tmp_path: Path) -> None:
     """The first ends the search and lets what was found be told; the second does not wait."""
     (one,) = (one for one in planted() if one.name == "T01")
     with at_work(["prove", *one.written(tmp_path), "--jobs", "2"], tmp_path) as (child, watched):
+        child.send("\x03")
+        child.expect("telling what is known so far")
+        child.send("\x03")
+        assert child.status() == 130
+        assert all_ended(watched)
+
+
+def test_ctrl_c_twice_leaves_a_search_that_others_certify_for(tmp_path: Path) -> None:
+    """The first worker of this program is one that certifies while the search goes on."""
+    (one,) = (one for one in planted() if one.name == "O01")
+    words = ["prove", *one.written(tmp_path), "--jobs", "2"]
+    with at_work(words, tmp_path, workers=1) as (child, watched):
         child.send("\x03")
         child.expect("telling what is known so far")
         child.send("\x03")

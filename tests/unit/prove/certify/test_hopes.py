@@ -11,8 +11,9 @@ from vrts.engine.futures.future import begin, command, happened, tick
 from vrts.ir.commands import Execute, TimedCommand
 from vrts.ir.module import Module
 from vrts.prove.certify.certifier import Certifier
+from vrts.prove.certify.looking import New, looked_at
 from vrts.prove.certify.memory import LettingGo, Memory
-from vrts.prove.certify.touching import Hope, Touching, Unless
+from vrts.prove.certify.touching import Beyond, Hope, Touching, Unless
 from vrts.scene.model import Scenario
 
 SCENE = cans()
@@ -99,6 +100,32 @@ def test_what_is_pressed_and_taken_away_again_is_a_contact_in_that_future() -> N
     assert ("robot", "base1") in names(carries_on.contacts)
     assert min(one.future for one in carries_on.contacts) >= 1000
     assert hopes(carries_on) >= {Unless(Hope.SET_DOWN, "can1", "base1")}
+
+
+class Late(Certifier):
+    """Tells of motion only when more of it is to be certified."""
+
+    taken: New | None = None
+
+    def certify(self) -> tuple[list[Touching], list[Beyond]]:
+        """Tell what touches in the motion before."""
+        told = ([], []) if self.taken is None else self.certified(self.taken, looked_at(self.taken))
+        self.taken = self.take()
+        return told
+
+
+@pytest.mark.parametrize("on_s", [None, 0.0])
+def test_futures_that_come_while_motion_is_certified_are_told_all_the_same(
+    on_s: float | None,
+) -> None:
+    body = FETCH + "APPRO pressed, 100\nMOVES pressed\nBREAK\n"
+    body += "IF SIG(1001) THEN\nDEPARTS 100\nMOVE aside\nEND\nOPENI\nDEPARTS 100\n"
+    found: list[list[Touching]] = []
+    for certifier in (Certifier(SCENE), Late(SCENE)):
+        told = [future(body, on, certifier, 1000 * k) for k, on in enumerate((None, on_s, None))]
+        found.append([one for it in told for one in it.touching] + certifier.certify()[0])
+    assert sorted(map(repr, found[1])) == sorted(map(repr, found[0]))
+    assert {one.future // 1000 for one in found[0]} == {0, 1, 2}
 
 
 def test_what_is_held_when_the_future_ends_was_not_set_down() -> None:
