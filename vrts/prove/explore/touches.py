@@ -22,6 +22,8 @@ from vrts.prove.graph.suspects import Suspect, Suspects
 from vrts.prove.proof import Wrong
 from vrts.scene.model import Scene
 
+WORTH = 200  # stretches of motion; fewer are certified here sooner than somebody else has begun
+
 
 class _Asked(NamedTuple):
     """Motion that others certify, and how many states were looked at when they were asked."""
@@ -79,7 +81,7 @@ class Touches:
         """
         self.take_in()
         new = self._certifier.take()
-        if not new.entries:
+        if len(new.entries) < WORTH:
             self._told(new, looked_at(new), states)
             return
         self._asked = _Asked(beside(looked_at, new), new, states)

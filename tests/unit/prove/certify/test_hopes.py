@@ -109,7 +109,9 @@ class Late(Certifier):
 
     def certify(self) -> tuple[list[Touching], list[Beyond]]:
         """Tell what touches in the motion before."""
-        told = ([], []) if self.taken is None else self.certified(self.taken, looked_at(self.taken))
+        told: tuple[list[Touching], list[Beyond]] = ([], [])
+        if self.taken is not None:
+            told = self.certified(self.taken, looked_at(self.taken))
         self.taken = self.take()
         return told
 

@@ -63,6 +63,7 @@ def often(set_: Callable[[object, str, object], None]) -> None:
     """Certify little at a time, and go on for a short while where something seems wrong."""
     set_(search, "CERTIFY_S", 3.0)
     set_(search, "TELL", 50)
+    set_(touches, "WORTH", 1)
     set_(search, "SOON", 120)
 
 
