@@ -44,16 +44,22 @@ def region(value: float, numbers: Numbers) -> int:
     return 2 * k + (k < len(numbers) and numbers[k] == value)
 
 
-def compared_only(module: Module) -> dict[str, Numbers]:
+def compared_only(module: Module, *, shown: bool = False) -> dict[str, Numbers]:
     """Return the variables that programs assign and compare with numbers, and do nothing else with.
 
     Beside each stand the numbers, in ascending order.
+
+    Args:
+        module: The programs.
+        shown: Whether those count, too, that are written to the terminal as they are.
     """
     met, known = Counter[str](), Counter[str]()
     numbers: dict[str, set[float]] = {}
     for instruction in _instructions(module):
         if isinstance(instruction, ir.Assign):
             known.update(variable(instruction.place))
+        if shown and isinstance(instruction, ir.Type):
+            known.update(name for one in instruction.items for name in _written(one))
         for top in tops(instruction):
             for node in all_nodes(top):
                 if isinstance(node, Place):
@@ -62,7 +68,8 @@ def compared_only(module: Module) -> dict[str, Numbers]:
                     for name, border in _compares(node):
                         known[name] += 1
                         numbers.setdefault(name, set()).add(border)
-    return {name: tuple(sorted(numbers[name])) for name in numbers if met[name] == known[name]}
+    names = known if shown else numbers
+    return {k: tuple(sorted(numbers.get(k, ()))) for k in names if met[k] == known[k]}
 
 
 def _instructions(module: Module) -> Iterator[ir.Instruction]:
@@ -77,6 +84,10 @@ def variable(node: object) -> tuple[str, ...]:
             return (name,)
         case _:
             return ()
+
+
+def _written(item: object) -> tuple[str, ...]:
+    return variable(item.place) if isinstance(item, Load) else ()
 
 
 def _compares(node: Binary) -> Iterator[tuple[str, float]]:

@@ -169,7 +169,7 @@ def _from_zero(count: int) -> tuple[int, bool]:
 def _all_asked(module: Module) -> dict[int, dict[Asked, None]]:
     """Return what programs ask of analog inputs; 0: of one whose number is computed."""
     found: dict[int, dict[Asked, None]] = {}
-    held = compared_only(module)
+    held = compared_only(module, shown=True)
     for program in module.programs.values():
         for instruction in program.instructions:
             for channel, asked in _asked(instruction, held):

@@ -57,6 +57,15 @@ def test_counts_made_volts_are_told_apart_by_what_the_volts_are_compared_with() 
     assert proven(none).answer is Answer.HOLDS
 
 
+def test_volts_that_are_typed_too_are_looked_at_in_every_way() -> None:
+    body = "v = ADC(1)/204.8\nTYPE v\nn = 0\nIF {} > 9.99 THEN\nn = 1/n\nEND\n"
+    for kept in ("v", "ADC(1)/204.8"):
+        proof = proven(body.format(kept))
+        assert reads(proof) == [(1, 2046.0)], "2045 counts are 9.985 V"
+        assert not proof.covered.sampled
+    assert proven("v = ADC(1)\nTYPE v+1\n").covered.sampled
+
+
 def test_a_wait_for_a_level_costs_no_more_states_than_one_for_a_signal() -> None:
     level, signal = proven("WAIT ADC(1) > 500\nMOVE a\n"), proven("WAIT SIG(1001)\nMOVE a\n")
     assert level.answer is Answer.HOLDS
