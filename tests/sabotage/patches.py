@@ -2775,6 +2775,13 @@ PATCHES: tuple[Patch, ...] = (
         ("tests/unit/repair/test_mended.py",),
     ),
     Patch(
+        "a bad number between good ones is passed over",
+        "vrts/repair/trying/reach.py",
+        "            return good, True\n",
+        "            break\n",
+        ("tests/unit/repair/test_reach.py",),
+    ),
+    Patch(
         "what a program does everywhere else says nothing about its repairs",
         "vrts/repair/search.py",
         "    doubt += odder(asked, text)\n",

@@ -13,6 +13,9 @@ DOUBTFUL = 1.0  # against which a teacher says so much does not stand out, whate
 ILLEGAL = 1.5  # what a value speaks against a change that no controller or teacher would take
 HARMLESS = 1.0  # what it speaks against it that a step goes that moves nothing
 ABOVE_ZERO = frozenset({"DEPART", "DEPARTS", "APPRO", "APPROS", "DELAY", "SPEED"})
+PACE = frozenset({"SPEED", "DELAY", "DURATION", "FOR", "WHILE", "IF"})
+FULL = 100.0  # per cent: no teacher asks for a speed above it
+UNITS = ("MMPS", "IPS")  # of speeds that are no per cent
 GOES_TO = frozenset({"MOVE", "MOVES", "APPRO", "APPROS"})
 TALKS = frozenset({"TYPE", "PROMPT"})
 
@@ -66,9 +69,15 @@ def standing_out(found: Sequence[Repair]) -> Repair | None:
 
 
 def _detour(change: Change) -> bool:
-    """Return whether a motion to a location is added: many ways round may earn as much."""
+    """Return whether a motion to a location is added: many ways round may earn as much.
+
+    A step that the program has elsewhere is no detour: it goes by there as usual.
+    """
     words = change.new.upper().split()
-    return change.does is Does.ADD and bool(words) and words[0] in GOES_TO
+    if change.does is not Does.ADD or not words or words[0] not in GOES_TO:
+        return False
+    lines = change.edits[0].span.source.lines()
+    return not any(line.upper().partition(";")[0].split() == words for line in lines)
 
 
 def _elsewhere(change: Change, other: Change) -> bool:
@@ -90,10 +99,34 @@ def implausible(change: Change) -> float:
         gone = change.old.upper().split()[:1]
         return HARMLESS if gone and gone[0] in TALKS else 0.0
     numbers = [value for value in map(_number, words) if value is not None]
-    counts = words[:1] and words[0] in ABOVE_ZERO
-    if counts and any(value <= 0 or value > FARTHEST for value in numbers):
-        return ILLEGAL
-    return 0.0
+    word = _keyword(change) if change.does is Does.NUMBER else words[0] if words else ""
+    if word not in ABOVE_ZERO:
+        return 0.0
+    most = FULL if word == "SPEED" and not _has_unit(change) else FARTHEST
+    return ILLEGAL if any(value <= 0 or value > most for value in numbers) else 0.0
+
+
+def keeps_time(change: Change) -> bool:
+    """Return whether a change is of a speed or a pause, or of a step as a whole."""
+    number = change.does in (Does.NUMBER, Does.ROW)
+    return not number or _keyword(change) in PACE
+
+
+def _keyword(change: Change) -> str:
+    """Return the keyword of the step in which a change writes a number, without its label."""
+    words = _line(change).upper().replace(",", " ").split()
+    return next((word for word in words if not word.isdecimal()), "")
+
+
+def _has_unit(change: Change) -> bool:
+    """Return whether the step that a change writes to says a speed in millimetres or inches."""
+    return any(unit in f"{_line(change)} {change.new}".upper() for unit in UNITS)
+
+
+def _line(change: Change) -> str:
+    """Return the line of the file on which a change begins."""
+    span = change.edits[0].span
+    return span.source.line_text(span.line)
 
 
 def _number(word: str) -> float | None:

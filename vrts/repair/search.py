@@ -16,7 +16,7 @@ from vrts.engine.run import Run
 from vrts.lang.dialect import VAL2
 from vrts.repair.blame.blame import Blame, blame
 from vrts.repair.edit import Candidate, both, changed
-from vrts.repair.ranking import Repair, ranked
+from vrts.repair.ranking import Repair, keeps_time, ranked
 from vrts.repair.table.asked import Asked
 from vrts.repair.table.habits import odder
 from vrts.repair.table.table import candidates
@@ -26,6 +26,7 @@ from vrts.repair.trying.trial import NOWHERE, Place, Stage, Tried, shared, tried
 from vrts.repair.written import read
 
 DOUBTED = 0.25  # of a repair against which a teacher says so much others are looked for longer
+BESIDE_IT = 1.0  # and against it that a program is too slow, and no speed or pause is changed
 UNUSED = 0.3  # what a teacher says against it that locations stay that nothing names
 MOST_JUDGED = 3  # changes that come farthest, to tell which earns most
 FARTHER = 0.0015  # more than a line that a step more adds to those that move something
@@ -273,6 +274,7 @@ def _repair(candidate: Candidate, text: str, result: Tried, asked: Asked) -> Rep
     if asked.idle and not any(name in said for name in asked.idle):
         doubt += UNUSED
     doubt += odder(asked, text)
+    doubt += BESIDE_IT if asked.blame.slow and not keeps_time(change) else 0.0
     weight = asked.blame.weight(change.line)
     return Repair(change, candidate.cost, text, result.mark, weight, doubt)
 

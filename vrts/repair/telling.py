@@ -1,6 +1,7 @@
 """What is told of a repair: no more than a task allows, and no more than is sure."""
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 
 from vrts.base.source import SourceFile
 from vrts.check.rules.hints import Hints
@@ -8,6 +9,7 @@ from vrts.repair.edit import Change, Does
 from vrts.repair.ranking import Repair, standing_out
 from vrts.repair.trying.reach import Reach
 
+SHOWN = 2  # lines told where nothing mends a program
 COUNTED = ("no", "one", "two")
 
 
@@ -36,9 +38,56 @@ def sentence(found: Sequence[Repair], level: Hints, reach: Reach | None = None) 
 
 
 def place(change: Change) -> str:
-    """Return where a change is to be looked for, in words."""
-    lines = [str(part.line) for part in change.each]
-    return f"look at line{'s' * (len(lines) > 1)} {' and '.join(lines)}"
+    """Return where a change is to be looked for, in words.
+
+    A name that nothing gives a value is to be looked for where it is used: it may be given one
+    anywhere.
+    """
+    return look_at(_where(part) for part in change.each)
+
+
+def look_at(lines: Iterable[int]) -> str:
+    """Return that lines are to be looked at, in words."""
+    said = [str(line) for line in dict.fromkeys(lines)]
+    return f"look at line{'s' * (len(said) > 1)} {' and '.join(said)}"
+
+
+def _where(change: Change) -> int:
+    """Return the line at which a change is to be looked for."""
+    name = _defined(change)
+    if name is None:
+        return change.line
+    word = re.compile(rf"(?<![\w.]){re.escape(name)}(?![\w.])", re.IGNORECASE)
+    gives = re.compile(rf"\s*(?:\d+\s+)?(?:SET\s+)?{re.escape(name)}\s*(?:=|$)", re.IGNORECASE)
+    lines = [line.partition(";")[0] for line in change.edits[0].span.source.lines()]
+    uses = [number for number, line in enumerate(lines, 1) if word.search(line)]
+    if not uses or any(gives.match(lines[number - 1]) for number in uses):
+        return change.line
+    return uses[0]
+
+
+def _defined(change: Change) -> str | None:
+    """Return the name to which a step or row that is missing gives a value; arrays apart."""
+    words = change.new.split()
+    if change.old or not words:
+        return None
+    if change.does is Does.ROW:
+        return words[0]
+    if change.does is Does.ADD and "=" in words[1:3]:
+        name = words[1] if words[0].upper() == "SET" else words[0]
+        return None if "[" in name else name
+    return None
+
+
+def shows(lines: Sequence[int], level: Hints) -> str | None:
+    """Return where what is lost shows, where no change mends it; None: it may not be told.
+
+    That is no guess of the mistake: only the first few lines of the run at which points go.
+    """
+    if not lines or level is Hints.NOTHING:
+        return None
+    said = [f"{line}" for line in lines[:SHOWN]]
+    return f"what is lost shows at line{'s' * (len(said) > 1)} {' and '.join(said)}"
 
 
 def away(repair: Repair, reach: Reach | None = None) -> str:
@@ -60,7 +109,13 @@ def most(repair: Repair, level: Hints) -> str | None:
 def _also(reach: Reach | None) -> str:
     if reach is None or reach.low == reach.high:
         return ""
-    return f"; from {reach.low:g} to {reach.high:g} would do, tried at {reach.tried} values"
+    if reach.is_certified:
+        return f"; every whole number from {reach.low:g} to {reach.high:g} would do, certified"
+    said = f"from {reach.low:g} to {reach.high:g} would do, tried at {reach.tried} values"
+    if reach.whole is None:
+        return f"; {said}"
+    first, last = reach.whole
+    return f"; every whole number from {first:g} to {last:g} would do, certified; {said}"
 
 
 def direction(found: Sequence[Repair], best: Repair) -> str | None:

@@ -6,7 +6,7 @@ from vrts.base.source import SourceFile, Span
 from vrts.check.rules.hints import Hints
 from vrts.repair.edit import Change, Does, both, changed, replacement
 from vrts.repair.ranking import Repair
-from vrts.repair.telling import cause, sentence
+from vrts.repair.telling import cause, place, sentence, shows
 from vrts.repair.trying.reach import Reach
 
 SOURCE = SourceFile("p.v2", "APPRO a, 10\nMOVES b\nCLOSEI\n")
@@ -69,6 +69,35 @@ def test_a_range_is_told_as_tried_and_only_where_a_number_may_be() -> None:
     assert sentence(found, Hints.DIRECTION, reach) == "look at line 1: 10 is too small"
     assert sentence(found, Hints.PLACE, reach) == "look at line 1"
     assert sentence(found, Hints.NOTHING, reach) is None
+
+
+def test_what_is_certified_is_told_apart_from_what_is_tried() -> None:
+    found = [repair(number(1, 9, "10", "120"))]
+    told = sentence(found, Hints.EDIT, Reach(60.0, 130.0, 0, (60.0, 130.0)))
+    assert told is not None
+    assert told.endswith("; every whole number from 60 to 130 would do, certified")
+    told = sentence(found, Hints.EDIT, Reach(60.0, 250.0, 9, (60.0, 130.0)))
+    assert told is not None
+    assert "every whole number from 60 to 130 would do, certified; from 60 to 250" in told
+    assert told.endswith("tried at 9 values")
+
+
+def test_a_name_without_a_value_is_looked_for_where_it_is_used() -> None:
+    """It may be given one anywhere: by a step at the top, or by a row."""
+    step = added(SOURCE, 1, "SET b = a")
+    at = SOURCE.line_starts[2]
+    row = Change(Does.ROW, 3, (replacement(SOURCE, at, at, "b 0 0\n"),), 7, "", "b 0 0")
+    assert [place(change) for change in (step, row)] == ["look at line 2"] * 2
+    again = SourceFile("p.v2", "SET b = c\nMOVES b\n")
+    assert place(added(again, 2, "SET b = a")) == "look at line 2"
+    assert place(added(SOURCE, 1, "SET b[2] = a")) == "look at line 1"
+
+
+def test_where_nothing_mends_a_program_the_lines_are_told_at_which_points_go() -> None:
+    assert shows((9, 11, 12), Hints.PLACE) == "what is lost shows at lines 9 and 11"
+    assert shows((9,), Hints.EDIT) == "what is lost shows at line 9"
+    assert shows((9,), Hints.NOTHING) is None
+    assert shows((), Hints.EDIT) is None
 
 
 def test_where_several_lines_are_as_likely_only_a_place_is_told() -> None:

@@ -18,7 +18,7 @@ from vrts.pipeline.compiling.fixing import rewritten
 from vrts.pipeline.mending.behaviour import Mended, mended
 from vrts.pipeline.where import Where
 from vrts.repair.ranking import Repair, standing_out
-from vrts.repair.telling import most, sentence
+from vrts.repair.telling import most, sentence, shows
 from vrts.report.plain import plain_text
 
 
@@ -63,6 +63,8 @@ def _done(found: Mended, given: Given, *, show: bool, write: bool) -> int:
     told = sentence(found.repairs, task.hints, found.reach)
     if told is None:
         nothing = f"{name}: {float(grade.mark):g}; no change was found that earns the full mark"
+        where = shows(found.shown, task.hints)
+        nothing = nothing if where is None else f"{nothing}; {where}"
         earns_most = None if found.better is None else most(found.better, task.hints)
         if earns_most is None:
             say(nothing)

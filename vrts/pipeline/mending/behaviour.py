@@ -24,6 +24,7 @@ class Mended(NamedTuple):
     refused: str | None = None  # why nothing was looked for
     reach: Reach | None = None  # of the number that stands out: which others would do
     better: Repair | None = None  # where nothing earns the full mark: what earns most
+    shown: tuple[int, ...] = ()  # lines at which what is lost shows; () where no line is known
 
 
 def mended(
@@ -69,7 +70,14 @@ def mended(
     far = None
     if best is not None and task.hints >= Hints.NUMBER:
         far = reach(place, found.source, best.change, lambda each: implausible(each) == 0)
-    return Mended(found, result.repairs, result.executions, reach=far, better=result.better)
+    return Mended(
+        found,
+        result.repairs,
+        result.executions,
+        reach=far,
+        better=result.better,
+        shown=result.blame.shown,
+    )
 
 
 def _refused(request: Request, found: Assessment, hints: Hints | None) -> str | None:

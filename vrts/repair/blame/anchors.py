@@ -21,6 +21,7 @@ from vrts.repair.blame.trail import Trail
 
 ENDS = (Ending.COMPLETED, Ending.HALTED)
 SOON = 1.0  # [s] in which the hand has closed on what it closes on
+UNGRIPPED = 0.9  # of the motion that came nearest to a thing that was never gripped
 SLOWEST = 12  # motions looked at where time is lost
 
 
@@ -38,6 +39,7 @@ class Shown(NamedTuple):
     residuals: tuple[Vector, ...]  # from where something is to where it should be, in W [mm]
     poses: tuple[Pose, ...]  # where the tool should have been, X_WT
     first_s: float | None  # when the first loss surely has happened; None: at the end
+    lost: bool  # anchors are steps of losses, and not only of where time goes
 
 
 class _Finder:
@@ -129,6 +131,13 @@ class _Finder:
             tool = self.run.at(min(e.time_s, self.run.horizon_s)).X_WT.translation
             return math.dist(tool[:2], at[:2])
 
+        if self.run.motions:  # or it should have closed where the tool came nearest
+            near = place.translation if place is not None else at
+            nearest = min(
+                range(len(self.run.motions)),
+                key=lambda m: math.dist(self.run.motions[m].X_WT.translation, near),
+            )
+            self.step(UNGRIPPED, self.trail.motion_steps.get(nearest))
         for e in sorted(empty or closings, key=distance)[:1]:
             self.step(1.0, self.trail.step_of(e.cause, e.time_s))
             self.motion(e.time_s, 1.0)
@@ -159,6 +168,13 @@ class _Finder:
             elif isinstance(e, Found):
                 weight = 1.0 if e.diagnostic.is_error else 0.6
                 self.step(weight, self.trail.step_of(e.cause, e.time_s))
+
+    def demands(self, grade: Grade) -> None:
+        """Find the steps at which the demands of a task are not kept, as far as they are known."""
+        lines = {loss.span.line for loss in grade.losses if loss.kind == "demand" and loss.span}
+        for k, step in enumerate(self.trail.steps):
+            if step.line in lines:
+                self.step(1.0, k)
 
     def slow(self) -> None:
         """Find where the time goes: slow motions, the speeds in force, and waiting."""
@@ -196,14 +212,17 @@ def _apart(to: Vector, start: Vector) -> Vector:
 def shown(run: Run, task: Task, judgement: Judgement, grade: Grade, trail: Trail) -> Shown:
     """Return where the losses of a run show."""
     found = _Finder(run, task, judgement, trail)
+    lost = True
     if not found.stop():
         found.contacts()
         found.goals()
         found.vias()
         found.events()
+        found.demands(grade)
         late = run.ending is Ending.LIMIT or any(
             loss.kind == "time" and "takes" in loss.sentence for loss in grade.losses
         )
+        lost = bool(found.anchors) or late
         if late or not found.anchors:
             found.slow()
     if trail.steps and (run.ending is not Ending.COMPLETED or not found.anchors):
@@ -213,6 +232,7 @@ def shown(run: Run, task: Task, judgement: Judgement, grade: Grade, trail: Trail
         tuple(_once(found.residuals)),
         tuple(found.poses),
         min(found.times, default=None),
+        lost,
     )
 
 

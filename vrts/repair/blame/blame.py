@@ -1,6 +1,6 @@
 """How much each line of a program is to blame for what a run lost: a dynamic slice with weights."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from vrts.base.pose import Pose, Vector
@@ -9,7 +9,7 @@ from vrts.check.mark.grade import Grade
 from vrts.check.task.task import Task
 from vrts.engine.run import Run
 from vrts.ir.control import BeginFor, JumpIf, NextFor, TestFor
-from vrts.repair.blame.anchors import ENDS, shown
+from vrts.repair.blame.anchors import ENDS, Anchor, shown
 from vrts.repair.blame.trail import Trail
 
 DEEPEST = 8  # steps that a chain is followed back
@@ -31,6 +31,8 @@ class Blame(NamedTuple):
     executed: frozenset[int]  # lines of steps that were executed, and of data that were read
     last_step: int | None  # line of the step that was executed last
     before: frozenset[int]  # of `executed`, those executed before the first loss that has a time
+    shown: tuple[int, ...]  # lines where what is lost shows, in the order of the run; () unknown
+    slow: bool  # nothing is lost but time
 
     def weight(self, line: int) -> float:
         """Return how much a line is to blame."""
@@ -97,4 +99,12 @@ def blame(run: Run, task: Task, judgement: Judgement, grade: Grade) -> Blame:
         trail.lines | read,
         trail.steps[-1].line if trail.steps else None,
         before | read,
+        tuple(dict.fromkeys(trail.steps[k].line for k in _most(found.anchors) if found.lost)),
+        all(loss.kind == "time" for loss in grade.losses) and not stopped,
     )
+
+
+def _most(anchors: Sequence[Anchor]) -> list[int]:
+    """Return the executed steps where most shows, in the order of the run."""
+    most = max((anchor.weight for anchor in anchors), default=0.0)
+    return sorted({anchor.step for anchor in anchors if anchor.weight == most})

@@ -25,7 +25,7 @@ from vrts.lang.syntax.statements import (
 from vrts.repair.blame.blame import Blame
 from vrts.repair.edit import Candidate, Change, Does, replacement
 from vrts.repair.nodes import operands, parts
-from vrts.repair.visits import Habits, habits, oddness
+from vrts.repair.visits import Habits, habits, oddness, visits
 from vrts.repair.written import Written, WrittenStep
 from vrts.scene.model import Scene
 
@@ -209,6 +209,19 @@ class Asked:
     def used(self) -> Counter[str]:
         """How often steps name each variable."""
         return Counter(key(name.text) for step in self.written.steps for name in names_in(step))
+
+    @cached_property
+    def ways(self) -> frozenset[str]:
+        """Motions, as they are written, to places where the hand does nothing: to go by there."""
+        handled = {visit.target for visit in visits(self.written)}
+        return frozenset(
+            step.text
+            for step in self.written.steps
+            if isinstance(step.statement, Simple)
+            and step.statement.word in ("MOVE", "MOVES")
+            and isinstance(step.statement.operands[0], Name)
+            and key(step.statement.operands[0].text) not in handled
+        )
 
     @cached_property
     def idle(self) -> frozenset[str]:

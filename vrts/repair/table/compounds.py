@@ -1,5 +1,6 @@
 """Compounds of locations: turned round, a part left out or more, and INVERSE; what motions name."""
 
+import re
 from collections.abc import Iterator
 
 from vrts.lang.names import key
@@ -10,6 +11,9 @@ from vrts.repair.nodes import nodes, operands, parts
 from vrts.repair.table.asked import MOVES_TO, Asked
 from vrts.repair.written import WrittenStep
 
+UNFINISHED = -0.2  # what speaks for a part more behind INVERSE: seen from there something is meant
+AKIN = 0.4  # and for one whose name has a word of it: `pizza_grip`, seen from `pizza`
+WORDS = re.compile("[a-z]+")
 NEAR = 3  # steps between two motions that belong together
 
 
@@ -28,6 +32,7 @@ def compounds(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
                 case _:
                     pass
     for item in location_operands(step):
+        yield from _longer(asked, step, item)
         for part in _leaves(item):
             text = asked.text_of(part)
             if part.start in seen or isinstance(step.statement, SetLocation):
@@ -40,6 +45,20 @@ def compounds(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
                 yield asked.instead(Does.NAME, step.line, part, both, size=2, unusual=unusual)
                 both = f"{other}:{text}"
                 yield asked.instead(Does.NAME, step.line, part, both, size=2, unusual=unusual)
+
+
+def _longer(asked: Asked, step: WrittenStep, whole: Item) -> Iterator[Candidate]:
+    """Yield a compound with a part more at its end, behind INVERSE."""
+    last = whole.right if isinstance(whole, Infix) else whole
+    if not isinstance(last, Application) or key(last.name.text) != "inverse":
+        return  # as a part that is made a compound itself
+    text = asked.text_of(whole)
+    inner = set(WORDS.findall(asked.text_of(last).lower()))
+    for other in sorted(asked.locations):
+        longer = f"{text}:{other}"
+        unusual = UNFINISHED - (AKIN if inner & set(WORDS.findall(other)) else 0.0)
+        made = asked.instead(Does.NAME, step.line, whole, longer, size=2, unusual=unusual)
+        yield made._replace(group=(Does.NAME.value, -whole.end))
 
 
 def _compound(

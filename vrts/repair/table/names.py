@@ -1,5 +1,6 @@
 """Other names: misspelt ones, exchanged ones, parts of compounds left out or turned round."""
 
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -28,6 +29,10 @@ from vrts.repair.written import WrittenStep
 NOT_NAMED = 0.4  # what a teacher says against a name far from the one that nothing defines
 PARTED = 0.6  # what a teacher says against going near one location and then to another
 UNLIKE = 0.5  # and against exchanging where one goes with what another only goes near
+FORGOTTEN = 0.5  # what it costs that a line is not to blame, for a program that nothing calls
+TWICE = 0.4  # what speaks for a location that nothing names, in place of one that is named twice
+AS_ELSEWHERE = -0.6  # what speaks for arguments in the places that other calls have them in
+LETTERS = re.compile("[a-z]{2,}")
 FEW = 2  # letters in which a misspelt name differs
 LEFT = 0.5  # what a teacher says against leaving a location that was taught and named unused
 
@@ -94,7 +99,7 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
             if other not in defined:
                 unusual += 0.4
             elif other in asked.idle:
-                unusual -= 0.5
+                unusual -= 0.5 + (TWICE if asked.used[mine] > 1 else 0.0)
             left = asked.used[mine] == 1 and mine in asked.row_names and other not in asked.idle
             doubt = LEFT if left else 0.0
             if mine not in asked.defined:
@@ -118,7 +123,10 @@ def _in_step(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
             if other.name != key(program.text):
                 forgotten = other.name not in asked.called
                 unusual = -0.7 if forgotten else 0.2
-                yield asked.instead(Does.NAME, step.line, program, other.name, unusual=unusual)
+                trust = FORGOTTEN if forgotten else None
+                yield asked.instead(
+                    Does.NAME, step.line, program, other.name, unusual=unusual, trust=trust
+                )
 
 
 def _visited_beside(asked: Asked, step: WrittenStep) -> set[str]:
@@ -174,11 +182,39 @@ def _arguments(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
             for other in arguments[k + 1 :]:
                 if one is None or other is None or asked.text_of(one) == asked.text_of(other):
                     continue
-                yield _swap(asked, step, one, other, -0.2)
+                meant = _as_elsewhere(asked, step, arguments, one, other)
+                yield _swap(asked, step, one, other, AS_ELSEWHERE if meant else -0.2)
     if isinstance(step.statement, Simple) and step.statement.word == "DRAW":
         given = [each for each in step.statement.operands if each is not None]
         for one, other in pairwise(given):
             yield _swap(asked, step, one, other, 0.2)
+
+
+def _as_elsewhere(
+    asked: Asked, step: WrittenStep, given: Sequence[Item | None], one: Item, other: Item
+) -> bool:
+    """Return whether two arguments of a CALL stand where other calls have the other kind of name.
+
+    By words of the names: `base1_put` where others have `can1_grip`, and the other way round.
+    """
+    if not isinstance(step.statement, CallStatement):
+        return False
+    places = given.index(one), given.index(other)
+    mine = [set(LETTERS.findall(asked.text_of(each).lower())) for each in (one, other)]
+    for call in asked.written.steps:
+        statement = call.statement
+        if call is step or not isinstance(statement, CallStatement):
+            continue
+        if key(statement.program.text) != key(step.statement.program.text):
+            continue
+        theirs = [
+            set(LETTERS.findall(asked.text_of(each).lower()))
+            for at in places
+            if at < len(statement.arguments) and (each := statement.arguments[at]) is not None
+        ]
+        if len(theirs) == 2 and mine[0] & theirs[1] and mine[1] & theirs[0]:
+            return not (mine[0] & theirs[0] or mine[1] & theirs[1])
+    return False
 
 
 def _changed_by_call(asked: Asked, call: CallStatement) -> Iterator[Name]:

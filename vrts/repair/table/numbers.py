@@ -29,6 +29,7 @@ FAST = 0.5  # what it speaks against a speed above it
 BESIDE = (20, 40, 80, 150, 10, 250, 400)
 SMALL = 12  # a whole number up to this may count something
 COUNTED = 1.3  # what it speaks against a number that counts that its line is not to blame
+FROM_ONE = -0.3  # what speaks for a loop that begins at 1
 BEYOND = 1000.0  # [mm] no step goes farther: surely mistyped
 TOGETHER = 1.8  # what it speaks against a number that stands in many places that none is to blame
 FAR = 5000.0  # [mm] no distance is longer
@@ -81,6 +82,10 @@ def other_numbers(asked: Asked) -> Iterator[Candidate]:
                     yield asked.instead(
                         Does.NAME, step.line, item, name, unusual=unusual, trust=COUNTED
                     )
+            if isinstance(step.statement, For) and item is step.statement.first and value != 1:
+                yield asked.instead(
+                    Does.NUMBER, step.line, item, "1", unusual=FROM_ONE, trust=COUNTED
+                )
             if isinstance(step.statement, For) and item is step.statement.increment:
                 yield asked.instead(Does.NUMBER, step.line, item, "1", trust=COUNTED)
     for (word, role, value), places in alike.items():
@@ -227,7 +232,7 @@ def _others(
     if counts:
         for by, unusual in ((1, 0.0), (-1, 0.0), (2, 0.3), (-2, 0.3), (3, 0.6)):
             add(unusual, value + by)
-        add(0.4, -value)
+        add(0.4 if value > 0 else 0.0, -value)  # nobody counts below nothing
     if role is Role.SPEED:
         if value < FULL:
             add(0.0, FULL)

@@ -1,6 +1,7 @@
 """What the steps beside a place speak for or against a step more there."""
 
 import re
+from collections.abc import Sequence
 
 from vrts.lang.names import key
 from vrts.lang.syntax.statements import CallStatement, For, If, Simple, While
@@ -8,7 +9,13 @@ from vrts.repair.table.asked import MOVES_TO, Asked
 from vrts.repair.written import WrittenStep
 
 HAND = frozenset({"OPEN", "OPENI", "CLOSE", "CLOSEI"})
+EMPTY_LOOP = -0.9  # what speaks for a call in a loop with nothing in it
 INSIDE = 4  # steps of a block in which a motion is looked for
+ELEMENT = re.compile(r"(\w+)\[(\d+)\]")
+BETWEEN = -0.7  # what speaks for an element of an array between its neighbours
+NEXT = -0.4  # and for one behind the one before it
+FIRST = -0.4  # and for the first, before another
+AGAINST_SERIES = 0.2  # and against a place among others of the array that is not its own
 
 
 def idle_hand(asked: Asked, line: int, text: str) -> bool:
@@ -84,6 +91,10 @@ def fits(text: str, before: WrittenStep | None, step: WrittenStep | None) -> flo
     moves_in = above[:1] in (["MOVES"], ["MOVE"])
     if new[1:2] == ["="] and below[:1] == ["END"]:
         return -0.3
+    if new[1:2] == ["="] and len(new) == 3 and ["="] in (above[1:2], below[1:2]):
+        return -0.4
+    if word == "CALL" and above[:1] == ["FOR"] and below[:1] == ["END"]:
+        return EMPTY_LOOP
     if word == "SET":
         if above[:1] == ["SET"]:
             return -0.3
@@ -123,14 +134,28 @@ def in_place(
             return 0.3
     if new[0] == "MOVES" and len(new) == 2 and above[:1] == ["SPEED"] and below[:1] == ["CLOSEI"]:
         return -0.3
-    if new[0] == "SET" and above[:1] == ["SET"]:
-        mine, other = (
-            re.fullmatch(r"(\w+)\[(\d+)\]", new[1]),
-            re.fullmatch(r"(\w+)\[(\d+)\]", above[1]),
-        )
-        if mine and other and mine[1] == other[1]:
-            return -0.4 if int(mine[2]) == int(other[2]) + 1 else 0.2
+    if new[0] == "SET":
+        return _in_series(new[1], above, below)
     return 0.0
+
+
+def _in_series(target: str, above: Sequence[str], below: Sequence[str]) -> float:
+    """Return what speaks for a place beside the elements of an array just before and behind."""
+    mine = ELEMENT.fullmatch(target)
+    beside = [
+        ELEMENT.fullmatch(step[1]) if step[:1] == ["SET"] and len(step) > 1 else None
+        for step in (above, below)
+    ]
+    if mine is None:
+        return 0.0
+    number = int(mine[2])
+    if beside[0] is None or beside[0][1] != mine[1]:
+        first = beside[1] is not None and beside[1][1] == mine[1] and int(beside[1][2]) > number
+        return FIRST if first else 0.0
+    if int(beside[0][2]) != number - 1:
+        return AGAINST_SERIES
+    between = beside[1] is not None and beside[1][1] == mine[1] and int(beside[1][2]) == number + 1
+    return BETWEEN if between else NEXT
 
 
 def _words(step: WrittenStep | None) -> list[str]:

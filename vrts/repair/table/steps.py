@@ -1,38 +1,22 @@
 """A step more, a step less, and steps in another order."""
 
-import re
-from collections import Counter
 from collections.abc import Iterator
-from itertools import permutations
 
 from vrts.base.diagnostic import Edit
-from vrts.check.task.demands import Keeps
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Element, Name
 from vrts.lang.syntax.statements import (
-    CallStatement,
-    Case,
-    Declare,
-    For,
-    If,
-    SetLocation,
     Simple,
     SpeedStatement,
-    Statement,
-    Structure,
-    Until,
-    ValueGroup,
-    While,
 )
 from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.nodes import nodes_of_step
-from vrts.repair.table.asked import MOVES_TO, Asked, names_in, target_of
+from vrts.repair.table.asked import MOVES_TO, Asked, names_in
 from vrts.repair.table.placing import fits, idle_hand, in_place, opens, same, there
+from vrts.repair.table.wanted import BLOCKS, Wanted, movable, wanted_steps
+from vrts.repair.visits import stop_of
 from vrts.repair.written import WrittenStep
 
-BLOCKS = (For, If, While, Until, Case, ValueGroup, Structure, Declare)
-PLAIN = ("OPENI", "CLOSEI", "BREAK", "READY", "SPEED 100 ALWAYS")
-DEPARTURES = (60, 100, 120, 150, 200)
 APPROACHES = (120, 100, 60, 150)
 IDLE_HAND = 0.4  # what a teacher says against a step of the hand that moves no finger
 LEFT = 0.5  # what a teacher says against leaving a location that was taught and named unused
@@ -40,19 +24,14 @@ NEEDED = 0.4  # what a teacher says against a motion that is too much, unless it
 EARLIER = 0.06  # of two steps that are alike the later one is too much
 THERE = 0.5  # what a teacher says against a step more that stands there already, nearly
 OTHERWISE = 0.6  # and against a program that nobody calls, called by another than the first
+EARLY = 0.02  # for each step before it: a number is set at the beginning
+SURELY = 0.7  # of a step that is as much to blame as this
+GONE_BY = 0.2  # that a teacher says less against it, for each node
+GO_BY = 0.35  # what speaks for going by a place, as the program does elsewhere, before it
 CLOSED = 0.3  # how little the first motion is to blame for a hand that nobody opened before
 ORDERLY = 0.9  # what speaks for an order in which the program does all as it does elsewhere
 FARTHEST = 6  # steps that a step may have to be moved by
 RARE = frozenset({"BASE", "TOOL", "DRIVE", "SINGLE", "RETURN", "STOP", "HALT", "PAUSE", "DELAY"})
-SAYS_NOTHING = frozenset({"TYPE"})  # steps that move nothing: not copied elsewhere
-
-
-class Wanted:
-    """A step that may be missing."""
-
-    def __init__(self, text: str, size: int, unusual: float, trust: float = 2.2) -> None:
-        """Take its text, how many nodes it has, and what speaks against it."""
-        self.text, self.size, self.unusual, self.trust = text, size, unusual, trust
 
 
 def other_steps(asked: Asked) -> Iterator[Candidate]:
@@ -61,17 +40,12 @@ def other_steps(asked: Asked) -> Iterator[Candidate]:
     for step in asked.steps:
         if not isinstance(step.statement, BLOCKS):
             yield _without(asked, step, steps)
-    wanted = list(_wanted(asked))
+    wanted = list(wanted_steps(asked))
     for k, step in enumerate(steps):
         yield from _more(asked, k, wanted)
         if not isinstance(step.statement, BLOCKS):
             yield from _elsewhere(asked, k)
     yield from _everywhere(asked)
-
-
-def movable(statement: Statement) -> bool:
-    """Return whether a step can stand elsewhere without breaking a block."""
-    return not isinstance(statement, BLOCKS)
 
 
 def _without(asked: Asked, step: WrittenStep, steps: tuple[WrittenStep, ...]) -> Candidate:
@@ -115,97 +89,6 @@ def _without(asked: Asked, step: WrittenStep, steps: tuple[WrittenStep, ...]) ->
     )
 
 
-def _wanted(asked: Asked) -> Iterator[Wanted]:
-    """Yield the steps that may be missing anywhere: usual ones, and those that stand elsewhere."""
-    seen: set[str] = set()
-    for k, text in enumerate(PLAIN):
-        seen.add(text)
-        unusual = 0.05 * k + (0.4 if k > 2 else 0.0)
-        yield Wanted(text, 3 if " " in text else 1, unusual, 1.3 if k < 3 else 2.2)
-    for step in asked.written.steps:
-        word = getattr(step.statement, "word", "")
-        if not movable(step.statement) or word in SAYS_NOTHING or step.text in seen:
-            continue
-        seen.add(step.text)
-        yield Wanted(step.text, nodes_of_step(step.statement), 0.3)
-        for other in _next_in_series(step.text):
-            if other not in seen:
-                seen.add(other)
-                if any(re.search(rf"\b{re.escape(name)}\b", other) for name in asked.idle):
-                    yield Wanted(other, nodes_of_step(step.statement), -0.6, 1.0)
-                else:
-                    yield Wanted(other, nodes_of_step(step.statement), 0.3)
-        for other in _of_idle(asked, step):
-            if other not in seen:
-                seen.add(other)
-                yield Wanted(other, nodes_of_step(step.statement), -0.5, 1.2)
-    for name in sorted(asked.undefined - asked.arrays):
-        for one in sorted(asked.idle):
-            yield Wanted(f"SET {name} = {one}", 3, -0.5, 0.2)
-            for other in sorted(asked.idle - {one}):
-                yield Wanted(f"SET {name} = {one}:{other}", 5, -0.5, 0.2)
-    for counter in _uncounted(asked):
-        yield Wanted(f"{counter} = {counter}+1", 4, -0.6, 0.3)
-    for program in asked.written.programs[1:]:
-        text = f"CALL {program.name}"
-        if not program.formals and text not in seen:
-            seen.add(text)
-            called = program.name in asked.called
-            yield Wanted(text, 2, 0.4 if called else -0.6, 2.2 if called else 0.8)
-    for demand in asked.task.demands:
-        if demand.keeps is Keeps.USES and demand.word == "SIGNAL" and "SIGNAL 1" not in seen:
-            yield Wanted("SIGNAL 1", 2, 0.0)
-    for height in DEPARTURES:
-        for word in ("DEPARTS", "DEPART"):
-            text = f"{word} {height}"
-            if text not in seen:
-                seen.add(text)
-                yield Wanted(text, 2, 0.5)
-
-
-def _uncounted(asked: Asked) -> list[str]:
-    """Return the variables of conditions of WHILE that are set once, before: nobody counts."""
-    targets = [target_of(step) for step in asked.written.steps]
-    times = Counter(key(target.text) for target in targets if isinstance(target, Name))
-    found: list[str] = []
-    for step in asked.written.steps:
-        if isinstance(step.statement, While):
-            names = [name.text for name in names_in(step)]
-            if not any(times[key(name)] > 1 for name in names):
-                found += [name for name in names if times[key(name)] == 1]
-    return list(dict.fromkeys(found))
-
-
-def _of_idle(asked: Asked, step: WrittenStep) -> Iterator[str]:
-    """Yield a step with its locations replaced by those that no step names."""
-    if not asked.idle or not isinstance(step.statement, CallStatement | SetLocation | Simple):
-        return
-    names = [
-        part
-        for part in names_in(step)
-        if key(part.text) in asked.locations and part is not target_of(step)
-    ]
-    text = asked.written.text
-    if not names or len(names) > 2:
-        return
-    for given in permutations(sorted(asked.idle), len(names)):
-        made, at = "", step.start
-        for part, name in zip(names, given, strict=True):
-            made += text[at : part.start] + name
-            at = part.end
-        yield (made + text[at : step.end]).rstrip()
-
-
-def _next_in_series(text: str) -> Iterator[str]:
-    """Yield a step with the subscripts and numbers of names one higher and one lower."""
-    if "[" not in text and not re.search(r"[a-z]\d", text):
-        return
-    for by in (1, -1):
-        yield re.sub(
-            r"(?<=[A-Za-z\[])\d+", lambda found, by=by: str(max(0, int(found[0]) + by)), text
-        )
-
-
 def _more(asked: Asked, k: int, wanted: list[Wanted]) -> Iterator[Candidate]:
     """Yield a step more before one, and behind the last of a program."""
     steps = asked.written.steps
@@ -215,6 +98,7 @@ def _more(asked: Asked, k: int, wanted: list[Wanted]) -> Iterator[Candidate]:
     reached = asked.matters(step.line) or (before is not None and asked.matters(before.line))
     after = steps[k + 1] if k + 1 < len(steps) and not last else None
     near = [*wanted, *_fitting(asked, k, after)]
+    ways = asked.ways
     if reached:
         against = asked.against(step.line)
         if before is not None:
@@ -224,6 +108,10 @@ def _more(asked: Asked, k: int, wanted: list[Wanted]) -> Iterator[Candidate]:
             fit = fits(each.text, before, step) + in_place(each.text, before, step, after)
             if each.text.startswith("CALL ") and each.trust < 1.0:
                 fit += OTHERWISE if step.program else 0.3 if before is not None else -0.3
+            if each.text in ways and asked.blame.weight(step.line) >= SURELY:
+                fit -= GO_BY
+            if each.is_number:
+                fit += EARLY * min(k, 10)
             hand = first and each.text == "OPENI"  # closed when a run starts
             fit, blamed = (-0.5, min(against, CLOSED)) if hand else (fit, against)
             yield _added(asked, step.line, step, each, blamed, fit)
@@ -250,7 +138,9 @@ def _added(
         trust=each.trust,
         unusual=each.unusual + fit,
         new=each.text,
-        doubt=0.2 * (each.size - 1)
+        doubt=each.doubt
+        - (GONE_BY * (each.size - 1) if each.text in asked.ways else 0.0)
+        + 0.2 * (each.size - 1)
         + (IDLE_HAND if idle_hand(asked, line, each.text) else 0.0)
         + (THERE if there(asked, beside, line, each.text) else 0.0),
         group=-at if each.size == 1 else hash_of(each.text),
@@ -313,9 +203,10 @@ def _elsewhere(asked: Asked, k: int) -> Iterator[Candidate]:
         text = written.text[start:end]
         blocks = any(not movable(each.statement) for each in passed if each is not step)
         habit = 0.0
-        if by == 1:
-            swapped = (*steps[:k], steps[j], step, *steps[j + 1 :])
-            habit = max(-ORDERLY, 0.3 * min(asked.odder(swapped), 0.0))
+        if by == 1 or stop_of(step) is not None:
+            others = (*steps[:k], *steps[k + 1 :])
+            moved = (*others[:j], step, *others[j:])
+            habit = max(-ORDERLY, 0.3 * min(asked.odder(moved), 0.0))
         yield asked.candidate(
             Does.ORDER,
             step.line,

@@ -18,7 +18,7 @@ from vrts.repair.edit import Candidate, Does, replacement
 from vrts.repair.nodes import nodes, operands, parts
 from vrts.repair.table.asked import Asked, written_number
 from vrts.repair.table.numbers import value_of
-from vrts.repair.table.placing import is_first_of_hand
+from vrts.repair.table.placing import HAND, is_first_of_hand
 from vrts.repair.written import WrittenStep
 
 INSTEAD = MappingProxyType(
@@ -46,9 +46,15 @@ INSTEAD = MappingProxyType(
 )
 NEAR = MappingProxyType({"MOVE": "APPRO", "MOVES": "APPROS"})  # with a distance
 WAYS = ({"MOVE", "MOVES"}, {"APPRO", "APPROS"}, {"DEPART", "DEPARTS"})
+STRAIGHT = frozenset({"MOVES", "APPROS"})
+BLAMED = 0.3  # how little is said against a line that is to blame for sure
+ACROSS = (
+    0.5  # what a teacher says against a straight way there, if the program goes round elsewhere
+)
 ANOTHER_WAY = 0.25  # what a teacher says against another way to the same place: it may be luck
 MISSING = 0.35  # and against going where one only goes near, if no step beside it is about it
 UNVISITED = 0.4  # what a teacher says against going near a location that nothing goes to
+AFTER_HAND = 0.3  # what speaks for a way out behind a step of the hand
 SETTLED = 0.6  # and against taking ALWAYS from the one step that sets the usual speed
 HEIGHTS = (120, 100, 80, 60, 150, 200, 40)
 COMPARED = ("<", "<=", ">", ">=", "==", "<>")
@@ -89,6 +95,8 @@ def _word(
     end = keyword_end(asked, step)
     edit = replacement(asked.written.source, step.start, end, other)
     doubt = ANOTHER_WAY if {word, other} in WAYS else 0.0
+    if doubt and other in STRAIGHT and asked.ways and asked.against(step.line) < BLAMED:
+        doubt += ACROSS
     against = None
     if word.startswith("CLOSE") and other.startswith("OPEN") and is_first_of_hand(asked, step):
         against, unusual = 0.0, unusual - 0.3  # the hand is closed when a run starts
@@ -165,6 +173,7 @@ def _near(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
     if statement.word in NEAR.values() and len(given) == 2:
         bare = "MOVE" + statement.word.removeprefix("APPRO")
         old = source.text[step.start : given[1].end]
+        yield from _away(asked, step, given[1])
         again = 0.5 if _approached_before(asked, step, given[0]) else 0.0
         alone = 0.0 if again or _is_gone_to_soon(asked, step, given[0]) else MISSING
         if _lacks(asked, given[1]):
@@ -183,6 +192,25 @@ def _near(asked: Asked, step: WrittenStep) -> Iterator[Candidate]:
                 new=new,
                 doubt=alone,
             )
+
+
+def _away(asked: Asked, step: WrittenStep, distance: Item) -> Iterator[Candidate]:
+    """Yield a way out from where the hand has moved, in place of the way near something."""
+    k = asked.written.steps.index(step)
+    before = asked.written.steps[k - 1] if k else None
+    after_hand = before is not None and getattr(before.statement, "word", "") in HAND
+    for n, word in enumerate(("DEPARTS", "DEPART")):
+        new = f"{word} {asked.text_of(distance)}"
+        yield asked.candidate(
+            Does.WORD,
+            step.line,
+            (replacement(asked.written.source, step.start, distance.end, new),),
+            size=2,
+            unusual=0.1 + 0.2 * n - (AFTER_HAND if after_hand else 0.0),
+            old=asked.written.text[step.start : distance.end],
+            new=new,
+            doubt=0.0 if after_hand else MISSING,
+        )
 
 
 def _visited(asked: Asked, target: Item) -> int:

@@ -14,8 +14,8 @@ TOLD = {
     "nothing": "",
     "place": "look at line 13\n",
     "direction": "look at line 13: -120 is too small\n",
-    "number": "look at line 13: -120 is too small, 120 would do; from ",
-    "edit": "one change away: 10 with line 13: `120` for `-120`; from ",
+    "number": "look at line 13: -120 is too small, 120 would do; every whole number from ",
+    "edit": "one change away: 10 with line 13: `120` for `-120`; every whole number from ",
 }
 
 
@@ -35,7 +35,7 @@ def test_no_more_is_told_than_the_task_allows(level: str, program: Path) -> None
     result = vrts("fix", "--behaviour", program)
     told = result.stdout.decode()
     assert TOLD[level] in told
-    assert ("would do, tried at" in told) == (level in ("number", "edit"))
+    assert ("would do, certified" in told) == (level in ("number", "edit"))
     assert bool(told) == (level != "nothing")
     for option in ("--diff", "--write"):
         before = program.read_text()
@@ -54,6 +54,19 @@ def test_the_change_is_shown_and_written(program: Path) -> None:
     assert program.read_text() == (EXAMPLES[0] / "solution.v2").read_text()
     result = vrts("fix", "--behaviour", program)
     assert b"nothing to mend: it earns 10" in result.stderr
+
+
+def test_where_nothing_mends_a_program_it_is_told_where_points_go(tmp_path: Path) -> None:
+    """The whole way round the walls is missing: no place to begin with."""
+    shutil.copy(EXAMPLES[2] / "task.toml", tmp_path)
+    program = tmp_path / "prog.v2"
+    shutil.copy(EXAMPLES[2] / "submissions" / "over-the-walls.v2", program)
+    result = vrts("fix", "--behaviour", program)
+    assert (
+        b"no change was found that earns the full mark; what is lost shows at lines 9 and 11"
+        in (result.stdout + result.stderr)
+    )
+    assert result.returncode == 1
 
 
 def test_an_unknown_level_is_an_error_of_the_task(program: Path) -> None:
