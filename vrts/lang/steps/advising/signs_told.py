@@ -7,6 +7,7 @@ from vrts.base.diagnostic import Diagnostic, Severity
 from vrts.lang.grammar.shapes import TOO_MANY_OPERANDS
 from vrts.lang.steps.advising.adviser import OTHER_LANGUAGE, PRECISE, Advised, Adviser, Line
 from vrts.lang.steps.idioms import signs
+from vrts.lang.steps.idioms.tables import MOST_CHARACTERS
 from vrts.lang.steps.idioms.wording import (
     smallest_change,
 )
@@ -30,6 +31,8 @@ class SignAdvice(Adviser):
         at_once: bool = False,
     ) -> Advised | None:
         """Signs of other languages; `at_once`: with nothing else to mend."""
+        if len(line.text) > MOST_CHARACTERS:
+            return None
         for found, text in signs.replaced(line.text) if ways is None else ways:
             tried = self.repair.steps(text)
             if tried is None or (at_once and tried.fixes):

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from vrts.lang.dialect import Dialect
+from vrts.lang.steps.idioms.tables import MOST_CHARACTERS
 from vrts.lang.steps.idioms.wording import smallest_change
 from vrts.lang.steps.misread.meant import Meant
 from vrts.lang.steps.other_forms import INVALID_EXPRESSION
@@ -176,6 +177,8 @@ _SIGNS = (
 
 def word_between(text: str, repair: Repair, dialect: Dialect) -> Meant | None:
     """Return what is meant by a step that is right with another operator."""
+    if len(text) > MOST_CHARACTERS:
+        return None
     strings = _STRING.findall(text)
     hidden = _STRING.sub(lambda found: f'"{chr(0) * (len(found.group()) - 2)}"', text)
     for sign in _SIGNS:

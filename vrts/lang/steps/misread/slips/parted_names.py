@@ -4,6 +4,7 @@ import re
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.reading.odd_signs import INVALID_NAME
+from vrts.lang.steps.idioms.tables import MOST_CHARACTERS
 from vrts.lang.steps.idioms.wording import smallest_change
 from vrts.lang.steps.misread.meant import Meant
 from vrts.lang.steps.other_forms import INVALID_EXPRESSION
@@ -49,7 +50,7 @@ def odd_points(text: str, repair: Repair) -> Meant | None:
 
 
 def _told(text: str, meant: str, says: str, rule: Rule, repair: Repair) -> Meant | None:
-    tried = repair.steps(meant)
+    tried = repair.steps(meant) if len(text) <= MOST_CHARACTERS else None
     if tried is None:
         return None
     start, end, instead = smallest_change(text, tried.text)
