@@ -32,6 +32,7 @@ class Rehearsal(NamedTuple):
     stretches: tuple[Stretch, ...]
     words: tuple[str, ...]  # that the program printed, and other messages
     diagnostics: tuple[Diagnostic, ...]  # errors: it does not hold
+    log: str = ""  # of LinuxCNC's own processes
 
     @property
     def holds(self) -> bool:
@@ -87,13 +88,13 @@ def rehearse(folder: Path, run: Run, what: Installed, speed: float) -> Rehearsal
     samples = read_samples(outcome.samples)
     if outcome.errors:
         told = tuple(_refused(words) for words in outcome.errors)
-        return Rehearsal(run, samples, (), outcome.words, told)
+        return Rehearsal(run, samples, (), outcome.words, told, outcome.log)
     stretches = measured(run, samples)
     told = tuple(_otherwise(s) for s in stretches if not s.holds)[:MOST_TOLD]
     more = extra(run, samples)
     if more:
         told = (*told, _more(more))
-    return Rehearsal(run, samples, stretches, outcome.words, told)
+    return Rehearsal(run, samples, stretches, outcome.words, told, outcome.log)
 
 
 def _refused(words: str) -> Diagnostic:
