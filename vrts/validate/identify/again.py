@@ -13,33 +13,41 @@ from vrts.validate.identify.causes import BY_TICKS, Cause, Kind
 
 KEPT = 400  # runs that are remembered
 SHORTEST_S = 0.05
+SPEEDS = (Kind.SPEEDS, Kind.SPEED, Kind.LINE_SPEED)
 EXECUTED = BY_TICKS | {Kind.COUNTED_LINK}  # what the controller itself has otherwise
 
 
 class Again:
     """Runs of one program with other numbers; what was asked before is remembered."""
 
-    def __init__(self, run: Run) -> None:
-        """Take the run with the numbers that are assumed."""
+    def __init__(self, run: Run, kept: int = KEPT) -> None:
+        """Take the run with the numbers that are assumed; so many others are remembered."""
         self.run = run
+        self._kept = kept
         started = (e for e in run.events if isinstance(e, ProgramStarted) and not e.process)
         self._program = next(started).program
         self._known: dict[frozenset[tuple[Cause, float]], Run] = {}
+        self._alike: dict[tuple[frozenset[tuple[Cause, float]], tuple[float, ...]], Run] = {}
 
     def with_values(self, values: Mapping[Cause, float]) -> Run:
-        """Return the run of a controller with other numbers."""
+        """Return the run of a controller with other numbers.
+
+        With other speeds motions may take just as many ticks: then it is the same run.
+        """
         own = frozenset((c, v) for c, v in values.items() if v and c.kind in EXECUTED)
         if not own:
             return self.run
         found = self._known.get(own)
         if found is None:
-            if len(self._known) >= KEPT:
-                self._known = {}
+            if len(self._known) >= self._kept:
+                self._known, self._alike = {}, {}
             arm = controller_arm(self.run.scene.robot.arm, values)
             robot = replace(self.run.scene.robot, arm=arm)
             scene = replace(self.run.scene, robot=robot)
             found = execute(self.run.module, scene, self.run.scenario, self._program)
-            self._known[own] = found
+            other = frozenset((c, v) for c, v in own if c.kind not in SPEEDS)
+            ends = tuple(time for m in found.motions for time in (m.start_s, m.end_s))
+            found = self._known[own] = self._alike.setdefault((other, ends), found)
         return found
 
 

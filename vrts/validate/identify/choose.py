@@ -9,9 +9,18 @@ import numpy.typing as npt
 
 from vrts.validate.identify.again import Again
 from vrts.validate.identify.causes import Cause, Kind, causes_for
-from vrts.validate.identify.clocks import by_stretches, moved, whole
-from vrts.validate.identify.forward import Clock, Rows, residuals
+from vrts.validate.identify.clocks import by_stretches, whole
+from vrts.validate.identify.forward import Rows
 from vrts.validate.identify.noise import left_over, resolution
+from vrts.validate.identify.searching import (
+    Search,
+    Shifts,
+    looked_for,
+    refined,
+    searched,
+    spans_of_ticks,
+    weighed,
+)
 from vrts.validate.identify.solve import (
     Fit,
     clock_columns,
@@ -20,7 +29,7 @@ from vrts.validate.identify.solve import (
     objective,
     solve,
 )
-from vrts.validate.identify.ticks import Between, between, deciding, grid_of, search
+from vrts.validate.identify.ticks import Between, deciding
 from vrts.validate.log.log import RobotLog
 
 Array = npt.NDArray[np.float64]
@@ -35,7 +44,8 @@ SEARCH_ROWS = 300
 PATTERN = 0.5  # of what is left over: no larger part of it may last for several rows
 OTHER_RESTS_S = 0.1  # of rests that differ by more a robot has its own
 NEARER = 0.1  # of what is left with one clock: so little is left with one for each stretch
-WIDE = 0.08  # a number that works through ticks lies within this share of the best
+BEGUN = 3  # times it is begun anew, with another first cause, where too much was needed
+SIMPLE = 2  # numbers: with no more it is not
 
 
 class Chosen(NamedTuple):
@@ -58,16 +68,6 @@ class Choice:
     least: Array  # what rounding makes, of every channel
 
 
-class _Search(NamedTuple):
-    again: Again
-    log: RobotLog
-    rows: Rows
-    few: Rows  # some of them
-    least: Array
-    clock: Clock  # of the run with the numbers that are assumed
-    decide: tuple[Cause, ...]
-
-
 def choose(again: Again, log: RobotLog, rows: Rows) -> Choice:
     """Return the fewest causes; where they explain too little, every stretch has its own clock."""
     least = resolution(rows.measured())
@@ -75,21 +75,22 @@ def choose(again: Again, log: RobotLog, rows: Rows) -> Choice:
     every = max(len(rows.times) // SEARCH_ROWS, 1)
     decide = deciding(again)
     few = _few(rows, every)
-    one_clock = _Search(again, log, rows, few, least, clock, decide)
+    shifts = Shifts(log)
+    one_clock = Search(again, shifts, rows, few, least, clock, decide)
     parted = by_stretches(again.run, rows, clock)
     own, alone = None, solve(again, rows, clock, {}, (), least)
     if parted is not None and not _plain(one_clock, alone):
-        own = _chosen(_Search(again, log, rows, few, least, parted, decide))
+        by_parts = Search(again, shifts, rows, few, least, parted, decide)
+        own = _begun(by_parts, ())
         nearer = (own.fit.residual**2).mean() < NEARER**2 * (alone.residual**2).mean()
         rests_differ = float(np.ptp(own.fit.clock.shifts)) > OTHER_RESTS_S
         if rests_differ and (explained(own) or bool(nearer)):
-            return own
-    found = _chosen(one_clock)
+            return _chosen(by_parts, own)
+    found = _chosen(one_clock, _begun(one_clock, ()))
     if own is None or explained(found):
         return found
-    more = len(own.fit.clock.shifts) - 1 + _numbers(own) - _numbers(found)
-    dearer = more * (np.log(len(rows.times)) + WORTH)
-    return own if own.fit.objective + dearer < found.fit.objective else found
+    dearer = (len(own.fit.clock.shifts) - 1) * _each(rows)
+    return own if _cost(own) + dearer < _cost(found) else found
 
 
 def explained(found: Choice) -> bool:
@@ -102,6 +103,15 @@ def _numbers(found: Choice) -> int:
     return sum(len(one.group) for one in found.chosen)
 
 
+def _each(rows: Rows) -> float:
+    """Return what a number has to gain."""
+    return float(np.log(len(rows.times))) + WORTH
+
+
+def _cost(found: Choice) -> float:
+    return found.fit.objective + _numbers(found) * _each(found.rows)
+
+
 def _few(rows: Rows, every: int) -> Rows:
     """Return some rows, and of them the joints alone where there are any: they tell times."""
     if rows.joints is not None:
@@ -110,7 +120,23 @@ def _few(rows: Rows, every: int) -> Rows:
     return Rows(rows.times[::every], None, rows.positions[::every], rows.middle_s)
 
 
-def _chosen(s: _Search) -> Choice:
+def _chosen(s: Search, begun: Choice) -> Choice:
+    """Return a choice, or where it needs many numbers the best of some that begin elsewhere.
+
+    Two causes may look like a third one together. Whoever takes that first needs many more.
+    """
+    found = [begun]
+    while len(found) <= BEGUN and found[-1].chosen and not _simple(found[-1]):
+        found.append(_begun(s, [one.chosen[0].group for one in found]))
+    return min(found, key=lambda one: (not explained(one), _cost(one)))
+
+
+def _simple(found: Choice) -> bool:
+    return explained(found) and _numbers(found) <= SIMPLE
+
+
+def _begun(s: Search, elsewhere: Sequence[Group]) -> Choice:
+    """Return what is chosen, step by step; groups that are not to be first are left out there."""
     rows = s.rows
     candidates = causes_for(
         s.again.run.scene.robot.arm,
@@ -124,6 +150,8 @@ def _chosen(s: _Search) -> Choice:
     chosen: list[Chosen] = []
     for _ in range(MOST):
         open_ = [group for group in candidates if _new(group, chosen)]
+        if not chosen:
+            open_ = [group for group in open_ if group not in elsewhere]
         smooth = [group for group in open_ if not group[0].by_ticks]
         promising = sorted(_promise(s, fit, chosen, smooth), key=lambda one: -one[1])
         gains = _gains(s, fit, chosen, promising[:TRIED])
@@ -131,7 +159,8 @@ def _chosen(s: _Search) -> Choice:
         if not _plain(s, fit) and not _plain(s, best_left):
             # what is left lasts for several rows: other times may explain it
             ticks = [group for group in open_ if group[0].by_ticks]
-            later = sorted((_searched(s, fit, group) for group in ticks), key=lambda one: -one[1])
+            worth = [(one, searched(s, fit, one[0]) - _price(s, one)) for one in ticks]
+            later = sorted(worth, key=lambda one: -one[1])
             gains += _gains(s, fit, chosen, later[:TRIED])
             promising += later[TRIED:]
         good = [one for one in gains if one[2] > 0.0 and _matters(s, one[1], one[0])]
@@ -146,11 +175,11 @@ def _chosen(s: _Search) -> Choice:
         chosen.append(Chosen(simplest[0], simplest[2], rivals))
         fit = simplest[1]
     chosen, fit = _pruned(s, fit, chosen)
-    spans, fit = _spans(s, fit, chosen)
+    spans, fit = spans_of_ticks(s, fit, _fitted(chosen))
     return Choice(rows, fit, first, tuple(chosen), spans, s.least)
 
 
-def _pruned(s: _Search, fit: Fit, chosen: list[Chosen]) -> tuple[list[Chosen], Fit]:
+def _pruned(s: Search, fit: Fit, chosen: list[Chosen]) -> tuple[list[Chosen], Fit]:
     """Return what is left without numbers that are not worth their price any more."""
     while True:
         causes = _fitted(chosen)
@@ -200,7 +229,7 @@ def _rivals(
 
 
 def _gains(
-    s: _Search, fit: Fit, chosen: Sequence[Chosen], promising: Sequence[tuple[Group, float]]
+    s: Search, fit: Fit, chosen: Sequence[Chosen], promising: Sequence[tuple[Group, float]]
 ) -> list[tuple[Group, Fit, float]]:
     found: list[tuple[Group, Fit, float]] = []
     for group, _ in promising:
@@ -209,7 +238,7 @@ def _gains(
     return found
 
 
-def _plain(s: _Search, fit: Fit) -> bool:
+def _plain(s: Search, fit: Fit) -> bool:
     """Whether what is left of the channels that tell times has no pattern worth a word."""
     tell = s.few.channels
     left = left_over(fit.residual[:, :tell], s.least[:tell])
@@ -217,7 +246,7 @@ def _plain(s: _Search, fit: Fit) -> bool:
 
 
 def _promise(
-    s: _Search, fit: Fit, chosen: Sequence[Chosen], groups: Sequence[Group]
+    s: Search, fit: Fit, chosen: Sequence[Chosen], groups: Sequence[Group]
 ) -> list[tuple[Group, float]]:
     """Return what groups would gain beyond their price, about."""
     smooth = [c for c in _fitted(chosen) if not c.by_ticks]
@@ -240,48 +269,7 @@ def _promise(
     return found
 
 
-def _searched(s: _Search, fit: Fit, group: Group) -> tuple[Group, float]:
-    """Return what a number that works through ticks would gain, about."""
-    begun = _weighed(s, s.few, fit, fit.values, (), 1).objective
-    _, reached = _looked_for(s, fit, group[0])
-    part = len(s.rows.times) / len(s.few.times)
-    return group, part * (begun - reached) - _price(s, group)
-
-
-def _looked_for(s: _Search, fit: Fit, cause: Cause) -> tuple[float, float]:
-    now = fit.values.get(cause, 0.0)
-
-    def weighs(value: float) -> float:
-        return _weighed(s, s.few, fit, {**fit.values, cause: value}, (), 3).objective
-
-    return search(sorted({now, *grid_of(s.again, cause)}), weighs)
-
-
-def _weighed(
-    s: _Search, rows: Rows, fit: Fit, values: Mapping[Cause, float], causes: Group, steps: int
-) -> Fit:
-    """Return a fit with given values of numbers that work through ticks, the clock found anew."""
-    run = s.again.with_values(values)
-    if s.clock.whole:
-        clock = Clock(whole(run, s.log, rows).shifts, np.zeros(len(rows.times), np.intp))
-        near = Clock(fit.clock.shifts, clock.which)
-        least = _least(s, rows)
-        off = [objective(residuals(s.again, rows, c, values), least) for c in (clock, near)]
-        begin = clock if off[0] < off[1] else near
-        return solve(s.again, rows, begin, values, causes, least, steps)
-    before = s.again.with_values(fit.values)
-    clock = moved(fit.clock, before, run)
-    at = np.searchsorted(s.rows.times, rows.times)
-    placed = Clock(clock.shifts, clock.which[at])
-    return solve(s.again, rows, placed, values, causes, _least(s, rows), steps)
-
-
-def _least(s: _Search, rows: Rows) -> Array:
-    """Return what rounding makes, of the channels that some rows have."""
-    return s.least[: rows.channels]
-
-
-def _with(s: _Search, fit: Fit, chosen: Sequence[Chosen], group: Group) -> Fit:
+def _with(s: Search, fit: Fit, chosen: Sequence[Chosen], group: Group) -> Fit:
     """Return the fit of a group beside what was chosen; numbers by ticks are looked for again."""
     causes = _fitted(chosen, group)
     if not group[0].by_ticks:
@@ -291,38 +279,19 @@ def _with(s: _Search, fit: Fit, chosen: Sequence[Chosen], group: Group) -> Fit:
                 starts[cause] = 5.0 * cause.step
         found = solve(s.again, s.rows, fit.clock, starts, causes, s.least)
     else:
-        value, _ = _looked_for(s, fit, group[0])
-        found = _weighed(s, s.rows, fit, {**fit.values, group[0]: value}, causes, 8)
+        value, _ = looked_for(s, fit, group[0])
+        found = weighed(s, s.rows, fit, {**fit.values, group[0]: value}, causes, 8)
     for cause in causes:
         if cause.by_ticks and len([c for c in causes if not c.by_ticks or c != cause]):
-            found = _refined(s, found, cause, causes)
+            found = refined(s, found, cause, causes)
     return found
 
 
-def _refined(s: _Search, fit: Fit, cause: Cause, causes: Group) -> Fit:
-    """Return a fit with one number looked for near where it is."""
-    now = fit.values[cause]
-    reach = _reach(s, cause)
-
-    def weighs(value: float) -> float:
-        return _weighed(s, s.few, fit, {**fit.values, cause: value}, (), 2).objective
-
-    value, _ = search([*np.linspace(now - reach, now + reach, 9).tolist(), now], weighs)
-    other = _weighed(s, s.rows, fit, {**fit.values, cause: value}, causes, 5)
-    return other if other.objective < fit.objective else fit
+def _price(s: Search, group: Group) -> float:
+    return len(group) * _each(s.rows)
 
 
-def _reach(s: _Search, cause: Cause) -> float:
-    if cause.kind in (Kind.ACCELERATION, Kind.CORNERS):
-        return 2.0 * s.again.run.scene.robot.arm.tick
-    return WIDE
-
-
-def _price(s: _Search, group: Group) -> float:
-    return len(group) * (float(np.log(len(s.rows.times))) + WORTH)
-
-
-def _worth(s: _Search, before: Fit, after: Fit, group: Group) -> float:
+def _worth(s: Search, before: Fit, after: Fit, group: Group) -> float:
     """Return what a group gains beyond its price; rows whose errors are alike count as fewer."""
     left = left_over(after.residual, s.least)
     n = len(s.rows.times)
@@ -331,7 +300,7 @@ def _worth(s: _Search, before: Fit, after: Fit, group: Group) -> float:
     return float(gains.sum()) - _price(s, group)
 
 
-def _matters(s: _Search, fit: Fit, group: Group) -> bool:
+def _matters(s: Search, fit: Fit, group: Group) -> bool:
     """Whether a group changes the log by more than a part of what is left over."""
     if group[0].by_ticks:
         return True
@@ -339,22 +308,3 @@ def _matters(s: _Search, fit: Fit, group: Group) -> bool:
     moved_by = J @ np.array([fit.values[cause] for cause in group])
     rms = left_over(fit.residual, s.least).rms
     return bool((np.sqrt((moved_by**2).mean(axis=0)) > MATTERS * rms).any())
-
-
-def _spans(s: _Search, fit: Fit, chosen: Sequence[Chosen]) -> tuple[dict[Cause, Between], Fit]:
-    """Return what the log allows of numbers that work through ticks, and the fit with them."""
-    found: dict[Cause, Between] = {}
-    for cause in _fitted(chosen):
-        if not cause.by_ticks:
-            continue
-
-        def weighs(value: float, cause: Cause = cause, fit: Fit = fit) -> float:
-            return _weighed(s, s.rows, fit, {**fit.values, cause: value}, (), 2).objective
-
-        base = weighs(fit.values[cause])
-        best = fit.values[cause]
-        found[cause] = between(best, base, _reach(s, cause), weighs)
-        if cause.kind in (Kind.ACCELERATION, Kind.CORNERS):  # the controller counts even ticks
-            found[cause] = found[cause]._replace(value=best)
-        fit = fit._replace(values={**fit.values, cause: found[cause].value})
-    return found, fit

@@ -165,28 +165,61 @@ def residuals(again: Again, rows: Rows, clock: Clock, values: Values) -> Array:
 
     Infinite where the robot would stop more or fewer times than the clock has stretches.
     """
-    run = again.with_values(values)
-    if not alike(run, clock):
+    if not alike(again.with_values(values), clock):
         return np.full((len(rows.times), rows.channels), np.inf)
-    low, high = bounds(run, clock)
-    times = np.clip(run_times(rows, clock, values), low, high)
-    joints = commanded(run, times, low, values)
-    joints = joints + _six(values, Kind.ZERO) + np.array(shown_off(again.run.scene.robot.arm))
     if rows.positions is None:
-        assert rows.joints is not None
-        return rows.joints - joints
-    shown = joints if rows.joints is None else rows.joints + _six(values, Kind.HIDDEN_ZERO)
+        return joints_off(again, rows, clock, values)
+    off = positions_off(again, rows, clock, values, frames_of(again, rows, clock, values))
+    if rows.joints is None:
+        return off
+    return np.column_stack((joints_off(again, rows, clock, values), off))
+
+
+def joints_off(again: Again, rows: Rows, clock: Clock, values: Values) -> Array:
+    """Return measured minus modelled joints of a log that has them, shape (n, 6) [rad]."""
+    assert rows.joints is not None
+    if not alike(again.with_values(values), clock):
+        return np.full((len(rows.times), JOINTS), np.inf)
+    return rows.joints - _encoders(again, rows, clock, values)
+
+
+def _encoders(again: Again, rows: Rows, clock: Clock, values: Values) -> Array:
+    run = again.with_values(values)
+    times, low = _at(run, rows, clock, values)
+    joints = commanded(run, times, low, values)
+    return joints + _six(values, Kind.ZERO) + np.array(shown_off(again.run.scene.robot.arm))
+
+
+def _at(run: Run, rows: Rows, clock: Clock, values: Values) -> tuple[Array, Array]:
+    """Return times of the run, and before which nothing counts [s]."""
+    low, high = bounds(run, clock)
+    return np.clip(run_times(rows, clock, values), low, high), low
+
+
+def frames_of(again: Again, rows: Rows, clock: Clock, values: Values) -> tuple[Array, Array]:
+    """Return rotations and origins of the flange, by the logged joints where there are any."""
+    if rows.joints is None:
+        shown = _encoders(again, rows, clock, values)
+    else:
+        shown = rows.joints + _six(values, Kind.HIDDEN_ZERO)
     arm = with_links(again.run.scene.robot.arm, values, Kind.LINK)
-    rotations, origins = flange_frames(arm, shown - np.array(shown_off(arm)))
+    return flange_frames(arm, shown - np.array(shown_off(arm)))
+
+
+def positions_off(
+    again: Again, rows: Rows, clock: Clock, values: Values, frames: tuple[Array, Array]
+) -> Array:
+    """Return measured minus modelled positions of a log that has them, shape (n, 3) [m]."""
+    assert rows.positions is not None
+    run = again.with_values(values)
+    times, _ = _at(run, rows, clock, values)
+    rotations, origins = frames
     tools = tools_of(run)
     which = np.searchsorted(tools.starts, times, side="right")
     tip = tools.origins[which] + tools.rotations[which] @ _three(values, Kind.TOOL)
     points = origins + np.einsum("nij,nj->ni", rotations, tip)
     points = points @ turned(_three(values, Kind.TURN)).T + _three(values, Kind.BASE)
-    off = rows.positions - points
-    if rows.joints is None:
-        return off
-    return np.column_stack((rows.joints - joints, off))
+    return rows.positions - points
 
 
 def _six(values: Values, kind: Kind) -> Array:

@@ -53,8 +53,13 @@ def identify(run: Run, given: GivenLog) -> Identified:
 
 def identify_log(run: Run, log: RobotLog) -> Identified:
     """Return what is wrong with the robot that made a log that was read."""
+    return identify_again(Again(run), log)
+
+
+def identify_again(again: Again, log: RobotLog) -> Identified:
+    """Return the same of a program that other logs were compared with before."""
     log_must_move(log)
-    again = Again(run)
+    run = again.run
     rows = rows_of(run, log, clock_shift(run, log))
     if len(rows.times) < FEWEST:
         raise no_instant_in_common()

@@ -1,6 +1,6 @@
 """Least squares over the numbers that change a log smoothly, the clock among them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -8,7 +8,15 @@ import numpy.typing as npt
 
 from vrts.validate.identify.again import Again
 from vrts.validate.identify.causes import Cause, Kind
-from vrts.validate.identify.forward import Clock, Rows, residuals
+from vrts.validate.identify.forward import (
+    Clock,
+    Rows,
+    frames_of,
+    joints_off,
+    positions_off,
+    residuals,
+)
+from vrts.validate.sampling import JOINTS
 
 Array = npt.NDArray[np.float64]
 
@@ -18,6 +26,8 @@ STEPS, HALVINGS = 12, 5
 ENOUGH = 1e-3  # a step that gains less is the last
 WEAKEST = 1e-9  # of the strongest direction: what a log tells less about is left as it is
 LAST_S = 1e-4  # a lag is no shorter
+MEASURES = (Kind.HIDDEN_ZERO, Kind.LINK, Kind.TOOL, Kind.BASE, Kind.TURN)
+"""What positions show beside the joints of the same row, and joints do not."""
 
 
 class Fit(NamedTuple):
@@ -38,9 +48,13 @@ def clock_columns(again: Again, rows: Rows, clock: Clock, values: Mapping[Cause,
     """Return how a log changes with its clock, shape (n, channels, shifts)."""
     ahead = Clock(clock.shifts + CLOCK_STEP_S, clock.which)
     behind = Clock(clock.shifts - CLOCK_STEP_S, clock.which)
-    change = residuals(again, rows, behind, values) - residuals(again, rows, ahead, values)
-    found = np.zeros((*change.shape, len(clock.shifts)))
-    found[np.arange(len(change)), :, clock.which] = change / (2.0 * CLOCK_STEP_S)
+    off = residuals if rows.joints is None else joints_off  # where there are both, joints tell
+    change = off(again, rows, behind, values) - off(again, rows, ahead, values)
+    found = np.zeros((len(rows.times), rows.channels, len(clock.shifts)))
+    tell = np.arange(change.shape[1])
+    found[np.arange(len(change))[:, None], tell, clock.which[:, None]] = change / (
+        2.0 * CLOCK_STEP_S
+    )
     return found
 
 
@@ -49,18 +63,41 @@ def columns(
 ) -> Array:
     """Return how a log changes with numbers, shape (n, channels, k)."""
     found = np.zeros((len(rows.times), rows.channels, len(causes)))
-    for k, cause in enumerate(causes):
+    both = rows.joints is not None and rows.positions is not None
+    measures = [cause.kind in MEASURES for cause in causes]
+    frames = frames_of(again, rows, clock, values) if both and any(measures) else None
+    for k, (cause, measure) in enumerate(zip(causes, measures, strict=True)):
         now = values.get(cause, 0.0)
         more, less = now + cause.step, now - cause.step
         if cause.kind is Kind.LAG:
             more, less = max(more, 2.0 * cause.step), max(less, 0.5 * cause.step)
         if cause.kind is Kind.COUNTED_LINK:
             more, less = _same_ticks(again, values, cause)
-        after = residuals(again, rows, clock, {**values, cause: more})
-        before = residuals(again, rows, clock, {**values, cause: less})
+        channels, off = slice(None), _off(again, rows, clock, frames if measure else None, cause)
+        if both:  # joints tell of times, positions of measures
+            channels = slice(JOINTS, None) if measure else slice(JOINTS)
         if more > less:
-            found[:, :, k] = (before - after) / (more - less)
+            change = off({**values, cause: less}) - off({**values, cause: more})
+            found[:, channels, k] = change / (more - less)
     return found
+
+
+def _off(
+    again: Again, rows: Rows, clock: Clock, frames: tuple[Array, Array] | None, cause: Cause
+) -> Callable[[Mapping[Cause, float]], Array]:
+    """Return what tells measured minus modelled, of the channels that a number can change."""
+
+    def off(values: Mapping[Cause, float]) -> Array:
+        if rows.joints is None or rows.positions is None:
+            return residuals(again, rows, clock, values)
+        if frames is None:
+            return joints_off(again, rows, clock, values)
+        known = frames
+        if cause.kind in (Kind.HIDDEN_ZERO, Kind.LINK):
+            known = frames_of(again, rows, clock, values)
+        return positions_off(again, rows, clock, values, known)
+
+    return off
 
 
 def _same_ticks(again: Again, values: Mapping[Cause, float], cause: Cause) -> tuple[float, float]:

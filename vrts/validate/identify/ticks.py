@@ -1,5 +1,6 @@
 """Numbers that work through whole ticks: looked for by executing the program again."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
@@ -58,6 +59,17 @@ def grid_of(again: Again, cause: Cause) -> Sequence[float]:
         now = arm.blend_time or 2.0 * arm.acceleration_time
     step = 2.0 * arm.tick
     return [k * step - now for k in range(1, int(LONGEST_S / step)) if k * step > SHORTEST_S]
+
+
+def in_even_ticks(again: Again, cause: Cause, value: float) -> float:
+    """Return the number as the controller carries it out: acceleration and corners."""
+    arm = again.run.scene.robot.arm
+    step = 2.0 * arm.tick
+    if cause.kind is Kind.ACCELERATION:
+        ticks = math.ceil((arm.acceleration_time + value) / step - 1e-6)
+        return step * max(ticks, 1) - arm.acceleration_time
+    now = arm.blend_time or 2.0 * arm.acceleration_time
+    return step * round((now + value) / step) - now
 
 
 def search(grid: Sequence[float], weighs: Weighs) -> tuple[float, float]:
