@@ -2998,4 +2998,26 @@ PATCHES: tuple[Patch, ...] = (
         "or None",
         ("tests/unit/lang/test_relatives_operands.py",),
     ),
+    Patch(
+        "what is wrong with a robot is begun with one cause alone",
+        "vrts/validate/identify/choose.py",
+        "while len(found) <= BEGUN and",
+        "while len(found) <= 0 and",
+        ("tests/unit/validate/identify/test_chosen.py",),
+        thorough=True,
+    ),
+    Patch(
+        "errors that last for long make no interval longer",
+        "vrts/validate/identify/noise.py",
+        "found = np.where(share > by_chance,",
+        "found = np.where(share > 1e9 * by_chance,",
+        ("tests/unit/validate/identify/test_chosen.py",),
+    ),
+    Patch(
+        "acceleration is told as it is set, not as it is carried out",
+        "vrts/validate/identify/ticks.py",
+        "ticks = math.ceil((",
+        "ticks = round((",
+        ("tests/unit/validate/identify/test_chosen.py",),
+    ),
 )

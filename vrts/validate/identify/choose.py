@@ -44,8 +44,8 @@ SEARCH_ROWS = 300
 PATTERN = 0.5  # of what is left over: no larger part of it may last for several rows
 OTHER_RESTS_S = 0.1  # of rests that differ by more a robot has its own
 NEARER = 0.1  # of what is left with one clock: so little is left with one for each stretch
-BEGUN = 3  # times it is begun anew, with another first cause, where too much was needed
-SIMPLE = 2  # numbers: with no more it is not
+BEGUN = 1  # times it is begun anew, with another first cause, where too much was needed
+SIMPLE = 3  # numbers: with no more it is not
 
 
 class Chosen(NamedTuple):
@@ -79,8 +79,8 @@ def choose(again: Again, log: RobotLog, rows: Rows) -> Choice:
     one_clock = Search(again, shifts, rows, few, least, clock, decide)
     parted = by_stretches(again.run, rows, clock)
     own, alone = None, solve(again, rows, clock, {}, (), least)
+    by_parts = one_clock if parted is None else one_clock._replace(clock=parted)
     if parted is not None and not _plain(one_clock, alone):
-        by_parts = Search(again, shifts, rows, few, least, parted, decide)
         own = _begun(by_parts, ())
         nearer = (own.fit.residual**2).mean() < NEARER**2 * (alone.residual**2).mean()
         rests_differ = float(np.ptp(own.fit.clock.shifts)) > OTHER_RESTS_S
@@ -89,8 +89,9 @@ def choose(again: Again, log: RobotLog, rows: Rows) -> Choice:
     found = _chosen(one_clock, _begun(one_clock, ()))
     if own is None or explained(found):
         return found
+    own = _chosen(by_parts, own)
     dearer = (len(own.fit.clock.shifts) - 1) * _each(rows)
-    return own if _cost(own) + dearer < _cost(found) else found
+    return own if explained(own) or _cost(own) + dearer < _cost(found) else found
 
 
 def explained(found: Choice) -> bool:

@@ -14,7 +14,7 @@ from vrts.validate.identify.causes import Cause, Kind, causes_for
 from vrts.validate.identify.choose import Choice, choose, explained
 from vrts.validate.identify.forward import rows_of
 from vrts.validate.identify.identified import Identified, Number, Remaining
-from vrts.validate.identify.noise import covariance, left_over
+from vrts.validate.identify.noise import covariance, lasting, left_over
 from vrts.validate.identify.solve import clock_columns, columns, solve
 from vrts.validate.log.log import GivenLog, RobotLog, read_log
 from vrts.validate.sampling import extent_of
@@ -100,6 +100,7 @@ def _numbers(again: Again, found: Choice) -> tuple[tuple[Number, ...], float]:
     )
     left = left_over(fit.residual, found.least)
     spread = np.sqrt(np.clip(np.diag(covariance(J, left.rms, left.times_correlated)), 0.0, None))
+    spread *= lasting(J, fit.residual, left)
     shifts = len(fit.clock.shifts)
     halves = dict(zip(smooth, (NORMAL * spread[shifts:]).tolist(), strict=True))
     alike = {

@@ -51,7 +51,7 @@ def clock_columns(again: Again, rows: Rows, clock: Clock, values: Mapping[Cause,
     off = residuals if rows.joints is None else joints_off  # where there are both, joints tell
     change = off(again, rows, behind, values) - off(again, rows, ahead, values)
     found = np.zeros((len(rows.times), rows.channels, len(clock.shifts)))
-    tell = np.arange(change.shape[1])
+    tell = np.arange(change.shape[1], dtype=np.intp)
     found[np.arange(len(change))[:, None], tell, clock.which[:, None]] = change / (
         2.0 * CLOCK_STEP_S
     )

@@ -49,6 +49,7 @@ class Case:
     changes: tuple[Changed, ...] = ()
     zero: tuple[int, float] | None = None  # joint and what its encoder counts too much [rad]
     program: str = "01-stops"
+    slow: float = 0.0  # by which share the clock of what writes the log is slow
 
 
 SETUP, INI, HAL = "library/v_setup.ngc", "machine.ini", "machine.hal"
@@ -110,10 +111,11 @@ def period(ns: int) -> tuple[Changed, ...]:
 
 
 ALL = tuple(range(6))
-# Faults of the clock need programs that stop: set points of rounded motions are whole periods of
-# LinuxCNC, whatever a period is, so in a log of such motions there is no fault.
+# A fault of LinuxCNC's period needs programs that stop: set points of rounded motions are whole
+# periods, whatever a period is, and so are samples, so a log of such motions has no fault. In
+# ROUNDED it is the clock of what writes the log that is slow or fast.
 STOPS, CORNERS, TURNING, LOOPS = "01-stops", "02-corners", "03-turning", "04-loops"
-CALLS, FRAMES, BRANCHES = "05-calls", "06-frames", "10-branches"
+CALLS, FRAMES, BRANCHES, NESTED = "05-calls", "06-frames", "10-branches", "12-nested"
 ZEROS = (0.5, CALLS), (-0.3, LOOPS), (0.5, STOPS), (0.4, BRANCHES), (0.3, TURNING), (-0.5, FRAMES)
 CASES = [
     *(
@@ -171,6 +173,48 @@ CASES = [
 ]
 
 
+def slow(share: float, program: str) -> Case:
+    name = f"log {'slow' if share > 0.0 else 'fast'} {abs(share):.1%}"
+    return Case(name, Cause(Kind.RATE), share, program=program, slow=share)
+
+
+ROUNDED = [
+    slow(0.005, CORNERS),
+    slow(-0.008, NESTED),
+    slow(0.003, NESTED),
+    Case(
+        "acceleration 168 ms",
+        Cause(Kind.ACCELERATION),
+        -0.056,
+        acceleration(0.168),
+        program=CORNERS,
+    ),
+    Case(
+        "acceleration 280 ms", Cause(Kind.ACCELERATION), 0.056, acceleration(0.28), program=CORNERS
+    ),
+    Case(
+        "acceleration 280 ms", Cause(Kind.ACCELERATION), 0.056, acceleration(0.28), program=NESTED
+    ),
+    Case("speeds +6 %", Cause(Kind.SPEEDS), 0.06, speeds(1.06, ALL, lines=True), program=NESTED),
+    Case("lines -10 %", Cause(Kind.LINE_SPEED), -0.1, speeds(0.9, (), lines=True), program=NESTED),
+    Case(
+        "zero of joint 2",
+        Cause(Kind.ZERO, 1),
+        0.2 * DEG,
+        zero=(1, 0.2 * DEG),
+        program=CORNERS,
+    ),
+    Case(
+        "link d4",
+        Cause(Kind.COUNTED_LINK, 0, "d4"),
+        1.5 * MM,
+        link("d4", "D-3", 1.5),
+        program=NESTED,
+    ),
+]
+"""Programs with rounded corners: eight and eleven of them."""
+
+
 def carried_out(case: Case) -> tuple[Run, Samples]:
     """Return the run without the fault, and what LinuxCNC did with it."""
     assert not isinstance(WHAT, str)
@@ -217,11 +261,11 @@ def encoder(joint: int, by: float) -> tuple[str, ...]:
     )
 
 
-def log_of(samples: Samples, seed: int) -> RobotLog:
-    """Return the log with an encoder's steps and noise."""
+def log_of(samples: Samples, seed: int, slow: float = 0.0) -> RobotLog:
+    """Return the log with an encoder's steps and noise, by a clock that may be slow."""
     first = max(int((samples.motions > 0).argmax()) - BEFORE, 0)
     joints = samples.joints[first::EVERY]
     noise = np.random.default_rng(seed).normal(0.0, NOISE, joints.shape)
     told = np.round((joints + noise) / STEP) * STEP
-    times = STEP_S * EVERY * np.arange(len(told), dtype=np.float64)
+    times = STEP_S * EVERY / (1.0 + slow) * np.arange(len(told), dtype=np.float64)
     return RobotLog("linuxcnc.csv", "0" * 64, times, told, None, synthetic=False, findings=())
