@@ -26,7 +26,7 @@ from vrts.base.source import SourceFile
 from vrts.lang.compiler import compile_source
 from vrts.lang.problems import Problems
 from vrts.lang.reading.classify import classify
-from vrts.lang.reading.splitter import comment_start
+from vrts.lang.reading.sections.lines import comment_start
 from vrts.lang.reading.tokeniser import tokenise
 
 HEAVY = ("numpy", "pinocchio", "coal", "fcl", "trimesh", "rerun", "lark")

@@ -12,7 +12,7 @@ from vrts.base.source import SourceFile
 from vrts.ir.dump import dump
 from vrts.lang.compiler import Options, compile_source
 from vrts.lang.dialect import DIALECTS, VAL2, Dialect
-from vrts.lang.reading.splitter import comment_start
+from vrts.lang.reading.sections.lines import comment_start
 from vrts.lang.writing.layout import layout
 
 PROGRAMS = [

@@ -2522,7 +2522,7 @@ PATCHES: tuple[Patch, ...] = (
     ),
     Patch(
         "END without its dot at the end of a program is taken for one that ends nothing",
-        "vrts/lang/reading/misplaced_lines.py",
+        "vrts/lang/reading/sections/misplaced_lines.py",
         "return open_structures(lines) == -1",
         "return open_structures(lines) == -2",
         ("tests/unit/lang/reading/test_sections.py",),

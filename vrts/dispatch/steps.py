@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from vrts.base.source import SourceFile
 from vrts.lang.dialect import Dialect
-from vrts.lang.reading.splitter import comment_start
+from vrts.lang.reading.sections.lines import comment_start
 from vrts.lang.writing.layout import program_text
 
 _HEADER = re.compile(r"\.PROGRAM +(?P<name>[\w.]+) *(?P<formals>\(.*?\))?", re.IGNORECASE)

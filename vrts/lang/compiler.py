@@ -32,7 +32,8 @@ from vrts.lang.problems import Problems
 from vrts.lang.reading.detection import detect
 from vrts.lang.reading.headers import is_remarks, read_header
 from vrts.lang.reading.pasted_characters import report_pasted_characters
-from vrts.lang.reading.splitter import Section, split
+from vrts.lang.reading.sections.lines import Section
+from vrts.lang.reading.splitter import split
 from vrts.lang.said_by_relatives import in_words_of
 from vrts.lang.steps.step_parser import StepParser, names_in
 from vrts.lang.syntax.program import Formal, ProgramText

@@ -6,7 +6,8 @@ from vrts.base.source import SourceFile
 from vrts.lang.dialect import VAL2, Dialect
 from vrts.lang.problems import Problems
 from vrts.lang.reading.headers import read_header
-from vrts.lang.reading.splitter import comment_start, split
+from vrts.lang.reading.sections.lines import comment_start
+from vrts.lang.reading.splitter import split
 from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax.program import DataLine, Formal
 from vrts.lang.syntax.statements import Bad, Statement

@@ -17,7 +17,7 @@ from vrts.ir.values import Joints
 from vrts.lang.compiler import Compilation, Options, compile_sources
 from vrts.lang.decimals import single_text
 from vrts.lang.dialect import Angles, Precedence
-from vrts.lang.reading.splitter import comment_start
+from vrts.lang.reading.sections.lines import comment_start
 from vrts.lang.writing.layout import NAME_WIDTH, program_text
 
 MOST_ROUNDS = 10  # of printing and reading until a location stays as it is

@@ -17,7 +17,7 @@ from vrts.ir.module import Datum
 from vrts.lang.compiler import Compilation, Resolved, resolve_source
 from vrts.lang.dialect import VAL2
 from vrts.lang.names import key
-from vrts.lang.reading.splitter import Section, comment_start
+from vrts.lang.reading.sections.lines import Section, comment_start
 from vrts.lang.syntax.program import ProgramText, Step
 from vrts.lang.syntax.statements import CallStatement, Declare
 from vrts.lang.writing.layout import layout

@@ -11,7 +11,7 @@ from vrts.lang.dialect import Dialect
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
-from vrts.lang.reading.splitter import Line, comment_start
+from vrts.lang.reading.sections.lines import Line, comment_start
 from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax.expressions import Name
 from vrts.lang.syntax.program import ProgramText

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from vrts.base.diagnostic import Rule
 from vrts.lang.problems import Problems, short
-from vrts.lang.reading.splitter import Line
+from vrts.lang.reading.sections.lines import Line
 from vrts.lang.vocabulary.lookup import look_up
 
 INVALID_DATA = Rule("V145", "invalid-data-line")

@@ -31,7 +31,7 @@ from vrts.lang.meaning.data_mistakes import (
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
-from vrts.lang.reading.splitter import Line, Section
+from vrts.lang.reading.sections.lines import Line, Section
 from vrts.lang.steps.step_parser import StepParser, names_in
 from vrts.lang.syntax.expressions import Element, Name, Number
 from vrts.lang.syntax.program import DataLine

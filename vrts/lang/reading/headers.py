@@ -10,8 +10,9 @@ from vrts.base.diagnostic import Fix, Rule
 from vrts.lang.dialect import Dialect
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
-from vrts.lang.reading.misplaced_lines import DEFAULT_PROGRAM
-from vrts.lang.reading.splitter import INVALID_HEADER, Section
+from vrts.lang.reading.sections.lines import Section
+from vrts.lang.reading.sections.misplaced_lines import DEFAULT_PROGRAM
+from vrts.lang.reading.splitter import INVALID_HEADER
 from vrts.lang.syntax.expressions import Name
 from vrts.lang.syntax.program import Formal
 

@@ -5,14 +5,13 @@ Steps are numbered as the controller numbers them: from 1, blank and comment lin
 """
 
 import re
-from typing import NamedTuple
 
 from vrts.base.diagnostic import Fix, Rule
 from vrts.base.made import made
 from vrts.lang.joined import parts
 from vrts.lang.problems import Problems
-from vrts.lang.reading.characters import OPENING_QUOTES
-from vrts.lang.reading.misplaced_lines import (
+from vrts.lang.reading.sections.lines import Line, Section, comment_start
+from vrts.lang.reading.sections.misplaced_lines import (
     MISSING_END_LINE,
     Place,
     is_data,
@@ -27,7 +26,7 @@ from vrts.lang.reading.misplaced_lines import (
     report_values_outside,
     tells_itself,
 )
-from vrts.lang.reading.section_heads import SectionHead, foreign_head, section_head
+from vrts.lang.reading.sections.section_heads import SectionHead, foreign_head, section_head
 
 INVALID_HEADER = Rule("V142", "invalid-header")
 UNKNOWN_SECTION = Rule("V144", "unknown-section")
@@ -42,27 +41,6 @@ MAX_STEPS = 65_000  # of a program; more are refused before they are parsed
 
 _LOCAL = re.compile(r"\.[A-Za-z][\w.]*[ \t]*[=\[]", re.ASCII)  # a local name of AS, assigned
 _STARS = ".*"  # lines of stars and words that AS writes between sections
-_QUOTES = re.escape(OPENING_QUOTES)
-_STRING_OR_COMMENT = re.compile(rf"""("[^"]*("|$)|[{_QUOTES}][^{_QUOTES}"]*[{_QUOTES}"]|'.)|(;)""")
-
-
-class Line(NamedTuple):
-    """What stands on a line before its comment, blanks stripped."""
-
-    number: int  # in its section, from 1
-    text: str
-    start: int
-    end: int
-
-
-class Section(NamedTuple):
-    """A program or a data section."""
-
-    kind: str  # "program", "locations", "reals", "strings"
-    header: Line
-    lines: tuple[Line, ...]  # the ones that hold something
-    line_count: int  # blank and comment lines included
-    finish: tuple[int, int]  # range of its .END, or of the end of its last line
 
 
 class _Open:
@@ -383,17 +361,6 @@ class _Splitter:
             notes=(f"so {'is' if more == 1 else 'are'} {more} more",) if more else (),
             help=("an original controller may cut it off",),
         )
-
-
-def comment_start(line: str) -> int:
-    """Return where the comment of a line begins (its `;`), or -1."""
-    first = line.find(";")
-    if first < 0:
-        return -1
-    for match in _STRING_OR_COMMENT.finditer(line):
-        if match.group(3):
-            return match.start()
-    return -1
 
 
 def _instead(head: SectionHead, written: str) -> str:

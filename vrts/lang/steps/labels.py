@@ -5,7 +5,7 @@ import re
 from vrts.base.diagnostic import Edit, Fix, Rule
 from vrts.lang.names import key
 from vrts.lang.problems import LIMIT, Problems
-from vrts.lang.reading.splitter import Line
+from vrts.lang.reading.sections.lines import Line
 from vrts.lang.steps.advising.open_case import in_case
 from vrts.lang.steps.tolerated import Odd, Tolerated
 from vrts.lang.syntax.program import Label

@@ -15,7 +15,7 @@ from vrts.lang.problems import Problems
 from vrts.lang.reading.classify import Head, classify
 from vrts.lang.reading.literals import MAX_STRING
 from vrts.lang.reading.nesting import MAX_NESTING, too_deep
-from vrts.lang.reading.splitter import Line
+from vrts.lang.reading.sections.lines import Line
 from vrts.lang.reading.tokeniser import tokenise
 from vrts.lang.steps.advising.advice import Advice
 from vrts.lang.steps.advising.adviser import Line as AdvisedLine

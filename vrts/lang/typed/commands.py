@@ -15,7 +15,7 @@ from vrts.lang.grammar.lalr import Failure, TableParser
 from vrts.lang.problems import Problems
 from vrts.lang.reading.classify import is_assigned
 from vrts.lang.reading.nesting import MAX_NESTING, too_deep
-from vrts.lang.reading.splitter import comment_start
+from vrts.lang.reading.sections.lines import comment_start
 from vrts.lang.reading.tokeniser import tokenise
 from vrts.lang.spelling import nearest
 from vrts.lang.steps.mistakes import explain

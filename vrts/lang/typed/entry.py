@@ -11,7 +11,8 @@ from vrts.lang.meaning.structure import word_of
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.reading.pasted_characters import report_pasted_characters
-from vrts.lang.reading.splitter import LINE_TOO_LONG, Line, comment_start
+from vrts.lang.reading.sections.lines import Line, comment_start
+from vrts.lang.reading.splitter import LINE_TOO_LONG
 from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax.expressions import Name, Text
 from vrts.lang.syntax.program import Step

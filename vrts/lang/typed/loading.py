@@ -11,7 +11,8 @@ from vrts.lang.meaning.data_sections import read_data
 from vrts.lang.meaning.scope import Scope
 from vrts.lang.problems import Problems
 from vrts.lang.reading.headers import is_remarks, read_header
-from vrts.lang.reading.splitter import Section, split
+from vrts.lang.reading.sections.lines import Section
+from vrts.lang.reading.splitter import split
 from vrts.lang.steps.step_parser import StepParser
 
 

@@ -12,7 +12,8 @@ from vrts.lang.dialect import Dialect
 from vrts.lang.meaning.structure import word_of
 from vrts.lang.problems import Problems
 from vrts.lang.reading.headers import read_header
-from vrts.lang.reading.splitter import Line, Section, comment_start, split
+from vrts.lang.reading.sections.lines import Line, Section, comment_start
+from vrts.lang.reading.splitter import split
 from vrts.lang.steps.labels import read_label
 from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax.program import Step

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from vrts.base.diagnostic import Diagnostic, Fix
 from vrts.lang.findings.usage import UNDEFINED_PROGRAM
 from vrts.lang.meaning.structure import MISSING_END
-from vrts.lang.reading.misplaced_lines import MISSING_END_LINE
+from vrts.lang.reading.sections.misplaced_lines import MISSING_END_LINE
 from vrts.lsp.answers.formatting import Edit
 from vrts.lsp.documents.documents import Document
 

@@ -3,7 +3,7 @@
 import re
 from typing import NamedTuple
 
-from vrts.lang.reading.splitter import comment_start
+from vrts.lang.reading.sections.lines import comment_start
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.lookup import look_up
 from vrts.lang.vocabulary.word import Word

@@ -11,7 +11,8 @@ from vrts.lang.dialect import Dialect
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
 from vrts.lang.reading.headers import is_remarks, read_header
-from vrts.lang.reading.splitter import Section, split
+from vrts.lang.reading.sections.lines import Section
+from vrts.lang.reading.splitter import split
 from vrts.lang.syntax.program import Formal
 from vrts.lsp.documents.uses import Kind, Role, Use, read_line, variable_kind
 

@@ -13,7 +13,7 @@ from vrts.lang.dialect import Dialect
 from vrts.lang.meaning.structure import word_of
 from vrts.lang.names import key
 from vrts.lang.problems import Problems
-from vrts.lang.reading.splitter import Line
+from vrts.lang.reading.sections.lines import Line
 from vrts.lang.steps.labels import read_label
 from vrts.lang.steps.step_parser import StepParser
 from vrts.lang.syntax.expressions import (

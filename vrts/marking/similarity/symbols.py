@@ -11,7 +11,8 @@ from vrts.lang.dialect import VAL2
 from vrts.lang.problems import Problems
 from vrts.lang.reading.classify import classify
 from vrts.lang.reading.decoding import decode
-from vrts.lang.reading.splitter import Line, Section, split
+from vrts.lang.reading.sections.lines import Line, Section
+from vrts.lang.reading.splitter import split
 from vrts.lang.reading.tokeniser import tokenise
 from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.functions import applied_functions

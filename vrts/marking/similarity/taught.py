@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from vrts.base.source import Span
-from vrts.lang.reading.splitter import Line
+from vrts.lang.reading.sections.lines import Line
 from vrts.marking.similarity.symbols import Readable
 
 MOST_VALUES = 2_000  # of a program

@@ -10,7 +10,7 @@ from vrts.base.source import SourceFile
 from vrts.lang.compiler import compile_source
 from vrts.lang.dialect import AS, VAL, VAL2, VAL2_PLUS, VPLUS, Dialect
 from vrts.lang.problems import Problems
-from vrts.lang.reading.splitter import Line
+from vrts.lang.reading.sections.lines import Line
 from vrts.lang.steps.step_parser import MAX_SEEN, StepParser
 from vrts.lang.syntax.moved import moved
 from vrts.lang.syntax.statements import Bad, Statement

@@ -1,4 +1,4 @@
-"""Functions in expressions that are not as they have to be.
+"""Functions in expressions: their arguments, and those that are not as they have to be.
 
-In: the node of a function and its signature. Out: a diagnostic, with what to write instead.
+In: the node of a function and its signature. Out: its type, or a diagnostic with what to write.
 """
