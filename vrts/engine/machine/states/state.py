@@ -142,7 +142,7 @@ def outside(machine: Machine, now: float, named: Nearly) -> tuple[object, ...]:
     closing = hand.closing
     return (
         named(hand.opening(now)),
-        tuple((from_now(s.end_s, now), s.end_m) for s in hand.strokes[-1:] if s.end_s > now),
+        tuple((from_now(s.end_s, now), named(s.end_m)) for s in hand.strokes[-1:] if s.end_s > now),
         (from_now(closing.end_s, now), closing.body, closing.tested) if closing else None,
         (hand.held, hand.slips, hand.misses),
         tuple([_lies(track[-1], now, named) for track in hand.placements.values()]),
