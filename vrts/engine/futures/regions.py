@@ -68,8 +68,9 @@ def compared_only(module: Module, *, shown: bool = False) -> dict[str, Numbers]:
                     for name, border in _compares(node):
                         known[name] += 1
                         numbers.setdefault(name, set()).add(border)
-    names = known if shown else numbers
-    return {k: tuple(sorted(numbers.get(k, ()))) for k in names if met[k] == known[k]}
+    if shown:
+        numbers = {name: numbers.get(name, set()) for name in known}
+    return {name: tuple(sorted(numbers[name])) for name in numbers if met[name] == known[name]}
 
 
 def _instructions(module: Module) -> Iterator[ir.Instruction]:
