@@ -18,3 +18,8 @@ def key(name: str) -> str:
 def is_truncated(name: str) -> bool:
     """Return whether a name is longer than what counts."""
     return len(name) > SIGNIFICANT + (name[0] in "$#")
+
+
+def as_string(name: str) -> str:
+    """Return the name of a string variable for one of a number: `.x` of AS becomes `.$x`."""
+    return f".${name[1:]}" if name.startswith(".") else f"${name}"

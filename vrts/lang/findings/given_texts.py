@@ -6,7 +6,7 @@ from vrts.lang.meaning.forms import is_text
 from vrts.lang.meaning.name_uses import NameUses, TextGiven
 from vrts.lang.meaning.scope import Entry
 from vrts.lang.meaning.type_mistakes import NUMBER, TYPES_SAY, WRONG_TYPE
-from vrts.lang.names import key
+from vrts.lang.names import as_string, key
 from vrts.lang.problems import Problems
 from vrts.lang.syntax.expressions import Element, Expression, Infix, Name, Parenthesised, Text
 
@@ -91,7 +91,8 @@ def _as_string(types: NameUses, given: TextGiven, entry: Entry) -> None:
     value = problems.source.text[given.value.start : given.value.end]
     target = problems.source.text[given.target.start : given.target.end]
     alone = _plain(given.value)
-    helps = [f"the name of a string begins with `$`: write `${target} = {_joined(types, given)}`"]
+    meant = f"{as_string(target)} = {_joined(types, given)}"
+    helps = [f"the name of a string begins with `$`: write `{meant}`"]
     if isinstance(alone, Text) and NUMBER.fullmatch(alone.value.strip()):
         helps.append(f"for a number leave the quotes out: `{target} = {alone.value.strip()}`")
     elif isinstance(alone, Name | Element):

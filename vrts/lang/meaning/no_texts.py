@@ -12,7 +12,7 @@ from vrts.lang.meaning.name_uses import NameUses, NoText
 from vrts.lang.meaning.roles import COMPARISONS, Role, role_of
 from vrts.lang.meaning.scope import Entry
 from vrts.lang.meaning.type_mistakes import IN_WORDS, NOT_COUNTED, NUMBER, TYPES_SAY, WRONG_TYPE
-from vrts.lang.names import key
+from vrts.lang.names import as_string, key
 from vrts.lang.syntax.expressions import (
     Application,
     Expression,
@@ -132,7 +132,7 @@ def _by_role(types: NameUses, found: NoText, role: Role, entry: Entry | None) ->
             return _Help(
                 (
                     f'text stands between double quotes: write `{target} = "{written}"`',
-                    f"the name of a string begins with `$`: `{target} = ${written}`",
+                    f"the name of a string begins with `$`: `{target} = {as_string(written)}`",
                 )
             )
         return _Help(
@@ -201,7 +201,7 @@ def _compared(types: NameUses, found: NoText, role: Role, entry: Entry | None) -
 def _is_string(types: NameUses, name: Name, entry: Entry) -> _Help:
     """A name without `$` beside a text: `answer == "yes"`, all its places if nothing counts it."""
     problems = types.problems
-    help_ = f"the name of a string begins with `$`: write `${name.text}`"
+    help_ = f"the name of a string begins with `$`: write `{as_string(name.text)}`"
     places = sorted({at for at, _ in (*entry.reads, *entry.writes)})
     if (entry.values and not entry.changed) or entry.passed or entry.slot is not None:
         return _Help((f"{help_}; `{name.text}` holds a number",))

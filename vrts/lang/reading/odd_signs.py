@@ -21,6 +21,7 @@ SIGNS = {
     "+": "PLUS",
 }
 INFIX = frozenset({"*", "/", "<", ">", ":", "==", "<>", "<=", "=<", ">=", "=>"})
+_DOTTED = re.compile(r"\.(?P<name>[A-Za-z]\w*)(?![\w.])", re.ASCII)  # a local name of AS
 _MISTAKEN = {  # signs of other languages: what to write
     "!=": "<>",
     "><": "<>",
@@ -44,6 +45,18 @@ def stranger(written: str, start: int, problems: Problems) -> Token | None:
             return None
         kind = SIGNS.get(replacement, "INFIX" if replacement in INFIX else "")
         return Token(kind, replacement, start, start + 1) if kind else None
+    dotted = _DOTTED.match(problems.source.text, start)
+    if dotted is not None:
+        problems.error(
+            STRAY_CHARACTER,
+            "a name does not begin with a dot",
+            start,
+            dotted.end(),
+            notes=("VAL-II says *Illegal expression syntax*",),
+            help=(f"write `{short(dotted['name'])}`",),
+            fix=problems.replace(start, start + 1, ""),
+        )
+        return None
     hint = STRANGERS.get(written, "")
     problems.error(
         STRAY_CHARACTER,

@@ -134,12 +134,12 @@ class _Splitter:
 
     def _head(self, text: str) -> SectionHead | None:
         """Return the section of `.PROGRAM` and its like; `.x = 1` is a step on a local name."""
-        if text[:1] == "." and self.problems.dialect.has("a") and _LOCAL.match(text):
+        inside = self.open is not None and self.open.kind == "program"
+        if text[:1] == "." and (inside or self.problems.dialect.has("a")) and _LOCAL.match(text):
             return None
         head = section_head(text, strict=self.strict)
         if head is None and self.strict and (self.open is None or self.open.ends_unsaid):
             head = foreign_head(text)
-        inside = self.open is not None and self.open.kind == "program"
         if inside and self.problems.dialect.is_as and head is not None and not head.kind:
             return None  # `.x` that lost its step: AS stores no unknown section inside a program
         return head

@@ -11,6 +11,7 @@ SPEEDS = (
     Idiom("speed {d} " + _MM, "SPEED {d} MMPS", says="the unit of millimetres a second is MMPS"),
     Idiom("speed {d} " + _MM + " always", "SPEED {d} MMPS ALWAYS", says="the unit of millimetres a second is MMPS"),
     Idiom("speed {d} <m/s|m / s|mps|m/sec>", "", says="VAL-II has no such unit", help="write millimetres a second: 0.1 m/s is `SPEED 100 MMPS`"),
+    Idiom("speed {d} <m/s|m / s|mps|m/sec> always", "", says="VAL-II has no such unit", help="write millimetres a second: 0.1 m/s is `SPEED 100 MMPS ALWAYS`"),
     Idiom("speed {d} <%|percent|per cent|pct|prozent|procent>", "SPEED {d}", says="SPEED takes percent, without a sign"),
     Idiom("speed {d} <%|percent|per cent|pct> always", "SPEED {d} ALWAYS", says="SPEED takes percent, without a sign"),
     Idiom("speed_<=|to|:=|:|at|is> {d} <%|>", "SPEED {d}", says="SPEED takes the number alone"),
