@@ -122,7 +122,7 @@ def test_a_controller_is_quoted_in_its_own_words(step: str, dialect: Dialect, sa
         ("WAIT 0.5", "to wait 0.5 s write `TWAIT 0.5`"),
         (
             "MoveL part, v50, fine",
-            "write `LMOVE part`, and the speed in the line before: `SPEED 50`",
+            "write `LMOVE part`, and the speed in the line before: `SPEED 50 MM/S`",
         ),
     ],
 )

@@ -17,7 +17,13 @@ from vrts.lang.vocabulary.functions import FOREIGN_FUNCTIONS
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 
 _FORMAT = re.compile(r"[FIGE]\d+(\.\d+)?", re.IGNORECASE)
-_TRUTHS = {"high": "ON", "low": "OFF", "yes": "TRUE", "no": "FALSE"}  # of other languages
+_ELSEWHERE = {  # names that other languages give a value, and what VAL-II has
+    "high": "ON",
+    "low": "OFF",
+    "yes": "TRUE",
+    "no": "FALSE",
+    "toc": "TIMER(1)",
+}
 _NOTHING = frozenset({"none", "nil", "nan", "undefined", "null", "empty"})  # of other languages
 _COMPARED = re.compile(r"(?P<of>[$#]?[A-Za-z][\w.]*(?:\[[^\]]*\])?)[ \t]*(?P<sign>==|<>)[ \t]*$")
 _JOINT = re.compile(r"(?:j|jt|joint|axis|a|axe|gelenk)[_.]?([1-6])")
@@ -96,8 +102,8 @@ def guess(resolver: Resolver, entry: Entry, at: Place, like: Callable[[], str | 
     joint = _JOINT.fullmatch(name)
     if joint is not None and _drives(resolver.problems, at):
         return Guess(f"a joint is a number: write `{joint[1]}`", at, joint[1])
-    if name in _TRUTHS:
-        return Guess(f"write `{_TRUTHS[name]}`", at, _TRUTHS[name])
+    if name in _ELSEWHERE:
+        return Guess(f"write `{_ELSEWHERE[name]}`", at, _ELSEWHERE[name])
     other = _other_sign(resolver, entry)
     if other:
         line = _line_of_joints(resolver, other) if name[0] == "#" else 0
@@ -120,7 +126,7 @@ def guess(resolver: Resolver, entry: Entry, at: Place, like: Callable[[], str | 
             return Guess(f"{why}: `DX({of})`, `DY({of})`, `DZ({of})` do, and no angles", at)
         return Guess(f"write `{function}({of})`: {why}", at, f"{function}({of})")
     string = resolver.scope.entries.get(f"${name}") if name[0] not in "$#" else None
-    if string is not None and string.writes:
+    if string is not None and string.writes and not location:
         return Guess(
             f"did you mean `${name}`? The name of a string begins with `$`", alone, f"${name}"
         )

@@ -36,6 +36,7 @@ from vrts.lang.vocabulary.lookup import look_up
 _CALL = "call_{n} , {e}"  # an argument, or another program
 _MMPS, _MM_S = "MMPS", "MM/S"  # of VAL-II and V+, and of AS
 _CONTINUE = "continue"
+_RELATIVES = ("V+", "AS")  # which have such words themselves
 _TWAIT = "TWAIT holds the program for seconds, DELAY the arm"
 _NEXT = ("next", "next_{n}")  # of BASIC, which end a FOR, or of V+, which go on with the loop
 _BASIC_NEXT = "NEXT of V+ goes on with the next pass of a loop"
@@ -81,6 +82,8 @@ class IdiomAdvice(Adviser):
         return self._is_right(line.text[:shift] + edit.replacement + line.text[end:])
 
     def _fits(self, found: Matched, line: Line, mark: int) -> Advised | None:
+        if found.idiom.of in _RELATIVES and not self.problems.dialect.has("2"):
+            return None
         found = self._in_dialect(found)
         idiom = found.idiom
         if idiom.word == ELSE_IF:

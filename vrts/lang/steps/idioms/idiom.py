@@ -3,9 +3,9 @@
 In a pattern a blank stands for any blanks or none, `_` for at least one (among words also for
 itself), `<a|b>` for one of several words. `{e}` is an expression, `{n}` a name, `{v}` a
 variable, `{l}` one that may be local in AS, `{d}` a number, `{q}` that of an input or internal
-signal, `{s}` a text in quotes, `{r}` anything; digits tell two of a kind apart.
-What is written instead names them again; `{e-1}` is one less,
-`{d+1000}` the signal of an input that others count from 1, `{!e}` the opposite of a condition.
+signal, `{s}` a text in quotes, `{t}` what stands in one, `{r}` anything; digits tell two of a
+kind apart. What is written instead names them again; `{e-1}` is one less, `{d+1000}` the signal of
+an input that others count from 1, `{!e}` the opposite of a condition.
 """
 
 import re
@@ -56,6 +56,7 @@ _KINDS = {
     "d": _NUMBER,
     "q": r"-?[12]\d{3}",
     "s": r"\"[^\"]*\"|'[^']*'|“[^”]*”",
+    "t": r"[^\"'%{}\\]*?",
     "r": r".*?",
 }
 _STRING = re.compile(r"\"[^\"]*\"")
@@ -64,26 +65,34 @@ _STRING = re.compile(r"\"[^\"]*\"")
 @cache
 def compiled(pattern: str) -> re.Pattern[str]:
     """Return a pattern as a regular expression."""
+    return re.compile(_expression(pattern, set()), re.IGNORECASE)
+
+
+def _expression(pattern: str, seen: set[str]) -> str:
+    """Return what stands for a pattern, or a part of one, and add its places to those seen."""
     made: list[str] = []
-    seen: set[str] = set()
     for piece in _PIECES.finditer(pattern):
         place = piece["place"]
         if place is not None:
             made.append(f"(?P={place})" if place in seen else f"(?P<{place}>{_KINDS[place[0]]})")
             seen.add(place)
         elif piece["words"] is not None:
-            made.append(f"(?:{'|'.join(_spaced(word) for word in piece['words'].split('|'))})")
+            made.append(
+                f"(?:{'|'.join(_spaced(word, seen) for word in piece['words'].split('|'))})"
+            )
         elif piece["blank"] is not None:
             made.append(r"[ \t]*")
         elif piece["blanks"] is not None:
             made.append(r"[ \t]+")
         else:
             made.append(re.escape(piece["sign"]))
-    return re.compile("".join(made), re.IGNORECASE)
+    return "".join(made)
 
 
-def _spaced(words: str) -> str:
-    """Return some words of a pattern, with what stands for blanks in them."""
+def _spaced(words: str, seen: set[str]) -> str:
+    """Return some words of a pattern, with what stands for blanks and places in them."""
+    if "{" in words:
+        return _expression(words, seen)
     return re.escape(words).replace(r"\ ", r"[ \t]*").replace("_", r"[ \t_]+")
 
 
@@ -92,7 +101,10 @@ def match(idiom: Idiom, text: str) -> Matched | None:
     found = compiled(idiom.pattern).fullmatch(text)
     if found is None:
         return None
-    parts = {name: part.strip() for name, part in found.groupdict().items()}
+    parts = {
+        name: part if name[0] == "t" else part.strip()
+        for name, part in found.groupdict(default="").items()
+    }
     if not all(_balanced(part) for name, part in parts.items() if name[0] == "e"):
         return None
     return Matched(idiom, {name: _quoted(name, part) for name, part in parts.items()})

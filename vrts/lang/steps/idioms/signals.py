@@ -82,6 +82,7 @@ SIGNALS = (
     Idiom("<wait|wait_for> sig ( {e} ) , {q}", "WAIT SIG({e}, {q})", says="WAIT takes one condition: a signal is asked for by SIG"),
     Idiom("wait sig ( {e} ) , {d}", "", says="WAIT has no time after which it goes on", help="to wait for a signal or a time: `TIMER 1 = 0`, then `WAIT SIG({e}) OR (TIMER(1) > {d})`"),
     Idiom("wait {e} , {e2}", "WAIT ({e}) AND ({e2})", says="WAIT takes one condition", sure=False),
+    Idiom("<wait|wait_for>_{v} = {e}", "WAIT {v} == {e}", says="`==` compares, `=` assigns"),
     # waiting for time
     Idiom("wait_for_{d} <s|sec|secs|seconds|second|>", "DELAY {d}", "other languages", note="WAIT takes a condition, DELAY a time in seconds"),
     Idiom("wait_{d} <s|sec|secs|seconds|second>", "DELAY {d}", "other languages", note="WAIT takes a condition, DELAY a time in seconds"),
