@@ -153,11 +153,11 @@ def _without_value(resolver: Resolver, entry: Entry, suggestions: _Suggestions) 
         return
     entry.reads.extend(handed)
     problems = resolver.problems
-    told = [problems.source.line_of(at) in resolver.wrong_lines for at, _ in entry.reads]
-    if all(told):
+    if all(problems.source.line_of(at) in resolver.wrong_lines for at, _ in entry.reads):
         return  # the lines were reported
     location = entry.type in (Type.POSE, Type.JOINTS)
-    if not location and Type.POSE in entry.types and any(told):
+    mixed = not location and Type.POSE in entry.types
+    if mixed and any(problems.source.line_of(at) in resolver.wrong_lines for at, _ in entry.reads):
         return  # a location that is used as a number in a line that was reported
     at = min(entry.reads)
     kind = "location" if location else "string" if entry.type is Type.STRING else "variable"
