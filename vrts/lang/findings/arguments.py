@@ -212,7 +212,7 @@ def _type(
         call = text[node.start : argument.start] + instead + text[argument.end : node.end]
         return _Wrong(
             f"{headline}, not {_WORDS[found]}",
-            (f"write `{call}`",),
+            (f"write a string there: `{call}`" if instead[0] == '"' else f"write `{call}`",),
             problems.replace(argument.start, argument.end, instead),
             secondary,
         )
@@ -221,6 +221,8 @@ def _type(
     if wanted is Type.REAL and found in (Type.POSE, Type.JOINTS):
         call = text[node.start : argument.start] + "50" + text[argument.end : node.end]
         help_ += f": write a number there, as in `{call}`"
+    elif wanted is Type.REAL and found is Type.STRING:
+        help_ += f": write one there, or name it `${formal.name.text}` to take a string"
     else:
         help_ += ": write one there"
     return _Wrong(f"{headline}, not {_WORDS[found]}", (help_,), None, secondary)

@@ -39,6 +39,7 @@ PRESSED = 5.0  # [mm] so far beyond a location a part may be pressed on purpose
 NEAR = 50  # steps that are looked through for the motion before or after
 _ARRIVING = frozenset({"MOVE", "MOVES"})
 _LEAVING = frozenset({"DEPART", "DEPARTS"})
+_BACK = ("DEPART", "DEPARTS")
 _DISTANCE = {"APPRO": 1, "APPROS": 1, "DEPART": 0, "DEPARTS": 0}  # which operand it is
 _MOTIONS = _ARRIVING | _LEAVING | {"APPRO", "APPROS", "DRIVE", "READY"}
 
@@ -75,7 +76,8 @@ def check_habits(
                 if node.word == "WAIT":
                     _waiting(problems, node)
                 elif node.word in _DISTANCE:
-                    _approach(problems, scope, program, node)
+                    if not _comes_back(scope, program, node, steps[at + 1 : at + 2]):
+                        _approach(problems, scope, program, node)
                 elif node.word in ("OPEN", "CLOSE"):
                     _hand(problems, steps, at, node)
         check_motion(problems, scope, program)
@@ -121,6 +123,18 @@ def _waiting(problems: Problems, node: Simple) -> None:
         if is_signal
         else None,
     )
+
+
+def _comes_back(
+    scope: Scope, program: ProgramText, node: Simple, following: list[Statement | None]
+) -> bool:
+    """`DEPARTS -30`, `DEPARTS 30`: forward and back again, as into a hole."""
+    back = following[0] if following else None
+    if not isinstance(back, Simple) or back.word not in _BACK or node.word not in _BACK:
+        return False
+    gone = constant(scope, program.name, node.operands[0])
+    returned = constant(scope, program.name, back.operands[0])
+    return gone is not None and returned is not None and returned >= -gone > 0.0
 
 
 def _approach(problems: Problems, scope: Scope, program: ProgramText, node: Simple) -> None:

@@ -144,6 +144,13 @@ def _by_role(types: NameUses, found: NoText, role: Role, entry: Entry | None) ->
         )
     if isinstance(around, Application) and around.name.text.upper() == "LEN" and entry is not None:
         return _Help((NOT_COUNTED,)) if entry.array is not None else None
+    if isinstance(around, Application) and around.name.text.upper() == "ASC":
+        step = role.step
+        target = text[step.target.start : step.target.end] if isinstance(step, Assignment) else ""
+        if not target.startswith("$"):
+            return None
+        fix = problems.replace(around.name.start, around.name.end, "$CHR")
+        return _Help((f"$CHR makes a character of its code: write `$CHR({written})`",), fix)
     if isinstance(around, Application) and around.name.text.upper() == "VAL":
         fix = problems.replace(around.start, around.end, written)
         return _Help((f"this is a number already: leave VAL out, and write `{written}`",), fix)

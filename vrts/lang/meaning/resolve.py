@@ -116,7 +116,9 @@ class Resolver(OperandTypes):
             case Setting(word, value):
                 if value is not None:
                     self.check(value, Type.REAL, f"{word} takes a number")
-            case Give():
+            case Give(word):
+                if word == "PARAMETER":
+                    self._ask(node)
                 self.give(node)
             case Put(word, target, count, value):
                 self._ask(node)

@@ -8,6 +8,7 @@ from vrts.lang.grammar.lalr import END
 from vrts.lang.grammar.shapes import LABEL_EXPECTED, MISSING_KEYWORD, MISSING_OPERAND
 from vrts.lang.problems import short
 from vrts.lang.steps.broken_step import ARGUMENT_SAYS, OPERANDS, TEXT_SAYS, BrokenStep, outside
+from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.word import Word
 
@@ -78,6 +79,8 @@ def comma(step: BrokenStep) -> bool:
     here, before = step.here, step.before
     if here is None or before is None or "COMMA" not in step.wanted or here.kind not in OPERANDS:
         return False
+    if here.text.upper() == "TRANS" and before.kind in ("NAME", "RBRACKET") and not step.inside:
+        return _colon(step, here, before)
     after = _operand_after(step)
     step.problems.error(
         MISSING_COMMA,
@@ -88,6 +91,21 @@ def comma(step: BrokenStep) -> bool:
         notes=(TEXT_SAYS,),
         help=(f"write `{step.word.usage}`" if after and step.word else "put a comma between them",),
         fix=step.problems.replace(before.end, before.end, ","),
+    )
+    return True
+
+
+def _colon(step: BrokenStep, here: Token, before: Token) -> bool:
+    """`SET slot = tray TRANS(...)`: no distance can be a location."""
+    step.problems.error(
+        MISSING_COMMA,
+        f"a colon is missing before `{short(here.text)}`",
+        before.end,
+        here.start if here.start > before.end else here.end,
+        "a colon belongs here",
+        notes=("`:` joins two locations to a compound", TEXT_SAYS),
+        help=(f"write `:` between them: `{before.text}:{here.text}(...)`",),
+        fix=step.problems.replace(before.end, here.start, ":"),
     )
     return True
 

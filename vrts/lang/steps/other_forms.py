@@ -11,6 +11,7 @@ from vrts.lang.syntax.token import Token
 
 INVALID_EXPRESSION = Rule("V126", "invalid-expression")
 SINGLE_EQUALS = Rule("V127", "single-equals")
+_JOINTS = 6
 _ASSIGNED = 2  # tokens of `= h`
 INVALID_FORMAT = Rule("V132", "invalid-format")
 
@@ -117,6 +118,9 @@ def list_in_parentheses(step: BrokenStep) -> bool:
         start = step.before
     if start is None:
         return False
+    given = step.tokens[1] if step.tokens[0].kind == "SET" else None
+    if given is not None and given.kind == "JOINTNAME" and start is step.before:
+        return _joints(step, here, given)
     step.problems.error(
         INVALID_EXPRESSION,
         "a list of numbers is not a location",
@@ -125,6 +129,26 @@ def list_in_parentheses(step: BrokenStep) -> bool:
         secondary=(step.problems.label(start.start, start.end, "the list begins here"),),
         notes=("VAL-II says *Illegal expression syntax*",),
         help=("write `TRANS(x, y, z, o, a, t)`, in mm and degrees",),
+    )
+    return True
+
+
+def _joints(step: BrokenStep, comma: Token, given: Token) -> bool:
+    """`SET #tuck = 0, -90, 90, 0, 30, 0`."""
+    source = step.problems.source.text
+    equals = next(t for t in step.tokens if t.kind == "EQUAL")
+    start, end = equals.end, step.tokens[-1].end
+    values = source[start:end].strip()
+    meant = f"#PPOINT({values})"
+    six = values.count(",") == _JOINTS - 1 and "(" not in values
+    step.problems.error(
+        INVALID_EXPRESSION,
+        f"a list of numbers is not a precision point: `{short(given.text)}` gets one of #PPOINT",
+        comma.start,
+        comma.end,
+        notes=("VAL-II says *Illegal expression syntax*",),
+        help=(f"write `{meant}`, with the angles of the joints in degrees",),
+        fix=step.problems.replace(start, end, f" {meant}", sure=six),
     )
     return True
 

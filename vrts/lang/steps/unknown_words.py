@@ -10,7 +10,7 @@ from vrts.lang.reading.classify import Head, is_assigned
 from vrts.lang.spelling import nearest
 from vrts.lang.syntax.token import Token
 from vrts.lang.vocabulary.commands import COMMANDS
-from vrts.lang.vocabulary.foreign import FOREIGN
+from vrts.lang.vocabulary.foreign import FOREIGN, instead_of
 from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 from vrts.lang.vocabulary.lookup import spellings
 from vrts.lang.vocabulary.relatives_commands import (
@@ -206,6 +206,8 @@ def _other_dialect(problems: Problems, first: Token, upper: str) -> None:
         origin = titles(word.dialects)
         if not hint and word.means:
             hint = f"use {word.means}"
+        if not hint and problems.dialect.has("2"):
+            hint = instead_of(upper)
     title = problems.dialect.title
     problems.error(
         OTHER_DIALECT,

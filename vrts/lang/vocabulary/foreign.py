@@ -53,3 +53,68 @@ FOREIGN = {
     "WEND": ("other languages", "write END"),
     "WRITE": ("V+", "use TYPE"),
 }
+
+_NONE = "leave it out: VAL-II has no such setting"
+_REACTS = "before MOVES: the signal stops the motion"
+_SHARED = "share a variable: one program gives it a value, the other has"
+_INSTEAD = (  # what VAL-II has for instructions of V+ and AS: whole words, or how many begin
+    ("VAL-II has no conveyor tracking: wait for the part by `WAIT SIG(1001)`, then move", "CV*"),
+    (_NONE, "COL* DECMP* ENVCHKRATE CURLIM FF* REFFLT* NCH* SETENC* SETCOL* ACCEL DECEL BSPEED"),
+    (_NONE, "WEIGHT TOOLSHAPE ENA_TOOLSHAPE SET_* GAIN.SET KEYMODE INSTALL FSET SETDEVICE"),
+    (_NONE, "OVERLAP NOOVERLAP L3* ZL3* ML* MR* FJMOVE FLMOVE ROBNET* SLAVE ALONE GROUP MASTER"),
+    (_NONE, "ULIMIT LLIMIT PALMODE RUNMASK ROBOT.OPR SET2HOME SETHOME SETPICK SETPLACE PMOD*"),
+    (_NONE, "W1* W2* C1W* C2W* SA* Z* FB_* SC2* STRG* TRACE TPLIGHT SETTIME TIME CALIBRATE"),
+    ("motions of other axes are left out: VAL-II moves the joints of the arm", "AMOVE SPIN"),
+    ("VAL-II has no arcs: compute points on the arc and MOVES to them", "C1MOVE C2MOVE MOVEC"),
+    ("use MOVE, and SPEED before it", "MOVEF GO"),
+    ("use MOVES, and SPEED before it", "MOVESF HMOVE"),
+    ("use DRAW dx, dy, dz: how far to go along X, Y and Z", "MOVEI TDRAW JOG"),
+    (f"write `REACTI 1001, program` {_REACTS}", "XMOVE HSENSE*"),
+    ("use REACT with the signal and the program: `REACT 1001, program`", "ON"),
+    ("use REACTI with the signal and the program: `REACTI 1001, program`", "ONI"),
+    ("use REACTE with the program: `REACTE program`", "ONE"),
+    ("use IGNORE with the signal: `IGNORE 1001`", "OFF"),
+    ("use OPENI, CLOSEI or RELAXI: VAL-II has one hand", "CLAMP OPENS CLOSES RELAXS GUN*"),
+    ("use ENABLE CP", "CPON"),
+    ("use DISABLE CP", "CPOFF"),
+    ("a switch is turned on by ENABLE, off by DISABLE: `ENABLE CP`", "SWITCH"),
+    ("write `DELAY 2`, or `TIMER 1 = 0` and `WAIT TIMER(1) > 2`", "WAIT.EVENT MON_TWAIT"),
+    ("write `BREAK`, which waits for the end of the motion, and `DELAY 1`", "STABLE MVWAIT"),
+    ("write `TIMER 1 = 0`, `WAIT TIMER(1) > 2` and `SIGNAL 5`", "DLYSIG STIM SFLK"),
+    ("write `TIMER 1 = 0`: timers are numbered, and `TIMER(1)` reads one", "UTIMER"),
+    ("set outputs by SIGNAL where the condition changes", "SOUT SFLP RUNSIG"),
+    ("count in a variable: `count = count+1` where the signal comes on", "SCNT*"),
+    ("use BITS: `BITS 1, 8 = value`", "BITS32 DEF.DIO"),
+    ("use DAC with the channel: `DAC 1 = value`", "AIO.OUT OUTDA SETOUTDA DAOFFSET PLCAOUT"),
+    ("use ADC with the channel: `x = ADC(1)`", "ADC CNTADC PLCAIN"),
+    ("use IOPUT: `IOPUT address = value`", "IOPUT*"),
+    ("use CALL with the name of the program", "SCALL CALLP EXTCALL JUMP SJUMP"),
+    ('use CASE, which takes numbers, or `IF $s == "A" THEN` for strings', "SCASE SVALUE"),
+    ("use PCEXECUTE, which runs a program beside the motions", "EXECUTE PRIME PCSCAN"),
+    ("use PCABORT, which ends the program beside the motions", "ABORT KILL PCKILL"),
+    (f"{_SHARED} `WAIT ready == 1`", "SET.EVENT CLEAR.EVENT INT.EVENT"),
+    (f"{_SHARED} `WAIT done == 1`", "CYCLE.END"),
+    ("leave it out: other programs run by themselves", "RELEASE RETRY PROCEED SELECT"),
+    ("use BRAKE to stop the motion, HALT to end the execution", "ESTOP PANIC ERR_ALL*"),
+    ("write the step itself: VAL-II carries out no text", "DOS MCS"),
+    ("use `SET #p = #HERE`: a precision point holds all joints", "JHERE SOLVE.ANGLES *HERE"),
+    ("use `SET p = #PPOINT(j1, j2, j3, j4, j5, j6)`", "SOLVE.TRANS"),
+    ("use SET to give a location a value", "POINT*"),
+    ("use TYPE, which writes to the terminal", "IFP* PDNT.* GTYPE"),
+    ("leave it out: VAL-II reads no limits, and knows them", "GETL* GETU*"),
+    ("VAL-II has no windows: TYPE writes to the terminal", "G*"),
+    ("VAL-II has no vision: teach the places, or compute them", "V*"),
+    ("VAL-II has no network: share signals, as `SIGNAL 3` and `WAIT SIG(1001)`", "TCP_* UDP_*"),
+    ("VAL-II has no files in a program: PROMPT asks the operator, TYPE writes", "READ F* DEVICE*"),
+    ("VAL-II has no files in a program: give them to the monitor", "SLOAD NLOAD DELETE SEE"),
+)
+
+
+def instead_of(word: str) -> str:
+    """Return what VAL-II has for an instruction of V+ or AS, in upper case."""
+    for help_, words in _INSTEAD:
+        for known in words.split():
+            begins = known[-1] == "*" and word.startswith(known[:-1])
+            if word == known or begins or (known[0] == "*" and word.endswith(known[1:])):
+                return help_
+    return "leave it out: VAL-II has no instruction for it"

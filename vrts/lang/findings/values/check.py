@@ -40,6 +40,7 @@ from vrts.lang.syntax.statements import (
     Assignment,
     CallStatement,
     For,
+    Give,
     If,
     Put,
     ReactStatement,
@@ -133,7 +134,7 @@ class ValueCheck:
                 return
             if isinstance(node, Application):
                 check_lengths(self.types, asked, self.absolute)
-        if isinstance(node, Simple | Put) and check_times(self.types, asked):
+        if isinstance(node, Simple | Put | Give) and check_times(self.types, asked):
             return
         if isinstance(node, Simple) and self._switches(node):
             return

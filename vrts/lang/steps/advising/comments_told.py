@@ -13,6 +13,7 @@ class CommentAdvice(Adviser):
     """Explains lines by the comments in them."""
 
     open_comment = False  # of `/*`
+    closing = ("*/", "*)")  # what ends it
 
     def comment(self, line: Line, mark: int) -> Advised | None:
         """Explain a line by the comment in it alone."""
@@ -39,7 +40,10 @@ class CommentAdvice(Adviser):
 
     def _comment_told(self, line: Line, found: comments.Comment) -> None:
         start, end = line.at + found.start, line.at + found.end
-        self.open_comment = found.goes_on and "*/" not in line.raw and "*)" not in line.raw
+        quoted = found.sign if found.sign[0] in "\"'" else ""
+        self.closing = (quoted,) if quoted else CommentAdvice.closing
+        rest = line.raw[found.end :]
+        self.open_comment = found.goes_on and not any(sign in rest for sign in self.closing)
         closing = found.closed_in(line.text)
         fix = self.problems.replace(start, end, ";")
         if closing is not None:
@@ -57,7 +61,7 @@ class CommentAdvice(Adviser):
 
     def inside_comment(self, start: int, end: int, text: str) -> None:
         """Report a line of a comment that began with `/*` in a line above."""
-        self.open_comment = "*/" not in text and "*)" not in text
+        self.open_comment = not any(sign in text for sign in self.closing)
         self.problems.error(
             OTHER_LANGUAGE,
             "this is meant as a comment",

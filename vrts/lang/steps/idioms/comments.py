@@ -15,7 +15,7 @@ class Comment(NamedTuple):
     @property
     def goes_on(self) -> bool:
         """Whether it may end in a later line."""
-        return self.sign in ("/*", "(*")
+        return self.sign in ("/*", "(*", *_OF_PYTHON)
 
     def closed_in(self, text: str) -> tuple[int, int] | None:
         """Return where the sign that ends it stands, if that is the end of the step."""
@@ -26,8 +26,9 @@ class Comment(NamedTuple):
         return len(text[: end - len(closing)].rstrip()), end
 
 
+_OF_PYTHON = ('"""', "'''")
 _FIRST = re.compile(
-    r"(?P<sign>//+|#+|/\*|\(\*|--+|!+|%+|'|\\+|\*+|<!--|\{(?=[^{}]*\}[ \t]*$)|@+|~+"
+    r"(?P<sign>\"{3}|'{3}|//+|#+|/\*|\(\*|--+|!+|%+|'|\\+|\*+|<!--|\{(?=[^{}]*\}[ \t]*$)|@+|~+"
     r"|REM(?![\w.])[:.]?)",
     re.IGNORECASE,
 )
@@ -36,7 +37,9 @@ _BEHIND = re.compile(
     r"|%+(?=\s)|'(?=\s|\w))"
 )
 _ASSIGNED = re.compile(r"#[A-Za-z][\w.]*[ \t]*=")  # a precision point
-_CLOSING = {"/*": "*/", "(*": "*)", "{": "}", "<!--": "-->"}
+_CLOSING = {"/*": "*/", "(*": "*)", "{": "}", "<!--": "-->"} | dict(
+    zip(_OF_PYTHON, _OF_PYTHON, strict=True)
+)
 _STRING = re.compile(r'"[^"]*"')
 
 

@@ -5,7 +5,7 @@ from vrts.lang.meaning.constants import constant
 from vrts.lang.meaning.name_uses import Asked, NameUses
 from vrts.lang.names import key
 from vrts.lang.syntax.expressions import Application, Infix, Item, Name, Number
-from vrts.lang.syntax.statements import Put, Simple
+from vrts.lang.syntax.statements import Give, Put, Simple
 
 TIME_UNIT = Rule("V169", "time-unit")
 
@@ -24,10 +24,12 @@ def in_milliseconds(seconds: float) -> bool:
 
 
 def check_times(types: NameUses, asked: Asked) -> bool:
-    """Warn of times in milliseconds: DELAY, TIMER n = t, and TIMER(n) compared."""
+    """Warn of times in milliseconds: DELAY, TIMER n = t, HAND.TIME, and TIMER(n) compared."""
     match asked.node:
         case Simple("DELAY", (operand,)):
             return _time(types, asked, operand, "DELAY takes")
+        case Give("PARAMETER", Name(text), (value,)) if text.upper() == "HAND.TIME":
+            return _time(types, asked, value, "HAND.TIME holds")
         case Put("TIMER", _, _, value):
             return _time(types, asked, value, "TIMER takes")
         case Infix(_, left, right):

@@ -13,11 +13,17 @@ _IN = "<$in|in|di>"
 
 KRL = (
     # interrupts
-    Idiom("<global_|>interrupt_decl {d}_when " + _IN + " [ {d2} ] <==|=> <true|1>_do_{n} <( )|>", "REACTI {d2+1000}, {n}", _OF, note=_STANDS),
-    Idiom("<global_|>interrupt_decl {d}_when " + _IN + " [ {d2} ]_do_{n} <( )|>", "REACTI {d2+1000}, {n}", _OF, note=_STANDS),
-    Idiom("<global_|>interrupt_decl {d}_when " + _IN + " [ {d2} ] <==|=> <false|0>_do_{n} <( )|>", "REACTI -{d2+1000}, {n}", _OF, note=_STANDS),
-    Idiom("<global_|>interrupt_decl {d}_when_not " + _IN + " [ {d2} ]_do_{n} <( )|>", "REACTI -{d2+1000}, {n}", _OF, note=_STANDS),
-    Idiom("<global_|>interrupt_decl {r}_do_{n} <( )|>", "", _OF, help="write `REACTI 1001, {n}`, with the number of the signal", note=_STANDS),
+    *(
+        idiom
+        for begins in ("interrupt_decl", "global_interrupt_decl")
+        for idiom in (
+            Idiom(begins + " {d}_when " + _IN + " [ {d2} ] <==|=> <true|1>_do_{n} <( )|>", "REACTI {d2+1000}, {n}", _OF, note=_STANDS),
+            Idiom(begins + " {d}_when " + _IN + " [ {d2} ]_do_{n} <( )|>", "REACTI {d2+1000}, {n}", _OF, note=_STANDS),
+            Idiom(begins + " {d}_when " + _IN + " [ {d2} ] <==|=> <false|0>_do_{n} <( )|>", "REACTI -{d2+1000}, {n}", _OF, note=_STANDS),
+            Idiom(begins + " {d}_when_not " + _IN + " [ {d2} ]_do_{n} <( )|>", "REACTI -{d2+1000}, {n}", _OF, note=_STANDS),
+            Idiom(begins + " {r}_do_{n} <( )|>", "", _OF, help="write `REACTI 1001, {n}`, with the number of the signal", note=_STANDS),
+        )
+    ),
     Idiom("interrupt_<off|disable> {r}", "", _OF, help="write `IGNORE 1001`, with the number of the signal: it is watched no longer"),
     Idiom("interrupt_<on|enable> {r}", "", _OF, help="leave it out: REACTI watches its signal from there on", drop=True),
     Idiom("interrupt {r}", "", _OF, help="write `REACTI 1001, program`, with the number of the signal", note=_STANDS),
