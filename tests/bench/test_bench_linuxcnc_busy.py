@@ -10,7 +10,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -30,7 +30,7 @@ pytestmark = pytest.mark.skipif(isinstance(WHAT, str), reason="needs LinuxCNC")
 
 
 @contextmanager
-def busy(loops: int) -> Iterator[None]:
+def busy(loops: int) -> Generator[None]:
     """Keep so many cores busy.
 
     Each loop has a session of its own, as LinuxCNC has: a scheduler that shares cores by sessions
