@@ -95,7 +95,7 @@ def plan(wish: Wish) -> Plan:
     for proof in proven:
         found += futures.refused(given, proof)
     found += dependence.not_covered(
-        known, seen, lambda source: futures.is_tried(wish.environment, held, source)
+        known, seen, lambda source: futures.is_tried(wish.environment, held, proven, source)
     )
     result = _sorted(wish, found)
     if result.plan.refused:  # other worlds are looked at when this one is as it should be

@@ -290,6 +290,15 @@ def test_answers_that_a_program_tells_apart_itself_need_no_environment(tmp_path:
     )
 
 
+def test_an_analog_input_that_only_decides_needs_no_scenario() -> None:
+    decides = main("IF ADC(1) > 500 THEN", "READY", "END", "READY")
+    found = planned(decides)
+    assert found.bundle is not None, codes(found)
+    (proof,) = found.bundle.manifest.futures
+    assert any(one.startswith("analog input 1: every count") for one in proof.quantified)
+    assert codes(planned(main("x = ADC(1)/100", "DRIVE 1, x, 50", "READY"))) == ["V811"]
+
+
 def test_what_the_environment_says_is_typed_where_no_scenario_says_anything() -> None:
     asks = main('PROMPT "how far? ", x', "DRIVE 1, x, 50", 'PROMPT "and? ", x, y', "READY")
     told = Environment(title="1 to 2", answers=Answers(least=1, most=2, whole=True))

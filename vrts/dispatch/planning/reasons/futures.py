@@ -33,6 +33,7 @@ USUAL = Environment(
     title=f"every input is free, EXECUTE {EXECUTED} times",
     again=Again(EXECUTED - 1, Parts.PUT_BACK),
 )
+ANALOG = "analog input"  # tried in every way, or told as sampled
 TRIED = ("input", "TIMER", "internal signal")  # what begins so is tried in every way
 
 
@@ -115,8 +116,19 @@ def _dead(module: Module, proof: Proof) -> Iterator[Diagnostic]:
             )
 
 
-def is_tried(environment: Environment, module: Module, source: str) -> bool:
-    """Return whether futures of the programs try a source of values in every way."""
+def is_tried(
+    environment: Environment, module: Module, proofs: Sequence[Proof], source: str
+) -> bool:
+    """Return whether futures of the programs try a source of values in every way.
+
+    Args:
+        environment: What may come from outside.
+        module: The programs.
+        proofs: What was found of all futures.
+        source: Where values come from, as `dependence` names it.
+    """
+    if source == ANALOG:
+        return not any(one.startswith(ANALOG) for it in proofs for one in it.covered.sampled)
     if source == "operator":
         answers = environment.answers
         if answers is None:
