@@ -37,16 +37,23 @@ class Repair(NamedTuple):
 
 
 def ranked(found: Sequence[Repair]) -> tuple[Repair, ...]:
-    """Return repairs, the likeliest first; of those of its lines a smaller one as good as it."""
+    """Return repairs, the likeliest first; of those of its lines a smaller one as good as it.
+
+    Where a motion is added, another number is as good: nobody goes round what a height clears.
+    """
     by = sorted(found, key=lambda each: round(each.against, 6))
     if not by:
         return ()
     lines = [part.line for part in by[0].change.each]
+    goes_round = any(_goes(part) for part in by[0].change.each)
     alike = [
         each
         for each in by
-        if [part.line for part in each.change.each] == lines
-        and each.against < by[0].against + ALIKE
+        if each.against < by[0].against + ALIKE
+        and (
+            [part.line for part in each.change.each] == lines
+            or (goes_round and each.change.does is Does.NUMBER)
+        )
     ]
     first = min(alike, key=lambda each: each.change.size)
     return (first, *(each for each in by if each is not first))
@@ -73,11 +80,17 @@ def _detour(change: Change) -> bool:
 
     A step that the program has elsewhere is no detour: it goes by there as usual.
     """
-    words = change.new.upper().split()
-    if change.does is not Does.ADD or not words or words[0] not in GOES_TO:
+    if not _goes(change):
         return False
+    words = change.new.upper().split()
     lines = change.edits[0].span.source.lines()
     return not any(line.upper().partition(";")[0].split() == words for line in lines)
+
+
+def _goes(change: Change) -> bool:
+    """Return whether a motion is added."""
+    words = change.new.upper().split()
+    return change.does is Does.ADD and bool(words) and words[0] in GOES_TO
 
 
 def _elsewhere(change: Change, other: Change) -> bool:
@@ -108,8 +121,8 @@ def implausible(change: Change) -> float:
 
 def keeps_time(change: Change) -> bool:
     """Return whether a change is of a speed or a pause, or of a step as a whole."""
-    number = change.does in (Does.NUMBER, Does.ROW)
-    return not number or _keyword(change) in PACE
+    part = change.does in (Does.NUMBER, Does.ROW, Does.WORD)
+    return not part or _keyword(change) in PACE
 
 
 def _keyword(change: Change) -> str:

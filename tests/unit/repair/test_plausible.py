@@ -88,3 +88,19 @@ def test_the_hand_that_is_closed_at_the_start_is_opened_at_the_start() -> None:
     assert best.new == "OPENI"
     at = right[: right.index("OPENI")].count("\n") + 1
     assert best.line in (at, at + 1)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "line"),
+    [("SPEED 30\n", "SPEED 4.5\n", 14), ("DEPARTS 200 ", "DEPARTS 60 ", 17)],
+    ids=["not MOVE in place of MOVES", "not a way round"],
+)
+def test_the_number_that_is_wrong_is_told(right: str, wrong: str, line: int) -> None:
+    """Going there by the joints is quicker, and going by `safe` clears the bases, too."""
+    example = EXAMPLES[0]
+    text = (example / "solution.v2").read_text().replace(right, wrong, 1)
+    assert wrong in text
+    found = mended(Request(ProgramFile(text.encode(), "p.v2"), load_task(example / "task.toml")))
+    best = standing_out(found.repairs)
+    assert best is not None
+    assert (best.change.line, best.change.old) == (line, wrong.split()[1])
