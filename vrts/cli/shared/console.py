@@ -84,6 +84,16 @@ def fail(message: str, hints: Sequence[str] = (), status: int = WRONG_CALL) -> N
     sys.exit(status)
 
 
+def was_interrupted(problem: BaseException) -> bool:
+    """Return whether Ctrl-C ended it.
+
+    Where it comes while a folder is taken away, Python may close the folder twice, and says that.
+    """
+    return isinstance(problem, KeyboardInterrupt) or (
+        isinstance(problem, OSError) and isinstance(problem.__context__, KeyboardInterrupt)
+    )
+
+
 def guarded(function: Command) -> Command:
     """Turn what the pipeline raises into words and an exit status."""
 
@@ -106,6 +116,9 @@ def guarded(function: Command) -> Command:
                 raise
             fail(UNAVAILABLE[missing.name], status=WRONG)
         except OSError as problem:
+            if was_interrupted(problem):
+                say("interrupted")
+                sys.exit(INTERRUPTED)
             fail(f"{(problem.strerror or 'failed').lower()}: `{problem.filename}`")
 
     return wrapped  # type: ignore[return-value]

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 import click
 
-from vrts.cli.shared.console import INTERRUPTED, say
+from vrts.cli.shared.console import INTERRUPTED, say, was_interrupted
 
 SHOWN_EVERY = 0.1  # [s]
 ERASE = "\r\x1b[K"
@@ -69,7 +69,9 @@ class Progress:
         """
         try:
             yield
-        except KeyboardInterrupt:
+        except (KeyboardInterrupt, OSError) as problem:
+            if not was_interrupted(problem):
+                raise
             self.clear()
             begun = f"{self._done} of {self._all} {'is' if self._done == 1 else 'are'} marked; "
             say(f"interrupted: {begun if self._all else ''}{then}")
