@@ -2688,7 +2688,7 @@ PATCHES: tuple[Patch, ...] = (
         "vrts/prove/telling/tell.py",
         "            if (suspect.wrong, suspect.what[:2]) not in shown:\n",
         "            if shown is not None:\n",
-        ("tests/property/test_planted.py",),
+        ("tests/unit/prove/telling/test_tell.py",),
     ),
     Patch(
         "the order of two programs is never free",
