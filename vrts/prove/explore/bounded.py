@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from vrts.engine.code.values.arithmetic import rounded
+from vrts.engine.futures.regions import number
 from vrts.engine.machine.forever.nodes import all_nodes, tops
 from vrts.ir import instructions as ir
 from vrts.ir.expressions import (
@@ -136,6 +136,8 @@ def _ranges(program: Program, variable: Global | Slot) -> dict[int, Within]:
     left = [
         (k + 1, Within()) for k, each in enumerate(program.instructions) if _asks(each, variable)
     ]
+    if isinstance(variable, Global):
+        left.append((0, Within()))  # what was typed in the execution before is still there
     while left:
         k, came = left.pop()
         if k >= len(program.instructions):
@@ -206,22 +208,22 @@ def _where(
             return some[0].joined(some[-1]) if some else None
         case Binary(operator=operator, left=a, right=b) if operator in _DENIED:
             for one, other, meant in ((a, b, operator), (b, a, _MIRRORED[operator])):
-                number = _known(other)
-                if isinstance(number, float) and _loads(one, variable):
-                    return _cut(meant if truth else _DENIED[meant], number, now)
+                border = _known(other)
+                if isinstance(border, float) and _loads(one, variable):
+                    return _cut(meant if truth else _DENIED[meant], border, now)
             return now
         case _:
             return now
 
 
-def _cut(operator: BinaryOperator, number: float, now: Within) -> Within | None:
+def _cut(operator: BinaryOperator, border: float, now: Within) -> Within | None:
     match operator:
         case BinaryOperator.LESS | BinaryOperator.LESS_EQUAL:
-            part = Within(now.least, min(now.most, number))
+            part = Within(now.least, min(now.most, border))
         case BinaryOperator.GREATER | BinaryOperator.GREATER_EQUAL:
-            part = Within(max(now.least, number), now.most)
+            part = Within(max(now.least, border), now.most)
         case BinaryOperator.EQUAL:
-            part = Within(max(now.least, number), min(now.most, number))
+            part = Within(max(now.least, border), min(now.most, border))
         case _:
             part = now
     return part if part.least <= part.most else None
@@ -291,9 +293,5 @@ def _known(node: object) -> float | str | None:
     match node:
         case Constant(value=str(text)):
             return text
-        case Constant(value=float(value)):
-            return rounded(value, None)
-        case Unary(operator=UnaryOperator.MINUS, operand=Constant(value=float(value))):
-            return -rounded(value, None)
         case _:
-            return None
+            return number(node)

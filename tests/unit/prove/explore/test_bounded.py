@@ -92,6 +92,11 @@ def test_bounds_are_found_on_every_way(name: str) -> None:
     assert set(uses(body)) == {Within(*within)}
 
 
+def test_what_the_execution_before_has_left_is_bounded_by_nobody() -> None:
+    body = "IF DEFINED(n) THEN\n" + TURNS + "END\n" + ASKS + "IF n > 3 THEN\nHALT\nEND\n"
+    assert proven(body).answer is Answer.UNDETERMINED
+
+
 @pytest.mark.parametrize("name", OPEN)
 def test_no_bounds_are_claimed_where_a_way_has_none(name: str) -> None:
     assert None in uses(OPEN[name])
