@@ -4,9 +4,10 @@ A citation in a comment or docstring names a page and a rule, as in the texts at
 *assumed* in front where somebody had to decide.
 """
 
+import posixpath
 import re
 from collections.abc import Callable, Iterator, Mapping
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 import pytest
@@ -19,10 +20,13 @@ PAGES = {
     path.relative_to(MANUAL).with_suffix("").as_posix(): path.read_text("utf-8")
     for path in sorted(MANUAL.rglob("*.md"))
 }
-OF_RULES = sorted(n for n in PAGES if "/" in n and not n.endswith("/index"))
+RULES = ("language/", "robots/")
+OF_RULES = sorted(n for n in PAGES if n.startswith(RULES) and not n.endswith("/index"))
 KEYS = frozenset(
     re.findall(r"^\| \[(\w+)\] \|", (ROOT / "vrts" / "README.md").read_text("utf-8"), re.M)
 )
+
+GENERATED: set[str] = set()  # pages that the build writes
 
 STATUSES = ("documented", "inferred", "assumed")
 SUFFIXES = {".py", ".md", ".toml", ".lark", ".json", ".v2", ".val", ".vplus", ".as"}
@@ -188,16 +192,27 @@ def test_the_index_lists_every_page_and_every_rule_with_its_status() -> None:
         found = [rule for page in listed for rule in rules(folder, PAGES[f"{folder}/{page}"])]
         lines = [f"- [{r.title}](#{r.label}): {r.fields.get('Status')}" for r in found]
         assert re.findall(r"^- .*$", index, re.M) == lines
-    assert set(re.findall(r"\]\((.+)\.md\)", PAGES["index"])) == {
-        name
-        for name in PAGES
-        if name.endswith("/index")
-        or name
-        in (
-            *("bundles", "collisions", "futures", "identify", "linuxcnc"),
-            *("proofs", "sources", "urscript", "why"),
-        )
-    }
+
+
+def linked_pages(page: str) -> set[str]:
+    """Return the pages that a page links to."""
+    found = re.findall(r"\]\(([^)#:]+)\.md(?:#[^)]*)?\)", PAGES[page])
+    folder = PurePosixPath(page).parent
+    return {posixpath.normpath(folder / name) for name in found}
+
+
+def test_links_to_pages_lead_somewhere() -> None:
+    assert {
+        page: gone for page in PAGES if (gone := linked_pages(page) - GENERATED - set(PAGES))
+    } == {}
+
+
+def test_the_first_page_leads_to_the_four_parts_and_they_to_their_pages() -> None:
+    parts = {"learn/index", "do/index", "look-up/index", "understand/index"}
+    assert linked_pages("index") >= parts
+    assert linked_pages("look-up/index") >= {"language/index", "robots/index"}
+    understand = {page for page in PAGES if page.startswith("understand/")}
+    assert linked_pages("understand/index") == understand - {"understand/index"}
 
 
 def blocks() -> list[tuple[str, str, str]]:

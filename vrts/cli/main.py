@@ -51,6 +51,7 @@ COMMANDS = {  # name: where it is, what it does
     "scene": ("authoring.scene_command", "list, show, check and watch scenes"),
     "point": ("authoring.point_command", "ask what the arm can reach"),
     "explain": ("language.explain_command", "explain a diagnostic code"),
+    "manual": ("language.manual_command", "open the manual in the browser"),
     "support": ("language.support_command", "show the words of the language"),
     "dispatch": ("dispatch.dispatch_command", "bring a verified program to a real controller"),
     "purge": ("purge_command", "delete what old markings hold about persons"),

@@ -1,6 +1,6 @@
 """What every field of a model rests on: status, source and rule of the manual, as data.
 
-The three statuses are those of `manual/sources.md`. Where a model has another value than the usual
+The three statuses are those of `manual/understand/sources.md`. Where a model has another value than the usual
 one, it has a ground of its own.
 """
 

@@ -5,13 +5,13 @@ from typing import NamedTuple
 from vrts.base.source import Span
 from vrts.check.rules.hints import Hints
 
-MOST = 5  # links of a chain [manual why#short]
+MOST = 5  # links of a chain [manual understand/why#short]
 
 
 class Link(NamedTuple):
     """One cause. What it says holds of the run; how far that is from right is told apart.
 
-    The three texts belong to the levels of a task's `[hints]` [manual why#levels].
+    The three texts belong to the levels of a task's `[hints]` [manual understand/why#levels].
     """
 
     time_s: float | None  # when it happened; None: before the run, as data

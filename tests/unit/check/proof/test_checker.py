@@ -592,7 +592,7 @@ def test_a_tetrahedron_holds_the_ball_that_it_holds() -> None:
 
 
 def test_the_manual_lists_the_files_that_have_to_be_believed() -> None:
-    page = (Path(vrts.__file__).parent / "manual" / "proofs.md").read_text("utf-8")
+    page = (Path(vrts.__file__).parent / "manual" / "understand" / "proofs.md").read_text("utf-8")
     believed, proposed = page.split("You need **not** believe:")
     for name in ("checker.py", "covered.py", "given.py", "tables.py", "certificate.py"):
         assert f"`vrts/check/proof/{name}`" in believed

@@ -26,7 +26,7 @@ from vrts.pipeline.where import Where
 
 SPEED = 10.0
 # LinuxCNC without a real-time kernel loses its place about once in a hundred rehearsals on a busy
-# machine (manual/linuxcnc.md); a program that is said wrongly moves otherwise every time
+# machine (manual/understand/linuxcnc.md); a program that is said wrongly moves otherwise every time
 TRIED_AGAIN = 2
 PROGRAMS = ROOT / "tests" / "data" / "linuxcnc"
 EXAMPLES = ROOT / "examples"

@@ -79,7 +79,7 @@ def test_what_is_wrong_with_an_analog_input_is_told(lines: str, code: str) -> No
 
 
 def test_the_manual_shows_the_same_file() -> None:
-    page = files("vrts").joinpath("manual", "futures.md").read_text("utf-8")
+    page = files("vrts").joinpath("manual", "understand", "futures.md").read_text("utf-8")
     assert f"```text\n{described_whole()}\n```" in page
 
 
