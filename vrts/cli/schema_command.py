@@ -3,28 +3,37 @@
 import click
 
 from vrts.cli.shared.console import guarded, out
+from vrts.schemas import KINDS, input_schema
 
 EPILOG = """\b
 Examples:
+  vrts schema scene > scene.schema.json
   vrts schema result
-  vrts schema class > class.schema.json
 """
 
-
-NAMES = ("result", "class", "similarity", "futures", "identified")
+RESULTS = ("result", "class", "similarity", "futures", "identified")
 
 
 @click.command(name="schema", epilog=EPILOG)
-@click.argument("what", type=click.Choice(NAMES))
+@click.argument("what", type=click.Choice((*KINDS, *RESULTS)))
 @guarded
 def command(what: str) -> None:
-    """Print the JSON Schema of the files that marking writes, and of other answers.
+    """Print the JSON Schema of a file that you write, or of an answer that vrts gives.
 
-    `result` is students/ID/result.json, one marked submission; `class` is staff/results.json,
-    all rows with names, deductions and final marks; `similarity` is staff/similarity.json, which
-    programs share what few others have; `futures` is what `vrts prove --format json` prints,
-    `identified` what `vrts validate --identify --json` prints of one log.
+    You write `scene` (scene.toml), `lab`, `task` (task.toml), `scenario`, `environment`, and
+    `columns`, which says what the columns of a robot's log hold. Each key comes with what it means
+    and its unit. Editors of TOML check and complete files by these schemas: `vrts editor vscode`
+    sets VS Code up; for others, write `#:schema ./scene.schema.json` at the top of your file.
+
+    vrts gives `result`, students/ID/result.json, one marked submission; `class`,
+    staff/results.json, all rows with names, deductions and final marks; `similarity`,
+    staff/similarity.json, which programs share what few others have; `futures`, what `vrts prove
+    --format json` prints, and `identified`, what `vrts validate --identify --json` prints of one
+    log.
     """
+    if what in KINDS:
+        out(input_schema(what))
+        return
     from vrts.report.formats.json_text import json_text
 
     if what == "identified":
