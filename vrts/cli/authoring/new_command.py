@@ -82,7 +82,9 @@ def lab(name: Path, color: str) -> None:
 
 @command.command(name="environment", epilog=EPILOG)
 @click.argument("program")
-@file_option("-o", "--out", "target", help="Where to; otherwise environment.toml beside PROGRAM.")
+@file_option(
+    "-o", "--output", "target", help="Where to; otherwise environment.toml beside PROGRAM."
+)
 @color_option
 @language_options
 @guarded

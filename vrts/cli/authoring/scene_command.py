@@ -130,7 +130,7 @@ def _in_its_task(setting: "Setting", place: Path, lab: Path | None) -> "Setting"
 @command.command(name="watch", epilog=EPILOG)
 @click.argument("name")
 @file_option("--svg", help="Write a drawing on every change.")
-@click.option("--for", "seconds", type=float, help="End after so many seconds; otherwise never.")
+@click.option("--seconds", type=float, help="End after so many seconds; otherwise never.")
 @lab_option
 @color_option
 @guarded

@@ -56,7 +56,7 @@ def check(folder: Path, reference: Path | None, lab: Path | None, color: str) ->
 
 @command.command(name="pack", epilog=EPILOG)
 @folder_argument
-@file_option("-o", "--out", "target", default=Path("."))
+@file_option("-o", "--output", "target", default=Path("."))
 @click.option(
     "--allow",
     "versions",

@@ -17,7 +17,7 @@ Examples:
 
 @click.command(name="choose", epilog=EPILOG)
 @click.argument("results", type=click.Path(path_type=Path))
-@form_option("text", "json")
+@form_option("full", "json")
 @color_option
 @guarded
 def command(results: Path, form: str, color: str) -> None:

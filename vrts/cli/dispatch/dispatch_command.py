@@ -1,8 +1,8 @@
 """`vrts dispatch`: a group whose subcommands are loaded when they are called."""
 
-import importlib
-
 import click
+
+from vrts.cli.grammar.group import LazyGroup
 
 SUBCOMMANDS = {
     "plan": "verify a program for a real controller, and write a bundle",
@@ -17,26 +17,14 @@ SUBCOMMANDS = {
     "export": "write a verified program in the language of another controller",
     "rehearse": "carry an exported folder out on LinuxCNC, and compare the motion",
 }
+SECTIONS = {"Commands": SUBCOMMANDS}
 
 
-class DispatchGroup(click.Group):
-    """Loads a subcommand only when it is called."""
+class DispatchGroup(LazyGroup):
+    """The subcommands in the order of use."""
 
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        """Return the names of all subcommands, in the order of use."""
-        return list(SUBCOMMANDS)
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Import and return a subcommand."""
-        if cmd_name not in SUBCOMMANDS:
-            return None
-        module = importlib.import_module(f"vrts.cli.dispatch.{cmd_name}_command")
-        return module.command
-
-    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """List the subcommands without importing them."""
-        with formatter.section("Commands"):
-            formatter.write_dl(list(SUBCOMMANDS.items()))
+    folder = "vrts.cli.dispatch"
+    sections = SECTIONS
 
 
 @click.group(name="dispatch", cls=DispatchGroup)

@@ -62,7 +62,7 @@ VAL2, LINUXCNC, ROS, URSCRIPT = "val2", "linuxcnc", "ros", "urscript"
 @scenario_option()
 @entry_option("Program to execute; otherwise the task's, or the first.")
 @click.option(
-    "-o", "--out", "place", help="File to write, or folder for LinuxCNC and ROS; `-` is stdout."
+    "-o", "--output", "place", help="File to write, or folder for LinuxCNC and ROS; `-` is stdout."
 )
 @click.option(
     "--arm",

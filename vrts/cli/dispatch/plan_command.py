@@ -51,7 +51,7 @@ Examples:
     metavar="NAME",
     help="The controller: mark2-val2, mark3-val2, vplus-serial, kawasaki-as, or a file NAME.toml.",
 )
-@file_option("-o", "--out", "target", required=True, help="The bundle.")
+@file_option("-o", "--output", "target", required=True, help="The bundle.")
 @file_option("--sheet", help="Write the operator's sheet, too.")
 @click.option(
     "--clearance",

@@ -17,7 +17,7 @@ from vrts.cli.shared.console import (
     show_diagnostics,
     write_file,
 )
-from vrts.cli.shared.options import color_option, file_option, scenario_option
+from vrts.cli.shared.options import color_option, file_option, form_option, scenario_option
 
 if TYPE_CHECKING:
     from vrts.engine.run import Run
@@ -43,7 +43,7 @@ SPEED = 10.0
 @scenario_option("A scenario whose inputs are played instead of those of the export.")
 @file_option("--html", help="Where the page goes; otherwise rehearsal.html in the folder.")
 @file_option("--log", help="Where the log goes; otherwise linuxcnc.csv in the folder.")
-@click.option("--json", "as_json", is_flag=True, help="Print what was measured as JSON.")
+@form_option("full", "json")
 @color_option
 @guarded
 def command(
@@ -52,7 +52,7 @@ def command(
     scenario: Path | None,
     html: Path | None,
     log: Path | None,
-    as_json: bool,
+    form: str,
     color: str,
 ) -> None:
     """Carry out FOLDER on an installed LinuxCNC, and compare its motion with the run.
@@ -76,7 +76,7 @@ def command(
         fail(f"nothing was rehearsed: {what}", (REMEDY,), UNDETERMINED)
     found = rehearse(folder, run, what, speed)
     show_diagnostics(found.diagnostics, color)
-    if as_json:
+    if form == "json":
         from vrts.report.formats.json_text import json_text
 
         stretches = [s._asdict() for s in found.stretches if not s.missing]

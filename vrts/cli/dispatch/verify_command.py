@@ -21,7 +21,7 @@ Examples:
 @file_option("--signers", help="File of allowed signers; then the bundle has to be signed by one.")
 @file_option("--signature", help="The signature; without it BUNDLE.sig, if that is there.")
 @file_option("--sheet", help="Write the operator's sheet, with who has signed.")
-@form_option("text", "json")
+@form_option("full", "json")
 @jobs_option("Worlds at a time; one a core.")
 @color_option
 @guarded

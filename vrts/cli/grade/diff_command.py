@@ -35,7 +35,7 @@ RESULTS = "results.json"
     help="Write a change by hand into NEW/staff/overrides.toml for everybody who falls.",
 )
 @click.option("--who", help="Who decides that; otherwise the name of the user.")
-@form_option("text", "json")
+@form_option("full", "json")
 @color_option
 @guarded
 def command(

@@ -20,7 +20,7 @@ Examples:
 @click.command(name="evidence", epilog=EPILOG)
 @click.argument("student")
 @marking_option
-@file_option("-o", "--out", "target", help="The zip; or evidence-ID.zip.")
+@file_option("-o", "--output", "target", help="The zip; or evidence-ID.zip.")
 @file_option(
     "--submissions",
     help="Where the download is now, if it was moved.",

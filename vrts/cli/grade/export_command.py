@@ -85,7 +85,7 @@ NAMES = (
 )
 @file_option(
     "-o",
-    "--out",
+    "--output",
     "target",
     help="The file to write, or the folder where there are several; otherwise OUT/staff/exports.",
 )

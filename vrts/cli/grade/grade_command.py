@@ -1,8 +1,8 @@
 """`vrts grade`: marking is what it does unless the first word is one of its subcommands."""
 
-import importlib
-
 import click
+
+from vrts.cli.grammar.group import LazyGroup
 
 SUBCOMMANDS = {
     "intake": "tell who handed in what, and write a table to edit",
@@ -19,11 +19,14 @@ SUBCOMMANDS = {
 }
 MARK = "mark"
 SESSION = "session"
-HELP = ("-h", "--help")
+SECTIONS = {"Commands": {MARK: "mark submissions by a task", **SUBCOMMANDS}}
 
 
-class GradeGroup(click.Group):
+class GradeGroup(LazyGroup):
     """Takes a first word that is no subcommand for the task to mark by."""
+
+    folder = "vrts.cli.grade"
+    sections = SECTIONS
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Put in the name of the subcommand that is left out."""
@@ -31,17 +34,6 @@ class GradeGroup(click.Group):
             of_sessions = any(word.split("=")[0] == f"--{SESSION}" for word in args)
             args = [SESSION if of_sessions else MARK, *args]
         return super().parse_args(ctx, args)
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        """Return the names of all subcommands."""
-        return [MARK, *SUBCOMMANDS]
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Import and return a subcommand."""
-        if cmd_name != MARK and cmd_name not in SUBCOMMANDS:
-            return None
-        module = importlib.import_module(f"vrts.cli.grade.{cmd_name}_command")
-        return module.command
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

@@ -28,7 +28,7 @@ def command() -> None:
 @click.argument("task", type=click.Path(path_type=Path))
 @file_option(
     "-o",
-    "--out",
+    "--output",
     "target",
     default=Path("autograder.zip"),
     show_default=True,

@@ -18,18 +18,20 @@ if TYPE_CHECKING:
 EPILOG = """\b
 Examples:
   vrts grade intake download.zip --task lab1
-  vrts grade intake submissions/ --program pick -o intake.csv
+  vrts grade intake submissions/ --entry pick -o intake.csv
 """
 
 
 @click.command(name="intake", epilog=EPILOG)
 @click.argument("place", type=click.Path(path_type=Path))
 @file_option("--task", help="The task: which program it runs.")
-@click.option("--program", metavar="NAME", help="The program to look for, where there is no task.")
+@click.option(
+    "--entry", "program", metavar="NAME", help="The program to look for, where there is no task."
+)
 @roster_option(", and with Moodle when the work came")
 @zone_option
-@file_option("-o", "--out", "target", help="The table to write.")
-@click.option("--force", is_flag=True, help="Write the table also where there is one already.")
+@file_option("-o", "--output", "target", help="The table to write.")
+@click.option("--overwrite", is_flag=True, help="Write the table also where there is one already.")
 @click.option(
     "--delimiter",
     type=click.Choice([",", ";"]),
@@ -45,7 +47,7 @@ def command(
     class_list: Path | None,
     zone: str | None,
     target: Path | None,
-    force: bool,
+    overwrite: bool,
     delimiter: str,
 ) -> None:
     """Tell who handed in which program in PLACE, and what is wrong.
@@ -64,8 +66,8 @@ def command(
     from vrts.pipeline.files import read_bytes
 
     table = target or place_of_table(place)
-    if table.exists() and not force:
-        fail(f"`{table}` is there already", ("`--force` writes it anew; edits in it are lost",))
+    if table.exists() and not overwrite:
+        fail(f"`{table}` is there already", ("`--overwrite` writes it anew; edits in it are lost",))
     asked = _task(task)
     times = (
         zone_named(zone)

@@ -33,7 +33,7 @@ merged is not marked again, and what is missing is marked here.
 @click.argument("results", nargs=-1, type=click.Path(path_type=Path))
 @file_option(
     "-o",
-    "--out",
+    "--output",
     "folder",
     required=True,
     help="Folder of the marking.",

@@ -6,7 +6,7 @@ import click
 
 from vrts.cli.shared.options import Option, file_option
 
-results_option = file_option("-o", "--out", "folder", help="Folder for results.")
+results_option = file_option("-o", "--output", "folder", help="Folder for results.")
 marking_option = file_option(
     "--from", "folder", required=True, metavar="OUT", help="The folder that the marking wrote."
 )

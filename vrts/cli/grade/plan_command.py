@@ -49,13 +49,15 @@ and at home again:
 @click.option("--shards", type=click.IntRange(1, 10_000), default=10, show_default=True)
 @file_option(
     "-o",
-    "--out",
+    "--output",
     "folder",
     default=Path("plan"),
     show_default=True,
     help="Folder of the plan.",
 )
-@click.option("--force", is_flag=True, help="Plan anew: results of the old plan become foreign.")
+@click.option(
+    "--overwrite", is_flag=True, help="Plan anew: results of the old plan become foreign."
+)
 @table_option
 @roster_option()
 @zone_option
@@ -72,7 +74,7 @@ def command(
     submissions: tuple[Path, ...],
     shards: int,
     folder: Path,
-    force: bool,
+    overwrite: bool,
     table: Path | None,
     class_list: Path | None,
     zone: str | None,
@@ -101,8 +103,8 @@ def command(
     from vrts.marking.whole_class import HowTo
 
     require_folder(folder)
-    if (folder / KEY).exists() and not force:
-        hints = ("`--force` plans anew; results of the old plan cannot be merged then",)
+    if (folder / KEY).exists() and not overwrite:
+        hints = ("`--overwrite` plans anew; results of the old plan cannot be merged then",)
         fail(f"there is a plan in `{folder}` already", hints)
     place, found = what_to_mark(task, submissions, lab)
     marker = Marker(place, Wanted(not no_collisions, engine, not no_pages, recordings, mend))

@@ -24,7 +24,7 @@ Examples:
 @click.argument("shard", type=click.Path(path_type=Path))
 @file_option(
     "-o",
-    "--out",
+    "--output",
     "target",
     default=Path("."),
     help="The zip to write, or a folder for it; otherwise this folder.",

@@ -5,6 +5,7 @@ from difflib import get_close_matches
 import click
 
 from vrts.cli.shared.console import fail, guarded, out
+from vrts.cli.shared.options import form_option
 
 KINDS = (
     *("instruction", "qualifier", "operator", "function"),
@@ -31,9 +32,9 @@ Examples:
     type=click.Choice(["val2", "val2+", "val", "vplus", "as"]),
     help="Only words of one language of the family.",
 )
-@click.option("--json", "as_document", is_flag=True, help="Print JSON.")
+@form_option("full", "json")
 @guarded
-def command(word: str | None, kind: str | None, dialect: str | None, as_document: bool) -> None:
+def command(word: str | None, kind: str | None, dialect: str | None, form: str) -> None:
     """Show the words of the language and how far vrts goes with them; all, or one WORD."""
     from vrts.lang.dialect import DIALECTS
     from vrts.report.formats.json_text import json_text
@@ -50,7 +51,7 @@ def command(word: str | None, kind: str | None, dialect: str | None, as_document
             near = get_close_matches(word.upper(), names, 1)
             hint = f"did you mean `{near[0]}`?" if near else "`vrts support` lists all words"
             fail(f"there is no word `{word}`", (hint,))
-    if as_document:
+    if form == "json":
         out(json_text(as_json(found)))
     elif word is not None:
         out("\n\n".join(card(entry) for entry in found))

@@ -38,7 +38,7 @@ Examples:
     help="How long to go on after the last command [s].",
 )
 @click.option("--page", is_flag=True, help="See it move in the browser, both ways, at any speed.")
-@file_option("-o", "--out", "target", help="File for the page.")
+@file_option("-o", "--output", "target", help="File for the page.")
 @no_open_option("Write the page (see -o), but open nothing.")
 @guarded
 def command(
@@ -58,7 +58,7 @@ def command(
     FILE may also be a run that `vrts run --save` has written (.vrun).
     """
     if (target is not None or no_open) and not page:
-        fail("`--out` and `--no-open` are about the page", ("give `--page` too",))
+        fail("`--output` and `--no-open` are about the page", ("give `--page` too",))
     if file.suffix == RUN:
         if scene is not None or session is not None:
             fail(f"`{file.name}` is one run, and its scene is in it")

@@ -204,7 +204,7 @@ def _named(where: Where, language: Language, entry: str | None) -> list[str]:
         ("--controller", where.controller),
         ("--dialect", language.dialect),
         *(("--with", other) for other in language.others),
-        ("--program", entry),
+        ("--entry", entry),
     )
     return [str(word) for pair in given if pair[1] is not None for word in pair]
 

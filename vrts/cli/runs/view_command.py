@@ -32,7 +32,7 @@ EPILOG = """\b
 Examples:
   vrts view prog.v2
   vrts view prog.v2 --scene cans-on-bases
-  vrts view prog.v2 --with rerun
+  vrts view prog.v2 --viewer rerun
   vrts view prog.v2 --still 6.4 -o moment.png
   vrts view out.vrun
   vrts view run.rrd
@@ -44,9 +44,9 @@ Examples:
 @scene_option(TASK_OR_ALONE)
 @task_option()
 @controller_option
-@click.option("--with", "viewer", type=click.Choice(["browser", "rerun"]), default="browser")
+@click.option("--viewer", type=click.Choice(["browser", "rerun"]), default="browser")
 @click.option("--still", type=float, help="Draw one moment, in s, as a PNG picture instead.")
-@file_option("-o", "--out", "target", help="File to write.")
+@file_option("-o", "--output", "target", help="File to write.")
 @no_open_option("Write the file (see -o), but open nothing.")
 @color_option
 @guarded

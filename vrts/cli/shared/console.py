@@ -26,6 +26,18 @@ UNAVAILABLE = {
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
+QUIET, COLOR = "vrts.quiet", "vrts.color"  # what was typed, in the context of click
+
+
+def is_quiet() -> bool:
+    """Return whether only what is wrong is to be said."""
+    return bool(_typed(QUIET, False))
+
+
+def _typed(key: str, default: object) -> object:
+    context = click.get_current_context(silent=True)
+    return default if context is None else context.meta.get(key, default)
+
 
 def use_color(choice: str, *, err: bool = False) -> bool:
     """Return whether to write colour to a stream."""
@@ -40,7 +52,18 @@ def use_color(choice: str, *, err: bool = False) -> bool:
 
 
 def say(text: str) -> None:
-    """Write words to stderr; names in them, of files and of programs, may be anybody's."""
+    """Write to stderr what is good to know: `--quiet` is silent then."""
+    if not is_quiet():
+        warn(text)
+
+
+def note(text: str) -> None:
+    """Say something beside the matter, as a note."""
+    say(f"note: {text}")
+
+
+def warn(text: str) -> None:
+    """Write to stderr what has to be known; names in it may be anybody's."""
     from vrts.report.plain import plain_text
 
     _err(plain_text(text))
@@ -67,7 +90,8 @@ def show_diagnostics(found: Sequence[Diagnostic], color: str) -> None:
     from vrts.report.screen.text import diagnostic_text
 
     for diagnostic in found:
-        _err(diagnostic_text(diagnostic, color=use_color(color, err=True)) + "\n")
+        if not (is_quiet() and diagnostic.severity is Severity.NOTE):
+            _err(diagnostic_text(diagnostic, color=use_color(color, err=True)) + "\n")
     errors = sum(diagnostic.is_error for diagnostic in found)
     notes = sum(diagnostic.severity is Severity.NOTE for diagnostic in found)
     counts = ((errors, "error"), (len(found) - errors - notes, "warning"), (notes, "note"))
@@ -78,9 +102,9 @@ def show_diagnostics(found: Sequence[Diagnostic], color: str) -> None:
 
 def fail(message: str, hints: Sequence[str] = (), status: int = WRONG_CALL) -> NoReturn:
     """Say in one sentence what is wrong with the call, and end."""
-    say(f"error: {message}")
+    warn(f"error: {message}")
     for hint in hints:
-        say(f"help: {hint}")
+        warn(f"help: {hint}")
     sys.exit(status)
 
 
@@ -104,7 +128,7 @@ def guarded(function: Command) -> Command:
         except CannotRead as problem:
             fail(problem.message, problem.hints)
         except Refused as problem:
-            show_diagnostics(problem.diagnostics, str(kwargs.get("color", "auto")))
+            show_diagnostics(problem.diagnostics, str(kwargs.get("color", _typed(COLOR, "auto"))))
             sys.exit(WRONG)
         except KeyboardInterrupt:
             say("interrupted")

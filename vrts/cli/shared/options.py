@@ -86,8 +86,8 @@ def scenario_option(says: str = IN_RUN) -> Option[Any]:
 
 
 def entry_option(says: str) -> Option[Any]:
-    """Return `--program`, which names the one that is executed."""
-    return click.option("--program", "entry", help=says)
+    """Return `--entry`, which names the program that is executed."""
+    return click.option("--entry", metavar="NAME", help=says)
 
 
 def dialect_option(says: str, *, auto: bool = True, default: str | None = None) -> Option[Any]:

@@ -16,7 +16,13 @@ from vrts.cli.shared.console import (
     show_diagnostics,
     write_file,
 )
-from vrts.cli.shared.options import Language, color_option, file_option, language_options
+from vrts.cli.shared.options import (
+    Language,
+    color_option,
+    file_option,
+    form_option,
+    language_options,
+)
 from vrts.cli.validate.shared import NOT_INSTALLED, run_of, setting_options
 from vrts.pipeline.where import Where
 
@@ -68,7 +74,7 @@ Examples:
     "--stills", type=click.IntRange(1, 10_000), default=12, show_default=True, help="At most."
 )
 @file_option("-o", "--output", help="Folder to write into.")
-@click.option("--json", "as_json", is_flag=True, help="Print the camera as JSON.")
+@form_option("full", "json")
 @setting_options
 @language_options
 @color_option
@@ -82,7 +88,7 @@ def command(
     starts: float,
     stills: int,
     output: Path | None,
-    as_json: bool,
+    form: str,
     where: Where,
     entry: str | None,
     language: Language,
@@ -101,7 +107,7 @@ def command(
         if missing.name not in ("cv2", "scipy"):
             raise
         fail(NOT_INSTALLED, status=WRONG)
-    status = _show(calibrated, as_json=as_json)
+    status = _show(calibrated, as_json=form == "json")
     if frames is None:
         sys.exit(status)
     if output is None:

@@ -22,6 +22,7 @@ from vrts.cli.shared.options import (
     Language,
     color_option,
     file_option,
+    form_option,
     language_options,
     overwrite_option,
 )
@@ -90,7 +91,7 @@ OFFSETS = ("time", "base", "tool")
 )
 @file_option("--html", help="Write a report with figures.")
 @file_option("--record", help="Write a recording (.rrd).")
-@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@form_option("full", "json")
 @click.option("--fit", is_flag=True, help="Find out numbers of the robot; needs vrts[validate].")
 @click.option("--identify", is_flag=True, help="Name what is wrong with the robot.")
 @file_option("-o", "--output", help="With --fit or --identify: a lab to write.")
@@ -107,7 +108,7 @@ def command(
     within: float | None,
     html: Path | None,
     record: Path | None,
-    as_json: bool,
+    form: str,
     fit: bool,
     identify: bool,
     output: Path | None,
@@ -146,6 +147,7 @@ def command(
         fail("-o belongs to --fit and --identify", ("reports are written by --html and --record",))
     if not fit and len(logs) > 1 and (html is not None or record is not None):
         fail("--html and --record show one log", ("compare one log at a time for them",))
+    as_json = form == "json"
     wanted, chosen = _wanted(align), given_columns(columns, color)
     run, name = run_of(program, where, entry, language, color)
     given = [given_log(path, chosen) for path in logs]

@@ -1,8 +1,8 @@
 """`vrts validate`: comparing with a log is what it does unless the first word says otherwise."""
 
-import importlib
-
 import click
+
+from vrts.cli.grammar.group import LazyGroup
 
 SUBCOMMANDS = {
     "simulate": "write the log of a simulated robot with errors: synthetic",
@@ -10,10 +10,16 @@ SUBCOMMANDS = {
 }
 LOG = "log"
 CAMERA = "camera"
+SECTIONS = {
+    "Commands": {LOG: "compare the log of a real robot with the run of its program", **SUBCOMMANDS}
+}
 
 
-class ValidateGroup(click.Group):
+class ValidateGroup(LazyGroup):
     """Takes a first word that is no subcommand for the program."""
+
+    folder = "vrts.cli.validate"
+    sections = SECTIONS
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Put in the name of the subcommand that is left out."""
@@ -21,17 +27,6 @@ class ValidateGroup(click.Group):
             seen = any(word.split("=")[0] == f"--{CAMERA}" for word in args)
             args = [CAMERA if seen and CAMERA in SUBCOMMANDS else LOG, *args]
         return super().parse_args(ctx, args)
-
-    def list_commands(self, ctx: click.Context) -> list[str]:
-        """Return the names of all subcommands."""
-        return [LOG, *SUBCOMMANDS]
-
-    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Import and return a subcommand."""
-        if cmd_name != LOG and cmd_name not in SUBCOMMANDS:
-            return None
-        module = importlib.import_module(f"vrts.cli.validate.{cmd_name}_command")
-        return module.command
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

@@ -32,7 +32,7 @@ async function inTerminal(word, argument, entry) {
   const program = programOf(argument);
   if (!program) return;
   await vscode.workspace.saveAll(false);
-  const which = typeof entry === "string" ? ["--program", entry] : [];
+  const which = typeof entry === "string" ? ["--entry", entry] : [];
   const execution = new vscode.ProcessExecution(command(), [word, program, ...which]);
   const scope = vscode.TaskScope.Workspace;
   const task = new vscode.Task({ type: "vrts", command: word }, scope, word, "vrts", execution);
