@@ -83,6 +83,7 @@ def test_the_top_level_holds_only_what_was_agreed() -> None:
         pytest.skip("not a git checkout")
     tops = {line.split("/")[0] for line in tracked.stdout.splitlines()}
     agreed = {"pyproject.toml", "README.md", "LICENSE", "vrts", "examples", "scenes", "tests"}
+    agreed |= {"CHANGELOG.md", "CITATION.cff"}  # where people and platforms look for them
     assert {top for top in tops if not top.startswith(".")} <= agreed
 
 

@@ -39,7 +39,7 @@ on = "table"
 radius_mm = 30
 height_mm = 115
 
-# Take away the `#` for a box, a dish, and a declined stand to set the dish on:
+# Take away the `#` for a box, a dish, and a tilted stand to set the dish on:
 #
 # [objects.box1]
 # kind = "box"                 # fixed, unless you write fixed = false

@@ -6,6 +6,7 @@ vrts itself; 130 interrupted, 141 the reader of a pipe has left.
 
 import importlib
 import sys
+from pathlib import Path
 
 import click
 
@@ -71,6 +72,7 @@ SECTIONS = {  # heading: name: where it is, what it does
         ),
     },
     "Look things up": {
+        "learn": ("learn_command", "learn in steps of a few minutes: list, copy, check lessons"),
         "help": ("help_command", "show the help of a command: `vrts help grade export`"),
         "manual": ("language.manual_command", "open the manual in the browser"),
         "explain": ("language.explain_command", "explain diagnostic codes"),
@@ -83,14 +85,6 @@ SAID = {
     heading: {name: says for name, (_, says) in commands.items()}
     for heading, commands in SECTIONS.items()
 }
-
-FIRST_STEPS = """\
-check a program:  vrts verify examples/01-cans-on-bases/solution.v2
-see it move:      vrts view examples/01-cans-on-bases/solution.v2
-mark a class:     vrts grade examples/01-cans-on-bases -o out
-find places:      vrts scene show cans-on-bases
-explain an error: vrts explain V301
-"""
 
 STATUSES = (
     "Exit statuses: 0 everything holds, 1 something is wrong, 2 wrong call, 3 undetermined, "
@@ -122,7 +116,9 @@ class Vrts(LazyGroup):
 def vrts(ctx: click.Context) -> None:
     """Compile, simulate, verify and mark VAL-II robot programs."""
     if ctx.invoked_subcommand is None:
-        click.echo(FIRST_STEPS, nl=False)
+        from vrts.learn.standing import standing
+
+        click.echo(standing(Path()).text, nl=False)
 
 
 def main() -> None:

@@ -79,7 +79,7 @@ def dish(radius: float, height: float, wall: float) -> Form:
 
 
 def stand(x: float, y: float, height: float, thickness: float, slope: float) -> Form:
-    """Return a declined stand: a plate on two boards, lower toward -x, with a lip at its low end.
+    """Return a tilted stand: a plate on two boards, lower toward -x, with a lip at its low end.
 
     The first piece is the plate; its upper side is where things stand.
 

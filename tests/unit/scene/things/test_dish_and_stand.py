@@ -1,4 +1,4 @@
-"""A dish and a declined stand: their shapes, and what can be done with them."""
+"""A dish and a tilted stand: their shapes, and what can be done with them."""
 
 import math
 
