@@ -28,12 +28,13 @@ def vrts(
     return support_commands.vrts(*words, cwd=cwd, stdin=stdin, env=environment)
 
 
-def test_alone_it_says_in_five_lines_what_to_type() -> None:
-    result = vrts()
+def test_alone_it_says_in_five_lines_what_to_type_where_nothing_is(tmp_path: Path) -> None:
+    result = vrts(cwd=tmp_path)
     assert result.returncode == 0
-    lines = result.stdout.decode().splitlines()
+    where, *lines = result.stdout.decode().splitlines()
+    assert where == "No program, task or lesson yet. What works here:"
     assert len(lines) == 5
-    for word, command in zip(lines, ("verify", "view", "grade", "scene", "explain"), strict=True):
+    for word, command in zip(lines, ("learn", "scene", "new", "grade", "explain"), strict=True):
         assert f"vrts {command}" in word
 
 
