@@ -338,7 +338,7 @@ def _literal(node: Application | Simple, program: str | None) -> tuple[object, .
         parts, form = node.arguments, [node.name.text]
     else:
         parts, form = node.operands, [node.word]
-        if node.word in MOTIONS and isinstance(node.operands[0], Name):
+        if node.word in MOTIONS and parts and isinstance(parts[0], Name):
             parts = parts[1:]
     values: list[object] = [*form]
     for part in parts:
