@@ -72,6 +72,19 @@ class Child:
             pass
         return self._process.wait(PATIENCE)
 
+    def until_signals(self) -> None:
+        """Wait until Ctrl-C would be a signal, and no key: something is being worked out."""
+        until = time.monotonic() + PATIENCE
+        while not termios.tcgetattr(self._master)[3] & termios.ISIG:
+            assert time.monotonic() < until, f"keys all the time: {self._unread!r}"
+            assert self._read(0.001), f"it has ended: {self._unread!r}"
+
+    def hang_up(self) -> int:
+        """Take the terminal away as a line that breaks; return the exit status."""
+        os.close(self._master)
+        self._master = os.open(os.devnull, os.O_RDONLY)
+        return self._process.wait(PATIENCE)
+
     def close(self) -> None:
         """Take the terminal away."""
         if self._process.poll() is None:

@@ -11,7 +11,7 @@ from pathlib import Path
 import click
 
 from vrts import __version__
-from vrts.cli.grammar.ending import open_streams, run
+from vrts.cli.grammar.ending import Ending, open_streams, run
 from vrts.cli.grammar.group import LazyGroup
 
 SECTIONS = {  # heading: name: where it is, what it does
@@ -92,7 +92,7 @@ STATUSES = (
 )
 
 
-class Vrts(LazyGroup):
+class Vrts(Ending, LazyGroup):
     """All commands, of which each says where it is."""
 
     sections = SAID

@@ -5,7 +5,8 @@ is asking for an earlier instant. Only a change (a value, another next step, a c
 run, from the instant of the change on.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from enum import Enum
 from heapq import merge
@@ -255,6 +256,18 @@ class Debugger:
         time_s = self.at.time_s if timed[0].after is not None else other.history.time_of(after)
         self.stop = self.stop._replace(instant=Instant(time_s, after))
         return refused
+
+    @contextmanager
+    def whole(self) -> Generator[None]:
+        """Let what is done inside be done as a whole: interrupted, all is as it was before."""
+        run, alarms, passages = self._run, self._alarms, self._passages
+        stop, trail = self.stop, list(self._trail)
+        try:
+            yield
+        except KeyboardInterrupt:
+            self._run, self._alarms, self._passages = run, alarms, passages
+            self.stop, self._trail = stop, trail
+            raise
 
     # --- parts --------------------------------------------------------------------------------
 

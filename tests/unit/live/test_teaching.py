@@ -95,7 +95,7 @@ def test_ctrl_c_ends_it_and_says_what_was_written(tmp_path: Path) -> None:
     with server:
         server.join(server.supervisor()).wait("snapshot")  # everything has begun
         server.process.send_signal(signal.SIGINT)
-        assert server.process.wait(PATIENCE) == 0
+        assert server.process.wait(PATIENCE) == 130
         assert server.process.stderr is not None
         said = server.process.stderr.read()
         assert "nothing is written" in said

@@ -2,14 +2,23 @@
 
 import sys
 import time
-from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import HOLDS, WRONG, guarded, out, say, show_diagnostics, write_file
+from vrts.cli.shared.console import (
+    HOLDS,
+    INTERRUPTED,
+    WRONG,
+    guarded,
+    out,
+    say,
+    show_diagnostics,
+    warn,
+    write_file,
+)
 from vrts.cli.shared.options import color_option, file_option, lab_option
 
 if TYPE_CHECKING:
@@ -149,8 +158,10 @@ def watch_scene(
         draw(place, svg, lab, color)
 
     files = [place, *([task] if task.is_file() else []), *([] if lab is None else [lab])]
-    with suppress(KeyboardInterrupt):  # how it ends
+    try:
         watch(files, redraw, clock=time.monotonic, sleep=time.sleep, until=until)
+    except KeyboardInterrupt:  # how it ends: no word about it
+        sys.exit(INTERRUPTED)
 
 
 def draw(place: Path, svg: Path | None, lab: Path | None, color: str) -> None:
@@ -169,7 +180,7 @@ def draw(place: Path, svg: Path | None, lab: Path | None, color: str) -> None:
         show_diagnostics(problem.diagnostics, color)
         return
     except CannotRead as problem:  # in the middle of being saved
-        say(problem.message)
+        warn(problem.message)
         return
     _, text = _shown(setting)
     out(text)

@@ -6,7 +6,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, say, show_diagnostics, write_file
+from vrts.cli.shared.console import (
+    HOLDS,
+    WRONG,
+    fail,
+    guarded,
+    say,
+    show_diagnostics,
+    warn,
+    write_file,
+)
 from vrts.cli.shared.one_program import of_one_program
 from vrts.cli.shared.options import (
     Language,
@@ -162,7 +171,7 @@ def command(
     found = plan(wish)
     show_diagnostics(found.refused, color)
     if found.bundle is None:
-        say("refused: no bundle was written")
+        warn("refused: no bundle was written")
         sys.exit(WRONG)
     for finding in found.idle:
         say(f"note: the waiver of {finding} was not needed, and is not on the sheet")

@@ -14,7 +14,7 @@ from vrts.cli.dispatch.serial_line import (
     transcript_option,
     write_new,
 )
-from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, warn
 from vrts.cli.shared.options import color_option, file_option
 
 if TYPE_CHECKING:
@@ -114,7 +114,7 @@ def _look_who_signed(bundle: Path, data: bytes, signers: Path | None) -> None:
     elif signature.exists():
         say("note: it is signed, and nobody has looked by whom: `--signers FILE` does")
     else:
-        say("note: it is unsigned: nothing shows who has made it")
+        warn("note: it is unsigned: nothing shows who has made it")
 
 
 def _send(
@@ -140,7 +140,7 @@ def _send(
             progress.clear()
             out("".join(f"{name}: {state}\n" for name, state in sending.states.items()), end=False)
     for name, value in sending.missing:
-        say(f"to be entered by hand at the controller: {name} = {value}")
+        warn(f"to be entered by hand at the controller: {name} = {value}")
     if not sending.missing:
         say("the controller holds what is in the bundle; how to begin is on the operator's sheet")
     return WRONG if sending.missing else HOLDS

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
+from vrts.cli.shared.console import HOLDS, WRONG, fail, guarded, out, say, show_diagnostics, warn
 from vrts.cli.shared.options import color_option, form_option
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def command(
         changed = {row.id for row in before.rows if row.change is not None}
         lacking = sorted(changed & set(known) - set(overrides.changes))
         if lacking:
-            say(f"note: {len(lacking)} changed by hand in OLD and not in NEW, as `{lacking[0]}`")
+            warn(f"note: {len(lacking)} changed by hand in OLD and not in NEW, as `{lacking[0]}`")
     found = diff(before, after)
     out(_json(found) if form == "json" else diff_text(found))
     lowered = any(move.falls or move.new is None for move in found.moves)

@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 from vrts.cli.grade.options import marking_option
-from vrts.cli.shared.console import guarded, out, say, write_file
+from vrts.cli.shared.console import guarded, out, warn, write_file
 from vrts.cli.shared.options import color_option, file_option
 
 EPILOG = """\b
@@ -55,4 +55,4 @@ def command(
     write_file(path, data)
     mark = "no mark" if row.final is None else f"{row.final:.1f} of {row.result.total:g}"
     out(f"{path}: {row.id}, {mark}")
-    say("it has the hidden part of the task in it: not for students")
+    warn("it has the hidden part of the task in it: not for students")

@@ -21,7 +21,17 @@ from vrts.cli.grade.options import (
     zone_option,
 )
 from vrts.cli.grade.what_to_mark import require_folder, what_to_mark
-from vrts.cli.shared.console import FAULT, HOLDS, WRONG, fail, guarded, out, say, show_diagnostics
+from vrts.cli.shared.console import (
+    FAULT,
+    HOLDS,
+    WRONG,
+    fail,
+    guarded,
+    out,
+    say,
+    show_diagnostics,
+    warn,
+)
 from vrts.cli.shared.options import (
     color_option,
     engine_option,
@@ -223,7 +233,7 @@ def _same_again(marker: "Marker", marked: "Marked", count: int, jobs: int) -> bo
     unlike = verify_sample(marker, marked.done, count=count, seed=seed, jobs=jobs)
     for one in unlike:
         path, old, new = one.first
-        say(f"`{one.identifier}`: the result {one.whose} differs: {path} was {old}, is {new}")
+        warn(f"`{one.identifier}`: the result {one.whose} differs: {path} was {old}, is {new}")
     say(f"marked {number} again (sample {seed}): {len(unlike) or 'none'} differ")
     return not unlike
 

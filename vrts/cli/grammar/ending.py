@@ -4,14 +4,57 @@ import errno
 import os
 import sys
 import traceback
-from contextlib import suppress
+from collections.abc import Generator
+from contextlib import contextmanager
+from typing import Any
 
 import click
 
-from vrts.cli.shared.console import FAULT, INTERRUPTED, WRONG, WRONG_CALL, say
+from vrts.cli.shared.console import (
+    FAULT,
+    INTERRUPTED,
+    WRONG,
+    WRONG_CALL,
+    CannotSay,
+    reason_of,
+    warn,
+)
 
+HUNG_UP = 129  # as shells tell it of a program whose terminal has gone
 READER_GONE = 141  # as shells tell it of a program whose reader has left
 OUT, ERR = 1, 2
+
+
+class ReaderLeft(Exception):  # noqa: N818 -- names the situation
+    """Whoever read a pipe of ours reads no more: click would take it for something wrong."""
+
+
+class Ending(click.Group):
+    """The group of all commands, which tells a reader that has left from what is wrong."""
+
+    def make_context(
+        self,
+        info_name: str | None,
+        args: list[str],
+        parent: click.Context | None = None,
+        **extra: Any,
+    ) -> click.Context:
+        """Read the words of the call."""
+        with _reader_may_leave():
+            return super().make_context(info_name, args, parent, **extra)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Carry out the command."""
+        with _reader_may_leave():
+            return super().invoke(ctx)
+
+
+@contextmanager
+def _reader_may_leave() -> Generator[None]:
+    try:
+        yield
+    except BrokenPipeError as problem:
+        raise ReaderLeft from problem
 
 
 def run(command: click.Command, name: str) -> int:
@@ -24,20 +67,30 @@ def run(command: click.Command, name: str) -> int:
         status = _carried_out(command, name)
         sys.stdout.flush()
         return status
-    except BrokenPipeError:
+    except (BrokenPipeError, ReaderLeft):
         _forget(OUT)
         return READER_GONE
-    except OSError as problem:  # of a stream: those of files are told where they happen
+    except CannotSay as problem:
+        return _cannot_say(str(problem), problem.__cause__)
+    except OSError as problem:  # of a stream that click wrote to: files are told where they fail
         if problem.filename is not None:
             return _fault()
-        _forget(OUT)
-        try:
-            say(f"error: cannot write to stdout: {(problem.strerror or 'failed').lower()}")
-        except OSError:  # stderr is the one that is full, or is full, too
-            _forget(ERR)
-        return WRONG_CALL
+        return _cannot_say(f"cannot write to stdout: {reason_of(problem)}", problem)
     except Exception:  # the last line of defence: a fault of ours has its own status
         return _fault()
+
+
+def _cannot_say(sentence: str, problem: BaseException | None) -> int:
+    """Say that a stream takes no more; return the exit status."""
+    _forget(OUT)
+    if isinstance(problem, OSError) and problem.errno == errno.EIO:
+        _forget(ERR)
+        return HUNG_UP
+    try:
+        warn(f"error: {sentence}")
+    except CannotSay:  # stderr is full, too: the status alone is left
+        _forget(ERR)
+    return WRONG_CALL
 
 
 def _carried_out(command: click.Command, name: str) -> int:
@@ -48,24 +101,26 @@ def _carried_out(command: click.Command, name: str) -> int:
         problem.show()
         return problem.exit_code
     except click.Abort as problem:
-        if isinstance(problem.__cause__, KeyboardInterrupt):
-            say("interrupted")
+        if isinstance(problem.__context__, KeyboardInterrupt):
+            warn("interrupted")
             return INTERRUPTED
-        say("ended: nothing more was typed")  # Ctrl-D where something was asked
+        warn("ended: nothing more was typed")  # Ctrl-D where something was asked
         return WRONG
     except KeyboardInterrupt:
-        say("interrupted")
+        warn("interrupted")
         return INTERRUPTED
     except SystemExit as asked:
         if isinstance(asked.code, str):
-            say(asked.code)
+            warn(asked.code)
         return asked.code if isinstance(asked.code, int) else int(asked.code is not None)
 
 
 def _fault() -> int:
-    with suppress(OSError):
+    try:
         traceback.print_exc()
         click.echo("vrts itself failed: please report the text above", err=True)
+    except OSError:  # nobody can read it
+        _forget(ERR)
     return FAULT
 
 

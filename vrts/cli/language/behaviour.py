@@ -10,7 +10,7 @@ from vrts.assignments.packed import found_setting
 from vrts.base.source import SourceFile
 from vrts.check.rules.hints import Hints
 from vrts.cli.language.changes import file_shown, print_diff
-from vrts.cli.shared.console import HOLDS, WRONG, fail, out, out_bytes, say, write_file
+from vrts.cli.shared.console import HOLDS, WRONG, fail, out, out_bytes, say, warn, write_file
 from vrts.cli.shared.options import Language
 from vrts.cli.shared.programs import Given, given_program
 from vrts.cli.shared.requests import verify_request
@@ -45,7 +45,7 @@ def _done(found: Mended, given: Given, *, show: bool, write: bool) -> int:
     """Tell or write what would mend a program; return the exit status for it."""
     name, task, grade = given.program.name, found.assessment.task, found.assessment.grade
     if found.refused is not None:
-        say(f"{name}: {found.refused}")
+        warn(f"{name}: {found.refused}")
         return WRONG
     assert task is not None
     assert grade is not None
@@ -56,7 +56,7 @@ def _done(found: Mended, given: Given, *, show: bool, write: bool) -> int:
         return HOLDS
     best = standing_out(found.repairs)
     if (show or write) and task.hints < Hints.EDIT:
-        say(f"{name}: the task does not allow a hint that tells the change")
+        warn(f"{name}: the task does not allow a hint that tells the change")
     elif (show or write) and best is not None:
         _changed(found, best, given, write=write)
         return HOLDS
@@ -67,7 +67,7 @@ def _done(found: Mended, given: Given, *, show: bool, write: bool) -> int:
         nothing = nothing if where is None else f"{nothing}; {where}"
         earns_most = None if found.better is None else most(found.better, task.hints)
         if earns_most is None:
-            say(nothing)
+            warn(nothing)
         else:
             out(plain_text(f"{nothing}; {earns_most}"))
         return WRONG

@@ -18,6 +18,7 @@ from vrts.cli.shared.console import (
     out_bytes,
     say,
     show_diagnostics,
+    warn,
     write_file,
 )
 from vrts.cli.shared.options import color_option, dialect_option, task_option
@@ -95,7 +96,7 @@ def command(
         if not found.applied:
             say(f"{name}: nothing to mend" + (" for certain" if errors else ""))
         if errors:
-            say(f"{name}: {_left(errors)}; `vrts compile {program}` says more")
+            warn(f"{name}: {_left(errors)}; `vrts compile {program}` says more")
     sys.exit(status)
 
 

@@ -13,6 +13,7 @@ from vrts.cli.shared.console import (
     out_bytes,
     say,
     show_diagnostics,
+    warn,
     write_file,
 )
 from vrts.cli.shared.options import color_option, dialect_option
@@ -66,7 +67,7 @@ def command(programs: tuple[str, ...], check: bool, diff: bool, dialect: str, co
             write_file(path, found.data)
             say(f"changed {file_shown(path, name)}")
         if found.unread:
-            say(f"{name}: {_unread(found.unread)}; `vrts compile {program}` says why")
+            warn(f"{name}: {_unread(found.unread)}; `vrts compile {program}` says why")
             status = WRONG
     sys.exit(status)
 

@@ -1,11 +1,11 @@
 """`vrts serve`."""
 
-from contextlib import suppress
+import sys
 from pathlib import Path
 
 import click
 
-from vrts.cli.shared.console import WRONG, fail, guarded, say
+from vrts.cli.shared.console import INTERRUPTED, WRONG, fail, guarded, say, warn
 from vrts.cli.shared.options import file_option, lab_option
 
 EPILOG = """\b
@@ -140,8 +140,10 @@ def command(
         log_quota=log_quota * 1_000_000,
     )
     listening = Listening(host, port, tls_cert, tls_key, behind_proxy)
-    with suppress(KeyboardInterrupt):  # how it ends
+    try:
         serve(settings, listening, named, say, with_code=not no_code)
+    except KeyboardInterrupt:  # how it ends: no word about it
+        sys.exit(INTERRUPTED)
 
 
 def administer(
@@ -179,6 +181,6 @@ def administer(
     if verify:
         found = administration.verify_logs(folder)
         for room, problem in found.items():
-            say(f"{room}: {problem or 'unbroken'}")
+            warn(f"{room}: {problem or 'unbroken'}")
         if any(found.values()):
             raise SystemExit(WRONG)

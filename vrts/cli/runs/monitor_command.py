@@ -5,7 +5,7 @@ import time
 
 import click
 
-from vrts.cli.shared.console import guarded, out, say
+from vrts.cli.shared.console import guarded, out, say, warn
 from vrts.cli.shared.options import (
     IN_CELL,
     controller_option,
@@ -76,4 +76,4 @@ def command(
         for piece in transcript(dialogue, sys.stdin):
             out(plain_text(piece), end=False)
         if dialogue.busy:
-            say(f"the program still executes, after {dialogue.time_s:.0f} s of simulated time")
+            warn(f"the program still executes, after {dialogue.time_s:.0f} s of simulated time")

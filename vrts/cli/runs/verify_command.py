@@ -15,6 +15,7 @@ from vrts.cli.shared.console import (
     say,
     show_diagnostics,
     use_color,
+    warn,
     write_file,
 )
 from vrts.cli.shared.mcap import write_mcap
@@ -149,7 +150,7 @@ def write_certificate(found: "Assessment", request: "Request", path: Path) -> No
 
     report = None if found.judgement is None else found.judgement.collisions
     if report is None:
-        say("nothing ran, so there is nothing to prove")
+        warn("nothing ran, so there is nothing to prove")
         return
     write_file(path, certificate_of(simulate(request), report))
     say(f"wrote {path}")
@@ -169,7 +170,7 @@ def write_page(found: "Assessment", path: Path, reader: str = "student", more: i
 def write_record(found: "Assessment", path: Path) -> None:
     """Write the recording and say so."""
     if found.run is None:
-        say("nothing ran, so there is nothing to record")
+        warn("nothing ran, so there is nothing to record")
         return
     try:
         from vrts.report.recording import write_recording

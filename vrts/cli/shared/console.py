@@ -3,7 +3,8 @@
 import os
 import secrets
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
+from contextlib import contextmanager
 from functools import wraps
 from pathlib import Path
 from typing import Any, NoReturn, TypeVar
@@ -27,6 +28,14 @@ UNAVAILABLE = {
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 QUIET, COLOR = "vrts.quiet", "vrts.color"  # what was typed, in the context of click
+
+
+class CannotSay(Exception):  # noqa: N818 -- names the situation
+    """A stream of the command takes no more: its disk is full, or it is closed."""
+
+    def __init__(self, stream: str, reason: str) -> None:
+        """Say which stream, and why."""
+        super().__init__(f"cannot write to {stream}: {reason}")
 
 
 def is_quiet() -> bool:
@@ -71,18 +80,37 @@ def warn(text: str) -> None:
 
 def _err(rendered: str) -> None:
     """Write to stderr what a renderer made, colours as given."""
-    click.echo(rendered, err=True, color=True)
+    with _told("stderr"):
+        click.echo(rendered, err=True, color=True)
 
 
 def out(text: str, *, end: bool = True) -> None:
     """Write results to stdout, colours as given."""
-    click.echo(text, nl=end, color=True)
+    with _told("stdout"):
+        click.echo(text, nl=end, color=True)
 
 
 def out_bytes(data: bytes) -> None:
     """Write the bytes of a file to stdout, as they are."""
-    sys.stdout.buffer.write(data)
-    sys.stdout.flush()
+    with _told("stdout"):
+        sys.stdout.buffer.write(data)
+        sys.stdout.flush()
+
+
+@contextmanager
+def _told(stream: str) -> Generator[None]:
+    """Tell that a stream failed from all else that the system may refuse."""
+    try:
+        yield
+    except BrokenPipeError:
+        raise
+    except OSError as problem:
+        raise CannotSay(stream, reason_of(problem)) from problem
+
+
+def reason_of(problem: OSError) -> str:
+    """Return in words why the system refused."""
+    return (problem.strerror or str(problem) or "it failed").lower()
 
 
 def show_diagnostics(found: Sequence[Diagnostic], color: str) -> None:
@@ -131,7 +159,7 @@ def guarded(function: Command) -> Command:
             show_diagnostics(problem.diagnostics, str(kwargs.get("color", _typed(COLOR, "auto"))))
             sys.exit(WRONG)
         except KeyboardInterrupt:
-            say("interrupted")
+            warn("interrupted")
             sys.exit(INTERRUPTED)
         except BrokenPipeError:
             raise
@@ -141,9 +169,10 @@ def guarded(function: Command) -> Command:
             fail(UNAVAILABLE[missing.name], status=WRONG)
         except OSError as problem:
             if was_interrupted(problem):
-                say("interrupted")
+                warn("interrupted")
                 sys.exit(INTERRUPTED)
-            fail(f"{(problem.strerror or 'failed').lower()}: `{problem.filename}`")
+            where = "" if problem.filename is None else f": `{problem.filename}`"
+            fail(reason_of(problem) + where)
 
     return wrapped  # type: ignore[return-value]
 

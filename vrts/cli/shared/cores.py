@@ -3,7 +3,7 @@
 import os
 
 from vrts.base.workers import Workers
-from vrts.cli.shared.console import say
+from vrts.cli.shared.console import warn
 
 
 def one_thread_each() -> None:
@@ -17,4 +17,4 @@ def workers_of(jobs: int | None) -> Workers:
 
 
 def _lost(words: str) -> None:
-    say(f"note: {words}")
+    warn(f"note: {words}")

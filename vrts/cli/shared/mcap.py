@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from vrts.cli.shared.console import WRONG, fail, say, write_file
+from vrts.cli.shared.console import WRONG, fail, say, warn, write_file
 
 if TYPE_CHECKING:
     from vrts.report.assessment import Assessment
@@ -14,7 +14,7 @@ NOT_INSTALLED = "messages of ROS need a package that is installed by: pip instal
 def write_mcap(found: "Assessment", path: Path) -> None:
     """Write a run as an MCAP file and say so."""
     if found.run is None:
-        say("nothing ran, so there is nothing to write")
+        warn("nothing ran, so there is nothing to write")
         return
     try:
         from vrts.report.ros.file import mcap_bytes

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 import click
 
-from vrts.cli.shared.console import INTERRUPTED, say, was_interrupted
+from vrts.cli.shared.console import INTERRUPTED, is_quiet, warn, was_interrupted
 
 SHOWN_EVERY = 0.1  # [s]
 ERASE = "\r\x1b[K"
@@ -18,7 +18,7 @@ class Progress:
 
     def __init__(self) -> None:
         """Show nothing yet."""
-        self._shown = sys.stderr.isatty()
+        self._shown = sys.stderr.isatty() and not is_quiet()
         self._all = 0
         self._done = 0
         self._made = 0  # not there already: these tell the rate
@@ -74,7 +74,7 @@ class Progress:
                 raise
             self.clear()
             begun = f"{self._done} of {self._all} {'is' if self._done == 1 else 'are'} marked; "
-            say(f"interrupted: {begun if self._all else ''}{then}")
+            warn(f"interrupted: {begun if self._all else ''}{then}")
             sys.exit(INTERRUPTED)
 
     def clear(self) -> None:

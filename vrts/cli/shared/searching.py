@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vrts.cli.shared.console import is_quiet
 from vrts.cli.shared.progress import ERASE, SHOWN_EVERY
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ class Searching:
         Args:
             seconds: When it is enough [s]; None: never.
         """
-        self._shown = sys.stderr.isatty()
+        self._shown = sys.stderr.isatty() and not is_quiet()
         self._begun = time.monotonic()
         self._seconds = seconds
         self._last = 0.0

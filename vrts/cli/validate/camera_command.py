@@ -14,6 +14,7 @@ from vrts.cli.shared.console import (
     out,
     say,
     show_diagnostics,
+    warn,
     write_file,
 )
 from vrts.cli.shared.options import (
@@ -190,7 +191,7 @@ def _write(shown: "Shown", name: str, most: int, output: Path, color: str) -> No
     except ModuleNotFoundError as missing:
         if missing.name != "rerun":
             raise
-        say("recordings need the package rerun-sdk, which is not installed; the stills are there")
+        warn("recordings need the package rerun-sdk, which is not installed; the stills are there")
         return
     except WrongFrames as wrong:
         _refuse(wrong.diagnostic, color)

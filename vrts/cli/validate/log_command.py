@@ -16,6 +16,7 @@ from vrts.cli.shared.console import (
     out,
     say,
     show_diagnostics,
+    warn,
     write_file,
 )
 from vrts.cli.shared.options import (
@@ -205,7 +206,7 @@ def _status(found: "Comparison", within: float | None) -> int:
     off = measures(lengths(found.after) / MM).largest
     if within is None or off <= within:
         return HOLDS
-    say(f"the tool is up to {off:.2f} mm off, more than {within:g} mm")
+    warn(f"the tool is up to {off:.2f} mm off, more than {within:g} mm")
     return WRONG
 
 

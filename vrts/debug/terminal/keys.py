@@ -81,8 +81,17 @@ class Keyboard:
             view.said = []
             if key not in ("b", "g", "j", ":", "a", "w"):
                 view.cursor = None
-            deed()
+            with self._debugger.whole():
+                deed()
             self._tell()
+        return False
+
+    def interrupted(self) -> bool:
+        """Give up what is under way, or the line that is typed; that is never the end."""
+        view = self._view
+        if view.asked is None:
+            self._say("stopped: nothing is changed; q or Ctrl-D leaves")
+        view.asked, view.typed, self._answer = None, "", None
         return False
 
     # --- deeds --------------------------------------------------------------------------------
@@ -180,7 +189,8 @@ class Keyboard:
             answer, text = self._answer, view.typed
             view.asked, view.typed, self._answer = None, "", None
             if key == "enter" and answer is not None:
-                answer(text)
+                with self._debugger.whole():
+                    answer(text)
         elif key == "backspace":
             view.typed = view.typed[:-1]
         elif key.isprintable() and len(key) == 1 and len(view.typed) < MOST_TYPED:

@@ -1,6 +1,7 @@
 """Debugging at a terminal: the whole screen, and the same keys forward and backward."""
 
 from collections.abc import Callable
+from contextlib import suppress
 
 from prompt_toolkit.application import Application, get_app
 from prompt_toolkit.formatted_text import StyleAndTextTuples
@@ -12,6 +13,7 @@ from prompt_toolkit.styles import Style
 
 from vrts.debug.console import Console
 from vrts.debug.debugger import Debugger
+from vrts.debug.terminal.interrupting import interruptible
 from vrts.debug.terminal.keys import Keyboard, Outside
 from vrts.debug.terminal.panel import View, panel, time_at, time_bar
 
@@ -76,7 +78,8 @@ def debug(debugger: Debugger, console: Console, outside: Outside) -> None:
         mouse_support=True,
     )
     app.ttimeoutlen = 0.05
-    app.run()
+    with suppress(EOFError):  # the terminal has gone
+        app.run()
 
 
 class _Control(FormattedTextControl):
@@ -101,14 +104,22 @@ def _bindings(keyboard: Keyboard) -> KeyBindings:
     def take(event: KeyPressEvent) -> None:
         key = event.key_sequence[0].key
         name = _NAMES.get(key) if isinstance(key, Keys) else None
-        if keyboard.press(name or event.data):
+        with interruptible():
+            try:
+                over = keyboard.press(name or event.data)
+            except KeyboardInterrupt:
+                over = keyboard.interrupted()
+        if over:
             event.app.exit()
+
+    def stop(event: KeyPressEvent) -> None:
+        keyboard.interrupted()
 
     def leave(event: KeyPressEvent) -> None:
         event.app.exit()
 
     for known in (Keys.Any, *_NAMES):
         bindings.add(known)(take)
-    bindings.add(Keys.ControlC)(leave)
+    bindings.add(Keys.ControlC)(stop)
     bindings.add(Keys.ControlD)(leave)
     return bindings

@@ -1,15 +1,18 @@
 """The pendant at a terminal: the whole screen, keys, and a clock that is given from outside."""
 
 import asyncio
+import errno
 
 from prompt_toolkit.application import Application
 from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
 from prompt_toolkit.keys import Keys
 from prompt_toolkit.layout import FormattedTextControl, Layout, Window
 
+from vrts.ir.commands import Panic
 from vrts.monitor.dialogue import Dialogue
 from vrts.monitor.pace import BEAT, Clock, Pace
 from vrts.monitor.pendant import Pendant, press, screen
+from vrts.monitor.screens.hanging_up import hang_up
 from vrts.report.plain import plain_text
 
 _KEYS = {"\r": "enter", "\n": "enter", "\x1b": "escape", "\x7f": "backspace", "\x08": "backspace"}
@@ -38,7 +41,12 @@ class _PendantScreen:
     async def _run(self) -> None:
         beat = asyncio.create_task(self._beat())
         try:
-            await self._app.run_async()
+            with hang_up(self._end):
+                await self._app.run_async()
+        except (EOFError, OSError) as problem:
+            if isinstance(problem, OSError) and problem.errno != errno.EIO:
+                raise
+            self._end()  # the terminal has gone
         finally:
             beat.cancel()
 
@@ -61,14 +69,24 @@ class _PendantScreen:
         def take(event: KeyPressEvent) -> None:
             self.press(_KEYS.get(event.data, "space" if event.data == " " else event.data))
 
+        def stop(event: KeyPressEvent) -> None:
+            self._pendant = self._pendant._replace(naming=None)
+            self._said = self._dialogue.issue(Panic()) or "stopped"
+
         def leave(event: KeyPressEvent) -> None:
-            self._pendant = self._pendant._replace(done="quit")
-            self._app.exit()
+            self._end()
 
         for keys in (Keys.Any, Keys.ControlM, Keys.ControlH, Keys.Escape):
             bindings.add(keys)(take)
-        bindings.add(Keys.ControlC)(leave)
+        bindings.add(Keys.ControlC)(stop)
+        bindings.add(Keys.ControlD)(leave)
         return bindings
+
+    def _end(self) -> None:
+        """End at Ctrl-D and when the terminal has gone: what was recorded is kept."""
+        self._pendant = self._pendant._replace(done="write")
+        if self._app.is_running and not self._app.is_done:
+            self._app.exit()
 
     def press(self, key: str) -> None:
         """Take a key; a motion waits for no other: keys while the arm moves are passed over."""

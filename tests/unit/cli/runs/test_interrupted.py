@@ -31,6 +31,6 @@ def test_it_ends_without_a_word(words: tuple[str, ...], ready: str, tmp_path: Pa
             assert process.poll() is None, "it ended by itself"
         process.send_signal(signal.SIGINT)
         rest, _ = process.communicate(timeout=60)
-    assert process.returncode == 0
+    assert process.returncode == 130
     assert "interrupted" not in rest
     assert "Aborted" not in rest
