@@ -13,7 +13,11 @@ from vrts import __version__
 
 GITHUB = ROOT / ".github"
 FORMS = sorted((GITHUB / "ISSUE_TEMPLATE").glob("*.yml"))
-PAGES = [ROOT / "CHANGELOG.md", GITHUB / "CONTRIBUTING.md", GITHUB / "SECURITY.md"]
+PAGES = [
+    *(ROOT / "README.md", ROOT / "CHANGELOG.md"),
+    *(GITHUB / "CONTRIBUTING.md", GITHUB / "SECURITY.md"),
+    *sorted((ROOT / "vrts" / "manual" / "learn").glob("*.md")),
+]
 
 # of the published schema of the Citation File Format, 1.2.0
 CFF_REQUIRED = {"authors", "cff-version", "message", "title"}

@@ -1,4 +1,4 @@
-"""The lines that set up Neovim and Emacs: in the README as printed, and in real editors."""
+"""The lines that set up Neovim and Emacs: in the manual as printed, and in real editors."""
 
 import os
 import shutil
@@ -39,11 +39,11 @@ def run(words: list[str], folder: Path) -> str:
 
 
 @pytest.mark.parametrize("editor", ["neovim", "emacs"])
-def test_the_language_takes_three_lines_which_the_readme_shows(editor: str) -> None:
+def test_the_language_takes_three_lines_which_the_manual_shows(editor: str) -> None:
     lines = printed(editor).split("\n\n")[0].splitlines()
     assert len(lines) == 3
-    readme = (ROOT / "README.md").read_text()
-    assert all(line in readme for line in lines)
+    page = (ROOT / "vrts" / "manual" / "learn" / "editors.md").read_text()
+    assert all(line in page for line in lines)
 
 
 @pytest.mark.skipif(NVIM is None, reason="needs Neovim")
