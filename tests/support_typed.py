@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-_FENCE = re.compile(r"^```sh\n(.*?)^```$", re.M | re.S)
+_FENCE = re.compile(r"^```(?:sh|text)\n(.*?)^```$", re.M | re.S)
 _ANY_FENCE = re.compile(r"^```.*?^```$", re.M | re.S)
 _SPAN = re.compile(r"`((?:\.venv/bin/)?vrts(?: [^`]*)?)`")
 _FOLDER = re.compile(r"^<!-- folder: (\S+) -->$", re.M)
