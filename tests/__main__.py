@@ -23,6 +23,7 @@ from typing import NamedTuple
 
 from tests import changed, laws, times
 from tests.places import ROOT
+from tests.says_all import SAYS_ALL
 
 BIN = Path(sys.executable).parent
 PYTHON = sys.executable
@@ -136,7 +137,8 @@ def environment(name: str, measured: Path | None) -> dict[str, str]:
     found = dict(
         os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", DENO_NO_UPDATE_CHECK="1"
     )
-    found.pop("PYTHONDONTWRITEBYTECODE", None)
+    for unwanted in ("PYTHONDONTWRITEBYTECODE", *SAYS_ALL):
+        found.pop(unwanted, None)
     if name == "thorough":
         found[laws.ALL_NAME] = "1"
     if measured is not None and name in ("tests", "thorough", "live"):

@@ -14,6 +14,8 @@ from typing import NamedTuple
 
 import pytest
 
+from tests.says_all import SAYS_ALL
+
 LIBRARIES = (
     *("pytest", "hypothesis", "hypothesis.strategies", "_hypothesis_pytestplugin", "xdist"),
     *("numpy", "pinocchio", "coal", "lark", "click", "trimesh"),
@@ -88,6 +90,8 @@ def _pytest(tree: str, words: list[str], said: str, answer: Connection) -> None:
     sys.dont_write_bytecode = False
     os.chdir(tree)
     os.environ["PYTHONPATH"] = tree
+    for name in SAYS_ALL:
+        os.environ.pop(name, None)
     sys.path.insert(0, tree)
     for name in [name for name in sys.modules if name.split(".")[0] in OURS]:
         del sys.modules[name]
