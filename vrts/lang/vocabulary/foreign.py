@@ -57,7 +57,7 @@ FOREIGN = {
 _NONE = "leave it out: VAL-II has no such setting"
 _REACTS = "before MOVES: the signal stops the motion"
 _SHARED = "share a variable: one program gives it a value, the other has"
-_INSTEAD = (  # what VAL-II has for instructions of V+ and AS: whole words, or how many begin
+INSTEAD = (  # what VAL-II has for instructions of V+ and AS: whole words, or how many begin
     ("VAL-II has no conveyor tracking: wait for the part by `WAIT SIG(1001)`, then move", "CV*"),
     (_NONE, "COL* DECMP* ENVCHKRATE CURLIM FF* REFFLT* NCH* SETENC* SETCOL* ACCEL DECEL BSPEED"),
     (_NONE, "WEIGHT TOOLSHAPE ENA_TOOLSHAPE SET_* GAIN.SET KEYMODE INSTALL FSET SETDEVICE"),
@@ -112,7 +112,7 @@ _INSTEAD = (  # what VAL-II has for instructions of V+ and AS: whole words, or h
 
 def instead_of(word: str) -> str:
     """Return what VAL-II has for an instruction of V+ or AS, in upper case."""
-    for help_, words in _INSTEAD:
+    for help_, words in INSTEAD:
         for known in words.split():
             begins = known[-1] == "*" and word.startswith(known[:-1])
             if word == known or begins or (known[0] == "*" and word.endswith(known[1:])):

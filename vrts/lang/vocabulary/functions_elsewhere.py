@@ -85,7 +85,7 @@ _EVERYWHERE = _named(
     ),
     ("offs offset pose_offset shiftpos shift_pos poseoffset", "SHIFT({0} BY {1}, {2}, {3})"),
 )
-_OF_VAL2_AND_VPLUS = _EVERYWHERE | _named(
+NAMES_ELSEWHERE = _EVERYWHERE | _named(
     ("maxval maximum maxi max2", "MAX({a})"),
     ("minval minimum mini min2", "MIN({a})"),
     ("left $left leftstr strleft", "$MID({0}, 1, {1})"),
@@ -156,7 +156,7 @@ _POWER_NAMES = frozenset({"pow", "power", "expt"})
 
 def rewritten(name: str, arguments: Sequence[str], dialect: Dialect) -> str:
     """Return what a dialect has for a call of a function that it lacks; empty where unknown."""
-    table = _OF_AS if dialect.is_as else _OF_VAL2_AND_VPLUS
+    table = _OF_AS if dialect.is_as else NAMES_ELSEWHERE
     module, _, last = name.rpartition(".")
     plain = last if module in _MODULES else name
     templates = table.get(name) or table.get(plain) or table.get(plain.lstrip("$"), ())
@@ -187,7 +187,7 @@ def _is_simple(argument: str) -> bool:
 
 def compares_texts(name: str, dialect: Dialect) -> bool:
     """Return whether a function of another language tells how two texts differ, 0 for not."""
-    table = _OF_AS if dialect.is_as else _OF_VAL2_AND_VPLUS
+    table = _OF_AS if dialect.is_as else NAMES_ELSEWHERE
     return "{0} == {1}" in table.get(name, ())
 
 

@@ -1,0 +1,124 @@
+"""Words of a question and of a page, brought into one form so that they can be compared."""
+
+import re
+from functools import cache
+
+from vrts.ask.everyday import ALIKE
+from vrts.ask.other_languages import own_words
+
+_WORD = re.compile(r"\$?[a-z0-9][a-z0-9_.+/-]*[a-z0-9+]|[a-z0-9]|[$#][a-z]+")
+_PLAIN = re.compile(r"[a-z0-9]+")
+_DOUBLED = re.compile(r"([bdgmnprt])\1$")
+NOISE = frozenset(
+    """a about am an and any are as at be been being but by can cannot could did do does doing don
+    for from get gets give got had has have having her here him his how i if in into is it its just
+    know let like make makes me mine my need not of on one or our please s should so some someone
+    something such t tell than that the their them then there these they thing this those to too
+    use using us very want wants was way we were what when where which who why will with without
+    would you your vrts val val-ii val2 program programs robot robots arm""".split()
+)
+
+
+@cache
+def stem(word: str) -> str:
+    """Return a word without the endings that change nothing for somebody who searches."""
+    if len(word) < 4 or not word.isalpha():
+        return word
+    if word.endswith("ies"):
+        word = word[:-3] + "y"
+    elif word.endswith("s") and not word.endswith(("ss", "us", "is")):
+        word = word[:-1]
+    for ending in ("ing", "ed"):
+        if word.endswith(ending) and len(word) - len(ending) >= 3:
+            word = _DOUBLED.sub(r"\1", word[: -len(ending)])
+            break
+    if word.endswith("ly") and len(word) > 5:
+        word = word[:-2]
+    word = word.removesuffix("e") if len(word) > 3 else word
+    return word[:-1] + "i" if len(word) > 3 and word.endswith("y") else word
+
+
+def words_of(text: str) -> list[str]:
+    """Return the words of a text in lower case; those with signs in them as a whole and in parts."""
+    found: list[str] = []
+    for word in _WORD.findall(text.lower()):
+        found.append(word)
+        if not word.isalnum():
+            found += [part for part in _PLAIN.findall(word) if len(part) > 1]
+    return found
+
+
+def stems_of(text: str) -> list[str]:
+    """Return what the words of a text are compared by."""
+    return [stem(word) for word in words_of(text)]
+
+
+@cache
+def alike() -> dict[str, frozenset[str]]:
+    """Return stems that mean the same, by the stem or by several of them with blanks between."""
+    found: dict[str, set[str]] = {}
+    for row in ALIKE:
+        phrases = [" ".join(stems_of(phrase)) for phrase in row.split(",")]
+        single = {phrase for phrase in phrases if " " not in phrase}
+        for phrase in phrases:
+            found.setdefault(phrase, set()).update(single - {phrase})
+    return {phrase: frozenset(words) for phrase, words in found.items()}
+
+
+class Wanted:
+    """One thing that a question is about: terms that would do, each with what it is worth."""
+
+    __slots__ = ("said", "worth")
+
+    def __init__(self, said: str, worth: dict[str, float]) -> None:
+        """Keep what was said and the terms that stand for it."""
+        self.said = said
+        self.worth = worth
+
+
+SAME, ALSO, ELSEWHERE = 1.0, 0.45, 0.7  # [assumed] what a term counts by where it comes from
+_LONGEST = 4  # words of a phrase that means one thing
+
+
+def wanted(question: str) -> list[Wanted]:
+    """Return what a question is about, in its order."""
+    words = [word for word in _WORD.findall(question.lower())]
+    capitals = set(re.findall(r"\$?[A-Z][A-Z0-9.]+", question))
+    found: list[Wanted] = []
+    at = 0
+    while at < len(words):
+        length, others = _phrase(words, at)
+        if length > 1:
+            said = words[at : at + length]
+            worth = dict.fromkeys(others, SAME * 0.8)
+            worth |= dict.fromkeys((stem(w) for w in said if w not in NOISE), 0.6)
+            found.append(Wanted(" ".join(said), worth))
+        elif words[at] not in NOISE or words[at].upper() in capitals or len(words) == 1:
+            exact = words[at].upper() in capitals or len(words) == 1
+            found.append(Wanted(words[at], _worth(words[at], others, exact=exact)))
+        at += length
+    if not found:  # nothing but small words: they are all there is to go by
+        found = [Wanted(word, _worth(word, frozenset(), exact=False)) for word in words]
+    return found
+
+
+def _worth(word: str, others: frozenset[str], *, exact: bool) -> dict[str, float]:
+    worth = dict.fromkeys(others, ALSO)
+    if not word.isalnum():
+        worth |= {stem(part): 0.5 for part in _PLAIN.findall(word) if len(part) > 1}
+    for own in own_words().get(word, ()):
+        worth["=" + own.lower()] = ELSEWHERE
+    worth[stem(word)] = SAME
+    if exact:
+        worth["=" + word] = 1.5
+    return worth
+
+
+def _phrase(words: list[str], at: int) -> tuple[int, frozenset[str]]:
+    """Return how many words from a place on mean one thing together, and what means the same."""
+    known = alike()
+    for length in range(min(_LONGEST, len(words) - at), 0, -1):
+        others = known.get(" ".join(stem(word) for word in words[at : at + length]))
+        if others is not None:
+            return length, others
+    return 1, frozenset()
