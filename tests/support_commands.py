@@ -72,9 +72,13 @@ def vrts_text(
     return Said(found.args, found.returncode, found.stdout.decode(), found.stderr.decode())
 
 
-def vrts_shown(*words: object, cwd: Path, env: Mapping[str, str] | None = None) -> str:
+def vrts_shown(
+    *words: object, cwd: Path, env: Mapping[str, str] | None = None, stdin: bytes = b""
+) -> str:
     """Run a command; return what a terminal would show: both streams as they come."""
     with tempfile.TemporaryFile() as given, tempfile.TemporaryFile() as out:
+        given.write(stdin)
+        given.seek(0)
         _waiting().run(words, cwd, os.environ if env is None else env, given, out, out)
         return _content(out).decode()
 

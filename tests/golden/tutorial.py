@@ -8,6 +8,7 @@ shown output stands for any number of lines, also for none.
 
 import os
 import re
+import shlex
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -116,7 +117,8 @@ def _commands(tutorial: str, block: re.Match[str], folder: Path) -> Iterator[Sho
 
 
 def _run(command: str, folder: Path) -> str:
-    program, *arguments = command.split()
+    command, _, given = command.partition(" < ")  # a file in the place of the keyboard
+    program, *arguments = shlex.split(command)
     assert program == "vrts", command
     environment = {
         **os.environ,
@@ -125,4 +127,5 @@ def _run(command: str, folder: Path) -> str:
         "PYTHONIOENCODING": "utf-8",
         "COLUMNS": "100",
     }
-    return vrts_shown(*arguments, cwd=folder, env=environment)
+    typed = (folder / given).read_bytes() if given else b""
+    return vrts_shown(*arguments, cwd=folder, env=environment, stdin=typed)

@@ -216,11 +216,11 @@ def test_the_first_page_leads_to_the_four_parts_and_they_to_their_pages() -> Non
 
 
 def blocks() -> list[tuple[str, str, str]]:
-    """Return page, language and text of every block of code in the manual."""
+    """Return page, language and text of the manual's blocks of code; recipes are executed whole."""
     return [(name, *block) for name, text in PAGES.items() for block in BLOCK.findall(text)]
 
 
-@pytest.mark.parametrize("page", sorted(PAGES))
+@pytest.mark.parametrize("page", sorted(p for p in PAGES if not p.startswith("do/")))
 def test_every_program_of_a_page_compiles(page: str) -> None:
     for name, language, text in blocks():
         if name == page:

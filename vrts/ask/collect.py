@@ -15,8 +15,8 @@ from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
 
 FRONT = re.compile(r"\A---\n(.*?)^---\n+", re.M | re.S)
 KEYWORDS = re.compile(r"^\s*keywords:\s*(.*(?:\n {4,}.*)*)", re.M)
+LABEL = re.compile(r"^\(([^)\n]+)\)=\n", re.M)
 SECTION = re.compile(r"(?:^\(([^)\n]+)\)=\n)?^## (.+)\n", re.M)
-DIRECTIVE = re.compile(r"^```\{.*?^```\n", re.M | re.S)  # for the site alone
 RULES = ("language/", "robots/")  # folders of rules, one a section
 RECIPES = "do/"
 
@@ -78,10 +78,25 @@ def _of_file(name: str, text: str) -> Iterator[Page]:
     pieces = SECTION.split(body)  # before, then label, heading and text of each section
     yield Page(name, kind, title, pieces[0], keywords)
     for label, heading, content in zip(pieces[1::3], pieces[2::3], pieces[3::3], strict=True):
-        prefix = name.replace("/", "-") + "-"
-        anchor = label.removeprefix(prefix) if label else _slug(heading)
         text = f"# {heading}\n{content}"
+        anchor = _anchor(name, label) if label else _slug(heading)
         yield Page(f"{name}#{anchor}", kind, heading.replace("`", ""), text, keywords, section=True)
+
+
+@cache
+def section_names() -> Mapping[str, str]:
+    """Return the names of sections by their labels, by which pages link to them."""
+    return {
+        label: f"{name}#{_anchor(name, label)}"
+        for name, text in manual_files().items()
+        for label in LABEL.findall(text)
+    }
+
+
+def _anchor(name: str, label: str) -> str:
+    """Return a label without the name of its page: `motion-move` of `language/motion`: `move`."""
+    last = name.rpartition("/")[2]
+    return label.removeprefix(name.replace("/", "-") + "-").removeprefix(f"{last}-")
 
 
 def _slug(heading: str) -> str:

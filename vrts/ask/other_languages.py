@@ -55,7 +55,7 @@ def _pairs() -> Iterator[tuple[str, str]]:
     for idiom in IDIOMS:
         own = tuple(_own(idiom.instead or " ".join(_TICKS.findall(idiom.help))))
         for foreign in _foreign(idiom):
-            yield from ((foreign, word) for word in own[:2])
+            yield from ((foreign, word) for word in own[:1])
 
 
 def _own(text: str) -> Iterator[str]:

@@ -76,7 +76,8 @@ class Wanted:
         self.worth = worth
 
 
-SAME, ALSO, ELSEWHERE = 1.0, 0.45, 0.7  # [assumed] what a term counts by where it comes from
+# [assumed] what a term counts by where it comes from
+SAME, ALSO, ELSEWHERE, NUMBER = 1.0, 0.45, 0.7, 0.2
 _LONGEST = 4  # words of a phrase that means one thing
 
 
@@ -108,7 +109,7 @@ def _worth(word: str, others: frozenset[str], *, exact: bool) -> dict[str, float
         worth |= {stem(part): 0.5 for part in _PLAIN.findall(word) if len(part) > 1}
     for own in own_words().get(word, ()):
         worth["=" + own.lower()] = ELSEWHERE
-    worth[stem(word)] = SAME
+    worth[stem(word)] = NUMBER if word.isdecimal() else SAME
     if exact:
         worth["=" + word] = 1.5
     return worth

@@ -61,21 +61,31 @@ class Entry(NamedTuple):
         return ", ".join(TITLES[letter] for letter in TITLES if letter in self.dialects)
 
 
-def entries(dialect: Dialect | None = None, kind: str | None = None) -> tuple[Entry, ...]:
-    """Return the words of a dialect, or of all; of one kind, or of all."""
-    return tuple(entry for entry in _all(kind) if dialect is None or dialect.has(entry.dialects))
+def entries(
+    dialect: Dialect | None = None, kind: str | None = None, word: str | None = None
+) -> tuple[Entry, ...]:
+    """Return the words of a dialect, or of all; of one kind, or of all; one word, or all."""
+    return tuple(e for e in _all(kind, word) if dialect is None or dialect.has(e.dialects))
 
 
-def _all(kind: str | None) -> Iterator[Entry]:
-    makers: dict[str, tuple[Entry, ...] | Iterator[Entry]] = {
-        "instruction": map(_instruction, INSTRUCTIONS.values()),
-        "qualifier": map(_qualifier, (*QUALIFIERS.values(), *QUALIFIERS_OF_ONE.values())),
-        "operator": map(_operator, OPERATORS.values()),
-        "function": map(_function, FUNCTIONS.values()),
-        "constant": map(_constant, CONSTANTS),
-        "switch": map(_switch, (*SWITCHES, *TAKEN_SWITCHES)),
-        "parameter": map(_parameter, (*PARAMETERS, *TAKEN_PARAMETERS)),
-        "command": map(_command, COMMANDS.values()),
+def _all(kind: str | None, word: str | None) -> Iterator[Entry]:
+    def of(known: Iterable[Word]) -> Iterator[Word]:
+        return (each for each in known if word in (None, each.text))
+
+    def named(known: Iterable[str]) -> Iterator[str]:
+        return (each for each in known if word in (None, each.upper()))
+
+    functions = (f for f in FUNCTIONS.values() if word in (None, f.name.upper()))
+    qualifiers = (*QUALIFIERS.values(), *QUALIFIERS_OF_ONE.values())
+    makers: dict[str, Iterator[Entry]] = {
+        "instruction": map(_instruction, of(INSTRUCTIONS.values())),
+        "qualifier": map(_qualifier, of(qualifiers)),
+        "operator": map(_operator, of(OPERATORS.values())),
+        "function": map(_function, functions),
+        "constant": map(_constant, named(CONSTANTS)),
+        "switch": map(_switch, named((*SWITCHES, *TAKEN_SWITCHES))),
+        "parameter": map(_parameter, named((*PARAMETERS, *TAKEN_PARAMETERS))),
+        "command": map(_command, of(COMMANDS.values())),
     }  # made when asked for
     for name, made in makers.items():
         if kind in (None, name):

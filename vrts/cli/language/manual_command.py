@@ -1,33 +1,73 @@
 """`vrts manual`."""
 
+import json
+import shutil
+import sys
 import webbrowser
 from importlib.resources import files
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from vrts.cli.shared.console import WRONG, fail, guarded, out, say
+from vrts.cli.shared.console import WRONG, fail, guarded, out, say, use_color
+
+if TYPE_CHECKING:
+    from vrts.ask.manual import Answer, Manual
+    from vrts.ask.page import Page
+    from vrts.ask.terminal import Look
 
 SITE = Path(str(files("vrts"))) / "site" / "built"
 NOT_BUILT = (
     "the manual's pages were not built when vrts was installed",
     (
         "type `python -m pip install -e .` in the folder with pyproject.toml: it builds them",
-        "or read the same texts as they are written, in `vrts/manual`",
+        "or read a page here: `vrts manual MOVES`",
     ),
 )
 EPILOG = """\b
 Examples:
   vrts manual
-  vrts manual --path
+  vrts manual MOVES
+  vrts manual wait 2 seconds
+  vrts manual "what does V301 mean?"
+  vrts manual --list
 """
+TITLES = {"do": "Do", "look up": "Look up", "understand": "Understand"}
 
 
 @click.command(name="manual", epilog=EPILOG)
+@click.argument("what", nargs=-1)
 @click.option("--path", is_flag=True, help="Only print where the manual is; open nothing.")
+@click.option("--list", "listed", is_flag=True, help="List the pages, and what to type for each.")
+@click.option("--json", "as_document", is_flag=True, help="Print JSON: the pages that fit, in order.")
+@click.option(
+    "--color",
+    type=click.Choice(["auto", "always", "never"]),
+    default="auto",
+    help="When to use colour; NO_COLOR and FORCE_COLOR are obeyed.",
+    show_default=True,
+)
 @guarded
-def command(path: bool) -> None:
-    """Open the manual in the browser. It is on this machine: no network is needed."""
+def command(
+    what: tuple[str, ...], path: bool, listed: bool, as_document: bool, color: str
+) -> None:
+    """Show the page about WHAT: a word, a message, a command, or any question in your words.
+
+    Without WHAT the manual opens in the browser. It is on this machine: no network is needed.
+    """
+    question = " ".join(what).strip()
+    if listed:
+        _list()
+    elif question:
+        _show(question, color, as_document)
+    elif what or as_document:
+        fail("nothing is asked", ("write what you look for: `vrts manual wait 2 seconds`",))
+    else:
+        _open(path)
+
+
+def _open(path: bool) -> None:
     first = first_page()
     if first is None:
         fail(*NOT_BUILT, status=WRONG)
@@ -40,3 +80,112 @@ def first_page() -> Path | None:
     """Return the manual's first page; None where it was not built."""
     first = SITE / "index.html"
     return first if first.is_file() else None
+
+
+def manual() -> "Manual":
+    """Return the manual with the commands of this command line."""
+    from vrts.ask.manual import Manual
+    from vrts.cli.main import COMMANDS
+
+    return Manual({name: says for name, (_, says) in COMMANDS.items()})
+
+
+def _show(question: str, color: str, as_document: bool) -> None:
+    from vrts.ask.terminal import WIDEST, Look
+
+    known = manual()
+    if as_document:
+        hits = known.search(question).hits[:10]
+        rows = [{"name": h.page.name, "kind": h.page.kind.value, "title": h.page.title} for h in hits]
+        out(json.dumps({"schema": "vrts.manual/1", "pages": rows}, indent=2, ensure_ascii=False))
+        return
+    answer = known.answer(question)
+    if answer.page is None:
+        hints = tuple(f"did you mean `vrts manual {_typed(name)}`?" for name in answer.near[:1])
+        hints += ("ask in other words, or see `vrts manual --list`",)
+        fail(f"the manual has no page about `{question[:80]}`", hints)
+    columns = shutil.get_terminal_size().columns if sys.stdout.isatty() else WIDEST
+    look = Look(max(40, min(columns, WIDEST)), use_color(color))
+    out("\n".join(_lines(known, answer, look)))
+
+
+def _lines(known: "Manual", answer: "Answer", look: "Look") -> list[str]:
+    page = answer.page
+    assert page is not None
+    rows = [f"(`{said}` was read as `{near}`)" for said, near in answer.read_as.items()]
+    rows += ["", *_body(known, page, look)] if rows else _body(known, page, look)
+    if page.section:
+        rows += ["", f"the whole page: vrts manual {page.of}"]
+    listed = _with_kin(known, page, answer.others)
+    if listed:
+        typed = [f"vrts manual {_typed(other.name)}" for other in listed]
+        width = min(max(map(len, typed)), 46)
+        rows += ["", "see also"]
+        rows += [
+            f"  {words:<{width}}  {_title(other)}"
+            for words, other in zip(typed, listed, strict=True)
+        ]
+    return rows
+
+
+def _with_kin(known: "Manual", page: "Page", others: "tuple[Page, ...]") -> "tuple[Page, ...]":
+    """Return what is listed below a page: of a word, first the recipes that use it."""
+    from vrts.ask.manual import MOST_ELSE
+    from vrts.ask.page import Kind
+
+    kin = known.recipes_with(page.name)[:2] if page.kind is Kind.WORD else ()
+    rules = known.sections_about(page.name)[1:3] if page.kind is Kind.WORD else ()
+    every = dict.fromkeys((*kin, *rules, *others))
+    return tuple(every)[: MOST_ELSE + 1]
+
+
+def _body(known: "Manual", page: "Page", look: "Look") -> list[str]:
+    from vrts.ask.manual import text_of
+    from vrts.ask.page import Kind
+
+    match page.kind:
+        case Kind.WORD:
+            from vrts.report.screen.support_text import card
+            from vrts.report.support import entries
+
+            rows = [card(e) for e in entries(word=page.name)]
+            rows += [text_of(rule, look) for rule in known.sections_about(page.name)[:1]]
+            return "\n\n".join(rows).splitlines()
+        case Kind.COMMAND:
+            return _help(page.name.removeprefix("vrts ")).splitlines()
+        case _:
+            return text_of(page, look).splitlines()
+
+
+def _help(name: str) -> str:
+    from vrts.cli.main import vrts
+
+    parent = click.Context(vrts, info_name="vrts")
+    found = vrts.get_command(parent, name)
+    assert found is not None, name
+    return found.get_help(click.Context(found, info_name=name, parent=parent))
+
+
+def _list() -> None:
+    from vrts.ask.page import Kind
+
+    pages = [page for page in manual().pages if not page.section]
+    for kind in (Kind.RECIPE, Kind.RULE, Kind.BACKGROUND):
+        names = [page for page in pages if page.kind is kind]
+        width = max((len(page.name) for page in names), default=0)
+        out(f"{TITLES[kind.value]}")
+        for page in names:
+            out(f"  {page.name:<{width}}  {page.title}")
+        out("")
+    out("and every word of the language (`vrts support`), message (`vrts explain`)")
+    out("and command (`vrts --help`): type `vrts manual` and its name")
+
+
+def _typed(name: str) -> str:
+    return f"'{name}'" if name[0] in "$#" else name
+
+
+def _title(page: "Page") -> str:
+    from vrts.ask.page import Kind
+
+    return page.text.partition("\n")[0] if page.kind in (Kind.WORD, Kind.COMMAND) else page.title
