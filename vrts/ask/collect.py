@@ -8,10 +8,7 @@ from importlib.resources.abc import Traversable
 
 from vrts.ask.other_languages import names_elsewhere
 from vrts.ask.page import Kind, Page
-from vrts.lang.vocabulary.commands import COMMANDS
-from vrts.lang.vocabulary.functions import FUNCTIONS
-from vrts.lang.vocabulary.instructions import INSTRUCTIONS
-from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
+from vrts.ask.words import facts
 
 FRONT = re.compile(r"\A---\n(.*?)^---\n+", re.M | re.S)
 KEYWORDS = re.compile(r"^\s*keywords:\s*(.*(?:\n {4,}.*)*)", re.M)
@@ -112,14 +109,7 @@ def _messages() -> Iterator[Page]:
 
 
 def _words() -> Iterator[Page]:
-    said: dict[str, list[str]] = {}
-    for word in (*INSTRUCTIONS.values(), *QUALIFIERS.values(), *OPERATORS.values()):
-        said.setdefault(word.text, []).append(f"{word.usage}: {word.about}")
-    for signature in FUNCTIONS.values():
-        said.setdefault(signature.name.upper(), []).append(signature.about)
-    for word in COMMANDS.values():
-        said.setdefault(word.text, []).append(f"{word.usage}: {word.about} (typed at the monitor)")
     elsewhere = names_elsewhere()
-    for name, about in said.items():
-        also = " ".join(elsewhere.get(name, ()))
-        yield Page(name, Kind.WORD, name, "\n".join(about), also)
+    for name, known in facts().items():
+        said = "\n".join(f"{fact.form}: {fact.about}" for fact in known)
+        yield Page(name, Kind.WORD, name, said, " ".join(elsewhere.get(name, ())))

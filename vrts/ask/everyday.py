@@ -57,11 +57,11 @@ ALIKE = (
     "signal, io, i/o, pin, bit, port, line of input",
     "interrupt, react, reaction, event, watch, notice, trigger",
     "analog, voltage, analogue, sensor value",
-    "parallel, two programs, same time, background, thread, multitask, concurrent, side by side, beside",
+    "parallel, two programs, same time, background, thread, multitask, concurrent, beside",
     "clock, timer, stopwatch, measure time, elapsed, how long",
     # people
     "print, write, display, show, output text, screen, terminal, message, say, log",
-    "ask, prompt, input from keyboard, question, key in, type in, enter, user input, answer, keyboard, operator",
+    "ask, prompt, keyboard, question, key in, type in, enter, user input, answer, operator",
     "emergency, panic",
     # mistakes
     "error, mistake, fault, problem, wrong, fail, bug, fails, broken",

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Mapping
-from functools import cache
 from typing import NamedTuple
 
 from vrts.ask.collect import all_pages, manual_files, section_names, without_front
@@ -10,9 +9,7 @@ from vrts.ask.names import named, near_names
 from vrts.ask.page import Kind, Page
 from vrts.ask.search import Found, Hit, Index
 from vrts.ask.terminal import Look, rendered, to_type
-from vrts.lang.vocabulary.functions import FUNCTIONS
-from vrts.lang.vocabulary.instructions import INSTRUCTIONS
-from vrts.lang.vocabulary.words import OPERATORS, QUALIFIERS
+from vrts.ask.words import facts, own_words
 
 MOST_ELSE = 5  # pages that are listed below the one that is shown
 LEAST_SHARE = 0.2  # of the best score: what is further off is not listed
@@ -67,15 +64,20 @@ class Manual:
         return tuple(page for _, page in found)
 
     def recipes_with(self, word: str) -> tuple[Page, ...]:
-        """Return the recipes that use a word of the language, the shortest first."""
+        """Return the recipes that use a word of the language, those about it first."""
         wanted = re.compile(rf"(?<![\w.$#]){re.escape(word)}(?![\w.])")
-        recipes = (page for page in self.pages if page.kind is Kind.RECIPE)
-        found = [page for page in recipes if wanted.search(page.text)]
-        return tuple(sorted(found, key=lambda page: (len(page.text), page.name)))
+        found: list[tuple[bool, int, Page]] = []
+        for page in self.pages:
+            if page.kind is Kind.RECIPE and wanted.search(page.text):
+                about = wanted.search(page.text.partition("\n<!--")[0]) is not None
+                found.append((not about, len(page.text), page))
+        return tuple(page for _, _, page in sorted(found))
 
 
 def text_of(page: Page, look: Look) -> str:
     """Return a page or a section as text for a terminal."""
+    if page.kind is Kind.WORD:
+        return "\n\n".join(fact.text for fact in facts()[page.name])
     labels = section_names()
 
     def link(words: str, target: str) -> str:
@@ -86,14 +88,6 @@ def text_of(page: Page, look: Look) -> str:
     if page.kind in (Kind.RULE, Kind.BACKGROUND) and not page.section:
         text = without_front(manual_files()[page.name])[0]  # with its sections
     return rendered(text, look, link)
-
-
-@cache
-def own_words() -> frozenset[str]:
-    """Return the words of VAL-II, in capitals."""
-    words = (*INSTRUCTIONS.values(), *QUALIFIERS.values(), *OPERATORS.values())
-    own = {word.text for word in words if word.in_val2}
-    return frozenset(own | {f.name.upper() for f in FUNCTIONS.values() if "2" in f.dialects})
 
 
 def _others(shown: Page, hits: tuple[Hit, ...]) -> tuple[Page, ...]:

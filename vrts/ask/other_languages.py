@@ -18,9 +18,8 @@ from vrts.lang.vocabulary.instructions import INSTRUCTIONS
 _WORD = re.compile(r"\$?[A-Za-z][\w.]*")
 _CAPITALS = re.compile(r"\$?[A-Z][A-Z0-9.]*")
 _TICKS = re.compile(r"`([^`]*)`")
-_ORDINARY = frozenset(  # words of VAL-II that are English, too, or that only hold others together
-    "A ALL AND BY CALL DO ELSE END FOR IF OF OR SET STEP THEN TO WHILE TYPE NOT".split()
-)
+_SMALL = "A ALL AND BY CALL DO ELSE END FOR IF NOT OF OR SET STEP THEN TO TYPE WHILE"
+_ORDINARY = frozenset(_SMALL.split())  # English, too, or only there to hold others together
 
 
 @cache

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from vrts.report.plain import visible
 
 WIDEST = 88  # columns: longer lines are hard to read
+KEPT = "\u00a0"  # a blank at which no line ends, until the text is wrapped
 BOLD, DIM, CODE, OFF = "\x1b[1m", "\x1b[2m", "\x1b[36m", "\x1b[0m"
 
 _LABEL = re.compile(r"^\(([^)\n]+)\)=\n", re.M)
@@ -20,6 +21,7 @@ _PICTURE = re.compile(r"!\[[^\]]*\]\([^)]*\)\n?")
 _LINK = re.compile(r"\[((?:[^\[\]]|\[[^\]]*\])+)\]\(([^)]+)\)")
 _SPAN = re.compile(r"(`+)(.+?)\1|\*\*(.+?)\*\*|(?<![\w*])\*([^*\n]+)\*(?!\w)", re.S)
 _ITEM = re.compile(r"^(\s*)([-*]|\d+\.) (.*)$")
+_CODE = re.compile(r"^- \*\*Code:\*\* .*\n?", re.M)  # files of vrts: for those who change it
 _ROLE = re.compile(r"\{[a-z:]+\}(?=`)")
 
 Link = Callable[[str, str], str]  # words and target of a link to what is shown
@@ -40,14 +42,14 @@ def rendered(text: str, look: Look, link: Link) -> str:
         look: Width in columns and whether there are colours.
         link: What is shown for the words and the target of a link.
     """
-    for gone in (_LABEL, _DIRECTIVE, _COMMENT, _PICTURE, _ROLE):
+    for gone in (_LABEL, _DIRECTIVE, _COMMENT, _PICTURE, _CODE, _ROLE):
         text = gone.sub("", text)
     shown: list[str] = []
     for kind, lines in _blocks(text.splitlines()):
         if shown:
             shown.append("")
         shown += _block(kind, lines, look, link)
-    return visible_with_colors("\n".join(shown).strip("\n"))
+    return visible_with_colors("\n".join(shown).strip("\n").replace(KEPT, " "))
 
 
 def visible_with_colors(text: str) -> str:
@@ -75,9 +77,7 @@ def _blocks(lines: Sequence[str]) -> list[tuple[str, list[str]]]:
             if begun == "heading":
                 found.append((begun, [line]))
             kind = ""
-        elif kind in ("list", "paragraph") and begun == "paragraph":
-            found[-1][1].append(line)
-        elif kind == begun:
+        elif kind == begun or (kind == "list" and begun == "paragraph"):
             found[-1][1].append(line)
         else:
             found.append((begun, [line]))
@@ -99,9 +99,13 @@ def _block(kind: str, lines: list[str], look: Look, link: Link) -> list[str]:
     match kind:
         case "heading":
             words = _inline(lines[0].lstrip("# "), look._replace(color=False), link, ticks=False)
-            return [f"{BOLD}{words}{OFF}" if look.color else words.upper()]
+            words = words.replace(KEPT, " ")
+            line = "=" if lines[0].startswith("# ") else "-"
+            return [f"{BOLD}{words}{OFF}"] if look.color else [words, line * len(words)]
         case "code":
-            return [f"    {CODE}{line}{OFF}" if look.color and line else f"    {line}" for line in lines]
+            return [
+                f"    {CODE}{line}{OFF}" if look.color and line else f"    {line}" for line in lines
+            ]
         case "table":
             return _table([_inline_row(line, look, link) for line in lines], look.width)
         case "list":
@@ -139,7 +143,9 @@ def _table(rows: list[list[str]], width: int) -> list[str]:
     rows = [row + [""] * (columns - len(row)) for row in rows]
     widths = [max(_seen(cell) for cell in column) for column in zip(*rows, strict=True)]
     if sum(widths) + 2 * columns <= width:
-        return ["  ".join(_padded(c, w) for c, w in zip(r, widths, strict=True)).rstrip() for r in rows]
+        return [
+            "  ".join(_padded(c, w) for c, w in zip(r, widths, strict=True)).rstrip() for r in rows
+        ]
     shown: list[str] = []
     for row in rows:
         shown += _wrapped(row[0], width, "  ", "    ")
@@ -153,7 +159,7 @@ def _inline(text: str, look: Look, link: Link, *, ticks: bool = True) -> str:
 
     def shown(found: re.Match[str]) -> str:
         if found[2] is not None:
-            code = found[2].replace("\\|", "|").strip()
+            code = found[2].replace("\\|", "|").strip().replace(" ", KEPT)
             mark = "`" if ticks else ""
             return f"{CODE}{code}{OFF}" if look.color else f"{mark}{code}{mark}"
         words = found[3] or found[4]

@@ -9,14 +9,16 @@ from vrts.ask.other_languages import own_words
 _WORD = re.compile(r"\$?[a-z0-9][a-z0-9_.+/-]*[a-z0-9+]|[a-z0-9]|[$#][a-z]+")
 _PLAIN = re.compile(r"[a-z0-9]+")
 _DOUBLED = re.compile(r"([bdgmnprt])\1$")
-NOISE = frozenset(
-    """a about am an and any are as at be been being but by can cannot could did do does doing don
-    for from get gets give got had has have having her here him his how i if in into is it its just
-    know let like make makes me mine my need not of on one or our please s should so some someone
-    something such t tell than that the their them then there these they thing this those to too
-    use using us very want wants was way we were what when where which who why will with without
-    would you your vrts val val-ii val2 program programs robot robots arm""".split()
+_SMALL = (  # small words, and those that every page is about
+    "a about am an and any are as at be been being but by can cannot could did do does doing "
+    "don for from get gets give got had has have having her here him his how i if in into is "
+    "it its just know let like make makes me mine my need not of on one or our please s "
+    "should so some someone something such t tell than that the their them then there these "
+    "they thing this those to too use using us very want wants was way we were what when "
+    "where which who why will with without would you your vrts val val-ii val2 program "
+    "programs robot robots arm "
 )
+NOISE = frozenset(_SMALL.split())
 
 
 @cache
@@ -39,7 +41,7 @@ def stem(word: str) -> str:
 
 
 def words_of(text: str) -> list[str]:
-    """Return the words of a text in lower case; those with signs in them as a whole and in parts."""
+    """Return the words of a text in small letters; those with signs in them also in parts."""
     found: list[str] = []
     for word in _WORD.findall(text.lower()):
         found.append(word)
@@ -83,7 +85,7 @@ _LONGEST = 4  # words of a phrase that means one thing
 
 def wanted(question: str) -> list[Wanted]:
     """Return what a question is about, in its order."""
-    words = [word for word in _WORD.findall(question.lower())]
+    words: list[str] = _WORD.findall(question.lower())
     capitals = set(re.findall(r"\$?[A-Z][A-Z0-9.]+", question))
     found: list[Wanted] = []
     at = 0

@@ -1,6 +1,5 @@
 """`vrts manual`."""
 
-import json
 import shutil
 import sys
 import webbrowser
@@ -10,7 +9,9 @@ from typing import TYPE_CHECKING
 
 import click
 
+from vrts.cli.grammar.group import LazyGroup
 from vrts.cli.shared.console import WRONG, fail, guarded, out, say, use_color
+from vrts.cli.shared.options import color_option, form_option
 
 if TYPE_CHECKING:
     from vrts.ask.manual import Answer, Manual
@@ -33,6 +34,7 @@ Examples:
   vrts manual "what does V301 mean?"
   vrts manual --list
 """
+MOST_PRINTED = 10  # pages, as JSON
 TITLES = {"do": "Do", "look up": "Look up", "understand": "Understand"}
 
 
@@ -40,28 +42,26 @@ TITLES = {"do": "Do", "look up": "Look up", "understand": "Understand"}
 @click.argument("what", nargs=-1)
 @click.option("--path", is_flag=True, help="Only print where the manual is; open nothing.")
 @click.option("--list", "listed", is_flag=True, help="List the pages, and what to type for each.")
-@click.option("--json", "as_document", is_flag=True, help="Print JSON: the pages that fit, in order.")
-@click.option(
-    "--color",
-    type=click.Choice(["auto", "always", "never"]),
-    default="auto",
-    help="When to use colour; NO_COLOR and FORCE_COLOR are obeyed.",
-    show_default=True,
-)
+@form_option("full", "json")
+@color_option
+@click.pass_context
 @guarded
 def command(
-    what: tuple[str, ...], path: bool, listed: bool, as_document: bool, color: str
+    ctx: click.Context, what: tuple[str, ...], path: bool, listed: bool, form: str, color: str
 ) -> None:
     """Show the page about WHAT: a word, a message, a command, or any question in your words.
 
     Without WHAT the manual opens in the browser. It is on this machine: no network is needed.
     """
     question = " ".join(what).strip()
+    root = ctx.find_root()
     if listed:
-        _list()
+        _list(root)
+    elif question and form == "json":
+        _print(root, question)
     elif question:
-        _show(question, color, as_document)
-    elif what or as_document:
+        _show(root, question, color)
+    elif what or form == "json":
         fail("nothing is asked", ("write what you look for: `vrts manual wait 2 seconds`",))
     else:
         _open(path)
@@ -82,23 +82,27 @@ def first_page() -> Path | None:
     return first if first.is_file() else None
 
 
-def manual() -> "Manual":
+def manual(root: click.Context) -> "Manual":
     """Return the manual with the commands of this command line."""
     from vrts.ask.manual import Manual
-    from vrts.cli.main import COMMANDS
 
-    return Manual({name: says for name, (_, says) in COMMANDS.items()})
+    assert isinstance(root.command, LazyGroup)
+    sections = root.command.sections
+    return Manual({name: says for named in sections.values() for name, says in named.items()})
 
 
-def _show(question: str, color: str, as_document: bool) -> None:
+def _print(root: click.Context, question: str) -> None:
+    from vrts.report.formats.json_text import json_text
+
+    pages = [hit.page for hit in manual(root).search(question).hits[:MOST_PRINTED]]
+    rows = [{"name": p.name, "kind": p.kind.value, "title": p.title} for p in pages]
+    out(json_text({"schema": "vrts.manual/1", "pages": rows}))
+
+
+def _show(root: click.Context, question: str, color: str) -> None:
     from vrts.ask.terminal import WIDEST, Look
 
-    known = manual()
-    if as_document:
-        hits = known.search(question).hits[:10]
-        rows = [{"name": h.page.name, "kind": h.page.kind.value, "title": h.page.title} for h in hits]
-        out(json.dumps({"schema": "vrts.manual/1", "pages": rows}, indent=2, ensure_ascii=False))
-        return
+    known = manual(root)
     answer = known.answer(question)
     if answer.page is None:
         hints = tuple(f"did you mean `vrts manual {_typed(name)}`?" for name in answer.near[:1])
@@ -106,14 +110,15 @@ def _show(question: str, color: str, as_document: bool) -> None:
         fail(f"the manual has no page about `{question[:80]}`", hints)
     columns = shutil.get_terminal_size().columns if sys.stdout.isatty() else WIDEST
     look = Look(max(40, min(columns, WIDEST)), use_color(color))
-    out("\n".join(_lines(known, answer, look)))
+    out("\n".join(_lines(root, known, answer, look)))
 
 
-def _lines(known: "Manual", answer: "Answer", look: "Look") -> list[str]:
+def _lines(root: click.Context, known: "Manual", answer: "Answer", look: "Look") -> list[str]:
     page = answer.page
     assert page is not None
     rows = [f"(`{said}` was read as `{near}`)" for said, near in answer.read_as.items()]
-    rows += ["", *_body(known, page, look)] if rows else _body(known, page, look)
+    rows += [""] if rows else []
+    rows += _body(root, known, page, look)
     if page.section:
         rows += ["", f"the whole page: vrts manual {page.of}"]
     listed = _with_kin(known, page, answer.others)
@@ -139,37 +144,31 @@ def _with_kin(known: "Manual", page: "Page", others: "tuple[Page, ...]") -> "tup
     return tuple(every)[: MOST_ELSE + 1]
 
 
-def _body(known: "Manual", page: "Page", look: "Look") -> list[str]:
+def _body(root: click.Context, known: "Manual", page: "Page", look: "Look") -> list[str]:
     from vrts.ask.manual import text_of
     from vrts.ask.page import Kind
 
     match page.kind:
         case Kind.WORD:
-            from vrts.report.screen.support_text import card
-            from vrts.report.support import entries
-
-            rows = [card(e) for e in entries(word=page.name)]
-            rows += [text_of(rule, look) for rule in known.sections_about(page.name)[:1]]
-            return "\n\n".join(rows).splitlines()
+            rules = known.sections_about(page.name)[:1]
+            return "\n\n".join(text_of(each, look) for each in (page, *rules)).splitlines()
         case Kind.COMMAND:
-            return _help(page.name.removeprefix("vrts ")).splitlines()
+            return _help(root, page.name.removeprefix("vrts ")).splitlines()
         case _:
             return text_of(page, look).splitlines()
 
 
-def _help(name: str) -> str:
-    from vrts.cli.main import vrts
-
-    parent = click.Context(vrts, info_name="vrts")
-    found = vrts.get_command(parent, name)
+def _help(root: click.Context, name: str) -> str:
+    assert isinstance(root.command, click.Group)
+    found = root.command.get_command(root, name)
     assert found is not None, name
-    return found.get_help(click.Context(found, info_name=name, parent=parent))
+    return found.get_help(click.Context(found, info_name=name, parent=root))
 
 
-def _list() -> None:
+def _list(root: click.Context) -> None:
     from vrts.ask.page import Kind
 
-    pages = [page for page in manual().pages if not page.section]
+    pages = [page for page in manual(root).pages if not page.section]
     for kind in (Kind.RECIPE, Kind.RULE, Kind.BACKGROUND):
         names = [page for page in pages if page.kind is kind]
         width = max((len(page.name) for page in names), default=0)
