@@ -6,9 +6,10 @@ from tests.golden.recipes import followed, recipes, text_of
 
 MARKING = {  # a process for each program: long
     *("answer-an-appeal", "change-a-mark", "find-copied-programs", "mark-a-class"),
-    *("marks-into-moodle", "bring-it-to-the-robot", "find-what-is-wrong-with-the-robot"),
+    *("mark-without-names", "marks-into-moodle", "see-who-moves-after-a-repair"),
+    *("bring-it-to-the-robot", "find-what-is-wrong-with-the-robot"),
 }
-LEAST = 50
+LEAST = 90
 LONGEST = 100  # lines: a page that is read in a minute
 SHORTEST = 3  # words that others say for it
 

@@ -6,12 +6,14 @@ from typing import NamedTuple
 
 from vrts.ask.collect import all_pages, manual_files, section_names, without_front
 from vrts.ask.names import named, near_names
+from vrts.ask.other_languages import own_words as foreign_words
 from vrts.ask.page import Kind, Page
 from vrts.ask.search import Found, Hit, Index
 from vrts.ask.terminal import Look, rendered, to_type
 from vrts.ask.words import facts, own_words
 
 MOST_ELSE = 5  # pages that are listed below the one that is shown
+LEAST_WORD = 0.7  # of the best word's score: what is further off is not shown beside it
 LEAST_SHARE = 0.2  # of the best score: what is further off is not listed
 
 
@@ -74,6 +76,16 @@ class Manual:
         return tuple(page for _, _, page in sorted(found))
 
 
+def words_for(question: str) -> tuple[str, ...]:
+    """Return words of the language for what somebody wants, the likeliest first; none: a slip."""
+    found = Index(tuple(all_pages({})), own_words()).search(question)
+    if found.read_as and not _is_foreign(found):
+        return ()
+    hits = [hit for hit in found.hits if hit.page.kind is Kind.WORD]
+    best = hits[0].score if hits else 0.0
+    return tuple(hit.page.name for hit in hits if hit.score >= LEAST_WORD * best)
+
+
 def text_of(page: Page, look: Look) -> str:
     """Return a page or a section as text for a terminal."""
     if page.kind is Kind.WORD:
@@ -101,4 +113,9 @@ def _is_one_word(question: str) -> bool:
 
 
 def _is_known(found: Found) -> bool:
-    return bool(found.hits) and not found.read_as
+    return bool(found.hits) and (not found.read_as or _is_foreign(found))
+
+
+def _is_foreign(found: Found) -> bool:
+    """Whether every slip of the pen was in a word that another language has."""
+    return all(near in foreign_words() for near in found.read_as.values())

@@ -6,6 +6,7 @@ the more. This is BM25 with fields [Robertson2004]_.
 """
 
 import math
+import re
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 from typing import NamedTuple
@@ -25,6 +26,9 @@ KINDS = {  # [assumed] among pages that fit alike, those that answer a beginner 
     Kind.MESSAGE: 0.75,
 }
 OTHER_LANGUAGES = 0.6  # [assumed] of words that VAL-II itself does not have
+
+
+_CODE = re.compile(r"^```.*?^```", re.M | re.S)  # in which names are anybody's
 
 
 class Hit(NamedTuple):
@@ -110,7 +114,7 @@ class Index:
 def _weights(page: Page) -> dict[str, float]:
     """Return how much each term counts for a page."""
     weights: dict[str, float] = {}
-    terms = stems_of(page.text)
+    terms = stems_of(_CODE.sub("", page.text))
     shorter = TEXT / (0.5 + 0.5 * len(terms) / USUAL_LENGTH) if terms else 0.0
     for term in terms:
         weights[term] = weights.get(term, 0.0) + shorter

@@ -7,16 +7,17 @@ from vrts.ask.everyday import ALIKE
 from vrts.ask.other_languages import own_words
 
 _WORD = re.compile(r"\$?[a-z0-9][a-z0-9_.+/-]*[a-z0-9+]|[a-z0-9]|[$#][a-z]+")
+_OPERAND = re.compile(r"(?!v\d{3})[a-z]{0,2}\d[\d.]*")  # `50`, `p1`, `z10`: what a step is about
 _PLAIN = re.compile(r"[a-z0-9]+")
 _DOUBLED = re.compile(r"([bdgmnprt])\1$")
 _SMALL = (  # small words, and those that every page is about
-    "a about am an and any are as at be been being but by can cannot could did do does doing "
-    "don for from get gets give got had has have having her here him his how i if in into is "
-    "it its just know let like make makes me mine my need not of on one or our please s "
-    "should so some someone something such t tell than that the their them then there these "
-    "they thing this those to too use using us very want wants was way we were what when "
-    "where which who why will with without would you your vrts val val-ii val2 program "
-    "programs robot robots arm "
+    "a about am an and any are as at be been being but by can cannot cant could did do does "
+    "doing don for from get gets give got had has have having her here him his how i if in into "
+    "is it its just know let like make makes me mine my need not of on one only or our please s "
+    "should so some someone something such tell than that the their them then there these they "
+    "thing this those to too use using us very want wants was way we were what when where which "
+    "who why will with without would you your vrts val val-ii val2 program programs robot "
+    "robots arm "
 )
 NOISE = frozenset(_SMALL.split())
 
@@ -79,13 +80,13 @@ class Wanted:
 
 
 # [assumed] what a term counts by where it comes from
-SAME, ALSO, ELSEWHERE, NUMBER = 1.0, 0.45, 0.7, 0.2
+SAME, ALSO, ELSEWHERE, NUMBER = 1.0, 0.45, 0.7, 0.1
 _LONGEST = 4  # words of a phrase that means one thing
 
 
 def wanted(question: str) -> list[Wanted]:
     """Return what a question is about, in its order."""
-    words: list[str] = _WORD.findall(question.lower())
+    words: list[str] = _WORD.findall(re.sub("['’]", "", question.lower()))
     capitals = set(re.findall(r"\$?[A-Z][A-Z0-9.]+", question))
     found: list[Wanted] = []
     at = 0
@@ -111,7 +112,7 @@ def _worth(word: str, others: frozenset[str], *, exact: bool) -> dict[str, float
         worth |= {stem(part): 0.5 for part in _PLAIN.findall(word) if len(part) > 1}
     for own in own_words().get(word, ()):
         worth["=" + own.lower()] = ELSEWHERE
-    worth[stem(word)] = NUMBER if word.isdecimal() else SAME
+    worth[stem(word)] = NUMBER if _OPERAND.fullmatch(word) else SAME
     if exact:
         worth["=" + word] = 1.5
     return worth

@@ -855,3 +855,14 @@ INSTRUCTIONS = {
         *_OPTIONS,
     )
 }
+GROUPS = {  # instructions of VAL-II by what they are for
+    name: tuple(word.text for word in words if word.in_val2 and not word.opaque)
+    for name, words in (
+        ("motion", _MOTION),
+        ("hand", _HANDS),
+        ("values", _DATA),
+        ("control", _CONTROL),
+        ("signals", _SIGNALS),
+        ("terminal", _TERMINAL),
+    )
+}

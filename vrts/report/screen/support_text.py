@@ -1,19 +1,65 @@
 """The words of the language as a table, as a card of one word, as JSON."""
 
+import textwrap
+
 from vrts.lang.dialect import TITLES
-from vrts.report.support import Entry
+from vrts.lang.vocabulary.instructions import GROUPS
+from vrts.report.support import OPAQUE, Entry
 
 _PLURALS = {"switch": "switches"}  # all others take an s
+_WIDTH = 100  # columns of what stands above the table
+_BEGIN = """\
+Words of the language. `vrts support MOVES` tells more of one, `vrts support straight` finds it,
+`vrts manual MOVES` explains it. The words of VAL-II by what they are for, an example each:"""
+_EXAMPLES = {  # of groups and kinds, in their order
+    "motion": "MOVES part",
+    "hand": "CLOSEI",
+    "values": "SET b = SHIFT(a BY 0, 0, 50)",
+    "control": "FOR i = 1 TO 5",
+    "signals": "WAIT SIG(1001)",
+    "terminal": 'TYPE "n is", n',
+    "qualifier": "SPEED 50 ALWAYS",
+    "operator": "n MOD 2 == 0",
+    "function": "DISTANCE(a, b)",
+    "constant": "x = PI",
+    "switch": "ENABLE CP",
+    "parameter": "PARAMETER HAND.TIME = 0.5",
+    "command": "EXECUTE main",
+}
+_MOST_LINES = 4  # of words of one group
+_OF_KINDS = ("qualifier", "operator", "function", "constant", "switch", "parameter", "command")
 _LEGEND = """\
-Columns: word, its shortest spelling in VAL-II, state, marks, languages, how it is written.
-R moves or sets up the robot, so not in process control programs; B waits until the arm stands still
-1 VAL, 2 VAL-II, + V+, a AS
-runs: compiled and simulated; compiles: a run stops there, not simulated yet
-opaque: a run stops there, never simulated; known: told apart, not read yet"""
+How to read the table: a word, its shortest spelling in VAL-II, its state, marks, languages, how it
+is written, what it does.
+  state      runs: compiled and simulated; compiles: a run stops there, not simulated yet
+             opaque: a run stops there, never simulated; known: told apart, not read yet
+  marks      R moves or sets up the robot, so not in process control programs
+             B waits until the arm stands still
+  languages  1 VAL, 2 VAL-II, + V+, a AS"""
+
+
+def overview(found: tuple[Entry, ...]) -> str:
+    """Return the words of VAL-II by what they are for: groups of instructions, then other kinds."""
+    groups = dict(GROUPS)
+    for entry in found:
+        if entry.kind != "instruction" and "2" in entry.dialects and entry.state != OPAQUE:
+            kept = groups.get(entry.kind, ())
+            groups[entry.kind] = (*kept, entry.word) if entry.word not in kept else kept
+    names = {name: _plural(name) if name in _OF_KINDS else name for name in groups}
+    width = max(map(len, names.values()))
+    indent = " " * (width + 4)
+    rows = [_BEGIN]
+    for name, words in groups.items():
+        rows += ["", f"  {names[name]:<{width}}  {_EXAMPLES[name]}"]
+        listed = textwrap.wrap(" ".join(words), _WIDTH - len(indent), break_on_hyphens=False)
+        rows += [f"{indent}{line}" for line in listed[:_MOST_LINES]]
+        if len(listed) > _MOST_LINES:
+            rows.append(f"{indent}… all: `vrts support --kind {name}`")
+    return "\n".join(rows)
 
 
 def table(found: tuple[Entry, ...]) -> str:
-    """Return a table of words, one line each, with what the marks mean below."""
+    """Return a table of words, one line each, below what its marks mean."""
     widths = [max((len(cell) for cell in column), default=0) for column in _columns(found)]
     rows: list[str] = []
     kind = ""
@@ -23,7 +69,7 @@ def table(found: tuple[Entry, ...]) -> str:
             rows += ["", _plural(kind)] if rows else [_plural(kind)]
         cells = (f"{cell:<{width}}" for cell, width in zip(_cells(entry), widths, strict=True))
         rows.append(f"  {'  '.join(cells)}".rstrip())
-    return "\n".join([*rows, "", *_counted(found), "", _LEGEND])
+    return "\n".join([_LEGEND, "", *_counted(found), "", *rows])
 
 
 def counts(found: tuple[Entry, ...]) -> dict[str, dict[str, int]]:

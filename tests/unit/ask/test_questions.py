@@ -1,0 +1,39 @@
+"""Beginners find the right page among the first three."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.questions import FIRST, LEAST, Question, answered, manual, questions, report, sets
+
+
+@pytest.mark.parametrize("name", sets())
+def test_most_questions_find_their_page(name: str) -> None:
+    asked = questions(name)
+    assert len(asked) >= 50
+    found = answered(asked)
+    assert sum(each.fits for each in found) >= LEAST * len(asked) // 50, report(name, found)
+
+
+@pytest.mark.parametrize("name", sets())
+def test_every_page_that_is_called_right_exists(name: str) -> None:
+    known = {page.name for page in manual().pages} | {page.of for page in manual().pages}
+    wanted = {page for question in questions(name) for page in question.pages}
+    assert wanted - known == set()
+
+
+def test_a_wrong_page_does_not_fit(tmp_path: Path) -> None:
+    row = '[[question]]\nask = "wait 2 seconds"\npages = ["do/marks-into-moodle"]\n'
+    (tmp_path / "wrong.toml").write_text(row, "utf-8")
+    found = answered(questions("wrong", tmp_path))
+    assert [each.fits for each in found] == [False]
+    assert "do/wait-a-time" in report("wrong", found)
+
+
+def test_a_section_is_its_page_and_a_longer_name_is_not() -> None:
+    (one,) = answered([Question("language/motion#move", ("language/motion",))])
+    assert one.found[0] == "language/motion#move"
+    assert one.fits
+    assert len(one.found) <= FIRST
+    (other,) = answered([Question("language/motion#move", ("language/mot", "do/wait"))])
+    assert not other.fits
