@@ -12,12 +12,15 @@ from pathlib import Path
 import pytest
 
 from tests.places import ROOT
+from tests.support_site import built_site
 
 NEEDED = (
     "vrts/dispatch/profiles/mark2-val2.toml",
     "vrts/lang/grammar/grammar.lark",
     "vrts/manual/language/signals.md",
     "vrts/pages/V301.md",
+    "vrts/site/built/index.html",
+    "vrts/site/built/searchindex.js",
     "vrts/library/scenes/cans-on-bases/scene.toml",
     "vrts/library/examples/01-cans-on-bases/solution.v2",
     "vrts/web/viewer/viewer.js",
@@ -27,6 +30,7 @@ NEEDED = (
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    built_site()  # where it is built already, a wheel takes it from there
     out = tmp_path_factory.mktemp("wheel")
     command = [sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", str(out)]
     subprocess.run([*command, str(ROOT)], check=True, capture_output=True)
@@ -37,6 +41,8 @@ def test_the_wheel_holds_all_data(wheel: Path) -> None:
     names = set(zipfile.ZipFile(wheel).namelist())
     assert set(NEEDED) - names == set()
     assert any(name.startswith("vrts/web/vendor/three/") for name in names)
+    assert any(name.endswith(".data/data/share/man/man1/vrts.1") for name in names)
+    assert not any(name.startswith("vrts/site/built/man/") for name in names)
 
 
 def test_the_installed_wheel_marks_the_example(wheel: Path, tmp_path: Path) -> None:
