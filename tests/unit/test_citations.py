@@ -36,12 +36,17 @@ DIALECTS = {"val2", "val2+", "val", "vplus", "as"}
 CITATION = re.compile(r"\[(assumed,\s+)?manual\s+([^\]]+)\]")
 ONE = re.compile(r"([a-z0-9/-]+)(?:#([a-z0-9-]+))?")
 SECTION = re.compile(r"(?:^\(([^)\n]*)\)=\n)?^## (.+)\n((?:(?!^\(|^## ).*\n?)*)", re.M)
-FIELD = re.compile(r"^- \*\*(Status|Source|Code):\*\* (.*\S)$", re.M)
+FIELD = re.compile(r"^- \*\*(Status|Source|On the robot|Code):\*\* (.*\S)$", re.M)
 KEY = re.compile(r"\[([A-Z]\w+)\](?!\()")
 LINK = re.compile(r"\]\(#([^)]*)\)")
 BLOCK = re.compile(r"^```(\S+)\n(.*?)^```$", re.M | re.S)
 CONSTANT = re.compile(r"^\s*(?:\w+(?:, \w+)*)(?:: \w+)? = ([^#\n]*\d[^#\n]*)", re.M)
 NUMBER = re.compile(r"(?<![\w.])\d[\d_]*(?:\.\d+)?(?:e-?\d+)?")
+NAMED = re.compile(r"(?<![\w/.{}*-])[\w./-]+\.md\b")
+DATED = re.compile(r"\[([A-Z][A-Za-z]+\d{4}[a-z]?)\]")
+TEXTS = frozenset(path.name for path in ROOT.rglob("*.md") if ".venv" not in path.parts) | {
+    "sheet.md"  # written beside programs for other controllers
+}
 NOT_HERE = re.compile(r"\b(?:val2|puma|paper|traps)\.md\b")  # notes that nobody outside has
 
 
@@ -78,6 +83,8 @@ def faults_of_page(
             yield f"{where}: status is one of {', '.join(STATUSES)}"
         if not rule.fields.get("Source"):
             yield f"{where}: no source"
+        if rule.fields.get("Status") == "assumed" and not rule.fields.get("On the robot"):
+            yield f"{where}: nobody says how to find out on the robot"
         paths = re.findall(r"`([^`]+)`", rule.fields.get("Code", ""))
         if not paths:
             yield f"{where}: no code"
@@ -127,6 +134,17 @@ def faults_of_constants(name: str, text: str, pages: Mapping[str, str]) -> Itera
                     yield from (f"{name}: {n:g} is not in `{cited}`" for n in missing)
 
 
+def faults_of_names(name: str, text: str, texts: frozenset[str]) -> Iterator[str]:
+    """Yield texts that a file names and nobody has, and keys of sources that nothing defines."""
+    if not name.startswith("tests/"):  # tests make up files
+        for cited in NAMED.findall(text):
+            if cited.rpartition("/")[2] not in texts:
+                yield f"{name}: there is no {cited}"
+    yield from (
+        f"{name}: the key [{k}] is not defined" for k in DATED.findall(text) if k not in KEYS
+    )
+
+
 def _numbers(code: str) -> list[float]:
     """Return the numbers of a constant; of a range, the first and the last that is in it."""
     numbers = [float(number) for number in NUMBER.findall(code)]
@@ -169,6 +187,11 @@ def test_numbers_in_the_source_are_those_of_the_rules() -> None:
 
 def test_nothing_names_notes_that_nobody_has() -> None:
     assert [name for name, text in sources() if NOT_HERE.search(text)] == []
+
+
+def test_every_text_and_every_key_that_is_named_is_there() -> None:
+    found = [fault for name, text in sources() for fault in faults_of_names(name, text, TEXTS)]
+    assert found == []
 
 
 @pytest.mark.parametrize("page", OF_RULES)
@@ -241,6 +264,7 @@ Outputs are 1 to 32.
 
 - **Status:** assumed
 - **Source:** no document, but see [Known2000]
+- **On the robot:** Type SIGNAL with a larger number.
 - **Code:** `vrts/engine.py`
 
 (language-signals-sign)=
@@ -275,6 +299,20 @@ def test_a_wrong_citation_is_found(text: str, fault: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("name", "text", "fault"),
+    [
+        ("vrts/a.py", "see docs/there.md and [FGL1987]", ""),
+        ("vrts/a.py", "see notes/gone.md", "there is no notes/gone.md"),
+        ("tests/a.py", "writes gone.md", ""),
+        ("tests/a.py", "as in [Nobody1999]", "the key [Nobody1999] is not defined"),
+    ],
+)
+def test_a_text_or_a_key_that_is_not_there_is_found(name: str, text: str, fault: str) -> None:
+    found = list(faults_of_names(name, text, frozenset({"there.md"})))
+    assert found == ([f"{name}: {fault}"] if fault else [])
+
+
+@pytest.mark.parametrize(
     ("text", "fault"),
     [
         ("OUTPUTS = range(1, 33)  # [assumed, manual language/signals#ranges]", ""),
@@ -300,6 +338,11 @@ def test_another_number_than_that_of_the_rule_is_found(text: str, fault: str) ->
         ("language-signals-ranges", "ranges", "the label `ranges` is not of this page"),
         ("vrts/engine.py", "vrts/gone.py", "there is no vrts/gone.py"),
         ("- **Code:** `vrts/engine.py`\n", "", "no code"),
+        (
+            "- **On the robot:** Type SIGNAL with a larger number.\n",
+            "",
+            "nobody says how to find out on the robot",
+        ),
         ("[Known2000]", "[Else1999]", "the key [Else1999] is not defined"),
     ],
 )

@@ -14,10 +14,10 @@ from typing import NamedTuple
 from vrts.ask.page import Kind, Page
 from vrts.ask.terms import Wanted, stem, stems_of, wanted
 
-TITLE, KEYWORDS, TEXT = 6.0, 4.0, 1.0  # [assumed] what a term counts in each field
-SATURATION = 2.0  # [assumed] so many occurrences count half of what any number would
+TITLE, KEYWORDS, TEXT = 6.0, 4.0, 1.0  # what a term counts in each field, as tried
+SATURATION = 2.0  # so many occurrences count half of what any number would
 USUAL_LENGTH = 120  # terms of a text; in longer ones a term counts for less
-KINDS = {  # [assumed] among pages that fit alike, those that answer a beginner come first
+KINDS = {  # among pages that fit alike, those that answer a beginner come first
     Kind.RECIPE: 1.5,
     Kind.WORD: 1.1,
     Kind.COMMAND: 1.0,
@@ -25,7 +25,7 @@ KINDS = {  # [assumed] among pages that fit alike, those that answer a beginner 
     Kind.BACKGROUND: 1.0,
     Kind.MESSAGE: 0.75,
 }
-OTHER_LANGUAGES = 0.6  # [assumed] of words that VAL-II itself does not have
+OTHER_LANGUAGES = 0.6  # of words that VAL-II itself does not have
 
 
 _CODE = re.compile(r"^```.*?^```", re.M | re.S)  # in which names are anybody's

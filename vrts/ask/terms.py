@@ -79,7 +79,7 @@ class Wanted:
         self.worth = worth
 
 
-# [assumed] what a term counts by where it comes from
+# what a term counts by where it comes from
 SAME, ALSO, ELSEWHERE, NUMBER = 1.0, 0.45, 0.7, 0.1
 _LONGEST = 4  # words of a phrase that means one thing
 

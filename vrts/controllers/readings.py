@@ -1,7 +1,7 @@
 """What every field of a model rests on: status, source and rule of the manual, as data.
 
-The three statuses are those of `manual/understand/sources.md`. Where a model has another value than the usual
-one, it has a ground of its own.
+The three statuses are those of `manual/understand/sources.md`. Where a model has another value
+than the usual one, it has a ground of its own.
 """
 
 from collections.abc import Mapping
@@ -9,8 +9,7 @@ from enum import Enum
 from types import MappingProxyType
 from typing import Literal, NamedTuple, TypeAlias
 
-from vrts.controllers.models import MODELS, USUAL
-from vrts.controllers.values import Value, values
+from vrts.controllers.values import Value
 
 Status: TypeAlias = Literal["documented", "inferred", "assumed"]
 
@@ -277,23 +276,3 @@ def value_text(value: Value, unit: str = "") -> str:
             return str(value.value)
         case _:
             return f"{value:g} {unit}".rstrip()
-
-
-def readings_text() -> str:
-    """Return every reading with its value, unit, source and rule, and where models differ."""
-    usual = dict(values(USUAL))
-    known = {name: dict(values(model)) for name, model in MODELS.items()}
-    rows = ["controller models"]
-    for model in MODELS.values():
-        rows.append(f"  {model.name}: {model.title}" + (" (usual)" if model is USUAL else ""))
-    for reading in READINGS:
-        said = value_text(usual[reading.field], reading.unit)
-        status, source = reading.ground
-        rows.append(f"  {reading.field} = {said}  -- {reading.about}; manual {reading.rule}")
-        rows.append(f"      {status}: {source}")
-        for name, found in known.items():
-            if found[reading.field] != usual[reading.field]:
-                other = value_text(found[reading.field], reading.unit)
-                ground = reading.others[name]
-                rows.append(f"      {name} = {other}  -- {ground.status}: {ground.source}")
-    return "\n".join(rows)

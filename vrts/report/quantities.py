@@ -1,6 +1,6 @@
 """Numbers as reports write them: rounded by the rule that marks use, with a unit.
 
-The rule: 1 ms, 0.01 mm, 0.01 degrees [architecture.md, rules that several parts share].
+The rule: 1 ms, 0.01 mm, 0.01 degrees (vrts/README.md, Conventions).
 """
 
 from collections.abc import Mapping, Sequence

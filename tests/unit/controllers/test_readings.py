@@ -9,7 +9,7 @@ from tests.places import ROOT
 from vrts.cli.shared.options import CONTROLLERS
 from vrts.controllers.model import NoLength
 from vrts.controllers.models import FIRST, MODELS, USUAL, VAL2, VPLUS, VRTS_1
-from vrts.controllers.readings import BEFORE, READINGS, Reading, readings_text, value_text
+from vrts.controllers.readings import BEFORE, READINGS, Reading, value_text
 from vrts.controllers.values import differing, digest, values, with_value
 
 MANUAL = ROOT / "vrts" / "manual"
@@ -74,16 +74,10 @@ def test_commands_offer_every_model() -> None:
     assert tuple(MODELS) == CONTROLLERS
 
 
-def test_the_list_shows_values_units_sources_and_differences() -> None:
-    text = readings_text()
-    assert "  val2: VAL-II, as far as the documents go (usual)\n" in text
-    assert "  stops.fine_ticks = 3 ticks  -- settling with FINE; manual language/settings#" in text
-    assert "      assumed: the words: [VALSummary2014]; the time: no document\n" in text
-    assert "  stops.settling = every stop  -- " in text
-    assert f"      vrts-1 = waits  -- assumed: {BEFORE}\n" in text
-    assert "      vplus = 0.016 s  -- assumed: V+ has 16 ms" in text
+def test_values_are_told_in_words() -> None:
     assert value_text(None) == "none"
     assert value_text(True) == "yes"
+    assert value_text(0.016, "s") == "0.016 s"
 
 
 def odd_numbers(name: str, text: str) -> list[float]:

@@ -19,7 +19,11 @@ Examples:
 
 @click.command(name="explain", epilog=EPILOG)
 @click.argument("code", required=False)
-@click.option("--assumptions", is_flag=True, help="List what had to be decided without a source.")
+@click.option(
+    "--assumptions",
+    is_flag=True,
+    help="Tell what had to be assumed: what, how much, why, how to find out.",
+)
 @guarded
 def command(code: str | None, assumptions: bool) -> None:
     """Explain a diagnostic by its CODE or name; without one, list them all."""
@@ -43,17 +47,16 @@ def command(code: str | None, assumptions: bool) -> None:
 
 
 def _list_assumptions() -> None:
-    """Print the controller models, and every decision that the source marks as assumed."""
-    from vrts.controllers.readings import readings_text
-    from vrts.report.assumptions import decisions, text_of
+    """Print every decision, by the rules of the manual and by the marks in the source."""
+    from vrts.ask.assumed import assumed_text
+    from vrts.report.assumptions import decisions
 
     package = Path(str(files("vrts")))
     sources = {
         ".".join(path.relative_to(package).with_suffix("").parts): path.read_text(encoding="utf-8")
         for path in sorted(package.rglob("*.py"))
     }
-    out(readings_text() + "\n")
-    out(text_of(decisions(sources)))
+    out(assumed_text(decisions(sources)))
 
 
 def _pages() -> dict[str, str]:
