@@ -107,7 +107,7 @@ def outcome(one: Planted, told: dict[str, Any]) -> str:
         return "accused" if found else "held" if fine else "undetermined"
     if one.expected == UNBOUNDED and answer == "undetermined" and not found:
         lines = [variable["line"] for variable in told["unbounded"]]
-        said = lines == list(one.lines) or "nobody says what is typed" in told["open"][0]
+        said = lines == list(one.lines) or "nothing says what is typed" in told["open"][0]
         return "open" if said else "undetermined"
     if answer == "violated" and any(is_expected(one, wrong) for wrong in found):
         return "found"

@@ -31,7 +31,7 @@ INPUT = """
 signal = {signal}
 is = "free"
 # is = "held"                     # it never changes
-# state = "off"                   # or "on", or "either": nobody says which
+# state = "off"                   # or "on", or "either": it is not known which
 # is = "pulsed"                   # off at first, then on and off; how long each stay lasts:
 # on_s = [0.1, 0.5]
 # off_s = [1.0]                   # one number: at least so long
@@ -67,7 +67,7 @@ misses = false                    # true: each closing of the hand may grip or m
 """
 PROGRAMS = """
 [programs]
-first = "either"                  # in each tick anew; or always the "robot program"
+first = "either"                  # in each tick again; or always the "robot program"
 """
 TAIL = """
 [operator]

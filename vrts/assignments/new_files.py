@@ -109,7 +109,7 @@ broken_limit = 1.5           # lost once, by breaking a limit of the robot or mo
 
 STAFF_TASK = """\
 # What is checked at marking only. Students are told how many such checks there are, no more.
-# The reference must pass them too. Whatever `task.toml` may ask for can be hidden here, but for the
+# The reference must pass them too. Whatever `task.toml` may ask for can be hidden here, except the
 # sections [task], [time], [mark], [late], [submissions] and [settings]. Take the `#` away to hide a
 # via point:
 #

@@ -68,7 +68,7 @@ SECTIONS = """
 # states = 20000
 # points = 3
 #
-# Nearer than this is told as a near miss, which costs nothing (5 mm when nobody says otherwise):
+# Nearer than this is told as a near miss, which costs nothing (5 mm unless you say otherwise):
 #
 # [collision]
 # near_miss_mm = 5

@@ -147,9 +147,9 @@ def _contacts(scheme: MarkScheme) -> tuple[Worth, ...]:
         case Contacts.EVENTS:
             return (first, Worth(scheme.further_contact, "each further one"))
         case Contacts.TIME:
-            more = Worth(scheme.per_second, "each second of contact, besides")
+            more = Worth(scheme.per_second, "each second of contact, as well")
         case Contacts.DEPTH:
-            more = Worth(scheme.per_mm, "each millimetre of depth, besides")
+            more = Worth(scheme.per_mm, "each millimetre of depth, as well")
     return (first, more, Worth(scheme.further_contact, "each further object dropped"))
 
 

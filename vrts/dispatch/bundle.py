@@ -163,7 +163,7 @@ def content_digest(bundle: Bundle) -> str:
 def bad_bundle(why: str) -> Refused:
     """Return what to raise for a file that is no sound bundle."""
     headline = f"this is no bundle of `vrts dispatch plan`: {why[:200]}"
-    remedy = "copy the file again, or plan anew; a bundle is not for editing"
+    remedy = "copy the file again, or plan again; a bundle is not for editing"
     return Refused((error(BAD_BUNDLE, headline, help=(remedy,)),))
 
 

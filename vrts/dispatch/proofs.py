@@ -40,7 +40,7 @@ def _notes(bundle: Bundle) -> Iterator[str]:
         what = _differs(bundle, one, said, proof)
         if what is not None:
             headline = f"the certificate `{said.file}` holds, but {what}"
-            raise Refused((error(OTHER, headline, help=("plan anew: nothing was sent",)),))
+            raise Refused((error(OTHER, headline, help=("plan again: nothing was sent",)),))
 
 
 def _differs(bundle: Bundle, one: Verified, said: Shown, proof: Proof) -> str | None:

@@ -148,7 +148,7 @@ def _left(search: Search) -> tuple[str, ...]:
     for cause in search.unanswered:
         assert isinstance(cause, Cause)
         left.append(
-            f"nobody says what is typed at step {cause.step} of `{cause.program}`, and the program"
+            f"nothing says what is typed at step {cause.step} of `{cause.program}`, and the program"
             " goes on with whatever it is: give answers in the environment, or let the program"
             " ask whether the number is right"
         )

@@ -135,13 +135,13 @@ def does(change: Change) -> str:
     if change.old.startswith("every "):
         return f"{change.old}: {change.new}"
     if change.does is Does.REMOVE:
-        return f"`{change.old}` is too much"
+        return f"`{change.old}` does not belong here"
     if change.does is Does.ORDER and change.old == change.new:
         return f"`{change.old}` stands elsewhere"
     if not change.old:
         return f"`{change.new}` is missing"
     if not change.new:
-        return f"`{change.old}` is too much"
+        return f"`{change.old}` does not belong here"
     more = len(change.edits) - 1
     if more and change.does is Does.NUMBER:
         return f"`{change.new}` for `{change.old}`, and so {more} more place{'s' * (more > 1)}"
@@ -156,7 +156,7 @@ def cause(change: Change, source: SourceFile) -> str:
         case Does.ADD:
             return f"`{change.new.split()[0]}` is missing"
         case Does.REMOVE:
-            return f"`{change.old.split()[0]}` is too much"
+            return f"`{change.old.split()[0]}` does not belong here"
         case Does.ORDER:
             return "something stands in the wrong order"
         case Does.NUMBER:

@@ -251,9 +251,7 @@ def let_go(steps: Steps, event: Released, goal: Pose | None) -> Iterator[Link]:
     elif event.height_m > HELD_CLOSED:
         below = box.lower[2] - event.height_m
         toward = "too high"
-        amount = (
-            f"{length(event.height_m)} mm too high: what is beneath it begins at Z {_mm(below)}"
-        )
+        amount = f"{length(event.height_m)} mm too high: what is below it begins at Z {_mm(below)}"
     elif goal is not None:
         toward, how_far = offset(subtract(X_WO.translation, goal.translation), least=2e-3)
         amount = f"{how_far} for its goal" if how_far else ""

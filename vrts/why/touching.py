@@ -148,7 +148,7 @@ def _out(steps: Steps, event: ContactEvent, along: Vector) -> tuple[str, str]:
     if not 0.0 < size < FARTHEST:
         return "", ""
     if word == "high":
-        amount = f"{moving.name} is {length(size)} mm too high to pass beneath `{event.second}`"
+        amount = f"{moving.name} is {length(size)} mm too high to pass under `{event.second}`"
         return f"{moving.name} is too high", amount
     if word:
         lowest, top = (

@@ -67,7 +67,7 @@ def command(
 
     table = target or place_of_table(place)
     if table.exists() and not overwrite:
-        fail(f"`{table}` is there already", ("`--overwrite` writes it anew; edits in it are lost",))
+        fail(f"`{table}` is there already", ("`--overwrite` writes it again; edits are lost",))
     asked = _task(task)
     times = (
         zone_named(zone)

@@ -70,7 +70,7 @@ Clusters (pip install 'vrts[cluster]', here and where the workers are):
   dask              those of Dask's own configuration, else threads of this machine
   slurm, htcondor   --jobs many jobs, as ~/.config/dask/jobqueue.yaml says, for example
                     jobqueue: {slurm: {cores: 1, memory: 2GB, walltime: "01:00:00"}}
-                    (htcondor needs disk: 2GB besides); call it where jobs are submitted
+                    (htcondor needs disk: 2GB as well); call it where jobs are submitted
 Workers get pseudonyms and programs, and the task with its hidden checks: use clusters whose
 scheduler only you can reach. Without Dask: vrts grade plan, run and merge.
 

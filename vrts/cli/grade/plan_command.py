@@ -56,7 +56,7 @@ and at home again:
     help="Folder of the plan.",
 )
 @click.option(
-    "--overwrite", is_flag=True, help="Plan anew: results of the old plan become foreign."
+    "--overwrite", is_flag=True, help="Plan again: results of the old plan become foreign."
 )
 @table_option
 @roster_option()
@@ -104,7 +104,7 @@ def command(
 
     require_folder(folder)
     if (folder / KEY).exists() and not overwrite:
-        hints = ("`--overwrite` plans anew; results of the old plan cannot be merged then",)
+        hints = ("`--overwrite` plans again; results of the old plan cannot be merged then",)
         fail(f"there is a plan in `{folder}` already", hints)
     place, found = what_to_mark(task, submissions, lab)
     marker = Marker(place, Wanted(not no_collisions, engine, not no_pages, recordings, mend))

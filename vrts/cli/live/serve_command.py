@@ -100,7 +100,7 @@ def command(
 
     However it ends, by kill -9 too: started again with the same folder, every room goes on where it
     was, with arm and programs stopped. What was done is done again from the log, exactly; where
-    that cannot be, for another scene or a purged user, the room begins anew and is told why.
+    that cannot be, for another scene or a purged user, the room begins again and is told why.
 
     A session can be rewound to any moment and saved as a program, however long ago: what is older
     than ten minutes goes to a file, the oldest of it first when `--history-quota` is reached. The
@@ -115,7 +115,7 @@ def command(
         administer(folder, add_user, purge_user, backup, supervisor=supervisor, verify=verify_logs)
         return
     if not scenes:
-        fail("which scenes shall be served?", ("such as `vrts serve cans-on-bases`",))
+        fail("which scenes should be served?", ("such as `vrts serve cans-on-bases`",))
     if (tls_cert is None) != (tls_key is None):
         fail("`--tls-cert` and `--tls-key` go together")
     try:

@@ -23,7 +23,7 @@ Examples:
 @lab_option
 @click.option("--terminal", is_flag=True, help="Use the keys of the terminal as the pendant.")
 @overwrite_option("Replace the file if it is there.")
-@no_open_option("Say the link, but open no browser.")
+@no_open_option("Print the link, and open no browser.")
 @click.option(
     "--port", type=click.IntRange(0, 65_535), default=0, help="Port of the page; 0 takes any."
 )

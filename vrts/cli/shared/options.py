@@ -146,7 +146,7 @@ def language_options(function: Command) -> Command:
 
     command: Any = wrapped
     for option in (
-        click.option("--replace", is_flag=True, help="A program that comes again replaces."),
+        click.option("--replace", is_flag=True, help="A later program of the same name counts."),
         click.option(
             "--prec",
             type=click.Choice(["A", "B"]),

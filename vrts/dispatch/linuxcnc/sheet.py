@@ -38,7 +38,7 @@ ASSUMED = """
 - Lines do not keep to the speed of single joints, in LinuxCNC as in VAL-II: vrts checked that.
 - Reals are in double precision, and EQ takes numbers as equal that differ by less than 0.0001:
   VAL-II has single precision and is exact.
-- Motions begin and end at rest, but for rounded corners, which take {corner:g} s each.
+- Motions begin and end at rest, except for rounded corners, which take {corner:g} s each.
 - Before rounded motions the arm waits {lead:g} s, so that the set points of what comes are there.
 - Outputs are taken to be off where the program begins.
 - A wait for an input is repeated without an end, as WAIT is.
@@ -78,7 +78,7 @@ def sheet_text(robot: Robot, name: str, text: str) -> str:
     )
     flange = (
         f"Tool at the start, from the flange: {tool} mm. Acceleration: {arm.acceleration_time:g} s"
-        " from rest to full speed, set anew for each motion."
+        " from rest to full speed, set again for each motion."
     )
     hand = (
         f"The hand opens with `motion.digital-out-{table.hand_open:02}` and closes with"

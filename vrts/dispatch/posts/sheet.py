@@ -25,7 +25,7 @@ class Given(NamedTuple):
 TEXT = """
 ## What is claimed
 
-- vrts verified the program, wrote it anew, read it again and executed it in the same scene: at
+- vrts verified the program, wrote it again, read it again and executed it in the same scene: at
   every time the tool is within {tolerance:g} mm of where it was ({most:.4f} mm at most).
 - TOOL and BASE are set where the program begins. The tool is {tool} mm from the flange.
 

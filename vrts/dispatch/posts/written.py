@@ -101,7 +101,7 @@ class _Writer:
         called = (s.statement for p in self.found.programs for s in p.steps)
         for statement in called:
             if isinstance(statement, CallStatement) and key(statement.program.text) == program.name:
-                headline = "the program that is executed is called too, and would set TOOL anew"
+                headline = "the program that is executed is called too, and would set TOOL again"
                 remedy = "write another program that only calls it, and execute that"
                 cannot = CannotWrite(statement.start, statement.end, headline, remedy)
                 self.errors.append(self._cannot(cannot))

@@ -107,5 +107,5 @@ def _unreadable(expected: str, came: str) -> Refused:
         "what the controller lists cannot be read",
         f"expected: {expected}",
         f"came: {visible(came)}",
-        remedy="try again; if it comes again, the layout of this controller is unknown to vrts",
+        remedy="try again; if it happens again, the layout of this controller is unknown to vrts",
     )

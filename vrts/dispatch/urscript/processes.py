@@ -71,7 +71,7 @@ def end(step: ir.EndProcess) -> list[str]:
     """
     mode = 1.0 if step.mode is None else constant(step.mode)
     if mode is None or mode < 0.0:
-        raise CannotSay("PCEND takes back that the program ends", "write PCEND where it shall end")
+        raise CannotSay("PCEND takes back that the program ends", "write PCEND where it is to end")
     return ["global v_cycles = 0.0"]
 
 

@@ -51,7 +51,7 @@ class Signature(NamedTuple):
             case Trust.WRONG:
                 return "the signature is not one of this bundle"
             case Trust.VALID:
-                return f"signed with {self.key}, valid; nobody says whose key that is"
+                return f"signed with {self.key}, valid; nothing says whose key that is"
             case Trust.FOREIGN:
                 return f"signed with {self.key}, valid; it is the key of no allowed signer"
             case Trust.TRUSTED:

@@ -15,7 +15,7 @@ from vrts.report.proof_words import counted
 
 SCHEMA = "vrts.bundle-check/1"
 SHORT = 12  # characters of a hash
-OLD = "of an older format, which does not hold what it was planned from: plan anew to prove it"
+OLD = "of an older format, which does not hold what it was planned from: plan again to prove it"
 
 
 class Checked(NamedTuple):

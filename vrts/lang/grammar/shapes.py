@@ -96,7 +96,7 @@ def _one_location(problems: Problems, node: Rest) -> bool:
         "SET gives a location one value",
         node.start + len(first),
         node.end,
-        "this is too much",
+        "unexpected here",
         notes=(_TEXT_SAYS,),
         help=(
             f"leave it out: write `{first.rstrip()}`",
@@ -198,7 +198,7 @@ def _few_enough(
         f"{word.text} takes {takes}, {len(operands)} given",
         extra[0].start,
         extra[-1].end,
-        "this is too much",
+        "unexpected here",
         notes=(_TEXT_SAYS,),
         help=(f"write `{word.usage}`",),
     )

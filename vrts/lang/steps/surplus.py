@@ -36,7 +36,7 @@ def empty_parentheses(step: BrokenStep) -> bool:
         f"{step.word.text} has no parentheses",
         before.start,
         here.end,
-        "this is too much",
+        "unexpected here",
         notes=(TEXT_SAYS,),
         help=(f"write `{step.word.usage}`",),
         fix=step.problems.replace(before.start, here.end, "")
@@ -127,7 +127,9 @@ def too_many(step: BrokenStep) -> bool:
             if here.kind == "COMMA":
                 many = _NUMBERS[min(len(step.word.operands), len(_NUMBERS) - 1)]
                 takes = f"{step.word.text} takes {many}"
-                _report_extra(step, here, f"{takes}: `{short(rest)}` is too much", help_, fix)
+                _report_extra(
+                    step, here, f"{takes}: `{short(rest)}` does not belong here", help_, fix
+                )
                 return True
     else:
         help_ = "write an operator between them, as `+` or `*`, or take one of them out"
@@ -197,7 +199,7 @@ def _report_extra(
         headline,
         here.start,
         step.tokens[-1].end,
-        "this is too much",
+        "unexpected here",
         notes=(_QUALIFIER_SAYS if here.text.upper() in QUALIFIERS else TEXT_SAYS,),
         help=(help_,) if help_ else (),
         fix=fix,

@@ -60,7 +60,7 @@ _COMMANDS = (
     _c("FRENAME", "FILE", "FRENAME new = old", "rename a file"),
     _c("HERE", "LIST", "HERE location", "give a location the present pose"),
     _c("ID", "NONE", "ID", "show the version"),
-    _c("INIT", "REST", "INIT", "begin a disk anew", opaque=True),
+    _c("INIT", "REST", "INIT", "begin a disk again", opaque=True),
     _c("IO", "LIST", "IO n", "show the signals"),
     _c("KILL", "NONE", "KILL", "clear a stopped program"),
     _c("LISTF", "FILE", "LISTF", "list the files"),

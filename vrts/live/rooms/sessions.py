@@ -79,10 +79,10 @@ class Sessions:
             failures = 1 if time.monotonic() - began > WELL_S else failures + 1
             text = f"the session ended: {process.failure}"
             if failures < MOST_FAILURES:
-                await say(hub, room, None, f"{text}; it begins anew", EVERYBODY, None)
+                await say(hub, room, None, f"{text}; it begins again", EVERYBODY, None)
                 await asyncio.sleep(0.5 * 2**failures)
             else:
-                help_ = "the supervisor can begin it anew"
+                help_ = "the supervisor can begin it again"
                 await say(hub, room, None, f"{text}; {help_}", EVERYBODY, None)
                 await wake.wait()
                 failures = 0
@@ -97,7 +97,7 @@ class Sessions:
             return None
 
     async def _say_anew(self, room: Room, why: str) -> None:
-        text = f"the server was started again, and the session begins anew: {why}"
+        text = f"the server was started again, and the session begins again: {why}"
         await say(self._hub, room, None, text, EVERYBODY, None)
 
     async def _one(self, room: Room, before: Unfinished | None) -> SessionProcess:

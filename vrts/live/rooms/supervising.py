@@ -88,7 +88,7 @@ async def supervise(
         case CloseRoom():
             closed = _room(hub, message.room)
             if len(hub.rooms) == 1:
-                help_ = "begin anew in it, or make another one first"
+                help_ = "begin again in it, or make another one first"
                 raise NotObeyed("room", "the last room stays open", help_)
             record(hub, closed, "close", member.account, {})
             await close(hub, closed)

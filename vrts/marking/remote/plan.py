@@ -137,7 +137,7 @@ def read_key(place: Path) -> Key:
     except msgspec.MsgspecError as problem:
         why = str(problem)
     headline = f"`{path.name}` is not the key of a plan: {why[:200]}"
-    remedy = "name the folder that `vrts grade plan` wrote, or plan anew"
+    remedy = "name the folder that `vrts grade plan` wrote, or plan again"
     raise Refused((error(BAD_PLAN, headline, help=(remedy,)),))
 
 

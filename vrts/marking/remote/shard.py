@@ -106,7 +106,7 @@ def read_shard(data: bytes) -> Shard:
         raise _bad("a submission is in it twice")
     if shard.vrts != __version__:
         headline = f"the shard is for vrts {shard.vrts}, and this is vrts {__version__}"
-        remedy = f"install vrts {shard.vrts} here, or plan anew with vrts {__version__}"
+        remedy = f"install vrts {shard.vrts} here, or plan again with vrts {__version__}"
         raise Refused((error(OTHER_VRTS, headline, help=(remedy,)),))
     return shard
 

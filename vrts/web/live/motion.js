@@ -3,7 +3,7 @@
 const KEPT = 40; // frames
 const DRIFT = 0.002; // by which a clock may run slow against the other [s/s]
 const LONGEST_DELAY = 0.25; // [s]
-const JUMP = 1; // a frame further off than this begins anew [s]
+const JUMP = 1; // a frame further off than this begins again [s]
 
 /** @typedef {import("./frame.js").PoseFrame} PoseFrame */
 /** @typedef {{t: number, joints: Float64Array, hand: number, outputs: number, flags: number}} Shown */

@@ -58,7 +58,7 @@ def test_whose_signature_it_is_only_a_file_of_signers_says(home: Path) -> None:
     assert found(home) == Signature(Trust.TRUSTED, "huber@lab", found(home).key)
     assert found(home).key.startswith("ED25519 key SHA256:")
     assert found(home, None).trust is Trust.VALID
-    assert "nobody says whose key" in found(home, None).words
+    assert "nothing says whose key" in found(home, None).words
 
 
 def test_another_key_is_valid_and_not_trusted(home: Path) -> None:

@@ -139,7 +139,7 @@ def test_where_it_cannot_go_on_it_begins_anew_and_says_why(tmp_path: Path) -> No
         chat = next(m for m in ben.came if m["type"] == "snapshot")["chat"]
         said = [line["text"] for line in chat if not line["person"]]
         said += [m["text"] for m in ben.came if m["type"] == "chat"]
-        assert any("begins anew" in text and "was purged" in text for text in said)
+        assert any("begins again" in text and "was purged" in text for text in said)
         number = ben.command(ben.take_control(), "line", line="LISTR a")
         told = ben.wait("result", lambda m: m["of"] == number)["result"]["text"]
         assert "Undefined" in told

@@ -151,7 +151,7 @@ def test_a_session_that_dies_begins_anew(tmp_path: Path) -> None:
         anna = settled(server, "Anna")
         (session,) = psutil.Process(server.process.pid).children()
         session.kill()
-        anna.wait("chat", lambda m: "begins anew" in m["text"])
+        anna.wait("chat", lambda m: "begins again" in m["text"])
         anna.wait("state")
         lease = anna.take_control()
         number = anna.command(lease, "line", line="DO READY")

@@ -149,7 +149,7 @@ def test_the_same_rows_give_the_same_page() -> None:
 
 def test_those_who_made_the_same_mistake_stand_together() -> None:
     one = Mending("`OPENI` is missing", "one change away: 10 with line 5", (5,), 1, 30)
-    other = Mending("`SPEED 3` is too much", "look at line 9", (9,), 1, 60)
+    other = Mending("`SPEED 3` does not belong here", "look at line 9", (9,), 1, 60)
     rows = [
         plain_row("anna", mark=3.0, mending=other),
         plain_row("ben", mark=2.0, mending=one),

@@ -155,7 +155,7 @@ def test_answers_are_tried_as_the_environment_says() -> None:
     assert found.scenario.answers == ("3",)
     proof = proven('PROMPT "how many? ", n\nDRIVE 1, n, 50\n')
     assert proof.answer is Answer.UNDETERMINED
-    assert "nobody says what is typed at step 1" in proof.open[0]
+    assert "nothing says what is typed at step 1" in proof.open[0]
 
 
 def test_random_numbers_are_sampled_and_told_so() -> None:

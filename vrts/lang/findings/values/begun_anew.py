@@ -34,7 +34,7 @@ def check_begun_anew(
     found: Sequence[Block],
     changed_by: Callable[[str], frozenset[str] | None],
 ) -> None:
-    """Warn of loops whose counter begins anew in each pass, so that they never end."""
+    """Warn of loops whose counter begins again in each pass, so that they never end."""
     for first, last, condition, goes_on in _loops(program, found):
         if last - first > MOST_STEPS:
             continue
@@ -52,7 +52,7 @@ def check_begun_anew(
             written = problems.source.text[begun.start : begun.end]
             problems.warning(
                 ENDLESS_LOOP,
-                f"`{name}` begins anew in each pass: this loop never ends",
+                f"`{name}` begins again in each pass: this loop never ends",
                 begun.start,
                 begun.end,
                 f"`{name}` is {value:g} again",

@@ -159,7 +159,7 @@ class CountingCheck:
                     node.start,
                     node.end,
                     secondary=secondary,
-                    notes=("all programs share their variables, but for their arguments",),
+                    notes=("all programs share their variables, except for their arguments",),
                     help=(f"use another variable in `{called}`, or another one to count here",),
                 )
                 return

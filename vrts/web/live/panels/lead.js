@@ -30,7 +30,7 @@ export function mountLead({ store, connection, toasts }, entrance) {
 
   // --- the scene
   const scene = choice([], { id: "lead-scene", "aria-label": "Scene" });
-  const begin = button("Begin anew in this scene", () => window.confirm("End what is going on, and begin anew?") && told("set_scene", { scene: scene.value }));
+  const begin = button("Begin again in this scene", () => window.confirm("End what is going on, and begin again?") && told("set_scene", { scene: scene.value }));
 
   const everywhere = choice([["", "no new scene"]], { id: "broadcast-scene", "aria-label": "Scene for all rooms" });
 
@@ -89,7 +89,7 @@ export function mountLead({ store, connection, toasts }, entrance) {
   const broadcast = make("form", { class: "row" }, text, everywhere, make("button", { text: "Send to all" }));
   onSubmit(broadcast, () => {
     if (!text.value.trim() && !everywhere.value) return;
-    if (everywhere.value && !window.confirm("Begin anew in all rooms?")) return;
+    if (everywhere.value && !window.confirm("Begin again in all rooms?")) return;
     if (told("broadcast", { text: text.value.trim(), scene: everywhere.value })) text.value = everywhere.value = "";
   });
 

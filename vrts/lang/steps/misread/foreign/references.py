@@ -26,8 +26,8 @@ def more_in_argument(text: str, repair: Repair, dialect: Dialect) -> Meant | Non
     if _CALL.fullmatch(text) is None or '"' in text:
         return None
     for pattern, says in (
-        (_MORE, "`{w}` is too much: a variable is handed over itself, and may be changed"),
-        (_NAMED, "`{w}` is too much: arguments have no names, their order tells"),
+        (_MORE, "`{w}` does not belong here: a variable is handed over itself, and may be changed"),
+        (_NAMED, "`{w}` does not belong here: arguments have no names, their order tells"),
     ):
         first = pattern.search(text)
         if first is None or (dialect.is_as and first["more"] in _TYPES_OF_AS):

@@ -127,7 +127,7 @@ _SIGNS = (
             r"(?<=\))[ \t]+(?:IS[ \t]+)?(?P<word>ON|HIGH|TRUE|ACTIVE)\b(?![ \t]*[=(])", re.I
         ),
         "",
-        "SIG is true by itself while its signal is on: {w} is too much",
+        "SIG is true by itself while its signal is on: {w} does not belong here",
     ),
     _word("B_AND|BIT_?AND|LAND|BITWISE_AND", "BAND"),
     _word("B_OR|BIT_?OR|LOR|BITWISE_OR", "BOR"),
